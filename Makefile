@@ -1,6 +1,6 @@
-# make        build every dataset and figure into results/, and check them; STUDY=FILE for another study
-# make test   lint, types, import contracts, and the tests that a change must pass
-# make help   the other targets
+# make        build all datasets and figures in results/ and check them; STUDY=FILE selects another study
+# make test   check style, types and import contracts, and run the tests that every change must pass
+# make help   list the other targets
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -11,17 +11,17 @@ PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 p
 
 ifneq ($(MAKECMDGOALS),help)
 ifneq ($(words $(CURDIR)),1)
-$(error $(CURDIR): Snakemake runs in no folder with a space; move the project)
+$(error $(CURDIR): Snakemake cannot run in a path with a space; move the project)
 endif
 ifneq ($(shell test -w . && echo yes),yes)
-$(error $(CURDIR): cannot be written; make needs a folder of your own)
+$(error $(CURDIR): cannot be written; make needs a folder that you can write to)
 endif
 ifneq ($(shell $(PYTHON) -E -c 'import sys; print((3, 11) <= sys.version_info < (3, 15))' 2>/dev/null),True)
-$(error Python 3.11 to 3.14 is needed, $(or $(PYTHON),none) was found; set PYTHON=/path/to/python)
+$(error Python 3.11 to 3.14 is required, but $(or $(PYTHON),none) was found; set PYTHON=/path/to/python)
 endif
 endif
 
-# Settings that a user has for other work stay out, and a home or cache that cannot be written is replaced.
+# Ignore the user's settings for other projects, and replace a home or cache folder that is not writable.
 unexport PYTHONPATH PYTHONHOME PYTHONDONTWRITEBYTECODE MPLBACKEND SNAKEMAKE_PROFILE VIRTUAL_ENV
 export PYTHONNOUSERSITE := 1
 CACHE_HOME := $(or $(XDG_CACHE_HOME),$(HOME)/.cache)
@@ -34,14 +34,14 @@ endif
 .PHONY: all test test-all test-slurm test-drags lint bench golden images dictionary schemas lock report manual clean help
 .DELETE_ON_ERROR:
 
-# One make at a time: the lock goes with the process that holds it, and so does not outlive a kill.
+# One make at a time. The operating system releases the lock when its process ends, even if it is killed.
 LOCK := exec 9>>.making; $(PYTHON) -E -c 'import fcntl; fcntl.flock(9, fcntl.LOCK_EX | fcntl.LOCK_NB)' 2>/dev/null || { \
-	echo "Another make is at work in this folder; waiting for it"; $(PYTHON) -E -c 'import fcntl; fcntl.flock(9, fcntl.LOCK_EX)'; }
+	echo "Another make is running in this folder; waiting for it"; $(PYTHON) -E -c 'import fcntl; fcntl.flock(9, fcntl.LOCK_EX)'; }
 
 all: $(COMPILED)
 	@$(LOCK); $(BIN)/snakemake $(if $(STUDY),--config study=$(STUDY)) && $(BIN)/python -m planar_pushing.report.closing $(STUDY)
 
-# An environment belongs to its folder and to the locked packages.
+# An environment is valid only for its folder and the locked packages.
 STATE := $(CURDIR) $(shell cat requirements.lock pyproject.toml | cksum)
 ifneq ($(shell cat $(INSTALLED) 2>/dev/null),$(STATE))
 .PHONY: $(INSTALLED)
@@ -63,14 +63,14 @@ PYTEST := $(BIN)/pytest --numprocesses=auto --dist=worksteal --benchmark-disable
 test: lint $(COMPILED)
 	$(PYTEST)
 
-test-all: $(COMPILED) ## the tests that take longer: kinds, workflow, manual, failures, browser, Slurm; some forty minutes
+test-all: $(COMPILED) ## run the slow tests: kinds, workflow, manual, failures, browser, Slurm; about 40 minutes
 	$(PYTEST) -m slow
 	$(BIN)/pytest -m alone
 
-test-slurm: $(COMPILED) ## run a study in chunks on a private Slurm (root; slurm-wlm, munge), failures included
+test-slurm: $(COMPILED) ## run a study in chunks on a private Slurm, including failures (needs root, slurm-wlm, munge)
 	$(BIN)/pytest -m alone tests/workflow/test_slurm.py
 
-test-drags: $(COMPILED) ## drag parts of the explorer's page 20,000 times in Chromium: pictures a second, latency, memory
+test-drags: $(COMPILED) ## drag parts of the explorer 20,000 times in Chromium; measure frame rate, latency and memory
 	$(BIN)/pytest -s tests/browser/many_drags.py
 
 lint: $(INSTALLED)
@@ -81,10 +81,10 @@ lint: $(INSTALLED)
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
 
-bench: $(COMPILED) ## print how fast the mechanics and simulations are, as ratios in one run
+bench: $(COMPILED) ## print the speed of the mechanics and the simulations, as ratios within one run
 	$(BIN)/pytest tests/benchmarks/bench_speed.py --benchmark-columns=min,median,rounds
 
-golden: $(COMPILED) ## make the golden data of the results anew and print the differences; WRITE=1 stores them
+golden: $(COMPILED) ## recompute the golden data of the results and print the differences; WRITE=1 stores them
 	@$(LOCK); $(BIN)/snakemake data figures hard_cases
 	$(BIN)/python -m planar_pushing.evidence.golden.update $(if $(WRITE),--write)
 
@@ -97,18 +97,18 @@ dictionary: $(INSTALLED) ## write results/README.md from the attributes of the d
 schemas: $(INSTALLED) ## write workflow/schemas from the models of scene and study files
 	$(BIN)/python -m planar_pushing.study.files.schemas
 
-manual: $(COMPILED) ## write the manual to results/manual/index.html, from results that it builds where they are missing
+manual: $(COMPILED) ## write the manual to results/manual/index.html; missing results are built first
 	@$(LOCK); $(BIN)/snakemake manual
 
 report: all ## write results/report.html, Snakemake's report of the last run
 	@$(LOCK); $(BIN)/snakemake --report results/report.html
 
-lock: $(INSTALLED) ## resolve the dependencies anew
+lock: $(INSTALLED) ## update requirements.lock to the newest versions of the dependencies
 	$(BIN)/uv pip compile --quiet --universal --python-version 3.11 --fork-strategy fewest --generate-hashes \
 		--no-emit-index-url --no-emit-find-links --no-annotate --custom-compile-command "make lock" \
 		--upgrade --all-extras --output-file requirements.lock pyproject.toml requirements.build
 
-clean: ## remove everything that was generated
+clean: ## remove all generated files
 	rm -rf $(VENV) .making .snakemake .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache build dist
 	find src tests -name __pycache__ -prune -exec rm -rf {} +
 	find results -mindepth 1 -not -name README.md -delete

@@ -1,9 +1,9 @@
 # Replication of Lynch & Mason, Pulling by Pushing, Slip with Infinite Friction, and Perfectly Rough
 # Surfaces. `snakemake` builds everything; `snakemake data`, `figures`, `golden`, `claims` and `paper` build
-# parts, `snakemake accuracy` measures what accuracy costs, `snakemake pushes --config data=FOLDER` measures
-# published pushes, `snakemake manual` builds the manual.
-# Another study, alone: snakemake --config study=workflow/config/smoke.yaml, or `planar-pushing run`, which
-# has these files in the package too, and runs them in the folder where it is called.
+# parts; `snakemake accuracy` measures the cost of accuracy; `snakemake pushes --config data=FOLDER` evaluates
+# published pushes; `snakemake manual` builds the manual.
+# To build only another study, use snakemake --config study=workflow/config/smoke.yaml or `planar-pushing run`,
+# which runs the workflow included in the package in the current folder.
 
 
 report: "workflow/report/workflow.rst"

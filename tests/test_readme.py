@@ -1,6 +1,7 @@
-"""What README shows is what the program prints and draws, and what it links to is there."""
+"""README shows what the program prints and draws, and its links lead to files."""
 
 import doctest
+import json
 import re
 from pathlib import Path
 
@@ -8,7 +9,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
+import planar_pushing as pp
 from planar_pushing.commands import main
+from planar_pushing.figures import images
+from planar_pushing.figures.parts.measured import PUSHES_FILE
+from planar_pushing.figures.render import pushes_figure
 from planar_pushing.study.build import build_dataset
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import write_dataset
@@ -18,50 +23,36 @@ from shown import Checker
 PATH = Path("README.md").resolve()
 README = PATH.read_text(encoding="utf-8")
 ANIMATION = PATH.parent / "paper/manual/pictures/pulling.gif"
-#: Largest root mean square difference of two frames' colour levels, 0 to 255: text moves a little.
+MEASURED = PATH.parent / "tests/golden/images/measured_pressures.png"
+#: Largest root mean square difference of two frames' color levels, 0 to 255: text moves a little.
 TOLERANCE = 4.0
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Folder with the dataset that README queries, its scene file, and the scenes of the project."""
+    """Folder with the dataset that README queries and the scenes of the project."""
     root = tmp_path_factory.mktemp("readme")
     study = load_study("workflow/config/paper.yaml")
     cones = build_dataset("motion_cones", study_slice(study, "motion_cones"))
     write_dataset(cones, root / "results/data/motion_cones.nc")
-    scene = re.search(r"```yaml\n# scene.yaml\n(.*?)```", README, re.DOTALL)
-    (root / "scene.yaml").write_text(scene[1], encoding="utf-8")
     (root / "workflow").symlink_to(PATH.parent / "workflow")
     return root
 
 
-def test_python_query(folder, monkeypatch):
+def test_python(folder, monkeypatch):
     monkeypatch.chdir(folder)
-    (block,) = re.findall(r"```python\n(>>> .*?)```", README, re.DOTALL)
-    test = doctest.DocTestParser().get_doctest(block, {}, "README", "README.md", 0)
+    blocks = re.findall(r"```python\n(>>> .*?)```", README, re.DOTALL)
+    assert len(blocks) == README.count("```python") == 2
+    test = doctest.DocTestParser().get_doctest("\n".join(blocks), {}, "README", "README.md", 0)
     runner = doctest.DocTestRunner(Checker(), optionflags=doctest.NORMALIZE_WHITESPACE)
-    runner.run(test)
-    assert (runner.tries, runner.failures) == (4, 0)
-
-
-def test_shell_query(folder, monkeypatch, capsys):
-    monkeypatch.chdir(folder)
-    ((command, said),) = re.findall(r"^\$ planar-pushing (.*)\n((?:.+\n)*)", README, re.MULTILINE)
-    assert main(command.split()) == 0
-    assert capsys.readouterr().out == said.removesuffix("```\n")
-
-
-def test_python_call_finds_what_the_shell_does(folder, monkeypatch):
-    monkeypatch.chdir(folder)
-    import planar_pushing as pp
-
-    (call,) = re.findall(r"In Python it is `(.*)`", README)
-    (solution,) = eval(call, {"pp": pp, "np": np})
-    assert f"force: {solution.force[0]:.12g}" in README
+    runner.run(test, clear_globs=False)
+    assert (runner.tries, runner.failures) == (13, 0)
+    (call,) = re.findall(r"`pp\.(draw\(.*?\))` draws", README)
+    assert eval(f"pp.{call}", test.globs) is not None
 
 
 def frames(path):
-    """Every picture of an animation, as colour levels."""
+    """Every picture of an animation, as color levels."""
     with Image.open(path) as image:
         for number in range(image.n_frames):
             image.seek(number)
@@ -79,8 +70,33 @@ def test_commands_make_the_animation(folder, monkeypatch, capsys):
         assert np.sqrt(np.mean((new - stored) ** 2)) < TOLERANCE
 
 
+def test_the_measured_picture_is_that_of_the_report(tmp_path):
+    assert MEASURED.relative_to(PATH.parent).as_posix() in README
+    pushes_figure(PUSHES_FILE, name="measured_pressures", png=tmp_path / "measured_pressures.png")
+    assert images.difference(tmp_path / "measured_pressures.png", MEASURED) < TOLERANCE
+
+
+def test_numbers_of_measured_pushes():
+    found = json.loads(Path(PUSHES_FILE).read_text(encoding="utf-8"))
+    feet, face = found["three_feet"], found["patch"]
+    (each,) = {log["pushes"] for log in (feet["logs"] | face["logs"]).values()}
+    assert f"{each} in each panel" in README
+    assert f"the {feet['pushes']} pushes on three feet" in README
+    motion = feet["comparison"]["motion"]
+    numbers = [f"{motion[model]['median']:.1f}" for model in ("identified", "fitted_ellipsoid")]
+    assert re.findall(r"(\d+\.\d) degrees", README) == numbers
+
+
 def test_links_lead_to_files():
     links = re.findall(r"\]\(([^)#]+)\)", README)
     assert ANIMATION.relative_to(PATH.parent).as_posix() in links
     for link in links:
         assert (PATH.parent / link).is_file(), link
+
+
+def test_the_citation_names_the_last_release():
+    changes = (PATH.parent / "CHANGELOG.md").read_text(encoding="utf-8")
+    version, date = re.search(r"^## (\d\S*) \((\S+)\)$", changes, re.MULTILINE).groups()
+    citation = (PATH.parent / "CITATION.cff").read_text(encoding="utf-8")
+    assert f"\nversion: {version}\ndate-released: {date}\n" in citation
+    assert version == pp.__version__

@@ -55,8 +55,8 @@ def test_the_first_page_pulls(page):
     assert state(page) == preset("figure_03")
     assert page.title() == titles()["figure_03"]
     assert words(page) == (
-        "The contact sticks while being pulled; two more ways: the contact breaks, or slips to the left "
-        "while being pulled."
+        "The contact sticks while being pulled; two other solutions: the contact breaks, or slips to the "
+        "left while being pulled."
     )
     assert "0.848 at 36\N{DEGREE SIGN}" in page.locator("tr.shown").inner_text()
 
@@ -194,7 +194,7 @@ def test_another_solution_is_drawn_in_full(page):
     agrees(page)
     assert state(page).shown == "SLIP_LEFT"
     assert words(page).startswith(
-        "The contact slips to the left while being pulled; two more ways: "
+        "The contact slips to the left while being pulled; two other solutions: "
     )
 
 
@@ -291,7 +291,7 @@ def test_a_push_is_followed_and_a_way_taken_by_hand(page):
     settled(page)
     assert state(page).time == pytest.approx(0.08 * state(page).duration, rel=0.02)
     assert re.match(
-        r"At time 0\.\d+ the contact sticks, one of three consistent ways\.", words(page)
+        r"At time 0\.\d+ the contact sticks, one of three consistent solutions\.", words(page)
     )
     page.get_by_role("button", name="slips to the left").click()
     settled(page)

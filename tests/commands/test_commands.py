@@ -60,7 +60,7 @@ def test_every_option_says_what_it_does_its_range_and_its_default(name, action):
     assert len(said) >= len("bash or zsh")
     if action.type in (int, float):
         assert re.search(
-            r"degrees|units|unit |per time|pictures|instants|tolerance|points|cores|\bport\b|\bseed\b",
+            r"degrees|units|unit |per time|frames|instants|tolerance|points|cores|\bport\b|\bseed\b",
             said,
         )
         assert re.search(
@@ -113,8 +113,8 @@ def test_the_package_runs_as_the_command(module):
 def test_a_folder_that_is_not_there_is_named_and_not_made(refused, tmp_path, command):
     place = tmp_path / "none" / "below"
     said = (
-        f"output: '{place}/file.svg' given; allowed: a file in a folder that is there; make the folder "
-        f"{place}, or name another file"
+        f"output: '{place}/file.svg' given; allowed: a file in an existing folder; create the folder "
+        f"{place}, or choose another file"
     )
     refused([*command, "-o", f"{place}/file.svg"], said)
     assert not place.parent.exists()

@@ -149,7 +149,7 @@ def test_without_forces_the_weight_is_1_and_is_said_to_be_unknown(run, files, su
     assert path.read_text() == supports["poses"].read_text()
     written = content(path)
     assert written["effects"] == [{"type": "support_friction", "weight": 1.0}]
-    assert written["title"].endswith("whose weight is not known: 1")
+    assert written["title"].endswith("the weight is unknown and set to 1")
     said = command.lines(told).splitlines()
     assert f"weight: 1 in {path}, since no force was measured" in said
     assert "undetermined: weight: no force was measured" in said
@@ -214,7 +214,8 @@ def test_wrong_input_is_refused_before_any_work(refused, files, tmp_path, monkey
          "family: 'point' given; allowed: points, even_and_corners, ellipse, map; did you mean points?"),
         ([forces, "--spacing", "-1", *out], "spacing: -1.0 given; allowed: a finite number > 0; "),
         ([forces, "--spacing", "2", *out], "pushes: '8 pushes for 2601 candidates' given; "),
-        ([forces, "--spacing", "0.01", *out], "spacing: 0.01 given; allowed: at least 1, "),
+        ([forces, "--spacing", "0.01", *out], "spacing: 0.01 given; allowed: a number from 1 to 100, "),
+        ([forces, "--spacing", "1e9", *out], "spacing: 1000000000.0 given; allowed: a number from 1 to "),
         ([forces, "--seed", "-1", *out], "seed: -1 given; allowed: a whole number >= 0; "),
         ([forces, "--outline", str(none), *out], f"{none}: no such file; give the path of a YAML file"),
     ):  # fmt: skip

@@ -25,6 +25,6 @@ def test_an_extra_that_is_missing_is_installed_first(run, tmp_path, monkeypatch)
 
 def test_nothing_is_overwritten(refused, tmp_path):
     (tmp_path / "scene.yaml").write_text("mine")
-    said = f"{tmp_path}/scene.yaml: is there already; name another folder"
+    said = f"{tmp_path}/scene.yaml: already exists; choose another folder"
     refused(["init", str(tmp_path)], said)
     assert [path.name for path in tmp_path.iterdir()] == ["scene.yaml"]

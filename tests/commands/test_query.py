@@ -158,7 +158,9 @@ def test_groups_files_and_studies_are_listed(run, results, tmp_path):
     _, out, _ = run("query", "--results", str(tmp_path / "results"), "--study", "mine")
     listed = dict(line.split(maxsplit=1) for line in out.splitlines()[:5])
     assert listed["scenes/figure_02"] == listed["scenes/figure_03"] == "scenes"
-    assert listed["simulations/push"].endswith("is not a netCDF4 file; remove it and build it anew")
+    assert listed["simulations/push"].endswith(
+        "is not a netCDF4 file; delete it and build it again"
+    )
     assert "scenes/NAME" not in out
 
 

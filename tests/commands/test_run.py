@@ -55,7 +55,7 @@ def test_snakemake_is_called_with_the_workflow_of_the_package(run, folder, calle
         "--cores", "1", "--dry-run", "--config", 'study="tiny.yaml"', 'results="my results"'
     ]  # fmt: skip
     assert "SNAKEMAKE_PROFILE" not in options["env"]
-    assert out == ("results: my results/studies/tiny\nbuilt: nothing, as in every dry run\n")
+    assert out == ("results: my results/studies/tiny\nbuilt: nothing (dry run)\n")
 
 
 def test_what_comes_next_is_a_command_that_works(run, folder, called):
@@ -70,7 +70,7 @@ def test_a_job_that_fails_is_said(run, folder, called):
     called[1][0] = 1
     code, out, _ = run("run", "tiny.yaml")
     assert code == 1
-    assert out == "results: results/studies/tiny\nbuilt: not all; the lines above say why\n"
+    assert out == "results: results/studies/tiny\nbuilt: incomplete; see the lines above\n"
 
 
 def test_ctrl_c_is_snakemakes_and_ends_the_command(run, folder, monkeypatch):

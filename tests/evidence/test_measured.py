@@ -92,9 +92,9 @@ ALLOWED = "allowed: a folder with three_feet/*.txt and polygons/*.mat"
     ("made", "said"),
     [
         ([], f"no such folder; {ALLOWED}; give another path"),
-        (["notes.txt"], f"holds no three_feet/*.txt; {ALLOWED}; add the logs"),
-        (["three_feet/patch.txt"], f"holds no polygons/*.mat; {ALLOWED}; add the logs"),
-        (["polygons/abs_hex.mat"], f"holds no three_feet/*.txt; {ALLOWED}; add the logs"),
+        (["notes.txt"], f"contains no three_feet/*.txt; {ALLOWED}; add the logs"),
+        (["three_feet/patch.txt"], f"contains no polygons/*.mat; {ALLOWED}; add the logs"),
+        (["polygons/abs_hex.mat"], f"contains no three_feet/*.txt; {ALLOWED}; add the logs"),
     ],
 )
 def test_a_folder_without_logs_is_one_line(tmp_path, made, said):

@@ -20,7 +20,7 @@ from planar_pushing.study.simulations import arguments
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
-from report.costs import effects, hard_cases
+from report.costs import effects, evaluations, hard_cases
 from report.pushes import measured_pushes
 
 FIGURES, NUMBERED = figure_names(), numbered()
@@ -87,8 +87,12 @@ def sources(studies, logs):
             return logs[group]
         if stem.startswith("accuracy"):
             return timed(group or "wrench")
-        if stem in ("effects", "hard_cases"):
-            return {"effects": effects("{}"), "hard_cases": hard_cases()}[stem]
+        if stem in ("effects", "evaluations", "hard_cases"):
+            return {
+                "effects": effects("{}"),
+                "evaluations": evaluations(),
+                "hard_cases": hard_cases(),
+            }[stem]
         return datasets[stem][group] if group else datasets[stem]
 
     return Made(source)

@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 
 from figures.conftest import FIGURES, NUMBERED
-from planar_pushing.figures.figure import drawing
+from planar_pushing.figures.figure import drawing, full_caption
 from planar_pushing.figures.parts.data import number
 from planar_pushing.figures.studies import OURS, SUPPLEMENT
 
@@ -111,7 +111,7 @@ def test_a_caption_tells_the_values_of_its_data(plotted, name, key):
         ("figure_08", "from −41.2° to 138.8°"),
         ("figure_09", "(a) μ = 2, aₚ at −8°, (b) μ = ∞, aₚ at 165°; l = 2, ψ = 45°, R = 1, m = 1, ρ = 1"),
         ("figure_11", "f at 33.5°, aₛ at −34.3°; l = 5, ψ = 45°, μ = 2, R = 1, W = 1, m = 1, ρ = 1"),
-        ("figure_14", "ψ = 30° at time 0; vₚ = 1 at 10°, from time 0.5 on 1 at −10°"),
+        ("figure_14", "ψ = 30° at time 0; vₚ = 1 at 10°, then 1 at −10° from time 0.5"),
         ("figure_15", "l = 5, μ = ∞, R = 1, W = 1, ψ = 45° at time 0; vₚ = 1 at 165°"),
         ("figure_19", "μ = 0.25, W = 1, l = 2, ψ = 45° at time 0, feet at 1 from the center; vₚ = 1"),
     ],
@@ -139,6 +139,14 @@ def test_a_fence_passes_above_the_ring_of_a_short_rod_alone(plotted, name, axis)
     caption, said = drawing(name).caption, "fence passes above the ring"
     assert said in caption(changed(plotted[name], axis, 1.0))
     assert said not in caption(changed(plotted[name], axis, 3.0))
+
+
+@pytest.mark.parametrize("name", [name for name in FIGURES if name not in SUPPLEMENT])
+def test_captions_of_reconstructions_name_the_figure_of_the_paper(plotted, name):
+    own, printed = drawing(name).caption(plotted[name]), full_caption(name, plotted[name])
+    number = int(name.removeprefix("figure_")) if name in NUMBERED else 0
+    source = f" After Fig. {number} of Lynch and Mason." if 1 <= number <= 12 else ""
+    assert printed == own + source
 
 
 @pytest.mark.parametrize("name", ["figure_16", "figure_17", "figure_18"])

@@ -1,4 +1,4 @@
-"""Errors of models on measured pushes: `plot_comparison`, and figures 21 and 22."""
+"""Errors of models on measured pushes: `plot_comparison`, and the figures of the report."""
 
 from itertools import combinations
 
@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 import planar_pushing as pp
 from figures.test_colors import contrast, distance, lightness
-from planar_pushing.figures import comparison, figure_21, figure_22, render
+from planar_pushing.figures import comparison, measured_errors, measured_pressures, render
 from planar_pushing.figures.comparison import LOOKS, looks
 from planar_pushing.figures.marks import Area, Dot, Line
 from planar_pushing.figures.parts.measured import read_pushes
@@ -121,8 +121,8 @@ def test_the_comparison_of_simulated_pushes_is_drawn():
 @pytest.mark.parametrize(
     ("given", "ax", "said"),
     [
-        ("a", None, "dataset: 'str' given; allowed: a dataset of compare; call compare on pushes first"),
-        (xr.Dataset(), None, "dataset: 'one without median' given; allowed: a dataset of compare"),
+        ("a", None, "dataset: 'str' given; allowed: a dataset returned by compare; call compare on pushes"),
+        (xr.Dataset(), None, "dataset: 'one without median' given; allowed: a dataset returned by compare"),
         (compared().drop_vars("model"), None, "'one without model' given"),
         (compared() * np.nan, None, "dataset: 'no errors' given; allowed: errors of a model"),
         (compared(), Figure().subplots(), "ax: '1 axes' given; allowed: 2 axes, for motion, pose"),
@@ -157,7 +157,7 @@ def test_models_have_contrast_and_every_model_of_compare_a_look():
     )
 
 
-# -- figure 21 ---------------------------------------------------------------------------------------
+# -- pressures ---------------------------------------------------------------------------------------
 
 
 def circles(marks, kind):
@@ -180,41 +180,41 @@ def of_panel(picture, number):
 
 
 def test_areas_are_fractions_of_the_weight(pictures, plotted):
-    logs = list(figure_21.logs(plotted["figure_21"]).values())
-    assert len(pictures["figure_21"].axes) == len(logs) + 1
+    logs = list(measured_pressures.logs(plotted["measured_pressures"]).values())
+    assert len(pictures["measured_pressures"].axes) == len(logs) + 1
     for number, log in enumerate(logs):
-        marks = of_panel(pictures["figure_21"], number)
+        marks = of_panel(pictures["measured_pressures"], number)
         for key, kind, color in (
             ("support", Area, None),
-            ("true_feet", Line, figure_21.TRUE),
+            ("true_feet", Line, measured_pressures.TRUE),
         ):
             shown = circles([m for m in marks if color in (None, getattr(m, "color", None))], kind)
             given = np.array(log[key] or []).reshape(-1, 3)
             assert shown[:, :2] == pytest.approx(given[:, :2], abs=1e-9)
-            whole = figure_21.WHOLE * 150.0
+            whole = measured_pressures.WHOLE * 150.0
             assert shown[:, 2] ** 2 == pytest.approx(whole**2 * given[:, 2], rel=1e-9)
 
 
 def test_centers_and_intervals_are_enlarged_within_their_frame(pictures, plotted):
-    data = plotted["figure_21"]
-    zoom = figure_21.enlargement(data)
+    data = plotted["measured_pressures"]
+    zoom = measured_pressures.enlargement(data)
     assert zoom >= 1
-    for number, log in enumerate(figure_21.logs(data).values()):
-        marks = of_panel(pictures["figure_21"], number)
-        low, high = figure_21._window(log)
+    for number, log in enumerate(measured_pressures.logs(data).values()):
+        marks = of_panel(pictures["measured_pressures"], number)
+        low, high = measured_pressures._window(log)
         true, found = (
             np.array(
                 [m.place for m in marks if isinstance(m, Dot) and (m.shape == "pressure") == cross]
             )
             for cross in (True, False)
         )
-        assert true[0] == pytest.approx(figure_21.reference(log))
+        assert true[0] == pytest.approx(measured_pressures.reference(log))
         assert found[0] == pytest.approx(log["center_of_pressure"])
         assert found[1] - true[1] == pytest.approx(zoom * (found[0] - true[0]))
         bars = [
             m.points
             for m in marks
-            if isinstance(m, Line) and m.color == figure_21.FOUND and m.width > 0.8
+            if isinstance(m, Line) and m.color == measured_pressures.FOUND and m.width > 0.8
         ]
         assert len(bars) == 2
         for axis, (bar, name) in enumerate(zip(bars, "xy", strict=True)):
@@ -225,35 +225,35 @@ def test_centers_and_intervals_are_enlarged_within_their_frame(pictures, plotted
 
 def test_a_far_center_is_enlarged_less(plotted):
     data = measured_pushes()
-    whole = figure_21.enlargement(data)
+    whole = measured_pressures.enlargement(data)
     data["patch"]["logs"]["patch"]["center_of_pressure"] = [75.0, 50.0]
     data["patch"]["logs"]["patch"]["intervals"]["center_of_pressure_x"] = [70.0, 80.0]
-    assert 1 <= figure_21.enlargement(data) < whole
+    assert 1 <= measured_pressures.enlargement(data) < whole
 
 
 def test_the_true_center_is_that_of_the_feet_or_of_the_face():
     log = next(iter(measured_pushes()["three_feet"]["logs"].values()))
-    assert figure_21.reference(log) == pytest.approx([45.0, 60.0])  # 1/4, 1/4, 1/2
-    assert figure_21.reference(log | {"true_feet": None}) == pytest.approx([50.0, 50.0])
+    assert measured_pressures.reference(log) == pytest.approx([45.0, 60.0])  # 1/4, 1/4, 1/2
+    assert measured_pressures.reference(log | {"true_feet": None}) == pytest.approx([50.0, 50.0])
 
 
 def test_the_caption_tells_each_log():
     data = measured_pushes()
-    told = figure_21.caption(data)
+    told = measured_pressures.caption(data)
     assert "(a) feet at (30, 30), (90, 30), (30, 90) mm, 50 pushes: centers 2.5 mm apart" in told
     assert "mean distance from the center 44 (true: 45) mm" in told
     assert "(e) on the whole face, 50 pushes" in told
     data["patch"]["logs"]["patch"]["pushes"] = 47
-    assert "(e) on the whole face, 47 pushes" in figure_21.caption(data)
+    assert "(e) on the whole face, 47 pushes" in measured_pressures.caption(data)
 
 
-# -- figure 22 ---------------------------------------------------------------------------------------
+# -- errors ------------------------------------------------------------------------------------------
 
 
-def test_the_panels_of_figure_22_are_the_comparisons(pictures, plotted):
-    data = plotted["figure_22"]
-    parts = [part for row in figure_22.parts(data) for part in row]
-    axes = pictures["figure_22"].axes
+def test_the_panels_of_figure_21_are_the_comparisons(pictures, plotted):
+    data = plotted["measured_errors"]
+    parts = [part for row in measured_errors.parts(data) for part in row]
+    axes = pictures["measured_errors"].axes
     assert len(axes) == len(parts) == 8
     for ax, part in zip(axes, parts, strict=True):
         quantity = str(part.errors["quantity"].item())
@@ -272,7 +272,7 @@ def test_the_panels_of_figure_22_are_the_comparisons(pictures, plotted):
 def test_the_caption_counts_the_pushes():
     data = measured_pushes()
     data["three_feet"]["pushes"], data["polygons"]["corner_pushes"] = 123, 41
-    told = figure_22.caption(data)
+    told = measured_errors.caption(data)
     assert "three feet (123 pushes)" in told
     assert "at a side (299), or at a side or a corner (340)" in told
 
@@ -285,7 +285,7 @@ def test_the_figures_are_drawn_from_the_file(tmp_path):
 
     source = tmp_path / "pushes.json"
     source.write_text(json.dumps(measured_pushes()), encoding="utf-8")
-    for name in ("figure_21", "figure_22"):
+    for name in ("measured_pressures", "measured_errors"):
         render.pushes_figure(source, name=name, png=tmp_path / f"{name}.png")
         assert (tmp_path / f"{name}.png").stat().st_size > 10_000
 
@@ -293,7 +293,7 @@ def test_the_figures_are_drawn_from_the_file(tmp_path):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        (None, "no such file; write it anew with snakemake pushes --config data=FOLDER"),
+        (None, "no such file; write it again with snakemake pushes --config data=FOLDER"),
         ("{", "is not JSON"),
         ("[]", "lacks three_feet; allowed: three_feet, patch, polygons, about_a_foot"),
         ('{"three_feet": {}, "patch": {}}', "lacks polygons"),

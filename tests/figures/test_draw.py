@@ -54,9 +54,9 @@ def filled(ax, color):
         (coulomb(2), -90, "The contact breaks."),
         (coulomb(2), 100, "The contact sticks."),
         (coulomb(2), 170, "The contact slips to the right."),
-        (coulomb(2), -10, "The contact sticks while being pulled; two more ways: the contact breaks, "
+        (coulomb(2), -10, "The contact sticks while being pulled; two other solutions: the contact breaks, "
          "or slips to the left while being pulled."),
-        (ROUGH, -90, "The contact sticks, held by adhesion; one more way: the contact breaks."),
+        (ROUGH, -90, "The contact sticks, held by adhesion; one other solution: the contact breaks."),
     ],
 )  # fmt: skip
 def test_a_push_is_told_in_words_over_a_scale(contact, angle, title):
@@ -144,7 +144,7 @@ def test_what_cannot_be_drawn_is_one_line(options, said):
 
 
 def test_without_a_solution_none_can_be_chosen():
-    with pytest.raises(pp.InvalidValue, match="allowed: none, as no solution is consistent"):
+    with pytest.raises(pp.InvalidValue, match="allowed: none, because no solution is consistent"):
         pp.draw(scene(NO_ADHESION), np.deg2rad(165), solution=0)
 
 

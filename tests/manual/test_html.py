@@ -106,7 +106,7 @@ def short_manual(root, text):
 )
 def test_what_is_missing_stops_the_build(tmp_path, text, said):
     source = short_manual(tmp_path, f"# Title\n\n{text}\n")
-    with pytest.raises(InvalidFile, match="pages: cannot be set: ") as stopped:
+    with pytest.raises(InvalidFile, match="pages: cannot be built: ") as stopped:
         build_manual(source, tmp_path / "html")
     assert said in str(stopped.value)
     assert not (tmp_path / "html").exists()

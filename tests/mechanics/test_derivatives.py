@@ -468,6 +468,6 @@ def test_without_the_option_there_are_none_and_solutions_with_them_are_equal():
 def test_derivatives_of_labelled_problems_are_refused():
     angles = xr.DataArray([0.1, 0.2], dims="angle")
     with pytest.raises(
-        pp.InvalidValue, match="False where an argument is a DataArray; give numpy arrays"
+        pp.InvalidValue, match="False if an argument is a DataArray; give numpy arrays"
     ):
         pp.solve(make_scene(2.0, 2.0), angles, derivatives=True)

@@ -207,7 +207,7 @@ def test_labelled_problems_give_a_dataset():
         found["twist"].values.tolist() == pp.motion_of_force(make_scene(2.0), ANGLES).twist.tolist()
     )
     with pytest.raises(
-        pp.InvalidValue, match="derivatives: True given; allowed: False where an argument"
+        pp.InvalidValue, match="derivatives: True given; allowed: False if an argument"
     ):
         pp.motion_of_force(make_scene(2.0), angle, derivatives=True)
 

@@ -106,9 +106,7 @@ def test_a_load_has_a_direction_in_the_world():
     pull = pp.Load(force=(0.3, -0.2))
     for twist in ([0.0, 0.0, 0.0], [1.0, 2.0, 0.5]):
         assert pp.wrench(pull, twist, slider) == pytest.approx([0.2, 0.3, 0.0], abs=1e-15)
-    with pytest.raises(
-        pp.InvalidValue, match="slider: None given; allowed: a Slider beside a Load"
-    ):
+    with pytest.raises(pp.InvalidValue, match="slider: None given; allowed: a Slider for a Load"):
         pp.wrench(pull, [1.0, 0.0, 0.0])
 
 
@@ -121,6 +119,6 @@ def test_directions_under_a_load_without_friction_are_refused(function):
         effects=(pp.Inertia(), pp.Load(force=(0.1, 0.0))),
     )  # fmt: skip
     with pytest.raises(
-        pp.InvalidValue, match=r"effects: .* allowed: friction beside a load; use solve"
+        pp.InvalidValue, match=r"effects: .* allowed: friction together with a load; use solve"
     ):
         function(scene)

@@ -192,7 +192,7 @@ REFUSED = [
     ({"point": (0, 0)}, "allowed: a point on the outline"),
     ({"point": (0.5, np.nan)}, "point: (0.5, nan) given; allowed: two finite numbers"),
     ({"point": "here"}, "point: 'here' given; allowed: two finite numbers"),
-    ({"point": (0.5, -1), "normal": (0, 0)}, "normal: (0, 0) given; allowed: a vector that is not zero"),
+    ({"point": (0.5, -1), "normal": (0, 0)}, "normal: (0, 0) given; allowed: a nonzero vector"),
     ({"point": (0.5, -1), "normal": (0, -1)}, "allowed: the inward normal of the side, (0, 1)"),
     ({"point": (0.5, -1), "normal": (1, 1)}, "leave the normal out"),
     ({"point": (1, 1)}, "normal: None given; allowed: the normal of the fence at a corner"),
@@ -201,7 +201,7 @@ REFUSED = [
     ({"point": (0.5, -1), "outline": [(0, 0), (1, 1)]}, "allowed: at least three"),
     ({"point": (0, -2000), "normal": (0, 1), "outline": None}, "in one unit"),
     ({"point": (0.5, -1), "effects": []}, "effects: [] given"),
-    ({"point": (0.5, -1), "effects": [pp.RingFriction()]}, "of a ring give the radius"),
+    ({"point": (0.5, -1), "effects": [pp.RingFriction()]}, "for a ring give the radius"),
     ({"point": (0.5, -1), "effects": [pp.Load(force=(1, 0))]}, "friction or inertia among them"),
     ({"point": (0.5, -1), "contact": 2}, "contact: 2 given"),
 ]  # fmt: skip

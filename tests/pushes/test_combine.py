@@ -63,7 +63,7 @@ def in_centimeters(pushes):
     ([], "pushes: [] given; allowed: a list of at least one dataset"),
     (small(), "pushes: <xarray.Dataset>"),
     ([square(), square().assign(center_of_mass=(("object", "xy"), [[0.0, 0.0]]))],
-     "object: 'square' given; allowed: a name of its own for each object"),
+     "object: 'square' given; allowed: a different name for each object"),
     ([house(), house().assign(outline=house()["outline"] * 1.01)], "object: 'house' given"),
     ([square(), in_centimeters(house())], "units: 'outline in cm and mm' given; allowed: one unit"),
 ], ids=range(5))  # fmt: skip

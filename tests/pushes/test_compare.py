@@ -198,7 +198,7 @@ def test_the_fitted_ellipsoid_is_found_again():
     ("exact", {}, "models: 'exact' given; allowed: a sequence of"),
     (3, {}, "models: 3 given; allowed: a sequence of"),
     ({"exact": FEET}, {}, "models: {'exact': Points("),
-    ({"mine": 3}, {}, "models: {'mine': 3} given; allowed: supports by names of your own"),
+    ({"mine": 3}, {}, "models: {'mine': 3} given; allowed: supports under names of your own"),
     (["exact"], {"resamples": 0}, "resamples: 0 given; allowed: a whole number >= 1"),
     (["exact"], {"seed": -1}, "seed: -1 given; allowed: a whole number >= 0"),
     (["identified"], {"family": "line"}, "family: 'line' given; allowed: points,"),

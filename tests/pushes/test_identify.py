@@ -223,8 +223,11 @@ def not_finite():
 @pytest.mark.parametrize(("pushes", "options", "said"), [
     (two_objects, {}, "pushes: 'pushes of square, other' given; allowed: pushes of one object"),
     (small, {"spacing": 0.1}, "pushes: '3 pushes for 441 candidates' given; allowed: at most 7 candidates"),
-    (small, {"spacing": 0.001}, "spacing: 0.001 given; allowed: at least 0.02"),
-    (small, {"spacing": -1.0}, "spacing: -1.0 given; allowed: a finite number > 0"),
+    (small, {"spacing": 0.001}, "spacing: 0.001 given; allowed: a number from 0.02 to 2"),
+    (small, {"spacing": 2.1}, "spacing: 2.1 given; allowed: a number from 0.02 to 2, a hundredth of the"),
+    (small, {"spacing": 1e9, "known": [(0.0, 0.0)]}, "spacing: 1000000000.0 given; allowed: a number from"),
+    (small, {"spacing": "wide"}, "spacing: 'wide' given; allowed: a number from 0.02 to 2"),
+    (small, {"spacing": -1.0}, "spacing: -1.0 given; allowed: a number from 0.02 to 2"),
     (small, {"family": "point"}, "family: 'point' given; allowed: points, even_and_corners, ellipse, map"),
     (small, {"family": "even_and_corners", "resamples": 0}, "resamples: 0 given; allowed: a whole number"),
     (small, {"resamples": 0.5}, "resamples: 0.5 given; allowed: a whole number >= 1"),

@@ -115,7 +115,7 @@ def test_a_finger_that_overlaps_the_object_at_its_start():
 
 
 @pytest.mark.parametrize(("changes", "said"), [
-    ({"poses_after": AFTER * 2}, "poses_after: '2 poses' given; allowed: 1, as poses_before has"),
+    ({"poses_after": AFTER * 2}, "poses_after: '2 poses' given; allowed: 1 poses, as in poses_before"),
     ({"poses_before": [(5, 1)]}, "poses_before: 'shape (1, 2)' given; allowed: shape (n, 3)"),
     ({"poses_after": [(5, np.nan, 0)]}, "poses_after: '[ 5. nan  0.] of push 0' given; allowed: finite"),
     ({"poses_after": [(5, 9, 0)]},
@@ -137,7 +137,7 @@ def test_a_finger_that_overlaps_the_object_at_its_start():
     ({"noise": (0.1, 0.2)}, "noise: (0.1, 0.2) given; allowed: three numbers: position, angle in degrees"),
     ({"noise": (0.1, 0.2, -1)}, "force_noise: -1 given; allowed: a number >= 0"),
     ({"poses_before": np.zeros((0, 3))}, "poses_before: 'shape (0, 3)' given; allowed: shape (n, 3)"),
-    ({"units": "mm"}, "units: 'mm' given; allowed: names of two units, such as (mm, N); give both as text"),
+    ({"units": "mm"}, "units: 'mm' given; allowed: the names of two units, such as (mm, N); give both"),
     ({"finger_radius": -1.0}, "radius: -1.0 given; allowed: numbers >= 0"),
     ({"poses_before": "x"}, "poses_before: 'x' given; allowed: an array of numbers"),
 ])  # fmt: skip

@@ -98,18 +98,18 @@ def replaced(number, text):
     ("patch", lambda lines: [*lines[:40], "0.3 0.1"],
      "line 41 (push 1 of 12) ends after 2 of the 3 numbers of a force sample: it is cut short"),
     ("patch", replaced(1, "11"),
-     "line 1200 (push 11 of 11) goes on after the 11 pushes that its first line says; copy the log anew"),
+     "line 1200 (push 11 of 11) is followed by more lines, but the first line announces 11 pushes; copy"),
     ("patch", replaced(1, "13"), "cut short in push 13 of 13 after line 1309, where the pose before"),
     ("patch", replaced(4, "99"), "line 104 (push 1 of 12) holds 3 numbers, where the number of tool poses "
-     "is expected: the counts do not fit"),
+     "is expected: the counts do not match"),
     ("patch", replaced(4, "101"), "line 105 (push 1 of 12) holds 1 numbers, where a force sample has 3: "
-     "the counts do not fit"),
+     "the counts do not match"),
     ("patch", replaced(4, "2.5"),
      "line 4 (push 1 of 12) holds 2.5, where the number of force samples is expected, at least 0"),
     ("patch", replaced(9, "0.1 nan 0.2"),
-     "line 9 (push 1 of 12) holds a number that is not finite in a force sample; copy the log anew"),
+     "line 9 (push 1 of 12) holds a number that is not finite in a force sample; copy the log again"),
     ("patch", replaced(9, "0.1 a 0.2"),
-     "line 9 (push 1 of 12) holds no numbers, where a force sample is expected; copy the log anew"),
+     "line 9 (push 1 of 12) holds no numbers, where a force sample is expected; copy the log again"),
     ("patch", cut(0), "cut short after line 0, where a number is missing"),
     ("patch", lambda lines: ["0"], "holds no push; allowed: at least one"),
     ("triangle", cut(None), "a name without feet; allowed: x1_x2_x3_y1_y2_y3 of the feet in mm, such as "),
@@ -148,7 +148,7 @@ def test_files_that_cannot_be_read(tmp_path):
     (tmp_path / "patch.txt").write_bytes(b"\x89HDF\r\n")
     for name, said in (
         ("missing.txt", "cannot be read (No such file or directory); name another file"),
-        ("patch.txt", "is not a text of numbers; name another file"),
+        ("patch.txt", "is not a text file of numbers; name another file"),
     ):
         with pytest.raises(pp.InvalidFile) as error:
             pp.read_three_feet(tmp_path / name)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from planar_pushing.evidence.claims.table import COLUMNS
-from planar_pushing.figures.figure import drawing, entry
+from planar_pushing.figures.figure import entry, full_caption
 from planar_pushing.figures.studies import OURS, PUSHES, numbered
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.parts.evidence import VERDICTS
@@ -101,11 +101,11 @@ def claims() -> list[dict[str, object]]:
 def captioned(name: str) -> str:
     """Caption of a figure from its golden numbers; those of ours show hard cases, or read none."""
     if name in PUSHES:
-        return drawing(name).caption(measured_pushes())
+        return full_caption(name, measured_pushes())
     files = {"hard_cases": "hard_cases"} | {each: f"figures/{each}" for each in numbered()}
     folder = GOLDEN / "sliders" if any(map(name.endswith, SLIDERS)) else GOLDEN
     data = read_dataset(folder / f"{files[name]}.nc") if name in files else None
-    return drawing(name).caption(data)
+    return full_caption(name, data)
 
 
 def set_up(root: Path) -> Setting:
@@ -135,7 +135,7 @@ def set_up(root: Path) -> Setting:
         "infinite_friction_cones.csv": CONES + "0.5" + ",-1.25,178.75" * 4 + "\n",
         "ellipsoids.csv": "a,b,c,d,e,f\nsome support,0.4725,1.1,2.2,3.3,4.4\n",
         "golden_summary.csv": "a,b,c,d,e\nmotion cones,7,65432,1.5e-15,2e-14\n",
-        "provenance.csv": "what,version\nnumpy,9.8.7\n",
+        "provenance.csv": "what,value\nnumpy,9.8.7\n",
         "accuracy_wrench.csv": "method,setting,calls,worst error,at k\nsome rule,64,4711,3.5e-09,0.25\n",
         "accuracy_cone.csv": "method,setting,calls,error\nsome solver,1e-12,4712,3.6e-10\n",
         "hard_places.csv": "place,cases,ill,over,largest\nsome place,41,2,3,4713\n",

@@ -157,7 +157,9 @@ def test_times_of_effects_in_milliseconds(results):
 def test_two_machines_are_refused(results, tmp_path):
     assert rows(supplement.machine_text(results)) == [{"what": "processor", "value": "one"}]
     write_times(tmp_path, '{"processor": "another"}')
-    with pytest.raises(InvalidFile, match="different machines or versions; measure anew with"):
+    with pytest.raises(
+        InvalidFile, match="different machines or versions; repeat the measurement with"
+    ):
         supplement.machine_text(Results(tmp_path, tmp_path))
 
 

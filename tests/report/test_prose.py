@@ -1,8 +1,9 @@
 """No number of the prose is typed: a digit in a section is part of a reference or of an equation.
 
-Taken out before looking for digits: comments, numbers named by their key, references to equations, sections
-and figures of the paper, citations and labels, numbered equations, and exponents. A number that another
-work published stands in paper/published.json with its source, and a section that names it cites that.
+Taken out before looking for digits: right and straight angles, comments, numbers named by their key,
+references to equations, sections and figures of the paper, citations and labels, numbered equations, and
+exponents. A number that another work published is in paper/published.json with its source, and a section
+that names it cites that.
 """
 
 import json
@@ -17,16 +18,18 @@ from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.supplement import NUMBERS as TIMES
 
 SECTION_FILES = sorted(Path("paper/sections").glob("*.typ"))
-NUMBER = re.compile(r"#n\(\"([\w-]+)\"\)|#equal\(\$\w+\$, \"([\w-]+)\"\)")
+NUMBER = re.compile(r"#(?:n|word)\(\"([\w-]+)\"\)|#equal\(\$\w+\$, \"([\w-]+)\"\)")
 PUBLISHED = re.compile(r"#published\(\"([\w-]+)\"\)")
 SUPPLEMENT = Path("paper/supplement.typ")
 ALLOWED = (
     re.compile(r"^//.*$", re.MULTILINE),
+    re.compile(r"\b(?:90|180)°"),
     NUMBER,
     PUBLISHED,
     re.compile(r"#(?:eq|eqs|fig|figs)\(\d+(?:, \d+)?\)"),
+    re.compile(r"#claim\(\"[\w-]+\"\)"),
     re.compile(r"#sec\((?:\d|\"\d\.\d\")\)"),
-    re.compile(r"#paper-figure\(\d+(?:, wide: true)?\)"),
+    re.compile(r"#paper-figure\(\d+(?:, wide: true)?(?:, width: \d+%)?\)"),
     re.compile(r"#our-fig(?:ure)?\(\"\w+\"\)"),
     re.compile(r"@[\w-]+|<[\w-]+>"),
     re.compile(r"\$ .*? \$", re.DOTALL),
@@ -54,7 +57,7 @@ def test_no_digit_is_typed(path):
 @pytest.mark.parametrize(
     "typed",
     [
-        "The cone spans 180 degrees.",
+        "The cone spans 170°.",
         "For $l = 2$ it pulls.",
         '#n("pushes") and 3 more',
         "Fig. 12",
@@ -118,8 +121,29 @@ def test_every_figure_is_in_the_report_and_described():
     assert all(entry(name).section for name in numbered())
 
 
-def test_figures_of_ours_stand_in_the_order_of_their_numbers():
-    report = Path("paper/report.typ").read_text(encoding="utf-8")
-    parts = re.findall(r'include "(sections/\w+\.typ)"', report)
-    text = " ".join(Path("paper", part).read_text(encoding="utf-8") for part in parts)
-    assert tuple(re.findall(r"#our-figure\(\"(\w+)\"\)", text)) == OURS
+def parts(report):
+    """Text of the report and of its supplement, with the sections in their order."""
+    found = re.split(r"#show: supplement\n", report)
+    assert len(found) == 2
+    return [
+        " ".join(
+            Path("paper", name).read_text(encoding="utf-8")
+            for name in re.findall(r'include "(sections/\w+\.typ)"', part)
+        )
+        for part in found
+    ]
+
+
+def test_figures_stand_in_the_order_of_their_numbers():
+    """In the report and in its supplement, each with the figures that it shows."""
+    order = [*numbered(), *OURS]
+    shown = [
+        [(number and f"figure_{int(number):02}") or name for number, name in re.findall(
+            r"#paper-figure\((\d+)|#our-figure\(\"(\w+)\"\)", part
+        )]
+        for part in parts(Path("paper/report.typ").read_text(encoding="utf-8"))
+    ]  # fmt: skip
+    for figures in shown:
+        assert figures == sorted(figures, key=order.index)
+    assert sorted([name for figures in shown for name in figures], key=order.index) == order
+    assert order[:13] == shown[0][:13]

@@ -279,7 +279,9 @@ def test_labelled_laws_and_gaps():
 
 def test_loose_arrays_beside_labelled_ones_are_refused():
     length = xr.DataArray([1.0, 2.0], dims="length")
-    with pytest.raises(pp.InvalidValue, match=r"shapes: .* as an xarray\.DataArray too"):
+    with pytest.raises(
+        pp.InvalidValue, match=r"shapes: .*also give this array as an xarray\.DataArray"
+    ):
         pp.simulate_batch(make_scene(length, 0.5), AHEAD, duration=np.array([1.0, 2.0]))
 
 

@@ -275,7 +275,7 @@ def test_a_side_that_does_not_hold_the_contact_is_refused(side, said):
         pp.Slider(rod_length=1.0, rod_angle=1.0, side=side)
     assert str(caught.value) == (
         f"{said}; allowed: (start, end) with start < 0 < end, infinite for a side without an end; measure "
-        "both ends along the side from the contact, which is between them, the one towards -x first"
+        "both ends along the side from the contact, which is between them, the one toward -x first"
     )
 
 

@@ -303,13 +303,13 @@ def test_a_world_frame_keeps_the_radius_and_holds_the_center():
     ("given", "said"),
     [
         (-0.1, "-0.1 given; allowed: a finite number >= 0; give the radius of the finger in the scene's "
-               "length, or leave it out for a point"),
+               "unit of length, or leave it out for a point"),
         (np.inf, "inf given; allowed: a finite number >= 0; give the radius of the finger in the scene's "
-                 "length, or leave it out for a point"),
+                 "unit of length, or leave it out for a point"),
         ("2", "'2' given; allowed: a finite number >= 0; give the radius of the finger in the scene's "
-              "length, or leave it out for a point"),
+              "unit of length, or leave it out for a point"),
         (np.array([0.1, -0.2]), "-0.2 given; allowed: a finite number >= 0; give the radius of the finger "
-                                "in the scene's length, or leave it out for a point"),
+                                "in the scene's unit of length, or leave it out for a point"),
     ],
     ids=str,
 )  # fmt: skip
@@ -323,7 +323,7 @@ def test_a_fence_has_no_radius():
     with pytest.raises(pp.InvalidValue) as caught:
         pp.Pusher(velocity=(0, 1), radius=0.2)
     assert str(caught.value) == (
-        "radius: 0.2 given; allowed: 0 for a fence, which is a line; leave the radius out, or push with "
+        "radius: 0.2 given; allowed: 0 for a fence, which is a line; leave the radius out, or set "
         'shape="finger"'
     )
     assert pp.Pusher(velocity=(0, 1), radius=0).radius == 0

@@ -148,7 +148,7 @@ def test_time_stepping_stops_at_the_end_of_a_step_and_goes_the_same_way_until_th
         ("SLIP_END", "until: 'SLIP_END' given; allowed: an Event or a ContactMode or its name, an Until, "
          "or a function of an instant of the log; did you mean SLIP_ENDS?"),
         ("NONE", "until: 'NONE' given"),
-        (pp.Event.NONE, "name one as the log does, for instance SLIP_ENDS"),
+        (pp.Event.NONE, "use a name from the log, such as SLIP_ENDS"),
         (3, "until: 3 given"), (0.5, "until: 0.5 given"), ([], r"until: [] given"),
         (lambda now: now["gap"], "until: np.float64(0.0) given; allowed: a function that returns"),
         (lambda now: None, "until: None given; allowed: a function that returns True or False"),

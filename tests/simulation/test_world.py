@@ -151,7 +151,7 @@ def test_bad_poses_are_refused(pose):
 
 def test_a_pusher_along_the_world_needs_the_pose():
     pusher = pp.Pusher(velocity=(0, 1), frame="world")
-    message = "frame: 'world' given; allowed: fence, where no object_pose is given; give simulate"
+    message = "frame: 'world' given; allowed: fence, if no object_pose is given; give simulate"
     with pytest.raises(pp.InvalidValue, match=message):
         run(box(), pusher, 0.1)
     with pytest.raises(pp.InvalidValue, match=message):

@@ -168,7 +168,7 @@ def test_a_chunk_that_is_missing_is_named(chunked, tmp_path):
 def test_an_index_that_names_no_chunks_is_refused(tmp_path, steps):
     write_dataset(xr.Dataset(attrs={"chunks": steps}), tmp_path / "data/contact_modes.nc")
     with pytest.raises(
-        pp.InvalidFile, match=r"modes\.nc: names no chunks; remove it and build it anew"
+        pp.InvalidFile, match=r"modes\.nc: names no chunks; delete it and build it again"
     ):
         pp.open_dataset("contact_modes", tmp_path)
 
@@ -178,5 +178,5 @@ def test_chunks_of_another_grid_are_refused(chunked, tmp_path):
     index = xr.load_dataset(chunked / "data/motion_cones.nc", engine="h5netcdf")
     other = index.assign_coords(friction_coefficient=index.friction_coefficient + 1)
     write_dataset(other, tmp_path / "data/motion_cones.nc")
-    with pytest.raises(pp.InvalidFile, match="its chunks are those of another grid"):
+    with pytest.raises(pp.InvalidFile, match="its chunks belong to another grid"):
         pp.open_dataset("motion_cones", tmp_path)

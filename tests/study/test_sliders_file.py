@@ -31,12 +31,12 @@ def test_paths_are_relative_to_the_file():
         ("weights: [1, 1, 1]", "weights: [1, 1, heavy]", "supports.tripod.weights[2]: 'heavy' given; "),
         ("{shape: ring, radius: 1}", "{shape: points, positions: [[1, 0]], weights: [1]}",
          "supports.ring: {'shape': 'points', 'positions': [[1, 0]], 'weights': [1]} given; allowed: a "
-         "support that is larger than a point, which resists no rotation; change the value"),
+         "support with more than one point, since a single point resists no rotation; change the value"),
         ("{shape: ring, radius: 1}",
          "{shape: points, positions: [[0.1, 0.2], [0.1, 0.2], [0.1, 0.2]], weights: [0.3, 0.3, 0.1]}",
          "supports.ring: {'shape': 'points', 'positions': [[0.1, 0.2], [0.1, 0.2], [0.1, 0.2]], 'weights': "
-         "[0.3, 0.3, 0.1]} given; allowed: a support that is larger than a point, which resists no "
-         "rotation; change the value"),
+         "[0.3, 0.3, 0.1]} given; allowed: a support with more than one point, since a single "
+         "point resists no rotation; change the value"),
         ("{shape: ring, radius: 1}", "{shape: ring, radius: 0.000001}",
          "grid.rod_length: 2.0 given; allowed: at most 1e+06 times the extent of supports.ring, 1e-06; "
          "shorten the rod"),

@@ -110,7 +110,7 @@ def test_groups_and_attributes_are_listed(path):
 @pytest.mark.parametrize("group", ["angle", "absent"])
 def test_a_group_that_is_none_is_named(path, group):
     write_dataset(DATASET, path)
-    with pytest.raises(InvalidFile, match=f"has no group '{group}'; remove it and build it anew"):
+    with pytest.raises(InvalidFile, match=f"has no group '{group}'; delete it and build it again"):
         read_dataset(path, group)
 
 
@@ -188,7 +188,7 @@ def test_open_damaged_dataset(tmp_path):
     (tmp_path / "data").mkdir()
     (tmp_path / "data/motion_cones.nc").write_bytes(b"not netCDF")
     with pytest.raises(
-        pp.InvalidFile, match=r"cones\.nc: is not a netCDF4 file; remove it and build it anew"
+        pp.InvalidFile, match=r"cones\.nc: is not a netCDF4 file; delete it and build it again"
     ):
         pp.open_dataset("motion_cones", tmp_path)
 
@@ -230,7 +230,9 @@ def test_a_cut_file_ends_in_one_line(path, size):
     write_dataset(DATASET, path)
     path.write_bytes(path.read_bytes()[:size])
     for read in (read_dataset, group_names, read_attributes):
-        with pytest.raises(InvalidFile, match="is not a netCDF4 file; remove it and build it anew"):
+        with pytest.raises(
+            InvalidFile, match="is not a netCDF4 file; delete it and build it again"
+        ):
             read(path)
 
 
@@ -253,7 +255,7 @@ def test_a_name_does_not_leave_the_results(tmp_path, name):
 def test_open_folder_in_place_of_a_dataset(tmp_path):
     (tmp_path / "data/motion_cones.nc").mkdir(parents=True)
     with pytest.raises(
-        pp.InvalidFile, match=r"is not a netCDF4 file \(Is a directory\); remove it"
+        pp.InvalidFile, match=r"is not a netCDF4 file \(Is a directory\); delete it"
     ):
         pp.open_dataset("motion_cones", tmp_path)
 

@@ -47,7 +47,7 @@ def message(tmp_path, text):
          "change the value"),
         ("inertia: {mass: 1, gyration_radius: 1}", "inertia: {mass: 1, gyration_radius: 2}",
          "inertia.gyration_radius: 2.0 given; allowed: the radius of the ring, 1.0, "
-         "which the paper's bound presumes; change it"),
+         "which the paper's bound assumes; change it"),
         ("grid:\n", "golden: nowhere\ngrid:\n",
          "golden: 'nowhere' given; allowed: a folder of golden data; leave the key out"),
         ("inertia: {mass: 1, gyration_radius: 1}\n", "",

@@ -42,7 +42,7 @@ class TestNumbers:
         check(
             lambda: pp.Slider(rod_length=1.0, rod_angle=given), "rod_angle", given,
             "radians in the open interval (0, pi)",
-            "keep the slider above the fence; turn degrees into radians with np.deg2rad",
+            "keep the slider above the fence; convert degrees to radians with np.deg2rad",
         )  # fmt: skip
 
     def test_weight(self, given):
@@ -68,7 +68,7 @@ class TestNumbers:
             return
         check(
             lambda: pp.solve(make_scene(1.0), 1.0, given), "pusher_magnitude", given, FINITE,
-            "turn the pusher around by its angle, not by a sign",
+            "reverse the pusher by its angle, not by a sign",
         )  # fmt: skip
 
 
@@ -91,7 +91,7 @@ def test_a_slider_without_a_radius_knows_no_ratio():
 
 
 ANGLE = "finite radians, a number in [-4 pi, 4 pi] or an array"
-DEGREES = "turn degrees into radians with np.deg2rad"
+DEGREES = "convert degrees to radians with np.deg2rad"
 NO_ANGLES = [
     *(given for given in NOT_NUMBERS if given is not None),
     *(np.inf, -np.inf, 90, -90, 12.6, 10**400, (0.1, 1.0), (1.0,)),
@@ -237,8 +237,8 @@ class TestInertiaShare:
         effects = (pp.RingFriction(), pp.Inertia(center=(0.1, 0.0)))
         check(
             lambda: function(make_scene(1.0, effects=effects), 0.3, 0.5), "inertia_share", 0.5,
-            "None where the effects are not isotropic about the slider's center",
-            "give force_ratio = |f| / W: several motions may share one m a / W",
+            "None if the effects are not isotropic about the slider's center",
+            "give force_ratio = |f| / W: several motions can share one m a / W",
         )  # fmt: skip
 
     @pytest.mark.parametrize("given", [-1e-9, 1.1, float("nan"), "half"], ids=repr)

@@ -43,12 +43,12 @@ LIMITS = {
     "pusher_magnitude": (
         lambda x: push(magnitude=x, weight=4.0, mass=2.0), 2e12, 2.002e12, 1.001e12,
         "m a / W in [1e-12, 1e+12] for a scene with friction and inertia",
-        "leave the effect out that has no part in the motion",
+        "leave out the effect that is negligible in the motion",
     ),
     "small pusher_magnitude": (
         lambda x: push(magnitude=x, weight=0.5, mass=4.0), 1.25e-13, 1.2e-13, 9.6e-13,
         "m a / W in [1e-12, 1e+12] for a scene with friction and inertia",
-        "leave the effect out that has no part in the motion",
+        "leave out the effect that is negligible in the motion",
     ),
 }  # fmt: skip
 
@@ -120,7 +120,7 @@ def test_force_angle(call):
     check(
         lambda: call(np.inf), "force_angle", np.inf,
         "finite radians, a number in [-4 pi, 4 pi] or an array",
-        "turn degrees into radians with np.deg2rad",
+        "convert degrees to radians with np.deg2rad",
     )  # fmt: skip
 
 

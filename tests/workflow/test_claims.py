@@ -21,8 +21,8 @@ def test_a_wrong_claim_fails_the_run_and_says_why(fresh):
     text = path.read_text(encoding="utf-8")
     path.write_text(text.replace("threshold: 1.5}", "threshold: 1.4}"), encoding="utf-8")
     said = fresh.snakemake("claims", code=1)
-    assert "1 claims have another verdict than the ledger expects" in said
-    assert "pulling-condition: refuted, expected proved; threshold: not so: a_sy = 0 at" in said
+    assert "claims whose verdict is not the expected one: 1" in said
+    assert "pulling-condition: refuted, expected proved; threshold: false: a_sy = 0 at" in said
     assert "Traceback" not in said
     assert not (fresh.results / TABLE).exists()
     path.write_text(text, encoding="utf-8")

@@ -56,7 +56,7 @@ def test_of_two_at_once_the_second_waits_and_finds_it_made(folder):
     said = [run.communicate()[0] for run in runs]
     assert [run.returncode for run in runs] == [0, 0], said
     assert (folder / "log").read_text() == "-m venv --clear .venv\n"
-    assert any("Another make is at work in this folder; waiting for it" in each for each in said)
+    assert any("Another make is running in this folder; waiting for it" in each for each in said)
 
 
 def test_what_is_made_is_not_made_again_but_for_other_packages_or_in_another_place(folder):
@@ -94,7 +94,7 @@ def test_a_folder_with_a_space_is_refused_with_one_line_but_help_works(folder):
     spaced.mkdir()
     shutil.copy(PROJECT / "Makefile", spaced)
     said = make(spaced, code=2)
-    assert "a folder: Snakemake runs in no folder with a space; move the project" in said
+    assert "a folder: Snakemake cannot run in a path with a space; move the project" in said
     assert len(said.splitlines()) == 1
     assert "make test-all" in make(spaced, "help")
 
@@ -103,7 +103,9 @@ def test_a_python_that_is_too_old_is_refused_with_one_line(folder):
     (folder / "old").write_text("#!/bin/sh\necho False\n", encoding="utf-8")
     (folder / "old").chmod(0o755)
     said = make(folder, "PYTHON=./old", code=2)
-    assert "Python 3.11 to 3.14 is needed, ./old was found; set PYTHON=/path/to/python" in said
+    assert (
+        "Python 3.11 to 3.14 is required, but ./old was found; set PYTHON=/path/to/python" in said
+    )
     assert len(said.splitlines()) == 1
 
 

@@ -277,7 +277,7 @@ def test_a_wrong_configuration_stops_before_any_job(fresh):
 def test_a_folder_with_a_space_is_refused_before_any_job(tmp_path):
     (tmp_path / "a folder").mkdir()
     said = copy_project(tmp_path / "a folder").snakemake("--dry-run", code=1)
-    assert "a folder: Snakemake runs in no folder with a space; move the project" in said
+    assert "a folder: Snakemake cannot run in a path with a space; move the project" in said
     assert "Traceback" not in said
 
 

@@ -1,4 +1,4 @@
-# The studies, validated before any job starts, and what the rules look up in them.
+# Load and validate the studies before any job starts, and define functions that the rules use.
 import fcntl
 import re
 import sys
@@ -17,6 +17,7 @@ from planar_pushing.figures.studies import (
     numbered,
     settings,
 )
+from planar_pushing.report.provenance import commit
 from planar_pushing.study import chunks
 from planar_pushing.study.catalog import DATASETS, dataset_file
 from planar_pushing.study.provenance import provenance, whole_digest
@@ -35,10 +36,10 @@ from planar_pushing.terms.extras import require_extra
 
 if any(" " in path for path in (sys.executable, workflow.basedir)):
     raise WorkflowError(
-        f"{workflow.basedir}: Snakemake runs in no folder with a space; move the project"
+        f"{workflow.basedir}: Snakemake cannot run in a path with a space; move the project"
     )
 
-# Each study by the folder that its results fill, its file, and the attributes that name it in a result.
+# By results folder: the file of each study, the study, and the attributes that name it in a result.
 try:
     FILES = {
         str(study_folder(study_name(file), chosen_results(config))): file
@@ -53,8 +54,8 @@ try:
 except PlanarPushingError as error:
     raise WorkflowError(str(error)) from None
 
-# Snakemake notes a run by files, which a killed run leaves; the lock of the operating system goes with the
-# process. The run that holds it removes them. A job of a run is no run of its own.
+# Snakemake marks a run by lock files, which a killed run leaves behind. A lock of the operating system ends
+# with its process. The run that holds this lock removes the files. Jobs of a run do not take it.
 if workflow.is_main_process:
     Path(".snakemake").mkdir(exist_ok=True)
     OWNER = open(".snakemake/owner", "a")
@@ -63,24 +64,24 @@ if workflow.is_main_process:
         for lock in Path(".snakemake/locks").glob("*.lock"):
             lock.unlink(missing_ok=True)
     except BlockingIOError:
-        pass  # Snakemake says that another run is at work
+        pass  # Snakemake reports that another run is in progress
 
-#: Formats of every picture.
+#: File formats of every picture.
 KINDS = ["svg", "pdf", "png"]
-#: Datasets on how this work computes, and their figures; times of this machine are compared with nothing.
+#: Datasets about the computation itself, and their figures; times of this machine have no golden data.
 COUNTS, TIMES = ["hard_cases", "accuracy_errors", "evaluations"], ["accuracy_time"]
 EVIDENCE_FIGURES = [name for name in (*OURS, *SUPPLEMENT) if name not in PUSHES]
-#: Figures of datasets.
+#: Numbered figures, which are drawn from datasets.
 DRAWN = numbered()
 
 
 def one_of(names):
-    """Pattern of a wildcard that is one of these names; of none, one that nothing matches."""
+    """Pattern of a wildcard that must be one of these names; without names, it matches nothing."""
     return "|".join(map(re.escape, names)) or "(?!)"
 
 
 def computed(folder):
-    """Datasets of a study: nothing else has a job."""
+    """Datasets that a study computes; only these have jobs."""
     return [name for name in DATASETS if computes(STUDIES[folder], name)]
 
 
@@ -90,12 +91,12 @@ def drawn(folder):
 
 
 def columns(folder):
-    """Figures of a study that have a variant for one column."""
+    """Figures of a study that have a single-column variant."""
     return [name for name in drawn(folder) if entry(name).column]
 
 
 def undrawn(folder):
-    """Simulations of a study that none of its figures shows."""
+    """Simulations of a study that are not shown in its figures."""
     shown = {source for name in drawn(folder) for source in entry(name).reads}
     return [
         name
@@ -104,7 +105,7 @@ def undrawn(folder):
     ]
 
 
-#: The folder of the study that golden data certify as a whole; the report is about it.
+#: Folder of the paper's study, which golden data certify as a whole and the report describes.
 WHOLE = next(
     (
         folder
@@ -113,12 +114,12 @@ WHOLE = next(
     ),
     None,
 )
-#: Its report shows every study that is built beside it.
+#: Whether the report can be built: all of its figures are drawn by the studies of this run.
 REPORTED = WHOLE is not None and set(DRAWN) == set(sum(map(drawn, STUDIES), []))
 
 
 def over(pattern, names):
-    """Files of a pattern for every study and the names that a function gives for its folder."""
+    """Expand a file pattern for every study, with the names that a function returns for its folder."""
     return [
         path
         for folder in STUDIES
@@ -142,12 +143,12 @@ def marks_of(wildcards):
 
 
 def figure_code(wildcards):
-    """Code of a figure."""
+    """Digest of the code of a figure."""
     return code_of("figure", f"figures.{wildcards.figure}")
 
 
 def chunked(wildcards):
-    """The chunks of a dataset by name, none of one that is built in one piece."""
+    """Chunks of a dataset by name; empty for a dataset that is built in one piece."""
     study = study_of(wildcards)
     return (
         chunks.chunk_parts(study, wildcards.dataset)
@@ -157,7 +158,7 @@ def chunked(wildcards):
 
 
 def job_slice(wildcards):
-    """The values of the study from which a dataset or a chunk is computed."""
+    """Values of the study from which a dataset or a chunk is computed."""
     study, name = study_of(wildcards), wildcards.dataset
     part = chunked(wildcards).get(wildcards.get("chunk"), {})
     return chunks.chunk_slice(study, name, part)
@@ -178,14 +179,14 @@ def job_minutes(wildcards):
 
 
 def chunk_files(wildcards):
-    """Chunks from which a dataset is gathered."""
+    """Chunk files that are combined into a dataset."""
     folder = f"{wildcards.results}/chunks/{wildcards.dataset}"
     files = [f"{folder}/{chunk}.nc" for chunk in chunked(wildcards)]
     return {"chunks": files} if files else {}
 
 
 def job_call(wildcards):
-    """The function that builds a dataset, gathers its chunks, or lists them."""
+    """Name of the function that builds a dataset, combines its chunks, or writes their index."""
     if not chunked(wildcards):
         return "study.build:dataset"
     gathers = study_of(wildcards).gather.get(wildcards.dataset, True)
@@ -193,7 +194,7 @@ def job_call(wildcards):
 
 
 def job_values(wildcards, threads):
-    """The keywords of that function."""
+    """Keyword arguments of the function that `job_call` names."""
     study, name = study_of(wildcards), wildcards.dataset
     if not chunked(wildcards):
         return {"study": study_slice(study, name), "threads": threads}
@@ -211,12 +212,12 @@ def figure_files(wildcards):
 
 
 def figure_settings(wildcards):
-    """The study's values for a figure."""
+    """Values of the study for a figure."""
     return settings(study_of(wildcards), wildcards.figure)
 
 
 def golden_results(wildcards):
-    """The results of a study that golden data hold, and the golden files."""
+    """Results of a study for which there are golden data, and the golden files."""
     from planar_pushing.evidence.golden.check import result_names
 
     study = study_of(wildcards)
@@ -227,7 +228,7 @@ def golden_results(wildcards):
 
 
 def counted(wildcards, name):
-    """The study whose effects are counted or timed."""
+    """Study whose effects are counted or timed."""
     names = ("evaluations", "effects")
     return {"study": FILES[wildcards.results]} if name in names else {}
 
@@ -248,12 +249,12 @@ def golden_files():
     return sorted({str(path) for folder in folders for path in folder.rglob("*.nc")})
 
 
-#: Digests of the logs that were measured: without them, or with other logs, `pushes` measures.
+#: Digests of the evaluated logs; `pushes` runs again if they are missing or the logs have changed.
 DIGESTS = f"{WHOLE or chosen_results(config)}/tables/measured_pushes.txt"
 
 
 def measured_files(wildcards):
-    """The numbers of measured pushes, and the digests of the logs that are measured for them."""
+    """Results for the measured pushes, and the digests of the logs from which they are computed."""
     if DATA is None:
         raise WorkflowError(
             "data: not given; allowed: a folder with three_feet/*.txt and polygons/*.mat; "

@@ -1,5 +1,5 @@
-# The datasets, one job each, or a job for each chunk of a large one: a grid is vectorized inside its job.
-# Logs of motion over time: one for each scene file that a study simulates.
+# Datasets: one job each, or a job for each chunk of a large dataset; a grid is vectorized within its job.
+# Simulation logs: one for each scene file that a study simulates.
 rule data:
     input:
         over("{results}/data/{name}.nc", computed),
@@ -36,7 +36,7 @@ rule dataset:
         "../scripts/run.py"
 
 
-# A chunk does not know its study, so that it stays when the study changes elsewhere.
+# A chunk does not name its study, so that it stays valid when the study changes elsewhere.
 rule chunk:
     output:
         path="{results}/chunks/{dataset}/{chunk}.nc",
@@ -62,7 +62,7 @@ rule chunk:
         "../scripts/run.py"
 
 
-# The content of the scene file is among the marks; its layout reruns nothing, so it is no input.
+# The marks include the content of the scene file. The file is not an input, since its layout does not matter.
 rule simulation:
     output:
         path="{results}/data/simulations/{simulation}.nc",

@@ -1,6 +1,6 @@
-# The evidence: golden data, claims, hard cases and costs. All but the golden check is built with the study
-# that golden data certify as a whole. Only the times of `accuracy_time` are measured by default, on this
-# machine; `snakemake accuracy` measures the others.
+# Evidence: golden data, claims, hard cases and costs. All except the golden check are built only with the
+# paper's study. By default, only the times of `accuracy_time` are measured, on this machine; `snakemake
+# accuracy` measures the others.
 CERTIFIED = [WHOLE] if WHOLE else []
 
 
@@ -37,11 +37,11 @@ rule golden_verdict:
         "../scripts/run.py"
 
 
-#: The ledger of the paper's claims, which is in the project's folder; elsewhere no claim is judged.
+#: The ledger of the paper's claims, in the project's folder; without it, no claim is checked.
 LEDGER = "paper/claims.yaml"
 
 
-# A verdict on each claim; the job fails where one is not as expected.
+# A verdict on each claim; the job fails if a verdict differs from the expected one.
 rule claims:
     input:
         over(
@@ -88,7 +88,7 @@ rule hard_cases:
         ),
 
 
-# Datasets on how this work computes.
+# Datasets about the computation itself.
 rule counts:
     output:
         path="{results}/data/{counts}.nc",
@@ -111,7 +111,7 @@ rule counts:
         "../scripts/run.py"
 
 
-# Times of this machine; nothing else may run beside a measurement.
+# Times of this machine; nothing else must run during a measurement.
 rule times:
     output:
         path="{results}/data/{times}.nc",

@@ -1,4 +1,4 @@
-# The figures: first the numbers that each plots, then the picture in three formats, from them alone.
+# Figures: first the numbers that each plots, then the picture in three formats, drawn only from them.
 rule figures:
     input:
         over("{results}/figures/data/{name}.nc", drawn),
@@ -41,7 +41,7 @@ rule figure:
         "../scripts/run.py"
 
 
-# The variant for one column of a figure that is as wide as a page.
+# Single-column variant of a full-width figure.
 rule column_figure:
     input:
         source="{results}/figures/data/{figure}.nc",
@@ -64,7 +64,7 @@ rule column_figure:
         "../scripts/run.py"
 
 
-# Figures of one dataset on how this work computes.
+# Figures of one dataset about the computation itself.
 rule file_figure:
     input:
         source=lambda wildcards: figure_files(wildcards)[0],

@@ -1,5 +1,5 @@
-# Measured pushes: two figures, drawn from the numbers in the project's folder. Where a folder of published
-# logs is given, `snakemake pushes --config data=FOLDER` measures them and writes these numbers first.
+# Measured pushes: two figures, drawn from numbers stored in the project. `snakemake pushes --config
+# data=FOLDER` first computes these numbers from a folder of published logs.
 rule pushes_figures:
     input:
         (
@@ -58,7 +58,7 @@ if DATA is not None:
             code=code_of("pushes"),
             folder=DATA,
         message:
-            "Measuring the pushes of {params.folder}"
+            "Evaluating the pushes of {params.folder}"
         script:
             "../scripts/run.py"
 

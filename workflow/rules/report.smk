@@ -1,6 +1,6 @@
-# The report and its supplement on time: the tables from which they are set, then the PDF. They are about a
-# whole study that golden data certify, with that of any slider.
-#: Sources of both, beside the results.
+# The report and its supplement on time: first their tables, then the PDFs. They describe the paper's study,
+# which golden data certify as a whole, and the study of sliders.
+#: Sources of both, in addition to the results.
 SOURCES = sorted(
     str(part)
     for part in Path("paper").rglob("*")
@@ -9,9 +9,8 @@ SOURCES = sorted(
 #: The tables of the report with their titles in Snakemake's report.
 TABLES = {
     "infinite_friction_cones": ("Tables", "motion cones of infinite friction", "cones"),
-    "ellipsoids": ("Tables", "ellipsoids in the supports' place", "ellipsoids"),
+    "ellipsoids": ("Tables", "ellipsoids that approximate supports", "ellipsoids"),
     "golden_summary": ("Golden check", "by dataset", "golden_summary"),
-    "provenance": ("Provenance", "versions", "provenance"),
     "accuracy_wrench": (
         "What accuracy costs",
         "methods for the wrench",
@@ -54,7 +53,6 @@ rule report_tables:
     params:
         call="report.jobs:report_tables",
         code=[code_of("report"), *map(whole_digest, STUDIES.values())],
-        study=FILES.get(WHOLE),
         golden=STUDIES[WHOLE].golden if WHOLE else "",
         results=WHOLE,
     message:
@@ -63,9 +61,31 @@ rule report_tables:
         "../scripts/run.py"
 
 
+# The commit is a parameter, so that a new commit rebuilds only this table and the report.
+rule report_provenance:
+    input:
+        golden_files(),
+    output:
+        output=f"{WHOLE}/tables/provenance.csv",
+    log:
+        f"{WHOLE}/logs/paper/report_provenance.log",
+    params:
+        call="report.jobs:report_provenance",
+        code=[code_of("report"), *map(whole_digest, STUDIES.values())],
+        study=FILES.get(WHOLE),
+        golden=STUDIES[WHOLE].golden if WHOLE else "",
+        results=WHOLE,
+        state=commit(),
+    message:
+        "Identifying the code"
+    script:
+        "../scripts/run.py"
+
+
 rule paper_pdf:
     input:
         rules.report_tables.output,
+        rules.report_provenance.output,
         f"{WHOLE}/tables/claims.json",
         over("{results}/figures/{name}.svg", drawn),
         expand(f"{WHOLE}/figures/{{name}}.svg", name=OURS),
@@ -88,7 +108,7 @@ rule paper_pdf:
         root=".",
         results=WHOLE,
     message:
-        "Setting the report"
+        "Typesetting the report"
     script:
         "../scripts/run.py"
 
@@ -140,16 +160,16 @@ rule supplement_pdf:
         root=".",
         results=WHOLE,
     message:
-        "Setting the supplement"
+        "Typesetting the supplement"
     script:
         "../scripts/run.py"
 
 
-#: Times that `snakemake accuracy` measured: the manual shows them where they exist, and does not request them.
+#: Times measured by `snakemake accuracy`; the manual shows them if they exist but does not request them.
 MEASURED = sorted(Path("results/tables").glob("times_*.csv"))
 
 
-# Sphinx writes pages, docstrings and results as HTML. `make manual` builds it; `all` does not.
+# Sphinx converts pages, docstrings and results to HTML. `make manual` builds the manual; `all` does not.
 rule manual_pages:
     input:
         rules.report_tables.input,

@@ -1,4 +1,4 @@
-"""Call the function that a job names, with its named files and its parameters as keywords."""
+"""Call the function named by a job, with its named files and parameters as keyword arguments."""
 
 from pkgutil import resolve_name
 

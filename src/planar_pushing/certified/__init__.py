@@ -1,4 +1,4 @@
-"""Physics in ball arithmetic, on a route that shares nothing with the mechanics."""
+"""Physics in ball arithmetic, computed independently of the mechanics."""
 
 from planar_pushing.terms.extras import require_extra
 

@@ -34,7 +34,7 @@ def friction_cone(friction_coefficient: float) -> Cone:
 
 @precise
 def motion_cone(slider: Slider, effects: Effects, friction_coefficient: float) -> Cone:
-    """Edges of the motion cone; with friction and inertia of the union over all magnitudes."""
+    """Edges of the motion cone; with friction and inertia, of the union over all magnitudes."""
     right, left = (edge(friction_coefficient, side) for side in (1, -1))
     rights = [motion_angle(slider, right, share) for share in effects.shares]
     lefts = [motion_angle(slider, left, share) for share in effects.shares]
@@ -44,10 +44,10 @@ def motion_cone(slider: Slider, effects: Effects, friction_coefficient: float) -
 def _normal_signs(
     slider: Slider, effects: Effects, friction_coefficient: float, side: int
 ) -> list[int]:
-    """Signs of the normal part of the contact's motion under a force on an edge, one per share.
+    """Signs of the normal component of the contact's motion under an edge, one per share.
 
-    The motion lies within 90 degrees of the force, so its angle tells the sign: against 0 on the right
-    edge (side 1), against 180 on the left one (side -1).
+    The motion lies within 90 degrees of the force, so that its angle determines the sign, by comparison
+    with 0 on the right edge (side 1) and with 180 on the left edge (side -1).
     """
     force, signs = edge(friction_coefficient, side), []
     for share in effects.shares:
@@ -76,10 +76,10 @@ def slips_while_pushing(slider: Slider, effects: Effects, friction_coefficient: 
 def conservative_cone(slider: Slider, friction_coefficient: float = math.inf) -> Cone:
     """Contact motions that the paper's seven cases allow with both effects (Sec. 4, Fig. 12).
 
-    Between two neighboring tangents of the ring the case is one and the same: |k| in [0, 1] where the
-    lines of force meet the ring, [1, inf] where they miss it. At a fixed spin ratio the angle of the
-    motion increases with the force angle, at a fixed force angle it is monotone in the spin ratio, so
-    each sector is bounded at its ends.
+    Between two neighboring tangents of the ring the case does not change: |k| is in [0, 1] where the
+    lines of force cross the ring, and in [1, inf] where they miss it. At a fixed spin ratio the angle
+    of the motion increases with the force angle, and at a fixed force angle it is monotone in the spin
+    ratio. Each sector is therefore bounded by its values at the ends.
     """
     right, left = (edge(friction_coefficient, side) for side in (1, -1))
     bounds = [right, *_tangents(slider, right, left), left]
@@ -93,7 +93,7 @@ def conservative_cone(slider: Slider, friction_coefficient: float = math.inf) ->
 
 
 def _tangents(slider: Slider, right: Heading, left: Heading) -> list[Heading]:
-    """Directions of the lines of force that touch the ring, between the edges and in order."""
+    """Directions of the lines of force tangent to the ring, between the edges and in order."""
     if slider.rod_length <= 1:
         return []
     half = in_degrees((1 / arb(slider.rod_length)).asin())
@@ -105,13 +105,13 @@ def _tangents(slider: Slider, right: Heading, left: Heading) -> list[Heading]:
 
 
 def _arm_between(slider: Slider, first: Heading, last: Heading) -> arb:
-    # Not half way: a sector between tangents is symmetric about the rod, where the arm vanishes.
+    # Not midway: a sector between tangents is symmetric about the rod, where the arm vanishes.
     inside = direction((3 * first.degrees + 5 * last.degrees) / 8)
     return slider.rod_length * abs(lean(slider, inside)[1])
 
 
 def _angle(slider: Slider, force: Heading, size: arb) -> arb:
-    """Angle of the motion at a spin ratio of the given size; rotation about the ring center at infinity."""
+    """Angle of the motion at a spin ratio of this magnitude; infinite: rotation about the ring center."""
     _, sine = lean(slider, force)
     side = 0 if slider.rod_length == 0 else sign(sine)
     if size.is_finite():

@@ -1,8 +1,8 @@
 """Roots of the balance of torques, enclosed: from the moment arm to the spin ratio, and sticking.
 
-Under a line of force friction and inertia act together through the share sigma = s / (1 + s) of inertia,
-0 for friction alone and 1 for inertia alone: ``(1 - sigma) (t - h f) + sigma (g k - h) = 0`` with
-``g = (rho / R)^2``, increasing in k.
+Under a line of force, friction and inertia act together with the share sigma = s / (1 + s) of inertia,
+which is 0 for friction alone and 1 for inertia alone: ``(1 - sigma) (t - h f) + sigma (g k - h) = 0``
+with ``g = (rho / R)^2``; the root k increases with h.
 """
 
 from __future__ import annotations
@@ -26,12 +26,12 @@ def spin_of_arm(arm: arb, gyration: Number, share: Number, width: arb = WIDTH) -
     share : arb or fmpq
         Share of inertia in [0, 1].
     width : arb
-        Relative width of the enclosure, where the spin ratio is a root.
+        Relative width of the enclosure if the spin ratio is computed as a root.
 
     Raises
     ------
     Undecided
-        Where the sign of the arm is open.
+        If the sign of the arm is undecided.
     """
     if arm == 0:
         return arb(0)
@@ -57,7 +57,7 @@ def spin_of_arm(arm: arb, gyration: Number, share: Number, width: arb = WIDTH) -
 def sticking_rotation(
     along: arb, aside: arb, length: Number, gyration: Number, ratio: Number, width: arb = WIDTH
 ) -> arb:
-    """R omega of the motion that takes the contact along, and no torque about the contact.
+    """R omega of the motion whose contact moves as given, without torque about the contact.
 
     In the frame of the rod the contact moves by ``(along, aside)``; `ratio` is m over W in their units.
     """
@@ -70,7 +70,7 @@ def sticking_rotation(
         friction = moment - length * across / speed * force
         return friction + ratio * (gyration * omega - length * across)
 
-    # The arm of every such force is at least min(1/2, g) k: it leaves the center a part of `aside`.
+    # The arm of every such force is at least min(1/2, g) k: a fraction of `aside` remains for the center.
     least = min(arb(0.5), arb(gyration), key=float) / 2
     high = size / (length * (1 + least / length**2))
     return aside.sgn() * increasing_root(torque, arb(0), high.upper(), width)

@@ -47,7 +47,7 @@ def spin_ratio(slider: Slider, force: Heading, share: fmpq) -> arb:
 
 @precise
 def contact_motion(slider: Slider, force: Heading, spin: arb) -> tuple[arb, arb]:
-    """Motion of the contact per speed of the center."""
+    """Motion of the contact per unit speed of the center."""
     c, s = cosine_sine(slider.rod_angle)
     pull = spin * slider.rod_length
     return force.x + pull * s, force.y - pull * c
@@ -55,10 +55,10 @@ def contact_motion(slider: Slider, force: Heading, spin: arb) -> tuple[arb, arb]
 
 @lru_cache(maxsize=1 << 13)
 def exact_contact_motion(slider: Slider, force: Heading, share: fmpq) -> tuple[Exact, Exact] | None:
-    """Positive multiple of the contact's motion where it is algebraic, else None.
+    """Positive multiple of the contact's motion if it is algebraic, otherwise None.
 
-    It is so for inertia, Eqs. (11)-(12), where friction agrees with inertia on the spin ratio, and for a
-    force across the rod, along which the contact then moves.
+    It is algebraic for inertia, Eqs. (11)-(12), if friction and inertia agree on the spin ratio, and
+    for a force across the rod, along which the contact then moves.
     """
     if force.exact is None:
         return None
@@ -89,7 +89,7 @@ def motion_degrees(slider: Slider, force: Heading, spin: arb) -> arb:
 
 @precise
 def motion_angle(slider: Slider, force: Heading, share: fmpq) -> arb:
-    """Angle of the contact's motion in degrees; an exact zero where the motion is along the fence."""
+    """Angle of the contact's motion in degrees; an exact zero if the motion is along the fence."""
     degrees = motion_degrees(slider, force, spin_ratio(slider, force, share))
     if not degrees.contains(0):
         return degrees
@@ -144,7 +144,7 @@ def _limit_spin_of_arm(slider: Slider, arm: arb) -> arb:
 def motion_center(slider: Slider, force: Heading, spin: arb) -> tuple[arb, arb]:
     """Motion center relative to the ring center in units of R, at -1/k along x'.
 
-    A translation is taken as the limit k -> 0+: infinite coordinates where x' has a component.
+    A translation is the limit k -> 0+: coordinates are infinite where x' has a nonzero component.
     """
     along = force.y, -force.x
     if sign(spin) == 0:

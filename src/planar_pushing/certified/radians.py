@@ -29,7 +29,7 @@ def torque(k: arb) -> arb:
 
 
 def root(function: Callable[[arb], arb], low: arb, high: arb) -> arb:
-    """Root of an increasing function, to the stored digits; the ends are rounded outwards."""
+    """Root of an increasing function, to the stored digits; the ends are rounded outward."""
     return increasing_root(function, low.lower(), high.upper(), WIDTH)
 
 
@@ -57,12 +57,12 @@ def friction_edge(mu: arb, side: int) -> arb:
 
 
 def motion_edge(length: arb, psi: arb, mu: arb, share: arb, rho: arb, side: int) -> arb:
-    """Edge of the motion cone under one share."""
+    """Edge of the motion cone for one share."""
     return motion_angle(length, psi, friction_edge(mu, side), share, rho)
 
 
 def sticking_spin(length: arb, psi: arb, pusher: arb, ratio: arb, rho: arb) -> arb:
-    """Spin ratio of the motion that takes the contact along by ``m a / W = ratio``.
+    """Spin ratio of the motion whose contact moves as the pusher does, by ``m a / W = ratio``.
 
     The torque about the contact increases with the rotation; friction alone has the ratio 0.
     """
@@ -73,7 +73,7 @@ def sticking_spin(length: arb, psi: arb, pusher: arb, ratio: arb, rho: arb) -> a
 
 
 def slip_spin(arm: arb, normal: arb, lever: arb, level: arb, low: arb, high: arb) -> arb:
-    """Spin ratio between `low` and `high` at which ``n . u = level``, rho = R and in units of W / m."""
+    """Spin ratio between `low` and `high` at which ``n . u = level``, for rho = R, in units of W / m."""
 
     def surplus(k: arb) -> arb:
         f, t = profile(k)

@@ -1,9 +1,9 @@
-"""Friction of the ring (Eqs. 2-3), with W = R = 1, on either of two routes.
+"""Friction of the ring (Eqs. 2-3), with W = R = 1, by either of two routes.
 
-Force `f` and torque `t` at the spin ratio k >= 0. The friction potential is convex and homogeneous:
-along increasing k, f falls from 1 to 0 and t rises from 0 to 1, and ``f' = -k t'``. Wide balls are
-therefore enclosed by their ends. A process evaluates exact arguments by Arb's elliptic integrals until
-`use` chooses another route for it.
+Force `f` and torque `t` are given at the spin ratio k >= 0. The friction potential is convex and
+homogeneous: as k increases, f decreases from 1 to 0, t increases from 0 to 1, and ``f' = -k t'``. Wide
+balls are therefore enclosed by their ends. A process evaluates exact arguments by Arb's elliptic
+integrals until `use` selects another route.
 """
 
 from __future__ import annotations
@@ -12,10 +12,10 @@ from collections.abc import Callable
 
 from flint import acb, arb, ctx
 
-#: Relative accuracy, in bits, that an exact argument is evaluated to.
+#: Relative accuracy, in bits, to which an exact argument is evaluated.
 _ACCURACY = 160
 
-#: Below this ratio t is summed as a series: its closed form cancels.
+#: Below this ratio t is summed as a series, since the closed form suffers from cancellation.
 _SMALL = arb(2) ** -6
 
 Profile = tuple[arb, arb]
@@ -32,11 +32,11 @@ def profile(k: arb) -> Profile:
 
 
 def elliptic(k: arb) -> Profile:
-    """Eqs. (2)-(3) by elliptic integrals; duality, f(k) = t(1/k), carries k > 1."""
+    """Eqs. (2)-(3) by elliptic integrals; duality, f(k) = t(1/k), extends them to k > 1."""
     if k == 1:
         return 2 / arb.pi(), 2 / arb.pi()
     precision = ctx.prec
-    while True:  # next to k = 1 the parameter cancels
+    while True:  # near k = 1 the parameter cancels
         with ctx.workprec(precision):
             found = _inside(k) if k < 1 else _inside(1 / k)[::-1]
         if min(int(each.rel_accuracy_bits()) for each in found) >= _ACCURACY:
@@ -48,7 +48,7 @@ _route: Route = elliptic
 
 
 def use(route: Route) -> None:
-    """Evaluate the ring by this route from now on: call it before anything else in a process."""
+    """Evaluate the ring by this route from now on; call it first in a process."""
     global _route
     _route = route
 
@@ -63,16 +63,16 @@ def slope(k: arb) -> arb:
 
 
 def least_slope(low: arb, high: arb) -> arb:
-    """Lower bound of t' over [low, high], exact ends on one side of k = 1.
+    """Lower bound of t' over [low, high], with exact ends on one side of k = 1.
 
-    t' is a power series with positive coefficients below 1 and t'(1/k) / k^3 above it: it rises to
-    infinity at 1 and falls from there.
+    Below 1, t' is a power series with positive coefficients; above 1 it is t'(1/k) / k^3. It increases
+    to infinity at 1 and decreases from there.
     """
     return slope(low if high <= 1 else high).lower()
 
 
 def greatest_slope(low: arb, high: arb) -> arb:
-    """Upper bound of t' over [low, high], infinite where an end is 1."""
+    """Upper bound of t' over [low, high], infinite if an end is 1."""
     peak = high if high <= 1 else low
     return arb.pos_inf() if peak == 1 else slope(peak).upper()
 

@@ -11,7 +11,7 @@ from planar_pushing.certified.balls import Undecided
 #: Relative width of an enclosure, far below the resolution of stored numbers.
 WIDTH = arb(2) ** -128
 
-#: Steps after which an enclosure counts as out of reach; bisection alone needs fewer.
+#: Maximum number of steps to an enclosure; bisection alone needs fewer.
 _LIMIT = 500
 
 
@@ -30,17 +30,17 @@ def increasing_root(function: Callable[[arb], arb], low: arb, high: arb, width: 
     Returns
     -------
     arb
-        Ball that contains the one root.
+        Ball that contains the only root.
 
     Raises
     ------
     Undecided
-        Where no change of sign can be certified.
+        If no change of sign can be certified.
 
     Notes
     -----
-    Illinois steps with a bisection every fifth: only the signs at the two last points matter to the
-    enclosure, the way there is free.
+    Illinois steps, with a bisection at every fifth step. The enclosure rests only on the signs at the last
+    two points, whatever the steps that lead to them.
     """
     below, above = function(low), function(high)
     if not (below < 0 and above > 0):
@@ -65,7 +65,7 @@ def increasing_root(function: Callable[[arb], arb], low: arb, high: arb, width: 
 
 
 def _pinched(function: Callable[[arb], arb], point: arb, margin: arb) -> arb:
-    """Enclosure around a point at which the function vanishes to working precision."""
+    """Enclosure around a point where the function vanishes to working precision."""
     low, high = (point - margin).mid(), (point + margin).mid()
     if function(low) < 0 and function(high) > 0:
         return low.union(high)

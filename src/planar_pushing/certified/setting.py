@@ -1,7 +1,7 @@
-"""The arguments of a golden number: slider, effects, and the line of force, all exact.
+"""The arguments of a golden number: slider, effects, and line of force, all exact.
 
-Lengths are in units of R and angles in exact degrees. A double stands for exactly its value; a Coulomb
-cone's edge is the direction (mu, 1), so that no angle is rounded.
+Lengths are in units of R and angles in exact degrees. A double represents exactly its value; the edge
+of a Coulomb cone is the direction (mu, 1), so that no angle is rounded.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ FRICTION, INERTIA = fmpq(0), fmpq(1)  # shares of inertia
 
 
 class Effects(StrEnum):
-    """Effects that resist the motion, by the names of the datasets."""
+    """Effects that resist the motion, by the names in the datasets."""
 
     FRICTION = "support_friction"
     INERTIA = "inertia"
@@ -39,7 +39,7 @@ class Effects(StrEnum):
 
     @property
     def shares(self) -> tuple[fmpq, ...]:
-        """Shares of inertia between which the effects leave the motion open."""
+        """Range of the shares of inertia that the effects allow."""
         ends = {Effects.FRICTION: (FRICTION,), Effects.INERTIA: (INERTIA,)}
         return ends.get(self, (FRICTION, INERTIA))
 
@@ -65,7 +65,7 @@ class Slider:
         radius: float = 1.0,
         gyration_radius: float = 1.0,
     ) -> Slider:
-        """Slider with lengths in any one unit; doubles are taken as exact."""
+        """Slider with lengths in one arbitrary unit; doubles are taken as exact."""
         size = rational(radius)
         gyration = (rational(gyration_radius) / size) ** 2
         length = rational(rod_length) / size
@@ -74,11 +74,11 @@ class Slider:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Heading:
-    """Direction of a force: its angle in degrees, unit vector, and the same exactly.
+    """Direction of a force: its angle in degrees and its unit vector, as balls and exactly.
 
     Compare headings by identity: `heading` and `edge` return the same object for the same direction.
 
-    `rational` is the angle where it is rational, `exact` gives a positive multiple of the vector.
+    `rational` is the angle if it is rational, and `exact` returns a positive multiple of the vector.
     """
 
     degrees: arb
@@ -100,7 +100,7 @@ def heading(degrees: fmpq | float) -> Heading:
 
 @precise
 def direction(degrees: arb) -> Heading:
-    """Direction at an angle known as a ball."""
+    """Direction at an angle that is known as a ball."""
     turn = degrees / 180
     return Heading(degrees, turn.cos_pi(), turn.sin_pi(), None)
 
@@ -108,7 +108,7 @@ def direction(degrees: arb) -> Heading:
 @lru_cache(maxsize=1024)
 @precise
 def edge(friction_coefficient: float, side: int) -> Heading:
-    """Edge of the friction cone, side 1 for the right and -1 for the left one; exact also at infinity."""
+    """Edge of the friction cone, side 1 for the right and -1 for the left one; also exact at infinity."""
     if math.isinf(friction_coefficient):
         return heading(fmpq(90 - 90 * side))
     mu = rational(friction_coefficient)

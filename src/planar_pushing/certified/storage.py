@@ -1,4 +1,4 @@
-"""Balls as they are stored: the midpoint as a double, and the radius as an exponent of two in a byte."""
+"""Balls as stored: the midpoint as a double, and the radius as an exponent of two in a byte."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from flint import arb, ctx
 
 from planar_pushing.certified.balls import PRECISION, Undecided
 
-#: Exponent of a number that is known exactly, and the least of the others.
+#: Exponent of a number that is known exactly, and the smallest of all others.
 EXACT, LEAST = -128, -127
-#: Largest radius that is stored, relative to the number, or to 1 where the number is smaller.
+#: Largest radius that is stored, relative to the number, or to 1 for numbers smaller than 1.
 WIDEST = 2.0**-48
 
 
@@ -21,7 +21,7 @@ def stored(value: Any) -> tuple[Any, int]:
     Raises
     ------
     Undecided
-        Where the ball is too wide to be of use.
+        If the ball is too wide to be useful.
     """
     if not isinstance(value, arb):
         return value, EXACT

@@ -37,7 +37,7 @@ COMMANDS = (
     solve, cone, query, draw, explore, simulate, animate, check, plan, run, init, convert, identify,
     compare, compilation, completion,
 )  # fmt: skip
-#: Exit codes besides 0: input that cannot be used, Ctrl-C, and a reader that has gone, as shells count.
+#: Exit codes other than 0, by shell convention: invalid input, Ctrl-C, and a closed output pipe.
 INVALID, INTERRUPTED, UNREAD = 2, 130, 141
 
 
@@ -52,7 +52,7 @@ def parser() -> Parser:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command line; 0, 1 where a check fails, or 2 with one message where the input is wrong."""
+    """Run the command line; return 0, 1 if a check fails, or 2 with a message if the input is invalid."""
     sys.unraisablehook = _repeat_interrupt
     try:
         try:
@@ -77,7 +77,7 @@ def _run(arguments: Sequence[str] | None) -> int:
     args, rest = found.parse_known_args(arguments)
     if rest and args.command != "query":
         found.error(f"unrecognized arguments: {' '.join(rest)}")
-    args.where, args.status = rest, 0  # which a command may set, as one that finds differences
+    args.where, args.status = rest, 0  # a command can set the status
     try:
         check_push(args)
         _check_output(args)
@@ -89,11 +89,11 @@ def _run(arguments: Sequence[str] | None) -> int:
 
 
 def _check_output(args: argparse.Namespace) -> None:
-    """Refuse a file in a folder that is not there: it is as likely mistyped as meant."""
+    """Reject an output file in a missing folder, whose path may be mistyped."""
     output = getattr(args, "output", None)
     if output is not None and not output.parent.exists():
-        remedy = f"make the folder {output.parent}, or name another file"
-        raise InvalidValue("output", str(output), "a file in a folder that is there", remedy)
+        remedy = f"create the folder {output.parent}, or choose another file"
+        raise InvalidValue("output", str(output), "a file in an existing folder", remedy)
 
 
 def _print(result: dict[str, object], as_json: bool) -> None:
@@ -106,7 +106,7 @@ def _print(result: dict[str, object], as_json: bool) -> None:
 
 
 def _repeat_interrupt(dropped: sys.UnraisableHookArgs) -> None:
-    """Let Ctrl-C come again where it fell into a destructor or a callback: Python drops it there."""
+    """Send Ctrl-C again if it occurred in a destructor or a callback, where Python drops it."""
     if issubclass(dropped.exc_type, KeyboardInterrupt):
         threading.Timer(0.01, os.kill, [os.getpid(), signal.SIGINT]).start()
     else:
@@ -114,6 +114,6 @@ def _repeat_interrupt(dropped: sys.UnraisableHookArgs) -> None:
 
 
 def _discard_output() -> None:
-    """Send what is left to print nowhere: Python would try to write it once more as it ends."""
-    with suppress(OSError):  # an output without a file
+    """Discard pending output, which Python would otherwise try to write again on exit."""
+    with suppress(OSError):  # an output that is not backed by a file
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

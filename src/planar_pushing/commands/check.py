@@ -20,28 +20,28 @@ from planar_pushing.terms.errors import InvalidFile, InvalidValue
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = (
-        "Check a results folder against the golden data of its study, or certify points of any study: "
-        "0 where all agrees, 1 where something differs."
+        "Check a results folder against the golden data of its study, or certify points of any study. "
+        "The exit code is 0 if everything agrees, 1 if anything differs."
     )
     sub = command(commands, "check", checked, about, "--json")
     sub.add_argument(
         "results", type=Path, nargs="?", default=Path("results"), metavar="RESULTS",
-        help="folder that the pipeline has filled (default: results)",
+        help="results folder that the pipeline has written (default: results)",
     )  # fmt: skip
     sub.add_argument(
         "--study", type=Path, metavar="STUDY.yaml",
-        help="file of the study whose results are checked, in RESULTS/studies/NAME for another than the "
-        f"paper's (default: {PAPER_FILE})",
+        help="study file whose results are checked; results of a study other than the paper's are in "
+        f"RESULTS/studies/NAME (default: {PAPER_FILE})",
     )  # fmt: skip
     sub.add_argument(
         "--points", type=int, metavar="N",
-        help="enclose N random points of each dataset, a whole number > 0, instead of comparing it with "
-        "golden data",
+        help="enclose N random points of each dataset instead of comparing it with golden data; a whole "
+        "number > 0",
     )  # fmt: skip
 
 
 def checked(args: argparse.Namespace) -> dict[str, Any]:
-    """The verdict; it sets `args.status` to 1 where anything differs."""
+    """Return the verdict, and set `args.status` to 1 if anything differs."""
     from planar_pushing.evidence.golden.check import check_results
     from planar_pushing.evidence.golden.verdict import verdict, verdict_text
 
@@ -56,7 +56,7 @@ def checked(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def _study(args: argparse.Namespace) -> Path:
-    """The file of the study that is checked, which `--study` has to name where the paper's is elsewhere."""
+    """Study file to check; `--study` is required if the paper's study file is not in the current folder."""
     results: Path = args.results
     if not results.is_dir():
         remedy = "name the folder of the results, or build them with planar-pushing run STUDY.yaml"
@@ -66,7 +66,7 @@ def _study(args: argparse.Namespace) -> Path:
     others = built_studies(results)
     if others and not (results / "data").is_dir():
         remedy = "give the file of a study with --study"
-        raise InvalidFile(f"{results}: holds results of {', '.join(others)} alone; {remedy}")
+        raise InvalidFile(f"{results}: holds results of {', '.join(others)} only; {remedy}")
     if (file := paper_file()) is None:
         remedy = "go to the project's folder, or give the file of a study with --study"
         raise InvalidFile(f"{PAPER_FILE}: no such file; {remedy}")
@@ -74,7 +74,7 @@ def _study(args: argparse.Namespace) -> Path:
 
 
 def _short(text: str) -> str:
-    """The verdict without a line for each variable that agrees."""
+    """Shorten the verdict: count the variables that agree instead of listing them."""
     lines = text.rstrip().splitlines()
     kept = [line for line in lines if not line.startswith("ok ")]
     agree = len(lines) - len(kept)

@@ -21,31 +21,31 @@ if TYPE_CHECKING:
     import xarray as xr
 
 ENDINGS = (".nc", ".h5")
-#: The model whose fit takes long.
+#: The model that is slow to fit.
 SLOW = "identified"
 
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = (
-        "Compare models of supports with measured pushes. Half of the pushes of each object fit a model "
-        "and the other half scores it, and the other way around. A ratio is that of a model's median to "
-        "the median of an ellipsoid fitted to the same pushes, with its interval of 95 percent."
+        "Compare models of supports with measured pushes. Each model is fitted to one half of the pushes "
+        "of an object and scored on the other half, then vice versa. A ratio is the model's median error "
+        "divided by that of an ellipsoid fitted to the same pushes, with its 95 percent interval."
     )
     sub = command(commands, "compare", compared, about, "pushes.nc --identify")
     add_pushes(sub, several=True)
     sub.add_argument(
         "--identify", action="store_true",
-        help="compare the support that identify finds too, which takes longer",
+        help="also compare the support that identify finds, which takes longer",
     )  # fmt: skip
     sub.add_argument(
         "-o", "--output", type=Path, metavar="COMPARISON.nc",
-        help=f"dataset of the errors to write; its name ends in {' or '.join(ENDINGS)} (default: none)",
+        help=f"output dataset of the errors; its name ends in {' or '.join(ENDINGS)} (default: none)",
     )  # fmt: skip
 
 
 def compared(args: argparse.Namespace) -> dict[str, Any]:
-    """Score the models, write the dataset where one is wanted, and tell the errors of each."""
+    """Score the models, write the dataset if requested, and report the errors of each model."""
     if args.output is not None:
         require_ending(args.output, ENDINGS)
     seed = require_seed(args.seed)
@@ -64,7 +64,7 @@ def compared(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def summary(found: xr.Dataset) -> dict[str, Any]:
-    """The statistics of each model, of the quantities that were measured."""
+    """Statistics of each model for the quantities that were measured."""
     quantities = [str(each) for each in found["quantity"].values]
     models = [str(each) for each in found["model"].values]
     pairs = {
@@ -88,7 +88,7 @@ def summary(found: xr.Dataset) -> dict[str, Any]:
 
 
 def _statistics(one: xr.Dataset) -> dict[str, Any]:
-    """Of one quantity and model."""
+    """Statistics of one quantity and model."""
     single = ("median", "percentile_90", "ratio", "difference")
     ends = ("median_interval", "ratio_interval", "difference_interval")
     return {name: float(one[name]) for name in single} | {
@@ -102,7 +102,7 @@ def _unit(found: xr.Dataset, quantity: str) -> str:
 
 
 def lines(told: dict[str, Any]) -> str:
-    """The numbers as lines, and a table for each quantity."""
+    """Format the numbers as lines, with a table for each quantity."""
     units, tables = told["units"], told["comparison"]
     rest = {name: each for name, each in told.items() if name not in ("units", "comparison")}
     return "\n".join(
@@ -111,7 +111,7 @@ def lines(told: dict[str, Any]) -> str:
 
 
 def _table(quantity: str, unit: str, rows: dict[str, dict[str, Any]]) -> str:
-    """A row for each model."""
+    """Table with a row for each model."""
     heading = [f"{quantity} [{unit}]", "median", "90 %", "ratio", "from", "to"]
     listed = [
         [model, *(f"{each[name]:.3g}" for name in ("median", "percentile_90")),

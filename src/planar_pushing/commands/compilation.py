@@ -21,12 +21,12 @@ from planar_pushing.terms.options import Method, Shape
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
-    about = "Compile the core now for the kinds of sliders in the paper and the examples."
+    about = "Compile the core ahead of time for the kinds of sliders in the paper and the examples."
     command(commands, "compile", compile_core, about)
 
 
 def compile_core(args: argparse.Namespace) -> dict[str, Any]:
-    """Call every compiled function once; the machine code is kept beside the sources."""
+    """Call every compiled function once; the machine code is cached next to the sources."""
     from concurrent.futures import ProcessPoolExecutor, as_completed
 
     from tqdm import tqdm
@@ -44,7 +44,7 @@ def compile_core(args: argparse.Namespace) -> dict[str, Any]:
         try:
             for job in tqdm(as_completed(jobs), "compiling", len(jobs), disable=None, leave=False):
                 job.result()
-        except BaseException:  # Ctrl-C among them; the calls under way would take a minute more
+        except BaseException:  # including Ctrl-C; the running calls would take another minute
             for child in multiprocessing.active_children():
                 child.terminate()
             raise
@@ -52,17 +52,19 @@ def compile_core(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def _begin() -> None:
-    """Prepare a process, which a signal may end without a traceback or a lock that is left behind."""
+    """Prepare a process so that a signal ends it without a traceback or a stale lock."""
     from tqdm import tqdm
 
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     tqdm.set_lock(threading.RLock())
-    logging.getLogger("planar_pushing").setLevel(logging.ERROR)  # no announcements
-    gc.set_threshold(100_000)  # the compiler makes millions of objects: a twelfth of the time
+    logging.getLogger("planar_pushing").setLevel(
+        logging.ERROR
+    )  # hide messages about the compilation
+    gc.set_threshold(100_000)  # the compiler creates millions of objects
 
 
 def _call(kind: str, call: Callable[[Any], None]) -> None:
-    """Call functions of a scene whose effects a kind names."""
+    """Call functions with a scene that has the effects named by a kind."""
     import planar_pushing as pp
 
     square = pp.Polygon([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
@@ -130,10 +132,10 @@ def by_steps(scene: Any) -> None:
     pp.simulate(scene, pusher=fence, duration=1e-3, method=Method.TIME_STEPPING)
 
 
-#: The kinds of sliders, and what is called of each; a box stands for every support that is no ring.
+#: The calls for each kind of slider; a box represents every support other than a ring.
 RINGS, BOXES = (evaluate, under_fence, by_steps), (evaluate, under_fence, under_finger)
-#: A part for each of two processes, which take equally long. Functions of a kind share most of what they
-#: call, which is compiled once in a process.
+#: Work for each of two processes, balanced in time. Functions of a kind share most of the code that they
+#: call, which is compiled once per process.
 HALVES = (
     (("box+mass", BOXES), ("ring", RINGS)),
     (("ring+inertia", RINGS), ("box", BOXES), ("inertia", RINGS)),

@@ -1,6 +1,6 @@
-"""The command `completion`: what a shell completes, from the parser itself.
+"""The command `completion`: shell completions generated from the parser.
 
-The script is static, so that pressing the tab key starts no Python and needs no package.
+The script is static, so pressing the tab key does not start Python.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ from planar_pushing.study.studies import PAPER
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import EffectSet, Method, Policy, Shape
 
-#: Lines that a shell needs before the function of bash; zsh runs such functions too.
+#: Lines that a shell needs before the bash function, which zsh can also run.
 SHELLS = {"bash": "", "zsh": "autoload -U +X compinit bashcompinit && compinit && bashcompinit\n"}
 AXES = sorted({query.option(axis) for entry in DATASETS.values() for axis in entry.dims})
-#: Values of options that take one of a few, by command and option; the studies are those that are built.
+#: Values of options with a fixed set of choices, by command and option; studies are those already built.
 VALUES = {
     "* --method": tuple(Method),
     "* --on-ambiguity": tuple(Policy),
@@ -28,13 +28,13 @@ VALUES = {
     "query --effects": tuple(EffectSet),
     "query --study": (PAPER, "$(ls results/studies 2>/dev/null)"),
 }
-#: Words of commands besides their options.
+#: Positional arguments of commands that have a fixed set of choices.
 WORDS = {
     "query": (*(name for name in opened() if not name.endswith("/NAME")), *AXES),
     "completion": tuple(SHELLS),
     "convert": tuple(convert.FORMATS),
 }
-#: Files are completed where nothing else fits, and after an option that takes any other value.
+#: Files are completed where nothing else fits, and after an option that takes a free value.
 SCRIPT = """{start}_planar_pushing() {{
   local words=""
   case "${{COMP_WORDS[1]}} ${{COMP_WORDS[COMP_CWORD-1]}}" in
@@ -52,14 +52,14 @@ complete -o default -F _planar_pushing planar-pushing"""
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
-    about = "Print a script that makes a shell complete the commands and their options."
+    about = "Print a shell script that completes the commands and their options."
     sub = command(commands, "completion", script, about, "bash > completion; . ./completion")
     sub.add_argument("shell", metavar="SHELL", help=f"{' or '.join(SHELLS)}")
     sub.set_defaults(known=commands.choices)
 
 
 def script(args: argparse.Namespace) -> dict[str, Any]:
-    """The script for a shell."""
+    """Completion script for a shell."""
     if args.shell not in SHELLS:
         raise InvalidValue("shell", args.shell, ", ".join(SHELLS), "name one of these shells")
     known: dict[str, argparse.ArgumentParser] = args.known
@@ -78,22 +78,22 @@ def script(args: argparse.Namespace) -> dict[str, Any]:
 
 def _options(parser: argparse.ArgumentParser) -> list[str]:
     """The options of a command."""
-    # argparse has no public list of them.
+    # argparse has no public list of the options.
     return [each for each in parser._option_string_actions if each.startswith("--")]
 
 
 def _taking(parsers: Iterable[argparse.ArgumentParser]) -> set[str]:
-    """The options of all commands that a value follows."""
+    """Options of all commands that take a value."""
     actions = [each for parser in parsers for each in parser._option_string_actions.items()]
     return {name for name, action in actions if action.nargs != 0}
 
 
 def _pattern(name: str) -> str:
-    """A pattern of the shell for a command and an option, `*` being any command."""
+    """Shell pattern for a command and an option; `*` matches any command."""
     command, option = name.split()
     return f'*" {option}"' if command == "*" else f'"{name}"'
 
 
 def _cases(words: dict[str, Any]) -> str:
-    """Branches of a case statement: the words that follow each name."""
+    """Branches of a shell case statement, with the words that can follow each name."""
     return "\n".join(f'    {name}) words="{" ".join(each)}" ;;' for name, each in words.items())

@@ -16,7 +16,7 @@ def add(commands: Commands) -> None:
 
 
 def cones(args: argparse.Namespace) -> dict[str, Any]:
-    """Edges of both cones of a scene, and what follows from them."""
+    """Edges of both cones of a scene, and quantities derived from them."""
     from planar_pushing.mechanics import cones as found
     from planar_pushing.study.files.scenes import load_scene
 

@@ -11,26 +11,26 @@ from planar_pushing.terms.errors import InvalidValue, suggestion
 
 #: Formats of measured pushes: name and help.
 FORMATS = {
-    "three-feet": "logs of a triangle on three feet, named by the places of the feet",
-    "mit": "MATLAB files of pushed polygons, named by the shape",
+    "three-feet": "logs of a triangle on three feet, named after the positions of the feet",
+    "mit": "MATLAB files of pushed polygons, named after the shape",
 }
 ENDINGS = (".nc", ".h5")
 
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
-    about = "Convert files of measured pushes to one dataset of pushes."
+    about = "Convert files of measured pushes to one dataset."
     sub = command(
         commands, "convert", converted, about, "three-feet 30_90_30_30_30_90.txt -o pushes.nc"
     )
     listed = "; ".join(f"{name}: {each}" for name, each in FORMATS.items())
     sub.add_argument("format", metavar="FORMAT", help=listed)
     sub.add_argument("files", type=Path, nargs="+", metavar="FILE", help="files of this format")
-    add_output(sub, "PUSHES.nc", f"dataset to write; its name ends in {' or '.join(ENDINGS)}")
+    add_output(sub, "PUSHES.nc", f"output dataset; its name ends in {' or '.join(ENDINGS)}")
 
 
 def converted(args: argparse.Namespace) -> dict[str, Any]:
-    """Read the files, write the dataset, and tell how many pushes it holds."""
+    """Read the files, write the dataset, and report how many pushes it holds."""
     if args.format not in FORMATS:
         remedy = suggestion(args.format, FORMATS, "name one of these formats")
         raise InvalidValue("format", args.format, ", ".join(FORMATS), remedy)

@@ -26,20 +26,20 @@ if TYPE_CHECKING:
 #: Families of supports: name and help.
 FAMILIES = {
     "points": "a weight at each point of a grid",
-    "even_and_corners": "an even pressure, and a weight at each corner",
-    "ellipse": "even pressures within ellipses",
-    "map": "a pressure that is linear between points of a grid",
+    "even_and_corners": "a uniform pressure, and a weight at each corner",
+    "ellipse": "uniform pressures within ellipses",
+    "map": "a pressure interpolated linearly between points of a grid",
 }
 ENDINGS = (".yaml", ".yml")
-#: Joined feet that keep less than these fractions of spin torque and weight are parts of a patch.
+#: Merged feet that keep less than these fractions of spin torque and weight belong to a patch.
 SPIN, WEIGHT = 0.9, 0.75
 
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = (
-        "Identify the support of an object from measured pushes, and write it as a scene file. Intervals "
-        "are of 90 percent, from pushes that are drawn anew."
+        "Identify the support of an object from measured pushes, and write it as a scene file. The 90 "
+        "percent intervals come from resampled pushes."
     )
     sub = command(commands, "identify", identified, about, "pushes.nc -o support.yaml")
     add_pushes(sub, several=False)
@@ -50,18 +50,18 @@ def add(commands: Commands) -> None:
     )  # fmt: skip
     sub.add_argument(
         "--spacing", type=float, metavar="NUMBER",
-        help="distance between candidate points, in the dataset's unit of length, > 0 (default: a "
-        "fifteenth of the outline's extent with forces, a fifth without, and more for few pushes)",
+        help="distance between candidate points, in the dataset's unit of length, > 0 (default: 1/15 of "
+        "the outline's extent with forces, 1/5 without, and larger if there are few pushes)",
     )  # fmt: skip
     listed = "; ".join(f"{name}: {each}" for name, each in FAMILIES.items())
     sub.add_argument(
         "--family", default="points", metavar="NAME", help=f"{listed} (default: points)"
     )
-    add_output(sub, "SUPPORT.yaml", f"scene file to write; its name ends in {' or '.join(ENDINGS)}")
+    add_output(sub, "SUPPORT.yaml", f"output scene file; its name ends in {' or '.join(ENDINGS)}")
 
 
 def identified(args: argparse.Namespace) -> dict[str, Any]:
-    """Identify the support, write the scene file, and tell what the pushes say."""
+    """Identify the support, write the scene file, and report the results."""
     require_ending(args.output, ENDINGS)
     seed = require_seed(args.seed)
     if args.family not in FAMILIES:
@@ -82,7 +82,7 @@ def identified(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def _pushes(args: argparse.Namespace) -> xr.Dataset:
-    """The pushes of one object, with its outline from the file that is given."""
+    """The pushes of one object, with the outline from the given file, if any."""
     pushes = chosen_pushes(args)
     names = [str(each) for each in pushes["object"].values]
     if len(names) > 1:
@@ -91,7 +91,7 @@ def _pushes(args: argparse.Namespace) -> xr.Dataset:
 
 
 def _with_outline(pushes: xr.Dataset, path: Path) -> xr.Dataset:
-    """The pushes with the outline of a file, which their contacts have to be on."""
+    """The pushes with the outline from a file; their contacts must lie on it."""
     from planar_pushing.pushes.combine import with_outline
     from planar_pushing.study.files.yaml_text import read_yaml
 
@@ -101,7 +101,7 @@ def _with_outline(pushes: xr.Dataset, path: Path) -> xr.Dataset:
         content = held.get("outline") if isinstance(held, dict) else None
     if content is None:
         allowed = "a list of corners [x, y], or a scene file with object.outline"
-        raise InvalidFile(f"{path}: holds no outline; allowed: {allowed}; name another file")
+        raise InvalidFile(f"{path}: holds no outline; allowed: {allowed}; choose another file")
     try:
         return with_outline(pushes, content)
     except InvalidValue as error:
@@ -109,7 +109,7 @@ def _with_outline(pushes: xr.Dataset, path: Path) -> xr.Dataset:
 
 
 def summary(found: Identified, pushes: xr.Dataset) -> dict[str, Any]:
-    """Numbers of a support as plain values, those that are not known as None."""
+    """Numbers of a support as plain values; unknown numbers are None."""
     return {
         "object": str(pushes["object"].values[0]),
         "pushes": pushes.sizes["push"],
@@ -142,7 +142,7 @@ def _number(value: float) -> float | None:
 
 
 def _feet(found: Identified) -> list[list[float]] | None:
-    """(x, y, fraction) of each joined foot; None where the points are those of a patch."""
+    """(x, y, fraction) of each merged foot; None if the points form a patch."""
     import numpy as np
 
     from planar_pushing.pushes.identified import moments_of
@@ -156,7 +156,7 @@ def _feet(found: Identified) -> list[list[float]] | None:
 
 
 def _residuals(found: Identified, pushes: xr.Dataset) -> dict[str, float]:
-    """Median residual of the wrenches, in standard deviations, and that of the final poses, a length."""
+    """Median residuals of the wrenches, in standard deviations, and of the final poses, as a length."""
     import numpy as np
 
     nothing = np.zeros(len(found.residuals), bool)
@@ -169,7 +169,7 @@ def _residuals(found: Identified, pushes: xr.Dataset) -> dict[str, float]:
 
 
 def lines(told: dict[str, Any]) -> str:
-    """The numbers as lines and tables, what is not determined in a line each."""
+    """Format the numbers as lines and tables, with a line for each undetermined quantity."""
     length, force = told["units"]["length"], told["units"].get("force", "")
     units = {"wrench": "standard deviations", "pose": length}
     assumed = told["weight"] is None
@@ -192,7 +192,7 @@ def lines(told: dict[str, Any]) -> str:
 
 
 def _table(told: dict[str, Any], length: str, force: str) -> str:
-    """A row for each quantity: value, and ends of its interval."""
+    """Table with a row for each quantity: its value and the ends of its interval."""
     x, y = told["center_of_pressure"]
     values = {
         "weight": (told["weight"], force),
@@ -210,7 +210,7 @@ def _table(told: dict[str, Any], length: str, force: str) -> str:
 
 
 def _footlines(told: dict[str, Any], length: str) -> list[str]:
-    """A row for each foot, or a line where there are none."""
+    """Table with a row for each foot, or one line if there are none."""
     if told["feet"] is None:
         return ["feet: none; neighboring points form a patch"]
     rows = [[*map(_word, foot)] for foot in told["feet"]]

@@ -12,30 +12,30 @@ from planar_pushing.commands.words.arguments import Commands, command
 from planar_pushing.terms.errors import InvalidFile, MissingExtra
 from planar_pushing.terms.extras import require_extra
 
-#: The files to start from, in planar_pushing/study/templates.
+#: The template files, in planar_pushing/study/templates.
 STUDY, SCENE = "my_study.yaml", "scene.yaml"
 
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
-    about = "Write a small study and a scene, with comments, to start from."
+    about = "Write a small study and a scene with comments as a starting point."
     sub = command(commands, "init", start, about, "my_folder")
     sub.add_argument(
         "folder",
         type=Path,
         metavar="FOLDER",
-        help="folder to write them to; made if it is not there",
+        help="output folder; created if it does not exist",
     )
 
 
 def start(args: argparse.Namespace) -> dict[str, Any]:
-    """Write the files; none where one of them is there already."""
+    """Write the files, or none if one of them already exists."""
     from planar_pushing.study.files.replacing import replacing
 
     folder = args.folder.resolve()
     for path in (folder / STUDY, folder / SCENE):
         if path.exists():
-            raise InvalidFile(f"{path}: is there already; name another folder")
+            raise InvalidFile(f"{path}: already exists; choose another folder")
     for name in (STUDY, SCENE):
         text = (files("planar_pushing.study") / "templates" / name).read_text(encoding="utf-8")
         with replacing(folder / name) as temporary:
@@ -45,7 +45,7 @@ def start(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def _next(build: str) -> dict[str, str]:
-    """How to build the study, which needs an extra that may not be there."""
+    """How to build the study, which needs extras that may not be installed."""
     try:
         for extra in ("workflow", "figures"):
             require_extra(extra)

@@ -11,7 +11,7 @@ from planar_pushing.commands.words.arguments import Commands, command
 if TYPE_CHECKING:
     from planar_pushing.study.plan import Plan
 
-#: Columns of the table: what each shows of a plan.
+#: Columns of the table, each with the format of its value.
 COLUMNS = {
     "dataset": "{0.dataset}",
     "points": "{0.points:,}",
@@ -26,15 +26,15 @@ COLUMNS = {
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = (
-        "Print what the datasets of a study take before anything runs: points, chunks, jobs, memory, disk, "
-        "CPU hours. Rates are measured on this machine, in some seconds."
+        "Estimate the cost of a study before running it: points, chunks, jobs, memory, disk space and CPU "
+        "hours of each dataset. Rates are measured on this machine in a few seconds."
     )
     sub = command(commands, "plan", planned, about, "workflow/config/paper.yaml")
     sub.add_argument(
         "study",
         type=Path,
         metavar="STUDY.yaml",
-        help="study file: what is computed, and in which chunks",
+        help="study file, which says what is computed and in which chunks",
     )
 
 
@@ -54,7 +54,7 @@ def planned(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def _table(found: list[Plan]) -> str:
-    """Columns set to the right, the first to the left, and their sums below."""
+    """Table with right-aligned columns after the first, and the totals below."""
     rows = [list(COLUMNS), *([shape.format(each) for shape in COLUMNS.values()] for each in found)]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     lines = [

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = (
-        "Print a part of a dataset: --AXIS VALUE picks a value along an axis, angles in degrees. Without "
-        "DATASET, list the datasets that are built, and the commands that build the others."
+        "Print part of a dataset. --AXIS VALUE selects a value along an axis; angles are in degrees. "
+        "Without DATASET, list the datasets that are built and the commands that build the others."
     )
     example = "motion_cones --effects inertia --rod-length 2"
     sub = command(commands, "query", part, about, example)
@@ -38,7 +38,7 @@ def add(commands: Commands) -> None:
     )
     sub.add_argument(
         "--results", type=Path, default=Path("results"), metavar="FOLDER",
-        help="folder that the pipeline has filled (default: results)",
+        help="results folder that the pipeline has written (default: results)",
     )  # fmt: skip
     sub.add_argument(
         "--study", metavar="NAME", help="another study, by its name (default: the paper's)"
@@ -46,7 +46,7 @@ def add(commands: Commands) -> None:
 
 
 def _axes_of_datasets() -> str:
-    """A line for each dataset with axes."""
+    """Text with a line for each dataset that has axes."""
     lines = (
         f"  {name}: {' '.join(map(option, entry.dims))}"
         for name, entry in DATASETS.items()
@@ -56,12 +56,12 @@ def _axes_of_datasets() -> str:
 
 
 def option(axis: str) -> str:
-    """The option that picks a value along an axis."""
+    """Option that selects a value along an axis."""
     return f"--{axis.replace('_', '-')}"
 
 
 def part(args: argparse.Namespace) -> dict[str, Any]:
-    """Part of the dataset where its axes have the given values, its axes, or the datasets there are."""
+    """Part of a dataset at the given axis values, its axes, or the list of datasets."""
     from planar_pushing.study.query import axis_names, listed, select
     from planar_pushing.study.store import open_dataset
 
@@ -75,7 +75,7 @@ def part(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def _listing(args: argparse.Namespace) -> dict[str, Any]:
-    """The datasets that are built, what builds the others, and the other studies."""
+    """The datasets that are built, the commands that build the others, and the other studies."""
     from planar_pushing.study.listing import built_datasets, other_datasets
     from planar_pushing.study.studies import built_studies
 
@@ -83,7 +83,7 @@ def _listing(args: argparse.Namespace) -> dict[str, Any]:
         words = " ".join(args.where)
         raise InvalidValue("query", words, "a dataset, then its axes", "name a dataset first")
     if args.study is None and not (args.results / "data").is_dir():
-        built = {}  # perhaps beside other studies
+        built = {}  # there may be other studies
     else:
         built = built_datasets(args.results, args.study)
     others, studies = other_datasets(built), built_studies(args.results)
@@ -99,7 +99,7 @@ def _built(titles: dict[str, str], results: Path) -> list[str]:
 
 
 def _others(ways: dict[str, str]) -> list[str]:
-    """A line for each command, with the datasets that it builds."""
+    """Lines for the commands, each with the datasets that it builds."""
     names: dict[str, list[str]] = {}
     for name, way in ways.items():
         names.setdefault(way, []).append(name)
@@ -127,7 +127,7 @@ def _pairs(words: Sequence[str]) -> dict[str, str]:
 
 
 def _table(found: xr.Dataset) -> str:
-    """Chosen values in one line, then single values in lines, and a table for each set of axes."""
+    """Text: the selected values in one line, a line per single value, and a table per set of axes."""
     marks = {}
     for name, variable in found.variables.items():
         unit = unit_of(variable.attrs)
@@ -150,7 +150,7 @@ def _table(found: xr.Dataset) -> str:
 
 
 def _in_words(variable: xr.DataArray) -> xr.DataArray:
-    """The names of flags; a value without a name is shown as a dash."""
+    """Replace flag values by their names, or by a dash if a value has no name."""
     import numpy as np
 
     attrs = variable.attrs
@@ -163,7 +163,7 @@ def _in_words(variable: xr.DataArray) -> xr.DataArray:
 
 
 def _frame(found: xr.Dataset, names: list[Hashable], dims: list[Hashable]) -> Any:
-    """Values along the same axes, without the places along `solution` that hold none."""
+    """Values along the same axes, without the unused entries along `solution`."""
     frame = found[names].to_dataframe(dim_order=dims)[names]
     if "solution" not in dims or "consistent" not in found:
         return frame

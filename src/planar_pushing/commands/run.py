@@ -16,18 +16,18 @@ import planar_pushing
 from planar_pushing.commands.words.arguments import Commands, command
 from planar_pushing.terms.errors import InvalidFile, InvalidValue
 
-#: Where the package has the workflow: an installed one in itself, one in a checkout at its top.
+#: Locations of the workflow: inside an installed package, or at the top of a checkout.
 PLACES = (".", "../..")
 
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = (
-        "Build a study with Snakemake into RESULTS/studies/NAME, NAME being that of its file: what is "
-        "missing or out of date, in the current folder, with the extra workflow."
+        "Build a study with Snakemake, in the current folder. Missing and outdated results are written to "
+        "RESULTS/studies/NAME, where NAME is the name of the study file. Needs the extra workflow."
     )
     sub = command(commands, "run", built, about, "my_folder/my_study.yaml --cores 2")
-    about = "study file: what is computed and drawn"
+    about = "study file, which says what is computed and drawn"
     sub.add_argument("study", type=Path, metavar="STUDY.yaml", help=about)
     sub.add_argument(
         "--results", type=Path, default=Path("results"), metavar="FOLDER",
@@ -37,26 +37,26 @@ def add(commands: Commands) -> None:
         "--cores", type=int, metavar="NUMBER",
         help="cores that jobs may use, a whole number >= 1 (default: all)",
     )  # fmt: skip
-    sub.add_argument("--dry-run", action="store_true", help="print the jobs, and run none")
+    sub.add_argument("--dry-run", action="store_true", help="print the jobs without running them")
 
 
 def built(args: argparse.Namespace) -> dict[str, Any]:
-    """Where the results are; it sets `args.status` to 1 where a job fails."""
+    """Return the location of the results, and set `args.status` to 1 if a job fails."""
     if args.cores is not None and args.cores < 1:
         raise InvalidValue("cores", args.cores, "a whole number >= 1", "leave it out for all cores")
     name, folder = _checked(args)
     args.status = _snakemake(args)
     if args.status:
-        return {"results": str(folder), "built": "not all; the lines above say why"}
+        return {"results": str(folder), "built": "incomplete; see the lines above"}
     if args.dry_run:
-        return {"results": str(folder), "built": "nothing, as in every dry run"}
+        return {"results": str(folder), "built": "nothing (dry run)"}
     elsewhere = [] if args.results == Path("results") else ["--results", str(args.results)]
     listing = shlex.join(["planar-pushing", "query", "--study", name, *elsewhere])
     return {"results": str(folder), "to list its datasets": listing}
 
 
 def _checked(args: argparse.Namespace) -> tuple[str, Path]:
-    """Name and folder of a study that can be built; Snakemake would say a mistake in many lines."""
+    """Name and folder of a valid study; Snakemake itself would report an error in many lines."""
     from planar_pushing.study.studies import (
         KEY,
         RESULTS,
@@ -80,16 +80,16 @@ def _checked(args: argparse.Namespace) -> tuple[str, Path]:
 
 
 def snakefile() -> Path:
-    """The workflow of this package."""
+    """Path of the Snakefile of this package."""
     package = Path(planar_pushing.__path__[0])
     found = [(package / place / "Snakefile").resolve() for place in PLACES]
     if existing := [path for path in found if path.is_file()]:
         return existing[0]
-    raise InvalidFile(f"{found[0]}: no such file; install planar-pushing anew")
+    raise InvalidFile(f"{found[0]}: no such file; reinstall planar-pushing")
 
 
 def _snakemake(args: argparse.Namespace) -> int:
-    """Run Snakemake, which hears Ctrl-C itself and ends its jobs; its exit code."""
+    """Run Snakemake, which handles Ctrl-C and ends its own jobs; return the exit code."""
     file = snakefile()
     words = [
         *(
@@ -101,7 +101,7 @@ def _snakemake(args: argparse.Namespace) -> int:
         *(("--cores", str(args.cores)) if args.cores else ()),
         *(("--dry-run",) if args.dry_run else ()),
         "--config",
-        # In quotes, as Snakemake takes a path such as 2026 for a number.
+        # Quoted, because Snakemake would read a path such as 2026 as a number.
         *(f"{key}={json.dumps(str(getattr(args, key)))}" for key in ("study", "results")),
     ]
     environment = {key: each for key, each in os.environ.items() if key != "SNAKEMAKE_PROFILE"}

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from planar_pushing.study.files.simulate_model import SimulateEntry
 
 ENDINGS = (".nc", ".h5")
-#: Options in place of the section simulate of the scene file: type, word for the value, and help.
+#: Options that override the section simulate of the scene file: type, placeholder and help.
 OPTIONS: dict[str, tuple[type, str, str]] = {
     "pusher-angle": (
         float, "DEGREES",
@@ -32,22 +32,22 @@ OPTIONS: dict[str, tuple[type, str, str]] = {
     ),
     "pusher-speed": (
         float, "NUMBER",
-        f"speed of the fence, in the scene's length per time, {SPEED.allowed} (default: the scene file's, "
-        "or 1)",
+        f"speed of the fence, in the scene's units of length per time, {SPEED.allowed} (default: the scene "
+        "file's, or 1)",
     ),
     "pusher-shape": (
         str, "NAME",
-        f"{' or '.join(Shape)}: a line against a point of the slider, or a point or a disc against a flat "
-        f"side of it (default: the scene file's, or {Shape.FENCE})",
+        f"{' or '.join(Shape)}: a line that touches a point of the slider, or a point or a disc that "
+        f"touches a flat side of it (default: the scene file's, or {Shape.FENCE})",
     ),
     "pusher-radius": (
         float, "NUMBER",
-        "radius of the finger, in the scene's unit of length, a finite number >= 0 (default: the scene "
-        "file's, or 0, a point)",
+        "radius of the finger, in the scene's unit of length, a finite number >= 0; 0 is a point "
+        "(default: the scene file's, or 0)",
     ),
     "duration": (
         float, "NUMBER",
-        "time to simulate, in the unit of time of the speed, > 0 (default: the scene file's)",
+        "simulated time, in the unit of time of the speed, > 0 (default: the scene file's)",
     ),
     "rtol": (
         float, "NUMBER",
@@ -56,22 +56,22 @@ OPTIONS: dict[str, tuple[type, str, str]] = {
     ),
     "step": (
         float, "NUMBER",
-        "greatest step of the time-stepping method, in the unit of the duration, > 0 (default: the scene "
-        "file's, or a thousandth of the duration)",
+        "maximum step of the time-stepping method, in the unit of the duration, > 0 (default: the scene "
+        "file's, or 1/1000 of the duration)",
     ),
     "samples": (
         int, "NUMBER",
-        f"instants in the log, at even intervals of time, {SAMPLES.allowed} (default: the scene file's, "
-        "or 101); events are logged besides",
+        f"number of evenly spaced instants in the log, {SAMPLES.allowed}; events are also logged "
+        "(default: the scene file's, or 101)",
     ),
     "method": (
         str, "NAME",
-        f"{' or '.join(Method)}: from event to event to the tolerance, or equal steps of first order "
-        f"(default: the scene file's, or {Method.EVENT_DRIVEN})",
+        f"{' or '.join(Method)}: integration from event to event within the tolerance, or equal "
+        f"first-order steps (default: the scene file's, or {Method.EVENT_DRIVEN})",
     ),
     "on-ambiguity": (
         str, "NAME",
-        f"{', '.join(Policy)}: which contact mode is taken where several are consistent "
+        f"{', '.join(Policy)}: which contact mode is chosen if several are consistent "
         f"(default: the scene file's, or {Policy.KEEP_CONTACT})",
     ),
 }  # fmt: skip
@@ -83,7 +83,7 @@ def add(commands: Commands) -> None:
     example = "scene.yaml --pusher-angle 165 --duration 3 -o log.nc"
     sub = command(commands, "simulate", simulated, about, example)
     add_scene(sub)
-    add_output(sub, "LOG.nc", f"log to write; its name ends in {' or '.join(ENDINGS)}")
+    add_output(sub, "LOG.nc", f"output log; its name ends in {' or '.join(ENDINGS)}")
     for name, (kind, metavar, about) in OPTIONS.items():
         sub.add_argument(f"--{name}", type=kind, metavar=metavar, help=about)
     sub.add_argument(
@@ -93,7 +93,7 @@ def add(commands: Commands) -> None:
 
 
 def simulated(args: argparse.Namespace) -> dict[str, Any]:
-    """Simulate the scene, and tell how it went."""
+    """Simulate the scene, and return a summary of the motion."""
     from planar_pushing.study.files.scenes import load_scene_file
     from planar_pushing.study.simulations import simulate_file
 
@@ -107,7 +107,7 @@ def simulated(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def _section(file: SceneFile, args: argparse.Namespace) -> SimulateEntry:
-    """The file's section, with what the options say in its place."""
+    """Section simulate of the file, with values overridden by the options."""
     from pydantic import ValidationError
 
     from planar_pushing.study.files.simulate_model import SimulateEntry
@@ -133,7 +133,7 @@ def _section(file: SceneFile, args: argparse.Namespace) -> SimulateEntry:
 
 
 def _invalid(error: ValidationError, section: dict[str, Any]) -> InvalidValue:
-    """First of the errors, under the name of its option."""
+    """First of the errors, named after its option."""
     first = error.errors()[0]
     name = str(first["loc"][0]) if first["loc"] else "simulate"
     allowed = str(first.get("ctx", {}).get("expected", first["msg"]))
@@ -141,7 +141,7 @@ def _invalid(error: ValidationError, section: dict[str, Any]) -> InvalidValue:
 
 
 def summary(log: xr.Dataset) -> dict[str, Any]:
-    """How a simulation went: where it ended, and the modes on the way."""
+    """Summary of a simulation: its final state and the sequence of modes."""
     last = log.isel(time=-1)
     finger = {"contact_position": float, "parted": bool}
     return {
@@ -159,7 +159,7 @@ def summary(log: xr.Dataset) -> dict[str, Any]:
 
 
 def _changes(log: xr.Dataset) -> list[tuple[float, str, int]]:
-    """Times at which the mode or the number of consistent solutions changed, and both."""
+    """Mode and number of consistent solutions, with the times at which either changed."""
     import numpy as np
 
     from planar_pushing.mechanics.contact import ContactMode

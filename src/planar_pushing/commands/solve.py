@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from planar_pushing.mechanics.scene import Scene
     from planar_pushing.mechanics.solutions import Solutions
 
-#: Columns of the table of a range, by the numbers of a solution.
+#: Columns of the table for a range of angles, by quantity of a solution.
 COLUMNS = {
     "force": ("f_x", "f_y"),
     "contact_motion": ("u_x", "u_y"),
@@ -25,14 +25,14 @@ COLUMNS = {
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
-    about = "Print every consistent solution of a pushing problem, or a table of those of many."
+    about = "Print all consistent solutions of a pushing problem, or a table for a range of angles."
     sub = command(commands, "solve", solutions, about, "scene.yaml --pusher-angle 165")
     add_scene(sub)
     add_push(sub, ranges=True)
 
 
 def solutions(args: argparse.Namespace) -> dict[str, Any]:
-    """Outcome and solutions of the scene under the pusher's motion, or under each of many."""
+    """Outcome and solutions of the scene under one pusher motion or each of several."""
     from planar_pushing.study.files.scenes import load_scene
 
     scene, given = load_scene(args.scene), args.pusher_angle
@@ -43,7 +43,7 @@ def solutions(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def push(scene: Scene, degrees: float | None, magnitude: float | None) -> dict[str, Any]:
-    """The solutions of one push, that of the scene's file where no angle is given."""
+    """Solutions of one push, by default the push of the scene file."""
     import numpy as np
 
     from planar_pushing.mechanics.solve import solve
@@ -68,14 +68,14 @@ def push(scene: Scene, degrees: float | None, magnitude: float | None) -> dict[s
 
 
 def _feet(scene: Scene) -> tuple[str, ...]:
-    """Names of the support points by their numbers, where all friction is on points with names."""
+    """Names of the support points by number, if all friction acts on named points."""
     supports = [each.support for each in scene.friction]
     names = getattr(supports[0], "names", None) if len(supports) == 1 else None
     return names if names and len(set(supports[0].positions)) == len(names) else ()
 
 
 def _solutions(found: Solutions, feet: tuple[str, ...]) -> list[dict[str, Any]]:
-    """The solutions as plain values without rounding errors; at rest there is no center."""
+    """Solutions as plain values without rounding errors; a slider at rest has no center."""
     import numpy as np
 
     from planar_pushing.mechanics.solutions import printed
@@ -100,7 +100,7 @@ def _solutions(found: Solutions, feet: tuple[str, ...]) -> list[dict[str, Any]]:
 
 
 def _table(pushes: list[dict[str, Any]]) -> str:
-    """A line for each solution of each push, and one for a push without a solution."""
+    """Table with a line for each solution of each push, and one for a push without a solution."""
     import pandas as pd
 
     rows = [
@@ -113,7 +113,7 @@ def _table(pushes: list[dict[str, Any]]) -> str:
 
 
 def _row(one: dict[str, Any]) -> dict[str, Any]:
-    """The columns of a solution."""
+    """Columns of one solution."""
     found: dict[str, Any] = {"mode": one["mode"]}
     for name, columns in COLUMNS.items():
         values = one.get(name)

@@ -12,7 +12,7 @@ from planar_pushing.study.store import write_dataset
 from planar_pushing.terms.errors import InvalidResult
 
 Attributes = Mapping[str, str]
-#: Lines of a verdict that failed which are shown, the worst first.
+#: Number of lines of a failed verdict that are shown, the worst first.
 WORST = 10
 
 
@@ -22,7 +22,7 @@ def golden(data: PathLike, text: PathLike, *, study: str, results: str) -> None:
     Raises
     ------
     InvalidResult
-        Where a value differs; the message holds the worst, and nothing is written.
+        If a value differs; the message contains the worst differences, and nothing is written.
     """
     from planar_pushing.evidence.golden.check import check_results
     from planar_pushing.evidence.golden.verdict import verdict, verdict_text
@@ -43,7 +43,7 @@ def claims(json: PathLike, csv: PathLike, *, ledger: str) -> None:
     Raises
     ------
     InvalidResult
-        Where a verdict is not the one that the ledger expects; nothing is written.
+        If a verdict is not the one that the ledger expects; nothing is written.
     """
     from planar_pushing.evidence.claims import table
     from planar_pushing.evidence.claims.ledger import load_ledger
@@ -56,35 +56,35 @@ def claims(json: PathLike, csv: PathLike, *, ledger: str) -> None:
 
 
 def hard_cases(path: PathLike, *, marks: Attributes) -> None:
-    """Measure the hard cases against their references."""
+    """Compute the hard cases and compare them with their references."""
     from planar_pushing.evidence.hard_cases.dataset import build
 
     write_dataset(of_study(build(), "hard_cases", marks), path)
 
 
 def accuracy_errors(path: PathLike, *, marks: Attributes) -> None:
-    """Compute errors and counts of evaluations of every method, the same in every run."""
+    """Compute errors and counts of evaluations of every method, which are the same in every run."""
     from planar_pushing.evidence.costs.tables import accuracy_errors
 
     write_dataset(of_study(accuracy_errors(), "accuracy_errors", marks), path)
 
 
 def accuracy_time(path: PathLike, *, marks: Attributes) -> None:
-    """Measure the time that the accuracy of a wrench costs on this machine."""
+    """Measure the time that the accuracy of a wrench takes on this machine."""
     from planar_pushing.evidence.costs.times import accuracy_time
 
     write_dataset(of_study(accuracy_time(), "accuracy_time", marks), path)
 
 
 def accuracy(path: PathLike, *, marks: Attributes) -> None:
-    """Measure what accuracy costs on this machine."""
+    """Measure the cost of accuracy on this machine."""
     from planar_pushing.evidence.costs.times import accuracy
 
     write_dataset(of_study(accuracy(), "accuracy", marks), path)
 
 
 def evaluations(path: PathLike, *, study: str, marks: Attributes) -> None:
-    """Count the functions of each effect in machine code, and its evaluations over time."""
+    """Count the functions of each effect in machine code, and the evaluations of each effect over time."""
     from planar_pushing.evidence.costs.effects import evaluations
     from planar_pushing.study.study_file import load_study
 
@@ -92,7 +92,7 @@ def evaluations(path: PathLike, *, study: str, marks: Attributes) -> None:
 
 
 def effects(path: PathLike, *, study: str, marks: Attributes) -> None:
-    """Measure what each set of effects costs on this machine."""
+    """Measure the cost of each set of effects on this machine."""
     from planar_pushing.evidence.costs.effects import effects
     from planar_pushing.study.study_file import load_study
 

@@ -1,4 +1,4 @@
-"""The numbers on measured pushes, from a folder of published logs."""
+"""Results on measured pushes, from a folder of published logs."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from planar_pushing.evidence.writing import json_text, write_text
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.terms.errors import InvalidFile
 
-#: Logs in the folder, by pattern.
+#: Patterns of the logs in the folder.
 PATTERNS = ("three_feet/*.txt", "polygons/*.mat")
-#: Significant digits that are kept: what differs between machines is far below.
+#: Number of significant digits that are kept; differences between machines are far smaller.
 DIGITS = 4
 
 
@@ -24,7 +24,7 @@ def logs(folder: PathLike) -> list[Path]:
     Raises
     ------
     InvalidFile
-        Where there is no such folder, or it lacks the logs of one of the experiments.
+        If there is no such folder, or it lacks the logs of one of the experiments.
     """
     allowed = f"a folder with {' and '.join(PATTERNS)}"
     if not Path(folder).is_dir():
@@ -32,12 +32,12 @@ def logs(folder: PathLike) -> list[Path]:
     found = [sorted(Path(folder).glob(pattern)) for pattern in PATTERNS]
     for pattern, files in zip(PATTERNS, found, strict=True):
         if not files:
-            raise InvalidFile(f"{folder}: holds no {pattern}; allowed: {allowed}; add the logs")
+            raise InvalidFile(f"{folder}: contains no {pattern}; allowed: {allowed}; add the logs")
     return [file for files in found for file in files]
 
 
 def fingerprints(folder: PathLike) -> str:
-    """A line for each log, with its digest and its name in the folder; errors as in `logs`."""
+    """A line for each log, with its digest and its name in the folder; raises the errors of `logs`."""
     lines = [
         f"{hashlib.sha256(file.read_bytes()).hexdigest()}  {file.relative_to(folder).as_posix()}\n"
         for file in logs(folder)
@@ -46,7 +46,7 @@ def fingerprints(folder: PathLike) -> str:
 
 
 def stable(content: Any) -> Any:
-    """Content with four significant digits, sorted keys, and null in the place of NaN."""
+    """Content with four significant digits, sorted keys, and null instead of NaN."""
     if isinstance(content, Mapping):
         return {str(key): stable(content[key]) for key in sorted(content, key=str)}
     if isinstance(content, (list, tuple)):
@@ -62,7 +62,7 @@ def measure(json: PathLike, files: PathLike, *, folder: PathLike) -> None:
     Parameters
     ----------
     json : path
-        The numbers, paper/measured_pushes.json; stays as it is where a log cannot be read.
+        The numbers, paper/measured_pushes.json; unchanged if a log cannot be read.
     files : path
         Digests of the logs.
     folder : path
@@ -71,7 +71,7 @@ def measure(json: PathLike, files: PathLike, *, folder: PathLike) -> None:
     Raises
     ------
     InvalidFile
-        As in `logs`, and where a log cannot be read.
+        As in `logs`, and if a log cannot be read.
     """
     from planar_pushing.pushes.published import measure as measured
 

@@ -1,4 +1,4 @@
-"""Tables as text, and writing them to a file."""
+"""Tables as text, and functions that write them to a file."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Rows = Sequence[Mapping[str, object]]
 
 
 def json_text(content: object) -> str:
-    """Content as JSON, one value a line."""
+    """Content as JSON, one value per line."""
     return json.dumps(content, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
@@ -27,6 +27,6 @@ def csv_text(rows: Rows) -> str:
 
 
 def write_text(text: str, path: PathLike) -> None:
-    """Write a table whole or not at all."""
+    """Write a table completely or not at all."""
     with replacing(path) as temporary:
         temporary.write_text(text, encoding="utf-8")

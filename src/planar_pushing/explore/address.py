@@ -1,4 +1,4 @@
-"""The address of the page: the whole state as a query, and back."""
+"""Conversion between the state of the page and the query of its address."""
 
 from __future__ import annotations
 
@@ -16,27 +16,27 @@ from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.terms.errors import InvalidFile, InvalidValue, as_float
 
-#: Parts of the state beside the scene file that are names, and their values.
+#: Named components of the state outside the scene file, and their values.
 NAMES: dict[str, tuple[str, ...]] = {
     "start": tuple(Start),
     "shown": tuple(mode.name for mode in ContactMode),
     "across": ("magnitude", "friction", "rod angle", "rod length"),
     "handle": tuple(Handle),
 }
-#: Those that are numbers: the smallest value, and a description.
+#: Numeric components of the state outside the scene file: smallest value and description.
 NUMBERS = {
     "angle": (-math.inf, "a finite number, degrees"),
     "magnitude": (5e-324, "a finite number > 0"),
     "time": (0.0, "a finite number >= 0"),
 }
 DEFAULTS = {"shown": "", "across": "", "time": None, "handle": Handle.PUSHER}
-#: Keys of scene files that hold mappings, whose keys are joined to theirs by a dot.
+#: Keys of scene files with mappings as values; the inner keys are appended after a dot.
 NESTED = ("slider", "contact", "simulate")
 REMEDY = "the page shows its first preset instead"
 
 
 def query(state: State) -> str:
-    """The state as the query of an address."""
+    """Query of an address for a state."""
     parts = {name: getattr(state, name) for name in NAMES | NUMBERS}
     kept = {k: each for k, each in parts.items() if k not in DEFAULTS or each != DEFAULTS[k]}
     content = state.file.model_dump(mode="json", exclude_none=True, exclude_defaults=True)
@@ -46,19 +46,19 @@ def query(state: State) -> str:
 
 
 def state_in(arguments: Mapping[str, str]) -> State:
-    """The state in the arguments of an address.
+    """State given by the arguments of an address.
 
     Raises
     ------
     InvalidValue, InvalidFile
-        Naming the key, its value and what is allowed, in one line, where they make no state.
+        If the arguments do not make a state; one line gives the key, its value and the allowed values.
     """
     content: dict[str, Any] = {}
     parts = {key: _part(key, arguments[key]) for key in arguments if key in NAMES | NUMBERS}
     for key in sorted(arguments.keys() - parts.keys(), key=lambda key: "." in key):
         name, _, inner = key.partition(".")
         holder = content.setdefault(name, {}) if inner else content
-        if isinstance(holder, dict):  # else the validation says so
+        if isinstance(holder, dict):  # otherwise the validation reports it
             holder[inner or name] = _value(arguments[key])
     try:
         state = State(file=SceneFile.model_validate(content), **parts)
@@ -71,7 +71,7 @@ def state_in(arguments: Mapping[str, str]) -> State:
 
 
 def _part(key: str, given: str) -> Any:
-    """A part of the state beside the scene file."""
+    """Component of the state outside the scene file."""
     if key in NAMES:
         allowed = " or ".join(NAMES[key])
         if given in NAMES[key]:
@@ -85,12 +85,12 @@ def _part(key: str, given: str) -> Any:
 
 
 def _text(given: Any) -> str:
-    """A word as it is, anything else as JSON."""
+    """A word unchanged, and any other value as JSON."""
     return str(given) if isinstance(given, str) else json.dumps(given, separators=(",", ":"))
 
 
 def _value(given: str) -> Any:
-    """The inverse of `_text`: text that is not JSON is returned as it is."""
+    """Inverse of `_text`; text that is not JSON is returned unchanged."""
     try:
         return json.loads(given)
     except ValueError:

@@ -1,4 +1,4 @@
-"""Named choices of the page: contact laws, supports of the gallery, and kinds of effects."""
+"""Named choices on the page: contact laws, supports of the gallery, and kinds of effects."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from planar_pushing.explore.supports import name_in
 from planar_pushing.terms.options import EffectKind
 
 FRICTION, INERTIA = EffectKind.SUPPORT_FRICTION, EffectKind.INERTIA
-#: Laws by their names on the page, as scene files have them.
+#: Contact laws in the format of scene files, by their names on the page.
 LAWS: dict[str, dict[str, Any]] = {
     "Coulomb friction": {"law": "coulomb"},
     "infinite friction": {"law": "infinite_friction", "at_zero_normal": "free"},
@@ -21,18 +21,18 @@ OWN = "own support"
 
 
 def law_name(state: State) -> str:
-    """Name of the law on the page."""
+    """Name of the contact law on the page."""
     given = state.file.contact.model_dump().items()
     return next(name for name, law in LAWS.items() if law.items() <= given)
 
 
 def coefficient(state: State) -> float:
-    """Coefficient of friction; 1 where the law has none."""
+    """Coefficient of friction; 1 if the law has none."""
     return float(getattr(state.scene.contact, "friction_coefficient", 1.0))
 
 
 def with_named_law(state: State, name: str) -> State:
-    """The state with a law by its name on the page."""
+    """State with a contact law given by its name on the page."""
     own = {"friction_coefficient": coefficient(state)} if LAWS[name]["law"] == "coulomb" else {}
     return with_law(state, LAWS[name] | own)
 
@@ -44,19 +44,19 @@ def support_name(state: State) -> str:
 
 
 def with_named_support(state: State, name: str) -> State:
-    """The state with a support of the gallery."""
+    """State with a support of the gallery."""
     if name == OWN:
         return state
     return with_support(state, None if name == "ring" else gallery()[name])
 
 
 def kinds(state: State) -> list[EffectKind]:
-    """Which of support friction and inertia resist the motion."""
+    """Kinds of effects, support friction and inertia, that resist the motion."""
     return [kind for kind in (FRICTION, INERTIA) if effect(state, kind) is not None]
 
 
 def with_kinds(state: State, active: list[EffectKind]) -> State:
-    """The state with these effects: first those that are new, for one at least must stay."""
+    """State with these kinds of effects; new ones are added first because at least one must remain."""
     fresh: dict[EffectKind, dict[str, Any]] = {
         FRICTION: {"type": "ring_friction"},
         INERTIA: {"type": "inertia", "gyration_radius": state.size},

@@ -1,4 +1,4 @@
-"""The limit curve with the force of every solution on it, and the motion along its normal there."""
+"""The limit curve with the force of every solution on it and the motion along its normal there."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solutions import Solution
 
-#: Force angles of the curve, radians: fewer where the magnitude of the motion matters, which takes longer.
+#: Force angles of the curve, radians; fewer if the magnitude of the motion matters, which takes longer.
 ANGLES = {False: np.linspace(0.0, 2 * np.pi, 241), True: np.linspace(0.0, 2 * np.pi, 97)}
-#: Box of the picture and drawn length of a motion, in units of the largest force.
+#: Box of the picture, and drawn length of a motion, in units of the largest force.
 BOX, MOVES = np.array([(-1.45, -1.2), (1.45, 1.3)]), 0.34
 
 
 def curve_picture(scene: Scene, solutions: Sequence[Solution], chosen: int, symbol: str) -> Picture:
-    """The curve, whose largest force has length 1, within the friction cone."""
+    """Picture of the curve, scaled to a largest force of 1, with the friction cone and the solutions."""
     picture, cone = Picture(), friction_cone(scene)
     curve = curve_at(scene, level(scene, solutions[chosen] if chosen >= 0 else None))
     largest = float(np.max(curve.magnitude))
@@ -42,7 +42,7 @@ def curve_picture(scene: Scene, solutions: Sequence[Solution], chosen: int, symb
 
 
 def _on_curve(picture: Picture, curve: LimitCurve, solution: Solution, symbol: str) -> None:
-    """A force from the origin to the curve, and the motion that it causes; named where it is in full."""
+    """Add a force from the origin to the curve and the motion that it causes, labeled if drawn in full."""
     tip, speed = _tip(curve, solution.force), float(np.hypot(*solution.contact_motion))
     strength = 1.0 if symbol else PALE
     picture.force((0.0, 0.0), tip, r"$\mathbf{f}$" if symbol else "", color=tint(FORCE, strength))
@@ -53,7 +53,7 @@ def _on_curve(picture: Picture, curve: LimitCurve, solution: Solution, symbol: s
 
 
 def _tip(curve: LimitCurve, force: Array) -> Array:
-    """Point of the curve along a force, in units of the largest."""
+    """Point of the curve along a force, in units of the largest force."""
     angle = np.remainder(np.arctan2(force[1], force[0]), 2 * np.pi)
     length = np.interp(angle, np.asarray(curve.force_angle), np.asarray(curve.magnitude))
     return np.asarray(length / np.max(curve.magnitude) * force / np.hypot(*force))
@@ -61,7 +61,7 @@ def _tip(curve: LimitCurve, force: Array) -> Array:
 
 @lru_cache(maxsize=8)
 def curve_at(scene: Scene, magnitude: float) -> LimitCurve:
-    """The limit curve of motions of a magnitude, in the unit of the solutions' forces."""
+    """Limit curve of motions of a given magnitude, in the force unit of the solutions."""
     effects = tuple(_scaled(each, magnitude) for each in scene.effects)
     angles = ANGLES[is_magnitude_open(scene)]
     found: LimitCurve = limit_curve(replace(scene, effects=effects), angles)
@@ -69,7 +69,7 @@ def curve_at(scene: Scene, magnitude: float) -> LimitCurve:
 
 
 def _scaled(effect: Any, magnitude: float) -> Any:
-    """The effect whose force at a unit of motion is that of this one at a magnitude."""
+    """Effect that causes, at unit motion, the force of the given effect at a magnitude of motion."""
     if isinstance(effect, Inertia):
         return replace(effect, mass=magnitude * effect.mass)
     if isinstance(effect, Viscous):
@@ -78,10 +78,10 @@ def _scaled(effect: Any, magnitude: float) -> Any:
 
 
 def level(scene: Scene, solution: Solution | None) -> float:
-    """Magnitude of the motion whose curve is shown: the translation of equal energy.
+    """Magnitude of motion for the limit curve: that of the translation of equal energy.
 
-    A curve holds the forces whose motions have one kinetic energy, or one power of viscous friction. With
-    friction too its shape depends on the magnitude; else the magnitude is a unit.
+    A curve contains the forces of motions with equal kinetic energy or equal power of viscous friction.
+    With support friction as well, its shape depends on this magnitude; otherwise the magnitude is 1.
     """
     if not is_magnitude_open(scene) or solution is None or not moves(solution):
         return 1.0

@@ -1,4 +1,4 @@
-"""Files that the page offers: the scene, its picture, the log, and the lines of Python."""
+"""Files for download: the scene, its picture, the log, and the lines of Python."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.scenes import save_scene_file
 from planar_pushing.study.store import write_dataset
 
-#: Size of the picture and of a point, pixels.
+#: Size of the picture and of a point in pixels.
 SIZE, POINT = (840.0, 760.0), 2.0
 
 
 def scene_file(state: State) -> SceneFile:
-    """The scene file of a state; files have no name for a pusher that accelerates from rest."""
+    """Scene file of a state, without a pusher that accelerates from rest, which files cannot describe."""
     if state.start == Start.ACCELERATION:
         return state.file.model_copy(update={"simulate": None})
     return state.file
@@ -46,7 +46,7 @@ def _python(state: State, path: Path) -> None:
     path.write_text(lines(state), encoding="utf-8")
 
 
-#: Files that the page offers, and their writers.
+#: Files for download, and their writers.
 WRITERS: dict[str, Callable[[State, Path], None]] = {
     "scene.yaml": _yaml,
     "scene.svg": _svg,
@@ -56,7 +56,7 @@ WRITERS: dict[str, Callable[[State, Path], None]] = {
 
 
 def written(state: State, name: str) -> bytes:
-    """Content of a file."""
+    """Content of a file for download."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / name
         WRITERS[name](state, path)

@@ -1,4 +1,4 @@
-"""The motion over time: the push of a state followed, with every choice of the user."""
+"""The motion over time: the simulated push of a state, with the choices of the user."""
 
 from __future__ import annotations
 
@@ -29,14 +29,14 @@ from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.terms.options import Shape
 
-#: Contact modes that the user can choose, by the policies that prefer them.
+#: Contact modes that the user can choose, by the policy that prefers each.
 WAYS = {
     "stick": "sticks",
     "slip-right": "slips to the right",
     "slip-left": "slips to the left",
     "separate": "breaks",
 }
-#: Sentences about the contact at an instant, by its mode.
+#: Behavior of the contact at an instant, by its mode.
 DOES = {
     -1: "no motion is consistent",
     ContactMode.SEPARATE: "the contact is broken",
@@ -44,14 +44,14 @@ DOES = {
     ContactMode.SLIP_RIGHT: "the slider slips to the right",
     ContactMode.SLIP_LEFT: "the slider slips to the left",
 }
-#: Fraction of the duration after which a motion has gone on in the mode that was chosen.
+#: Fraction of the duration after which the mode of a motion is compared with the chosen mode.
 SHORTLY = 1e-6
-#: A larger gap, in units of the slider's size, is no contact.
+#: A larger gap, in units of the slider's size, means no contact.
 CLOSED = 1e-6
 
 
 class Motion(NamedTuple):
-    """A log, the part of it that is drawn, its times, its runs of one mode, and the box around it."""
+    """A log, its plotted data, its times, its runs of one mode, and the box around the motion."""
 
     log: xr.Dataset
     data: xr.Dataset
@@ -66,7 +66,7 @@ def followed(state: State) -> Motion:
 
 
 def start(state: State) -> State:
-    """The state whose push is followed, without what only the page shows."""
+    """State with the push to follow, without settings that only affect the display."""
     return replace(state, time=None, shown="", across="", handle=Handle.PUSHER)
 
 
@@ -78,7 +78,7 @@ def _followed(state: State) -> Motion:
 
 
 def _options(state: State) -> dict[str, Any]:
-    """Arguments of the simulation of a state's push."""
+    """Arguments for simulating the push of a state."""
     options = settings(state)
     if state.start == Start.ACCELERATION:
         x, y = acceleration(state)
@@ -90,17 +90,17 @@ def _options(state: State) -> dict[str, Any]:
 
 
 def row_at(motion: Motion, time: float) -> int:
-    """Row of the log that holds at a time."""
+    """Row of the log at a time."""
     return int(
         np.clip(np.searchsorted(motion.times, time, side="right") - 1, 0, len(motion.times) - 1)
     )
 
 
 def push_at(state: State, motion: Motion, time: float) -> State | None:
-    """The push of an instant as a state, where the motion is that of a single push.
+    """Push at an instant as a state; None if the motion there is not that of a single push.
 
-    Inertia keeps the motion before, a finger has turned with its side, and a contact that is broken, or a
-    fence that stands, pushes nothing.
+    There is none with inertia, because the motion depends on its past; with a finger, because the side has
+    turned; with a broken contact; and with a fence at rest.
     """
     row, section = row_at(motion, time), state.file.simulate
     gap = float(motion.data["path_gap"].values[row])
@@ -118,9 +118,9 @@ def push_at(state: State, motion: Motion, time: float) -> State | None:
 
 
 def solution_at(state: State, motion: Motion, time: float) -> tuple[Solution, Array] | None:
-    """The motion at a time as a solution, and the pusher's velocity up to what is normal to the slip.
+    """The motion at a time as a solution, and the velocity of the contact minus its slip.
 
-    None where no motion is consistent.
+    None if no motion is consistent.
     """
     row, log = row_at(motion, time), motion.log
     if (mode := int(log["mode"].values[row])) < 0:
@@ -148,23 +148,23 @@ def _pusher_velocity(state: State, time: float) -> Array:
 
 
 def run_at(motion: Motion, time: float) -> Run:
-    """The run of one mode that holds at a time."""
+    """Run of one mode at a time."""
     row = row_at(motion, time)
     return next(each for each in reversed(motion.runs) if each.start <= row)
 
 
 def said_at(motion: Motion, time: float) -> str:
-    """The contact at a time, in a sentence."""
+    """Sentence on the contact at a time."""
     row, data = row_at(motion, time), motion.data
     mode, count = (int(data[f"path_{name}"].values[row]) for name in ("mode", "solutions"))
-    more = "" if count < 2 else f", one of {NUMBERS[count]} consistent ways"
+    more = "" if count < 2 else f", one of {NUMBERS[count]} consistent solutions"
     return f"At time {time:.3f} {DOES[mode]}{more}."
 
 
 def ways_at(state: State, motion: Motion, time: float) -> tuple[str, ...]:
-    """Contact modes that are consistent at a time, where there are several.
+    """Consistent contact modes at a time; empty unless there are several.
 
-    The simulation says so: a policy that prefers a mode takes it wherever it is consistent.
+    They are found by simulation: a policy that prefers a mode takes it whenever it is consistent.
     """
     if not run_at(motion, time).several:
         return ()
@@ -172,7 +172,7 @@ def ways_at(state: State, motion: Motion, time: float) -> tuple[str, ...]:
 
 
 def _is_consistent(state: State, way: str) -> bool:
-    """Whether the motion goes on in a way that is preferred from the state's time on."""
+    """Whether the motion continues in a mode that is preferred from the state's time onward."""
     options = _options(taken(state, way))
     shortly = (state.time or 0.0) + SHORTLY * options["duration"]
     log = simulate(state.scene, **options | {"duration": shortly, "samples": 2})
@@ -181,7 +181,7 @@ def _is_consistent(state: State, way: str) -> bool:
 
 
 def taken(state: State, way: str) -> State:
-    """The state in which a mode is chosen at its time; later choices are dropped."""
+    """State with a mode chosen at its time; later choices are discarded."""
     section = state.file.simulate
     time = round(state.time or 0.0, 9)
     before = [each.model_dump() for each in section.policies if each.time < time] if section else []
@@ -189,7 +189,7 @@ def taken(state: State, way: str) -> State:
 
 
 def forgotten(state: State) -> State:
-    """The state without choices of the user."""
+    """State without choices of the user."""
     return _with_policies(state, first_policy(state))
 
 
@@ -200,12 +200,12 @@ def chosen(state: State) -> bool:
 
 
 def _with_policies(state: State, policies: Any) -> State:
-    """The state with other policies, followed at the same time."""
+    """State with other policies at the same time."""
     return replace(simulated(state, on_ambiguity=policies), time=state.time)
 
 
 def energies(motion: Motion) -> dict[str, Any]:
-    """Work and where it went, over time."""
+    """Work and its distribution over time."""
     log = motion.log
     return {
         "work": log["work"].values,

@@ -1,4 +1,4 @@
-"""The handles of the picture: their places, and the state after a drag."""
+"""The handles of the picture: their positions, and the state after a drag."""
 
 from __future__ import annotations
 
@@ -17,22 +17,22 @@ from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 
-#: Drawn length of the pusher's arrow for the smallest and the largest magnitude, in units of the reach.
+#: Drawn lengths of the pusher's arrow for the smallest and largest magnitude, in units of the reach.
 LENGTHS = 0.3, 1.25
 #: Distance of the handle of the line of force, in units of the reach.
 LINE = 1.15
-#: Forces over the weight between which the push of a force angle is interpolated.
+#: Ratios of force to weight between which the push of a force angle is interpolated.
 RATIOS = np.geomspace(1e-2, 1e4, 49)
 
 
 @lru_cache(maxsize=8)
 def frame_of(scene: Scene) -> Sketch:
-    """The drawing of a scene alone, from which handles take their places."""
+    """Sketch of a scene without a push, which gives the positions of the handles."""
     return Sketch.of(scene)
 
 
 def unit_of_magnitude(scene: Scene) -> float:
-    """W / m where the magnitude of a push matters, or W / c with viscous friction; else 1."""
+    """W / m, or W / c with viscous friction, if the magnitude of a push matters; otherwise 1."""
     if not is_magnitude_open(scene):
         return 1.0
     return float(scene.weight / sum(each.forces[0] for each in scene.from_rest if each.degree == 2))
@@ -50,7 +50,7 @@ def arrow_length(state: State) -> float:
 
 
 def _magnitude(state: State, length: float) -> float:
-    """Magnitude of the push whose arrow has this length."""
+    """Magnitude of the push with an arrow of this length."""
     scene = state.scene
     if not is_magnitude_open(scene):
         return state.magnitude
@@ -60,7 +60,7 @@ def _magnitude(state: State, length: float) -> float:
 
 
 def places(state: State, force: Array | None) -> dict[Handle, Array]:
-    """Where the handles are; the line of force has one where the pusher transmits a force."""
+    """Positions of the handles; the line of force has one if the pusher transmits a force."""
     frame, angle = frame_of(state.scene), math.radians(state.angle)
     found = {
         Handle.PUSHER: frame.reach * arrow_length(state) * direction(angle),
@@ -73,7 +73,7 @@ def places(state: State, force: Array | None) -> dict[Handle, Array]:
 
 
 def nearest(state: State, force: Array | None, place: Array) -> Handle | None:
-    """The handle under a place of the picture, None where there is none."""
+    """Handle at a position in the picture; None if there is none."""
     apart = {name: float(np.hypot(*(at - place))) for name, at in places(state, force).items()}
     name = min(apart, key=apart.__getitem__)
     return name if apart[name] < 0.16 * frame_of(state.scene).span else None
@@ -98,7 +98,7 @@ def _drag_size(state: State, place: Array) -> State:
 
 
 def _drag_line(state: State, place: Array) -> State:
-    """The push that sticks under a force along the line, or along the nearest in the friction cone."""
+    """State with the push that sticks under a force along the line, or along the nearest in the cone."""
     if not np.any(place):
         return state
     scene = state.scene
@@ -113,7 +113,7 @@ def _drag_line(state: State, place: Array) -> State:
 def _push_of_force(scene: Scene, force: float, magnitude: float) -> float:
     """Direction of the push that sticks under a force angle.
 
-    With friction and inertia the motion under a force angle depends on the magnitude.
+    With friction and inertia, the motion under a force angle depends on the magnitude.
     """
     if not is_magnitude_open(scene):
         return float(motion_angle(scene, force))
@@ -137,16 +137,16 @@ DRAGS: dict[Handle, Callable[[State, Array], State]] = {
 
 
 def dragged(state: State, handle: Handle, place: Array) -> State:
-    """The state after a handle was dragged to a place of the picture."""
+    """State after a handle is dragged to a position in the picture."""
     return DRAGS[handle](state, np.asarray(place, dtype=float))
 
 
-#: Steps of a key: degrees, and fractions of a length; ten times as much with the shift key.
+#: Steps of a key in degrees and in fractions of a length; ten times larger with the shift key.
 DEGREE, PART = 1.0, 0.02
 
 
 def nudged(state: State, force: Array | None, right: int, up: int, coarse: bool) -> State:
-    """The state after an arrow key moved its handle: left and right turn it, up and down stretch it."""
+    """State after an arrow key: left and right turn its handle, up and down change its length."""
     handle = state.handle
     place = places(state, force).get(handle)
     if place is None:

@@ -1,4 +1,4 @@
-"""The contact-mode map: which modes are consistent, over the direction of the push and a second axis."""
+"""The contact-mode map: consistent modes over the direction of the push and a second axis."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 
-#: Directions and values of the first map, and the most of the second one. An even number of directions
-#: keeps off the push along the fence, which is a case of its own.
+#: Numbers of directions and values of the first map, and the largest numbers of the second map. An even
+#: number of directions avoids the push along the fence, which is a special case.
 COARSE, FINE = (36, 15), (240, 161)
-#: Seconds that the second map may take.
+#: Time limit of the second map in seconds.
 TIME = 0.3
-#: Friction angles that have a finite coefficient.
+#: Largest friction angle with a finite coefficient.
 STEEPEST = 89.0
-#: Coefficients of friction that the axis names.
+#: Friction coefficients labeled on the axis.
 FRICTIONS = (0.0, 0.25, 0.5, 1.0, 2.0, 5.0)
-#: Width of the map where its height is 1, and the box around it and its labels.
+#: Width of the map for a height of 1, and the box around the map and its labels.
 WIDE = 1.5
 BOX = np.array([(-0.17, -0.15), (WIDE + 0.03, 1.08)])
 
@@ -38,8 +38,8 @@ BOX = np.array([(-0.17, -0.15), (WIDE + 0.03, 1.08)])
 class Axis:
     """A second axis of the map, linear in its coordinate.
 
-    `values` gives the scenes and magnitudes over coordinates, `here` the coordinate of a state, and `gone`
-    the state at a coordinate.
+    `values` returns the scenes and magnitudes over coordinates, `here` the coordinate of a state, and
+    `gone` the state at a coordinate.
     """
 
     title: str
@@ -51,7 +51,7 @@ class Axis:
 
 
 class Map(NamedTuple):
-    """Codes of the sets of modes, rows over directions, columns over the axis, and its ends."""
+    """Codes of the sets of modes, with rows over directions and columns over the axis, and its ends."""
 
     codes: npt.NDArray[np.uint8]
     left: float
@@ -129,12 +129,12 @@ AXES: dict[str, Axis] = {
 
 
 def axes_of(state: State) -> list[str]:
-    """Axes that matter to a state, the most telling first."""
+    """Axes that matter to a state, the most informative first."""
     return [name for name in AXES if name != "magnitude" or is_magnitude_open(state.scene)]
 
 
 def axis_of(state: State) -> str:
-    """The axis of a state's map: the chosen one where it matters."""
+    """Axis of the map of a state: the chosen axis if it matters."""
     allowed = axes_of(state)
     if state.across in allowed:
         return state.across
@@ -143,7 +143,7 @@ def axis_of(state: State) -> str:
 
 
 def maps(state: State) -> Iterator[Map]:
-    """A coarse map, and one as fine as the time allows."""
+    """Yield a coarse map, then one as fine as the time limit allows."""
     start = time.perf_counter()
     yield mode_map(state, COARSE)
     each = (time.perf_counter() - start) / np.prod(COARSE)
@@ -154,7 +154,7 @@ def maps(state: State) -> Iterator[Map]:
 
 
 def mode_map(state: State, size: tuple[int, ...]) -> Map:
-    """Sets of consistent modes at the middles of cells."""
+    """Sets of consistent modes at the centers of cells."""
     axis = AXES[axis_of(state)]
     left, right = axis.ends(state)
     angle = -180.0 + (np.arange(size[0]) + 0.5) * 360.0 / size[0]
@@ -167,7 +167,7 @@ def mode_map(state: State, size: tuple[int, ...]) -> Map:
 
 
 def gone(state: State, place: Array) -> State:
-    """The state at a place of its map's picture."""
+    """State at a position in the picture of its map."""
     axis, (x, y) = AXES[axis_of(state)], np.clip(place, 0.0, (WIDE, 1.0))
     left, right = axis.ends(state)
     found = axis.gone(state, float(left + (right - left) * x / WIDE))
@@ -175,7 +175,7 @@ def gone(state: State, place: Array) -> State:
 
 
 def place_of(state: State) -> Array:
-    """Place of a state on its map's picture."""
+    """Position of a state in the picture of its map."""
     axis = AXES[axis_of(state)]
     left, right = axis.ends(state)
     return np.array([WIDE * (axis.here(state) - left) / (right - left), state.angle / 360.0 + 0.5])
@@ -185,7 +185,7 @@ def place_of(state: State) -> Array:
 
 
 def map_picture(state: State, found: Map) -> Picture:
-    """The map with its axes; its height is 1."""
+    """Picture of the map with its axes; its height is 1."""
     picture = Picture()
     for code in np.unique(found.codes):
         look = look_of(int(code))
@@ -198,7 +198,7 @@ def map_picture(state: State, found: Map) -> Picture:
 
 
 def _rectangles(inside: npt.NDArray[np.bool_]) -> Iterator[Array]:
-    """Corners of rectangles that cover the cells of a map, one for each run of cells in a row."""
+    """Corners of rectangles that cover cells of a map, one for each run of cells in a row."""
     rows, columns = inside.shape
     edges = np.diff(np.pad(inside, ((0, 0), (1, 1))).astype(int), axis=1)
     starts, stops = (np.argwhere(edges == sign) for sign in (1, -1))
@@ -226,7 +226,7 @@ def _name_axes(picture: Picture, state: State) -> None:
 
 
 def cross(state: State) -> Picture:
-    """A cross at the place of a state."""
+    """Picture of a cross at the position of a state."""
     picture, here = Picture(), place_of(state)
     for color, width, half in (("#FFFFFF", 3.6, 0.034), (DARK, 1.5, 0.03)):
         for arm in half * np.eye(2):
@@ -235,6 +235,6 @@ def cross(state: State) -> Picture:
 
 
 def sets_of(found: Map) -> list[int]:
-    """Codes of the sets of modes on a map, small sets first."""
+    """Codes of the sets of modes on a map, smaller sets first."""
     codes = {int(code) for code in np.unique(found.codes)}
     return sorted(codes, key=lambda code: (code.bit_count(), code))

@@ -1,4 +1,4 @@
-"""The page: events make new states, and every new state makes new pictures."""
+"""The page: events create new states, and every new state creates new pictures."""
 
 from __future__ import annotations
 
@@ -33,32 +33,32 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.errors import PlanarPushingError
 
 LOG = logging.getLogger("planar_pushing")
-#: Milliseconds between looks at the page; seconds without a change that are rest, and seconds that are long
-#: for a picture and for a map.
+#: Milliseconds between checks of the page, seconds without a change that count as rest, and seconds after
+#: which a picture and a map count as slow.
 LOOK, REST, SLOW, SLOW_MAP = 100, 0.2, 0.6, 1.6
-#: Buttons that save a file, and the files.
+#: Labels of the buttons that save files, by file name.
 SAVES = {
     "scene.yaml": "Scene (YAML)",
     "scene.svg": "Picture (SVG)",
     "log.nc": "Log (netCDF)",
     "scene.py": "Python",
 }
-COMPILING = "Compiling this kind of scene, once: about half a minute \u2026"
-FOLLOWING = "Following the push; a new kind of scene is compiled first, about half a minute \u2026"
+COMPILING = "Compiling this kind of scene, which happens once and takes about half a minute \u2026"
+FOLLOWING = "Following the push; compiling a new kind of scene takes about half a minute \u2026"
 CLOSED = "The explorer is closed. You can close this page."
 
 
 class Page:
-    """One page: its state, its widgets, and the pictures of both.
+    """One page: its state, its widgets, and its pictures.
 
     Parameters
     ----------
     document : Document
-        The session's document, in whose loop everything happens but the work of the threads.
+        Document of the session; everything except the work of the threads runs in its loop.
     state : State
         The first state.
     said : str
-        Error of the address, if any.
+        Error message for the address, if any.
     close : callable
         Ends the server.
     """
@@ -81,7 +81,7 @@ class Page:
         pn.state.add_periodic_callback(self._look, LOOK)
 
     def _build(self) -> None:
-        """Make the widgets that are no part of the state."""
+        """Create the widgets that do not belong to the state."""
         options = {"Start from \u2026": ""} | {title: name for name, title in titles().items()}
         self.preset = pn.widgets.Select(options=options, sizing_mode="stretch_width", margin=0)
         self.solution = pn.widgets.RadioButtonGroup(margin=(2, 6))
@@ -106,7 +106,7 @@ class Page:
 
     @property
     def roots(self) -> dict[str, Any]:
-        """Everything that the template places, by its name."""
+        """Everything that the template places, by name."""
         found = {name: field.widget for name, field in self.fields.items()}
         found |= {name.replace(".", "_"): button for name, button in self.saves.items()}
         found |= {"preset": self.preset, "solution": self.solution, "forget": self.forget}
@@ -116,9 +116,9 @@ class Page:
     # -- states --------------------------------------------------------------------------------------
 
     def change(self, make: Callable[[State], State], name: str = "", given: Any = None) -> None:
-        """Show the state that a change makes, or say why there is none.
+        """Show the state after a change, or report why it is not possible.
 
-        `name` and `given` are the widget that the user changed, and its value.
+        `name` and `given` are the changed widget and its value.
         """
         try:
             state = make(self.state)
@@ -132,7 +132,7 @@ class Page:
             self.put(state)
 
     def put(self, state: State) -> None:
-        """Show another state; while a handle moves, or the time alone, the widgets wait for rest."""
+        """Show another state; while a handle or only the time moves, the widgets are updated at rest."""
         times = self.state.time, state.time
         plays = None not in times and replace(self.state, time=state.time) == state
         self.state = state
@@ -141,24 +141,24 @@ class Page:
         self.draw()
 
     def draw(self) -> None:
-        """Order the pictures of the state."""
+        """Request the pictures of the state."""
         self.orders, self.changed_at = self.orders + 1, time.monotonic()
         self.painter.ask(Order(self.state, self.sizes, self.box, self.number))
 
     @property
     def force(self) -> Array | None:
-        """The force that is drawn."""
+        """The force drawn in full."""
         return None if self.view.push is None else self.view.push.force
 
     @property
     def subject(self) -> State:
-        """The state whose map is shown: of the push, or of the instant."""
+        """State for the map: that of the push, or of the instant."""
         return self.view.instant or replace(self.state, time=None)
 
     # -- events --------------------------------------------------------------------------------------
 
     def _hear(self, event: dict[str, Any]) -> None:
-        """Follow an event of the page, and answer it: with a picture, or with its number if none is new."""
+        """Handle an event of the page; answer with a picture, or with its number if no picture is new."""
         self.number, orders = event["number"], self.orders
         if event["kind"] == "sizes":
             self._resize(event["sizes"])
@@ -170,7 +170,7 @@ class Page:
             self.screen.tell({}, number=self.number)
 
     def _resize(self, sizes: dict[str, list[float]]) -> None:
-        """Draw for a page that is there now, or whose pictures have other sizes."""
+        """Draw for a page that has been loaded or has pictures of other sizes."""
         self.sizes |= {name: (float(w), float(h)) for name, (w, h) in sizes.items() if w and h}
         self.screen.forget()
         self.draw()
@@ -199,7 +199,7 @@ class Page:
         self.writer.ask((self.state, name))
 
     def _save(self, order: tuple[State, str], found: Any) -> None:
-        """Hand a file to the browser."""
+        """Send a file to the browser."""
         if isinstance(found, BaseException):
             self.say(refusal(found))
         else:
@@ -210,14 +210,14 @@ class Page:
         close()
 
     def end(self) -> None:
-        """End the threads of a page that was closed."""
+        """Stop the threads of a closed page."""
         for worker in (self.painter, self.mapper, self.writer):
             worker.close()
 
     # -- pictures, texts and widgets -----------------------------------------------------------------
 
     def _show(self, order: Order, found: Any) -> None:
-        """Show the pictures of a state, or why there are none."""
+        """Show the pictures of a state, or report why there are none."""
         if isinstance(found, BaseException):
             LOG.debug("no picture", exc_info=found)
             self.say(refusal(found))
@@ -229,12 +229,12 @@ class Page:
             self.starts, self.fields["time"].widget.direction = False, 1
 
     def say(self, text: str) -> None:
-        """Say what is wrong, or nothing."""
+        """Show an error message, or clear it."""
         self.fixed["error"] = escape(text)
         self.screen.tell(self.fixed)
 
     def show_widgets(self) -> None:
-        """Let the widgets follow the state."""
+        """Update the widgets from the state."""
         self.quiet = True
         try:
             for field in self.fields.values():
@@ -244,7 +244,7 @@ class Page:
             self.quiet = False
 
     def _show_choices(self) -> None:
-        """Offer each solution to be drawn in full, the times that there are, and to forget choices."""
+        """Offer the solutions to draw in full, the available times, and a button to forget choices."""
         self.forget.visible = chosen(self.state)
         motion, push = self.view.motion, self.view.push
         if push is not None:
@@ -256,11 +256,11 @@ class Page:
         if motion is not None and self.state.time is not None:
             player = self.fields["time"].widget
             end = max(int(np.ceil(FRAMES * motion.times[-1] / self.state.duration - 1e-9)), 1)
-            over = player.value >= end  # then it plays from the start
+            over = player.value >= end  # then it restarts from the beginning
             update(player, {"end": end, "loop_policy": "loop" if over else "once"})
 
     def _look(self) -> None:
-        """Say that a computation takes long, and come to rest."""
+        """Report slow computations, and update the page once it is at rest."""
         motion, following = self.view.motion, self.state.time is not None
         note = motion.log.attrs["stopped"] if motion is not None and following else ""
         if self.painter.seconds > SLOW or self.mapper.seconds > SLOW_MAP:
@@ -273,7 +273,7 @@ class Page:
             self._rest()
 
     def _rest(self) -> None:
-        """Show what takes longer: all widgets, the frame, the address, and the map."""
+        """Update what takes longer: all widgets, the frame, the address, and the map."""
         self.show_widgets()
         box = push_box(self.state)
         if not self.pointing.held and not np.array_equal(box, self.box):
@@ -285,7 +285,7 @@ class Page:
         self.mapper.ask((self.state, self.subject, self.view))
 
     def _map(self, order: tuple[State, State, View]) -> tuple[str, ...]:
-        """Draw a coarse map and a finer one; the modes to choose from. It runs in the mapper's thread."""
+        """Draw a coarse and a finer map; return the modes to choose from. Runs in the mapper's thread."""
         state, subject, found = order
         for each in maps(subject):
             markup = map_markup(subject, each, self.sizes["map"])
@@ -298,7 +298,7 @@ class Page:
         return ways_at(state, found.motion, state.time)
 
     def _mapped(self, order: tuple[State, State, View], found: Any) -> None:
-        """Offer the modes to choose from at an instant, if it is still the one that is shown."""
+        """Offer the modes to choose from at an instant if it is still shown."""
         if isinstance(found, BaseException):
             LOG.debug("no map", exc_info=found)
         elif order[0] == self.state:

@@ -1,4 +1,4 @@
-"""Pictures of the push and of its motion over time, and markup of pictures for the page."""
+"""Pictures of the push and of its motion over time, and their markup for the page."""
 
 from __future__ import annotations
 
@@ -31,15 +31,15 @@ from planar_pushing.mechanics.solutions import Solution
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.terms.options import Shape
 
-#: Diameter of a handle, points, and its radius, pixels.
+#: Diameter of a handle in points, and its radius in pixels.
 HANDLE, RADIUS = 13.0, 11.0
-#: Width of the picture over time where the energies have height 1, top of the modes, box around both.
+#: Width of the picture over time for energies of height 1, top of the modes, and box around both.
 LONG, TOP = 5.0, 1.5
 TIME_BOX = np.array([(-0.5, -0.38), (LONG + 0.1, TOP + 0.05)])
 
 
 class Push(NamedTuple):
-    """A push with its consistent solutions, and the drawing of both."""
+    """A push with its consistent solutions and their sketch."""
 
     state: State
     solutions: tuple[Solution, ...]
@@ -48,7 +48,7 @@ class Push(NamedTuple):
 
     @property
     def force(self) -> Array | None:
-        """Force of the solution that is drawn in full."""
+        """Force of the solution drawn in full."""
         return None if self.chosen < 0 else self.solutions[self.chosen].force
 
 
@@ -68,7 +68,7 @@ def solved(state: State) -> Push:
 
 
 def push_picture(push: Push) -> Picture:
-    """Slider, pusher and cones, other solutions pale, and the chosen one in full."""
+    """Picture of slider, pusher and cones, with the chosen solution in full and the others pale."""
     picture, sketch = Picture(), push.sketch
     half = HALF * sketch.reach
     add_slider(picture, sketch, -half, half)
@@ -86,7 +86,7 @@ def push_picture(push: Push) -> Picture:
 
 
 def push_box(state: State) -> Array:
-    """Corners of the picture of a push, whatever its direction."""
+    """Corners of the picture of a push in any direction."""
     frame = frame_of(state.scene)
     reach = frame.reach * (1.36 if is_magnitude_open(state.scene) else 1.12)
     low, high = frame.body.box(frame.pose) + frame.half * np.array([[-0.3], [0.5]])
@@ -95,7 +95,7 @@ def push_box(state: State) -> Array:
 
 
 def handles(push: Push, sheet: Sheet) -> str:
-    """The handles as circles, the one that the keys move marked."""
+    """Markup of the handles as circles, with a mark on the one that the keys move."""
     found = ""
     for name, place in places(push.state, push.force).items():
         x, y = sheet.to(place)
@@ -106,7 +106,7 @@ def handles(push: Push, sheet: Sheet) -> str:
 
 
 def instant_picture(motion: Motion, time: float) -> Picture:
-    """Slider and pusher at a time, with the paths behind them and the motion center."""
+    """Picture of slider and pusher at a time, with their past paths and the motion center."""
     picture, data, row = Picture(), motion.data, row_at(motion, time)
     add_instant(picture, data, row)
     add_paths(picture, data, motion.box, row)
@@ -118,7 +118,7 @@ def instant_picture(motion: Motion, time: float) -> Picture:
 
 
 def time_picture(motion: Motion) -> Picture:
-    """Contact modes as a bar, a line above it where several were consistent; below, the energies."""
+    """Picture of the contact modes as a bar, a line above it if several are consistent, and energies."""
     picture, end = Picture(), float(motion.times[-1]) or 1.0
     for run in motion.runs:
         left, right = (LONG * motion.times[row] / end for row in (run.start, run.stop))
@@ -133,7 +133,7 @@ def time_picture(motion: Motion) -> Picture:
 
 
 def _energies(picture: Picture, motion: Motion, end: float) -> None:
-    """Energies over time, whose axis has height 1."""
+    """Add the energies over time, on an axis of height 1."""
     found = energies(motion)
     low = min(0.0, *(float(each.min()) for each in found.values()))
     high = max(1e-12, *(float(each.max()) for each in found.values()))
@@ -148,19 +148,19 @@ def _energies(picture: Picture, motion: Motion, end: float) -> None:
     picture.label((LONG / 2, 0.0), "time", offset=(0.0, -20.0), color=GUIDE, **note)
     for name, values in found.items():
         points = [LONG * motion.times / end, (values - low) / (high - low)]
-        width = 3.0 if name == "work" else 1.4  # the others add up to it, and often cover it
+        width = 3.0 if name == "work" else 1.4  # the others add up to it and often cover it
         picture.line(np.stack(points, axis=-1), ENERGIES[name], width=width)
 
 
 def now_picture(motion: Motion, time: float) -> Picture:
-    """A line at a time."""
+    """Picture of a line at a time."""
     picture, x = Picture(), LONG * min(time / (float(motion.times[-1]) or 1.0), 1.0)
     picture.line([(x, 0.0), (x, TOP)], DARK, width=1.4)
     return picture
 
 
 def chip(name: str, fill: str, hatch: str = "", ink: str = DARK) -> str:
-    """An entry of a legend: a small area, and its name."""
+    """Legend entry: a small area and its name."""
     picture, side = Picture(), np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
     picture.add(Area((side,), fill, hatch, ink, AREAS))
     svg = to_svg(picture, side[[0, 2]], (13, 13), pad=0.0)
@@ -168,7 +168,7 @@ def chip(name: str, fill: str, hatch: str = "", ink: str = DARK) -> str:
 
 
 def markup(picture: Picture, sheet: Sheet, more: str = "") -> str:
-    """A picture as elements of SVG; the group around them says where its origin is, in pixels."""
+    """SVG elements of a picture, in a group with its origin and scale in pixels."""
     x, y = sheet.to((0.0, 0.0))
     return (
         f'<g data-x="{x:.2f}" data-y="{y:.2f}" data-scale="{sheet.scale:.4f}">'

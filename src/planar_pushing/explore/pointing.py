@@ -1,4 +1,4 @@
-"""Pointers and keys on the pictures: one handle at a time is held, and follows the pointer."""
+"""Pointers and keys on the pictures; one handle at a time is held and follows the pointer."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from planar_pushing.explore.state import Handle
 from planar_pushing.explore.view import sheet_of
 from planar_pushing.mechanics.plane import Array
 
-#: Boxes of the pictures that have one for every state.
+#: Boxes of the pictures with the same box for all states.
 BOXES = {"curve": curve.BOX, "map": maps.BOX, "time": TIME_BOX}
 
 
 class Pointing:
-    """Makes changes of a page's state of the events on its pictures; `held` is the picture of a drag."""
+    """Converts events on the pictures into changes of the page's state; `held` is the picture of a drag."""
 
     def __init__(self, page: Any) -> None:
         self.page = page
         self.held = ""
 
     def hear(self, event: dict[str, Any]) -> None:
-        """Follow an event: grab, drag, drop or cancel at a place of a picture, or an arrow key."""
+        """Handle an event: grab, drag, drop or cancel at a position in a picture, or an arrow key."""
         if event["kind"] == "key":
             right, up = event["way"]
             self._key(right, up, event["coarse"])
@@ -34,7 +34,7 @@ class Pointing:
             EVENTS[event["kind"]](self, event["picture"], self._place(event))
 
     def _place(self, event: dict[str, Any]) -> Array:
-        """Place of a pointer in its picture."""
+        """Position of a pointer in its picture."""
         name = event["picture"]
         box = BOXES.get(name, self.page.box)
         return sheet_of(self.page.sizes[name], box).place((event["x"], event["y"]))
@@ -45,7 +45,7 @@ class Pointing:
             self.page.change(lambda state: handles.nudged(state, force, right, up, coarse))
 
     def _grab(self, picture: str, place: Array) -> None:
-        """Take the handle at a place; on the limit curve that is the line of force."""
+        """Grab the handle at a position; on the limit curve this is the line of force."""
         handle: Handle | None = Handle.LINE
         if picture == "scene":
             handle = handles.nearest(self.page.state, self.page.force, place)

@@ -1,4 +1,4 @@
-"""Scenes to start from, and the gallery of supports."""
+"""Presets to start from, and the gallery of supports."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from planar_pushing.study.files.object_model import ObjectFile
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.study_model import PushEntry
 
-#: The scene that the page shows first.
+#: Preset that the page shows first.
 FIRST = "figure_03"
 EFFECTS = {"ring": {"type": "ring_friction"}, "inertia": {"type": "inertia"}}
 
@@ -28,18 +28,18 @@ def _table() -> dict[str, Any]:
 
 
 def gallery() -> dict[str, Any]:
-    """Supports by name, as scene files have them, of size 1."""
+    """Supports of size 1 in the format of scene files, by name."""
     found: dict[str, Any] = _table()["gallery"]
     return found
 
 
 def titles() -> dict[str, str]:
-    """Titles of the presets, by name."""
+    """Titles of the presets by name."""
     return {name: each["title"] for name, each in _table()["presets"].items()}
 
 
 def preset_file(name: str) -> SceneFile:
-    """The scene of a preset as a file has it."""
+    """Scene file of a preset."""
     given = _table()["presets"][name]
     if "object" in given:
         return ObjectFile.model_validate(given).scene_file()
@@ -56,7 +56,7 @@ def preset_file(name: str) -> SceneFile:
 
 
 def _effect(given: Any) -> dict[str, Any]:
-    """An effect by its name, or as it is."""
+    """Effect given by its name, or unchanged if it is already an entry."""
     if not isinstance(given, str):
         return dict(given)
     if given in EFFECTS:
@@ -66,7 +66,7 @@ def _effect(given: Any) -> dict[str, Any]:
 
 
 def preset(name: str) -> State:
-    """The state that a preset starts from."""
+    """Initial state of a preset."""
     file, given = preset_file(name), _table()["presets"][name]
     if file.simulate is not None:
         return state_of(file)

@@ -1,4 +1,4 @@
-"""The lines of Python that give what the page shows."""
+"""Lines of Python that compute what the page shows."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from planar_pushing.study.simulations import arguments
 
 
 def lines(state: State) -> str:
-    """A program: the scene, its solutions and, where a section says how, its motion over time."""
+    """Program for the scene, its solutions and, if the file describes it, the motion over time."""
     return "\n".join([*_scene(state), *_solve(state), *_simulate(state)]) + "\n"
 
 
@@ -41,7 +41,7 @@ def _solve(state: State) -> Iterator[str]:
 
 
 def _simulate(state: State) -> Iterator[str]:
-    """The pusher, and its motion over time with every choice that was taken."""
+    """Lines for the pusher and for the motion over time with all choices made."""
     options = settings(state)
     pusher = options.pop("pusher")
     yield ""
@@ -61,13 +61,13 @@ def _simulate(state: State) -> Iterator[str]:
 
 
 def _kind(pusher: Any) -> str:
-    """Shape of the pusher, and radius of a finger that has one."""
+    """Arguments for the shape of the pusher and for the radius of a finger."""
     radius = f", radius={pusher.radius!r}" if pusher.radius else ""
     return f"shape={str(pusher.shape)!r}{radius}"
 
 
 def settings(state: State) -> dict[str, Any]:
-    """Keyword arguments of `simulate` for what the page follows."""
+    """Keyword arguments of `simulate` for the push that the page follows."""
     section = state.file.simulate
     found = arguments(section) if section else {}
     return {name: each for name, each in found.items() if each is not None}
@@ -80,7 +80,7 @@ def acceleration(state: State) -> tuple[float, float]:
 
 
 def code(value: Any) -> str:
-    """A value as Python writes it, with the public names of the package."""
+    """A value as Python code with the public names of the package."""
     if is_dataclass(value) and not isinstance(value, type):
         own = {each.name: getattr(value, each.name) for each in fields(value)}
         inner = ", ".join(f"{name}={code(each)}" for name, each in own.items())

@@ -1,4 +1,4 @@
-"""Values that a page or its address cannot take, in one line."""
+"""One-line messages for values that a page or its address cannot accept."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from planar_pushing.terms.errors import PlanarPushingError, shown
 
 
 def refusal(error: BaseException, name: str = "", given: Any = None) -> str:
-    """One line: the widget and its value, if a widget was changed, and the values that are allowed."""
+    """One-line message with the changed widget and its value, if any, and the allowed values."""
     if isinstance(error, ValidationError):
         line = explained("scene", error)
         value = "nothing" if given is None or given == [] else shown(given)
@@ -22,5 +22,5 @@ def refusal(error: BaseException, name: str = "", given: Any = None) -> str:
 
 
 def explained(start: str, error: ValidationError) -> str:
-    """The first error of a scene file as the package states it, after a start."""
+    """First error of a scene file as the package states it, after a prefix."""
     return explain(Path(start), error.errors()[0])

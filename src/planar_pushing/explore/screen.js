@@ -1,9 +1,9 @@
-// Shows markup in elements by their ids; tells of pointers, keys and sizes of the pictures.
+// Shows markup in elements by id, and reports pointers, keys and sizes of the pictures.
 
 export function render({model}) {
   const byId = (id) => document.getElementById(id)
   const pictures = [...document.querySelectorAll("svg.picture")]
-  // Number of the last event, of the last two moves that were told, and of the last picture that was shown.
+  // Numbers of the last event, of the last two reported moves, and of the last picture shown.
   let number = 0, before = 0, last = 0, shown = 0, held = null, waiting = null
 
   model.on("msg:custom", (message) => {
@@ -20,7 +20,7 @@ export function render({model}) {
     flush()
   })
 
-  // One picture is made while the one before is on its way: a later move waits, and replaces one that waits.
+  // One picture is made while the previous one is in transit. A later move waits and replaces a waiting move.
   function flush() {
     if (waiting === null || shown < before) return
     const move = waiting

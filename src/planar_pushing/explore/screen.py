@@ -1,4 +1,4 @@
-"""The page's side of the server: shows markup, and tells of pointers, keys and sizes of pictures."""
+"""Connection to the page: shows markup and reports pointers, keys and sizes of pictures."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from panel.custom import JSComponent
 
 
 class Screen(JSComponent):  # type: ignore[misc]
-    """A component without a look of its own, on the elements of the template.
+    """A component without its own display, which acts on the elements of the template.
 
     Parameters
     ----------
     hear : callable
-        Takes each message of the page: its kind, and the number of the last event.
+        Called with each message of the page, which has a kind and the number of the last event.
     """
 
     _esm = Path(__file__).with_name("screen.js").read_text(encoding="utf-8")
@@ -29,12 +29,12 @@ class Screen(JSComponent):  # type: ignore[misc]
         self._hear(data)
 
     def tell(self, markup: dict[str, str], **rest: Any) -> None:
-        """Set the elements that differ by their ids, and what else the script knows."""
+        """Send the markup of changed elements by id, and other data for the script."""
         fresh = {name: text for name, text in markup.items() if self._known.get(name) != text}
         self._known |= fresh
         if fresh or rest:
             self._send_msg({"markup": fresh, **rest})
 
     def forget(self) -> None:
-        """Send all markup again: the page is new."""
+        """Send all markup again, because the page is new."""
         self._known = {}

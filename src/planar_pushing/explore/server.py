@@ -1,4 +1,4 @@
-"""The server of the page: on this machine alone, with all that the page needs."""
+"""Server of the page, for this machine only, with everything that the page needs."""
 
 from __future__ import annotations
 
@@ -25,19 +25,19 @@ FOLDER = Path(__file__).parent
 
 
 class Explorer:
-    """A server with one page, which shows a first state unless its address has another."""
+    """A server with one page, which shows a first state unless its address gives another."""
 
     def __init__(self, file: SceneFile | None = None, port: int = 0) -> None:
         self.first = preset(FIRST) if file is None else state_of(file)
         port = _free(port)
-        # Tornado takes the current loop; some versions of Python warn where there is none.
+        # Tornado uses the current loop; some versions of Python warn if there is none.
         asyncio.set_event_loop(asyncio.new_event_loop())
         origins = [f"{name}:{port}" for name in (HOST, "localhost")]
         self.server: Any = get_server(
             {"/": self._page}, port, HOST, websocket_origin=origins, title="Planar pushing"
         )
         for each in self.server._http._sockets.values():
-            # Else TCP holds a small message back until the one before is acknowledged, up to 40 ms.
+            # Otherwise TCP delays a small message by up to 40 ms, until the previous one is acknowledged.
             each.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
 
     @property
@@ -47,9 +47,9 @@ class Explorer:
 
     def run(self, open_browser: bool) -> None:
         """Serve until Ctrl-C, or until the page's own button is pressed."""
-        # A page that is gone while a message is on its way is no error.
+        # A page that closes while a message is in transit is not an error.
         logging.getLogger("bokeh.server.views.ws").setLevel(logging.ERROR)
-        gc.freeze()  # a full collection went through all modules, and stopped the server for 0.2 s
+        gc.freeze()  # a full garbage collection of all modules would stop the server for 0.2 s
         self.server.start()
         if open_browser:
             self.server.io_loop.add_callback(webbrowser.open, self.url)
@@ -61,11 +61,11 @@ class Explorer:
             self.server.stop()
 
     def stop(self) -> None:
-        """End the server after 0.2 s, so that the last message arrives."""
+        """Stop the server after 0.2 s, so that the last message arrives."""
         self.server.io_loop.call_later(0.2, self.server.io_loop.stop)
 
     def _page(self) -> Any:
-        """Make the page of a session."""
+        """Create the page of a session."""
         arguments = {key: each[0].decode() for key, each in pn.state.session_args.items()}
         given = {key: each for key, each in arguments.items() if not key.startswith("bokeh-")}
         state, said = self._state(given)
@@ -78,7 +78,7 @@ class Explorer:
         return template
 
     def _state(self, given: dict[str, str]) -> tuple[State, str]:
-        """The state in the address, and what is wrong with it."""
+        """State in the address, and the message about an error in it."""
         try:
             return (state_in(given) if given else self.first), ""
         except PlanarPushingError as error:
@@ -86,12 +86,12 @@ class Explorer:
 
 
 def _free(port: int) -> int:
-    """The port, or a free one for 0.
+    """Return the given port, or a free port for 0.
 
     Raises
     ------
     InvalidValue
-        Where it cannot be served on.
+        If the port cannot be used.
     """
     try:
         with socket.socket() as trial:
@@ -99,5 +99,5 @@ def _free(port: int) -> int:
             trial.bind((HOST, port))
             return int(trial.getsockname()[1])
     except (OSError, OverflowError):
-        remedy = "leave it out: a free one is taken"
+        remedy = "leave it out to use a free port"
         raise InvalidValue("port", port, "a port from 1 to 65535 that is free", remedy) from None

@@ -1,4 +1,4 @@
-"""The state of the page: one immutable value, and the changes that the page makes to it."""
+"""The state of the page, one immutable value, and the changes that the page makes."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from planar_pushing.study.datasets.rubbing import support_of
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.terms.options import EFFECT_TYPES, EffectKind, Policy, PusherFrame, Shape
 
-#: Magnitudes of a push, in units of W / m, and rod angles, degrees, that handles and widgets give.
+#: Ranges of handles and widgets: magnitudes of a push in units of W / m, and rod angles in degrees.
 MAGNITUDES = 0.01, 100.0
 ROD_ANGLES = 1.0, 179.0
-#: Smallest size of a support, in units of rod and support together.
+#: Smallest size of a support, in units of the sum of rod length and support size.
 SMALLEST = 0.02
-#: Distance over which a push is followed where a scene sets none, in units of the slider's length.
+#: Default distance over which a push is followed, in units of the slider's length.
 FOLLOWED = 0.8
 
 
@@ -35,7 +35,7 @@ class Handle(StrEnum):
 
 
 class Start(StrEnum):
-    """How the fence starts, where a scene has inertia: moving already, or from rest."""
+    """Start of the fence in a scene with inertia: already moving, or from rest."""
 
     VELOCITY = "velocity"
     ACCELERATION = "acceleration"
@@ -43,11 +43,11 @@ class Start(StrEnum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class State:
-    """A scene file under a push, and what the page shows of it; angles in degrees.
+    """A scene file under a push, with the settings of the page; angles in degrees.
 
-    The file's section `simulate` is always there, and its first motion is the push. `shown` is the mode of
-    the solution that is drawn in full, `across` the second axis of the map, `time` the instant that is
-    followed, if any, and `handle` the one that the keys move.
+    The file always has the section `simulate`, and its first motion is the push. `shown` is the mode of the
+    solution drawn in full, `across` the second axis of the map, `time` the instant that is followed, if
+    any, and `handle` the handle that the keys move.
     """
 
     file: SceneFile
@@ -70,18 +70,18 @@ class State:
 
     @property
     def finger_radius(self) -> float:
-        """Radius of the finger, 0 of a point."""
+        """Radius of the finger; 0 for a point."""
         given = self.file.simulate
         return (given.pusher_radius or 0.0) if given else 0.0
 
     @property
     def duration(self) -> float:
-        """Time over which the push is followed."""
+        """Duration over which the push is followed."""
         return self.file.simulate.duration if self.file.simulate else 1.0
 
     @property
     def size(self) -> float:
-        """Largest distance of the support from its center of pressure; of a ring its radius."""
+        """Largest distance of the support from its center of pressure; the radius of a ring."""
         scene = self.scene
         if scene.isotropic or not scene.friction:
             return float(scene.slider.radius)
@@ -90,12 +90,12 @@ class State:
 
 @lru_cache(maxsize=64)
 def build(file: SceneFile) -> Scene:
-    """The scene of a file; one picture needs it several times."""
+    """Scene of a file, cached because one picture needs it several times."""
     return file.build()
 
 
 def state_of(file: SceneFile, angle: float | None = None, magnitude: float = 1.0) -> State:
-    """The first state of a scene file: under the push given, or that of its section `simulate`."""
+    """Initial state of a scene file, under a given push or that of its section `simulate`."""
     file = _along_fence(file)
     if file.simulate is not None and angle is None:
         first = file.simulate.pieces[0]
@@ -107,7 +107,7 @@ def state_of(file: SceneFile, angle: float | None = None, magnitude: float = 1.0
 
 
 def _along_fence(file: SceneFile) -> SceneFile:
-    """The file with velocities along the axes of the fence in the place of waypoints and of the world's."""
+    """File with waypoints and velocities in the world frame converted to velocities in the fence's."""
     given = file.simulate
     if given is None or (given.waypoints is None and given.pusher_frame == PusherFrame.FENCE):
         return file
@@ -117,12 +117,12 @@ def _along_fence(file: SceneFile) -> SceneFile:
 
 
 def wrapped(angle: float) -> float:
-    """The same direction in (-180, 180] degrees."""
+    """Equivalent direction in (-180, 180] degrees."""
     return 180.0 - (180.0 - angle) % 360.0
 
 
 def changed(state: State, **parts: Any) -> State:
-    """The state with other parts of its file, at the push again and without choices over time."""
+    """State with changed entries of its file, back at the push and without choices over time."""
     content = state.file.model_dump(exclude_none=True)
     if "simulate" in content:
         content["simulate"] |= {"on_ambiguity": first_policy(state)}
@@ -132,7 +132,7 @@ def changed(state: State, **parts: Any) -> State:
 
 
 def pushed(state: State, angle: float, magnitude: float) -> State:
-    """The state under another push, in one direction from now on."""
+    """State under another push, which has a constant direction."""
     angle, magnitude = wrapped(angle), float(magnitude)
     given = state.file.simulate
     section = given.model_dump(exclude_none=True) if given else {}
@@ -144,13 +144,13 @@ def pushed(state: State, angle: float, magnitude: float) -> State:
 
 
 def first_policy(state: State) -> str:
-    """The policy before any choice of the user."""
+    """Policy before any choice of the user."""
     section = state.file.simulate
     return str(section.policies[0].policy if section else Policy.KEEP_CONTACT)
 
 
 def duration(state: State, magnitude: float) -> float:
-    """Time in which the pusher moves as far as the slider is long, to two digits."""
+    """Time in which the pusher covers the distance to follow, to two digits."""
     slider = state.scene.slider
     distance = FOLLOWED * (slider.rod_length + 2.0 * state.size)
     velocity = state.start == Start.VELOCITY
@@ -159,26 +159,26 @@ def duration(state: State, magnitude: float) -> float:
 
 
 def simulated(state: State, **options: Any) -> State:
-    """The state with other options of the simulation."""
+    """State with other options of the simulation."""
     given = state.file.simulate
     section = given.model_dump(exclude_none=True) if given else {}
     return changed(state, simulate=section | options)
 
 
 def with_rod(state: State, length: float, angle: float) -> State:
-    """The state with another rod."""
+    """State with another rod."""
     angle = float(np.clip(angle, *ROD_ANGLES))
     rod = {"rod_length": max(float(length), 0.0), "rod_angle": angle}
     return changed(state, slider=_own_slider(state) | rod, placement=None)
 
 
 def _own_slider(state: State) -> dict[str, Any]:
-    """The slider without the outline, on which its contact is no more."""
+    """Slider without its outline, because its contact is no longer on the outline."""
     return state.file.slider.model_dump(exclude_none=True, exclude={"outline"})
 
 
 def with_size(state: State, size: float) -> State:
-    """The state with a support of another size."""
+    """State with a support of another size."""
     factor = max(size, SMALLEST * (state.size + state.file.slider.rod_length)) / state.size
     slider = _own_slider(state)
     if state.scene.isotropic or not state.scene.friction or "radius" in slider:
@@ -194,23 +194,23 @@ def _with_scaled_support(effect: dict[str, Any], factor: float) -> dict[str, Any
 
 
 def with_law(state: State, law: dict[str, Any]) -> State:
-    """The state with another contact law, as scene files have it."""
+    """State with another contact law, in the format of scene files."""
     return changed(state, contact=law)
 
 
 def entries(state: State) -> list[dict[str, Any]]:
-    """The effects as scene files have them."""
+    """Effects in the format of scene files."""
     return [each.model_dump(exclude_none=True) for each in state.file.effects]
 
 
 def effect(state: State, kind: EffectKind) -> dict[str, Any] | None:
-    """The first effect of a kind; None where there is none."""
+    """First effect of a kind; None if there is none."""
     found = [each for each in entries(state) if EFFECT_TYPES[each["type"]] == kind]
     return found[0] if found else None
 
 
 def with_effect(state: State, kind: EffectKind, entry: dict[str, Any] | None) -> State:
-    """The state with another effect of a kind, or without one."""
+    """State with another effect of a kind, or without such an effect."""
     others = [each for each in entries(state) if EFFECT_TYPES[each["type"]] != kind]
     effects = [entry, *others] if kind == EffectKind.SUPPORT_FRICTION else [*others, entry]
     found = changed(state, effects=[each for each in effects if each is not None])
@@ -220,7 +220,7 @@ def with_effect(state: State, kind: EffectKind, entry: dict[str, Any] | None) ->
 
 
 def with_support(state: State, support: dict[str, Any] | None) -> State:
-    """The state on another support of the same size; None is the ring of the slider's radius."""
+    """State with another support of the same size; None is a ring with the slider's radius."""
     given = effect(state, EffectKind.SUPPORT_FRICTION) or {"weight": 1.0}
     slider = _own_slider(state)
     if support is None:

@@ -1,4 +1,4 @@
-"""Supports as scene files have them: another size, and which of the gallery one is."""
+"""Supports in the format of scene files: scaling, and recognition of those in the gallery."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ from typing import Any
 
 import numpy as np
 
-#: Keys of a support that hold lengths.
+#: Keys of a support with lengths as values.
 LENGTHS = frozenset(
     ("radius", "inner", "outer", "center", "start", "end", "positions", "vertices", "x", "y")
 )
-#: Sizes that differ by less are the same.
+#: Relative tolerance for equal sizes.
 ROUNDING = 1e-9
 
 
 def scaled(entry: dict[str, Any], factor: float) -> dict[str, Any]:
-    """The support `factor` times as large."""
+    """Support enlarged by a factor."""
     found = {key: _times(each, factor) if key in LENGTHS else each for key, each in entry.items()}
     if "members" in entry:
         found["members"] = [
@@ -31,7 +31,7 @@ def _times(given: Any, factor: float) -> Any:
 
 
 def name_in(gallery: dict[str, Any], entry: dict[str, Any] | None, size: float) -> str:
-    """Name of a support in the gallery, whose supports have size 1; empty for one that is not there."""
+    """Name of a support in the gallery, which has supports of size 1; empty if it is not there."""
     if entry is None:
         return "ring"
     own = scaled(entry, 1.0 / size)
@@ -39,7 +39,7 @@ def name_in(gallery: dict[str, Any], entry: dict[str, Any] | None, size: float) 
 
 
 def _alike(one: Any, other: Any) -> bool:
-    """Whether two supports are the same up to rounding."""
+    """Whether two supports are equal up to rounding."""
     if isinstance(one, dict):
         kept = {key for key, each in one.items() if not _is_origin(key, each)}
         kin = {key for key, each in other.items() if not _is_origin(key, each)}
@@ -52,5 +52,5 @@ def _alike(one: Any, other: Any) -> bool:
 
 
 def _is_origin(key: str, given: Any) -> bool:
-    """Whether a key says what holds without it: that the support lies about the origin."""
+    """Whether a key only states the default, that the support is centered at the origin."""
     return key == "center" and not any(given)

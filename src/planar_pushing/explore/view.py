@@ -1,4 +1,4 @@
-"""Everything that the page shows of a state, as markup by the id of its element."""
+"""Everything that the page shows of a state, as markup by element id."""
 
 from __future__ import annotations
 
@@ -31,15 +31,15 @@ from planar_pushing.figures.words import outcome, row
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.solutions import Solution
 
-#: Pixels of a point: at most, at least, and for each pixel of the picture's width.
+#: Pixels per point: maximum, minimum, and ratio to the picture's width in pixels.
 POINT = 1.55, 1.25, 1 / 450
-#: Points around a picture.
+#: Padding around a picture in points.
 PAD = 10.0
 AT_START = "of the push at the start"
 
 
 class Order(NamedTuple):
-    """A state to show: sizes of pictures in pixels, the box of the push, the number of the last event."""
+    """A state to show, sizes of pictures in pixels, the box of the push, and the last event's number."""
 
     state: State
     sizes: Mapping[str, tuple[float, float]]
@@ -48,7 +48,7 @@ class Order(NamedTuple):
 
 
 class View(NamedTuple):
-    """Markup by id, and the push that is shown; over time the motion, and the push of the instant."""
+    """Markup by id, the push that is shown, and, over time, the motion and the push at the instant."""
 
     markup: dict[str, str]
     push: Push | None = None
@@ -57,13 +57,13 @@ class View(NamedTuple):
 
 
 def sheet_of(size: tuple[float, float], box: Array) -> Sheet:
-    """The sheet of a picture of a size in pixels."""
+    """Sheet of a picture with a size in pixels."""
     most, least, each = POINT
     return Sheet.around(box, size, PAD, float(np.clip(size[0] * each, least, most)))
 
 
 def view(order: Order) -> View:
-    """The page of a state: of its push, or of the instant that is followed."""
+    """View of a state: of its push, or of the instant that is followed."""
     return _push(order) if order.state.time is None else _instant(order, order.state.time)
 
 
@@ -79,7 +79,7 @@ def _push(order: Order) -> View:
 
 
 def _of_push(order: Order, push: Push) -> dict[str, str]:
-    """Limit curve, cross on the map, and table of a push."""
+    """Markup of the limit curve, the cross on the map, and the table for a push."""
     scene, symbol = push.state.scene, push.sketch.symbol
     picture = curve.curve_picture(scene, push.solutions, push.chosen, symbol)
     return {
@@ -119,7 +119,7 @@ def _over_time(state: State, size: tuple[float, float]) -> str:
 
 
 def table(solutions: Sequence[Solution], pusher: Array | None, chosen: int) -> str:
-    """Consistent solutions, the one that is drawn in full in bold."""
+    """Table of the consistent solutions, with the one drawn in full in bold."""
     if not solutions:
         return "<p>No consistent solution.</p>"
     rows, head = "", ""
@@ -134,7 +134,7 @@ def table(solutions: Sequence[Solution], pusher: Array | None, chosen: int) -> s
 
 
 def map_markup(state: State, found: maps.Map, size: tuple[float, float]) -> dict[str, str]:
-    """The map and its legend."""
+    """Markup of the map and its legend."""
     looks = dict.fromkeys(look_of(code) for code in maps.sets_of(found))
     return {
         "areas": markup(maps.map_picture(state, found), sheet_of(size, maps.BOX)),
@@ -143,6 +143,6 @@ def map_markup(state: State, found: maps.Map, size: tuple[float, float]) -> dict
 
 
 def energy_legend() -> str:
-    """Colors of the energies, and the line above the modes."""
+    """Legend of the energies and of the line above the modes."""
     lines = "".join(chip(name, color) for name, color in ENERGIES.items())
     return f'{lines}<span class="key">\u2501 more than one mode possible</span>'

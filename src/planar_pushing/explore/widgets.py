@@ -1,4 +1,4 @@
-"""The widgets of the page: how each reads a state, and the state after a change of one."""
+"""The widgets of the page: how each reads a state and changes it."""
 
 from __future__ import annotations
 
@@ -43,14 +43,14 @@ from planar_pushing.explore.state import (
 from planar_pushing.mechanics.cones import is_magnitude_open
 from planar_pushing.terms.options import EffectKind, Policy, Shape
 
-#: Positions of the player over the duration, and milliseconds from one to the next.
+#: Positions of the player over the duration, and milliseconds between positions.
 FRAMES, INTERVAL = 180, 33
-#: Shows the number of which a slider holds the logarithm.
+#: Formatter that shows a number instead of its logarithm.
 POWER = "return Number(Math.pow(10, tick).toPrecision(2)).toString()"
 
 
 class Field(NamedTuple):
-    """A widget: its value for a state, the state after a change, and properties that follow the state."""
+    """A widget: its value for a state, the state after a change, and properties set by the state."""
 
     widget: Any
     read: Callable[[State], Any]
@@ -59,7 +59,7 @@ class Field(NamedTuple):
 
 
 def fields() -> dict[str, Field]:
-    """All widgets that show a part of the state, by name."""
+    """All widgets that show a component of the state, by name."""
     return {**_push(), **_contact(), **_slider(), **_effects(), **_views(), **_motion()}
 
 
@@ -92,7 +92,7 @@ def _number(name: str) -> pn.widgets.FloatInput:
 
 
 def _radius(state: State, shape: str) -> dict[str, Any]:
-    """The radius of the finger of a file; a fence has none."""
+    """Radius of the finger in the file; a fence has none."""
     given = state.file.simulate
     radius = given.pusher_radius if given else None
     return {"pusher_radius": radius if shape == Shape.FINGER else None}
@@ -175,7 +175,7 @@ def _slider() -> dict[str, Field]:
 
 
 def _room(widget: Any, state: State) -> dict[str, Any]:
-    """End of a slider of lengths: it stays until the scene is far smaller or does not fit."""
+    """End of a slider for lengths; it changes only if the scene no longer fits or is far smaller."""
     length = max(state.file.slider.rod_length, state.size)
     if 0.05 * widget.end <= length <= widget.end:
         return {}
@@ -201,7 +201,7 @@ def _effects() -> dict[str, Field]:
 
 
 def _part(name: str, kind: EffectKind, key: str) -> Field:
-    """A number of an effect."""
+    """Field for a number of an effect."""
     return Field(
         _number(name),
         lambda state: float((effect(state, kind) or {}).get(key, 1.0)),
@@ -211,7 +211,7 @@ def _part(name: str, kind: EffectKind, key: str) -> Field:
 
 
 def _center(name: str, part: int) -> Field:
-    """A coordinate of the center of mass."""
+    """Field for a coordinate of the center of mass."""
 
     def place(state: State) -> list[float]:
         return list((effect(state, INERTIA) or {}).get("center", (0.0, 0.0)))
@@ -281,19 +281,19 @@ def _motion() -> dict[str, Field]:
 
 
 def _again(state: State, **options: Any) -> State:
-    """The state with other options, followed anew where it was followed."""
+    """State with other options; if it was followed over time, it is followed again."""
     return replace(simulated(state, **options), time=None if state.time is None else 0.0)
 
 
 def alike(one: Any, other: Any) -> bool:
-    """Whether two values of a widget are the same up to rounding."""
+    """Whether two values of a widget are equal up to rounding."""
     if isinstance(one, float) and isinstance(other, float):
         return abs(one - other) <= 1e-9 * max(abs(one), abs(other))
     return bool(one == other)
 
 
 def update(widget: Any, wanted: dict[str, Any]) -> None:
-    """Set the properties of a widget that differ."""
+    """Set the changed properties of a widget."""
     fresh = {k: each for k, each in wanted.items() if not alike(getattr(widget, k), each)}
     if fresh:
         widget.param.update(**fresh)

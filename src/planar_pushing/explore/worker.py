@@ -1,4 +1,4 @@
-"""Computing beside the page, in a thread that always takes the newest order."""
+"""Computation in a separate thread that always takes the newest request."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from concurrent.futures import Future, ThreadPoolExecutor, wait
 from functools import partial
 from typing import Any
 
-#: Seconds that the page's loop waits for a result: nearly all pictures are ready, and shown at once.
+#: Seconds that the page's loop waits for a result; nearly all pictures are ready by then.
 SOON = 0.02
 
 
 class Worker:
-    """Runs a function on the newest order, and drops those that came in between.
+    """Runs a function on the newest request and drops earlier requests that are waiting.
 
-    `show` takes the order and the result, or the exception, on the page's own loop.
+    `show` receives the request and the result, or the exception, in the page's loop.
     """
 
     def __init__(
@@ -27,13 +27,13 @@ class Worker:
         self.since: float | None = None
 
     def ask(self, order: Any) -> None:
-        """Order a result."""
+        """Request a result."""
         self.wanted = [order]
         self._go_on()
 
     @property
     def seconds(self) -> float:
-        """Seconds that the present order has taken; 0 without one."""
+        """Seconds since the current request began; 0 without one."""
         return 0.0 if self.since is None else time.monotonic() - self.since
 
     def _go_on(self) -> None:
@@ -46,7 +46,7 @@ class Worker:
                 future.add_done_callback(partial(self._done, order))
 
     def _done(self, order: Any, future: Future[Any]) -> None:
-        """Hand a result from the thread to the page's loop."""
+        """Pass a result from the thread to the page's loop."""
         if not future.cancelled():
             self.document.add_next_tick_callback(partial(self._finish, order, future))
 
@@ -56,6 +56,6 @@ class Worker:
         self._go_on()
 
     def close(self) -> None:
-        """Take no more orders."""
+        """Accept no more requests."""
         self.wanted = []
         self.pool.shutdown(wait=False, cancel_futures=True)

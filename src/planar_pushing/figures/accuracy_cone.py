@@ -1,4 +1,4 @@
-"""What accuracy costs: both edges of a motion cone, and the models' direction errors for a rim."""
+"""Accuracy against time: both edges of a motion cone, and direction errors of models for a rim."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ LIMITS = (1e-15, 1e2)
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw the work-precision diagram and, beside it, the mean errors for a rim of points."""
+    """Draw the work-precision diagram and the mean errors for a rim of points."""
     left, right = figure.subplots(1, 2, width_ratios=(3.4, 1))
     figure.subplots_adjust(left=0.085, right=0.985, bottom=0.125, top=0.83, wspace=0.35)
     work_precision(left, data.method.values, data.cone_seconds, data.cone_error.values, LIMITS)
-    left.margins(x=0.35)  # room for the names of settings
+    left.margins(x=0.35)  # room for the labels of settings
     left.set(yticks=10.0 ** np.arange(-14, 3, 4))
     left.set(xlabel="time for both edges of a cone, seconds", ylabel="largest error, degrees")
     name_ends(left, data, "cone", NAMED)
@@ -42,7 +42,7 @@ def draw(figure: Any, data: xr.Dataset) -> None:
     )  # fmt: skip
 
 
-#: How the settings of a method are written, and aligned beside their markers.
+#: Format and alignment of the labels of a method's settings.
 NAMED = {
     "linear table": ("{} entries", "right"),
     "cubic table": ("{} entries", "left"),

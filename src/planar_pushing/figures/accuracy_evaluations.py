@@ -1,4 +1,4 @@
-"""What accuracy costs in evaluations: the friction wrench at four spin ratios, the same on every run."""
+"""Accuracy of the friction wrench against evaluations at four spin ratios, the same on every run."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ FIGURE = Figure(
     size=(PAGE, 2.7),
     column=(COLUMN, 4.6),
 )
-#: Abscissas: formulas evaluate no integrand and stand side by side in a strip of their own.
+#: Abscissas: formulas evaluate no integrand and are drawn side by side in a separate strip.
 STRIP = (0.03, 2.5)
 END = 3e5
 
 
 def abscissas(data: xr.Dataset, evaluations: Array) -> Array:
-    """Evaluations of shape (point,), or a place in the strip for a method without an integrand."""
+    """Evaluations of shape (point,), or a position in the strip for a method without an integrand."""
     formulas = [name for name in methods(data) if not evaluations[data.method.values == name].any()]
     places = dict(zip(formulas, np.geomspace(*STRIP, len(formulas)), strict=True))
     found = zip(data.method.values, evaluations, strict=True)
@@ -34,11 +34,11 @@ def abscissas(data: xr.Dataset, evaluations: Array) -> Array:
 def caption(data: xr.Dataset) -> str:
     """Caption of the figure."""
     return (
-        "Error of the friction wrench against evaluations of the integrand, at four spin ratios "
-        "k, a marker for each setting of a method: stars are the closed form of this work, blue "
-        "other formulas, brown rules of quadrature, hollow markers models. Formulas evaluate no "
-        "integrand and stand in the gray strip; an error of zero and a result of NaN stand at the "
-        "ends of the axis. Dotted: rounding of a double."
+        "Error of the friction wrench against evaluations of the integrand at four spin ratios k, "
+        "with a marker for each setting of a method: stars are the closed form of this work, blue "
+        "markers other formulas, brown markers quadrature rules, and hollow markers models. Formulas "
+        "evaluate no integrand and are drawn in the gray strip; errors of zero and results of NaN "
+        "are drawn at the ends of the axis. Dotted: rounding error of a double."
     )
 
 

@@ -1,4 +1,4 @@
-"""Cost of accuracy over time: both integrators, a panel for each scene."""
+"""Accuracy against time of both integrators, with a panel for each scene."""
 
 from __future__ import annotations
 
@@ -25,18 +25,18 @@ TITLES = {
     "slipping": "slipping with infinite friction, one mode",
     "pulling": "pulling, the fence turns on its way",
 }
-#: How the settings of a method are written, and aligned beside their markers.
+#: Format and alignment of the labels of a method's settings.
 NAMED = {"event-driven": ("tolerance {}", "right"), "time-stepping": ("{} steps", "left")}
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw the work-precision diagram of each scene, with one legend."""
+    """Draw the work-precision diagram of each scene with one legend."""
     axes = figure.subplots(1, data.sizes["scene"], sharey=True)
     figure.subplots_adjust(left=0.085, right=0.985, bottom=0.14, top=0.82, wspace=0.08)
     for ax, scene in zip(axes, data.scene.values, strict=True):
         one = data.sel(scene=scene)
         work_precision(ax, one.method.values, one.motion_seconds, one.motion_error.values, LIMITS)
-        ax.margins(x=0.35)  # room for the names of settings
+        ax.margins(x=0.35)  # room for the labels of settings
         ax.set(yticks=10.0 ** np.arange(-14, 2, 4), title=TITLES[str(scene)])
         ax.set_xlabel("time for a run, seconds")
         name_ends(ax, one, "motion", NAMED)

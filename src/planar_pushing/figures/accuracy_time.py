@@ -1,4 +1,4 @@
-"""What accuracy costs in time: the friction wrench at four spin ratios, measured on one machine."""
+"""Accuracy of the friction wrench against time at four spin ratios, measured on one machine."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ FIGURE = Figure(
     size=(PAGE, 2.7),
     column=(COLUMN, 4.6),
 )
-#: Factor by which the axis of times reaches beyond the fastest and the slowest method.
+#: Factor by which the time axis extends beyond the fastest and the slowest method.
 BEYOND = 2.5
 TICKS = 10.0 ** np.arange(-7, -2, 2)
 
@@ -31,10 +31,10 @@ TICKS = 10.0 ** np.arange(-7, -2, 2)
 def caption(data: xr.Dataset) -> str:
     """Caption of the figure."""
     return (
-        "Error of the friction wrench against the time that one wrench takes, for the methods, "
-        "settings and spin ratios of the previous figure. A marker stands at the least time of "
-        "repeated runs, and a hair leads to their median; methods that take arrays are timed on "
-        "arrays. Other machines, and other runs, give other times. Dotted: rounding of a double."
+        "Error of the friction wrench against the time for one wrench, for the methods, settings "
+        "and spin ratios of the previous figure. A marker is at the shortest time of repeated runs, "
+        "and a hair extends to their median; methods that take arrays are timed on arrays. Other "
+        "machines and other runs give other times. Dotted: rounding error of a double."
     )
 
 

@@ -1,4 +1,4 @@
-"""What accuracy costs: the friction wrench, a panel for each spin ratio."""
+"""Accuracy against time of the friction wrench, with a panel for each spin ratio."""
 
 from __future__ import annotations
 

@@ -29,16 +29,16 @@ from planar_pushing.figures.timeline import plotted
 from planar_pushing.study.files.replacing import replacing
 from planar_pushing.terms.errors import InvalidValue, require_number
 
-#: Size of a picture, inches, its pixels per inch, and points around what is drawn.
+#: Size of a picture in inches, its pixels per inch, and the padding around the drawing in points.
 SIZE, DPI, PAD = (4.2, 3.2), 120, 16.0
-#: Colors of the whole animation: enough for smooth edges, and few enough for a small file.
+#: Number of colors in the animation: enough for smooth edges, few enough for a small file.
 COLORS = 64
 FRAMES = "a whole number from 2 to 1000"
 
 
 @dataclass(frozen=True, slots=True)
 class Animation:
-    """An animated picture; a notebook shows it."""
+    """An animated picture that notebooks display."""
 
     gif: bytes
     frames: int
@@ -51,30 +51,30 @@ class Animation:
 def animate(
     log: xr.Dataset, path: PathLike | None = None, *, frames: int = 75, rate: float = 25.0
 ) -> Animation:
-    """Draw a log as an animated GIF; the bytes depend on the log alone.
+    """Draw a log as an animated GIF; its bytes depend only on the log.
 
     Parameters
     ----------
     log : xarray.Dataset
-        As `simulate` returns it.
+        Returned by `simulate`.
     path : path, optional
-        File to write, whole or not at all; it ends in .gif.
+        File to write, completely or not at all; its name ends in .gif.
     frames : int
-        Number of pictures, evenly spaced over the time of the log, 2 to 1000.
+        Number of frames, evenly spaced over the duration of the log, 2 to 1000.
     rate : float
-        Pictures per second, in (0, 50]; the format keeps time in hundredths of a second.
+        Frames per second, in (0, 50]; the format stores time in hundredths of a second.
 
     Returns
     -------
     Animation
-        A notebook shows it.
+        Displayed by notebooks.
 
     Raises
     ------
     InvalidValue
-        Where the name ends otherwise or a number is not allowed.
+        If the file name has another ending or a number is not allowed.
     InvalidFile
-        Where the dataset is no log.
+        If the dataset is not a log.
     """
     if path is not None and Path(path).suffix.lower() != ".gif":
         raise InvalidValue("output", str(path), "a name ending in .gif", "rename the file")
@@ -107,7 +107,7 @@ def _gif(motion: xr.Dataset, rate: float) -> bytes:
 
 
 def resampled(data: xr.Dataset, count: int) -> xr.Dataset:
-    """Motion at evenly spaced times; places are interpolated, what jumps is that of the row before."""
+    """Motion at evenly spaced times: positions interpolated, discontinuous values from the row before."""
     time = data["time"].values
     wanted = np.linspace(time[0], time[-1], count)
     before = np.clip(np.searchsorted(time, wanted, side="right") - 1, 0, len(time) - 1)
@@ -121,7 +121,7 @@ def resampled(data: xr.Dataset, count: int) -> xr.Dataset:
 
 
 def _pictures(data: xr.Dataset) -> Iterator[Image.Image]:
-    """One picture for each time."""
+    """Yield one picture for each time."""
     limits = box(data)
     frame = Sheet.around(limits, 72 * np.array(SIZE), PAD).box  # type: ignore[arg-type]
     for row in range(data.sizes["time"]):
@@ -135,7 +135,7 @@ def _pictures(data: xr.Dataset) -> Iterator[Image.Image]:
 
 
 def instant_picture(data: xr.Dataset, row: int, frame: Any) -> Picture:
-    """The paths up to a row, and slider, pusher and motion center there."""
+    """Picture of the slider, the pusher and the motion center at a row, with the paths up to it."""
     picture = Picture()
     add_paths(picture, data, frame, row)
     add_instant(picture, data, row)
@@ -152,7 +152,7 @@ def _pivots(data: xr.Dataset, row: int) -> bool:
 
 
 def status(data: xr.Dataset, row: int) -> str:
-    """Contact mode, whether the slider pivots, and whether there was a choice."""
+    """Contact mode in words, with a note if the slider pivots or if there was a choice."""
     mode = MODES[int(data["path_mode"].values[row])].name
     pivots = ", pivots" if _pivots(data, row) else ""
     several = " (one of several)" if data["path_solutions"].values[row] > 1 else ""

@@ -1,4 +1,4 @@
-"""Marks as matplotlib's artists."""
+"""Marks as matplotlib artists."""
 
 from __future__ import annotations
 
@@ -30,21 +30,21 @@ from planar_pushing.figures.marks import (
 from planar_pushing.figures.shapes import SHAPES
 from planar_pushing.mechanics.plane import Array
 
-#: Height of a row of titles, points.
+#: Height of a row of titles in points.
 TITLE = 16.0
 
 
 def schematic(
     figure: Figure, rect: tuple[float, float, float, float] = (0.0, 0.0, 1.0, 1.0)
 ) -> Axes:
-    """Axes without a frame in a part of a figure: left, bottom, width and height."""
+    """Axes without a frame in a region of a figure: left, bottom, width and height."""
     ax = figure.add_axes(rect)
     ax.set_axis_off()
     return ax
 
 
 def to_axes(picture: Picture, ax: Axes, box: Array, pad: float = 12.0) -> Sheet:
-    """Draw marks on axes, which then show a box with at least `pad` points around it."""
+    """Draw marks on axes that show a box with at least `pad` points around it."""
     figure = cast(Figure, ax.get_figure(root=True))
     place = ax.get_position(original=True)
     size = 72 * figure.get_size_inches() * [place.width, place.height]
@@ -54,7 +54,7 @@ def to_axes(picture: Picture, ax: Axes, box: Array, pad: float = 12.0) -> Sheet:
 
 
 def onto(picture: Picture, ax: Axes, sheet: Sheet) -> None:
-    """Draw marks on axes as they are; the sheet says how long a point is."""
+    """Draw marks on axes without changing their limits; the sheet gives the length of a point."""
     labels = iter(settled(picture, sheet))
     for mark in picture.marks:
         one = next(labels) if isinstance(mark, Label) else mark
@@ -69,7 +69,7 @@ def _area(ax: Axes, area: Area, sheet: Sheet) -> None:
 
 
 def _wound(paths: list[Path]) -> list[Path]:
-    """The first path counter-clockwise, the others clockwise, so that they are holes."""
+    """Paths with the first counter-clockwise and the others clockwise, so that these are holes."""
     found = []
     for index, path in enumerate(paths):
         x, y = np.asarray(path.vertices).T
@@ -136,7 +136,7 @@ DRAWN: dict[type, Any] = {
 
 
 class Panel(NamedTuple):
-    """A picture with the box that it shows, its title, and points around it."""
+    """A picture with the box that it shows, its title, and its padding in points."""
 
     picture: Picture
     box: Array
@@ -145,7 +145,7 @@ class Panel(NamedTuple):
 
 
 def is_column(figure: Any) -> bool:
-    """Whether a figure is as wide as a column, not as a page."""
+    """Whether a figure has the width of a column rather than a page."""
     return bool(figure.get_figwidth() < COLUMN + PAGE / 4)
 
 
@@ -153,19 +153,19 @@ def panels(
     figure: Figure, given: Sequence[Panel], columns: int = 1, *, scale: float | None = None,
     alike: bool = False, share: Sequence[float] | None = None,
 ) -> list[Axes]:  # fmt: skip
-    """Draw pictures in rows of columns, and make the figure as high as they need.
+    """Draw pictures in a grid, and fit the height of the figure to them.
 
     Parameters
     ----------
     given : sequence of Panel
     columns : int
-        In a row.
+        Number of panels in a row.
     scale : float, optional
-        Points of a unit of the scene; by default what fills the columns.
+        Points per unit of the scene; by default the panels fill the columns.
     alike : bool
-        Whether all panels have the least of their scales.
+        Whether all panels share the smallest of their scales.
     share : sequence of float, optional
-        Widths of the columns, of the figure's; equal by default.
+        Widths of the columns as fractions of the figure's width; equal by default.
     """
     wide = 72 * figure.get_figwidth() * np.array(share or [1 / columns] * columns)
     fitting = [
@@ -197,7 +197,7 @@ def panels(
 
 
 def _show(picture: Picture, ax: Axes, sheet: Sheet) -> None:
-    """Draw a picture on axes that show a sheet."""
+    """Draw a picture on axes that cover a sheet."""
     (left, low), (right, high) = sheet.box
     ax.set(xlim=(left, right), ylim=(low, high))
     ax.set_aspect("equal", adjustable="datalim")

@@ -1,4 +1,4 @@
-"""Marks of a slider: its support, rod, contact and centers; of the fence or the finger that pushes it."""
+"""Marks of a slider (support, rod, contact, centers) and of the fence or finger that pushes it."""
 
 from __future__ import annotations
 
@@ -20,25 +20,25 @@ from planar_pushing.mechanics.supports import Polygon, Ring
 from planar_pushing.study.datasets.rubbing import support_of
 from planar_pushing.study.files.scene_model import SceneFile
 
-#: Keys of a scene file that do not describe a motion over time.
+#: Keys of a scene file that do not concern a motion over time.
 OWN = ("slider", "contact", "effects")
-#: A center nearer to the origin of the body than this, in units of the support's size, is there.
+#: A center closer to the body's origin than this, in units of the support's size, counts as at the origin.
 NEAR = 1e-6
-#: By how much dots and signs reach beyond their places, in units of half the support.
+#: Extent of dots and signs around their positions, in units of half the support.
 RIM = 0.07
-#: Names of the centers.
+#: Labels of the centers.
 NAMES = {"pressure": "center of\npressure", "mass": "center\nof mass"}
-#: How much of its color the area of an outline has.
+#: Strength of the color of an outline's area.
 OBJECT = 0.06
-#: Order of the disc of a finger.
+#: Drawing order of the disc of a finger.
 FINGER = AREAS + 0.9
-#: Distance of two strokes of a fence's hatch, in units of its depth.
+#: Distance between strokes of a fence's hatch, in units of its depth.
 APART = 0.8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Body:
-    """A slider in its body frame, with its outline, and the centers that are marked: off its origin."""
+    """A slider in its body frame, with its outline and the marked centers, which are off the origin."""
 
     support: Any
     centers: tuple[tuple[str, Any], ...] = ()
@@ -46,17 +46,17 @@ class Body:
 
     @property
     def half(self) -> float:
-        """Half of the support's larger side; a ring's radius."""
+        """Half the larger side of the support; the radius of a ring."""
         return float(np.ptp(self.bounds, axis=0).max() / 2)
 
     @property
     def bounds(self) -> Array:
-        """Corners of the box around the support, sides along the axes of the body."""
+        """Corners of the box around the support, with sides along the axes of the body."""
         return _bounds(self.support, self.outline)
 
     @property
     def middle(self) -> Array:
-        """Middle of that box."""
+        """Center of the box around the support."""
         return np.asarray(self.bounds.mean(axis=0))
 
     @property
@@ -64,7 +64,7 @@ class Body:
         return isinstance(self.support, Ring)
 
     def box(self, pose: Pose) -> Array:
-        """Corners of the upright box around the support and what is marked, in a place."""
+        """Corners of the upright box around the support and the marks, at a pose."""
         marked = [place for _, place in self.centers]
         points = [*extents(self.support, pose), *map(pose.at, (*marked, *self.outline))]
         rim = 0.0 if self.is_ring else RIM * self.half
@@ -78,7 +78,7 @@ def _bounds(support: Any, outline: tuple[tuple[float, float], ...]) -> Array:
 
 
 def body_of(scene: Scene) -> Body:
-    """The slider of a scene; an outline that is the support's own is drawn with that."""
+    """Slider of a scene; an outline equal to the support's is drawn with the support."""
     support, outline = support_of(scene), scene.slider.outline or ()
     if isinstance(support, Polygon) and set(support.vertices) == set(outline):
         outline = ()
@@ -94,7 +94,7 @@ def body_of(scene: Scene) -> Body:
 
 
 def body_in(data: xr.Dataset) -> Body:
-    """The slider of a scene's dataset or of a log; a ring where the dataset names no scene."""
+    """Slider of a scene's dataset or of a log; a ring if the dataset names no scene."""
     named = data.attrs.get("scene") or data.attrs.get("parameters")
     if named is None:
         return Body(support=Ring(float(data["radius"])))
@@ -107,7 +107,7 @@ def _read(text: str) -> Body:
 
 
 def scene_in(text: str) -> Scene:
-    """The scene in an attribute of a dataset."""
+    """Scene stored in an attribute of a dataset."""
     given = json.loads(text)
     entry = given.get("scene", given)
     return SceneFile.model_validate({name: entry[name] for name in OWN}).build()
@@ -121,7 +121,7 @@ def add_body(
     contact: Place = (0.0, 0.0),
     ink: Ink | None = None,
 ) -> None:
-    """Outline, support, rod, contact, and the signs of the centers."""
+    """Add the outline, the support, the rod, the contact, and the signs of the centers."""
     own = ink or Ink()
     if body.outline:
         add_outline(picture, pose.at(body.outline), own)
@@ -136,21 +136,21 @@ def add_body(
 
 
 def add_outline(picture: Picture, corners: Array, ink: Ink) -> None:
-    """The outline of an object: a thin line around a pale area."""
+    """Add the outline of an object: a thin line around a pale area."""
     picture.area(corners, color=tint(ink.color, OBJECT), order=AREAS)
     ring = np.vstack([corners, corners[:1]])
     picture.line(ring, tint(ink.color, 0.6), width=0.4 * ink.width, order=LINES)
 
 
 def add_rod(picture: Picture, center: Place, *, contact: Place, ink: Ink) -> None:
-    """Slider's center, the rod from there to the contact, and the contact's dot."""
+    """Add the slider's center, the rod from there to the contact, and the dot of the contact."""
     picture.line([contact, center], ink.color, width=0.6 * ink.width, order=OUTLINE)
     picture.dot(center, 2.2, ink.color)
     picture.dot(contact, 4.0, ink.color, order=ARROWS + 1)
 
 
 def name_centers(picture: Picture, body: Body, pose: Pose) -> None:
-    """Names of the centers beside their signs."""
+    """Label the signs of the centers."""
     for name, place in body.centers:
         picture.label(pose.at(place), NAMES[name], size=NOTE, color=DARK, offset=(0.0, -14.0))
 
@@ -159,7 +159,7 @@ def add_fence(
     picture: Picture, left: float, right: float, *, y: float = 0.0, color: str = FENCE,
     width: float = 1.2, depth: float = 0.0,
 ) -> None:  # fmt: skip
-    """Fence along a height, hatched to a depth on the side away from the slider."""
+    """Add a horizontal fence, hatched to a depth on the side away from the slider."""
     picture.line([(left, y), (right, y)], color, width=width)
     if depth:
         starts = np.arange(left + depth, right + 1e-9 * depth, APART * depth)
@@ -170,9 +170,9 @@ def add_fence(
 def add_finger(
     picture: Picture, side: Array, place: Place, color: str = SLIDER, center: Place | None = None
 ) -> None:
-    """The flat side of the slider as a line, and the finger that touches it at a place.
+    """Add the flat side of the slider as a line, and the finger that touches it.
 
-    A finger that is a point is a dot; one with a center elsewhere is a disc of its own radius.
+    A point finger is a dot; a finger with a center away from the contact is a disc.
     """
     picture.line(side, color, width=1.2, order=OUTLINE)
     away = np.zeros(2) if center is None else np.subtract(place, center)

@@ -1,8 +1,8 @@
-"""One color for each meaning, in every figure, animation and page.
+"""One color for each meaning in all figures, animations and pages.
 
-Marks and letters have a contrast of 4.5 to 1 on white. For a deuteranope they differ by more than the
-hue of red and green: forces have filled heads, motions open ones, and a slip is dashed. Fills of contact
-modes differ in gray or by their hatch.
+Marks and letters have a contrast of at least 4.5 to 1 on white. Readers with red-green color blindness
+can distinguish them: forces have filled heads, motions have open heads, and slip is dashed. Fills of
+contact modes differ in gray level or in hatching.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ GUIDE = GRAY
 
 
 class Look(NamedTuple):
-    """How a contact mode, or a set of them, is named and drawn: an area with its hatch, a line in `ink`."""
+    """Name and style of a contact mode or of a set of modes: fill and hatch of an area, `ink` of a line."""
 
     name: str
     fill: str
@@ -35,7 +35,7 @@ class Look(NamedTuple):
 
 
 SEPARATE, STICK, RIGHT, LEFT = ContactMode
-#: Contact modes; -1 is none.
+#: Styles of contact modes; -1 means no solution.
 MODES: dict[int, Look] = {
     SEPARATE: Look("separate", "#D4D4D4", GRAY),
     STICK: Look("stick", "#FFFFFF", PUSHER),
@@ -43,7 +43,7 @@ MODES: dict[int, Look] = {
     RIGHT: Look("slip right", "#F2C14E", "#8F6400", "///"),
     -1: Look("no solution", DARK, DARK),
 }
-#: Sets of consistent modes by their code, two to the power of each mode's value, added.
+#: Styles of sets of consistent modes by their code, the sum of 2 ** mode.
 MODE_SETS: dict[int, Look] = {
     0: MODES[-1],
     **{1 << mode: MODES[mode] for mode in ContactMode},
@@ -58,7 +58,7 @@ MODE_SETS: dict[int, Look] = {
     1 << SEPARATE | 1 << RIGHT: Look("separate or slip right", "#D6CFBB", "#75683F", "///..."),
 }
 
-#: Energies over time.
+#: Colors of energies over time.
 ENERGIES = {
     "work": DARK,
     "support friction": FORCE,
@@ -68,14 +68,14 @@ ENERGIES = {
 
 
 def look_of(code: int) -> Look:
-    """Look of a set of consistent modes; one that has no entry is named by its members."""
+    """Style of a set of consistent modes; a set without an entry is named after its members."""
     if code in MODE_SETS:
         return MODE_SETS[code]
     names = [MODES[mode].name for mode in ContactMode if code >> mode & 1]
     return Look(f"{', '.join(names[:-1])} or {names[-1]}", "#BFA8A8", DARK, "xx..")
 
 
-#: Names of supports that studies use for the paper's questions, and their colors.
+#: Colors of the supports that the studies use, by name.
 _SUPPORTS = {
     "ring": GRAY,
     "disc": "#0072B2",
@@ -92,7 +92,7 @@ _SUPPORTS = {
 
 
 def support_colors(names: Iterable[str]) -> dict[str, str]:
-    """A color of its own for each support, by name; one that the table lacks takes one that is free."""
+    """A different color for each support, by name; a support that the table lacks gets an unused color."""
     listed = list(names)
     free = [color for name, color in _SUPPORTS.items() if name not in listed] or [DARK]
     others = [name for name in listed if name not in _SUPPORTS]
@@ -100,7 +100,7 @@ def support_colors(names: Iterable[str]) -> dict[str, str]:
 
 
 def rod_color(rod_length: float) -> str:
-    """Color of a rod length in radii: dark for no rod, lighter the longer, an infinite rod last."""
+    """Color of a rod length in radii: dark for no rod, lighter with length, an infinite rod last."""
     from matplotlib import colormaps
     from matplotlib.colors import to_hex
 
@@ -109,6 +109,6 @@ def rod_color(rod_length: float) -> str:
 
 
 def tint(color: str, strength: float) -> str:
-    """Color mixed with white: opaque, so that two areas never add up to a third color."""
+    """Color mixed with white; it is opaque, so that overlapping areas do not produce a third color."""
     parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
     return "#" + "".join(f"{round(255 - strength * (255 - each)):02x}" for each in parts)

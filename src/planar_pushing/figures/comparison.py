@@ -1,4 +1,4 @@
-"""Errors of models of friction on measured pushes: medians, 90th percentiles, and ratios."""
+"""Errors of friction models on measured pushes: medians, 90th percentiles, and ratios."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from planar_pushing.terms.errors import InvalidValue
 
 
 class Look(NamedTuple):
-    """How a model is named and drawn: diamonds, which are hollow, are ellipsoids."""
+    """Name and style of a model; ellipsoids are hollow diamonds."""
 
     name: str
     color: str
     marker: str = "o"
 
 
-#: Models of `compare`; their colors differ in gray.
+#: Styles of the models of `compare`; their colors differ in gray level.
 LOOKS: dict[str, Look] = {
     "exact": Look("known feet", "#0A2E66"),
     "identified": Look("identified pressure", "#B5400A"),
@@ -33,43 +33,43 @@ LOOKS: dict[str, Look] = {
     "uniform_ellipsoid": Look("ellipsoid of uniform pressure", "#A1934A", "D"),
     "fitted_ellipsoid": Look("fitted ellipsoid", "#1C1C1C", "D"),
 }
-#: Colors of models that a user names.
+#: Colors of models given by the user.
 OTHERS = ("#8A3C70", "#00838F", "#5E4A80", GRAY)
-#: Quantities of `compare`, and the attribute that holds the unit of their errors.
+#: Quantities of `compare`: title, and the attribute with the unit of the errors.
 QUANTITIES = {
     "wrench": ("wrench from motion", "angle_units"),
     "motion": ("motion from force", "angle_units"),
     "pose": ("final pose", "pose_units"),
 }
-#: Variables that are drawn, over (quantity, model).
+#: Plotted variables over (quantity, model).
 NEEDED = ("median", "percentile_90", "ratio")
-#: Inches: a row, what a panel has above and below its rows, the names of models, an axis, its ratios.
+#: Sizes in inches: a row, the space above and below the rows, the model names, an axis, its ratios.
 ROW, AROUND, NAMES, AXIS, RATIOS = 0.165, 0.5, 1.65, 1.3, 0.85
 
 
 def plot_comparison(dataset: xr.Dataset, ax: Any = None) -> list[Axes]:
-    """Draw the errors of models of friction on measured pushes: one panel a quantity.
+    """Draw the errors of friction models on measured pushes, one panel for each quantity.
 
     A marker is the median error, a thick line its 95 percent interval, and a thin line ends at the 90th
-    percentile. Beside it stands the ratio of the median to that of the ellipsoid fitted to the same pushes,
-    with its interval. Circles are pressures, hollow diamonds ellipsoids.
+    percentile. To the right is the ratio of the median to that of the ellipsoid fitted to the same pushes,
+    with its interval. Circles are pressures, and hollow diamonds are ellipsoids.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        As `compare` returns it.
+        Returned by `compare`.
     ax : matplotlib.axes.Axes or sequence of Axes, optional
-        Axes to draw on, one for each quantity that has values; a new figure's by default.
+        Axes to draw on, one for each quantity with values; by default those of a new figure.
 
     Returns
     -------
     list of matplotlib.axes.Axes
-        In the order of the dataset's quantities.
+        One for each quantity, in the order of the dataset.
 
     Raises
     ------
     InvalidValue
-        Where the dataset is no comparison or holds no errors, or the number of axes is another one.
+        If the dataset is not a comparison or contains no errors, or the number of axes is wrong.
     """
     parts = by_quantity(_required(dataset))
     with paper_style():
@@ -81,7 +81,7 @@ def plot_comparison(dataset: xr.Dataset, ax: Any = None) -> list[Axes]:
 
 
 def by_quantity(dataset: xr.Dataset) -> dict[str, xr.Dataset]:
-    """The quantities that have values, each with the models that have one."""
+    """Quantities that have values, each with the models that have values."""
     found = {}
     for name in map(str, dataset["quantity"].values):
         one = dataset.sel(quantity=name)
@@ -92,14 +92,14 @@ def by_quantity(dataset: xr.Dataset) -> dict[str, xr.Dataset]:
 
 
 def title(one: xr.Dataset) -> str:
-    """Name of a quantity, with the unit of its error."""
+    """Name of a quantity with the unit of its error."""
     name, key = QUANTITIES.get(str(one["quantity"].item()), (str(one["quantity"].item()), ""))
     unit = {"degree": "degrees"}.get(str(one.attrs.get(key)), str(one.attrs.get(key, "")))
     return f"{name} ({unit})" if unit else name
 
 
 def looks(models: Iterable[str]) -> dict[str, Look]:
-    """Looks of models by name; those of a user take the other colors in turn."""
+    """Styles of models by name; models given by the user take the other colors in turn."""
     free = cycle(OTHERS)
     return {
         name: LOOKS.get(name) or Look(name.replace("_", " "), next(free), "s") for name in models
@@ -107,7 +107,7 @@ def looks(models: Iterable[str]) -> dict[str, Look]:
 
 
 def panel(ax: Axes, one: xr.Dataset, *, named: bool = True) -> None:
-    """Draw the errors of one quantity, a row for each model, the first on top."""
+    """Draw the errors of one quantity, with a row for each model and the first at the top."""
     shown = looks(map(str, one["model"].values))
     median, most = one["median"].values, one["percentile_90"].values
     low, high = _interval(one, "median")
@@ -131,7 +131,7 @@ def panel(ax: Axes, one: xr.Dataset, *, named: bool = True) -> None:
 
 
 def _ratios(ax: Axes, one: xr.Dataset) -> None:
-    """Write the ratios to the reference behind the rows, and what they are below."""
+    """Write the ratios to the reference to the right of the rows, with a heading below."""
     low, high = _interval(one, "ratio")
     for row, ratio in enumerate(one["ratio"].values):
         sure = np.isfinite([low[row], high[row]]).all() and low[row] < high[row]
@@ -143,15 +143,15 @@ def _ratios(ax: Axes, one: xr.Dataset) -> None:
 
 
 def _interval(one: xr.Dataset, name: str) -> tuple[Any, Any]:
-    """Ends of an interval, NaN where the dataset has none."""
+    """Ends of an interval, NaN if the dataset has none."""
     known = f"{name}_interval" in one
     ends = one[f"{name}_interval"].values if known else np.full((one.sizes["model"], 2), np.nan)
     return ends[:, 0], ends[:, 1]
 
 
 def _required(dataset: Any) -> xr.Dataset:
-    """A comparison with some error, or `InvalidValue`."""
-    allowed, remedy = "a dataset of compare", "call compare on pushes first"
+    """Return a comparison that contains errors, or raise `InvalidValue`."""
+    allowed, remedy = "a dataset returned by compare", "call compare on pushes first"
     if not isinstance(dataset, xr.Dataset):
         raise InvalidValue("dataset", type(dataset).__name__, allowed, remedy)
     lacking = [name for name in NEEDED if name not in dataset]
@@ -164,7 +164,7 @@ def _required(dataset: Any) -> xr.Dataset:
 
 
 def _new_axes(parts: dict[str, xr.Dataset]) -> list[Axes]:
-    """Axes side by side on a figure that notebooks and windows show."""
+    """Axes side by side on a figure that notebooks and windows display."""
     import matplotlib.pyplot as plt
 
     rows, each = max(one.sizes["model"] for one in parts.values()), AXIS + RATIOS
@@ -177,9 +177,11 @@ def _new_axes(parts: dict[str, xr.Dataset]) -> list[Axes]:
 
 
 def _required_axes(given: Any, quantities: Sequence[str]) -> list[Axes]:
-    """The axes that are given, one a quantity, or `InvalidValue`."""
+    """Return the given axes, one for each quantity, or raise `InvalidValue`."""
     found = [given] if isinstance(given, Axes) else list(np.ravel(np.asarray(given, dtype=object)))
     if len(found) != len(quantities) or not all(isinstance(each, Axes) for each in found):
         allowed = f"{len(quantities)} axes, for {', '.join(quantities)}"
-        raise InvalidValue("ax", f"{len(found)} axes", allowed, "give one for each, or none")
+        raise InvalidValue(
+            "ax", f"{len(found)} axes", allowed, "give one for each quantity, or none"
+        )
     return found

@@ -1,4 +1,4 @@
-"""Pictures that a user asks for: a scene under a push, and a log over time."""
+"""Pictures for users: a scene under a push, and a log over time."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ from planar_pushing.mechanics.scene import Scene, required_scene, required_singl
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.terms.errors import InvalidValue, require_number
 
-#: Size of a picture of a scene and of a log, inches; points around it.
+#: Sizes of the pictures of a scene and of a log, inches; padding, points.
 SCENE, LOG, PAD = (4.2, 4.0), (7.0, 3.2), 24.0
-#: Instants at which slider and pusher are drawn.
+#: Number of instants at which slider and pusher are drawn.
 COUNT = 5
-#: Variables over time that are shown where they vary, and their labels.
+#: Variables plotted over time if they vary, and their labels.
 SERIES = {
     "path_rod_angle": "rod angle $\\psi$\n(degrees)",
     "path_slip": "slip",
@@ -48,36 +48,36 @@ def draw(
     limit_curve: bool = False,
     ax: Axes | None = None,
 ) -> Axes:
-    """Draw a scene under a push with its consistent solutions, or the slider with its cones.
+    """Draw a scene under a push with its consistent solutions, or the slider and its cones.
 
     Parameters
     ----------
     scene : Scene
-        One scene, whose parameters are numbers.
+        A single scene with scalar parameters.
     pusher_angle : float, optional
-        Direction of the pusher's motion, radians counter-clockwise from the fence; without one the picture
+        Direction of the pusher's motion, radians counter-clockwise from the fence; if omitted, the picture
         shows the slider and its cones.
     magnitude : float
-        Magnitude of that motion: a velocity, or an acceleration where the scene has inertia; >= 0.
+        Magnitude of this motion: of a velocity, or of an acceleration if the scene has inertia; >= 0.
     solution : int or ContactMode, optional
-        Number or mode of the solution that is drawn in full, the others pale. By default the one that
-        sticks, else the first that moves.
+        Number or mode of the solution to draw in full; the others are pale. By default the sticking
+        solution, otherwise the first in which the pusher transmits a force.
     cones : bool
-        Whether to show friction cone and motion cone.
+        Whether to show the friction cone and the motion cone.
     limit_curve : bool
-        Whether to show the limit curve around the contact, of a scene with one effect.
+        Whether to show the limit curve around the contact, for a scene with one effect.
     ax : matplotlib.axes.Axes, optional
-        Axes to draw on, a new figure's by default. Their frame is taken away.
+        Axes to draw on, by default those of a new figure. Their frame is removed.
 
     Returns
     -------
     matplotlib.axes.Axes
-        With a bar of a round length as scale, and the outcome in words as title.
+        With a scale bar of a round length, and the outcome in words as the title.
 
     Raises
     ------
     InvalidValue
-        Where the scene is an array of scenes, there is no such solution, or no limit curve.
+        If the scene is an array of scenes, or there is no such solution or no limit curve.
     """
     required_single(required_scene(scene))
     if pusher_angle is None:
@@ -92,27 +92,27 @@ def draw(
 
 
 def said(sketch: Sketch) -> str:
-    """Outcome of a push in words; nothing without a push."""
+    """Outcome of a push in words; empty without a push."""
     if sketch.pusher is None:
         return ""
     return outcome(sketch.solutions, sketch.pusher, sketch.chosen)
 
 
 def _number(found: Sequence[Any], wanted: int | ContactMode) -> int:
-    """Number of the solution that is asked for."""
+    """Number of the requested solution."""
     if isinstance(wanted, ContactMode):
         numbers = [i for i, each in enumerate(found) if each.mode is wanted]
     else:
         numbers = [wanted] if wanted in range(len(found)) else []
     if not numbers:
         modes = ", ".join(f"{i} ({each.mode})" for i, each in enumerate(found))
-        allowed = modes or "none, as no solution is consistent"
+        allowed = modes or "none, because no solution is consistent"
         raise InvalidValue("solution", wanted, allowed, "choose one of these, or leave it out")
     return numbers[0]
 
 
 def _drawn(sketch: Sketch, cones: bool, ax: Axes | None) -> Axes:
-    """Axes with the picture of a sketch, its scale and its title."""
+    """Axes with the picture of a sketch, its scale bar and its title."""
     with paper_style():
         own = schematic(_new_figure(SCENE), (0.0, 0.0, 1.0, 0.9)) if ax is None else ax
         own.set_axis_off()
@@ -124,33 +124,33 @@ def _drawn(sketch: Sketch, cones: bool, ax: Axes | None) -> Axes:
 
 
 def wrapped(text: str, width: int = 64) -> str:
-    """Text in rows of about a width."""
+    """Text wrapped to lines of about equal width."""
     import textwrap
 
     return "\n".join(textwrap.wrap(text, width))
 
 
 def _new_figure(size: tuple[float, float]) -> Figure:
-    """A figure that notebooks and windows show, as those of pyplot; it needs no window by itself."""
+    """A figure that notebooks and windows display like those of pyplot, without requiring a window."""
     import matplotlib.pyplot as plt
 
     return plt.figure(figsize=size)
 
 
 def draw_on(figure: Figure, sketch: Sketch, *, cones: bool = True) -> None:
-    """Draw a sketch on a figure of its own, as `draw` does."""
+    """Draw a sketch on a separate figure, as `draw` does."""
     _drawn(sketch, cones, schematic(figure, (0.0, 0.0, 1.0, 0.9)))
 
 
 def plot_log(log: xr.Dataset, figure: Figure | None = None) -> Figure:
-    """Draw a motion over time: slider and pusher at some instants, and series beside them.
+    """Draw a motion over time: slider and pusher at several instants, and time series.
 
     Parameters
     ----------
     log : xarray.Dataset
-        As `simulate` returns it.
+        Returned by `simulate`.
     figure : matplotlib.figure.Figure, optional
-        Figure to draw on, a new one by default.
+        Figure to draw on; by default a new one.
 
     Returns
     -------
@@ -159,7 +159,7 @@ def plot_log(log: xr.Dataset, figure: Figure | None = None) -> Figure:
     Raises
     ------
     InvalidFile
-        Where the dataset is no log.
+        If the dataset is not a log.
     """
     data = plotted(log)
     with paper_style():
@@ -169,9 +169,9 @@ def plot_log(log: xr.Dataset, figure: Figure | None = None) -> Figure:
 
 
 def motion_and_series(figure: Figure, data: xr.Dataset, struck: Sequence[int] = ()) -> None:
-    """Trajectory on the left or above, and what changes over time on the right or below.
+    """Draw the trajectory on the left or at the top, and time series on the right or below.
 
-    `struck` are the rows of impacts; slider and pusher are drawn there too.
+    `struck` contains the rows of impacts, at which slider and pusher are drawn too.
     """
     wide = figure.get_figwidth() > figure.get_figheight()
     ax = schematic(figure, (0.0, 0.0, 0.6, 1.0) if wide else (0.0, 0.5, 1.0, 0.5))

@@ -1,4 +1,4 @@
-"""Cost of each effect: times of one slider and of the grid with friction, inertia, or both."""
+"""Cost of each effect: times for one slider and for the grid with friction, inertia, or both."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ NAMES = {
     "inertia": ("inertia", "#8F6400", "s"),
     "support_friction+inertia": ("both", "#8A3C70", "D"),
 }
-#: Operations: what each panel shows, as its scene and its rows from the top.
+#: Scene of each panel and its operations, by rows from the top.
 PANELS = {
     "one slider": (
         "one scene",
@@ -64,7 +64,7 @@ def draw(figure: Any, data: xr.Dataset) -> None:
 
 
 def _marks(ax: Axes, row: int, part: xr.Dataset) -> None:
-    """Marks of one operation, one for each set of effects."""
+    """Draw the marks of one operation, one for each set of effects."""
     for i, effects in enumerate(NAMES):
         case = part.isel(case=np.flatnonzero(part.effects == effects)[0])
         name, color, marker = NAMES[effects]

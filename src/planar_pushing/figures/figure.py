@@ -1,8 +1,8 @@
-"""A figure is one module: what it reads, selects, says and draws. They are found by their names.
+"""Each figure is one module with its sources, data, caption and drawing; modules are found by name.
 
-A module `figure_03` holds `FIGURE`, `select(sources, settings)` for the numbers that it plots,
-`caption(data)` and `draw(figure, data)`. The job of a figure stores the numbers first, and draws from that
-file alone.
+A module such as `figure_03` defines `FIGURE`, `select(sources, settings)` for the plotted numbers,
+`caption(data)` and `draw(figure, data)`. The job of a figure first stores the numbers and then draws from
+that file alone.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ import xarray as xr
 
 from planar_pushing.terms.errors import InvalidValue
 
-#: Widths of a journal's column and page, inches.
+#: Widths of a journal's column and page in inches.
 COLUMN, PAGE = 3.4, 7.0
 #: Datasets by the names in `reads`.
 Sources = Mapping[str, xr.Dataset]
@@ -29,28 +29,29 @@ FRICTION, INERTIA, BOTH = "support_friction", "inertia", "support_friction+inert
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figure:
-    """Entry of a figure: all that is known before it is drawn.
+    """Description of a figure before it is drawn.
 
     Attributes
     ----------
     title : str
-        What it shows, in a few words.
+        Subject of the figure in a few words.
     reads : tuple of str
-        Datasets that it is drawn from, as "dataset" or "dataset/group", or a file of the project.
+        Datasets from which it is drawn, as "dataset" or "dataset/group", or a file of the project.
     size : tuple of float
         Width and height, inches.
     column : tuple of float, optional
-        The same of the variant for one column, of a figure that is wider than a column.
+        Width and height of the one-column variant, if the figure is wider than a column.
     takes : tuple of str
-        Values that its entry in the study gives.
+        Names of values that its entry in the study provides.
     needs : str, optional
-        Effects that the grid of the study has to list.
+        Effects that the grid of the study must list.
     at : mapping
-        Values of axes at which it cuts its datasets, beside the rod angle of the study.
+        Axis values at which it cuts its datasets, in addition to the rod angle of the study.
     section : str
-        Section of the paper in which it stands.
+        Section of the paper to which it belongs.
     promise : str
-        What the paper's caption promises, in our words; empty for a figure of ours.
+        Content announced by the paper's caption, in our words; empty for a figure that is not in the
+        paper.
     """
 
     title: str
@@ -65,16 +66,16 @@ class Figure:
 
     @property
     def variants(self) -> dict[str, tuple[float, float]]:
-        """Sizes by the end of the name of a file: the figure, and its variant for one column."""
+        """Sizes by file-name suffix: of the figure, and of its one-column variant."""
         return {"": self.size} | ({"_column": self.column} if self.column else {})
 
 
-#: Values that a study gives a figure, by the names of their keys.
+#: Values that a study provides for a figure, by key.
 Settings = Any
 
 
 class Drawing(Protocol):
-    """Module of a figure; one that plots a whole dataset needs no `select`."""
+    """Module of a figure; a figure that plots a whole dataset needs no `select`."""
 
     FIGURE: Figure
 
@@ -101,7 +102,7 @@ def drawing(name: str) -> Drawing:
     Raises
     ------
     InvalidValue
-        Where there is no figure of this name.
+        If there is no figure of this name.
     """
     known = figure_names()
     if name not in known:
@@ -112,3 +113,12 @@ def drawing(name: str) -> Drawing:
 def entry(name: str) -> Figure:
     """Entry of a figure; errors as in `drawing`."""
     return drawing(name).FIGURE
+
+
+def full_caption(name: str, data: Any) -> str:
+    """Caption as printed; a reconstruction names its figure in the paper; errors as in `drawing`."""
+    module = drawing(name)
+    if not module.FIGURE.promise:
+        return module.caption(data)
+    number = int(name.removeprefix("figure_"))
+    return f"{module.caption(data)} After Fig. {number} of Lynch and Mason."

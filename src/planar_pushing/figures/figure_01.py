@@ -1,7 +1,7 @@
-"""Figure 1: the pushing problem, with every symbol.
+"""Figure 1: the pushing problem with every symbol.
 
-A contact that slips to the right shows all of them: f on the left edge of the friction cone, v_s on the
-left edge of the velocity cone, and v_p half way between that edge and the fence.
+A contact that slips to the right shows every symbol: f lies on the left edge of the friction cone, v_s on
+the left edge of the velocity cone, and v_p halfway between that edge and the fence.
 """
 
 from __future__ import annotations
@@ -65,19 +65,19 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     angles = (float(data[name]) for name in LONG_NAMES)
     force, slider, pusher = (f"{each:.1f}°" for each in angles)
     return (
         "The pushing problem: a fence pushes a ring at the free end of its rod. Filled arrowheads "
-        "are forces, open ones are velocities and accelerations; angles are measured from the "
+        "mark forces, and open ones mark velocities and accelerations; angles are measured from the "
         f"fence. Here the contact slips to the right (φ = {force}, θₛ = {slider}, θₚ = {pusher}; "
         f"{values(data, 'rod_length', 'rod_angle', 'friction_coefficient', 'radius')})."
     )
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw slider and fence with their lengths, vectors and angles."""
+    """Draw the slider and the fence with lengths, vectors and angles."""
     psi, length = float(data["rod_angle"]), float(data["rod_length"])
     ring, size = length * unit(psi), float(data["radius"])
     left, right = -SPEED - 0.2, ring[0] + size

@@ -18,15 +18,15 @@ draw = draw_balance
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Select the solution that sticks."""
+    """Select the sticking solution."""
     return shown(sources, "figure_02")
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     return (
-        "Quasi-static pushing. The friction of the support on a slider that turns about the "
-        "velocity center, drawn along the ring, balances the force f of the pusher, whose line is "
-        "the mirror image about the rod of that of Fig. 3. The pusher moves into the slider (f at "
+        "Quasi-static pushing. The slider turns about the velocity center, and the support "
+        "friction, drawn along the ring, balances the force f of the pusher. The line of force "
+        "is the mirror image about the rod of that in Fig. 3. The pusher moves into the slider (f at "
         f"{angle_of(data, 'force')}, vₛ at {angle_of(data, 'contact_motion')}; {of_scene(data)})."
     )

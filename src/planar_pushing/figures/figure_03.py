@@ -18,15 +18,15 @@ draw = draw_balance
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Select the solution that sticks."""
+    """Select the sticking solution."""
     return shown(sources, "figure_03")
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     return (
-        "Quasi-static pulling, to the scale of Fig. 2. The line of the force f passes the ring's "
-        "center on its other side, far enough from it that the contact moves below the fence: it "
+        "Quasi-static pulling, at the scale of Fig. 2. The line of the force f passes on the other "
+        "side of the ring's center, far enough from it that the contact moves below the fence. It "
         f"sticks although the pusher moves away from the slider (f at {angle_of(data, 'force')}, "
         f"vₛ at {angle_of(data, 'contact_motion')}; {of_scene(data)})."
     )

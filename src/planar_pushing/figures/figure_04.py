@@ -24,7 +24,7 @@ FIGURE = Figure(
     section=STATICS,
     promise="the conventions for the coordinates.",
 )
-#: Direction from the x' axis of the element of the ring that is marked, degrees.
+#: Direction of the marked element of the ring, degrees from the x' axis.
 ELEMENT = 118.0
 
 
@@ -34,17 +34,17 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     return (
-        "Coordinates: x and y on the pusher; x′ and y′ on the ring's center, y′ along the force "
-        "f. The center of the slider moves at v along y′ and the slider turns at ω, so that the "
-        "velocity center lies at −v/ω on the x′ axis; θ is the direction of an element of the "
-        f"ring in Eqs. (1) to (3) (f at {angle_of(data, 'force')}; {of_scene(data)})."
+        "Coordinates: x and y are fixed to the pusher; x′ and y′ have their origin at the ring's "
+        "center, with y′ along the force f. The ring's center moves at v along y′ and the slider "
+        "turns at ω, so that the velocity center lies at −v/ω on the x′ axis; θ is the direction of an "
+        f"element of the ring in Eqs. (1) to (3) (f at {angle_of(data, 'force')}; {of_scene(data)})."
     )
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw slider, fence and force under the two pairs of axes."""
+    """Draw the slider, the fence and the force with both pairs of axes."""
     sketch, picture = Sketch.of_dataset(data), Picture()
     ring, radius = sketch.center, sketch.half
     one = sketch.solution
@@ -68,7 +68,7 @@ def draw(figure: Any, data: xr.Dataset) -> None:
 
 
 def _motion(picture: Picture, ring: Any, center: Any, twist: Any, phi: float) -> None:
-    """Velocity of the ring's center, rotation, and distance of the velocity center, as a measure."""
+    """Draw the velocity of the ring's center, the rotation, and the distance to the velocity center."""
     ahead = np.array([math.cos(phi), math.sin(phi)])
     picture.motion(ring, 0.75 * ahead * np.sign(twist[:2] @ ahead), "$v$", color=MOTION, head=11.0)
     picture.turning(center, float(twist[2]), 0.26, CENTER)
@@ -87,7 +87,7 @@ def _motion(picture: Picture, ring: Any, center: Any, twist: Any, phi: float) ->
 
 
 def _element(picture: Picture, ring: Any, radius: float, start: float) -> None:
-    """Element of the ring, and its direction from the x' axis."""
+    """Draw an element of the ring and its direction from the x' axis."""
     place = ring + radius * unit(start + ELEMENT)
     picture.guide(ring, place)
     picture.dot(place, 4.5, DARK)

@@ -32,14 +32,14 @@ FIGURE = Figure(
     section=STATICS,
     promise="limit curves for rods of different lengths.",
 )
-#: Force angles from the rod at which force and velocity are parallel, degrees.
+#: Force angles, measured from the rod, at which force and velocity are parallel, degrees.
 PARALLEL = (0.0, 90.0, 180.0, 270.0)
-#: Where the curves' labels stand, degrees; half the width of the axes, in units of W, and their place.
+#: Force angle of the curves' labels, degrees; half the width of the axes, in units of W; their position.
 LABEL_ANGLE, SPAN, PLACE = 168.0, 1.27, (0.135, 0.12, 0.855, 0.855)
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Compute the curves, the limit of an infinite rod, and the velocities at the special angles."""
+    """Compute the curves, the limit for an infinite rod, and the velocities at the special angles."""
     grid = sources["limit_curves"]
     psi = rod_angle(grid)
     data = curves(grid, "support_friction", several(settings.rod_length))
@@ -48,7 +48,7 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
     special = special.rename(force_angle="parallel_angle")
     data["parallel_force"], data["parallel_motion_angle"] = special.force, special.motion_angle
     data.parallel_angle.attrs["long_name"] = "force angle at which force and velocity are parallel"
-    # Along the rod the force translates the slider, whatever the rod's length.
+    # A force along the rod translates the slider, whatever the rod's length.
     ends = np.array([psi, (psi + 180) % 360])
     force = special.force.sel(parallel_angle=ends).isel(rod_length=-1).values
     tips = force[:, None] * direction(np.deg2rad(ends))
@@ -59,19 +59,19 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     known = values(data, "rod_length", "rod_angle", "radius", "weight")
     return (
         "Limit curves for several rod lengths l: the forces through the contact under which the "
-        "slider moves quasi-statically. For l = 0 the curve is a circle, where the velocity is "
-        "parallel to every force; for an infinite rod it is a segment along the rod. Open arrows "
-        "are the contact's velocities, normal to the curves; with a rod they are parallel to the "
-        f"force only at the four force angles drawn ({known})."
+        "slider moves quasi-statically. For l = 0 the curve is a circle, and the velocity is "
+        "parallel to the force everywhere; for an infinite rod it is a segment along the rod. Open "
+        "arrows are velocities of the contact, normal to the curves; for l > 0 they are parallel to "
+        f"the force only at the four force angles drawn ({known})."
     )
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw the curves around one origin, with the velocities where they are parallel to the force."""
+    """Draw the curves about one origin, with the velocities that are parallel to the force."""
     ax = figure.add_axes(PLACE)
     ax.set(xlim=(-SPAN, SPAN), ylim=(-SPAN, SPAN), aspect="equal")
     ax.set(xticks=[-1, 0, 1], yticks=[-1, 0, 1])
@@ -90,7 +90,7 @@ def draw(figure: Any, data: xr.Dataset) -> None:
 
 
 def _velocities(picture: Picture, data: xr.Dataset) -> None:
-    """Normals at the special angles; where curves coincide, one for all of them."""
+    """Draw the normals at the special angles; curves that coincide share one normal."""
     for angle in data.parallel_angle.values:
         here = data.sel(parallel_angle=angle)
         feet = np.round(here.parallel_force.values, 9)

@@ -1,4 +1,4 @@
-"""Figure 6: a friction cone, mapped through the limit curve to the velocity cone."""
+"""Figure 6: a friction cone mapped through the limit curve to the velocity cone."""
 
 from __future__ import annotations
 
@@ -31,20 +31,20 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     known = values(
         data, "mapped_rod_length", "rod_angle", "friction_coefficient", "radius", "weight"
     )
     return (
         "From the friction cone through the limit curve to the velocity cone. Each force inside "
-        "the friction cone is a point of the limit curve, and the normal there is the contact's "
-        "velocity, with the same number; the edges of the friction cone map to those of the "
-        f"velocity cone, whose right edge points away from the slider: pulling ({known})."
+        "the friction cone corresponds to a point of the limit curve; the normal there, with the "
+        "same number, is the velocity of the contact. The edges of the friction cone map to those "
+        f"of the velocity cone, whose right edge points away from the slider: pulling ({known})."
     )
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw the three panels, the forces and velocities numbered alike in all of them."""
+    """Draw the three panels, with the same numbering of forces and velocities in all of them."""
     picture, span = curve_picture(data)
     titles = (
         rf"friction cone, $\mu = {mathematical(float(data.friction_coefficient))}$",

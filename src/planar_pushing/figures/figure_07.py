@@ -39,7 +39,7 @@ FIGURE = Figure(
     section="Sec. 3.2: slip with infinite friction",
     promise="velocity cones of infinite friction.",
 )
-#: Narrower sectors are named beside the cone, degrees.
+#: Sectors narrower than this, in degrees, are labeled beside the cone.
 NARROW = 25.0
 SLIPS = MODES[ContactMode.SLIP_RIGHT]
 
@@ -59,7 +59,7 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     crossed = [length for length in data.rod_length.values if crosses(data, length)]
     above = (
         f"; for l = {' and '.join(number(each) for each in crossed)} the fence passes above the "
@@ -67,16 +67,17 @@ def caption(data: xr.Dataset) -> str:
         if crossed else ""
     )  # fmt: skip
     return (
-        "Directions of the slider's velocity for infinite friction (shaded): each cone spans 180 "
-        "degrees and is tilted from the friction cone, the half plane above the fence. Below the "
-        "fence on its right the fence pulls; a pusher velocity v_p in the hatched sector on its "
-        f"left slips to the right. The bars are as long as the radius of the ring{above} "
+        "Directions of the contact velocity for infinite friction (shaded): each cone spans 180 "
+        "degrees and is tilted from the friction cone, which is the half plane above the fence. In "
+        "the part of the cone below the fence, on the right, the fence pulls. For a pusher velocity "
+        "v_p in the hatched sector on the left, the contact slips to the right. The bars are as "
+        f"long as the radius of the ring{above} "
         f"({values(data, 'rod_length', 'rod_angle', 'friction_coefficient', 'radius')})."
     )
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw one panel for each rod length, each to its own scale."""
+    """Draw one panel for each rod length, each at its own scale."""
     given = [_panel(data.isel(rod_length=index)) for index in range(data.sizes["rod_length"])]
     panels(figure, given, 2 if is_column(figure) else len(given))
 
@@ -96,7 +97,7 @@ def _panel(one: xr.Dataset) -> Panel:
 
 
 def _cone(picture: Picture, one: xr.Dataset, reach: float) -> None:
-    """Velocity cone, and the pushes to its left that make the contact slip."""
+    """Draw the velocity cone and, to its left, the pushes that make the contact slip."""
     right, left = float(one.motion_cone_right), float(one.motion_cone_left)
     sector = np.vstack([(0.0, 0.0), reach * arc(math.radians(left), math.pi)])
     picture.area(sector, color=SLIPS.fill, hatch=SLIPS.hatch, ink=SLIPS.ink, order=AREAS + 0.3)

@@ -27,25 +27,26 @@ FIGURE = Figure(
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Select the slip."""
+    """Select the slipping solution."""
     return shown(sources, "figure_08")
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     right, left = (f"{float(data[f'motion_cone_{side}']):.1f}°" for side in ("right", "left"))
     known = values(
         data, "pusher_angle", "rod_length", "rod_angle", "friction_coefficient", "radius", "weight"
     )
     return (
         "Slip with infinite friction. The pusher velocity lies to the left of the shaded velocity "
-        f"cone, from {right} to {left}, so that the slider slips to the right: f and the slider's "
-        f"velocity lie on the left edges of their cones, f along the fence ({known})."
+        f"cone, which extends from {right} to {left}, so that the contact slips to the right: f and "
+        "the contact velocity lie on the left edges of their cones, and f points along the fence "
+        f"({known})."
     ).replace("-", "−")
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw the solution in its velocity cone, whose edges have their angles."""
+    """Draw the solution with its velocity cone and the angles of the cone's edges."""
     sketch, picture = Sketch.of_dataset(data), Picture()
     one, reach = sketch.solution, sketch.reach
     assert one is not None

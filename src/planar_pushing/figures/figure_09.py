@@ -1,4 +1,4 @@
-"""Figure 9: acceleration centers and acceleration cones, two coefficients of friction."""
+"""Figure 9: acceleration centers and acceleration cones for two coefficients of friction."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ FIGURE = Figure(
 PANELS = ("a", "b")
 #: Corners of a panel, units of length.
 BOX = np.array([(-2.15, -1.35), (4.1, 4.3)])
-#: Radii of the cones, and lengths of the arrows along their edges and of the pusher.
+#: Radii of the cones, lengths of the arrows along their edges, and length of the pusher's arrow.
 RADII, LENGTHS, PUSH = (1.1, 0.8), (1.5, 1.35), 1.95
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Select geometry, cones, pushes, and the centers dual to the edges of the friction cone."""
+    """Select the geometry, the cones, the pushes, and the force duals of the friction cone's edges."""
     given = [_panel(sources, name) for name in ("figure_09a", "figure_09b")]
     data = xr.concat(given, xr.DataArray(list(PANELS), dims="panel", name="panel"), join="exact",
                      combine_attrs="override")  # fmt: skip
@@ -63,7 +63,7 @@ def _panel(sources: Sources, name: str) -> xr.Dataset:
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     pushes = ", ".join(
         f"({each.item()}) μ = {number(float(data.friction_coefficient.sel(panel=each)))}, "
         f"aₚ at {number(float(data.pusher_angle.sel(panel=each)), 4)}°"
@@ -71,12 +71,13 @@ def caption(data: xr.Dataset) -> str:
     )
     one = data.isel(panel=0).drop_vars("friction_coefficient")
     return (
-        "Acceleration cones of inertia alone, from rest. The edges f_r and f_l of the friction "
-        "cone have the acceleration centers c_r and c_l as their force duals; the friction cone "
-        "allows the heavy part of the line of centers, through infinity, with rotation to the "
-        "left (+) or to the right (−). (a) The pusher's acceleration a_p is inside the "
-        "acceleration cone and away from the slider: pulling is consistent. (b) It is above the "
-        f"fence and outside of the cone: slip is the only solution ({pushes}; "
+        "Acceleration cones for inertia alone, from rest. The acceleration centers c_r and c_l are "
+        "the force duals of the edges f_r and f_l of the friction cone. The friction cone allows "
+        "the heavy part of the line of centers, which passes through infinity, with "
+        "counter-clockwise (+) or clockwise (−) rotation. (a) The pusher's acceleration a_p is "
+        "inside the acceleration cone and points away from the slider: pulling is consistent. "
+        "(b) a_p points above the fence and is outside the cone: slip is the only solution "
+        f"({pushes}; "
         f"{values(one, 'rod_length', 'rod_angle', 'radius', 'mass', 'gyration_radius')})."
     )
 
@@ -122,7 +123,7 @@ def _edges(panel: xr.Dataset, name: str) -> tuple[float, float]:
 
 
 def _line_of_centers(picture: Picture, panel: xr.Dataset) -> None:
-    """Draw the line of centers, and on it what lies between the duals of the cone's edges."""
+    """Draw the line of centers and, on it, the interval between the duals of the cone's edges."""
     right, left = panel["center_right"].values, panel["center_left"].values
     psi = float(panel["rod_angle"])
     along = unit(psi + 90)

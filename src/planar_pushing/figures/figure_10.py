@@ -1,4 +1,4 @@
-"""Figure 10: the ellipses of the dynamic case, and a friction cone mapped to an acceleration cone."""
+"""Figure 10: ellipses of the dynamic case, and a friction cone mapped to an acceleration cone."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ FIGURE = Figure(
         "for four rod lengths, and how a friction cone maps to an acceleration cone for l = 1."
     ),
 )
-#: Where the labels of the ellipses stand, degrees.
+#: Force angle at which the ellipses are labeled, degrees.
 LABEL_ANGLE = 318.0
 
 
@@ -39,21 +39,21 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     lengths = ", ".join(number(float(each)) for each in data.rod_length)
     known = values(data, "mapped_rod_length", "rod_angle", "friction_coefficient", "radius", "mass",
                    "gyration_radius")  # fmt: skip
     above = ". The fence passes above the ring" if crosses(data, data.mapped_rod_length) else ""
     return (
-        f"Without support friction ellipses take the limit curves' place (rod lengths {lengths}); "
-        "their major axis lies along the rod. On the heavy ellipse the forces of a friction cone "
-        "are drawn with the accelerations that they cause, normal to the ellipse; these sweep the "
-        f"acceleration cone{above} ({known})."
+        "Without support friction, ellipses replace the limit curves (rod lengths "
+        f"{lengths}); their major axes lie along the rod. The heavy ellipse is drawn with the forces "
+        "of a friction cone and the accelerations that they cause, which are normal to the ellipse "
+        f"and span the acceleration cone{above} ({known})."
     )
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw the three panels, forces and accelerations numbered alike in all of them."""
+    """Draw the three panels, with the same numbering of forces and accelerations in all of them."""
     picture, mapped = Picture(), float(data.mapped_rod_length)
     family(picture, data, LABEL_ANGLE, "left", bold=mapped)
     titles = (

@@ -1,4 +1,4 @@
-"""Figure 11: pulling with support friction and inertia, which resist along one line."""
+"""Figure 11: pulling with support friction and inertia, whose forces act along one line."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ LENGTH = 0.84
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Select the solution that sticks, and what the two effects contribute to the balance of forces."""
+    """Select the sticking solution and the forces that the two effects contribute to the balance."""
     data = shown(sources, "figure_11")
     effects = json.loads(data.attrs["parameters"])["scene"]["effects"]
     mass = next(float(each["mass"]) for each in effects if each["type"] == "inertia")
@@ -48,20 +48,20 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     known = values(data, "rod_length", "rod_angle", "friction_coefficient", "radius", "weight", "mass",
                    "gyration_radius", "pusher_magnitude")  # fmt: skip
     return (
-        "Pulling from rest, with support friction and inertia. About an acceleration center on "
-        "the ring the friction of the support and the inertial force act along one line, tangent "
-        "to the ring opposite to the center, whatever their magnitudes; the force f of the pusher "
+        "Pulling from rest, with support friction and inertia. For an acceleration center on the "
+        "ring, the support friction and the inertial force act along one line, whatever their "
+        "magnitudes. This line is tangent to the ring opposite the center. The force f of the pusher "
         f"balances them (f at {angle_of(data, 'force')}, aₛ at {angle_of(data, 'contact_motion')}; "
         f"{known})."
     )
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw the solution with the friction around the ring and both forces on the line of force."""
+    """Draw the solution with the friction around the ring and both resistances on the line of force."""
     sketch, picture = Sketch.of_dataset(data), Picture()
     one = sketch.solution
     assert one is not None
@@ -76,7 +76,7 @@ def draw(figure: Any, data: xr.Dataset) -> None:
 
 
 def _resistances(picture: Picture, sketch: Sketch, data: xr.Dataset, scale: float) -> None:
-    """Both forces, one behind the other, from the point of tangency."""
+    """Draw both forces end to end from the point of tangency."""
     one = sketch.solution
     assert one is not None
     heading = one.force / np.hypot(*one.force)

@@ -48,19 +48,19 @@ SCENE = (
     "rod_length rod_angle radius ring_center pusher_angle pusher_magnitude pusher_motion "
     "contact_motion force friction_cone_right friction_cone_left"
 )
-#: Radius of the cones, and distance from the ring's center at which regions are cut, units of length.
+#: Radius of the cones, and distance from the ring's center at which regions are clipped, units of length.
 REACH, FAR = 2.6, 4.6
-#: Colors of the paper's bound and of the exact set, and of the sector that slips.
+#: Colors of the paper's bound, of the exact set, and of the sector in which the contact slips.
 BOUND, EXACT, SLIPS = tint(CENTER, 0.2), tint(CENTER, 0.68), MODES[ContactMode.SLIP_RIGHT]
-#: Half the width of the detail of the ring, in radii.
+#: Half the width of the detail view of the ring, in radii.
 DETAIL = 1.5
 
 
 def sectors(rod_length: float, rod_angle: float, radius: float) -> xr.Dataset:
     """Sectors of acceleration centers about the ring center, by the paper's cases (Sec. 4).
 
-    The center lies opposite the line of force, 90 degrees from it: inside the ring where the line
-    passes outside of it, outside where the line passes through it.
+    The center lies on the far side of the ring's center from the line of force, 90 degrees from the
+    force's direction: inside the ring if the line passes outside it, outside if the line crosses it.
     """
     cuts = {0.0, rod_angle, 180.0}
     if rod_length > radius:
@@ -82,10 +82,10 @@ def sectors(rod_length: float, rod_angle: float, radius: float) -> xr.Dataset:
 
 
 def exact_centers(grid: xr.Dataset, rod_length: float) -> xr.Dataset:
-    """Boundaries of the exact set of centers, under friction alone and under inertia alone.
+    """Boundaries of the exact set of centers, for friction alone and for inertia alone.
 
-    Those of the grid's force angles would draw corners, so they are computed here. Force angles whose
-    center is at infinity, a translation, are left out.
+    The force angles of the grid are too coarse for smooth curves, so the boundaries are computed here.
+    Force angles with a center at infinity (a translation) are omitted.
     """
     angle, share = labelled("force_angle", ANGLES), labelled("inertia_share", (0.0, 1.0))
     scene = scene_of(grid, EffectSet.BOTH, rod_length)
@@ -98,7 +98,7 @@ def exact_centers(grid: xr.Dataset, rod_length: float) -> xr.Dataset:
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Select the scene and both cones; compute both sets of centers."""
+    """Select the scene and both cones, and compute both sets of centers."""
     scene, grid = sources["scenes/figure_12"], sources["acceleration_centers"]
     length = settings.rod_length
     data = scene[SCENE.split()].isel(solution=0)
@@ -112,23 +112,23 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     push = values(data, "pusher_angle", "pusher_magnitude")
     names = "rod_length rod_angle friction_coefficient radius weight mass gyration_radius"
     known = f"{push}, {values(data, *names.split())}"
     return (
         "Slip with infinite friction, support friction and inertia. Possible acceleration "
         "centers: the paper's bound from the geometry of the line of force (light), and the exact "
-        "set (dark), which narrows to a point where the line of force touches the ring; both go "
-        "on to infinity. Possible accelerations of the contact (blue): the exact cone, and what "
-        "the bound adds to it (hatched). A fence that accelerates in the hatched yellow sector, "
-        "between the cone and the fence's left end, makes the contact slip, whatever its "
-        f"magnitude ({known})."
+        "set (dark), which narrows to a point where the line of force touches the ring; both "
+        "extend to infinity. Possible accelerations of the contact (blue): the exact cone, and the "
+        "sectors that the bound adds to it (hatched). If the fence accelerates in the hatched "
+        "yellow sector, between the cone and the left end of the fence, the contact slips whatever "
+        f"the magnitude of the acceleration ({known})."
     )
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw the scene with both regions and both cones, and the ring again, larger."""
+    """Draw the scene with both regions and both cones, and a detail view of the ring."""
     center, ring = data.ring_center.values, float(data.radius)
     scene, detail = Picture(), Picture()
     for picture, far in ((scene, FAR), (detail, 0.98 * DETAIL * ring)):
@@ -155,7 +155,7 @@ def draw(figure: Any, data: xr.Dataset) -> None:
 
 
 def _inside(mark: Any, center: Array, half: float) -> bool:
-    """Whether a mark of the detail is near the ring: the contact is not."""
+    """Whether a mark is near the ring and belongs to the detail view; the contact is not."""
     place = getattr(mark, "place", None)
     return place is None or bool(np.all(np.abs(place - center) <= half))
 
@@ -177,7 +177,7 @@ def _legend(ax: Any) -> None:
 
 
 def _centers(picture: Picture, data: xr.Dataset, far: float) -> None:
-    """Acceleration centers up to a distance: the sectors of the paper's cases, and the exact set."""
+    """Draw the acceleration centers up to a distance: sectors of the paper's cases, and the exact set."""
     center, ring = data.ring_center.values, float(data.radius)
     for start, stop, outside in zip(
         data.sector_start.values, data.sector_stop.values, data.sector_outside.values, strict=True
@@ -191,7 +191,7 @@ def _centers(picture: Picture, data: xr.Dataset, far: float) -> None:
 
 
 def _outlines(data: xr.Dataset, center: Array, far: float) -> Iterator[Array]:
-    """Outline of the exact set up to a distance, in the order of the centers' directions."""
+    """Outlines of the exact set up to a distance, ordered by the direction of the centers."""
     order = np.argsort(np.where(data.force_angle > data.rod_angle, 0, 1), kind="stable")
     edges = np.stack([data.exact_center_x, data.exact_center_y], axis=-1)[order] - center
     one, other = (_cut(edges[:, side], far) for side in (0, 1))
@@ -199,7 +199,7 @@ def _outlines(data: xr.Dataset, center: Array, far: float) -> Iterator[Array]:
 
 
 def _cut(path: Array, far: float) -> Array:
-    """The part of a path within a distance, with the points where it crosses that."""
+    """Section of a path within a distance, with the points at which it crosses this distance."""
     away = np.hypot(*path.T)
     found = []
     for i, (point, size) in enumerate(zip(path, away, strict=True)):
@@ -212,7 +212,7 @@ def _cut(path: Array, far: float) -> Array:
 
 
 def _accelerations(picture: Picture, data: xr.Dataset) -> None:
-    """Cones of the contact's acceleration, and a push to their left that makes the contact slip."""
+    """Draw the cones of the contact acceleration and, to their left, a push that makes the contact slip."""
     bound, exact = (
         np.deg2rad([float(data[f"{kind}_cone_right"]), float(data[f"{kind}_cone_left"])])
         for kind in ("conservative", "exact")

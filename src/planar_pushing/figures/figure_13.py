@@ -1,4 +1,4 @@
-"""Figure 13: the contact-mode map, every consistent mode over friction and the pusher's angle."""
+"""Figure 13: the contact-mode map, with all consistent modes over friction and the pusher angle."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ FIGURE = Figure(
     column=(COLUMN, 7.6),
     section="Ours, contact modes",
 )
-#: Coefficients of friction, and pusher angles in degrees, at which the sets of modes are computed.
+#: Friction coefficients and pusher angles, in degrees, at which the sets of modes are computed.
 COEFFICIENTS = (
     0, 0.1, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.1, 1.2, 1.25, 1.3, 1.35, 1.4, 1.45, 1.5,
     1.6, 1.7, 1.8, 1.9, 2, 2.25, 2.5, 3, 3.5, 4, 5, 7, 10, 20, 50, 100,
@@ -52,14 +52,14 @@ TITLES = {
     "inertia": "inertia",
     "support_friction+inertia": r"both, $|\mathbf{{a}}_p| = {:g}\,W/m$",
 }
-#: Coefficients of friction that the axis names, and the range of the pusher's angle, degrees.
+#: Friction coefficients labeled on the axis, and the range of the pusher angle, degrees.
 TICKS = (0.0, 0.5, 1.0, 2.0, 5.0, np.inf)
 LOWEST = -60.0
-#: Where the strips of the other laws stand on the axis of friction angles, and their width.
+#: Positions of the strips of the other laws on the axis of friction angles, and their width.
 STRIPS = {"infinite_friction_none": 97.0, "perfectly_rough": 109.0}
 STRIP_WIDTH = 8.0
 RIGHTMOST = 117.0
-#: Middle of the friction axis, without the strips, fraction.
+#: Middle of the friction axis without the strips, as a fraction of the axes' width.
 MIDDLE = 45.0 / RIGHTMOST
 STRIP_NAMES = {"infinite_friction_none": r"$\infty$, def. 2", "perfectly_rough": "rough"}
 DOTS: dict[str, Any] = {
@@ -69,16 +69,17 @@ DOTS: dict[str, Any] = {
     "markeredgewidth": 0.7,
     "clip_on": False,
 }
-#: Line where sticking ends.
+#: Line at which sticking ends.
 BORDER: dict[str, Any] = {"color": DARK, "linewidth": 0.7, "zorder": 2}
 UPRIGHT: dict[str, Any] = {"rotation": 90, "ha": "center", "va": "top", "size": NOTE}
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Compute the sets of consistent modes and where sticking ends; select the edges of the motion cones.
+    """Compute the sets of consistent modes and the limit of sticking; select the motion-cone edges.
 
-    A contact sticks under Coulomb's law where the force of perfectly rough contact, which sticks to
-    every motion, is inside the friction cone: so that force's angle tells exactly where sticking ends.
+    A perfectly rough contact sticks under every motion. Under Coulomb's law the contact sticks if the
+    force of the perfectly rough contact is inside the friction cone; the angle of this force therefore
+    gives the exact limit of sticking.
     """
     cones = sources["motion_cones"]
     length = settings.rod_length
@@ -97,25 +98,25 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     names = "rod_length rod_angle radius weight mass gyration_radius pusher_magnitude"
     known = values(data, *names.split())
     return (
         "Consistent contact modes over the coefficient of friction μ (the axis is linear in "
-        "arctan μ, whose values in degrees stand below) and the angle of the fence's motion, "
-        "under support friction, inertia, and both. The strips on the right are infinite friction "
-        "without tangential force at zero normal force (the paper's second definition) and "
-        "perfectly rough contact. Hatched in one direction a set is one slip; crossed or dotted "
-        "it holds several modes. The line is where sticking ends. With one effect it passes "
-        "through the edges of the motion cones of the dataset (dots); with both the cone covers "
-        f"all magnitudes of the motion, and the map is drawn for one ({known})."
+        "arctan μ, given in degrees below μ) and the direction of the fence's motion, for support "
+        "friction, inertia, and both. The strips on the right show infinite friction without "
+        "tangential force at zero normal force (the paper's second definition) and perfectly rough "
+        "contact. Hatching in one direction marks a single slip mode; crossed or dotted hatching "
+        "marks several modes. Sticking ends at the line. With one effect, the line passes through "
+        "the motion-cone edges of the dataset (dots); with both, the cone covers all magnitudes of "
+        f"the motion, and the map is drawn for one magnitude ({known})."
     )
 
 
 def mode_sets(mode: xr.DataArray) -> xr.DataArray:
-    """Code of the set of consistent modes, along `solution`: two to the power of each mode's value, added.
+    """Code of the set of consistent modes along `solution`: the sum of 2 ** mode over the modes.
 
-    Several slips of one mode are one mode of the set.
+    Several slips of one mode count as one mode.
     """
     code = xr.zeros_like(mode.isel(solution=0, drop=True))
     for each in ContactMode:
@@ -130,7 +131,7 @@ def mode_sets(mode: xr.DataArray) -> xr.DataArray:
 
 
 def maps(grid: xr.Dataset, rod_length: float, magnitude: float) -> xr.Dataset:
-    """Sets of modes, and force angles of sticking, of each set of effects: on a grid of their own."""
+    """Sets of modes and force angles of sticking for each set of effects, on a separate grid."""
     part, names = parameters_of(grid), list(grid.effects.values)
     labels = contact_labels(COEFFICIENTS)
     laws = objects("contact", labels, map(labelled_law, labels))
@@ -151,7 +152,7 @@ def maps(grid: xr.Dataset, rod_length: float, magnitude: float) -> xr.Dataset:
         },
         {"rod_length": rod_length, "pusher_magnitude": magnitude},
     ).transpose("effects", "contact", "pusher_angle")
-    # The laws behind those of Coulomb: infinite friction twice, and perfect roughness.
+    # The laws after Coulomb's: both definitions of infinite friction, and perfect roughness.
     data["friction_angle"] = ("contact", friction_angle([*COEFFICIENTS, np.inf, np.inf, np.nan]))
     data = attributed(data.assign_coords(rod_angle=part.slider.rod_angle))
     data["force_angle"].attrs["long_name"] = "force angle of perfectly rough contact, sticking"
@@ -159,7 +160,7 @@ def maps(grid: xr.Dataset, rod_length: float, magnitude: float) -> xr.Dataset:
 
 
 def _sticking(found: xr.Dataset) -> xr.DataArray:
-    """Force angle of perfectly rough contact, which sticks to every motion, degrees."""
+    """Force angle of perfectly rough contact, which sticks under every motion, degrees."""
     rough = found.sel(contact="perfectly_rough", drop=True)
     force = rough.force.where(rough["mode"] == ContactMode.STICK).max("solution")
     x, y = (force.isel(xy=i, drop=True) for i in (0, 1))
@@ -167,7 +168,7 @@ def _sticking(found: xr.Dataset) -> xr.DataArray:
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw one map for each set of effects, over one legend."""
+    """Draw one map for each set of effects, above a common legend."""
     count, narrow = data.sizes["effects"], is_column(figure)
     shape = (count, 1) if narrow else (1, count)
     axes = figure.subplots(*shape, sharex=narrow, sharey=True, squeeze=False).ravel()
@@ -193,7 +194,7 @@ def draw(figure: Any, data: xr.Dataset) -> None:
 
 
 def _legend(figure: Any, codes: list[int], dots: Sequence[Artist]) -> None:
-    """Legend below the maps: sets of one mode first, then the others, and the dots."""
+    """Add a legend below the maps: sets of one mode first, then larger sets, then the dots."""
     handles = []
     for code in codes:
         look = look_of(code)
@@ -207,14 +208,14 @@ def _legend(figure: Any, codes: list[int], dots: Sequence[Artist]) -> None:
 
 
 def fill(ax: Axes, x: Any, low: Any, high: Any, code: int, **options: Any) -> None:
-    """Fill between two curves with the look of a set."""
+    """Fill the area between two curves in the style of a set."""
     look = look_of(code)
     ax.fill_between(x, low, high, facecolor=look.fill, hatch=look.hatch, edgecolor=look.ink, linewidth=0,
                     zorder=1, **options)  # fmt: skip
 
 
 def _map(ax: Axes, one: xr.Dataset) -> set[int]:
-    """Bands over friction, strips of the other laws, the ends of sticking; the sets drawn."""
+    """Draw the bands over friction, the strips and the limits of sticking; return the sets drawn."""
     strips = np.isin(one.contact.values, list(STRIPS))
     found = _bands(ax, one.isel(contact=~strips))
     for column in np.flatnonzero(strips):
@@ -224,7 +225,7 @@ def _map(ax: Axes, one: xr.Dataset) -> set[int]:
         part = np.union1d(force[(force > low) & (force < low + 90)], [low, low + 90])
         ends = np.interp(part, force, one.pusher_angle.values)
         ax.plot(np.abs(part - 90.0), ends, **BORDER)
-    if "+" not in str(one.effects.values):  # else the cone covers every magnitude of the motion
+    if "+" not in str(one.effects.values):  # otherwise the cone covers every magnitude
         for side in ("right", "left"):
             ax.plot(
                 one.cone_friction_angle,
@@ -253,23 +254,23 @@ def _name_strips(ax: Axes) -> None:
 
 
 def _force_angle(one: xr.Dataset) -> Array:
-    """Force angle of sticking over the pusher angle, unwrapped, 0 to 180 where the fence pushes."""
+    """Force angle of sticking over the pusher angle, unwrapped; 0 to 180 if the fence pushes."""
     angle = np.unwrap(one.force_angle.values, period=360.0)
     normal = angle[np.argmin(np.abs(one.pusher_angle.values - 90.0))]
     return np.asarray(angle - 360.0 * np.floor(normal / 360.0))
 
 
 def _borders(one: xr.Dataset) -> Array:
-    """Pusher angles at which the set can change, shape (contact, border): ends of sticking, fence."""
+    """Pusher angles at which the set can change, shape (contact, border): limits of sticking, fence."""
     steep, force, angle = one.friction_angle.values, _force_angle(one), one.pusher_angle.values
     ends = [np.interp(90.0 + sign * steep, force, angle) for sign in (-1.0, 1.0)]
     return np.stack([*ends, np.zeros(len(steep))], axis=1)
 
 
 def _bands(ax: Axes, one: xr.Dataset) -> set[int]:
-    """Sets of modes as bands between the angles where the set changes, joined over friction.
+    """Draw sets of modes as bands between the angles at which the set changes, joined over friction.
 
-    A set that holds at single angles only, where the fence moves along itself, has no band.
+    A set that occurs only at isolated angles, where the fence moves along its own line, has no band.
     """
     modes = one.modes.values
     found = np.unique(modes[:, 1:][modes[:, 1:] == modes[:, :-1]])
@@ -281,7 +282,7 @@ def _bands(ax: Axes, one: xr.Dataset) -> set[int]:
     below = [(rank < each).sum(axis=1) for each in range(len(found) + 1)]
     edges = [_edge(one, count) for count in below]
     for code, low, high in zip(ordered, edges[:-1], edges[1:], strict=True):
-        # A band that ends between two columns narrows to a point at the next one.
+        # A band that ends between two columns tapers to a point at the second one.
         present = np.convolve(high > low, [1, 1, 1], mode="same") > 0
         fill(ax, one.friction_angle.values, low, high, int(code), where=present)
     _frame(ax, 0.0, 90.0)
@@ -289,9 +290,9 @@ def _bands(ax: Axes, one: xr.Dataset) -> set[int]:
 
 
 def _edge(one: xr.Dataset, count: Array) -> Array:
-    """Where a band starts, above the first `count` pusher angles of each contact.
+    """Start of a band, above the first `count` pusher angles of each contact.
 
-    At the border between these angles, or half way where none is known.
+    It is the border between the neighboring angles, or their midpoint if no border is known.
     """
     angle, borders = one.pusher_angle.values, _borders(one)
     low = angle[np.maximum(count - 1, 0)]
@@ -303,7 +304,7 @@ def _edge(one: xr.Dataset, count: Array) -> Array:
 
 
 def _strip(ax: Axes, column: xr.Dataset) -> set[int]:
-    """Sets of modes under one law beside the axis."""
+    """Draw the sets of modes under one law as a strip beside the axis."""
     modes, left = column.modes.values[0], STRIPS[str(column.contact.values[0])]
     starts = np.flatnonzero(np.diff(modes, prepend=-1))
     stops = np.append(starts[1:], len(modes))

@@ -1,4 +1,4 @@
-"""Figure 14: pulling over time, with the contact kept and lost."""
+"""Figure 14: pulling over time, with the contact kept or lost."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ TITLES = {
     "stay-in-mode": "mode kept",
 }
 STYLES = ("-", "--")
-#: Instants that are drawn of each motion.
+#: Number of instants drawn for each motion.
 COUNT = 3
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Select the motion under both policies, at the instants that both logs have."""
+    """Select the motion under both policies at the instants common to both logs."""
     logs = [sources[name] for name in FIGURE.reads]
     policies = xr.Variable("policy", [str(log.attrs["on_ambiguity"]) for log in logs])
     times = np.intersect1d(logs[0]["time"].values, logs[1]["time"].values)
@@ -46,22 +46,23 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     known = values(data, "rod_length", "friction_coefficient", "radius", "weight")
     start = number(float(data.path_rod_angle.values[0, 0]))
     return (
-        "Pulling over time. The fence first pushes, then its direction turns away from the "
-        "slider: where the contact is kept (above) the slider is pulled along and turns on, where "
-        "it is lost (below) the slider stays behind. Slider, fence and force at the instants "
-        "named, with the path of the contact so far; the tick marks the point of the fence that "
-        "the contact touched first. Right: rod angle, gap at the contact, and contact mode. The "
-        f"dark bar marks where more than one mode is possible ({known}, ψ = {start}° at time 0; "
+        "Pulling over time. The fence first pushes; its direction of motion then turns away from "
+        "the slider. If the contact is kept (above), the slider is pulled along and turns further; "
+        "if it is lost (below), the slider stays behind. Slider, fence and force are shown at the "
+        "labeled instants, with the path of the contact up to then; the tick marks the point of "
+        "the fence that the contact touched first. Right: rod angle, gap at the contact, and "
+        "contact mode. The dark bar marks the times at which more than one mode is possible "
+        f"({known}, ψ = {start}° at time 0; "
         f"{told(data)})."
     )
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw frames of both motions, and both over time."""
+    """Draw frames of both motions, and their series over time."""
     both = [data.isel(policy=number) for number in range(data.sizes["policy"])]
     names = [TITLES[str(one["policy"].values)] for one in both]
     wide = figure.get_figwidth() > COLUMN + 1

@@ -22,12 +22,12 @@ FIGURE = Figure(
     column=(COLUMN, 4.4),
     section="Ours, motion over time",
 )
-#: Instants that are drawn on a page and in a column.
+#: Number of instants drawn in the page and the column variant.
 COUNTS = 5, 3
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Select the motion over time, and the sine of the rod angle."""
+    """Select the motion over time and the sine of the rod angle."""
     data = plotted(sources["simulations/figure_15"])
     sine = np.sin(np.deg2rad(data["path_rod_angle"].values))
     data["sine"] = named("time", sine, "1", "sine of the rod angle")
@@ -35,21 +35,22 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     known = values(data, "rod_length", "friction_coefficient", "radius", "weight")
     start = number(float(data.path_rod_angle.values[0]))
     return (
         "Slip with infinite friction over time. The force stays along the fence, so that the "
-        "ring's center keeps its height while the fence rises; the rod leans more and more, and "
-        "the contact slips to the right. Slider, fence and force at the instants named; the tick "
-        "of each fence marks the point that the contact touched first. Right: sin ψ decreases "
-        f"linearly with the distance that the fence has traveled ({known}, ψ = {start}° at time 0; "
+        "ring's center keeps its height while the fence rises; the rod tilts more and more, and "
+        "the contact slips to the right. Slider, fence and force are shown at the labeled instants; "
+        "the tick on each fence marks the point that the contact touched first. Right: sin ψ "
+        "decreases linearly with the distance that the fence has traveled "
+        f"({known}, ψ = {start}° at time 0; "
         f"{told(data)})."
     )
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw the trajectory, the sine of the rod angle, and the mode."""
+    """Draw the trajectory, the sine of the rod angle, and the contact mode."""
     wide = figure.get_figwidth() > COLUMN + 1
     ax = schematic(figure, (0.0, 0.0, 0.66, 1.0) if wide else (0.0, 0.42, 1.0, 0.58))
     frame = box(data)

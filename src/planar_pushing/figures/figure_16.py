@@ -1,4 +1,4 @@
-"""Figure 16: limit curves of a gallery of supports beside the ring's."""
+"""Figure 16: limit curves of a gallery of supports, compared with the ring."""
 
 from __future__ import annotations
 
@@ -38,14 +38,14 @@ FIGURE = Figure(
 )
 #: Force angles of a curve, degrees.
 ANGLES = np.linspace(0.0, 360.0, 721)
-#: Half the width of a panel in units of the largest force, and of the picture of the slider in it.
+#: Half the width of a panel, and of the picture of the slider in it, in units of the largest force.
 SPAN, SKETCH = 1.22, 0.3
 TICKS = (-0.5, 0.0, 0.5)
 ACROSS = {"x": "along", "y": "normal to"}
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Compute the curves, which of their forces pivot, and the ring's curve."""
+    """Compute the curves, the pivots of their forces, and the ring's curve."""
     grid = sources["supports"]
     found = supports(grid)
     rod = settings.rod_length, settings.rod_angle, InfiniteFriction()
@@ -64,20 +64,21 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     radius = number(float(data.ring_extent))
     return (
-        "Limit curves of a gallery of supports (solid), each beside that of a ring of the same "
-        f"extent (dashed, radius {radius}): the forces through the contact, per weight, under "
-        "which the slider moves. The extent is the largest distance from the center of pressure. "
-        "The support is drawn in the corner, with its rod to the left. A support of points has "
-        "flats (heavy): every force of a flat turns the slider about the same point, and moves "
-        f"the contact alike ({values(data, 'rod_length', 'rod_angle')})."
+        "Limit curves of a gallery of supports (solid), each with that of a ring of the same "
+        f"extent (dashed, radius {radius}): the forces through the contact, divided by the weight, "
+        "under which the slider moves. The extent is the largest distance from the center of "
+        "pressure. Each support is drawn in the corner, with its rod to the left. The curve of a "
+        "support on points has flats (heavy): every force on a flat turns the slider about the same "
+        "point and moves the contact in the same direction "
+        f"({values(data, 'rod_length', 'rod_angle')})."
     )
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw a panel for each support, and one that names the lines."""
+    """Draw a panel for each support and one for the legend."""
     found = supports(data)
     columns = 3 if is_column(figure) else 4
     rows = math.ceil((len(found) + 1) / columns)
@@ -102,7 +103,7 @@ def draw(figure: Any, data: xr.Dataset) -> None:
 
 
 def _place(figure: Any, rows: int, columns: int) -> None:
-    """Square panels side by side, and a figure that is as high as they need."""
+    """Place square panels side by side and fit the height of the figure to them."""
     wide = figure.get_figwidth()
     left, right, below, above = 0.48, 0.04, 0.42, 0.06
     high = rows * (wide - left - right) / columns + below + above
@@ -126,7 +127,7 @@ def _panel(figure: Any, ax: Any, support: Any, one: xr.Dataset, ahead: float) ->
 
 
 def _slider(picture: Picture, support: Any, ahead: float) -> None:
-    """The support with its rod, along the fence, in the corner that the curves leave free."""
+    """Draw the support with its rod along the fence, in the corner that the curves leave free."""
     low, high = extents(support, Pose((0.0, 0.0), 0.0))
     scale = SKETCH * ahead / float(np.max(high - low))
     middle = ahead * np.array([SPAN - 0.82 * SKETCH, 0.66 * SKETCH - SPAN])

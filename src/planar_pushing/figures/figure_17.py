@@ -1,4 +1,4 @@
-"""Figure 17: the friction that pulling needs."""
+"""Figure 17: the friction that pulling requires."""
 
 from __future__ import annotations
 
@@ -27,21 +27,21 @@ FIGURE = Figure(
     column=(COLUMN, 9.0),
     section=SECTION,
 )
-#: A force this close to the fence, radians, needs infinite friction.
+#: A force within this angle of the fence, radians, requires infinite friction.
 ALONG_FENCE = 1e-12
-#: Coefficients of friction that name their angles.
+#: Friction coefficients labeled on the axis of friction angles.
 TICKS = np.array([0.5, 1, 1.5, 2, 3, 5, 10, np.inf])
-#: A step of the angle of friction between two samples, degrees, that is a jump.
+#: A larger change of the friction angle between two samples, degrees, is a jump.
 JUMP = 8.0
 LEAST = "smallest coefficient of friction with which the contact can pull; infinite where none can"
 
 
 def pulling_friction(scenes: Scene) -> xr.DataArray:
-    """Smallest coefficient of friction with which pulling exists; infinite where it never does.
+    """Smallest coefficient of friction at which pulling is possible; infinite if it never is.
 
-    The map from force to motion increases, so the motion cone reaches below the fence on its right as soon
-    as the friction cone holds a force beyond all those that sustain the motion along the fence to the
-    right; on its left likewise.
+    The motion direction increases with the force direction. The motion cone therefore reaches below the
+    fence on the right as soon as the friction cone contains a force beyond all those that sustain motion
+    along the fence to the right; similarly on the left.
     """
     right, left = sustaining(scenes, 0.0)[0], -sustaining(scenes, np.pi)[1]
     steeper = right.where(right > left, left)
@@ -50,9 +50,10 @@ def pulling_friction(scenes: Scene) -> xr.DataArray:
 
 
 def inertia_friction(length: Array, angle: Array) -> Array:
-    """The same of a ring with inertia alone, its radius of gyration its radius; 1 + 2/l^2 at 45 degrees.
+    """Smallest friction for a ring with inertia alone; 1 + 2/l^2 at a rod angle of 45 degrees.
 
-    By Eqs. (11)-(13): the force that moves the contact along the fence; lengths in radii.
+    The radius of gyration is the radius of the ring, and lengths are in radii. Eqs. (11)-(13) give the
+    force that moves the contact along the fence.
     """
     c, s = np.cos(np.deg2rad(angle)), np.sin(np.deg2rad(angle))
     with np.errstate(divide="ignore"):
@@ -60,7 +61,7 @@ def inertia_friction(length: Array, angle: Array) -> Array:
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Compute the least friction over rod length and over rod angle, and the law of inertia."""
+    """Compute the smallest friction over rod length and rod angle, and its closed form for inertia."""
     data = over_rods(sources["supports"], settings, PerfectlyRough(), pulling_friction, LEAST)
     ring = float(data.ring_extent)
     rods = {
@@ -74,33 +75,33 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     length, angle = number(float(data.cut_rod_length)), number(float(data.cut_rod_angle))
     return (
-        "Smallest coefficient of friction at the contact with which it can stick while the pusher "
-        "moves away, for supports on areas (a, b) and on points and lines (c, d). Over the rod "
-        f"length (a, c; ψ = {angle}°) the axis is linear in arctan μ. Over the rod angle (b, d; "
-        f"l = {length}) the curves show how much smaller or larger arctan μ is than for a ring of "
-        f"the same extent, of radius {number(float(data.ring_extent))} (gray). Where a curve "
-        "reaches infinity, pulling is impossible; at ψ = 90° this happens for every support that is "
+        "Smallest coefficient of friction at which the contact can stick while the pusher moves "
+        "away, for supports on areas (a, b) and on points and lines (c, d). Over the rod length "
+        f"(a, c; ψ = {angle}°), the vertical axis is linear in arctan μ. Over the rod angle (b, d; "
+        f"l = {length}), the curves show the difference of arctan μ from that of a ring of the same "
+        f"extent, of radius {number(float(data.ring_extent))} (gray). Where a curve reaches "
+        "infinity, pulling is impossible; at ψ = 90° this happens for every support that is "
         f"symmetric about the rod.{''.join(_remarks(data))}"
     )
 
 
 def _remarks(data: xr.Dataset) -> Iterator[str]:
-    """Remarks on the supports whose curves jump."""
+    """Remarks on the supports with discontinuous curves."""
     names = [words(str(name)) for name in data.support.values if _jump(data, name)]
     if names:
         yield (
-            f" For the {' and the '.join(names)} it happens there alone (dot): at other angles the "
-            "motion along the fence is a pivot, and the curve ends in the open circle."
+            f" For the {' and the '.join(names)}, this happens only at 90° (dot): at other "
+            "angles the motion along the fence is a pivot, and the curve ends at the open circle."
         )
     if "quadruped" in data.support.values:
-        yield " The quadruped's curve jumps where a foot stands straight above the contact."
+        yield " The quadruped's curve jumps where a foot is directly above the contact."
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw the least friction over rod lengths, and its difference from the ring's over rod angles."""
+    """Draw the smallest friction over rod length, and its difference from the ring's over rod angle."""
 
     def drawn(friction: xr.DataArray, axis: str) -> Array:
         height = _height(friction)
@@ -131,7 +132,7 @@ def _over_lengths(ax: Any) -> None:
 
 
 def _jumps_at_the_upright_rod(part: Part, data: xr.Dataset) -> None:
-    """Dots where the value at 90 degrees is not the limit of those beside it."""
+    """Mark curves whose value at 90 degrees differs from their limit there."""
     for name, color, _ in part.looks:
         found = _jump(data, name)
         if found:
@@ -141,7 +142,7 @@ def _jumps_at_the_upright_rod(part: Part, data: xr.Dataset) -> None:
 
 
 def _jump(data: xr.Dataset, name: object) -> tuple[float, float] | None:
-    """Heights of a curve at 90 degrees and beside it, less the ring's; None where they are one."""
+    """Heights of a curve at 90 degrees and beside it, minus the ring's; None if they are equal."""
     height = _height(data.over_rod_angle.sel(support=name))
     middle = int(np.flatnonzero(ANGLES == 90.0)[0])
     here = float(height[middle] - _height(data.ring_over_rod_angle)[middle])
@@ -150,10 +151,10 @@ def _jump(data: xr.Dataset, name: object) -> tuple[float, float] | None:
 
 
 def _height(friction: xr.DataArray) -> Array:
-    """Angle of friction in degrees: finite where the coefficient is infinite."""
+    """Friction angle in degrees; 90 for an infinite coefficient."""
     return np.asarray(np.degrees(np.arctan(friction.values)))
 
 
 def _broken(height: Array) -> Array:
-    """The same with gaps where a curve jumps."""
+    """Heights with gaps where a curve jumps."""
     return np.where(np.abs(np.diff(height, append=height[-1])) > JUMP, np.nan, height)

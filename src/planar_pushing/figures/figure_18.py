@@ -1,4 +1,4 @@
-"""Figure 18: slip with infinite friction over the gallery."""
+"""Figure 18: slip with infinite friction for the gallery of supports."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ FIGURE = Figure(
     section=SECTION,
 )
 PART = "part of the pushes into the slider, from 0 to 180 degrees, that slip"
-#: Highest fraction in all panels, percent.
+#: Upper end of the axis of fractions in all panels, percent.
 HIGHEST = 41.0
 
 
 def slipping_part(right: xr.DataArray, left: xr.DataArray) -> xr.DataArray:
-    """Part of the pushes, from 0 to 180 degrees, outside of a motion cone with these edges in degrees."""
+    """Fraction of the pushes from 0 to 180 degrees outside a motion cone with these edges, in degrees."""
     held: xr.DataArray = left.clip(max=180.0) - right.clip(min=0.0)
     return 1 - held / 180.0
 
@@ -42,7 +42,7 @@ def _computed(scenes: Scene) -> xr.DataArray:
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Compute the slipping part over rod length and over rod angle; that of the grid's cones with it."""
+    """Compute the slipping fraction over rod length and rod angle, and that of the grid's cones."""
     data = over_rods(sources["supports"], settings, InfiniteFriction(), _computed, PART)
     cones = sources["support_cones"].sel(friction_coefficient=np.inf)
     part = slipping_part(*(cones.motion_angle.sel(edge=edge) for edge in ("right", "left")))
@@ -59,20 +59,20 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     length, angle = number(float(data.cut_rod_length)), number(float(data.cut_rod_angle))
     return (
-        "Slip with infinite friction: the fraction of the directions from 0° to 180° of a push "
-        "that slip, for supports on areas (a, b) and on points and lines (c, d), over the rod "
-        f"length (a, c; ψ = {angle}°) and over the rod angle (b, d; l = {length}). The motion cone "
-        "spans 180 degrees for every support; the fraction equals its tilt from the friction "
-        "cone. Dots are the cones of the dataset; gray is a ring of the same extent, of radius "
-        f"{number(float(data.ring_extent))} (μ = ∞)."
+        "Slip with infinite friction: the fraction of push directions between 0° and 180° that "
+        "slip, for supports on areas (a, b) and on points and lines (c, d), over the rod length "
+        f"(a, c; ψ = {angle}°) and the rod angle (b, d; l = {length}). The motion cone spans 180 "
+        "degrees for every support; the fraction is its tilt from the friction cone divided by 180 "
+        "degrees. Dots are from the motion cones of the dataset; gray is a ring of the same extent, "
+        f"of radius {number(float(data.ring_extent))} (μ = ∞)."
     )
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw the slipping part in percent; dots are the cones of the study's grid."""
+    """Draw the slipping fraction in percent, with dots for the cones of the study's grid."""
     for ax, axis, looks in panels(figure, data, lambda part, axis: _percent(part)):
         for name, color, _ in looks:
             y = _percent(data[f"grid_over_{axis}"].sel(support=name))

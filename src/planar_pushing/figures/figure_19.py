@@ -31,16 +31,16 @@ FIGURE = Figure(
 )
 #: Force angles of a curve, degrees.
 ANGLES = np.linspace(0.0, 360.0, 1441)
-#: The instants whose limit curves are drawn, and how many are drawn of the motion.
+#: Instants with a limit curve, and number of instants drawn of the motion.
 INSTANTS, COUNT = ("at the start", "at the end"), 3
-#: Half the width of a panel of a limit curve, in units of the weight, and length of the motions in it.
+#: Half the width of a limit-curve panel and length of the motions in it, in units of the weight.
 SPAN, LENGTH = 1.0, 0.4
-#: A motion cone that is narrower, degrees, has no width: rounding is left of it.
+#: A motion cone narrower than this, degrees, is a single direction up to rounding.
 NARROW = 1e-9
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
-    """Select the motion over time; compute limit curve and cones at its start and at its end."""
+    """Select the motion over time; compute the limit curve and the cones at its start and end."""
     log = sources["simulations/tripod"]
     own, data = scene_in(log.attrs["scene"]), plotted(log)
     points = own.friction[0].support.positions
@@ -58,7 +58,7 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
 
 
 def feet(data: xr.Dataset) -> Array:
-    """Places of the support points over time, shape (point, time, 2)."""
+    """Positions of the support points over time, shape (point, time, 2)."""
     x, y = data.support_point.values.T[:, :, None]
     angle = np.deg2rad(data.path_rod_angle.values)
     c, s = np.cos(angle), np.sin(angle)
@@ -66,7 +66,7 @@ def feet(data: xr.Dataset) -> Array:
 
 
 def _instant(own: Scene, angle: float) -> xr.Dataset:
-    """Limit curve with its pivots, and the edges of both cones, at a rod angle in degrees."""
+    """Limit curve with its pivots, and the edges of both cones, for a rod angle in degrees."""
     support, length = own.friction[0].support, float(own.slider.rod_length)
     law: Any = own.contact
     here = scene({"": support}, length, angle, law)
@@ -89,23 +89,24 @@ def _instant(own: Scene, angle: float) -> xr.Dataset:
 
 
 def caption(data: xr.Dataset) -> str:
-    """Caption with the values that are drawn."""
+    """Caption with the plotted values."""
     distance = number(float(np.hypot(*data.support_point.values[0])))
     start = number(float(data.path_rod_angle.values[0]))
     return (
-        "A tripod that pivots. The fence moves up, the contact slips, and the motion center "
-        "(dashed) moves until it meets a foot, where it stays. Slider, fence and force at the "
-        "instants named. Right: limit curves at the start and at the end, with the friction cone "
-        "(shaded), the forces at its edges and the motions that they cause. At the end both edges "
-        "lie on the flat of one foot, and the motion cone is a single direction. Feet and flats "
-        f"are numbered alike ({values(data, 'friction_coefficient', 'weight')}, l = "
+        "A tripod that pivots. As the fence moves up, the contact slips and the motion center "
+        "moves along the dashed path until it reaches a foot, where it stays. Slider, fence and "
+        "force are shown at the labeled instants. Right: limit curves at the start and at the end, "
+        "with the friction cone (shaded), the forces at its edges and the motions that they cause. "
+        "At the end both edges lie on the flat of one foot, and the motion cone is a single "
+        "direction. Each flat has the number of its foot "
+        f"({values(data, 'friction_coefficient', 'weight')}, l = "
         f"{number(float(data.rod_length))}, ψ = {start}° at time 0, feet at {distance} from the "
         f"center; {told(data)})."
     )
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw the motion, the limit curves at both ends of it, and the distance of the motion center."""
+    """Draw the motion, the limit curves at its start and end, and the distance of the motion center."""
     if is_column(figure):
         places = (
             (0.0, 0.47, 1.0, 0.53),
@@ -128,7 +129,7 @@ def draw(figure: Any, data: xr.Dataset) -> None:
 
 
 def _motion(ax: Any, data: xr.Dataset) -> None:
-    """Slider and fence at some instants with the path of the motion center, and the numbers of the feet."""
+    """Draw slider and fence at some instants, the path of the motion center, and the feet's numbers."""
     frame = box(data)
     frame[:, 0] = np.clip(frame[:, 0], -1.6, None)
     picture = snapshots(data, frame, COUNT)
@@ -141,7 +142,7 @@ def _motion(ax: Any, data: xr.Dataset) -> None:
 
 
 def _curve(ax: Any, one: xr.Dataset) -> None:
-    """Limit curve with its flats, the friction cone, and the motions at its edges."""
+    """Draw the limit curve with its flats, the friction cone, and the motions at its edges."""
     picture, forces = Picture(), one.limit_force.values
     edges = np.deg2rad(one.friction_edge.values)
     for along in (unit(0.0), unit(90.0)):

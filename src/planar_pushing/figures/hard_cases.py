@@ -1,4 +1,4 @@
-"""The hard cases: error of each in units in the last place, beside what its inputs' rounding costs."""
+"""The hard cases: their errors in units in the last place, compared with their condition numbers."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ FIGURE = Figure(
     size=(PAGE, 2.8),
     column=(COLUMN, 3.6),
 )
-#: The hard places, in order of `line`.
+#: Names of the hard places, in the order of `line`.
 PLACES = (
     "center on\nthe ring",
     "translation,\nrotation",
@@ -29,14 +29,14 @@ PLACES = (
     "at\nrest",
     "slips that\nmerge",
 )
-#: Errors of at most this, zero included, are drawn here.
+#: Smaller errors, zero included, are drawn at this value.
 FLOOR = 0.01
-#: Places kept free between two groups, in cases.
+#: Gap between two groups, in cases.
 GAP = 4
 
 
 def positions(lines: Array) -> Array:
-    """Abscissa of each case: in order, with gaps between the groups."""
+    """Abscissa of each case, in order, with gaps between the groups."""
     return np.asarray(np.arange(lines.size) + GAP * (lines.astype(int) - 1))
 
 
@@ -44,16 +44,16 @@ def caption(data: xr.Dataset) -> str:
     """Caption of the figure."""
     cases, ill = data.sizes["case"], int((data.ill_conditioned > 0).sum())
     return (
-        f"Errors of the {cases} hard cases in units in the last place (ulp), from best to worst "
-        "condition within a group. A stroke is the condition number, the error that half an ulp "
-        f"in the inputs causes; shaded: up to four ulp. Diamonds are the {ill} ill-conditioned "
-        "cases, where rounding the inputs costs six digits or more: the error of an algorithm can "
-        "still be small, as the references take the rounded inputs."
+        f"Errors of the {cases} hard cases in units in the last place (ulp), ordered within each "
+        "group from best to worst condition. A stroke is the condition number, the error caused by "
+        f"half an ulp in the inputs; shaded: up to four ulp. Diamonds are the {ill} ill-conditioned "
+        "cases, in which rounding the inputs costs six digits or more; an algorithm can still have "
+        "a small error because the references are computed from the rounded inputs."
     )
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw errors as dots and condition numbers as strokes, each group from best to worst condition."""
+    """Draw errors as dots and condition numbers as strokes, ordered by condition within each group."""
     data = data.isel(case=np.lexsort((data.condition.values, data.line.values)))
     narrow = is_column(figure)
     ax = figure.add_axes((0.15, 0.33, 0.84, 0.53) if narrow else (0.075, 0.17, 0.915, 0.7))

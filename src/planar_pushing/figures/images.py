@@ -1,7 +1,7 @@
-"""Compare the figures with stored images, and store new ones: `make images`.
+"""Compare the figures with stored images, and store new images: `make images`.
 
-Rendered text moves between versions of matplotlib, so this gates nothing but the locked versions; what a
-figure shows is checked by its numbers.
+Rendered text moves between versions of matplotlib, so the comparison is meaningful only with the locked
+versions. The content of a figure is checked by its numbers.
 """
 
 from __future__ import annotations
@@ -13,27 +13,27 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from planar_pushing.figures.studies import pictures
+from planar_pushing.figures.studies import PUSHES, pictures
 from planar_pushing.study.running.jobs import run_command
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_folder, study_name
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 
-#: Size of a stored image in that of its picture: large enough to see a moved label.
+#: Scale of a stored image relative to its picture: large enough to reveal a moved label.
 SCALE = 0.36
-#: Colors of a stored image.
+#: Number of colors in a stored image.
 COLORS = 128
-#: Largest root mean square difference of the color levels, 0 to 255.
+#: Largest allowed root mean square difference of color levels, 0 to 255.
 TOLERANCE = 2.0
 
 
 def thumbnail(path: Path) -> Image.Image:
-    """Picture of the stored size, in few colors.
+    """Picture reduced to the stored size and number of colors.
 
     Raises
     ------
     InvalidFile
-        Where there is no such picture.
+        If there is no such picture.
     """
     if not path.is_file():
         raise InvalidFile(f"{path}: no such picture; build it with make or snakemake")
@@ -44,7 +44,7 @@ def thumbnail(path: Path) -> Image.Image:
 
 
 def difference(path: Path, stored: Path) -> float:
-    """Root mean square difference of two pictures; infinite where their sizes differ."""
+    """Root mean square difference of two pictures; infinite if their sizes differ."""
     with Image.open(stored) as image:
         old = np.asarray(image.convert("RGB"), dtype=float)
     new = np.asarray(thumbnail(path).convert("RGB"), dtype=float)
@@ -52,15 +52,16 @@ def difference(path: Path, stored: Path) -> float:
 
 
 def every_picture(results: Path) -> dict[str, Path]:
-    """Pictures of the figures of both default studies."""
+    """Pictures of the figures of both default studies and of those on measured pushes."""
     own = study_folder(study_name(SLIDERS_FILE), results)
     folders = {PAPER_FILE: results, SLIDERS_FILE: own}
     found = [pictures(folder, load_study(file)) for file, folder in folders.items()]
-    return found[0] | found[1]
+    measured = {name: results / "figures" / f"{name}.png" for name in PUSHES}
+    return found[0] | found[1] | measured
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Print how the figures differ from the stored images; 1 where one does or is stored."""
+    """Print how the figures differ from the stored images; return 1 if any differs or is stored."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--results", default="results", type=Path)
     parser.add_argument("--golden", default="tests/golden", type=Path)

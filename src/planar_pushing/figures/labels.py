@@ -1,4 +1,4 @@
-"""Where labels stand: each moves to the place around its point where it covers least."""
+"""Placement of labels: each moves around its point to where it covers least."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ import numpy as np
 from planar_pushing.figures.marks import Area, Arrow, Dot, Label, Line, Picture, Sheet
 from planar_pushing.mechanics.plane import Array
 
-#: Directions around the wanted place, and distances from the point in units of the wanted one.
+#: Directions tried around the preferred position, and distances in units of the preferred distance.
 TURNS = np.deg2rad([0, 25, -25, 50, -50, 80, -80, 115, -115, 150, -150, 180])
 STRETCHES = (1.0, 1.45, 2.0)
-#: Points that a label keeps free around itself, and between two samples of a line.
+#: Free margin around a label, and distance between samples of a line, in points.
 GAP, STEP = 1.5, 1.5
 
 
 def settled(picture: Picture, sheet: Sheet) -> list[Label]:
-    """The labels of a picture with the offsets that they take on a sheet.
+    """Labels of a picture with the offsets that they take on a sheet.
 
-    Labels without an offset, and held ones, stay; the others make room in their order.
+    Held labels and labels without an offset stay; the others make room in turn.
     """
     labels = [mark for mark in picture.marks if isinstance(mark, Label)]
     fixed = [each for each in labels if each.held or not any(each.offset)]
@@ -40,7 +40,7 @@ def settled(picture: Picture, sheet: Sheet) -> list[Label]:
 
 
 def _at(label: Label, sheet: Sheet) -> Array:
-    """Place of a label's point, points from the sheet's upper corner."""
+    """Position of a label's point, in points from the upper left corner of the sheet."""
     return np.asarray(sheet.to(label.place) / sheet.point)
 
 
@@ -49,7 +49,7 @@ def _down(offset: tuple[float, float]) -> Array:
 
 
 def _box(label: Label, middle: Array) -> Array:
-    """Corners of the place that a label takes about its middle, shape (..., 2, 2)."""
+    """Corners of the box of a label about its center, shape (..., 2, 2)."""
     wide, high = label.extent
     shift = {"left": wide / 2, "right": -wide / 2}.get(label.align, 0.0)
     half = np.array([wide / 2 + GAP, high / 2 + GAP])
@@ -58,7 +58,7 @@ def _box(label: Label, middle: Array) -> Array:
 
 
 def _best(label: Label, at: Array, lines: Array, taken: Array, frame: Array) -> tuple[Array, Array]:
-    """Cheapest offset of a label, y downwards, and the box that it takes there."""
+    """Offset of a label at the lowest cost, y downward, and its box there."""
     wide, high = label.extent
     places, detours = _places(_down(label.offset), max(0.0, wide - high) / 2)
     boxes = _box(label, at + places)
@@ -68,9 +68,9 @@ def _best(label: Label, at: Array, lines: Array, taken: Array, frame: Array) -> 
 
 
 def _places(wanted: Array, beside: float) -> tuple[Array, Array]:
-    """Offsets to try, shape (n, 2), and how far from the wanted one each is, shape (n,).
+    """Offsets to try, shape (n, 2), and their distances from the preferred offset, shape (n,).
 
-    A wide label beside its point may keep its end, not its middle, at the wanted distance.
+    A wide label beside its point can keep its end, not its center, at the preferred distance.
     """
     tries = itertools.product(STRETCHES, TURNS, (0.0, beside))
     stretch, turn, shift = np.array(list(tries)).T
@@ -83,7 +83,7 @@ def _places(wanted: Array, beside: float) -> tuple[Array, Array]:
 
 
 def _costs(boxes: Array, lines: Array, taken: Array, frame: Array) -> Array:
-    """What boxes of shape (n, corner, xy) would cover, shape (n,)."""
+    """Cost of the marks that boxes of shape (n, corner, xy) would cover, shape (n,)."""
     low, high = boxes[:, None, 0], boxes[:, None, 1]
     inside = ((lines > low) & (lines < high)).all(axis=-1)
     covered = ((low <= taken[:, 1]) & (taken[:, 0] <= high)).all(axis=-1)
@@ -92,7 +92,7 @@ def _costs(boxes: Array, lines: Array, taken: Array, frame: Array) -> Array:
 
 
 def _samples(picture: Picture, sheet: Sheet) -> Iterator[Array]:
-    """Points on the sheet along all that is drawn as a line, and on dots."""
+    """Points on the sheet along all drawn lines, and on dots."""
     for mark in picture.marks:
         if isinstance(mark, (Line, Arrow)):
             yield _along(sheet.to(mark.points) / sheet.point)

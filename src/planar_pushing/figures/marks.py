@@ -1,8 +1,8 @@
-"""A picture as a list of marks, which matplotlib draws or SVG holds.
+"""A picture as a list of marks, which matplotlib draws or SVG contains.
 
-Places are in the units of the scene, y upwards. Widths, heads, dots, letters and offsets are in points:
-they have one size on paper whatever the scene's, and a page says how many pixels a point has. Marks of a
-higher order cover those of a lower one.
+Positions are in the units of the scene, with y upward. Widths, heads, dots, letters and offsets are in
+points, so that their size on paper does not depend on the scene; a page sets the pixels per point. Marks
+of a higher order cover those of a lower order.
 """
 
 from __future__ import annotations
@@ -17,20 +17,20 @@ import numpy as np
 from planar_pushing.figures.colors import DARK, FORCE, GUIDE, MOTION, tint
 from planar_pushing.mechanics.plane import Array, direction
 
-#: Orders of areas, hatches, lines, dots, arrows, and labels.
+#: Drawing orders of areas, hatches, lines, dots, arrows, and labels.
 AREAS, HATCHES, LINES, DOTS, ARROWS, LABELS = 0.0, 1.0, 2.0, 4.0, 5.0, 10.0
-#: Sizes of letters, points.
+#: Font sizes in points.
 SYMBOL, NOTE = 9.5, 7.5
-#: Length and half the width of a head, in units of its size; an open one is wider.
+#: Length and half the width of a head, in units of its size; an open head is wider.
 FILLED, OPEN = (0.42, 0.165), (0.4, 0.21)
 DASHES: dict[str, tuple[float, ...]] = {"": (), "--": (3.0, 1.8), ":": (1.0, 1.6)}
 
-#: A place, or several, as numbers: an array or what becomes one.
+#: One or several positions as numbers: an array or array-like.
 Place = Any
 
 
 class Area(NamedTuple):
-    """Area inside the first ring of points and outside of the others."""
+    """Area inside the first ring of points and outside the others."""
 
     rings: tuple[Array, ...]
     color: str
@@ -50,7 +50,7 @@ class Line(NamedTuple):
 
 
 class Hatch(NamedTuple):
-    """Strokes, shape (n, 2, 2): those of a fence, on the side away from the slider."""
+    """Strokes of shape (n, 2, 2), such as those of a fence on the side away from the slider."""
 
     strokes: Array
     color: str
@@ -59,7 +59,7 @@ class Hatch(NamedTuple):
 
 
 class Arrow(NamedTuple):
-    """Arrow with a head of a size: filled for a force, open for a velocity or an acceleration."""
+    """Arrow with a head: filled for a force, open for a velocity or an acceleration."""
 
     points: Array
     color: str
@@ -70,7 +70,7 @@ class Arrow(NamedTuple):
     order: float = ARROWS
 
     def shape(self, point: float) -> tuple[Array, Array]:
-        """Points of the shaft and of the head, where a point is `point` units long."""
+        """Vertices of the shaft and of the head, with `point` as the length of a point in the scene."""
         tip, before = self.points[-1], self.points[-2]
         along = tip - before
         length = float(np.hypot(*along))
@@ -86,7 +86,7 @@ class Arrow(NamedTuple):
 
 
 class Dot(NamedTuple):
-    """Mark of a size at a place: "o" a disc, "mass" or "pressure" a center's sign, "burst" an impact."""
+    """Mark at a position: "o" for a disc, "mass" or "pressure" for a center, "burst" for an impact."""
 
     place: Array
     size: float
@@ -98,7 +98,7 @@ class Dot(NamedTuple):
 
 
 class Label(NamedTuple):
-    """Text centered at an offset from a place; one that is held stays there when others make room."""
+    """Text centered at an offset from a position; a held label stays there when others make room."""
 
     place: Array
     text: str
@@ -111,7 +111,7 @@ class Label(NamedTuple):
 
     @property
     def extent(self) -> tuple[float, float]:
-        """About its width and height, points."""
+        """Approximate width and height in points."""
         rows = [plain(row) for row in self.text.split("\n")]
         return 0.5 * self.size * max(map(len, rows)), 1.1 * self.size * len(rows)
 
@@ -120,14 +120,14 @@ Mark = Area | Line | Hatch | Arrow | Dot | Label
 
 
 def plain(text: str) -> str:
-    """Text without its mathematical markup, for its length."""
+    """Text without mathematical markup, for estimating its length."""
     for word in (r"\mathbf", r"\mathrm", "$", "{", "}", "_", "^", "\\"):
         text = text.replace(word, "")
     return text
 
 
 class Sheet(NamedTuple):
-    """Where a picture lies on a sheet: its middle, the sheet's units per unit of the scene, its size."""
+    """Map from a picture to a sheet: middle of the picture, scale in sheet units, size of the sheet."""
 
     middle: Array
     scale: float
@@ -138,7 +138,7 @@ class Sheet(NamedTuple):
     def around(
         cls, box: Array, size: Sequence[float], pad: float = 12.0, point: float = 1.0
     ) -> Sheet:
-        """The sheet of a size that shows a box of two corners with at least `pad` points around it."""
+        """Sheet of a given size that shows a box of two corners with at least `pad` points around it."""
         corners, whole = np.asarray(box, dtype=float), np.asarray(size, dtype=float)
         room = np.maximum(whole - 2 * pad * point, 0.1 * whole)
         apart = np.maximum(corners[1] - corners[0], 1e-12)
@@ -156,19 +156,19 @@ class Sheet(NamedTuple):
         return self.point / self.scale
 
     def to(self, places: Place) -> Array:
-        """Places on the sheet, y downwards from its upper corner."""
+        """Positions on the sheet, y downward from its upper left corner."""
         away = (np.asarray(places, dtype=float) - self.middle) * [self.scale, -self.scale]
         return np.asarray(away + self.size / 2)
 
     def place(self, on: Place) -> Array:
-        """Place in the scene of one on the sheet."""
+        """Position in the scene of a position on the sheet."""
         away = np.asarray(on, dtype=float) - self.size / 2
         return np.asarray(away / [self.scale, -self.scale] + self.middle)
 
 
 @dataclass(slots=True)
 class Picture:
-    """The marks of a picture; each method adds one, or a few that belong together."""
+    """The marks of a picture; each method adds one mark or a few that belong together."""
 
     marks: list[Mark] = field(default_factory=list)
 
@@ -177,7 +177,7 @@ class Picture:
 
     @property
     def ordered(self) -> list[Mark]:
-        """The marks, what covers others last."""
+        """The marks in drawing order, covering marks last."""
         return sorted(self.marks, key=lambda mark: mark.order)
 
     def area(self, *rings: Place, color: str, **rest: Any) -> None:
@@ -187,7 +187,7 @@ class Picture:
         self.add(Line(np.asarray(points, dtype=float), color, **rest))
 
     def guide(self, start: Place, stop: Place, color: str = GUIDE, dash: str = "--") -> None:
-        """Thin line of construction: a line of force, of centers, of measure."""
+        """Add a thin construction line, such as a line of force or a line of centers."""
         self.line([start, stop], color, width=0.7, dash=dash)
 
     def dot(self, place: Place, size: float, face: str | None = DARK, **rest: Any) -> None:
@@ -209,7 +209,7 @@ class Picture:
         at: float = 1.0,
         **rest: Any,
     ) -> None:
-        """Arrow from a tail along a vector; its label continues it, or stands off a fraction of it."""
+        """Add an arrow from a tail along a vector; its label is beyond the tip or beside the shaft."""
         start, along = np.asarray(tail, dtype=float), np.asarray(vector, dtype=float)
         self.add(Arrow(np.array([start, start + along]), color, filled, **rest))
         if text:
@@ -219,20 +219,20 @@ class Picture:
             self.label(start + at * along, text, color=color, offset=away)
 
     def force(self, tail: Place, vector: Place, text: str = "", **rest: Any) -> None:
-        """Arrow of a force."""
+        """Add the arrow of a force."""
         self.arrow(tail, vector, text, filled=True, **{"color": FORCE} | rest)
 
     def motion(self, tail: Place, vector: Place, text: str = "", **rest: Any) -> None:
-        """Arrow of a velocity or an acceleration."""
+        """Add the arrow of a velocity or an acceleration."""
         self.arrow(tail, vector, text, filled=False, **{"color": MOTION} | rest)
 
     def cone(
         self, right: float, left: float, radius: float, color: str, *, apex: Place = (0.0, 0.0),
         strength: float = 0.16, order: float = AREAS + 0.5, hatch: str = "",
     ) -> None:  # fmt: skip
-        """Cone of directions counter-clockwise from right to left, radians; one direction is a line.
+        """Add a cone of directions counter-clockwise from right to left, radians; a line if they are equal.
 
-        It covers the cones that were drawn before, so the largest comes first.
+        It covers the cones drawn before, so the largest must be drawn first.
         """
         origin, whole = np.asarray(apex, dtype=float), left - right >= 2 * math.pi - 1e-9
         rim = origin + radius * arc(right, right + 2 * math.pi if whole else left)
@@ -248,7 +248,7 @@ class Picture:
         self, start: float, stop: float, radius: float, text: str = "", *, vertex: Place = (0, 0),
         color: str = GUIDE, offset: float = 6.0, at: float = 0.5,
     ) -> None:  # fmt: skip
-        """Arc of an angle between two directions in radians, and its name outside of it."""
+        """Add the arc between two directions in radians, with its label outside the arc."""
         origin = np.asarray(vertex, dtype=float)
         self.line(origin + radius * arc(start, stop), color, width=0.7)
         if text:
@@ -258,7 +258,7 @@ class Picture:
             self.label(place, text, color=color, offset=away)
 
     def turning(self, place: Place, sense: float, radius: float, color: str) -> None:
-        """Curved arrow around a center, counter-clockwise for a positive sense."""
+        """Add a curved arrow around a center, counter-clockwise for a positive sense."""
         turns = np.deg2rad(np.linspace(-30.0, 210.0, 25))
         points = direction(turns) * [1.0 if sense > 0 else -1.0, 1.0]
         around = np.asarray(place, dtype=float) + radius * points
@@ -267,14 +267,14 @@ class Picture:
     def axis(
         self, origin: Place, angle: float, length: float, name: str, color: str = GUIDE
     ) -> None:
-        """Coordinate axis at an angle in radians; it has no head, as heads are forces and motions."""
+        """Add a coordinate axis at an angle in radians, without a head: heads mark forces and motions."""
         start, (x, y) = np.asarray(origin, dtype=float), direction(angle)
         end = start + length * np.array([x, y])
         self.line([start, end], color, width=0.7, order=LINES + 0.5)
         self.label(end, name, color=color, offset=(7.0 * float(x), 7.0 * float(y)))
 
     def scale_bar(self, place: Place, length: float, text: str) -> None:
-        """Bar of a length from a place to the right, with its name above."""
+        """Add a bar of a length from a position to the right, with its label above."""
         start = np.asarray(place, dtype=float)
         end = start + np.array([length, 0.0])
         self.line([start, end], GUIDE, width=1.6)
@@ -282,7 +282,7 @@ class Picture:
 
 
 def arc(start: float, stop: float) -> Array:
-    """Points of the unit circle between two directions in radians, two degrees apart."""
+    """Points of the unit circle between two directions in radians, 2 degrees apart."""
     count = 2 + int(abs(stop - start) / 0.035)
     return np.asarray(direction(np.linspace(start, stop, count)))
 

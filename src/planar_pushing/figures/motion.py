@@ -1,4 +1,4 @@
-"""Marks of a motion over time: slider and pusher at some instants, and the paths behind them."""
+"""Marks of a motion over time: slider and pusher at several instants, and their past paths."""
 
 from __future__ import annotations
 
@@ -34,39 +34,39 @@ from planar_pushing.figures.timeline import (
 )
 from planar_pushing.mechanics.plane import Array
 
-#: How much of its color the first of the snapshots keeps.
+#: Strength of the color of the first snapshot.
 PALEST = 0.3
-#: A longer step of the motion center between two rows is a jump, in units of the slider's span.
+#: A longer step of the motion center between two rows, in units of the slider's span, is a jump.
 JUMP = 0.5
-#: Length of the drawn force, half the width of the fence and depth of its hatch, in units of the span.
+#: Drawn length of the force, half the width of the fence, depth of its hatch, in units of the span.
 FORCE_LENGTH, FENCE_HALF, DEPTH = 0.42, 0.45, 0.036
-#: Instants whose fences are closer, in units of the picture's height, have one time.
+#: Instants with fences closer than this, in units of the picture's height, share a time label.
 CLOSE = 0.06
-#: Orders of paths and of a path's arrowheads.
+#: Drawing orders of paths and of their arrowheads.
 PATHS = ARROWS - 0.5
 
 
 def pose(data: xr.Dataset, row: int) -> Pose:
-    """Where the slider is at a row."""
+    """Pose of the slider at a row."""
     angle = float(np.deg2rad(data["path_rod_angle"].values[row]))
     return Pose(data["path_position"].values[row], angle)
 
 
 def span(data: xr.Dataset) -> float:
-    """Extent of the slider, from the contact."""
+    """Extent of the slider from the contact."""
     body = body_in(data)
     x, y = body.middle
     return float(np.hypot(x + float(data["rod_length"]), y)) + body.half
 
 
 def box(data: xr.Dataset) -> Array:
-    """Corners of slider and pusher over all the motion, and of its last center if near."""
+    """Corners of the box around slider and pusher over the whole motion, and the last center if near."""
     body, half = body_in(data), FENCE_HALF * span(data)
     points = [contact(data), data["path_position"].values, *last_center(data)]
     points += [body.box(pose(data, row)) for row in range(data.sizes["time"])]
     ends = np.array([[-half, -0.1 * half], [half, 0.0]])
     if "path_side" in data:
-        # Of a finger much larger than the slider only what is near to the side.
+        # Of a finger much larger than the slider, only the region near the side is included.
         reach = min(finger_radius(data), half)
         points.append(data["path_side"].values)
         points += [contact(data) - reach * normal(data) + end * reach for end in (-1.0, 1.0)]
@@ -76,7 +76,7 @@ def box(data: xr.Dataset) -> Array:
 
 
 def last_center(data: xr.Dataset) -> list[Array]:
-    """Last motion center, or nothing where it is far away or the slider never turns."""
+    """Last motion center; empty if it is far away or the slider never turns."""
     centers, places = data["path_center"].values, data["path_position"].values
     turning = np.flatnonzero(np.isfinite(centers).all(axis=-1))
     if not turning.size:
@@ -86,7 +86,7 @@ def last_center(data: xr.Dataset) -> list[Array]:
 
 
 def add_instant(picture: Picture, data: xr.Dataset, row: int, strength: float = 1.0) -> None:
-    """Pusher, slider and force at a row."""
+    """Add pusher, slider and force at a row."""
     touch, size = contact(data)[row], span(data)
     ink, whole = Ink(tint(SLIDER, strength), 1.5), strength == 1
     if "path_side" in data:
@@ -106,7 +106,7 @@ def add_instant(picture: Picture, data: xr.Dataset, row: int, strength: float = 
 
 
 def add_paths(picture: Picture, data: xr.Dataset, frame: Array, last: int | None = None) -> None:
-    """Paths up to a row: of the contact in the ink of its modes, of the motion center in a frame."""
+    """Add the paths up to a row: of the contact in the colors of its modes, and of the motion center."""
     touch, end = contact(data), len(data["time"]) if last is None else last + 1
     _path_of_center(picture, data["path_center"].values[:end], span(data), frame)
     for run in runs(data):
@@ -116,9 +116,9 @@ def add_paths(picture: Picture, data: xr.Dataset, frame: Array, last: int | None
 
 
 def _path_of_center(picture: Picture, center: Array, size: float, frame: Array) -> None:
-    """Path of the motion center inside the frame; an arrowhead where it leaves or enters it.
+    """Add the path of the motion center inside the frame, with an arrowhead where it leaves or enters.
 
-    A jump, as at a change of mode, is no part of the path.
+    A jump, as at a change of mode, is not part of the path.
     """
     middle, half = frame.mean(axis=0), np.ptp(frame, axis=0) / 2
     with np.errstate(invalid="ignore"):
@@ -134,14 +134,14 @@ def _path_of_center(picture: Picture, center: Array, size: float, frame: Array) 
 
 
 def _pieces(center: Array, inside: Any, near: Any) -> Iterable[Array]:
-    """Parts of a path that are inside and without a jump."""
+    """Sections of a path that are inside the frame and contain no jump."""
     joined = np.concatenate([[False], near & inside[1:] & inside[:-1], [False]])
     starts, stops = (np.flatnonzero(np.diff(joined.astype(int)) == sign) for sign in (1, -1))
     return [center[start : stop + 1] for start, stop in zip(starts, stops, strict=True)]
 
 
 def _head(picture: Picture, tip: Array, along: Array) -> None:
-    """Open arrowhead at the end of a path."""
+    """Add an open arrowhead at the end of a path."""
     stub = 1e-3 * along / np.hypot(*along)
     picture.add(Arrow(np.array([tip - stub, tip]), CENTER, False, 0.9, 7.0, order=PATHS))
 
@@ -149,7 +149,7 @@ def _head(picture: Picture, tip: Array, along: Array) -> None:
 def snapshots(
     data: xr.Dataset, frame: Array, count: int, struck: Sequence[int] = (), *, times: bool = True
 ) -> Picture:
-    """Slider and pusher at some instants and rows, paler the earlier, with their times, and the paths."""
+    """Add slider and pusher at several instants, earlier ones paler, with their times and the paths."""
     picture = Picture()
     chosen = sorted({*rows(data, count), *struck})
     for strength, row in zip(np.linspace(PALEST, 1.0, len(chosen)), chosen, strict=True):
@@ -169,7 +169,7 @@ def snapshots(
 
 
 def _times(picture: Picture, data: xr.Dataset, frame: Array, chosen: Sequence[int]) -> None:
-    """Times of instants beside the ends of their fences or the slider's center; of close ones one."""
+    """Label instants with their times at the fence ends or the slider's center; close ones share one."""
     finger, named = "path_side" in data, np.empty((0, 2))
     end = np.array([0.0 if finger else FENCE_HALF * span(data), 0.0])
     for row in chosen:
@@ -184,7 +184,7 @@ def _times(picture: Picture, data: xr.Dataset, frame: Array, chosen: Sequence[in
 
 
 def add_impact(picture: Picture, data: xr.Dataset, row: int) -> None:
-    """Burst beside the contact where the pusher strikes it, joined to it by a line."""
+    """Add a burst beside the contact at an impact, joined to it by a line."""
     place = contact(data)[row]
     away = 0.16 * span(data) * np.array([1.0, -0.6])
     picture.line([place, place + away], IMPACT, width=0.8, order=PATHS)

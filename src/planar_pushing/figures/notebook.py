@@ -1,4 +1,4 @@
-"""Pictures of scenes, solutions and supports in notebooks, as SVG."""
+"""SVG pictures of scenes, solutions and supports for notebooks."""
 
 from __future__ import annotations
 
@@ -14,24 +14,24 @@ from planar_pushing.figures.svg import to_svg
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, required_single
 
-#: Width of a picture in pixels, its greatest height, pixels of a point, and points around.
+#: Width of a picture and its maximum height in pixels, pixels per point, and padding in points.
 WIDTH, HEIGHT, POINT, PAD = 420.0, 420.0, 1.35, 16.0
 
 
 def scene_svg(scene: Scene) -> str:
-    """A slider with its cones."""
+    """Picture of a slider with its cones."""
     sketch = Sketch.of(required_single(scene))
     return _svg(scene_picture(sketch), sketch.box, sketch.unit)
 
 
 def push_svg(scene: Scene, angle: float, magnitude: float, found: Any) -> str:
-    """A scene under a push with the solutions that were found."""
+    """Picture of a scene under a push with its solutions."""
     sketch = Sketch.of(scene, angle, magnitude, found=found)
     return _svg(scene_picture(sketch), sketch.box, sketch.unit)
 
 
 def support_svg(support: Any) -> str:
-    """A support in its body frame."""
+    """Picture of a support in its body frame."""
     picture, pose = Picture(), Pose((0.0, 0.0), 0.0)
     add_support(picture, support, pose, Ink())
     low, high = extents(support, pose)
@@ -40,7 +40,7 @@ def support_svg(support: Any) -> str:
 
 
 def _svg(picture: Picture, box: Array, unit: str = "") -> str:
-    """Picture with its scale, as high as it needs."""
+    """SVG of a picture with its scale bar, as high as needed."""
     wide, high = np.ptp(box, axis=0)
     add_scale(picture, box, 0.3 * float(max(wide, high)), unit)
     room = WIDTH - 2 * PAD * POINT

@@ -1,4 +1,4 @@
-"""A log over time: series, and the contact mode as a strip."""
+"""A log over time: time series, and the contact mode as a strip."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from planar_pushing.figures.colors import CENTER, DARK, IMPACT, MODES
 from planar_pushing.figures.marks import NOTE
 from planar_pushing.figures.timeline import pivots, runs
 
-#: Heights on the strip of the bars that mark a pivot, below, and a choice, above.
+#: Heights on the strip of the bars that mark a pivot (bottom) and a choice (top).
 PIVOT, CHOICE = 0.2, 0.14
-#: Part of the time that a run takes at least for its name to fit.
+#: Smallest fraction of the duration over which a run's label fits.
 NAMED = 0.2
 
 
 def series(ax: Axes, data: xr.Dataset, name: str, text: str, **style: Any) -> None:
-    """One variable over time."""
+    """Draw one variable over time."""
     ax.plot(data["time"], data[name], **{"color": DARK} | style)
     ax.set_ylabel(text)
     ax.set_xlim(float(data["time"][0]), float(data["time"][-1]))
@@ -29,7 +29,7 @@ def series(ax: Axes, data: xr.Dataset, name: str, text: str, **style: Any) -> No
 
 
 def strip(ax: Axes, data: xr.Dataset, bottom: float = 0.0) -> None:
-    """Contact mode over time as a strip of unit height; bars mark choices and pivots."""
+    """Draw the contact mode over time as a strip of unit height, with bars for choices and pivots."""
     time = data["time"].values
     for run in runs(data):
         start, stop = time[run.start], time[run.stop]
@@ -62,7 +62,7 @@ def _bar(ax: Axes, start: float, stop: float, low: float, height: float, color: 
 
 
 def explain(ax: Axes, data: xr.Dataset) -> None:
-    """Legend, below the strip, of its bars."""
+    """Add a legend for the bars below the strip."""
     found = []
     if any(run.several for run in runs(data)):
         found.append(Patch(facecolor=DARK, label="more than one mode possible"))
@@ -75,10 +75,10 @@ def explain(ax: Axes, data: xr.Dataset) -> None:
 
 
 def mark_time(ax: Axes, data: xr.Dataset, row: int) -> None:
-    """Line at the time of an impact."""
+    """Draw a line at the time of an impact."""
     ax.axvline(float(data["time"][row]), color=IMPACT, linewidth=0.9, linestyle=":", zorder=4)
 
 
 def varying(data: xr.Dataset, names: Any) -> list[str]:
-    """Those of some variables that change over time."""
+    """Names of the given variables that change over time."""
     return [name for name in names if np.ptp(data[name].values) > 0]

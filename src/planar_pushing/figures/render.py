@@ -1,4 +1,4 @@
-"""Select, store, draw and save a figure: its data first, then the pictures from that file alone."""
+"""Select, store, draw and save a figure: first its data, then the pictures from that file alone."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from planar_pushing.terms.errors import InvalidValue
 
 PathLike = str | os.PathLike[str]
 
-#: How each format is saved: without metadata that would tell when and by which program version.
+#: Options for each format, which omit metadata on the date and the program version.
 SAVING: dict[str, dict[str, Any]] = {
     "svg": {"metadata": {"Date": None, "Creator": "planar-pushing"}},
     "pdf": {"metadata": {"CreationDate": None, "Creator": "planar-pushing", "Producer": None}},
@@ -29,7 +29,7 @@ SAVING: dict[str, dict[str, Any]] = {
 
 
 def select(name: str, results: PathLike, settings: Settings) -> xr.Dataset:
-    """Numbers that a figure plots, read from the datasets in a results folder."""
+    """Select the numbers that a figure plots from the datasets in a results folder."""
     found = drawing(name)
     return found.select(
         {each: open_dataset(each, results) for each in found.FIGURE.reads}, settings
@@ -37,7 +37,7 @@ def select(name: str, results: PathLike, settings: Settings) -> xr.Dataset:
 
 
 def picture(name: str, data: Any, variant: str = "") -> Figure:
-    """Figure drawn from its data; call it, and save the figure, within `paper_style`."""
+    """Figure drawn from its data; call it and save the figure within `paper_style`."""
     found = drawing(name)
     figure = Figure(figsize=found.FIGURE.variants[variant])
     found.draw(figure, data)
@@ -45,12 +45,12 @@ def picture(name: str, data: Any, variant: str = "") -> Figure:
 
 
 def save(figure: Figure, path: PathLike) -> None:
-    """Save a picture, whole or not at all; the bytes depend on the picture alone.
+    """Save a picture, completely or not at all; its bytes depend only on the picture.
 
     Raises
     ------
     InvalidValue
-        Where the file name does not end in .svg, .pdf or .png.
+        If the file name does not end in .svg, .pdf or .png.
     """
     kind = Path(path).suffix.lstrip(".").lower()
     if kind not in SAVING:
@@ -63,7 +63,7 @@ def save(figure: Figure, path: PathLike) -> None:
 def save_drawn(
     draw: Callable[[Figure], object], size: tuple[float, float], paths: Iterable[PathLike]
 ) -> None:
-    """Draw on a figure of a size in inches, and save it under each name; errors as in `save`."""
+    """Draw on a figure of a given size in inches and save it under each name; errors as in `save`."""
     with paper_style():
         figure = Figure(figsize=size)
         draw(figure)
@@ -82,36 +82,36 @@ def figure(
     *, name: str, results: str, settings: Mapping[str, object], marks: Mapping[str, str],
     data: PathLike, **paths: PathLike,
 ) -> None:  # fmt: skip
-    """Write the numbers that a figure plots, and its pictures from that file.
+    """Write the numbers that a figure plots, then its pictures from that file.
 
     Parameters
     ----------
     name : str
-        Such as "figure_01".
+        Name of the figure, such as "figure_01".
     results : str
-        The folder that holds data/*.nc.
+        Folder that contains data/*.nc.
     settings : mapping
-        The study's values for this figure.
+        Values of the study for this figure.
     marks : mapping
-        Attributes that name the study, as `provenance` gives them.
+        Attributes that identify the study, as returned by `provenance`.
     data : path
-        File of the numbers.
+        File for the numbers.
     paths : paths
-        Pictures to save; the end of a name says the format.
+        Pictures to save; the ending of a name determines the format.
     """
     write_dataset(of_study(select(name, results, SimpleNamespace(**settings)), name, marks), data)
     _draw(name, read_dataset(data), paths.values())
 
 
 def file_figure(source: PathLike, *, name: str, variant: str = "", **paths: PathLike) -> None:
-    """Draw a figure, or a variant of it, from the file of its numbers or of its one dataset."""
+    """Draw a figure or a variant of it from the file of its numbers or of its one dataset."""
     group = drawing(name).FIGURE.reads[0].partition("/")[2]
     whole = Path(source).stem == name
     _draw(name, read_dataset(source, None if whole else group or None), paths.values(), variant)
 
 
 def pushes_figure(source: PathLike, *, name: str, variant: str = "", **paths: PathLike) -> None:
-    """Draw a figure on measured pushes, or a variant of it, from the file of their numbers."""
+    """Draw a figure on measured pushes, or a variant of it, from the file of its numbers."""
     from planar_pushing.figures.parts.measured import read_pushes
 
     _draw(name, read_pushes(source), paths.values(), variant)

@@ -1,4 +1,4 @@
-"""Marks of a scene under a push: slider, pusher, cones, and what each consistent solution does."""
+"""Marks of a scene under a push: slider, pusher, cones, and consistent solutions."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.solutions import Solution
 
-#: How much of its color a solution has beside the one that is drawn in full.
+#: Strength of the color of the solutions that are not drawn in full.
 PALE = 0.38
-#: Half the width of the fence and the depth of its hatch, in units of the reach.
+#: Half the width of the fence, and depth of its hatch, in units of the reach.
 HALF, DEPTH = 1.5, 0.09
 
 
 def scene_picture(sketch: Sketch, *, cones: bool = True, friction: bool = True) -> Picture:
-    """The whole picture: other solutions pale, the chosen one in full."""
+    """Complete picture, with the chosen solution in full and the others pale."""
     picture = Picture()
     add_slider(picture, sketch)
     if cones:
@@ -57,7 +57,7 @@ def scene_picture(sketch: Sketch, *, cones: bool = True, friction: bool = True) 
 def add_slider(
     picture: Picture, sketch: Sketch, left: float | None = None, right: float | None = None
 ) -> None:
-    """The slider, and the fence between two places along it, or the finger."""
+    """Add the slider and the fence between two positions along it, or the finger."""
     half = HALF * sketch.reach
     if sketch.side is None:
         low, high = sketch.box[:, 0]
@@ -71,7 +71,7 @@ def add_slider(
 
 
 def add_cones(picture: Picture, sketch: Sketch) -> None:
-    """Directions in which the slider's contact can move, and within them those of the force."""
+    """Add the motion cone and, inside it, the friction cone."""
     picture.cone(*sketch.motion, MOTION_CONE * sketch.reach, MOTION, order=AREAS + 0.5)
     picture.cone(*sketch.friction, FRICTION_CONE * sketch.reach, FORCE, order=AREAS + 0.7)
 
@@ -79,7 +79,7 @@ def add_cones(picture: Picture, sketch: Sketch) -> None:
 def add_solution(
     picture: Picture, sketch: Sketch, solution: Solution, strength: float = 1.0
 ) -> None:
-    """Force, line of force, motion, slip and center of a solution; names where it is drawn in full."""
+    """Add force, line of force, motion, slip and center of a solution, labeled if drawn in full."""
     if solution.mode == ContactMode.SEPARATE:
         return
     add_force(picture, sketch, solution, strength)
@@ -89,7 +89,7 @@ def add_solution(
 
 
 def add_force(picture: Picture, sketch: Sketch, solution: Solution, strength: float = 1.0) -> None:
-    """Force of the pusher on the slider; a fan of all those that a pivot leaves open."""
+    """Add the force of the pusher on the slider, or a fan if a pivot leaves its direction undetermined."""
     if not moves(solution):
         return
     name = r"$\mathbf{f}$ (adhesive)" if solution.adhesive else r"$\mathbf{f}$"
@@ -107,7 +107,7 @@ def _order(strength: float) -> float:
 
 
 def _fan(picture: Picture, ends: list[Array], name: str) -> None:
-    """Directions between two forces, any of which a pivot can have."""
+    """Add the range of force directions that are possible at a pivot."""
     right, left = (float(np.arctan2(*each[::-1])) for each in ends)
     turn, length = (left - right) % (2 * np.pi), 0.8 * min(float(np.hypot(*each)) for each in ends)
     picture.cone(right, right + turn, length, FORCE, strength=0.42, order=AREAS + 0.8)
@@ -119,14 +119,14 @@ def _fan(picture: Picture, ends: list[Array], name: str) -> None:
 def add_line_of_force(
     picture: Picture, sketch: Sketch, solution: Solution, strength: float = 1.0
 ) -> None:
-    """Line on which the pusher's force and the resistance of the slider act."""
+    """Add the line along which the pusher's force and the resistance of the slider act."""
     if moves(solution):
         for each in forces(solution):
             picture.guide((0, 0), sketch.end_of_line(each), tint(FORCE, strength))
 
 
 def add_motion(picture: Picture, sketch: Sketch, solution: Solution, strength: float = 1.0) -> None:
-    """Motion of the slider's contact, and its slip over the pusher."""
+    """Add the motion of the contact and its slip relative to the pusher."""
     motion = sketch.motion_scale * solution.contact_motion
     color, bold, order = tint(MOTION, strength), rf"\mathbf{{{sketch.symbol}}}", _order(strength)
     sticks, named = solution.mode == ContactMode.STICK, strength == 1
@@ -140,13 +140,13 @@ def add_motion(picture: Picture, sketch: Sketch, solution: Solution, strength: f
 
 
 def add_slip(picture: Picture, tail: Array, vector: Array, text: str, **rest: Any) -> None:
-    """Slip of the slider's contact over the pusher: dashed."""
+    """Add the slip of the contact relative to the pusher, as a dashed arrow."""
     own = {"color": SLIP, "dash": "--", "width": 1.0, "head": 10.0, "at": 0.5}
     picture.motion(tail, vector, text, offset=(0.0, 8.0), **own | rest)
 
 
 def add_pusher(picture: Picture, sketch: Sketch) -> None:
-    """Motion of the pusher, where the contact does not share it."""
+    """Add the motion of the pusher if it differs from that of the contact."""
     one = sketch.solution
     if sketch.pusher is not None and (one is None or one.mode != ContactMode.STICK):
         name = rf"$\mathbf{{{sketch.symbol}}}_p$"
@@ -154,7 +154,7 @@ def add_pusher(picture: Picture, sketch: Sketch) -> None:
 
 
 def add_center(picture: Picture, sketch: Sketch, solution: Solution, strength: float = 1.0) -> None:
-    """Motion center on the perpendicular to the motion, or where it lies if it is far away."""
+    """Add the motion center on the perpendicular to the motion, or its distance if it is far away."""
     if not moves(solution):
         return
     color, named = tint(CENTER, strength), strength == 1
@@ -183,7 +183,7 @@ def add_center(picture: Picture, sketch: Sketch, solution: Solution, strength: f
 def add_center_mark(
     picture: Picture, place: Any, *, color: str = CENTER, pivot: bool = False, size: float = 5.5
 ) -> None:
-    """Motion center: a circle with a dot; a pivot has one more circle around it."""
+    """Add a motion center: a circle with a dot, and a second circle for a pivot."""
     if pivot:
         picture.dot(place, 2.3 * size, None, edge=color, width=1.2, order=ARROWS + 1)
     picture.dot(place, size, "white", edge=color, width=1.0, order=ARROWS + 1)
@@ -191,7 +191,7 @@ def add_center_mark(
 
 
 def add_friction(picture: Picture, sketch: Sketch) -> None:
-    """Friction of the support on the slider, where it rubs, in a paler color than the pusher's force."""
+    """Add the friction of the support on the slider, in a paler color than the pusher's force."""
     places, pulls = sketch.rubbing
     largest = float(np.max(np.hypot(*pulls.T), initial=0.0))
     for place, pull in zip(places, pulls, strict=True):
@@ -203,7 +203,7 @@ def add_friction(picture: Picture, sketch: Sketch) -> None:
 
 
 def add_curve(picture: Picture, sketch: Sketch) -> None:
-    """The limit curve around the contact, heavier along its flats."""
+    """Add the limit curve around the contact, heavier along its flats."""
     limit_line(picture, sketch.curve_scale * sketch.curve, sketch.flats, order=LINES + 0.4)
 
 
@@ -215,14 +215,14 @@ def limit_line(
     color: str = DARK,
     order: float = LINES,
 ) -> None:
-    """A limit curve, with the flats where one pivot belongs to an interval of forces."""
+    """Add a limit curve with its flats, on which an interval of forces has one pivot."""
     picture.line(curve, color, width=1.0, order=order)
     for part in flat:
         picture.line(curve[part], FORCE, width=2.6, order=order + 0.1)
 
 
 def add_scale(picture: Picture, box: Array, length: float, unit: str = "") -> None:
-    """A bar of a round length of the scene in the lower right corner of a box, with its unit."""
+    """Add a scale bar of a round length, with its unit, in the lower right corner of a box."""
     power = 10.0 ** np.floor(np.log10(length))
     whole = power * max(part for part in (1.0, 2.0, 5.0) if part * power <= length)
     (_, low), (right, _) = box

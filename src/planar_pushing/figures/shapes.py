@@ -1,4 +1,4 @@
-"""Outlines of dots, for a radius of 1: each a polygon, and whether it has the color of the edge."""
+"""Outlines of dots for a radius of 1: polygons, each with a flag for the color of the edge."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _PLUS = np.array(
      (-1, 1), (-1, 3)]
 ) / 3.0  # fmt: skip
 
-#: A center of mass is a disc with two of its quarters dark, one of pressure a cross.
+#: A center of mass is a disc with two dark quadrants, and a center of pressure is a cross.
 SHAPES: dict[str, tuple[tuple[Array, bool], ...]] = {
     "o": ((_CIRCLE, False),),
     "mass": ((_CIRCLE, False), (_quarter(0.0), True), (_quarter(np.pi), True)),

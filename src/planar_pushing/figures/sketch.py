@@ -1,7 +1,7 @@
 """Content of a picture of a scene: slider, cones, push and solutions, and the lengths of arrows.
 
-Arrows keep their directions; their lengths are scaled to the slider, all motions alike. The contact is the
-origin, the fence the x axis.
+Arrow lengths are scaled to the slider, with one scale for all motions. The contact is the origin, and the
+fence is the x axis.
 """
 
 from __future__ import annotations
@@ -27,17 +27,17 @@ from planar_pushing.mechanics.solve import solve
 from planar_pushing.study.datasets.rubbing import place_friction, ring_friction
 from planar_pushing.terms.errors import InvalidValue
 
-#: A center further away than this, in units of the slider's span, is pointed to.
+#: A center farther away than this, in units of the slider's span, is only pointed to.
 FAR = 2.0
-#: Radii of the motion cone and of the friction cone, in units of the reach of arrows.
+#: Radii of the motion cone and the friction cone, in units of the reach of arrows.
 MOTION_CONE, FRICTION_CONE = 0.72, 0.5
 #: Length of the longest arrow of support friction, in units of half the support.
 SUPPORT_LENGTH = 0.36
-#: Motions whose angles differ by less, radians, are one motion: a pivot, a flat of the curve.
+#: Motions with angles that differ by less, radians, count as equal: a pivot, a flat of the curve.
 ALIKE = 1e-9
 #: Force angles of a limit curve, radians.
 ANGLES = np.linspace(0.0, 2 * np.pi, 721)
-#: Places and friction of a support that does not rub.
+#: Positions and friction of a support without friction.
 NOWHERE = np.empty((0, 2)), np.empty((0, 2))
 
 
@@ -48,28 +48,28 @@ class Sketch:
     Attributes
     ----------
     body, pose : Body, Pose
-        The slider, and where it is.
+        The slider and its pose.
     friction, motion : tuple of float
-        Right and left edges of both cones, radians.
+        Right and left edges of each cone, radians.
     pusher : ndarray, shape (2,), optional
-        Motion of the pusher; None shows the slider and its cones alone.
+        Motion of the pusher; None shows only the slider and its cones.
     solutions, chosen : tuple of Solution, int
-        The consistent solutions, and which one is drawn in full; -1 where there is none.
+        The consistent solutions, and the index of the one drawn in full; -1 if there is none.
     symbol : str
-        Letter of the motions: "a" where inertia resists, else "v".
+        Symbol of the motions: "a" if inertia resists, otherwise "v".
     side : tuple of float, optional
-        Ends of the side that a finger pushes; None is a fence.
+        Ends of the side that a finger pushes; None for a fence.
     finger_radius : float
-        Radius of that finger, 0 of a point.
+        Radius of this finger; 0 for a point.
     rubbing : tuple of ndarray
-        Places where the support rubs, and its friction there in the chosen solution, shapes (n, 2).
+        Positions at which the support rubs, and its friction there in the chosen solution, shapes (n, 2).
     curve, flats : ndarray, sequence of slice
-        Limit curve in forces, shape (n, 2), and its parts that belong to one pivot each.
+        Forces of the limit curve, shape (n, 2), and its flats, which belong to one pivot each.
     drawn : float, optional
-        Drawn length of the pusher's motion, in units of the reach, which is that of the longest motion by
-        default.
+        Drawn length of the pusher's motion, in units of the reach; by default the longest motion has the
+        length of the reach.
     unit : str
-        Unit of length, where the scene names it.
+        Unit of length, if the scene names it.
     """
 
     body: Body
@@ -99,7 +99,7 @@ class Sketch:
         chosen: int | None = None,
         **rest: Any,
     ) -> Self:
-        """The sketch of a scene under a push at an angle in radians, or of the scene alone."""
+        """Sketch of a scene under a push at an angle in radians, or of the scene alone."""
         slider = scene.slider
         friction, motion = friction_cone(scene), motion_cone(scene)
         own: dict[str, Any] = {
@@ -121,7 +121,7 @@ class Sketch:
 
     @classmethod
     def of_dataset(cls, data: xr.Dataset) -> Self:
-        """The sketch of a scene's dataset as a study stores it."""
+        """Sketch of a scene's dataset as a study stores it."""
         solutions = tuple(_solution(data.isel(solution=i)) for i in range(data.sizes["solution"]))
         which = best(solutions)
         angle = float(np.deg2rad(data["rod_angle"].item()))
@@ -141,7 +141,7 @@ class Sketch:
 
     @property
     def solution(self) -> Solution | None:
-        """The solution that is drawn in full."""
+        """The solution drawn in full."""
         return self.solutions[self.chosen] if self.chosen >= 0 else None
 
     @property
@@ -151,12 +151,12 @@ class Sketch:
 
     @property
     def half(self) -> float:
-        """Half the larger side of the support; a ring's radius."""
+        """Half the larger side of the support; the radius of a ring."""
         return self.body.half
 
     @property
     def middle(self) -> Array:
-        """Middle of the support; a ring's center."""
+        """Middle of the support; the center of a ring."""
         return self.pose.at(self.body.middle)
 
     @property
@@ -166,7 +166,7 @@ class Sketch:
 
     @property
     def reach(self) -> float:
-        """Length at which the longest motion is drawn."""
+        """Drawn length of the longest motion."""
         return 0.38 * self.span
 
     @property
@@ -179,7 +179,7 @@ class Sketch:
         return self.reach / (max(pusher, own) or 1.0)
 
     def force_scale(self, solution: Solution) -> float:
-        """Drawn length of a unit of force; it keeps heads of forces off the head of a motion along them."""
+        """Drawn length of a unit of force; it keeps the head of a force off that of a parallel motion."""
         speed, reaches = float(np.hypot(*solution.contact_motion)), []
         for force in forces(solution):
             size = float(np.hypot(*force))
@@ -188,13 +188,13 @@ class Sketch:
         return min(reaches)
 
     def end_of_line(self, force: Array) -> Array:
-        """Where the line of a force is drawn to: past the slider."""
+        """End of the drawn line of a force, past the slider."""
         heading = heading_of(force)
         along = float(heading @ self.middle)
         return np.asarray((along + (-1 if along < 0 else 1) * 1.2 * self.half) * heading)
 
     def distance(self, solution: Solution) -> float:
-        """Distance of a motion center from the slider's center; infinite for a translation."""
+        """Distance of the motion center from the slider's center; infinite for a translation."""
         away = float(np.hypot(*(solution.center - self.center)))
         return away if solution.spin_ratio and np.isfinite(away) else np.inf
 
@@ -203,7 +203,7 @@ class Sketch:
         return moves(solution) and self.distance(solution) < FAR * self.span
 
     def far_center(self, solution: Solution) -> Array:
-        """Where the line towards a motion center that is far away ends."""
+        """End of the line toward a motion center that is far away."""
         if not (solution.spin_ratio and np.isfinite(solution.center).all()):
             return self.center
         return np.asarray(self.center + 1.6 * self.half * heading_of(solution.center - self.center))
@@ -220,7 +220,7 @@ class Sketch:
 
     @property
     def box(self) -> Array:
-        """Corners of all that is drawn in full."""
+        """Corners of the box around everything drawn in full."""
         rim = SUPPORT_LENGTH * self.half * np.array([[-1.0, -1.0], [1.0, 1.0]])
         rubs = bool(np.any(self.rubbing[1]))
         points: list[Any] = [(0.0, 0.0), self.center, self.body.box(self.pose) + rubs * rim]
@@ -242,7 +242,7 @@ class Sketch:
 
 
 def heading_of(vector: Array) -> Array:
-    """Unit vector along a vector; zero along none."""
+    """Unit vector along a vector; zero for a zero vector."""
     return np.asarray(vector / (float(np.hypot(*vector)) or 1.0))
 
 
@@ -252,7 +252,7 @@ def moves(solution: Solution) -> bool:
 
 
 def forces(solution: Solution) -> list[Array]:
-    """The force; where a pivot leaves it open the ends of its interval, the right one first."""
+    """The force, or both ends of its interval, the right one first, if a pivot leaves it undetermined."""
     one, other = solution.force, solution.force_end
     if np.array_equal(one, other):
         return [one]
@@ -260,7 +260,7 @@ def forces(solution: Solution) -> list[Array]:
 
 
 def _solution(one: xr.Dataset) -> Solution:
-    """A solution of a scene's dataset."""
+    """A solution in a scene's dataset."""
     return Solution(
         mode=ContactMode(int(one["mode"])), force=one["force"].values,
         force_end=one.get("force_end", one["force"]).values,
@@ -271,7 +271,7 @@ def _solution(one: xr.Dataset) -> Solution:
 
 
 def rubbing_of(scene: Scene, solution: Solution) -> tuple[Array, Array]:
-    """Places where the support of a scene rubs, and its friction there."""
+    """Positions at which the support of a scene rubs, and its friction there."""
     twist = solution.twist[None]
     if not scene.friction:
         return NOWHERE
@@ -283,7 +283,7 @@ def rubbing_of(scene: Scene, solution: Solution) -> tuple[Array, Array]:
 
 
 def _around(center: Array, radius: float, friction: Array) -> tuple[Array, Array]:
-    """Every second of the places on a ring: all of them would touch each other."""
+    """Every second position on a ring, because arrows at all positions would touch."""
     turns = np.linspace(0.0, 2 * np.pi, len(friction), endpoint=False)
     return (center + radius * direction(turns))[::2], friction[::2]
 
@@ -295,12 +295,13 @@ def _rubbing(one: xr.Dataset) -> tuple[Array, Array]:
 
 
 def with_curve(sketch: Sketch, scene: Scene) -> Sketch:
-    """The sketch with the limit curve of its scene.
+    """Sketch with the limit curve of its scene.
 
     Raises
     ------
     InvalidValue
-        Where the force depends on the magnitude of the motion: no curve limits the forces of all motions.
+        If the force depends on the magnitude of the motion, so that no single curve bounds the forces of
+        all motions.
     """
     if is_magnitude_open(scene):
         raise InvalidValue(
@@ -312,7 +313,7 @@ def with_curve(sketch: Sketch, scene: Scene) -> Sketch:
 
 
 def flats(motion: Array) -> list[slice]:
-    """Where a limit curve is flat: points whose motions have one angle, in radians."""
+    """Flats of a limit curve: runs of points with one angle of motion, in radians."""
     flat = np.concatenate([[False], np.abs(np.diff(motion)) < ALIKE, [False]])
     turns = np.flatnonzero(flat[1:] != flat[:-1]).reshape(-1, 2)
     return [slice(int(start), int(stop) + 1) for start, stop in turns]

@@ -1,4 +1,4 @@
-"""The figures of a study: those that its file lists, with the values that each takes from it."""
+"""Figures of a study: those that its file lists, with the values that each takes from it."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ from planar_pushing.study.slices import computes
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 
-#: Figures on measured pushes, drawn from their numbers in the project's folder.
-PUSHES = ("figure_21", "figure_22")
-#: Figures on how this work computes and predicts, of the report in its order and of its supplement: every
-#: study has the same.
-OURS = ("hard_cases", *PUSHES, "accuracy_evaluations", "accuracy_time")
+#: Figures on measured pushes, drawn from numbers in the project's folder.
+PUSHES = ("measured_pressures", "measured_errors")
+#: Figures on the computations and predictions of this work, in the order of the report and of its
+#: supplement; they are the same for every study.
+OURS = (*PUSHES, "accuracy_evaluations", "hard_cases", "effect_counts", "accuracy_time")
 SUPPLEMENT = ("accuracy_cone", "accuracy_motion", "accuracy_wrench", "effects")
 
 
 def numbered() -> list[str]:
-    """Names of the figures with a number, in their order: those that a study can list."""
+    """Names of the numbered figures, which a study can list, in order."""
     return [name for name in figure_names() if name not in (*OURS, *SUPPLEMENT)]
 
 
 def load_drawn_study(path: PathLike) -> StudyFile:
-    """Read a study file and check the figures that it lists too; errors as in `load_study`."""
+    """Read a study file and check its figures too; errors as in `load_study`."""
     study = load_study(path)
     for problem in problems(study):
         raise InvalidFile(f"{path}: {problem}")
@@ -37,14 +37,14 @@ def load_drawn_study(path: PathLike) -> StudyFile:
 
 
 def settings(study: StudyFile, name: str) -> dict[str, Any]:
-    """Values of a figure: those of its entry, and the rod of the study where it names none."""
+    """Values of a figure: those of its entry, and the rod of the study if the entry gives none."""
     given = study.figures.get(name, FigureEntry()).model_dump()
     rod = {"rod_length": study.slider.rod_length, "rod_angle": study.slider.rod_angle}
     return rod | {key: each for key, each in given.items() if each is not None}
 
 
 def problems(study: StudyFile) -> Iterator[str]:
-    """Reasons why figures that a study lists cannot be drawn."""
+    """Reasons why figures listed by a study cannot be drawn."""
     known = numbered()
     for name, given in study.figures.items():
         if name not in known:
@@ -62,7 +62,7 @@ def problems(study: StudyFile) -> Iterator[str]:
 
 
 def _missing_sources(study: StudyFile, name: str, figure: Figure) -> Iterator[str]:
-    """Datasets, scenes, logs and effects that a figure is drawn from, and the study lacks."""
+    """Problems with datasets, scenes, logs and effects that a figure needs and the study lacks."""
     if figure.needs and figure.needs not in study.grid.effects:
         yield f"figures.{name}: shows {figure.needs}; allowed: where grid.effects lists it; remove it"
         return
@@ -78,7 +78,7 @@ def _missing_sources(study: StudyFile, name: str, figure: Figure) -> Iterator[st
 
 
 def _missing_values(study: StudyFile, name: str, figure: Figure) -> Iterator[str]:
-    """Values that a figure takes and has not, and values of axes at which it cuts a dataset."""
+    """Problems with values that a figure lacks, and with axis values at which it cuts a dataset."""
     found = settings(study, name)
     for key in figure.takes:
         if found.get(key) is None:
@@ -105,7 +105,7 @@ def _axes(source: str) -> tuple[str, ...]:
 
 
 def pictures(results: Path, study: StudyFile) -> dict[str, Path]:
-    """PNG pictures of the figures of a study and of their variants, by name."""
+    """PNG files of the figures of a study and of their variants, by name."""
     found = {}
     for name in study.figures:
         for variant in entry(name).variants:

@@ -1,4 +1,4 @@
-"""The style sheet that all pictures share."""
+"""The style sheet of all pictures."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ STYLE_SHEET = Path(__file__).with_name("paper.mplstyle")
 
 @contextmanager
 def paper_style() -> Iterator[None]:
-    """Draw and save inside with matplotlib's defaults and the style sheet, and nothing else."""
+    """Context for drawing and saving with only matplotlib's defaults and the style sheet."""
     with matplotlib.style.context(["default", str(STYLE_SHEET)]):
         yield
         interactive = matplotlib.is_interactive()

@@ -1,4 +1,4 @@
-"""Marks of supports: each kind in its place, and the box around it."""
+"""Marks of supports of each kind at a pose, and the boxes around them."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from planar_pushing.figures.marks import AREAS, LINES, Picture, Place, arc
 from planar_pushing.mechanics import supports
 from planar_pushing.mechanics.plane import Array, direction
 
-#: How much of the slider's color an even area has, the highest pressure of a map, and a support point.
+#: Strength of the color of a uniform area, of a map's highest pressure, and of a support point.
 EVEN, HIGHEST, POINT = 0.1, 0.62, 0.5
-#: Diameter of the heaviest support point, least diameter of any, and line width of a segment: points, for
+#: Diameter of the heaviest support point, smallest diameter, and line width of a segment, in points, for
 #: outlines of the default width.
 HEAVIEST, LIGHTEST, BAR = 8.5, 2.5, 5.0
-#: Orders: areas lie below cones, outlines above, support points above these.
+#: Drawing orders: areas are below cones, outlines above cones, and support points above outlines.
 BELOW, OUTLINE, FEET = AREAS + 0.2, LINES + 1.0, LINES + 1.5
 
 
 class Pose(NamedTuple):
-    """Origin of the body frame, angle of its x axis in radians, and length of its unit."""
+    """Origin of the body frame, angle of its x axis in radians, and its unit of length."""
 
     origin: Place
     angle: float
@@ -37,14 +37,14 @@ class Pose(NamedTuple):
 
 
 class Ink(NamedTuple):
-    """Color, and width of outlines in points."""
+    """Color, and line width of outlines in points."""
 
     color: str = SLIDER
     width: float = 2.2
 
     @property
     def part(self) -> float:
-        """Ratio of the width to the default."""
+        """Ratio of the line width to the default."""
         return self.width / Ink().width
 
 
@@ -58,7 +58,7 @@ def extents(support: Any, pose: Pose) -> Array:
 
 @lru_cache(maxsize=32)
 def _rim(support: Any) -> tuple[Array, Array]:
-    """Points and ends of edges of a support, and its circles: x, y and radius."""
+    """Points and vertices of a support, and its circles as x, y and radius."""
     if isinstance(support, supports.Composite):
         parts = [_rim(member) for _, member in support.members]
         return np.concatenate([part[0] for part in parts]), np.concatenate(
@@ -73,7 +73,7 @@ def _rim(support: Any) -> tuple[Array, Array]:
 
 
 def add_support(picture: Picture, support: Any, pose: Pose, ink: Ink) -> None:
-    """Support in its place; a ring has a radius of its own."""
+    """Add a support at a pose."""
     DRAWN[type(support)](picture, support, pose, ink)
 
 
@@ -82,14 +82,14 @@ def _circle(pose: Pose, center: Place, radius: float) -> Array:
 
 
 def _filled(picture: Picture, rings: list[Array], ink: Ink, strength: float = EVEN) -> None:
-    """Area with its outlines."""
+    """Add an area with its outlines."""
     picture.area(*rings, color=tint(ink.color, strength), order=BELOW)
     for ring in rings:
         _outline(picture, ring, ink)
 
 
 def _outline(picture: Picture, ring: Array, ink: Ink) -> None:
-    """Closed line; it starts within an edge, so that its corners are mitred."""
+    """Add a closed line, which starts within an edge so that all corners are mitered."""
     start = (ring[0] + ring[-1]) / 2
     points = np.vstack([start, ring, start])
     picture.line(points, ink.color, width=ink.width, order=OUTLINE)
@@ -113,7 +113,7 @@ def _polygon(picture: Picture, polygon: supports.Polygon, pose: Pose, ink: Ink) 
 
 
 def _pressure_map(picture: Picture, given: supports.PressureMap, pose: Pose, ink: Ink) -> None:
-    """Cells, darker the higher their pressure, and the thin outline of the map."""
+    """Add the cells, darker at higher pressure, and the thin outline of the map."""
     x, y, pressure = (np.array(each) for each in (given.x, given.y, given.pressure))
     for j, i in np.argwhere(pressure > 0):
         box = [(x[i], y[j]), (x[i + 1], y[j]), (x[i + 1], y[j + 1]), (x[i], y[j + 1])]
@@ -125,7 +125,7 @@ def _pressure_map(picture: Picture, given: supports.PressureMap, pose: Pose, ink
 
 
 def _corners(given: supports.PressureMap) -> Array:
-    """Corners of the grid of a map, of which outer cells may be empty."""
+    """Corners of the grid of a map; its outer cells can be empty."""
     (left, *_, right), (low, *_, high) = given.x, given.y
     return given.frame.point_out([(left, low), (right, low), (right, high), (left, high)])
 
@@ -136,7 +136,7 @@ def _segment(picture: Picture, segment: supports.Segment, pose: Pose, ink: Ink) 
 
 
 def _points(picture: Picture, points: supports.Points, pose: Pose, ink: Ink) -> None:
-    """Dots whose areas are in the ratio of the weights, on thin legs from the center of pressure."""
+    """Add dots with areas proportional to the weights, on thin legs from the center of pressure."""
     heaviest, places = max(points.weights), pose.at(points.positions)
     middle = pose.at(points.center_of_pressure)
     for place, weight in zip(places, points.weights, strict=True):
@@ -147,19 +147,19 @@ def _points(picture: Picture, points: supports.Points, pose: Pose, ink: Ink) -> 
 
 
 def _leg(picture: Picture, start: Array, end: Array, ink: Ink) -> None:
-    """Thin line between what belongs to one body."""
+    """Add a thin line that connects points of one body."""
     picture.line([start, end], tint(ink.color, POINT), width=0.6, order=LINES)
 
 
 def _composite(picture: Picture, composite: supports.Composite, pose: Pose, ink: Ink) -> None:
-    """The members, on thin legs from their common center of pressure."""
+    """Add the members, on thin legs from their common center of pressure."""
     middle = pose.at(composite.center_of_pressure)
     for _, member in composite.members:
         _leg(picture, middle, pose.at(member.center_of_pressure), ink)
         add_support(picture, member, pose, ink)
 
 
-#: How each kind of support is drawn.
+#: Drawing function of each kind of support.
 DRAWN: dict[type, Callable[..., None]] = {
     supports.Annulus: _annulus,
     supports.Composite: _composite,

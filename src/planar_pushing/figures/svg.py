@@ -26,12 +26,12 @@ from planar_pushing.mechanics.plane import Array
 
 FONT = "STIXGeneral, 'STIX Two Text', 'Times New Roman', 'DejaVu Serif', serif"
 ANCHORS = {"left": "start", "center": "middle", "right": "end"}
-#: Commands of matplotlib's mathematical text that labels have, and the letters that they stand for.
+#: Commands of matplotlib's mathematical text that labels contain, and the corresponding letters.
 LETTERS = {
     r"\phi": "φ", r"\psi": "ψ", r"\theta": "θ", r"\mu": "μ", r"\omega": "ω", r"\rho": "ρ",
     r"\infty": "∞", r"\circ": "°", r"\times": "×",
 }  # fmt: skip
-#: Strokes of a pattern, by the letters of a hatch, in a cell of 6 pixels.
+#: Strokes of a pattern by the characters of a hatch, in a cell of 6 pixels.
 STROKES = {
     "/": "M-1 7L7 -1", "\\": "M-1 -1L7 7", "x": "M-1 7L7 -1M-1 -1L7 7", "+": "M3 0V6M0 3H6",
     ".": "M3 2.2v1.6",
@@ -46,7 +46,7 @@ TOKEN = re.compile(
 def to_svg(
     picture: Picture, box: Array, size: Sequence[float], pad: float = 12.0, point: float = 1.0
 ) -> str:
-    """SVG of a size in pixels that shows a box with points around it; a point has `point` pixels."""
+    """SVG of a size in pixels that shows a box with padding in points; a point has `point` pixels."""
     sheet = Sheet.around(box, size, pad, point)
     wide, high = (f"{each:.6g}" for each in sheet.size)
     return (
@@ -56,7 +56,7 @@ def to_svg(
 
 
 def content(picture: Picture, sheet: Sheet) -> str:
-    """Elements of the marks, what covers others last."""
+    """Elements of the marks in drawing order, covering marks last."""
     labels = {id(old): new for old, new in _labels(picture, sheet)}
     marks = [labels.get(id(mark), mark) for mark in picture.ordered]
     patterns = sorted({(a.hatch, a.ink) for a in marks if isinstance(a, Area) and a.hatch})
@@ -152,7 +152,7 @@ def _label(label: Label, sheet: Sheet) -> str:
 
 
 def text(row: str) -> str:
-    """A row of a label in SVG: mathematical text between dollars as bold, italic and small letters."""
+    """A row of a label in SVG; mathematical text between dollar signs is bold, italic or small."""
     parts = row.split("$")
     found = [
         html.escape(part) if i % 2 == 0 else "".join(_math(part)) for i, part in enumerate(parts)

@@ -1,4 +1,4 @@
-"""The part of a log that pictures of motion over time show: rows, and runs of a mode."""
+"""Data for pictures of motion over time: the plotted rows of a log, and runs of a mode."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.options import Shape
 from planar_pushing.terms.quantities import described
 
-#: Variables of a log that a picture shows; in the picture's data they are named path_*.
+#: Variables of a log that a picture shows, named path_* in the picture's data.
 PATH = (
     "position",
     "pusher",
@@ -29,14 +29,14 @@ PATH = (
     "mode",
     "solutions",
 )
-#: How far a side without an end is drawn beyond the finger, in units of the slider's span.
+#: Distance to which an endless side is drawn beyond the finger, in units of the slider's span.
 BEYOND = 0.45
-#: Speeds that differ by less are equal.
+#: Speeds that differ by less count as equal.
 ROUNDING = 1e-6
 
 
 class Run(NamedTuple):
-    """Rows from `start` to `stop`, both included, that one mode was chosen for."""
+    """Rows from `start` to `stop`, both included, with one chosen mode."""
 
     start: int
     stop: int
@@ -45,12 +45,12 @@ class Run(NamedTuple):
 
 
 def plotted(log: xr.Dataset) -> xr.Dataset:
-    """Select what a picture of a log shows.
+    """Select the data that a picture of a log shows.
 
     Raises
     ------
     InvalidFile
-        Where the dataset is no log of a scene that scene files have names for.
+        If the dataset is not the log of a scene that a scene file can describe.
     """
     missing = [name for name in (*PATH, "twist") if name not in log]
     try:
@@ -79,7 +79,7 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
 
 
 def motion_center(log: xr.Dataset) -> xr.DataArray:
-    """Place of the motion center; NaN for a slider that does not turn."""
+    """Position of the motion center; NaN for a slider that does not turn."""
     v_x, v_y, spin = np.moveaxis(log["twist"].values, -1, 0)
     with np.errstate(divide="ignore", invalid="ignore"):
         offset = np.stack([-v_y, v_x], axis=-1) / spin[:, None]
@@ -89,7 +89,7 @@ def motion_center(log: xr.Dataset) -> xr.DataArray:
 
 
 def impacts(log: xr.Dataset) -> list[int]:
-    """Rows at which the slider's momentum jumps: changes that the forces around would not cause."""
+    """Rows at which the slider's momentum jumps by more than the neighboring forces explain."""
     effects = {each["type"]: each for each in json.loads(log.attrs["scene"])["effects"]}
     if "inertia" not in effects:
         return []
@@ -98,7 +98,7 @@ def impacts(log: xr.Dataset) -> list[int]:
     momentum = mass * np.hypot(*np.diff(_of_mass(log, effects["inertia"]), axis=0).T)
     force = np.hypot(*log["force"].values.T)
     largest = weight + np.maximum(force[1:], force[:-1])
-    # Twice, for forces that change between two rows; the rest is rounding.
+    # A factor of two, for forces that change between two rows, and a margin for rounding.
     allowed = 2 * largest * np.diff(log["time"].values) + ROUNDING * mass
     return [int(row) + 1 for row in np.flatnonzero(momentum > allowed)]
 
@@ -112,7 +112,7 @@ def _of_mass(log: xr.Dataset, inertia: dict[str, Any]) -> Array:
 
 
 def side_of(log: xr.Dataset, slider: dict[str, Any]) -> xr.DataArray:
-    """Both ends of the side at every instant of a log, those that it has or those that are drawn."""
+    """Both ends of the side at every instant of a log: its real ends, or the drawn ends if it has none."""
     along = log["contact_position"].values
     beyond = BEYOND * (slider["rod_length"] + slider["radius"])
     first, last = map(float, slider.get("side", (-np.inf, np.inf)))
@@ -131,38 +131,38 @@ def _unit(angle: Array) -> Array:
 
 
 def contact(data: xr.Dataset) -> Array:
-    """Place of the contact at every row: of the finger's point nearest to the side, or of the rod's end."""
+    """Position of the contact at every row: the finger's point nearest the side, or the rod's end."""
     if "path_side" not in data:
         return rod_end(data)
     return finger_center(data) + finger_radius(data) * normal(data)
 
 
 def finger_radius(data: xr.Dataset) -> float:
-    """Radius of the finger, 0 of a point."""
+    """Radius of the finger; 0 for a point."""
     return float(data["pusher_radius"]) if "pusher_radius" in data else 0.0
 
 
 def finger_center(data: xr.Dataset) -> Array:
-    """Place of the finger's center at every row."""
+    """Position of the finger's center at every row."""
     return np.asarray(data["path_pusher"].values - (0.0, finger_radius(data)))
 
 
 def normal(data: xr.Dataset) -> Array:
-    """Normal of the side into the slider, at every row."""
+    """Normal of the side into the slider at every row."""
     along = np.diff(data["path_side"].values, axis=-2)[..., 0, :]
     x, y = np.moveaxis(along / np.hypot(along[..., :1], along[..., 1:]), -1, 0)
     return np.stack([-y, x], axis=-1)
 
 
 def rod_end(data: xr.Dataset) -> Array:
-    """Place of the rod's free end at every row, which a finger meets at time 0."""
+    """Position of the rod's free end at every row; a finger touches it at time 0."""
     angle = np.deg2rad(data["path_rod_angle"].values)
     toward = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
     return np.asarray(data["path_position"].values - float(data["rod_length"]) * toward)
 
 
 def runs(data: xr.Dataset) -> Iterator[Run]:
-    """Spans of time by the mode that was chosen, and whether there was a choice."""
+    """Time intervals with one chosen mode, split where a choice begins or ends."""
     modes, several = data["path_mode"].values, data["path_solutions"].values > 1
     key = 2 * modes.astype(int) + several
     starts = np.flatnonzero(np.diff(key, prepend=key[0] - 1))
@@ -172,7 +172,7 @@ def runs(data: xr.Dataset) -> Iterator[Run]:
 
 
 def pivots(data: xr.Dataset) -> Iterator[Run]:
-    """Spans of time in which the slider pivots about one support point; an instant is none."""
+    """Time intervals, longer than an instant, in which the slider pivots about one support point."""
     if "path_pivot" not in data:
         return
     points = data["path_pivot"].values
@@ -184,7 +184,7 @@ def pivots(data: xr.Dataset) -> Iterator[Run]:
 
 
 def rows(data: xr.Dataset, count: int) -> list[int]:
-    """Rows nearest to instants that divide the time evenly, ends included."""
+    """Rows nearest to evenly spaced instants, both ends included."""
     time = data["time"].values
     wanted = np.linspace(time[0], time[-1], count)
     return sorted({int(np.argmin(np.abs(time - each))) for each in wanted})

@@ -11,19 +11,19 @@ from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.solutions import Solution
 
 NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight")
-#: What the contact does, by its mode.
+#: Behavior of the contact by its mode.
 NAMES = {
     ContactMode.SEPARATE: "the contact breaks",
     ContactMode.STICK: "the contact sticks",
     ContactMode.SLIP_RIGHT: "slips to the right",
     ContactMode.SLIP_LEFT: "slips to the left",
 }
-#: Sizes below this, relative to what they are compared with, are rounding.
+#: Relative magnitudes below this are rounding error.
 ROUNDING = 1e-9
 
 
 def best(solutions: Sequence[Solution], wanted: str = "") -> int:
-    """Which solution is drawn in full: the wanted mode, else sticking, else one that moves."""
+    """Index of the solution to draw in full: the wanted mode, otherwise sticking, otherwise moving."""
     ranks = [
         (
             each.mode.name != wanted,
@@ -36,13 +36,13 @@ def best(solutions: Sequence[Solution], wanted: str = "") -> int:
 
 
 def best_row(modes: Any) -> Any:
-    """The same of an array of modes, as an index that keeps the axis; empty where there is none."""
+    """Row of an array of modes to draw in full, as an index that keeps the axis; empty if there is none."""
     ranks = np.select([modes == ContactMode.STICK, modes != ContactMode.SEPARATE], [0, 1], 2)
     return np.argsort(ranks, kind="stable")[:1]
 
 
 def does(solution: Solution, pusher: Any) -> str:
-    """Behavior of the contact, as "slips to the left while being pulled"."""
+    """Behavior of the contact, such as "slips to the left while being pulled"."""
     found = NAMES[solution.mode]
     if solution.mode == ContactMode.SEPARATE:
         return found
@@ -56,19 +56,19 @@ def does(solution: Solution, pusher: Any) -> str:
 
 
 def outcome(solutions: Sequence[Solution], pusher: Any, shown: int) -> str:
-    """One sentence: what the solution that is drawn does, and the others."""
+    """One sentence on the solution that is drawn and on the others."""
     if not solutions:
         return "No motion of the slider is consistent with this push."
     said = _capital(_named(does(solutions[shown], pusher)))
     others = [does(each, pusher) for i, each in enumerate(solutions) if i != shown]
     if not others:
         return f"{said}."
-    count = f"{NUMBERS[len(others)]} more way{'' if len(others) == 1 else 's'}"
+    count = f"{NUMBERS[len(others)]} other solution{'' if len(others) == 1 else 's'}"
     return f"{said}; {count}: {_joined(others)}."
 
 
 def _named(said: str) -> str:
-    """The same with its subject."""
+    """Behavior with its subject."""
     return said if said.startswith("the contact") else f"the contact {said}"
 
 
@@ -77,7 +77,7 @@ def _capital(said: str) -> str:
 
 
 def _joined(others: list[str]) -> str:
-    """Alternatives in a row, the first with its subject."""
+    """Alternatives as a list in words, the first with its subject."""
     named = [_named(others[0]), *others[1:]]
     if len(named) == 1:
         return named[0]
@@ -85,7 +85,7 @@ def _joined(others: list[str]) -> str:
 
 
 def row(solution: Solution, pusher: Any) -> dict[str, str]:
-    """The numbers of a solution as short texts: force, motion, center and slip."""
+    """Force, motion, center and slip of a solution as short texts."""
     slip = float(solution.contact_motion[0] - pusher[0])
     rests = solution.mode == ContactMode.SEPARATE
     sticks = solution.mode == ContactMode.STICK
@@ -99,7 +99,7 @@ def row(solution: Solution, pusher: Any) -> dict[str, str]:
 
 
 def _polar(vector: Any) -> str:
-    """Size and direction."""
+    """Magnitude and direction."""
     angle = float(np.rad2deg(np.arctan2(vector[1], vector[0])))
     return f"{number(float(np.hypot(*vector)))} at {number(angle, 1)}\N{DEGREE SIGN}"
 
@@ -111,7 +111,7 @@ def _place(center: Any) -> str:
 
 
 def number(value: float, digits: int = 3) -> str:
-    """A number with a true minus, short; rounding is zero, which has no sign."""
+    """Short text of a number, with a true minus; rounding error becomes zero, without a sign."""
     if abs(value) < ROUNDING:
         return "0"
     text = f"{value:.{digits}f}" if 0.01 <= abs(value) < 1e4 or digits < 3 else f"{value:.3g}"

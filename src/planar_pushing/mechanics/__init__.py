@@ -1,1 +1,1 @@
-"""The mechanics of pushing: numpy and scipy, nothing more."""
+"""The mechanics of pushing."""

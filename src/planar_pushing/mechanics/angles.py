@@ -22,7 +22,7 @@ RESOLUTION = 8 * EPSILON
 class AngleInterval:
     """Directions from `right` counter-clockwise to `left`, radians, unwrapped: right <= left.
 
-    ``angle in interval`` tells whether one direction lies in it, `contains` whether each of an array does.
+    ``angle in interval`` tests one direction, and `contains` an array of directions.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ class AngleInterval:
     closed : bool or array
         Whether the edges belong to the interval.
     status : int or array, optional
-        Of a motion cone, values of `Status`.
+        For a motion cone, values of `Status`.
     """
 
     right: Number
@@ -71,12 +71,12 @@ class AngleInterval:
         return self.left - self.right
 
     def contains(self, angle: npt.ArrayLike) -> npt.NDArray[np.bool_]:
-        """Whether each direction lies in the interval, whose edges count as reached within `RESOLUTION`.
+        """Whether each direction lies in the interval; edges are resolved to `RESOLUTION`.
 
         Parameters
         ----------
         angle : float or array
-            Radians, taken modulo a full turn.
+            Radians, taken modulo 2 pi.
         """
         middle = (self.right + self.left) / 2
         off = np.subtract(required("angle", angle), middle)
@@ -97,7 +97,7 @@ def _in_degrees(edge: Number) -> Number:
 def interval(
     right: Number, left: Number, closed: Number, status: Number = int(Status.CONSISTENT)
 ) -> Any:
-    """An angle interval; of labelled edges a dataset with the same names, `right`, `left` and `closed`."""
+    """Angle interval; for labeled edges, a dataset with the variables `right`, `left` and `closed`."""
     if not (is_labelled(right) or is_labelled(left)):
         return AngleInterval(right, left, closed, status)
     edges = {"right": right, "left": left, "closed": closed * (right == right)}

@@ -1,4 +1,4 @@
-"""Motion centers: where the slider can turn about, exactly and by the paper's seven cases (Sec. 4)."""
+"""Motion centers of the slider, exactly and by the paper's seven cases (Sec. 4)."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Origin(StrEnum):
     RING_CENTER = "ring-center"
 
 
-#: The same as the enum, or as its value.
+#: The enum, or its value.
 OriginName = Origin | Literal["contact", "ring-center"]
 CENTER = (Output("center", (("xy", 2),)),)
 CONE = (Output("conservative_cone_right"), Output("conservative_cone_left"))
@@ -50,7 +50,7 @@ CONE = (Output("conservative_cone_right"), Output("conservative_cone_left"))
 @kernel
 @owning
 def _centers(kinds, rows, centers):
-    """Behind the directions a row holds the radius, and the rod's length from the origin of the centers."""
+    """After the directions a row holds the radius, and the rod's length from the origin of the centers."""
     last = count_fields(kinds) + 4
     for i in range(len(rows)):
         effects, own, at, force, ratio = under_force(kinds, rows[i])
@@ -114,14 +114,14 @@ def motion_centers(
     force_angle : float or array, shape S
         phi, radians.
     inertia_share, force_ratio : float or array, optional
-        As in `spin_ratio`, whose errors are those of this function.
+        As in `spin_ratio`, which raises the same errors.
     origin : {"contact", "ring-center"}
         The point to which the centers are relative; "ring-center" is the slider's center.
 
     Returns
     -------
     ndarray or DataArray
-        A DataArray where an argument, or a parameter of the scene, is one.
+        A DataArray if an argument, or a parameter of the scene, is one.
     """
     origin = require_option("origin", origin, Origin, "name one of these points")
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
@@ -132,11 +132,11 @@ def motion_centers(
 
 @compiled
 def conservative_spin_ratios(arm):
-    """Ends of the spin ratios that the paper's seven cases allow, for a moment arm in units of R.
+    """Limits of the spin ratio in the paper's seven cases, for a moment arm in units of R.
 
-    A line of force outside the ring puts the center inside it (1 .. inf), a tangent line on it, a line
-    through the ring outside it (0 .. 1), and a line through the ring center at infinity (0);
-    the center lies opposite, so the cases mirror for negative arms.
+    The motion center is inside the ring (1 .. inf) for a line of force outside it, on the ring for a
+    tangent line, outside it (0 .. 1) for a line through the ring, and at infinity (0) for a line through
+    the ring center. It lies across the ring center from the line, so negative arms mirror the cases.
     """
     size = abs(arm)
     near = 1.0 if size >= 1.0 else 0.0
@@ -192,13 +192,13 @@ def conservative_motion_cone(scene: Scene) -> AngleInterval:
     Returns
     -------
     AngleInterval
-        Of a labelled scene an xarray.Dataset, as of `friction_cone`.
+        For a labeled scene an xarray.Dataset, as in `friction_cone`.
 
     Raises
     ------
     InvalidValue
-        Where an effect does not turn the slider about a point of the ring under a tangent force, as
-        facts 5-7 of Sec. 4 presume: with inertia the radius of gyration must be the ring's radius.
+        If an effect alone does not turn the slider about a point of the ring under a tangent force, as
+        facts 5-7 of Sec. 4 assume: with inertia, the radius of gyration must be the ring's radius.
     """
     if not required_scene(scene).isotropic:
         raise InvalidValue(

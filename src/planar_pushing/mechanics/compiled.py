@@ -1,9 +1,9 @@
-"""The decorators of the compiled core, and where its cache lives.
+"""The decorators of the compiled core, and the location of its cache.
 
-A formula is a function of numbers. `compiled` makes it a part of compiled code, which Python enters by a
-`kernel`; with ``NUMBA_DISABLE_JIT=1`` all stay the Python functions that they are. `generic` chooses a body
-by the type of the first argument, in compiled code as in Python: what a scene does not list is not compiled
-into its functions.
+A formula is a function of numbers. `compiled` makes it a part of compiled code, which Python enters through
+a `kernel`; with ``NUMBA_DISABLE_JIT=1`` all remain plain Python functions. `generic` chooses a body by the
+type of the first argument, in compiled code as in Python: effects that a scene does not list are not
+compiled into its functions.
 """
 
 from __future__ import annotations
@@ -31,30 +31,30 @@ from numba.extending import overload
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
-#: Packages whose sources are compiled. Numba's cache sees changes in a function's own file only; the
-#: digest of all these files keeps stale callees out.
+#: Packages whose sources are compiled. Numba's cache detects changes in a function's own file only; the
+#: digest of all these files excludes stale callees.
 SOURCES = ("mechanics", "simulation")
-#: How every function is compiled: to run beside others, to divide as numpy does, exactly, and to count no
-#: references to arrays, which takes longer than many a formula.
+#: Options of every function: it releases the GIL, divides as numpy does, and counts no references to
+#: arrays, which would take longer than many a formula.
 OPTIONS = {"nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True, "_nrt": False}
-#: And a function that is a part of kernels alone: Python has no way into it.
+#: Further option of a function that is only a part of kernels: it has no entry point from Python.
 PART = {"no_cpython_wrapper": True}
 LOG = logging.getLogger("planar_pushing")
-#: Kernels that take long to compile: what a user calls, and seconds of one core of a virtual machine, on
-#: average over the kinds of sliders; the longest take twice as long.
+#: Kernels that take long to compile: the user's call, and seconds on one core of a virtual machine,
+#: averaged over the kinds of sliders; the slowest take twice as long.
 SLOW = {
     "planar_pushing.mechanics.solve._modes": ("solve", 25),
     "planar_pushing.mechanics.cones._motion_cones": ("motion_cone", 10),
     "planar_pushing.simulation.events.driver.advance": ("simulate", 25),
     "planar_pushing.simulation.steps.driver.advance": ("simulate by time-stepping", 10),
 }
-#: How each function that is a part of kernels is compiled.
+#: Options of each function that is a part of kernels.
 _PARTS: dict[Any, dict[str, Any]] = {}
 PACKAGE = Path(__file__).parents[1]
 
 
 def _digest() -> str:
-    """Digest of the compiled sources, of the compiler and of the processor."""
+    """Digest of the compiled sources, the compiler and the processor."""
     digest = hashlib.sha256(f"{numba.__version__} {llvmlite.binding.get_host_cpu_name()}".encode())
     for path in sorted(path for name in SOURCES for path in (PACKAGE / name).rglob("*.py")):
         digest.update(f"{path.relative_to(PACKAGE)}\0".encode() + path.read_bytes())
@@ -62,9 +62,9 @@ def _digest() -> str:
 
 
 def _folder() -> Path:
-    """Folder of the cache: beside the sources where they can be written, else the user's own.
+    """Folder of the cache: beside the sources if writable, otherwise in the user's own cache.
 
-    Whoever writes there runs code as the user, so a folder in the temporary one is nobody else's.
+    Whoever can write there runs code as the user, so a folder among temporary files must be private.
     """
     users = Path(os.environ.get("XDG_CACHE_HOME") or Path("~/.cache").expanduser())
     name, own = (
@@ -80,12 +80,12 @@ def _folder() -> Path:
             if os.access(base / name, os.W_OK):
                 return base / name
     raise OSError(
-        "no folder of your own for compiled code can be written; set XDG_CACHE_HOME to one that can"
+        "no private folder for compiled code is writable; set XDG_CACHE_HOME to a folder that is"
     )
 
 
 def _is_private(folder: Path) -> bool:
-    """Whether a folder, and no link to one, is the user's and closed to everybody else."""
+    """Whether a path is a folder, not a link, that belongs to the user and is closed to others."""
     status = folder.lstat()
     return status.st_uid == os.getuid() and status.st_mode & 0o170077 == stat.S_IFDIR
 
@@ -94,7 +94,7 @@ CACHE = _folder()
 
 
 class Locator(UserProvidedCacheLocator):  # type: ignore[misc]
-    """Where numba keeps a function of ours: by its place in the package, wherever the package lies."""
+    """Cache location of a function, by its path in the package, wherever the package is installed."""
 
     def __init__(self, function: Any, file: str) -> None:
         self._py_file = file
@@ -105,7 +105,7 @@ class Locator(UserProvidedCacheLocator):  # type: ignore[misc]
 
     @classmethod
     def from_function(cls, function: Any, file: str) -> Locator:
-        """Make the locator of a function; others of numba's locators are not asked."""
+        """Make the locator of a function; numba's other locators are not used."""
         return cls(function, file)
 
 
@@ -116,38 +116,38 @@ class Files(CompileResultCacheImpl):  # type: ignore[misc]
 
 
 class Cache(FunctionCache):  # type: ignore[misc]
-    """A function's cache, which several processes write one at a time."""
+    """A function's cache, which processes write one at a time."""
 
     _impl_class = Files
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """Load machine code; a file that is damaged can fail in any way."""
+        """Load machine code; a damaged file can fail in any way."""
         try:
             return super().load_overload(sig, target_context)
         except Exception as error:
             raise OSError(f"{CACHE}: damaged compiled code; remove this folder") from error
 
     def save_overload(self, sig: Any, data: Any) -> None:
-        """Save machine code: numba numbers the files of a function by its index."""
+        """Save machine code, under a lock because numba numbers the files of a function in an index."""
         self._impl.locator.ensure_cache_path()
         with Path(self.cache_path, "lock").open("w") as lock:
-            with suppress(OSError):  # a cluster's file system may know no locks
+            with suppress(OSError):  # a cluster's file system may not support locks
                 fcntl.flock(lock, fcntl.LOCK_EX)
             super().save_overload(sig, data)
 
 
 class UnderWay(event.Listener):  # type: ignore[misc]
-    """The functions that are being compiled; each of those that take long is announced.
+    """The functions that are being compiled; slow ones are announced.
 
-    Numba makes machine code of every function by itself, and of all that it calls. Of a part of a kernel,
-    which is a third of the time, nobody needs it: the kernel links the part's intermediate code.
+    Numba makes machine code for every function separately, including all that it calls. For a part of a
+    kernel this is skipped, which saves a third of the time: the kernel links the part's intermediate code.
     """
 
     def __init__(self) -> None:
         self.parts: list[bool] = []
 
     def on_start(self, event: Any) -> None:
-        """Announce a kernel that takes long to compile, before numba, whose cache holds no code, starts."""
+        """Announce a kernel that takes long to compile and is not in the cache."""
         dispatcher = event.data["dispatcher"]
         function = dispatcher.py_func
         what, seconds = SLOW.get(f"{function.__module__}.{function.__qualname__}", ("", 0))
@@ -157,7 +157,7 @@ class UnderWay(event.Listener):  # type: ignore[misc]
         self.parts.append(dispatcher.targetoptions.get("no_cpython_wrapper", False))
 
     def on_end(self, event: Any) -> None:
-        """Go back to the function that calls the one that is done."""
+        """Return to the caller of the function that is done."""
         self.parts.pop()
 
     @property
@@ -173,7 +173,7 @@ event.register("numba:compile", UNDER_WAY)
 def _finalize(
     library: Any, make: Callable[[Any], None] = CPUCodeLibrary._finalize_final_module
 ) -> None:
-    """Make machine code of a library's functions, unless they are a part of others."""
+    """Make machine code for the functions of a library, unless they are parts of others."""
     if UNDER_WAY.is_part:
         library._finalize_dynamic_globals()
         library._verify_declare_only_symbols()
@@ -186,7 +186,7 @@ def _executable(
     context: Any, library: Any, description: Any, environment: Any,
     make: Callable[..., Any] = CPUContext.get_executable,
 ) -> Any:  # fmt: skip
-    """The way from Python into a function, which a part of others has not."""
+    """The entry point from Python to a function; a part of others gets a placeholder."""
     if not UNDER_WAY.is_part:
         return make(context, library, description, environment)
     own = description.lookup_module(), description.qualname, "", 1, environment, (library,)
@@ -198,11 +198,11 @@ CPUContext.get_executable = _executable
 
 
 def compiled(function: Function, **options: Any) -> Function:
-    """Compile a function of numbers as a part of the kernels that call it, however deep.
+    """Compile a function of numbers as a part of the kernels that call it, directly or indirectly.
 
-    There is no fast mathematics: every run gives the same results. It may read and write arrays and hand
-    them on, but makes none. Called from Python it runs as the Python function that it is: what is called
-    often is a `kernel`.
+    Fast math is off, so every run gives the same results. The function can read, write and pass on arrays,
+    but not create them. Called from Python it runs as plain Python; a function that Python calls often
+    should be a `kernel`.
     """
     _PARTS[function] = OPTIONS | options
     overload(function, jit_options=_PARTS[function] | PART, strict=False)(lambda *args: function)
@@ -210,10 +210,10 @@ def compiled(function: Function, **options: Any) -> Function:
 
 
 def owning(function: Function) -> Function:
-    """Compile a function that makes arrays, or calls one that is `owning` and gives arrays back.
+    """Compile a function that creates arrays, or calls an `owning` function that returns arrays.
 
-    It counts references, so what it is given back has to be counted: it calls no `compiled` function that
-    gives arrays back.
+    It counts references, so arrays returned to it must be counted too: it must not call a `compiled`
+    function that returns arrays.
     """
     return compiled(function, _nrt=True)
 
@@ -221,21 +221,21 @@ def owning(function: Function) -> Function:
 def summing(function: Function) -> Function:
     """Compile a sum over an array as a part of its callers.
 
-    It adds several terms at once, and multiplies and adds in one step, as the processor can: its last digit
-    depends on the processor, but not on the run.
+    It adds several terms at once, and multiplies and adds in one step if the processor can. The last digit
+    therefore depends on the processor, but not on the run.
     """
     return compiled(function, forceinline=True, fastmath={"reassoc", "contract"})
 
 
 def fused(function: Function) -> Function:
-    """Compile a polynomial as a part of its callers, each product and sum in one step as in `summing`."""
+    """Compile a polynomial as a part of its callers, with fused multiply-add as in `summing`."""
     return compiled(function, fastmath={"contract"})
 
 
 def kernel(function: Function) -> Function:
-    """Let Python call a `compiled` or `owning` function as machine code, which is kept in the cache.
+    """Compile a `compiled` or `owning` function to machine code that Python can call, and cache it.
 
-    Only kernels are kept: each holds all that it calls.
+    Only kernels are cached: each contains everything that it calls.
     """
     made = numba.njit(**_PARTS[function])(function)
     if made is not function:
@@ -244,18 +244,18 @@ def kernel(function: Function) -> Function:
 
 
 def inlined(function: Function) -> Function:
-    """Compile a function as a part of the functions that call it, and not by itself.
+    """Compile a function only as a part of its callers.
 
-    The compiler optimises a function together with all that it calls, so each layer of functions above a
-    large one costs its time again; a layer that is inlined costs nothing.
+    The compiler optimizes a function together with all that it calls, so each layer of functions above a
+    large one costs the same time again; an inlined layer costs nothing.
     """
     return numba.njit(inline="always", **OPTIONS)(function)  # type: ignore[no-any-return]
 
 
 def generic(choose: Callable[[Any], Callable[..., Any]], **options: Any) -> Callable[..., Any]:
-    """Make a function whose body `choose` picks by the kind of its first argument.
+    """Make a function whose body `choose` picks by the kind of the first argument.
 
-    The kind of a named tuple is its class, that of a plain tuple the tuple of its entries' kinds.
+    The kind of a named tuple is its class; that of a plain tuple is the tuple of the kinds of its entries.
     """
 
     @functools.wraps(choose)
@@ -263,7 +263,7 @@ def generic(choose: Callable[[Any], Callable[..., Any]], **options: Any) -> Call
         return choose(_kind(first))(first, *rest)
 
     def typed(first: Any, *rest: Any) -> Any:
-        # Not a call of the body: a layer between would be optimised with all that the body calls.
+        # The body itself, not a call of it: an extra layer would be optimized with all that the body calls.
         body = choose(_kind_of_type(first))
         return getattr(body, "py_func", body)
 
@@ -272,12 +272,12 @@ def generic(choose: Callable[[Any], Callable[..., Any]], **options: Any) -> Call
 
 
 def generic_owning(choose: Callable[[Any], Callable[..., Any]]) -> Callable[..., Any]:
-    """Make a function as `generic` does, whose bodies are `owning`."""
+    """Make a function as `generic` does, with `owning` bodies."""
     return generic(choose, _nrt=True)
 
 
 def by_kind(members: dict[type, Any], name: str) -> Callable[..., Any]:
-    """The function of a name in the module that belongs to the kind of the first argument."""
+    """The function with a given name in the module that belongs to the kind of the first argument."""
     return generic(lambda kind: getattr(members[kind], name))
 
 

@@ -1,4 +1,4 @@
-"""Friction cone -> motion cone (Secs. 3.1, 3.2 and 4)."""
+"""From the friction cone to the motion cone (Secs. 3.1, 3.2 and 4)."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ UNSOLVED = int(Status.UNSOLVED)
 
 
 class Sight(NamedTuple):
-    """The rod and two directions in the numbers of a row: columns behind those of the effects."""
+    """The rod and two directions, in the columns of a row after those of the effects."""
 
     length: float
     angle: float
@@ -44,7 +44,7 @@ def friction_cone(scene: Scene) -> AngleInterval:
     Returns
     -------
     AngleInterval
-        Of a labelled scene, which has a DataArray as a parameter, an xarray.Dataset with the variables
+        For a labeled scene, which has a DataArray as a parameter, an xarray.Dataset with the variables
         `right`, `left` and `closed`.
     """
     law = required_scene(scene).law
@@ -55,7 +55,7 @@ def friction_cone(scene: Scene) -> AngleInterval:
 def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> tuple[list[Number], list[Number]]:
     """Columns of the effects in units of their forces in a translation, and of the rod.
 
-    Of effects of degrees 1 and 2, those of degree 2 have a share of the force.
+    If there are effects of degrees 1 and 2, those of degree 2 have the share `inertia_share` of the force.
     """
     require_held(scene)
     found: list[Any] = []
@@ -63,7 +63,7 @@ def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> tuple[list[Number
     degrees = {entry.degree for entry in entries}
     if not any(entry.degree == 1 and len(entry.forces) == 1 for entry in entries) and scene.loads:
         raise InvalidValue(
-            "effects", scene.effects, "friction beside a load", "use solve: under a load without "
+            "effects", scene.effects, "friction together with a load", "use solve: under a load without "
             "friction the motion depends on the magnitude of the force",
         )  # fmt: skip
     for degree in sorted(degrees, reverse=True):
@@ -85,7 +85,7 @@ def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> tuple[list[Number
 def force_columns(
     scene: Scene, force_angle: Number, inertia_share: Number | None, force_ratio: Number | None
 ) -> list[Number]:
-    """The columns of a scene under a force, whose magnitude over the weight is 0 where a share is given."""
+    """The columns of a scene under a force; its |f| / W is 0 if an inertia share is given."""
     share, ratio = _required_magnitude(scene, inertia_share, force_ratio)
     columns, rod_columns = unit_columns(scene, share)
     return [*columns, *rod_columns, required("force_angle", force_angle), ratio]
@@ -94,7 +94,7 @@ def force_columns(
 def _required_magnitude(
     scene: Scene, share: Number | None, ratio: Number | None
 ) -> tuple[Number, Number]:
-    """Share of inertia, and force over weight, where the effects leave the magnitude open."""
+    """Inertia share and |f| / W, if the motion depends on the magnitude of the force."""
     open_, given = is_magnitude_open(required_scene(scene)), (share, ratio)
     name = "inertia_share" if ratio is None else "force_ratio"
     if not open_ and given != (None, None):
@@ -106,8 +106,8 @@ def _required_magnitude(
         return 0.5, 0.0
     if share is not None and not scene.isotropic:
         raise InvalidValue(
-            "inertia_share", share, "None where the effects are not isotropic about the slider's center",
-            "give force_ratio = |f| / W: several motions may share one m a / W",
+            "inertia_share", share, "None if the effects are not isotropic about the slider's center",
+            "give force_ratio = |f| / W: several motions can share one m a / W",
         )  # fmt: skip
     if (share is None) == (ratio is None):
         raise InvalidValue(
@@ -128,7 +128,7 @@ def is_magnitude_open(scene: Scene) -> bool:
 
 @compiled
 def direction_in(effects, own, at, force, ratio):
-    """Direction of the motion under a force, of a magnitude over the weight where that is not 0."""
+    """Direction of the motion under a force; a nonzero ratio is its |f| / W."""
     # With shares of one half, the unit of force is half the weight.
     return (
         direction_under(effects, own, at, force)
@@ -139,13 +139,13 @@ def direction_in(effects, own, at, force, ratio):
 
 @compiled
 def sight_in(row, i):
-    """The rod and the directions in the columns of a row from i on."""
+    """The rod and the directions in the columns of a row, starting at i."""
     return Sight(row[i], row[i + 1], row[i + 2], row[i + 3])
 
 
 @owning
 def under_force(kinds, row):
-    """Effects, rod, contact, the force in the first direction of a row, and its last number."""
+    """Effects, rod, contact, force along the first direction of a row, and the row's last number."""
     sight = sight_in(row, count_fields(kinds))
     own = rod(sight.length, sight.angle)
     at = contact_at(-sight.length, 0.0)
@@ -185,24 +185,26 @@ def spin_ratio(
     force_angle : float or array
         phi, radians.
     inertia_share : float or array, optional
-        s / (1 + s) in [0, 1], s = m a / W and a the acceleration of the slider's center, for a scene with
-        friction and inertia that is isotropic about that center: only there does it determine the motion.
+        s / (1 + s) in [0, 1], with s = m a / W and a the acceleration of the slider's center. Only for a
+        scene with friction and inertia that is isotropic about that center: in others it does not determine
+        the motion.
     force_ratio : float or array, optional
-        |f| / W > 0, for any scene with effects of both degrees; NaN where friction holds such a force.
+        |f| / W > 0, for any scene with effects of both degrees; the result is NaN if friction holds the
+        slider under this force.
 
     Returns
     -------
     float, ndarray or DataArray
-        As the arguments are; of an array of scenes an array, of a labelled scene a DataArray.
+        Of the type of the arguments; an array for an array of scenes, a DataArray for a labeled scene.
 
     Raises
     ------
     InvalidValue
-        Where `inertia_share` is missing, superfluous or out of range, or an angle is not finite.
+        If `inertia_share` is missing, superfluous or out of range, or an angle is not finite.
 
     Notes
     -----
-    Solves Eq. (7) for friction and Eq. (10) for inertia, with both
+    Solves Eq. (7) for friction, Eq. (10) for inertia, and with both
     ``h / R = (t(k) + s (rho/R)^2 k) / (f(k) + s)``.
     """
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
@@ -224,12 +226,12 @@ def motion_angle(
     force_angle : float or array
         phi, radians.
     inertia_share, force_ratio : float or array, optional
-        As in `spin_ratio`, whose errors and equations are those of this function.
+        As in `spin_ratio`, which has the same errors and equations.
 
     Returns
     -------
     float, ndarray or DataArray
-        As the arguments are; of an array of scenes an array, of a labelled scene a DataArray.
+        Of the type of the arguments; an array for an array of scenes, a DataArray for a labeled scene.
     """
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
     return evaluated(_motion_angles, scene.kinds, columns, [Output("motion_angle")])[0]
@@ -242,7 +244,7 @@ def _motion_cones(kinds, rows, right, left, closed, status):
         effects, own, at, first, left_edge = under_force(kinds, rows[i])
         second = seen(own, left_edge)
         low, high = angles_under(effects, own, at, first), angles_under(effects, own, at, second)
-        # Rounding may cross the edges of a long rod's cone, which is narrower than an ulp.
+        # Rounding can swap the edges of a long rod's cone, which can be narrower than an ulp.
         right[i], left[i] = min(low.least, high.greatest), high.greatest
         spread = max(low.greatest - low.least, high.greatest - high.least)
         closed[i] = low.continuum or high.continuum or spread <= RESOLUTION
@@ -258,10 +260,10 @@ def _motion_cones(kinds, rows, right, left, closed, status):
 def motion_cone(scene: Scene) -> AngleInterval:
     """Motion cone: directions in which the contact can move without slip, radians.
 
-    It is the velocity cone of a scene with friction, the acceleration cone of one with inertia,
-    and with both the exact union over all magnitudes of the motion. The map from force angle to motion
-    angle increases, so the edges are those of the friction cone. With both effects an edge at
-    which they differ is approached and never reached: the cone is open. What is returned is as for
+    It is the velocity cone of a scene with friction, the acceleration cone of a scene with inertia, and
+    with both effects the exact union over all magnitudes of the motion. The motion angle increases with the
+    force angle, so the edges correspond to those of the friction cone. With both effects, an edge at which
+    they differ is approached but never reached: the cone is open. The type of the result is that of
     `friction_cone`.
     """
     law = required_scene(scene).law
@@ -273,7 +275,7 @@ def motion_cone(scene: Scene) -> AngleInterval:
 
 
 def leaves_the_fence(cone: AngleInterval) -> Any:
-    """Whether a motion cone holds motions away from the slider (Sec. 3.1)."""
+    """Whether a motion cone contains motions away from the slider (Sec. 3.1)."""
     return (cone.right < -RESOLUTION) | (cone.left > np.pi + RESOLUTION)
 
 
@@ -283,14 +285,14 @@ def can_pull(scene: Scene) -> bool:
     Returns
     -------
     bool
-        Of an array of scenes an array, of a labelled scene a DataArray.
+        An array for an array of scenes, a DataArray for a labeled scene.
     """
     pulls: bool = named("pulls", leaves_the_fence(motion_cone(scene)))
     return pulls
 
 
 def omits_pushes(cone: AngleInterval) -> Any:
-    """Whether a motion cone leaves out motions into the slider (Sec. 3.2)."""
+    """Whether a motion cone excludes some motions into the slider (Sec. 3.2)."""
     return (cone.right > RESOLUTION) | (cone.left < np.pi - RESOLUTION)
 
 
@@ -300,7 +302,7 @@ def slips_while_pushing(scene: Scene) -> bool:
     Returns
     -------
     bool
-        Of an array of scenes an array, of a labelled scene a DataArray.
+        An array for an array of scenes, a DataArray for a labeled scene.
     """
     omits = omits_pushes(motion_cone(scene))
     slips: bool = named("slips_while_pushing", scene.law.slips & omits)

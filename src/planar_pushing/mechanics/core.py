@@ -1,4 +1,4 @@
-"""Effects as the compiled core has them: their kinds, and the columns of numbers of arrays of scenes."""
+"""Effects in the form of the compiled core: their kinds, and columns of numbers for arrays of scenes."""
 
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ class Entry(NamedTuple):
     Attributes
     ----------
     kind : named tuple
-        Without the numbers of a scene.
+        Kind of the effect, without the numbers of a scene.
     degree : int
-        Of homogeneity of its potential: the forces of a motion times a factor are those times the factor to
-        the power ``degree - 1``.
+        Degree of homogeneity of its potential: if the motion is multiplied by a factor, the force is
+        multiplied by the factor to the power ``degree - 1``.
     forces : list
-        Its columns that are forces, or forces over motions.
+        Columns of forces, or of forces divided by motions.
     others : list
-        Its columns that are none, behind them: lengths in radii of the slider.
+        All other columns, which follow: lengths in radii of the slider.
     number : int
-        Its place in the list of the effects.
+        Index in the list of effects.
     """
 
     kind: Any
@@ -47,7 +47,7 @@ class Entry(NamedTuple):
 
 
 def entries(effects: Any, scene: Any) -> list[Entry]:
-    """The entries of effects of a scene, those of one kind side by side."""
+    """The entries of the effects of a scene, grouped by kind."""
     found = [_entry(effect, scene)._replace(number=i) for i, effect in enumerate(effects)]
     return sorted(found, key=lambda entry: type(entry.kind).__name__, reverse=True)
 
@@ -72,7 +72,7 @@ def _entry(effect: Any, scene: Any) -> Entry:
 
 
 def _wrench(load: Load, scene: Any) -> list[Number]:
-    """A load about the slider's center, in the body frame; lengths in radii."""
+    """Wrench of a load about the slider's center, in the body frame; lengths in radii."""
     c, s = np.cos(scene.slider.rod_angle), np.sin(scene.slider.rod_angle)
     (x, y), place = load.force, scene.mass_center
     if load.center is not None:
@@ -105,12 +105,12 @@ def listed(support: Any) -> Any:
 
 
 def alike(support: Any, numbers: Any) -> Any:
-    """Numbers of supports: one of one, labelled as they are."""
+    """Numbers of supports: a scalar for one support, labeled if the supports are."""
     if hasattr(support, "dims"):
         return support.copy(data=numbers)
     return numbers if np.ndim(numbers) else float(numbers)
 
 
 def extents(support: Any) -> Number:
-    """Largest distance of a support, or of each of an array, from its center of pressure."""
+    """Largest distance of a support, or of each support of an array, from its center of pressure."""
     return alike(support, extents_of(listed(support)).reshape(np.shape(support)))

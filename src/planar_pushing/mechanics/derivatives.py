@@ -1,4 +1,4 @@
-"""Derivatives of twists and forces by the parameters of a push, which planners and estimators need."""
+"""Derivatives of twists and forces with respect to the parameters of a push."""
 
 from __future__ import annotations
 
@@ -25,22 +25,22 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.status import formatted, name_of
 from planar_pushing.terms.errors import InvalidValue
 
-#: A force this near to an edge of the friction cone, relative to its magnitude, and a free motion this near
-#: to the pusher's, are where the mode changes: some units in the last place more than `solve` resolves.
+#: The mode changes if a force is this close to an edge of the friction cone, relative to its magnitude, or
+#: a free motion this close to the pusher's: a few units in the last place more than `solve` resolves.
 EDGE = 2e-12
 SEPARATES, SLIPS_RIGHT = int(ContactMode.SEPARATE), int(ContactMode.SLIP_RIGHT)
 STICKS = int(ContactMode.STICK)
 
 
 class Smoothness(IntEnum):
-    """How a solution depends on the parameters of its problem.
+    """Smoothness of a solution as a function of the parameters of its problem.
 
     `NONE`: there is no solution. `SMOOTH`: all derivatives exist. `PIVOT`: all exist; the slider pivots
-    about a support point, so weights and contact friction change the force and not the twist. `OPEN`: it
-    sticks and pivots, so the force is any of an interval and its derivatives are NaN; so are those of the
-    twist by each change after which the point slides, one way or the other. `CHANGE`: a change of mode,
-    where all derivatives are NaN: a sticking force on an edge of the friction cone, an end of a continuum,
-    a fence that grazes, a pusher at rest, a support point about to be a pivot or no longer one.
+    about a support point, so weights and contact friction change the force but not the twist. `OPEN`: it
+    sticks and pivots, so the force is undetermined within an interval and its derivatives are NaN, as are
+    those of the twist with respect to parameters whose change makes the point slide. `CHANGE`: the mode
+    changes, and all derivatives are NaN: a sticking force on an edge of the friction cone, an end of a
+    continuum, a grazing fence, a pusher at rest, or a support point about to start or stop being a pivot.
     """
 
     NONE = 0
@@ -69,7 +69,7 @@ class _Common:
         return same(self, other)
 
     def __getitem__(self, index: Any) -> Self:
-        """The derivatives of some of the solutions, by an index into their shape S."""
+        """The derivatives of selected solutions, by an index into their shape S."""
         found = {each.name: np.asarray(getattr(self, each.name))[index] for each in fields(self)}
         if found["status"].ndim == 0:
             found["status"] = Smoothness(found["status"])
@@ -81,35 +81,35 @@ class Derivatives(_Common):
     """Derivatives of solutions of `solve`, in the fence frame; S is their shape, () for one solution.
 
     Entry ``[..., i, j]`` of a field is the derivative of component i of the twist (v_x, v_y, omega) of the
-    slider's center, or of the force (f_x, f_y), by parameter j, with all others fixed.
+    slider's center, or of the force (f_x, f_y), with respect to parameter j, with all others fixed.
 
     Attributes
     ----------
     status : Smoothness, or ndarray of int of shape S
     twist_by_motion : ndarray, shape S + (3, 2)
-        By the pusher's motion (u_x, u_y).
+        With respect to the pusher's motion (u_x, u_y).
     twist_by_point : ndarray, shape S + (3, 2)
-        By the position of the contact on the slider, along x and y of the fence. Supports, masses and the
-        center whose twist this is stay where they are on the slider.
+        With respect to the position of the contact on the slider, along x and y of the fence. Supports,
+        masses and the reference center of the twist stay fixed on the slider.
     twist_by_mu : ndarray, shape S + (3,)
-        By the coefficient of contact friction; zero for laws without one.
+        With respect to the coefficient of contact friction; zero for laws without one.
     twist_by_strength : ndarray, shape S + (3, effects)
-        By the strength of each effect of the scene, in the order in which it lists them: weight, mass,
-        coefficient; of a load by a factor of its force.
+        With respect to the strength of each effect, in the order of the scene: weight, mass, coefficient;
+        for a load, a factor of its force.
     twist_by_foot : ndarray, shape S + (3, feet)
-        By the weight on each support point alone, numbered as `pivot` of a solution numbers them; an array
-        of supports has the most that one of them has, and NaN behind the last.
+        With respect to the weight on each support point alone, numbered as in `Solution.pivot`. For an
+        array of supports, the length is the maximum number of points, and values after the last are NaN.
     force_by_motion, force_by_point : ndarray, shape S + (2, 2)
     force_by_mu : ndarray, shape S + (2,)
     force_by_strength : ndarray, shape S + (2, effects)
     force_by_foot : ndarray, shape S + (2, feet)
-        The same of the force; where a pivot slips, of the force on the edge of the friction cone.
+        The same for the force; if a pivot slips, for the force on the edge of the friction cone.
 
     Notes
     -----
-    By the implicit function theorem from the balance of wrenches, with the Hessian of the total potential.
-    Where the center of rotation is exactly on a ring or a segment, this Hessian is infinite like a
-    logarithm, and the derivatives are those at the distance of a rounding error.
+    The derivatives follow from the balance of wrenches by the implicit function theorem, with the Hessian
+    of the total potential. At a center of rotation exactly on a ring or a segment, this Hessian has a
+    logarithmic singularity; the derivatives are then those at the distance of a rounding error.
     """
 
     twist_by_motion: Array
@@ -126,14 +126,14 @@ class ForceDerivatives(_Common):
     ----------
     status : Smoothness, or ndarray of int of shape S
     twist_by_angle : ndarray, shape S + (3,)
-        By the force angle, in radians.
+        With respect to the force angle, in radians.
     twist_by_ratio : ndarray, shape S + (3,)
-        By `force_ratio`; zero where none is given.
+        With respect to `force_ratio`; zero if none is given.
     twist_by_point : ndarray, shape S + (3, 2)
     twist_by_strength : ndarray, shape S + (3, effects)
     twist_by_foot : ndarray, shape S + (3, feet)
     force_by_angle : ndarray, shape S + (2,)
-        By the force angle, in radians.
+        With respect to the force angle, in radians.
     force_by_ratio : ndarray, shape S + (2,)
     force_by_point : ndarray, shape S + (2, 2)
     force_by_strength : ndarray, shape S + (2, effects)
@@ -147,10 +147,10 @@ class ForceDerivatives(_Common):
 
 
 def require_unlabelled(given: Sequence[Any]) -> None:
-    """Refuse derivatives where an argument is a DataArray."""
+    """Refuse derivatives if an argument is a DataArray."""
     if any(map(is_labelled, given)):
         raise InvalidValue(
-            "derivatives", True, "False where an argument is a DataArray",
+            "derivatives", True, "False if an argument is a DataArray",
             "give numpy arrays, for instance each argument's values",
         )  # fmt: skip
 
@@ -162,9 +162,9 @@ def solution_derivatives(scene: Scene, given: Sequence[Any], found: dict[str, An
     ----------
     scene : Scene
     given : sequence
-        The columns from which `solve_arrays` found them.
+        Columns passed to `solve_arrays`.
     found : dict of arrays
-        Its results by name.
+        Results of `solve_arrays` by name.
     """
     entries, places = scene.from_rest, np.asarray(found["mode"]) >= 0
     own = sum(len(entry.columns) for entry in entries) + 3
@@ -185,10 +185,11 @@ def solution_derivatives(scene: Scene, given: Sequence[Any], found: dict[str, An
 def _motions(
     push: Sequence[Any], mode: Any, twist: Array, force: Array, motion: Array, pivot: Any, flat: Any
 ) -> tuple[Motions, Array]:
-    """Solutions under a push, its law first, and the rate of the angle of each one's edge by mu."""
+    """Solutions under a push, and the derivative of the angle of each one's edge with respect to mu."""
     right, left, _, _, rough, toward, size = push
     is_right, sticks, rests = mode == SLIPS_RIGHT, mode == STICKS, mode == SEPARATES
-    # Separate: the pusher grazes the slider, or is at rest. Stick: the force is on an edge.
+    # The mode changes if a separating pusher grazes the slider or is at rest, or a sticking force is on an
+    # edge.
     apart = np.abs(motion[:, 1] - size * np.sin(toward))
     grazes = apart <= EDGE * np.maximum(size, np.abs(motion).max(axis=1))
     least = np.minimum(_cross(direction(right), force), -_cross(direction(left), force))

@@ -1,4 +1,4 @@
-"""Scenes and values as plain data: what files hold of a scene, and JSON for the attributes of datasets."""
+"""Scenes and values as plain data: the content of scene files, and JSON for dataset attributes."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import SHAPES
 from planar_pushing.terms.errors import InvalidValue
 
-#: Packages whose versions datasets hold.
+#: Packages whose versions are recorded in datasets.
 PACKAGES = ("planar-pushing", "numpy", "scipy", "xarray", "h5netcdf", "h5py")
 
 
 def to_json(value: object) -> str:
-    """JSON of plain values and models, with infinities as the word inf and keys in order."""
+    """JSON of plain values and models, with infinities as the word inf and sorted keys."""
     return json.dumps(plain(value), sort_keys=True, allow_nan=False)
 
 
 def plain(value: object) -> object:
-    """Value as JSON has it; infinities, which JSON lacks, become the words inf and -inf."""
+    """A value in JSON form; infinities, which JSON lacks, become the words inf and -inf."""
     if hasattr(value, "model_dump"):
         return plain(value.model_dump())
     if isinstance(value, dict):
@@ -45,12 +45,12 @@ def plain(value: object) -> object:
 
 @cache
 def versions() -> str:
-    """Versions of the packages that make a dataset, as JSON."""
+    """Versions of the packages that produce a dataset, as JSON."""
     return to_json({name: version(name) for name in PACKAGES})
 
 
 def scene_entry(scene: Scene, title: str = "") -> dict[str, Any]:
-    """The content of a scene file of this scene; errors as in `save_scene`."""
+    """Content of a scene file for this scene; errors as in `save_scene`."""
     slider = scene.slider
     return {
         "title": title,
@@ -68,7 +68,7 @@ def scene_entry(scene: Scene, title: str = "") -> dict[str, Any]:
 
 
 def _place_entry(scene: Scene) -> dict[str, Any]:
-    """Placement and units of a scene, where it has them."""
+    """Placement and units of a scene, if it has them."""
     found: dict[str, Any] = {}
     if scene.placement is not None:
         point, normal = scene.placement.point, scene.placement.normal
@@ -81,13 +81,13 @@ def _place_entry(scene: Scene) -> dict[str, Any]:
 
 
 def _side_entry(side: tuple[Any, Any]) -> dict[str, list[float]]:
-    """The side of a slider, where it has an end."""
+    """The side of a slider, if it has an end."""
     ends = [float(end) for end in side]
     return {"side": ends} if any(map(math.isfinite, ends)) else {}
 
 
 def _degrees(radians: float) -> float:
-    """Degrees that `np.deg2rad` turns back into the same radians, the shortest such number."""
+    """Shortest number of degrees that `np.deg2rad` converts back to the same radians."""
     degrees = float(np.rad2deg(radians))
     short = [float(f"{degrees:.{digits}g}") for digits in range(1, 18)]
     beside = [float(np.nextafter(degrees, end)) for end in (0.0, 180.0)]
@@ -128,7 +128,7 @@ def _effect_entry(effect: object) -> dict[str, Any]:
 
 
 def support_entry(support: Any) -> dict[str, Any]:
-    """A support as a scene file has it: its shape, and what that shape is made from."""
+    """A support in the form of scene files: its shape and the parameters of the shape."""
     names = {kind: shape for shape, kind in SHAPES.items()}
     found: dict[str, Any] = {"shape": names[type(support)]}
     for each in fields(support):

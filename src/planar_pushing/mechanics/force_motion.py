@@ -1,4 +1,4 @@
-"""The motion of the slider under a force through the contact, whatever the contact's law."""
+"""Motion of the slider under a force through the contact, for any contact law."""
 
 from __future__ import annotations
 
@@ -44,13 +44,13 @@ OUTPUTS = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ForceMotion:
-    """Motions of the slider under forces through the contact, in the fence frame; S is their shape.
+    """Motions of the slider under forces of shape S through the contact, in the fence frame.
 
     Attributes
     ----------
     status : Status, or ndarray of int of shape S
-        `NONE` where friction holds the slider under the force, whose motion is NaN. `CONTINUUM`: the motion
-        is one of many.
+        `NONE`: friction holds the slider under this force, and the motion is NaN. `CONTINUUM`: the motion
+        is one of a continuum.
     twist : ndarray, shape S + (3,)
         (v_x, v_y, omega) at the slider's center, omega in radians per unit of time.
     force : ndarray, shape S + (2,)
@@ -60,7 +60,7 @@ class ForceMotion:
     pivot : int or ndarray of int, shape S
         Number of the support point about which the slider pivots, -1 without one.
     derivatives : ForceDerivatives, optional
-        Those of twist and force, where they were asked for.
+        Derivatives of twist and force, if requested.
     """
 
     status: Any
@@ -82,7 +82,7 @@ def _under_force(kinds: Any) -> Callable[..., Any]:
 
 @compiled
 def _of_unit_motion(effects, at, e_x, e_y, size):
-    """The motion whose part along the line of force is one."""
+    """The motion with a unit component along the line of force."""
     first, _ = pushed_ends(effects, at, e_x, e_y, 1.0)
     if first.continuum:
         return pushed(effects, at, e_x, e_y, 1.0), True
@@ -96,7 +96,7 @@ def _of_size(effects, at, e_x, e_y, size):
 
 @generic
 def _factors(kinds: Any) -> Callable[..., Any]:
-    """Factors that take motion and force to those of a unit motion of the contact: effects, motion."""
+    """Factors that scale motion and force to a unit motion of the contact: effects, motion."""
     if not is_steady(kinds):
         return _as_they_are
     return _both if all(KINDS[kind].DEGREE == 2 for kind in kinds) else _motion_alone
@@ -120,14 +120,14 @@ def _motion_alone(effects, moved):
 
 @compiled
 def _write(own, x, y, factor, target):
-    """Write down a vector of the body frame times a factor in the frame of the contact."""
+    """Write a vector of the body frame, times a factor, in the frame of the contact."""
     target[0], target[1] = factor * (own.x * x - own.y * y), factor * (own.x * y + own.y * x)
 
 
 @kernel
 @owning
 def _motions(kinds, rows, status, twists, forces, contacts, pivots):
-    """Motions; the columns behind those of `under_force` are the units of motion, force and length."""
+    """Motions; the columns after those of `under_force` are the units of motion, force and length."""
     units = count_fields(kinds) + 4
     for i in range(len(rows)):
         effects, own, at, force, size = under_force(kinds, rows[i])
@@ -152,32 +152,32 @@ def motion_of_force(
     *,
     derivatives: bool = False,
 ) -> Any:
-    """Motion of the slider under a force through the contact, which the contact's law may not transmit.
+    """Motion of the slider under a force through the contact, even one that the contact cannot transmit.
 
     Parameters
     ----------
     scene : Scene
-        Its parameters may be arrays.
+        Its parameters can be arrays.
     force_angle : float or array
         phi, radians.
     force_ratio : float or array, optional
-        |f| / W > 0, for a scene with friction and inertia, and only there. Elsewhere a line of force leaves
-        the magnitude of the motion open: the contact moves at unit speed (or acceleration) in the direction
-        of `motion_angle`, and the force is that of this motion.
+        |f| / W > 0, for scenes with both friction and inertia only. In other scenes a line of force leaves
+        the magnitude of the motion undetermined: the contact moves at unit speed (or acceleration) in the
+        direction of `motion_angle`, and the force is the one that sustains this motion.
     derivatives : bool
-        Whether the result has `ForceDerivatives`: of twist and force by the arguments, the contact point,
-        and the strengths of the effects.
+        Whether to compute `ForceDerivatives`: derivatives of twist and force with respect to the arguments,
+        the contact point, and the strengths of the effects.
 
     Returns
     -------
     ForceMotion, or xarray.Dataset
-        A dataset where an argument is a DataArray.
+        A dataset if an argument is a DataArray.
 
     Raises
     ------
     InvalidValue
-        Where `force_ratio` is missing, superfluous or not positive, an angle is not finite, or derivatives
-        of a problem with a DataArray are asked for.
+        If `force_ratio` is missing, superfluous or not positive, an angle is not finite, or derivatives are
+        requested with a DataArray.
 
     Notes
     -----
@@ -202,7 +202,7 @@ def motion_of_force(
 
 
 def _required_ratio(scene: Scene, ratio: Any) -> Any:
-    """The force over the weight, 0 where the effects leave no magnitude open."""
+    """|f| / W, or 0 if the direction of the motion does not depend on it."""
     is_open = is_magnitude_open(scene)
     if not is_open and ratio is not None:
         raise InvalidValue(
@@ -219,7 +219,7 @@ def _required_ratio(scene: Scene, ratio: Any) -> Any:
 
 
 def _units(scene: Scene) -> tuple[Any, Any]:
-    """Units of motion and force of the columns that `unit_columns` gives for a share of one half."""
+    """Units of motion and force in the columns of `unit_columns` for an inertia share of one half."""
     one, two = _strength(scene, 1), _strength(scene, 2)
     if is_magnitude_open(scene):
         return one / two, 2.0 * one
@@ -227,7 +227,7 @@ def _units(scene: Scene) -> tuple[Any, Any]:
 
 
 def _strength(scene: Scene, degree: int) -> Any:
-    """Sum of the strengths of the effects of a degree; loads have none."""
+    """Sum of the strengths of the effects of a degree, without loads."""
     own = [each for each in scene.from_rest if each.degree == degree and len(each.forces) == 1]
     return sum(each.forces[0] for each in own)
 
@@ -255,7 +255,7 @@ def _derivatives(scene: Scene, angle: Any, ratio: Any, found: dict[str, Any]) ->
 
 
 def _hold_ratio(entries: Sequence[Entry], response: Response, ratio: Array) -> None:
-    """Let the force grow with the weight, to which its ratio is given."""
+    """Add the change of the force with the weight, at a fixed ratio of the two."""
     feet = FIRST + len(entries)
     friction = [i for i, each in enumerate(entries) if each.degree == 1 and len(each.forces) == 1]
     for by in (response.twist, response.force):

@@ -1,6 +1,6 @@
-"""Frames of the plane, and the place of an object at its contact.
+"""Frames of the plane, and the placement of an object at its contact.
 
-Three frames take part. The *object's frame* is the user's own. The *fence frame* has its origin at the
+There are three frames. The *object's frame* is the user's own. The *fence frame* has its origin at the
 contact and +y along the inward normal there. The *body frame* has its origin at the slider's center and x
 along the rod, away from the contact.
 """
@@ -18,38 +18,38 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue, as_float
 
-#: What a vector of numbers stands for, which decides how it changes with the frame.
+#: Kind of a vector of numbers, which determines how it transforms between frames.
 Kind = Literal["vector", "point", "twist", "wrench"]
-#: Rounding of the length of a unit vector.
+#: Rounding error of the length of a unit vector.
 UNIT = 4e-16
-#: How many numbers each kind has.
+#: Number of components of each kind.
 SIZES: dict[str, int] = {"vector": 2, "point": 2, "twist": 3, "wrench": 3}
 
 
 class Frame(NamedTuple):
-    """A frame: its origin and the direction of its x axis, in the frame in which both are given."""
+    """A frame: its origin and the direction of its x axis, in a parent frame."""
 
     origin: tuple[Number, Number]
     axis: tuple[Number, Number]
 
     def vector_in(self, vector: npt.ArrayLike) -> Array:
-        """A vector of shape S + (2,) in this frame."""
+        """Vectors of shape S + (2,) from the parent frame to this frame."""
         x, y = np.moveaxis(np.asarray(vector, dtype=float), -1, 0)
         a, b = self.axis
         return np.stack(np.broadcast_arrays(x * a + y * b, y * a - x * b), axis=-1)
 
     def vector_out(self, vector: npt.ArrayLike) -> Array:
-        """A vector of this frame, shape S + (2,), in the other one."""
+        """Vectors of shape S + (2,) from this frame to the parent frame."""
         x, y = np.moveaxis(np.asarray(vector, dtype=float), -1, 0)
         a, b = self.axis
         return np.stack(np.broadcast_arrays(x * a - y * b, y * a + x * b), axis=-1)
 
     def point_in(self, point: npt.ArrayLike) -> Array:
-        """A point of shape S + (2,) in this frame."""
+        """Points of shape S + (2,) from the parent frame to this frame."""
         return self.vector_in(np.asarray(point, dtype=float) - self._origin)
 
     def point_out(self, point: npt.ArrayLike) -> Array:
-        """A point of this frame, shape S + (2,), in the other one."""
+        """Points of shape S + (2,) from this frame to the parent frame."""
         return self.vector_out(point) + self._origin
 
     @property
@@ -58,33 +58,33 @@ class Frame(NamedTuple):
 
     @property
     def inverse(self) -> Frame:
-        """The other frame, as this one sees it."""
+        """The parent frame, expressed in this frame."""
         x, y = self.point_in((0.0, 0.0)).T
         a, b = self.axis
         return Frame((x.T, y.T), (a, -b))
 
 
 def moved_place(place: tuple[float, float], frame: Frame) -> tuple[float, float]:
-    """A position as another frame has it."""
+    """A position expressed in another frame."""
     x, y = frame.point_in(place).tolist()
     return x + 0.0, y + 0.0
 
 
 @dataclass(frozen=True, slots=True)
 class Placement:
-    """Where an object is pushed: the fence frame in the object's frame.
+    """Contact of an object: the fence frame in the object's frame.
 
     Parameters
     ----------
     point : (x, y), of floats or arrays
         The contact in the object's frame.
     normal : (n_x, n_y), of floats or arrays
-        Inward normal there, in the object's frame; of any length, and of length 1 afterwards.
+        Inward normal there, in the object's frame; of any length, stored as a unit vector.
 
     Raises
     ------
     InvalidValue
-        Where one of them is not two finite numbers, or the normal has no length.
+        If the point or the normal is not two finite numbers, or the normal is zero.
     """
 
     point: tuple[Number, Number]
@@ -95,17 +95,17 @@ class Placement:
         length = np.hypot(n_x, n_y)
         if not ((length > 0.0) & (length < math.inf)).all():
             raise InvalidValue(
-                "normal", self.normal, "a vector that is not zero",
+                "normal", self.normal, "a nonzero vector",
                 "give the direction from the contact into the object",
             )  # fmt: skip
-        # A unit vector stays what it is.
+        # A unit vector is left unchanged.
         length = np.where(abs(length - 1.0) <= UNIT, 1.0, length)[()]
         object.__setattr__(self, "point", (x, y))
         object.__setattr__(self, "normal", (_plain(n_x / length), _plain(n_y / length)))
 
     @property
     def fence(self) -> Frame:
-        """The fence frame in the object's: +y is the normal, +x the normal turned by -90 degrees."""
+        """The fence frame in the object's: +y is the normal, +x the normal rotated by -90 degrees."""
         x, y = self.normal
         return Frame(self.point, (y, -x))
 
@@ -121,14 +121,14 @@ def _pair(name: str, given: Any) -> tuple[Number, Number]:
 
 
 def _plain(given: Any) -> Number:
-    """A number as a float without a negative zero, an array as it is; NaN for what is none."""
+    """A number or an array without negative zeros; NaN if it is not numeric."""
     if np.ndim(given):
         return given + 0.0 if getattr(given, "dtype", np.dtype("O")).kind in "iuf" else math.nan
     return as_float(given) + 0.0
 
 
 def changed(value: npt.ArrayLike, kind: str, to: Frame, center: Array, into: bool) -> Array:
-    """Numbers of the fence frame in an object's frame, or back.
+    """Transform numbers from the fence frame to an object's frame, or back.
 
     Parameters
     ----------
@@ -137,10 +137,10 @@ def changed(value: npt.ArrayLike, kind: str, to: Frame, center: Array, into: boo
     to : Frame
         The object's frame in the fence frame.
     center : ndarray, shape (2,)
-        The slider's center in the fence frame: twists and wrenches of that frame are about it, those of the
-        object's frame about its origin.
+        The slider's center in the fence frame. Twists and wrenches are about it in the fence frame, and
+        about the origin in the object's frame.
     into : bool
-        Whether the numbers go into the object's frame.
+        Whether to transform into the object's frame.
     """
     numbers = _numbers(value, kind)
     if kind == "vector":

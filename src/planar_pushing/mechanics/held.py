@@ -1,4 +1,4 @@
-"""Whether friction holds the loads of a slider without inertia; otherwise no motion balances them."""
+"""Check that friction holds the loads of a slider without inertia; otherwise no motion balances them."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from planar_pushing.mechanics.reduced.psi import contact_at
 from planar_pushing.mechanics.reduced.under import pushed
 from planar_pushing.terms.errors import InvalidValue
 
-#: Distance in radii at which a couple counts as a force.
+#: Distance, in radii, at which a force replaces a pure couple.
 FAR = 1e6
 
 
 @kernel
 @owning
 def _limits(kinds, rows, ratios):
-    """Of each load, a wrench behind the columns of the friction, its part of what friction can hold."""
+    """Ratio of each load, a wrench after the columns of friction, to the largest that friction holds."""
     first = count_fields(kinds)
     for i in range(len(rows)):
         x, y, torque = rows[i, first], rows[i, first + 1], rows[i, first + 2]
@@ -32,7 +32,7 @@ def _limits(kinds, rows, ratios):
         size = sqrt(x * x + y * y)
         ratios[i] = 0.0
         if size > 0.0:
-            # The load is a force along a line, like that of a pusher at the foot of the origin on it.
+            # The load is a force along a line, as of a pusher at the point of the line nearest the origin.
             at = contact_at(y * torque / size**2, -x * torque / size**2)
             limit = pushed(made(kinds, rows[i], 0), at, x / size, y / size, 1.0)
             ratios[i] = size / sqrt(limit.f_x * limit.f_x + limit.f_y * limit.f_y)
@@ -44,7 +44,7 @@ def require_held(scene: Any) -> None:
     Raises
     ------
     InvalidValue
-        With the part of the load that friction can hold.
+        With the ratio of the load to the largest load that friction holds.
     """
     loads = entries([each for each in scene.effects if isinstance(each, Load)], scene)
     if not loads or scene.stores_energy:
@@ -62,6 +62,6 @@ def require_held(scene: Any) -> None:
     if np.any(~(ratio < 1.0)):
         raise InvalidValue(
             "force", f"{float(np.max(ratio)):.6g} times what friction can hold",
-            "a load less than what friction holds, in a scene without inertia",
+            "a load that friction can hold, in a scene without inertia",
             "add Inertia: nothing else resists the rest of the load",
         )  # fmt: skip

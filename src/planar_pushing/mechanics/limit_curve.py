@@ -1,8 +1,8 @@
 """Limit curve: the forces through the contact that just move the slider, and the motions they cause.
 
-For friction it is the section of the limit surface by the plane of no torque about the contact
-(Sec. 3); for inertia it is the ellipse of Sec. 4. One definition serves both and their sum: the forces
-whose motion has the potential of degree 2, the kinetic energy, of a unit translation. The contact
+For friction it is the section of the limit surface by the plane of zero torque about the contact
+(Sec. 3); for inertia it is the ellipse of Sec. 4. One definition covers both and their sum: the forces
+whose motion has the same potential of degree 2, or kinetic energy, as a unit translation. The contact
 motion is then normal to the curve at the force.
 """
 
@@ -42,7 +42,7 @@ class LimitCurve:
     force_angle : float or ndarray
         phi, radians.
     magnitude : float or ndarray
-        |f|, in the unit of the weight or, without friction, of mass times a unit motion.
+        |f|, in units of the weight or, without friction, of mass times a unit motion.
     spin_ratio : float or ndarray
         k = R omega / v.
     motion_angle : float or ndarray
@@ -101,7 +101,7 @@ def limit_curve(scene: Scene, force_angle: Number) -> Any:
     Returns
     -------
     LimitCurve, or xarray.Dataset
-        A dataset where the angles, or a parameter of the scene, are a DataArray.
+        A dataset if the angles, or a parameter of the scene, are a DataArray.
     """
     scene, angle = required_scene(scene), required("force_angle", force_angle)
     require_held(scene)

@@ -29,7 +29,7 @@ __all__ = ["COINCIDENCE", "MOST", "SOLUTION", "Push", "contact_modes"]
 
 @compiled
 def _inside(edge, side, f_x, f_y):
-    """How far a force is inside an edge of the cone: of the left one on the side 1, of the right one -1."""
+    """Signed distance of a force from an edge, positive inside the cone; side 1 is left, -1 right."""
     return side * (-edge.aside * f_x - edge.along * f_y)
 
 
@@ -45,14 +45,14 @@ def _blur(edge, moved):
 
 @compiled
 def _on_edge(push, pusher, edge):
-    """The sticking motion whose force rounding has taken out of the cone, with its force on an edge."""
+    """The sticking motion with its force on an edge, after rounding has moved it out of the cone."""
     along = edge.x * pusher.x + edge.y * pusher.y
     return pushed(push.effects, push.at, edge.along, -edge.aside, along)
 
 
 @compiled
 def _part_inside(moved, right_edge, left_edge):
-    """Ends of the part of a pivot's interval, -1 to 1, that is between the edges; it may be empty."""
+    """Ends of the part of a pivot's interval [-1, 1] that is between the edges; it can be empty."""
     low, high = -1.0, 1.0
     for edge, side in ((right_edge, -1.0), (left_edge, 1.0)):
         depth = _inside(edge, side, moved.f_x, moved.f_y)
@@ -66,7 +66,7 @@ def _part_inside(moved, right_edge, left_edge):
 
 @compiled
 def _settled(law, moved, right_edge, left_edge):
-    """A pivot whose force is taken to the middle of what the law transmits, if it transmits any."""
+    """A pivot with its force at the middle of the forces that the law transmits, if there are any."""
     if moved.free_x == 0.0 and moved.free_y == 0.0:
         return moved
     low, high = (-1.0, 1.0) if law.rough else _part_inside(moved, right_edge, left_edge)
@@ -80,10 +80,10 @@ def _settled(law, moved, right_edge, left_edge):
 
 @compiled
 def _resting(push, law, edges, moved, scale):
-    """A slider at rest, its force on an edge of the cone where friction can take it there from outside.
+    """A slider at rest; a force outside the cone is moved to an edge if friction can sustain it there.
 
-    Friction holds the slider under all forces of a convex set. The last of them along an edge is that of
-    the slowest motion under it.
+    Friction holds the slider under a convex set of forces. The largest of them along an edge is the force
+    of the slowest motion under that edge.
     """
     for edge, side in ((edges[0], -1.0), (edges[1], 1.0)):
         if law.rough or _inside(edge, side, moved.f_x, moved.f_y) >= 0.0:
@@ -97,7 +97,7 @@ def _resting(push, law, edges, moved, scale):
 
 @compiled
 def _separate(push, found):
-    """Write down the motion without a force."""
+    """Write the motion without a contact force."""
     rest = free(push.effects)
     at = push.at
     u_x, u_y = rest.x - rest.spin * at.y, rest.y + rest.spin * at.x
@@ -112,7 +112,7 @@ def _separate(push, found):
 
 @compiled
 def contact_modes(push, law, edges, pusher, moves, scratch, solutions):
-    """Write down every consistent solution, in units of the pusher's motion.
+    """Write every consistent solution, in units of the pusher's motion.
 
     Parameters
     ----------
@@ -121,31 +121,31 @@ def contact_modes(push, law, edges, pusher, moves, scratch, solutions):
     edges : (Direction, Direction)
         Right and left edges of the friction cone.
     pusher : Direction
-        Of the pusher's motion, which has unit size.
+        Direction of the pusher's motion, which has unit magnitude.
     moves : bool
         Whether the pusher moves at all.
     scratch : ndarray, shape (SLIPS, ENTRIES)
     solutions : array of SOLUTION, shape (MOST,)
-        Takes the solutions, in the order of `ContactMode`.
+        Receives the solutions, in the order of `ContactMode`.
 
     Returns
     -------
     count : int
-        How many there are, -1 where an iteration has not settled.
+        Number of solutions, -1 if an iteration has not converged.
     continuum : bool
         Whether a continuum of slips touches the stick.
 
     Notes
     -----
-    At an edge of the motion cone stick and slip are one solution. Rounding moves the force and the motion
-    of that edge apart by the cone's condition number, so there a stick counts where no slip does, and a
-    slip that vanishes counts as the stick.
+    At an edge of the motion cone, stick and slip are one solution. Rounding separates the force and the
+    motion of that edge by the cone's condition number. Near an edge, sticking therefore counts if no slip
+    does, and a slip of zero speed counts as sticking.
     """
     right_edge, left_edge = edges
     rest = _separate(push, solutions[0])
     if not moves:
         return 1, False
-    place = 1 if pusher.y <= rest[1] else 0  # of the stick, before the slips
+    place = 1 if pusher.y <= rest[1] else 0  # index of the stick, which precedes the slips
     x, y = pusher.along, -pusher.aside
     moved = sticking(push.effects, push.at, x, y, spin_guess(push.effects, push.at, x, y))
     if not moved.found:
@@ -173,9 +173,10 @@ def contact_modes(push, law, edges, pusher, moves, scratch, solutions):
         if count < 0:
             return UNSOLVED, False
         slides_right, slides_left = first > place + 1, count > first
-        # Both edges of a cone narrower than rounding: beside one that slips the other does not stick.
+        # A force on an edge sticks unless the other edge slips; in a cone narrower than rounding it is on
+        # both.
         held |= (on_left and not slides_left) or (on_right and not slides_right)
-        # The last motion of a continuum sticks too; slips go on from it.
+        # The last motion of a continuum also sticks; slips continue from it.
         flat = flat_left or flat_right
         held |= reached and law.closed and flat
         slides = slides_right or slides_left

@@ -12,22 +12,22 @@ from planar_pushing.mechanics.supports.polygon import simple_ring
 from planar_pushing.terms.errors import InvalidValue
 
 Corners = tuple[tuple[float, float], ...]
-#: A point this near to a side, over the size of the outline, is on it; drawings are no better than this.
+#: A point closer to a side than this, relative to the outline's size, is on it: drawings are less precise.
 ON = 1e-6
-#: And this near it is there but for rounding; one that is further is moved onto it, since over time a
-#: corner below the fence ends a run.
+#: A distance below this is rounding. A point farther away is moved onto the side, because a corner below
+#: the fence ends a simulation.
 EXACT = 1e-12
-#: Largest angle, radians, between a normal that is given and that of its side.
+#: Largest angle, in radians, between a given normal and that of its side.
 ALIGNED = 1e-3
 
 
 def required_outline(given: Any) -> Corners:
-    """Corners of a simple polygon, counter-clockwise, without those at which no side turns.
+    """Corners of a simple polygon, counter-clockwise, without those inside a straight side.
 
     Raises
     ------
     InvalidValue
-        Where the outline is no simple polygon.
+        If the outline is not a simple polygon.
     """
     corners = simple_ring("outline", given)
     x, y = corners.T
@@ -47,15 +47,15 @@ def size(corners: Array) -> float:
 def placed(
     point: Any, normal: Any, corners: Corners
 ) -> tuple[Placement, tuple[float, float] | None]:
-    """The placement at a point of an outline, and the ends of the side from there; None at a corner.
+    """The placement at a point of an outline, and the ends of its side from there; None at a corner.
 
-    A normal within a thousandth of a radian of that of the side is taken to be that, and a point within a
-    millionth of the size of the outline from it is put onto it.
+    A normal within a thousandth of a radian of that of the side is replaced by it. A point closer to the
+    side than a millionth of the outline's size is moved onto it.
 
     Raises
     ------
     InvalidValue
-        Where the point is not on the outline, or an object with this normal is not beside the fence.
+        If the point is not on the outline, or a fence with this normal would pass through the object.
     """
     given = None if normal is None else Placement(point, normal)
     place = np.array(Placement(point, (0.0, 1.0)).point)
@@ -90,13 +90,13 @@ def placed(
 
 
 def _moved(place: Array, onto: Array, scale: float) -> tuple[float, float]:
-    """A point, or the place beside it on the outline where they differ by more than rounding."""
+    """A point, or the nearest place on the outline if they differ by more than rounding."""
     x, y = place if np.hypot(*(onto - place)) <= EXACT * scale else onto
     return float(x), float(y)
 
 
 def _at_corner(point: Any, given: Placement | None, every: Array, corner: int) -> Placement:
-    """The placement at a corner, which both of its sides have to be beyond the fence."""
+    """The placement at a corner; both of its sides must be on the object's side of the fence."""
     if given is None:
         raise InvalidValue(
             "normal", None, "the normal of the fence at a corner",
@@ -105,7 +105,7 @@ def _at_corner(point: Any, given: Placement | None, every: Array, corner: int) -
     beside = every[[corner - 1, (corner + 1) % len(every)]] - every[corner]
     beside /= np.hypot(*beside.T)[:, None]
     (a, b), (c, d) = beside
-    # A finger reaches into a corner that is reflex, where it pushes one of the sides.
+    # At a reflex corner a finger can push one of the sides.
     own = np.array([(b, -a), (-d, c)]) @ np.array(given.normal)
     reflex = a * d - b * c > 0.0 and own.max() > 1.0 - ALIGNED**2
     if (beside @ np.array(given.normal)).min() < -ALIGNED and not reflex:

@@ -1,4 +1,4 @@
-"""Responses of motions to each parameter of their scenes, in the users' units."""
+"""Responses of motions to each parameter of their scenes, in the user's units."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS
 
 
 class Motions(NamedTuple):
-    """Motions in a row, in the fence frame.
+    """A list of motions, in the fence frame.
 
     Attributes
     ----------
@@ -26,7 +26,7 @@ class Motions(NamedTuple):
     edge : float or ndarray
         Angle of the force.
     condition, pivot, changes : ndarray of int, shape (n,)
-        As `respond` has them.
+        As in `respond`.
     """
 
     twist: Array
@@ -38,7 +38,7 @@ class Motions(NamedTuple):
 
 
 class Response(NamedTuple):
-    """Status, and derivatives by the parameters of `respond`, of twists and forces."""
+    """Status, and derivatives of twists and forces with respect to the parameters of `respond`."""
 
     status: npt.NDArray[Any]
     twist: Array
@@ -46,14 +46,14 @@ class Response(NamedTuple):
 
 
 def at_places(places: npt.NDArray[np.bool_], column: Any) -> Any:
-    """The numbers of a column of problems at the places of their solutions; a number is left as it is."""
+    """The numbers of a column of problems at the places of their solutions; a scalar is left unchanged."""
     if not np.ndim(column):
         return column
     return np.broadcast_to(np.asarray(column)[..., None], places.shape)[places]
 
 
 def from_places(places: npt.NDArray[np.bool_], values: Array) -> Array:
-    """Values of solutions at their places, elsewhere NaN, or 0 of whole numbers."""
+    """Values of solutions at their places; elsewhere NaN, or 0 for integers."""
     empty = np.nan if values.dtype.kind == "f" else 0
     found = np.full(places.shape + values.shape[1:], empty, values.dtype)
     found[places] = values
@@ -67,7 +67,7 @@ def responses(entries: Sequence[Entry], columns: Sequence[Any], motions: Motions
     ----------
     entries : sequence of Entry
     columns : sequence of float or ndarray, shape (n,)
-        Those of the entries; length and angle of the rod, radius.
+        Columns of the entries; length and angle of the rod, radius.
     motions : Motions
     """
     *numbers, length, angle, radius = columns
@@ -89,7 +89,7 @@ def responses(entries: Sequence[Entry], columns: Sequence[Any], motions: Motions
     status, by_twist, by_force = mapped(
         respond, tuple(each.kind for each in entries), rows, outputs
     )
-    of = np.ones((len(size), by_twist.shape[2]))  # the parameters in units of the kernel's
+    of = np.ones((len(size), by_twist.shape[2]))  # units of the parameters in the kernel
     of[:, 0] = np.where(motions.condition == FORCE, unit, size)
     of[:, 1], of[:, 2], of[:, 3] = size, radius, radius
     for i, strength in enumerate(strengths):
@@ -102,7 +102,7 @@ def responses(entries: Sequence[Entry], columns: Sequence[Any], motions: Motions
 def _dimensionless(
     entries: Sequence[Entry], columns: Sequence[Any], size: Array
 ) -> tuple[list[Any], Array, list[Any]]:
-    """Strengths, 1 of loads; unit of force; columns in this unit, of motions in units of a size."""
+    """Strengths, 1 for loads; unit of force; columns in this unit, for motions in units of `size`."""
     left, strengths, forces, found = list(columns), [], [], []
     for entry in entries:
         own = [left.pop(0) for _ in entry.forces]
@@ -117,13 +117,13 @@ def _dimensionless(
 
 
 def _count_feet(entries: Sequence[Entry]) -> int:
-    """Number of support points, the most of each array of supports."""
+    """Number of support points, the maximum for each array of supports."""
     tables = [entry.kind.table for entry in entries if isinstance(entry.kind, Supports)]
     return sum(int((each.starts[:, SEGMENTS] - each.starts[:, ATOMS]).max()) for each in tables)
 
 
 def by_effect(scene: Scene, entries: Sequence[Entry], responses: Array) -> Array:
-    """Derivatives by the strength of each effect of a scene, in its order; 0 of one absent from rest."""
+    """Derivatives with respect to the strength of each effect of a scene; 0 for one absent from rest."""
     found = np.zeros((*responses.shape[:-1], len(scene.effects)))
     found[np.isnan(responses[..., 0])] = np.nan
     listed = scene.resisting

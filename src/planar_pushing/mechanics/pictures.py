@@ -1,4 +1,4 @@
-"""Pictures of the objects of the mechanics in notebooks, where the figures are installed."""
+"""Notebook pictures of scenes, solutions and supports, if the extra for figures is installed."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from planar_pushing.terms.errors import InvalidValue, MissingExtra
 
 
 def picture(name: str, *of: object) -> str | None:
-    """SVG by a function of the figures; None without their extra, and of arrays.
+    """SVG from a function of the figures; None for arrays, or without the extra for figures.
 
-    The figures build on the mechanics, so that their module is looked up by name.
+    The figures import the mechanics, so their module is looked up by name.
     """
     try:
         module = import_module("planar_pushing.figures.notebook")
@@ -20,7 +20,7 @@ def picture(name: str, *of: object) -> str | None:
 
 
 class Pictured:
-    """A support: notebooks show it in its body frame."""
+    """A support, which notebooks show in its body frame."""
 
     __slots__ = ()
 

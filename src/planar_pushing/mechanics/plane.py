@@ -32,7 +32,7 @@ from planar_pushing.mechanics.compiled import compiled, kernel
 Array = npt.NDArray[np.float64]
 
 QUARTER_TURN = pi / 2
-#: Rounding error of the direction of a translation, radians, and of a rotation per speed and radius.
+#: Rounding error of the direction of a translation, in radians, and of R omega relative to the speed.
 ALONG = 1e-15
 
 
@@ -65,15 +65,15 @@ class Direction(NamedTuple):
 
 @compiled
 def is_quarter(angle):
-    """Whether an angle is the double nearest to a quarter turn."""
+    """Whether an angle is the double nearest to a multiple of 90 degrees."""
     return np.rint(angle / QUARTER_TURN) * QUARTER_TURN == angle
 
 
 @compiled
 def unit_vector(angle):
-    """Unit vector at an angle, exact where the angle is the double nearest to a quarter turn.
+    """Unit vector at an angle, exact if the angle is the double nearest to a multiple of 90 degrees.
 
-    A fence that moves along itself then has no normal motion left over from rounding.
+    A fence that moves along its own line then has exactly zero normal motion.
     """
     x, y = cos(angle), sin(angle)
     if is_quarter(angle):
@@ -90,11 +90,11 @@ def rod(length, angle):
 
 @compiled
 def seen(own, angle):
-    """The direction at an angle, seen from a rod.
+    """The direction at an angle, relative to a rod.
 
-    Along an axis the double is taken for the quarter turn and the products are exact. Elsewhere they
-    would cancel where the difference of the angles, with what its subtraction rounds off, does not: a
-    long rod multiplies it by its length.
+    If the direction or the rod is along an axis, the products of the components are exact. Elsewhere these
+    products cancel, so the difference of the angles, corrected for the rounding error of the subtraction,
+    is used instead: a long rod multiplies an error by its length.
     """
     if is_quarter(angle) or own.x == 0.0 or own.y == 0.0:
         x, y = unit_vector(angle)
@@ -108,7 +108,7 @@ def seen(own, angle):
 
 @compiled
 def toward(own, angle):
-    """The direction at an angle, also along x and y: twice the sines and cosines of `seen`."""
+    """The direction at an angle, also along x and y; it costs twice the sines and cosines of `seen`."""
     x, y = unit_vector(angle)
     _, along, aside = seen(own, angle)
     return Direction(angle, x, y, along, aside)
@@ -145,8 +145,8 @@ def contact_motion_angle(own, force, spin_ratio):
 def motion_center(own, v_x, v_y, spin):
     """Motion center relative to the contact, in radii, of a twist at the slider's center.
 
-    A translation puts it at infinity: the coordinates are then infinite, or the slider's center's where it
-    moves along them.
+    A translation has its center at infinity, so the coordinates are infinite. In a translation along x or y
+    the coordinate along that axis is the slider center's.
     """
     x, y = center_from(v_x, v_y, spin)
     return own.length * own.x + x, own.length * own.y + y
@@ -154,12 +154,12 @@ def motion_center(own, v_x, v_y, spin):
 
 @compiled
 def center_from(v_x, v_y, spin):
-    """Motion center relative to the slider's center; a rotation that is a rounding error is none."""
+    """Motion center relative to the slider's center; a rotation of rounding size counts as zero."""
     if abs(spin) > ALONG * hypot(v_x, v_y):
         return -v_y / spin, v_x / spin
     # A translation along an axis, to rounding, has its center on the other axis.
     x = -copysign(inf, v_y) if abs(v_y) > ALONG * abs(v_x) else 0.0
-    # A zero of either sign is one.
+    # Adding zero gives a negative zero the positive sign.
     return x, copysign(inf, v_x + 0.0) if abs(v_x) > ALONG * abs(v_y) or x == 0.0 else 0.0
 
 
@@ -171,7 +171,7 @@ def _unit_vectors(angles, vectors):
 
 
 def direction(angle: npt.ArrayLike) -> Array:
-    """Unit vectors at `angle` (radians, shape S), shape S + (2,), as `unit_vector`."""
+    """Unit vectors at `angle` (radians, shape S), shape S + (2,), as in `unit_vector`."""
     angles = np.asarray(angle, dtype=float)
     vectors = np.empty((angles.size, 2))
     _unit_vectors(np.ascontiguousarray(angles.reshape(-1)), vectors)

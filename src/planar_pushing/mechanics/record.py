@@ -1,4 +1,4 @@
-"""A solution of a push as the compiled core writes it down, in the frame of the contact."""
+"""Record of a solution of a push in the compiled core, in the frame of the contact."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.reduced.slips import SLIPS
 
-#: Solutions of one push: separate, stick, and the slips under each edge.
+#: Maximum number of solutions of one push: separate, stick, and the slips under each edge.
 MOST = 2 + 2 * SLIPS
 SEPARATE, STICK = int(ContactMode.SEPARATE), int(ContactMode.STICK)
 SLIP_RIGHT, SLIP_LEFT = int(ContactMode.SLIP_RIGHT), int(ContactMode.SLIP_LEFT)
-#: In place of a number of solutions: an iteration has not settled, or there are more slips than fit.
+#: Replaces the number of solutions if an iteration has not converged or there are more slips than fit.
 UNSOLVED = -1
 #: A solution, in the frame of the contact: twist of the slider's origin, motion of the contact, force and
-#: the other end of its interval, number of the support point that is a pivot, whether it is an end of a
-#: continuum.
+#: the other end of its interval, number of the support point that is the pivot, and whether the solution is
+#: an end of a continuum.
 SOLUTION = np.dtype(
     (
         np.record,
@@ -33,7 +33,7 @@ SOLUTION = np.dtype(
 class Push(NamedTuple):
     """A push in the body frame: effects, contact, and the tangent of the pusher there.
 
-    The normal is the tangent turned by 90 degrees to the left.
+    The normal is the tangent rotated by +90 degrees.
     """
 
     effects: tuple[Any, ...]
@@ -44,7 +44,7 @@ class Push(NamedTuple):
 
 @compiled
 def write(push, mode, moved, found):
-    """Write down a solution in the frame of the contact."""
+    """Write a solution in the frame of the contact."""
     t_x, t_y = push.t_x, push.t_y
     found.mode, found.pivot, found.continuum = mode, moved.point, moved.continuum
     found.twist[0], found.twist[1] = (
@@ -64,7 +64,7 @@ def write(push, mode, moved, found):
 
 @compiled
 def copy(target, source):
-    """Write a solution over another one."""
+    """Overwrite a solution with another one."""
     target.mode, target.pivot, target.continuum = source.mode, source.pivot, source.continuum
     for k in range(3):
         target.twist[k] = source.twist[k]

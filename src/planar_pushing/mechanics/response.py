@@ -1,4 +1,4 @@
-"""Responses of solutions to each parameter of their problems, in the compiled core."""
+"""Derivatives of solutions with respect to each parameter of their problems, in the compiled core."""
 
 from __future__ import annotations
 
@@ -36,11 +36,12 @@ __all__ = ["FIRST", "FORCE", "FREE", "LINE", "SLIP", "STICK", "respond"]
 
 #: Values of `Smoothness`.
 SMOOTH, PIVOT, OPEN, CHANGE = range(1, 5)
-#: Parameters before the effects: two of the condition, the contact's position, the angle of the force.
+#: Number of parameters before the effects: two of the condition, the position of the contact, and the angle
+#: of the force.
 FIRST = 5
-#: A support point slower than this, relative to the twist, is about to be a pivot, or was one.
+#: A support point slower than this, relative to the twist, is about to become a pivot, or was one.
 SLOW = 1e-11
-#: A pivot whose friction is this near to its share, relative to it, is about to slide.
+#: A pivot with friction this close to its share, relative to the share, is about to slide.
 SHARE = 1e-9
 
 
@@ -59,15 +60,16 @@ def _all(effects, at, x, y, spin, blur, wrenches, i):
 
 @generic
 def write_wrenches(kinds: Any) -> Callable[..., Any]:
-    """Write down the wrench of each effect about the contact: effects, at, twist, blur, wrenches, row."""
+    """Write the wrench of each effect about the contact: effects, at, twist, blur, wrenches, row."""
     return _first if len(kinds) == 1 else _all
 
 
 @compiled
 def _write_feet(effects, at, x, y, spin, pivot, wrenches, first):
-    """Write down the wrench of each support point about the contact, of a friction of size one.
+    """Write the wrench about the contact of unit friction at each support point.
 
-    That of a pivot is not at its limit, so a change of it changes nothing. Places without a point are NaN.
+    The friction of a pivot is below its limit, so a change of the limit has no effect. Rows without a point
+    are NaN.
     """
     count = count_points(effects)
     for i in range(len(wrenches) - first):
@@ -83,7 +85,7 @@ def _write_feet(effects, at, x, y, spin, pivot, wrenches, first):
 
 @compiled
 def _caused(of, at, k, t_x, t_y, wrenches):
-    """The change of the problem by its k-th parameter; (t_x, t_y) is the pusher's tangent."""
+    """The change of the problem with its k-th parameter; (t_x, t_y) is the pusher's tangent."""
     if k >= FIRST:
         own = wrenches[k - FIRST]
         return Cause(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, own[0], own[1], own[2])
@@ -107,7 +109,7 @@ def _caused(of, at, k, t_x, t_y, wrenches):
 
 @compiled
 def _response(of, at, pivots, k, t_x, t_y, wrenches):
-    """The change by a parameter of the twist of the origin and of the force, in the contact's frame."""
+    """The change of the origin's twist and of the force with a parameter, in the contact's frame."""
     cause = _caused(of, at, k, t_x, t_y, wrenches)
     change = pivoting(of, cause) if pivots else smooth(of, cause)
     spin = change.spin
@@ -121,7 +123,7 @@ def _response(of, at, pivots, k, t_x, t_y, wrenches):
 
 @compiled
 def _with_far_terms(effects, at, x, y, spin, blur):
-    """`Resistance` about the contact, with exact second derivatives of sliders that nearly translate."""
+    """`Resistance` about the contact, with accurate second derivatives also for near-translations."""
     now, (xs, ys, ss) = about(effects, at, x, y, spin, blur), far_terms(effects, x, y, spin)
     whole = now.ss + ss + 2.0 * (at.y * xs - at.x * ys)
     return Resistance(
@@ -132,7 +134,7 @@ def _with_far_terms(effects, at, x, y, spin, blur):
 
 @compiled
 def _state(effects, at, own, row, i, pivot):
-    """The solution in the columns of a row from i on, and the twist of the origin."""
+    """The solution in the columns of a row, starting at i, and the velocity of the origin."""
     t_x, t_y, condition = own.x, -own.y, int(row[i + 6])
     x, y = t_x * row[i] - t_y * row[i + 1], t_y * row[i] + t_x * row[i + 1]
     f_x, f_y = t_x * row[i + 3] - t_y * row[i + 4], t_y * row[i + 3] + t_x * row[i + 4]
@@ -151,11 +153,12 @@ def _state(effects, at, own, row, i, pivot):
 
 @compiled
 def _is_changing(of, pivots):
-    """Whether a support point is about to become a pivot or to leave from being one."""
+    """Whether a support point is about to become a pivot or to stop being one."""
     most = (1.0 - SHARE) * of.now.most
     if not pivots:
         return most > 0.0
-    if of.condition == STICK:  # the balance gives the friction across the line to the contact alone
+    if of.condition == STICK:
+        # The balance determines only the friction across the line to the contact.
         return not abs(of.now.torque) <= most * sqrt(of.r_x * of.r_x + of.r_y * of.r_y)
     g_x, g_y = of.f_x - of.now.f_x, of.f_y - of.now.f_y
     return not sqrt(g_x * g_x + g_y * g_y) <= most
@@ -164,10 +167,10 @@ def _is_changing(of, pivots):
 @kernel
 @owning
 def respond(kinds, rows, status, twists, forces):
-    """Responses to each parameter.
+    """Derivatives with respect to each parameter.
 
-    The columns of a row behind those of the effects: length and angle of the rod; twist and force in the
-    frame of the contact; angle of the edge; condition; number of the pivot; whether the mode changes.
+    After the columns of the effects, a row holds: length and angle of the rod; twist and force in the frame
+    of the contact; angle of the edge; condition; number of the pivot; whether the mode changes.
     """
     count = count_fields(kinds)
     wrenches = np.empty((twists.shape[2] - FIRST, 3))

@@ -42,21 +42,21 @@ class Slider:
     rod_angle : float or array
         psi between the fence and the rod, radians, in (0, pi).
     radius : float or array, optional
-        R > 0; all lengths are in any one unit. Without one a scene takes the largest distance of its
-        support from the center of pressure, 1 for a ring.
+        R > 0; all lengths share one arbitrary unit. By default a scene sets it to the largest distance of
+        its support from the center of pressure, or to 1 for a ring.
     side : (start, end), of floats or arrays
-        Ends of the flat side that a finger pushes, along the side from the contact: along the fence, at
-        time 0. A fence takes no notice of it.
+        Ends of the flat side that a finger pushes, measured from the contact along the side, which at time
+        0 is along the fence. They have no effect on a fence.
     outline : sequence of pairs, optional
-        Corners of the slider in the body frame, in order; by default nothing is known of its outline. Over
-        time a run ends where another point of the outline meets the fence, or where the finger comes to the
-        end of its side.
+        Corners of the slider in the body frame, in order; by default the outline is unknown. A simulation
+        ends when another point of the outline meets the fence, or when the finger reaches the end of its
+        side.
 
     Raises
     ------
     InvalidValue
-        Where a parameter is out of range, the side does not hold the contact, or the outline is no simple
-        polygon.
+        If a parameter is out of range, the side does not contain the contact, or the outline is not a
+        simple polygon.
     """
 
     rod_length: Number
@@ -86,35 +86,33 @@ class Slider:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Scene:
-    """A slider, the contact through which it is pushed, and the effects that resist.
+    """A slider, the contact through which it is pushed, and the effects that resist the motion.
 
     Parameters
     ----------
     slider : Slider
-        Its radius is filled in where it has none.
+        A missing radius is filled in.
     contact : ContactLaw, or array of laws
         `Coulomb`, `InfiniteFriction` or `PerfectlyRough`.
     effects : tuple of effects
         At least one of `SupportFriction`, its short form `RingFriction`, and `Inertia`; an absent effect is
         never evaluated.
     placement : Placement, optional
-        Where the contact is in the object's own frame, as `scene_at` gives it; without one that frame is
-        the body frame.
+        Contact in the object's own frame, as set by `scene_at`; by default that frame is the body frame.
     units : Units, optional
-        Names of the units of its numbers, which labeled results and logs then carry.
+        Names of the units of the scene's numbers, for labeled results and logs.
     push : (angle, magnitude), optional
-        The push that `solve` and `draw` take where none is given, the angle in radians, as scene files
-        give it.
+        Default push of `solve` and `draw`, as set by scene files, with the angle in radians.
 
     Raises
     ------
     InvalidValue
-        Where no effect is listed, or something else than an effect or a law is given.
+        If no effect is listed, or an effect or a law is of another type.
 
     Notes
     -----
-    Parameters of slider, law and effects may be arrays, which are broadcast: the scene is then an array
-    of scenes, and every function of the mechanics gives an array.
+    Parameters of slider, law and effects can be arrays, which are broadcast: the scene is then an array of
+    scenes, and every function of the mechanics returns an array.
     """
 
     slider: Slider
@@ -151,13 +149,13 @@ class Scene:
                 require_kind(name, getattr(self, name), kind)
 
     def to_object(self, value: npt.ArrayLike, kind: Kind) -> Array:
-        """Numbers of the fence frame at time 0 in the object's frame.
+        """Transform numbers from the fence frame at time 0 to the object's frame.
 
         Parameters
         ----------
         value : array_like, shape S + (2,) or S + (3,)
             A vector or a point in the fence frame, or a twist or a wrench in it at the slider's center, as
-            `solve` gives them.
+            returned by `solve`.
         kind : {"vector", "point", "twist", "wrench"}
 
         Returns
@@ -169,12 +167,12 @@ class Scene:
         Raises
         ------
         InvalidValue
-            Where the shape does not fit the kind.
+            If the shape does not match the kind.
         """
         return changed(value, kind, self._object, self._center, into=True)
 
     def to_fence(self, value: npt.ArrayLike, kind: Kind) -> Array:
-        """Numbers of the object's frame in the fence frame at time 0, the inverse of `to_object`."""
+        """Transform numbers from the object's frame to the fence frame; the inverse of `to_object`."""
         return changed(value, kind, self._object, self._center, into=False)
 
     @property
@@ -191,27 +189,27 @@ class Scene:
         return Frame((center[..., 0], center[..., 1]), (axis[..., 0], axis[..., 1]))
 
     def _repr_svg_(self) -> str | None:
-        """The slider with its cones in a notebook."""
+        """Picture of the slider with its cones, for a notebook."""
         return picture("scene_svg", self)
 
     @property
     def friction(self) -> list[Any]:
-        """Its Coulomb friction on supports."""
+        """The effects of Coulomb friction."""
         return [each for each in self.effects if isinstance(each, (SupportFriction, RingFriction))]
 
     @property
     def viscous(self) -> list[Viscous]:
-        """Its viscous friction on supports."""
+        """The effects of viscous friction."""
         return [each for each in self.effects if isinstance(each, Viscous)]
 
     @property
     def loads(self) -> list[Load]:
-        """Its loads."""
+        """The loads."""
         return [each for each in self.effects if isinstance(each, Load)]
 
     @property
     def masses(self) -> list[Inertia]:
-        """The effects that store energy."""
+        """The effects of inertia, which store energy."""
         return [each for each in self.effects if isinstance(each, Inertia)]
 
     @property
@@ -221,23 +219,23 @@ class Scene:
 
     @property
     def isotropic(self) -> bool:
-        """Whether every support is the slider's own ring, and the center of mass its center."""
+        """Whether every support is the slider's own ring, and every center of mass the slider's center."""
         if any(_is_off(coordinate) for each in self.masses for coordinate in each.center):
             return False
         return all(is_own_ring(each.support, self.slider.radius) for each in self.friction)
 
     @property
     def resisting(self) -> list[int]:
-        """Numbers of the effects of a push from rest.
+        """Indices of the effects that act in a push from rest.
 
-        A slider with inertia has no velocity then, and so no viscous friction.
+        A slider with inertia has no velocity then, and therefore no viscous friction.
         """
         absent = Viscous if self.stores_energy else ()
         return [i for i, each in enumerate(self.effects) if not isinstance(each, absent)]
 
     @property
     def from_rest(self) -> list[Entry]:
-        """The effects of a push from rest as the compiled core has them."""
+        """The effects of a push from rest, in the form of the compiled core."""
         return entries([self.effects[i] for i in self.resisting], self)
 
     @property
@@ -247,12 +245,12 @@ class Scene:
 
     @property
     def weight(self) -> Number:
-        """Force of friction in a translation; 1 without friction, which then nothing reads."""
+        """Friction force in a translation; 1, an unused value, without friction."""
         return sum(each.weight for each in self.friction) if self.friction else 1.0
 
     @property
     def inertia(self) -> tuple[Number, Number]:
-        """Mass, and square of the radius of gyration in radii; of several inertias together."""
+        """Total mass, and its squared radius of gyration in radii."""
         heavy = self.masses
         if not heavy:
             return 1.0, 1.0
@@ -280,7 +278,7 @@ class Scene:
 
     @property
     def numbers(self) -> list[Number]:
-        """All numbers of the effects."""
+        """All numbers of the effects of a push from rest."""
         return [each for entry in self.from_rest for each in entry.columns]
 
     @property
@@ -290,7 +288,7 @@ class Scene:
 
 
 def _is_off(coordinate: Number) -> bool:
-    """Whether a coordinate, or one of an array, is not zero."""
+    """Whether a coordinate, or any entry of an array, is nonzero."""
     if isinstance(coordinate, float):
         return coordinate != 0.0
     return bool(np.any(np.asarray(coordinate) != 0))
@@ -302,7 +300,7 @@ def required_scene(given: object) -> Scene:
 
 
 def required_single(scene: Scene) -> Scene:
-    """The scene if its parameters are numbers, or `InvalidValue`."""
+    """The scene if its parameters are scalars, or `InvalidValue`."""
     slider = scene.slider
     rod = slider.rod_length, slider.rod_angle, slider.radius, *slider.side
     if any(map(np.ndim, (*rod, *scene.numbers, *scene.law))):

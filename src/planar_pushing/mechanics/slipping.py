@@ -1,4 +1,4 @@
-"""The slips of a push under one edge of the friction cone, beside the motion that sticks."""
+"""The slips of a push under one edge of the friction cone, in addition to the sticking motion."""
 
 from __future__ import annotations
 
@@ -13,47 +13,48 @@ from planar_pushing.mechanics.reduced.slips import SLOWEST, slips_along
 from planar_pushing.mechanics.reduced.under import Moved, moved_at, pushed
 from planar_pushing.mechanics.reduced.way import Way
 
-#: Motions closer than this, relative to the pusher's and the free one, are one motion: a slip that vanishes
-#: is a stick.
+#: Motions closer than this, relative to the pusher's and the free motion, are one motion: a slip of zero
+#: speed is a stick.
 COINCIDENCE = 9e-13
-#: How far beyond the pusher's motion slips are sought, relative to the same, so that one that is the stick
-#: is found; beside a pusher at rest they end before it.
+#: Distance to which slips are searched beyond the pusher's motion, relative to the same scale, so that a
+#: slip that is the stick is found; for a pusher at rest the search ends before its motion.
 BEYOND = 1e-11
-#: A normal motion is not smaller than this, so that squares of it are doubles.
+#: Smallest normal motion, which keeps its square from underflowing.
 LEAST = 1e-140
-#: Rotation of a root that is zero, relative to that of a force across the rod: a rounding error's square.
+#: Rotation of a root that counts as zero, relative to that under a force across the rod: the square of a
+#: rounding error.
 STILL = 1e-31
-#: A force this far outside the cone, relative to its magnitude, is taken to the edge.
+#: A force farther outside the cone than this, relative to its magnitude, is moved to the edge.
 OUTSIDE = 5e-13
 
 
 @compiled
 def scale_of(pusher, rest):
-    """What motions are compared with: the pusher's, which has unit size or is at rest, and the free one."""
+    """Scale of motions: the larger of the pusher's motion, which is 1 or 0, and the free motion."""
     pushed = 1.0 if pusher.x != 0.0 or pusher.y != 0.0 else 0.0
     return max(pushed, abs(rest[0]), abs(rest[1]))
 
 
 @compiled
 def _may_slip(edge, side, part, moved_force, size):
-    """Whether there can be slips under an edge, beside the sticking motion.
+    """Whether slips under an edge are possible, in addition to the sticking motion.
 
-    A slip goes against the edge's force along the fence, so it has less of a part along the force than the
-    pusher's motion, and that part is positive; a force across the fence gives both the same part. The
-    potential is convex, so the force along the fence rises with the motion along it: a slip to the right
-    takes more than sticking does.
+    A slip is opposed by the edge's force along the fence. Its component along the force is therefore
+    positive and smaller than that of the pusher's motion, or equal if the force is normal to the fence. The
+    potential is convex, so the force along the fence increases with the motion along it: a slip to the
+    right takes a larger force than sticking.
     """
     return part > 0.0 and side * moved_force <= OUTSIDE * size
 
 
 @compiled
 def slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, place, count):
-    """Write down the slips of a mode.
+    """Write the slips of a mode.
 
     Returns
     -------
     count : int
-        How many solutions there are then, -1 where they are not solved.
+        Number of solutions so far, -1 if an iteration has not converged.
     at_edge, flat : bool
         Whether one of the slips is the stick, and whether the stick is an end of a continuum.
     """
@@ -94,7 +95,7 @@ def slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, place, c
 
 @compiled
 def _still(reach, slid):
-    """A slip without the rotation of a force through the center, which is a rounding error."""
+    """A slip; a rotation of rounding size is set to zero, since the force is then through the center."""
     size = abs(slid.u_x) + abs(slid.u_y)
     if abs(slid.spin) * (1.0 + reach * reach) > STILL * reach * size:
         return slid
@@ -106,7 +107,7 @@ def _still(reach, slid):
 
 @compiled
 def _write_slip(push, edge, slid, side, mode, pusher, rest, solutions, place, count):
-    """Write down a slip if its force pushes, as the stick if it does not slip; as `slipping`."""
+    """Write a slip if its force pushes, or the stick if it does not slip; returns as in `slipping`."""
     least = COINCIDENCE * scale_of(pusher, rest)
     slip = push.t_x * slid.u_x + push.t_y * slid.u_y - pusher.x
     if not slid.found or count < 0:
@@ -136,7 +137,7 @@ def force_along(edge, slid):
 
 @compiled
 def _take_to(edge, slid, found):
-    """Write down a force along an edge, free of the rounding of the body frame."""
+    """Write a force along an edge, without the rounding errors of the body frame."""
     size = force_along(edge, slid)
     found.force[0], found.force[1] = size * edge.x, size * edge.y
     found.force_end[0], found.force_end[1] = found.force[0], found.force[1]
@@ -144,7 +145,7 @@ def _take_to(edge, slid, found):
 
 @compiled
 def _shrink(found, part, force):
-    """Take a motion and its force to parts of their magnitudes."""
+    """Scale the magnitudes of a motion and its force."""
     for k in range(3):
         found.twist[k] *= part
     for k in range(2):
@@ -155,7 +156,7 @@ def _shrink(found, part, force):
 
 @generic
 def _growth(kinds: Any) -> Callable[..., Any]:
-    """Part of the force that a slow motion takes of a part of it: effects, part."""
+    """Factor of the force when a slow motion is scaled by a factor: effects, factor of the motion."""
     return _in_proportion if all(KINDS[kind].DEGREE == 2 for kind in kinds) else _constant
 
 

@@ -1,4 +1,4 @@
-"""What `solve` finds: the consistent solutions of one pushing problem, or of an array of them."""
+"""Results of `solve`: the consistent solutions of one pushing problem, or of an array of problems."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from planar_pushing.terms.errors import InvalidValue
 if TYPE_CHECKING:
     import xarray as xr
 
-#: Numbers of a solution in the table that is printed; vectors by their components.
+#: Numbers of a solution in the printed table; vectors by component.
 NUMBERS = {
     "force": ("force x", "force y"),
     "contact_motion": ("motion x", "motion y"),
@@ -31,9 +31,10 @@ NUMBERS = {
     "spin_ratio": ("spin ratio",),
     "center": ("center x", "center y"),
 }
-#: A number below this fraction of the largest of its kind is a rounding error, and is printed as 0.
+#: A number below this fraction of the largest of its kind is rounding error and is printed as 0.
 ROUNDING = 1e-12
-#: Values of one problem, and dimension of the parts of a vector; all else is one number for a solution.
+#: Variables with one value per problem, and dimension of the components of a vector; all other variables
+#: have one value per solution.
 COUNTS = ("solutions", "status")
 PARTS = {
     **dict.fromkeys(("force", "force_end", "contact_motion", "center"), "xy"),
@@ -43,7 +44,7 @@ PARTS = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Solution:
-    """One consistent solution, in the fence's frame: +x along the fence, +y its normal into the slider.
+    """One consistent solution, in the fence frame: +x along the fence, +y its normal into the slider.
 
     Attributes
     ----------
@@ -51,7 +52,7 @@ class Solution:
     force : ndarray, shape (2,)
         Force of the pusher on the slider.
     force_end : ndarray, shape (2,)
-        The same; but a pivot leaves forces between two open, and this is the other one.
+        Other end of the range of forces if a pivot leaves the force undetermined; otherwise `force`.
     contact_motion : ndarray, shape (2,)
         Velocity or initial acceleration of the slider at the contact.
     twist : ndarray, shape (3,)
@@ -63,10 +64,10 @@ class Solution:
     pivot : int
         Number of the support point about which the slider pivots, -1 without one.
     continuum : bool
-        Whether each motion from this one to the other end of a continuum is a solution too: to another
-        slip, to the sticking motion, or to rest.
+        Whether this is an end of a continuum, all motions of which are solutions. The other end is another
+        slip, the sticking motion, or rest.
     derivatives : Derivatives, optional
-        Those of twist and force, where `solve` was asked for them.
+        Derivatives of twist and force, if requested from `solve`.
     """
 
     mode: ContactMode
@@ -89,12 +90,12 @@ class Solution:
         return bool(self.force[1] < -RESOLUTION * np.hypot(*self.force))
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain values by name: the mode's name, numbers, lists of them, and derivatives if it has them."""
+        """Plain values by name: the name of the mode, numbers, lists of numbers, and any derivatives."""
         found = {name: _plain(value) for name, value in _values(self).items() if value is not None}
         return found | {"adhesive": self.adhesive}
 
     def to_json(self) -> str:
-        """JSON of `to_dict`; inf, -inf and nan, which JSON lacks, are words."""
+        """JSON of `to_dict`; inf, -inf and nan, which JSON lacks, are written as words."""
         return to_json(self.to_dict())
 
 
@@ -103,7 +104,7 @@ def _values(one: Any) -> dict[str, Any]:
 
 
 def _plain(value: Any) -> Any:
-    """A value without numpy and enumerations, and numbers without negative zeros."""
+    """A value without numpy types, enumerations and negative zeros."""
     if isinstance(value, Derivatives):
         return {name: _plain(each) for name, each in _values(value).items()}
     if isinstance(value, IntEnum):
@@ -117,9 +118,9 @@ def _plain(value: Any) -> Any:
 class Solutions:
     """All consistent solutions of one pushing problem, in the order of `ContactMode`.
 
-    Slips of the same mode are ordered by speed. ``solutions[0]`` is the first solution; printing shows one
-    column per solution, and a notebook a picture too. `problem` holds the scene, the direction of the push
-    in radians, and its magnitude.
+    Slips of the same mode are ordered by speed. ``solutions[0]`` is the first solution. Printing shows one
+    column per solution; a notebook also shows a picture. `problem` holds the scene, the direction of the
+    push in radians, and its magnitude.
     """
 
     solutions: tuple[Solution, ...]
@@ -145,7 +146,7 @@ class Solutions:
     @overload
     def __getitem__(self, index: slice) -> tuple[Solution, ...]: ...
     def __getitem__(self, index: Any) -> Any:
-        if isinstance(index, ContactMode):  # a number too, which would pick some other solution
+        if isinstance(index, ContactMode):  # also an integer, which would pick another solution
             raise InvalidValue(
                 "index", index, "the number of a solution, or a slice",
                 "pick the solutions of a mode with solutions.of(mode)",
@@ -157,7 +158,7 @@ class Solutions:
         return tuple(each for each in self.solutions if each.mode is mode)
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain values: the names of outcome and status, and the solutions as `Solution.to_dict`."""
+        """Plain values: the names of outcome and status, and the solutions as in `Solution.to_dict`."""
         return {
             "outcome": self.outcome.name,
             "status": self.status.name,
@@ -165,14 +166,14 @@ class Solutions:
         }
 
     def to_json(self) -> str:
-        """JSON of `to_dict`; inf, -inf and nan, which JSON lacks, are words."""
+        """JSON of `to_dict`; inf, -inf and nan, which JSON lacks, are written as words."""
         return to_json(self.to_dict())
 
     def __repr__(self) -> str:
         return f"{self._title}\n{self._table().to_string()}" if self.solutions else self._title
 
     def _repr_html_(self) -> str:
-        """The picture and the table in a notebook."""
+        """Picture and table for a notebook."""
         drawn = picture("push_svg", *self.problem, self) if self.problem else None
         title = f"{drawn or ''}<p>{self._title}</p>"
         return f"{title}\n{self._table().to_html()}" if self.solutions else title
@@ -183,7 +184,7 @@ class Solutions:
         return f"{self.outcome}: {count} consistent solution{'' if count == 1 else 's'}"
 
     def _table(self) -> Any:
-        """A pandas table: a row for each number, a column for each solution."""
+        """A pandas table with one row per number and one column per solution."""
         import pandas as pd
 
         words = [word for each in NUMBERS.values() for word in each]
@@ -197,15 +198,15 @@ class Solutions:
 
 
 def _short(number: float) -> str:
-    """A number of the table; a slider at rest has no center."""
+    """Text of a number in the table; a slider at rest has no center."""
     return "none" if np.isnan(number) else f"{number:.6g}"
 
 
 def printed(solutions: Solutions) -> list[dict[str, Array]]:
-    """The numbers of each solution by name, with rounding errors and negative zeros as 0.
+    """The numbers of each solution by name, with 0 for rounding errors and negative zeros.
 
     Forces are compared with the largest force of the solutions, motions with the largest motion, rotations
-    with that motion over the slider's reach, and places of the center with the reach or, where it is
+    with that motion divided by the slider's reach, and coordinates of the center with the reach or, if
     larger, with the other coordinate.
     """
     names = (*NUMBERS, "force_end")
@@ -234,7 +235,7 @@ def _largest(vectors: Iterable[Array]) -> float:
 
 
 def _reach(problem: tuple[Any, float, float] | None) -> float:
-    """Length of a slider, with its rod: 0 where it is not known."""
+    """Size of a slider including its rod; 0 if unknown."""
     if problem is None:
         return 0.0
     slider = problem[0].slider
@@ -245,15 +246,15 @@ def _reach(problem: tuple[Any, float, float] | None) -> float:
 class SolutionArrays:
     """All consistent solutions of an array of pushing problems of shape S, padded along one axis.
 
-    An index over S picks problems: ``arrays[i, j]`` of two axes gives `Solutions`, an index that leaves an
+    An index over S picks problems: with two axes ``arrays[i, j]`` gives `Solutions`; an index that keeps an
     axis, such as a slice or a mask, gives `SolutionArrays`.
 
     Attributes
     ----------
     solutions : ndarray of int, shape S
-        How many there are.
+        Number of solutions.
     mode : ndarray of int, shape S + (solutions,)
-        Values of `ContactMode`, in their order; -1 behind the last solution, where the rest is NaN.
+        Values of `ContactMode`, in order; -1 after the last solution, where all other values are NaN.
     force, force_end, contact_motion, center : ndarray, shape S + (solutions, 2)
     twist : ndarray, shape S + (solutions, 3)
         omega in radians per unit of time.
@@ -300,7 +301,7 @@ class SolutionArrays:
         return len(self.solutions)
 
     def __getitem__(self, index: Any) -> Any:
-        if isinstance(index, ContactMode):  # a number too, which would pick some problem
+        if isinstance(index, ContactMode):  # also an integer, which would pick a problem
             raise InvalidValue(
                 "index", index, "numbers, slices and masks over the problems",
                 "find a mode with arrays.mode == mode",
@@ -319,7 +320,7 @@ class SolutionArrays:
         return "\n".join((f"SolutionArrays of shape {self.shape}", *lines))
 
     def to_dataset(self, dims: Sequence[Hashable] | None = None) -> xr.Dataset:
-        """The same as `solve` gives of labelled arrays, with units and flags.
+        """The dataset that `solve` returns for labeled arrays, with units and flags.
 
         Parameters
         ----------
@@ -329,7 +330,7 @@ class SolutionArrays:
         Raises
         ------
         InvalidValue
-            Where there are more or fewer names than axes, or one is not unique.
+            If there are more or fewer names than axes, or a name is not unique.
         """
         import xarray as xr
 
@@ -354,19 +355,19 @@ class SolutionArrays:
         return {name: getattr(self, name) for name in names}
 
     def _flat(self, value: Any) -> Any:
-        """An array with the axes of S made one."""
+        """An array with the axes of S merged into one."""
         return value.reshape(self.solutions.size, *value.shape[len(self.shape) :])
 
 
 def _tail(name: str) -> list[str]:
-    """Dimensions of a variable behind those of the problems."""
+    """Dimensions of a variable after those of the problems."""
     if name in COUNTS:
         return []
     return ["solution", PARTS[name]] if name in PARTS else ["solution"]
 
 
 def _counted(kind: type[IntEnum], values: Any) -> str:
-    """How often each member occurs."""
+    """Number of occurrences of each member, as text."""
     counts = {each.name: int(np.count_nonzero(values == each)) for each in kind}
     return ", ".join(f"{count} {name}" for name, count in counts.items() if count) or "none"
 
@@ -395,7 +396,7 @@ def listed(
 
 
 def as_dataset(values: Mapping[str, Any]) -> xr.Dataset:
-    """The solutions of labelled problems, from the labelled variables of `SolutionArrays`."""
+    """The solutions of labeled problems, from the labeled variables of `SolutionArrays`."""
     mode, count = values["mode"], values["solutions"]
     consistent = named("consistent", mode >= 0)
     outcome = named("outcome", np.minimum(count, Outcome.AMBIGUOUS).astype(np.int8))

@@ -39,7 +39,7 @@ from planar_pushing.terms.units import named_units
 if TYPE_CHECKING:
     import xarray as xr
 
-#: Solutions that fit along the axis `solution`: where all potentials have one degree, and elsewhere.
+#: Length of the axis `solution`, by whether all potentials have one degree.
 SOLUTIONS = {True: 4, False: 8}
 NO_MODE, NO_PIVOT = -1, -1
 NONE, CONSISTENT, PIVOTS = int(Status.NONE), int(Status.CONSISTENT), int(Status.PIVOTS)
@@ -48,7 +48,7 @@ XY = ("xy", 2)
 
 
 class Given(NamedTuple):
-    """A push in the numbers of a row: columns behind those of the effects."""
+    """A push, in the columns of a row after those of the effects."""
 
     length: float
     angle: float
@@ -65,7 +65,7 @@ class Given(NamedTuple):
 
 @cache
 def outputs(steady: bool) -> tuple[Output, ...]:
-    """The results of each scene; `steady` where all potentials have one degree."""
+    """The results of each scene; `steady` if all potentials have one degree."""
     many = ("solution", SOLUTIONS[steady])
     return (
         Output("solutions", (), "i1"),
@@ -84,7 +84,7 @@ def outputs(steady: bool) -> tuple[Output, ...]:
 
 @compiled
 def given_in(row, i):
-    """The push in the columns of a row from i on."""
+    """The push in the columns of a row, starting at i."""
     return Given(
         row[i], row[i + 1], row[i + 2], row[i + 3], row[i + 4], row[i + 5], row[i + 6], row[i + 7],
         row[i + 8], row[i + 9], row[i + 10],
@@ -101,7 +101,7 @@ def spin_ratio(speed, spin):
 
 @compiled
 def _write(own, given, found, force, end, twist, contact, center):
-    """Write down one solution in the units of the scene; its spin ratio. A slider at rest has no center."""
+    """Write one solution in the units of the scene, with no center at rest; return its spin ratio."""
     size, unit, radius = given.size, given.unit, given.radius
     v_x, v_y, spin = found.twist[0], found.twist[1], found.twist[2]
     for k in range(2):
@@ -170,9 +170,9 @@ def _modes(
 
 
 def _in_units(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> tuple[Any, list[Any]]:
-    """Unit of force, and the effects' columns of motions in units of a size and of that force.
+    """Unit of force, and the columns of the effects for motions in units of `size` and forces in that unit.
 
-    A pusher at rest takes no force, in any unit.
+    For a pusher at rest the unit of motion is 1.
     """
     moves = np.asarray(size) > 0
     size = np.where(moves, size, 1.0)
@@ -192,7 +192,7 @@ def _in_units(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> tu
 
 
 def _require_ratio(entries: Sequence[Entry], strengths: Sequence[Any], moves: Any) -> None:
-    """Refuse forces of moving pushers out of proportion to one another; loads may be any."""
+    """Refuse friction and inertia out of proportion under a moving pusher; loads can have any magnitude."""
     by_degree: dict[int, Any] = {}
     for entry, strength in zip(entries, strengths, strict=True):
         if len(entry.forces) == 1:
@@ -202,7 +202,7 @@ def _require_ratio(entries: Sequence[Entry], strengths: Sequence[Any], moves: An
 
 
 def solve_arrays(entries: Sequence[Entry], *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
-    """Every consistent solution of arrays of scenes, which are broadcast.
+    """Every consistent solution of arrays of scenes, with broadcasting.
 
     Parameters
     ----------
@@ -210,7 +210,7 @@ def solve_arrays(entries: Sequence[Entry], *given: npt.ArrayLike) -> list[npt.ND
         The effects.
     *given : array_like
         Columns of the entries; length and angle of the rod, radius; the five entries of `Law`; angle and
-        magnitude of the pusher's motion, which are in their ranges.
+        magnitude of the pusher's motion, all within their ranges.
 
     Returns
     -------
@@ -271,35 +271,35 @@ def solve(
     *,
     derivatives: bool = False,
 ) -> Any:
-    """Every solution of the pushing problem from rest that is consistent (Sec. 2).
+    """Every consistent solution of the pushing problem from rest (Sec. 2).
 
     Parameters
     ----------
     scene : Scene
-        Its parameters may be arrays.
+        Its parameters can be arrays.
     pusher_angle : float or array, optional
         Angle of the pusher's velocity or initial acceleration, radians counter-clockwise from the fence
-        (the scene's +x); pi / 2 is into the slider. Without one the push of the scene's file.
+        (the scene's +x); pi / 2 is into the slider. By default the push of the scene's file.
     pusher_magnitude : float or array, optional
-        Its magnitude, >= 0, by default 1. It matters to the modes only where the scene has friction and
+        Its magnitude, >= 0, by default 1. It affects the modes only if the scene has both friction and
         inertia.
     derivatives : bool
-        Whether each solution has its `Derivatives`: of twist and force by the pusher's motion, the contact
-        point, mu, and the strengths of the effects.
+        Whether to compute the `Derivatives` of each solution: of twist and force with respect to the
+        pusher's motion, the contact point, mu, and the strengths of the effects.
 
     Returns
     -------
     Solutions, SolutionArrays or xarray.Dataset
-        For numbers, for arrays, and where an argument is a DataArray: with the variables of
-        `SolutionArrays`, units, `consistent` and `outcome`. An array of scenes counts as an array, and a
-        labelled scene as a DataArray, whatever the angle is.
+        `Solutions` for numbers, `SolutionArrays` for arrays, and a dataset if an argument is a DataArray,
+        with the variables of `SolutionArrays`, units, `consistent` and `outcome`. An array of scenes counts
+        as an array, and a labeled scene as a DataArray, whatever the angle is.
 
     Raises
     ------
     InvalidValue
-        Where a value is out of its range; with friction and inertia also where m a / W is; where
-        derivatives of a problem with a DataArray are asked for. An angle beyond 4 pi that is a Python
-        number is most likely one of degrees, and a tuple a velocity.
+        If a value, or m a / W with friction and inertia, is out of its range, or derivatives are requested
+        with a DataArray. A Python number beyond 4 pi is refused as an angle because it is most likely in
+        degrees, and a tuple because it is most likely a velocity.
     """
     entries, slider = required_scene(scene).from_rest, scene.slider
     require_held(scene)
@@ -321,7 +321,7 @@ def solve(
 
 
 def _push(scene: Scene, angle: Number | None, magnitude: Number | None) -> tuple[Number, Number]:
-    """Angle and magnitude of a push, those of the scene's file where no angle is given."""
+    """Angle and magnitude of a push, by default those of the scene's file."""
     own = scene.push if angle is None else (angle, 1.0)
     if own is None:
         raise InvalidValue(

@@ -1,4 +1,4 @@
-"""Enumerations of results: contact modes, outcomes and statuses, how they print, and the table of flags."""
+"""Enumerations of results: contact modes, outcomes and statuses, their printed forms, and flags."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ import numpy.typing as npt
 
 
 def name_of(member: IntEnum) -> str:
-    """The printed form of a member, its name; `int` gives its number."""
+    """The printed form of a member, which is its name; `int` gives its number."""
     return member.name
 
 
 def formatted(member: IntEnum, format_spec: str) -> str:
-    """A member in a formatted text: its name, or its number in the format d."""
+    """A member in a formatted string: its name, or its number with the format d."""
     number = format_spec.endswith("d")
     return format(int(member) if number else member.name, format_spec)
 
 
 class ContactMode(IntEnum):
-    """The motion at the contact; the slider slips over the fence to the right or to the left."""
+    """The motion at the contact; in a slip the slider moves to the right or to the left along the fence."""
 
     SEPARATE = 0
     STICK = 1
@@ -47,10 +47,10 @@ class Outcome(IntEnum):
 class Status(IntEnum):
     """The status of the solutions of one push, or of a curve at one angle.
 
-    `NONE`: no mode is consistent. `CONSISTENT`: every solution is a motion of its own. `PIVOTS`: one of
-    them is a rotation about a support point, which belongs to an interval of forces. `CONTINUUM`: one of
-    them is an end of a continuum of motions. `UNSOLVED`: an iteration has not settled, or more than the
-    known number of slips was found.
+    `NONE`: no mode is consistent. `CONSISTENT`: every solution is an isolated motion. `PIVOTS`: one of
+    them is a rotation about a support point, which is the same for an interval of forces. `CONTINUUM`: one
+    of them is an end of a continuum of motions. `UNSOLVED`: an iteration has not converged, or there are
+    more slips than expected.
     """
 
     NONE = 0
@@ -63,18 +63,18 @@ class Status(IntEnum):
     __format__ = formatted
 
 
-#: Names of the numbers of the variables that hold flags, in datasets of every kind.
+#: Names of the values of variables that hold flags, in datasets of every kind.
 FLAGS: dict[str, Mapping[str, int]] = {
     "mode": ContactMode.__members__,
     "outcome": Outcome.__members__,
     "status": Status.__members__,
 }
-#: The number of a mode behind the last solution, in words.
+#: Description of the value of a mode after the last solution.
 BEHIND = "-1 behind the last solution"
 
 
 def flag_attributes(names: Mapping[str, int], dtype: npt.DTypeLike = np.int8) -> dict[str, Any]:
-    """Attributes of a variable of flags, as the CF conventions have them."""
+    """Attributes of a variable of flags, by the CF conventions."""
     return {
         "flag_values": np.array([int(each) for each in names.values()], dtype),
         "flag_meanings": " ".join(names),

@@ -1,4 +1,4 @@
-"""Types of functions of force angles: the result is as the arguments are."""
+"""Types of functions of force angles: the type of the result follows the arguments."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class OfForce(Protocol):
-    """A function of a scene, of force angles, and of a share of inertia or a magnitude of the force."""
+    """A function of a scene, force angles, and an inertia share or a magnitude of the force."""
 
     __name__: str
 

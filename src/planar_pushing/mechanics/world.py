@@ -1,4 +1,4 @@
-"""The world: where the object's frame and the pusher are, from the object's pose at time 0."""
+"""World frame: poses of the object and the pusher, from the object's pose at time 0."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Pose = tuple[float, float, float]
 
 
 class World(NamedTuple):
-    """The world's frame over time.
+    """The world frame over time.
 
     Attributes
     ----------
@@ -26,7 +26,7 @@ class World(NamedTuple):
     origin : ndarray, shape (2,)
         Origin of the object's frame, in the body frame.
     angle : float
-        Angle of the object in the world less the rod angle, which stays what it is.
+        Angle of the object in the world minus the rod angle, a constant.
     """
 
     fence: Frame
@@ -34,7 +34,7 @@ class World(NamedTuple):
     angle: float
 
     def object_pose(self, position: Array, rod_angle: Array) -> Array:
-        """Poses, shape S + (3,), angles in degrees.
+        """Poses of the object in the world, shape S + (3,), angles in degrees.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""Potential and wrench of an effect at given twists, and the ring's two relations, elementwise."""
+"""Potential and wrench of an effect at given twists, and the two functions of the ring, elementwise."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ WRENCH = (Output("wrench", (("wrench_component", 3),)),)
 @kernel
 @owning
 def _wrenches(kinds, rows, wrenches):
-    """The subgradient nearest zero at rest, but for loads."""
+    """Wrenches that sustain twists; at rest, those of the loads alone."""
     first = count_fields(kinds)
     for i in range(len(rows)):
         v_x, v_y, spin = rows[i, first], rows[i, first + 1], rows[i, first + 2]
@@ -46,27 +46,28 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
     twist : array_like, shape S + (3,)
         (v_x, v_y, omega) at the slider's center, in the body frame, omega in radians per unit of time.
     slider : Slider, optional
-        Gives the ring its radius, 1 without, and loads the angle of the body frame.
+        Provides the radius of the ring, 1 by default, and for a load the angle of the body frame.
 
     Returns
     -------
     ndarray, shape S + (3,)
-        (f_x, f_y, tau); at rest, where friction takes any wrench inside the limit surface, zero.
+        (f_x, f_y, tau). At rest, where friction sustains any wrench inside the limit surface, its wrench is
+        zero.
 
     Raises
     ------
     InvalidValue
-        Where a twist has no three numbers, or a load comes without a slider.
+        If a twist does not have three numbers, or a load is given without a slider.
     """
     if slider is None and isinstance(effect, Load):
-        raise InvalidValue("slider", None, "a Slider beside a Load", "give the angle of the rod")
+        raise InvalidValue("slider", None, "a Slider for a Load", "give the angle of the rod")
     own = slider or Slider(rod_length=0.0, rod_angle=np.pi / 2)
     scene = Scene(slider=own, contact=PerfectlyRough(), effects=(effect,))
     radius = scene.slider.radius
     twists = np.asarray(required("twist", twist), dtype=float)
     if twists.shape[-1:] != (3,):
         raise InvalidValue("twist", twist, "shape S + (3,)", "give (v_x, v_y, omega)")
-    # Of about unit size, for squares to be doubles; a power of two costs no digit.
+    # Scaled to about 1 so that squares neither overflow nor underflow; a power of two is exact.
     _, size = np.frexp(np.abs(twists).max(axis=-1, keepdims=True))
     v_x, v_y, omega = np.moveaxis(np.ldexp(twists, -size), -1, 0)
     (entry,) = entries([effect], scene)
@@ -77,9 +78,9 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
 
 
 def potential(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -> Array:
-    """Potential of twists of shape S + (3,), shape S: friction's power, or the kinetic energy.
+    """Potential at twists, shape S: the power of friction, or the kinetic energy.
 
-    A potential of degree d is the power of its wrench over d.
+    A potential of degree d is the power of its wrench divided by d.
 
     Parameters
     ----------
@@ -105,7 +106,7 @@ def _profiles(kinds, rows, forces, torques):
 
 
 def ring_profile(spin_ratio: npt.ArrayLike) -> tuple[Array, Array]:
-    """f(k) and t(k) of Eqs. (2)-(3) per unit weight and radius, for any k including infinities."""
+    """f(k) and t(k) of Eqs. (2)-(3), per unit weight and radius, for any k including infinity."""
     force, torque = mapped(_profiles, (), [spin_ratio], (Output("force"), Output("torque")))
     return force, torque
 
@@ -118,5 +119,5 @@ def _spin_ratios(kinds, rows, ratios):
 
 
 def ring_spin_ratios(moment_arm: npt.ArrayLike) -> Array:
-    """Spin ratios under forces of these moment arms, in radii: the inverse of ``t(k) / f(k)`` (Eq. 7)."""
+    """Spin ratios under forces with these moment arms in radii: the inverse of ``t(k) / f(k)`` (Eq. 7)."""
     return mapped(_spin_ratios, (), [moment_arm], (Output("spin_ratio"),))[0]

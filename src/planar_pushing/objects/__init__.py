@@ -1,1 +1,1 @@
-"""An object in a frame of its own: its scene, the inverse questions of planners, and other tools."""
+"""An object in its own frame: its scene, inverse problems for planners, and other tools."""

@@ -1,4 +1,4 @@
-"""The sides of an outline as arrays, and the nearest places of it to points."""
+"""The sides of an outline as arrays, and the points of the outline nearest to given points."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from planar_pushing.mechanics.plane import Array
 
 
 class Sides(NamedTuple):
-    """Sides of an outline, arrays over them; corner k is where side k begins."""
+    """Sides of an outline, as arrays; side k begins at corner k."""
 
     start: Array
     tangent: Array
@@ -23,10 +23,10 @@ class Sides(NamedTuple):
 
 
 class Nearest(NamedTuple):
-    """Nearest places of an outline to points, arrays over the points.
+    """Places of an outline nearest to given points, as arrays over the points.
 
-    `place` is the distance from the start of the side, `gap` the distance to the outline, which is negative
-    inside.
+    `place` is the distance from the start of the side, and `gap` the signed distance to the outline,
+    negative inside.
     """
 
     point: Array
@@ -47,7 +47,7 @@ def sides_of(outline: Any) -> Sides:
 
 
 def nearest(sides: Sides, points: Array) -> Nearest:
-    """Nearest places of an outline to points of shape (n, 2)."""
+    """Places of an outline nearest to points of shape (n, 2)."""
     away = points[:, None] - sides.start
     along = np.clip((away * sides.tangent).sum(axis=-1), 0.0, sides.length)
     apart = away - along[..., None] * sides.tangent
@@ -62,7 +62,7 @@ def _inside(sides: Sides, points: Array) -> npt.NDArray[np.bool_]:
     ends = np.roll(sides.start, -1, axis=0)
     y = points[:, None, 1]
     crosses = (sides.start[:, 1] > y) != (ends[:, 1] > y)
-    # The ray meets a side that rises on the right of the point, one that falls on its left.
+    # The ray meets a rising side if the point is on its left, and a falling side if it is on its right.
     height = ((points[:, None] - sides.start) * sides.normal).sum(axis=-1)
     rises = ends[:, 1] > sides.start[:, 1]
     return np.asarray((crosses & ((height > 0.0) == rises)).sum(axis=1) % 2 == 1)

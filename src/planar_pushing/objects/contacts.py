@@ -1,10 +1,11 @@
-"""Where on a side a force gives a load of a set, and the least friction that it needs.
+"""Contacts on a side at which a force exerts a load of a set, and the minimum friction that they need.
 
-A force has two coordinates here, along the tangent of the side and along its inward normal. Lengths along
-the side are x, from the projection of a foot r on the side's line, and h is the height of the foot over it.
-Forces at x whose load is in the set are in the disc of the foot, ``|f - f_0| <= p``, and have the torque of
-the rest about the foot: ``h f_t + x f_n = M``. At each x this line cuts a chord from the disc; all lines
-pass through (M / h, 0), and those that touch the disc are at the ends of the intervals of contacts.
+Forces have two components here, along the tangent of the side and along its inward normal. Lengths x along
+the side are measured from the projection of a foot r on the side's line, and h is the height of the foot
+above it. A force at x has its load in the set if it is in the disc of the foot, ``|f - f_0| <= p``, and has
+the torque of the rest about the foot, ``h f_t + x f_n = M``. At each x this line cuts a chord from the
+disc. All lines pass through (M / h, 0), and those tangent to the disc are at the ends of the intervals of
+contacts.
 """
 
 from __future__ import annotations
@@ -28,11 +29,11 @@ class Contact(NamedTuple):
     Attributes
     ----------
     place : float
-        From the start of the side.
+        Distance from the start of the side.
     along, normal : float
         Components of the force that needs the least friction.
     friction : float
-        Its |along| / normal; infinite at an end that is the limit of contacts, and is none itself.
+        |along| / normal of this force; infinite at an end that is a limit of contacts but not itself one.
     """
 
     place: float
@@ -42,7 +43,7 @@ class Contact(NamedTuple):
 
 
 class Stretch(NamedTuple):
-    """An interval of contacts: that of least friction, and the ends; all the same for one contact."""
+    """An interval of contacts: the one of least friction, and both ends; all equal for a single contact."""
 
     best: Contact
     start: Contact
@@ -50,7 +51,7 @@ class Stretch(NamedTuple):
 
 
 class Disc(NamedTuple):
-    """The forces of a set as a side has them: center, radius p, height h, torque M, and the side's ends."""
+    """The forces of a set relative to a side: center, radius p, height h, torque M, and the side's ends."""
 
     along: float
     normal: float
@@ -62,7 +63,7 @@ class Disc(NamedTuple):
 
 
 def stretches(side: Side, loads: WrenchSet) -> list[Stretch]:
-    """The contacts on a side whose push has a load of the set, in the order of the side."""
+    """The contacts on a side at which a push exerts a load of the set, in order along the side."""
     force, torque = loads.rest[:2], float(loads.rest[2])
     along, normal = float(force @ side.tangent), float(force @ side.normal)
     slack = ROUNDING * (abs(torque) + hypot(along, normal) * hypot(*side.start, *side.end))
@@ -84,14 +85,14 @@ def _cross(one: Array, other: Array) -> float:
 
 
 def friction(along: float, normal: float) -> float:
-    """Least coefficient of a force; infinite where the normal force is not positive to rounding."""
+    """Minimum coefficient for a force; infinite if the normal force is not positive to rounding."""
     return abs(along) / normal if normal > 0.0 and normal * ROUGHEST >= abs(along) else inf
 
 
 def _meeting(
     along: float, normal: float, torque: float, slack: float, length: float
 ) -> list[Stretch]:
-    """Where the line of action of one load meets a side; a corner belongs to both of its sides."""
+    """Contact at which the line of action of a load meets a side; a corner belongs to both of its sides."""
     least = friction(along, normal)
     if least == inf:
         return []
@@ -104,7 +105,7 @@ def _meeting(
 
 
 def _stretches(disc: Disc, slack: float) -> list[Stretch]:
-    """Intervals of contacts on a side, between its ends and the lines that touch the disc."""
+    """Intervals of contacts on a side, between its ends and the lines tangent to the disc."""
     low, high = disc.low - slack, disc.high + slack
     cuts = [low, *(x for x in _touching(disc) if low < x < high), high]
     found = []
@@ -117,7 +118,7 @@ def _stretches(disc: Disc, slack: float) -> list[Stretch]:
 
 
 def _touching(disc: Disc) -> list[float]:
-    """Where the line of forces touches the disc, ``(h f_t + x f_n - M)^2 = p^2 (h^2 + x^2)``, in order."""
+    """Places whose line of forces is tangent to the disc, ``(h f_t + x f_n - M)^2 = p^2 (h^2 + x^2)``."""
     offset = disc.height * disc.along - disc.torque
     lead = (disc.normal - disc.radius) * (disc.normal + disc.radius)
     reach = disc.radius * disc.height
@@ -125,7 +126,7 @@ def _touching(disc: Disc) -> list[float]:
     root = offset * offset + disc.height * disc.height * lead
     if root < -ROUNDING * (offset * offset + reach * reach):
         return []
-    # The larger of two roots of opposite size first: neither then is a difference of large numbers.
+    # The root of larger magnitude comes first, so that neither is a difference of large numbers.
     large = -(middle + copysign(disc.radius * sqrt(max(root, 0.0)), middle))
     fractions = ((large, lead), (last, large))
     return sorted(top / bottom for top, bottom in fractions if bottom != 0.0)
@@ -138,7 +139,7 @@ def _meets(disc: Disc, x: float) -> bool:
 
 
 def _least(disc: Disc, x: float) -> Contact:
-    """Contact at x, where the line of forces meets the disc, with the force of least friction."""
+    """Contact at x, where the line of forces meets the disc, with the force that needs least friction."""
     size = hypot(disc.height, x)
     if size == 0.0:
         return Contact(x, disc.along, disc.normal, inf)
@@ -156,10 +157,10 @@ def _least(disc: Disc, x: float) -> Contact:
 
 
 def _stretch(disc: Disc, start: float, end: float) -> Stretch:
-    """An interval of contacts, with the contact of least friction in it.
+    """An interval of contacts, with its contact of least friction.
 
-    The coefficient is monotone along a chord, so its minimum is zero, or on the rim: where a line through
-    the origin of forces touches the disc, or on the chord of an end.
+    The coefficient is monotone along a chord, so its minimum is zero or on the rim: where a line through
+    the origin of forces is tangent to the disc, or on the chord of an end.
     """
     ends = _least(disc, start), _least(disc, end)
     inside = [each for each in _extreme(disc) if start <= each.place <= end]
@@ -168,7 +169,7 @@ def _stretch(disc: Disc, start: float, end: float) -> Stretch:
 
 
 def _extreme(disc: Disc) -> list[Contact]:
-    """Contacts under the forces whose direction touches the disc."""
+    """Contacts with forces whose direction is tangent to the disc."""
     square = disc.along * disc.along + disc.normal * disc.normal
     inner = square - disc.radius * disc.radius
     if inner <= 0.0:
@@ -184,7 +185,7 @@ def _extreme(disc: Disc) -> list[Contact]:
 
 
 def _frictionless(disc: Disc, start: float, end: float) -> list[Contact]:
-    """The middle of the contacts whose force can be along the normal, where ``x f_n = M``."""
+    """The middle of the contacts with forces along the normal, where ``x f_n = M``."""
     if abs(disc.along) >= disc.radius:
         return []
     half = sqrt((disc.radius - disc.along) * (disc.radius + disc.along))

@@ -1,4 +1,4 @@
-"""Feet in the place of a support, for tools whose friction acts at points, and their error."""
+"""Feet that replace a support, for tools with friction at points, and their error."""
 
 from __future__ import annotations
 
@@ -15,14 +15,15 @@ from planar_pushing.mechanics.supports import Composite, Points, Ring
 from planar_pushing.mechanics.supports.pressure.record import Pieces
 from planar_pushing.mechanics.wrench import wrench
 
-#: Places at which a line, and an area along x and along y, is sampled before it is divided among feet.
-#: Multiples of powers of two: halves of a symmetric support are halves of its samples.
+#: Number of samples of a line, and of an area along x and along y, before it is divided among feet. They
+#: are multiples of powers of two, so that halves of a symmetric support are halves of its samples.
 LINE, AREA = 1920, 240
-#: Pressure below this fraction of the largest is rounding, where a hole is taken out of a disc.
+#: Pressure below this fraction of the maximum is rounding error, left in the hole of a disc.
 ROUNDING = 1e-9
-#: Motions at which feet and support are compared; twice as many move the mean error by less than 1 percent.
+#: Number of motions at which feet and support are compared; twice as many change the mean error by less
+#: than 1 percent.
 MOTIONS = 2_000
-#: Directions around each foot, and the distance in radii, at which rotations about points beside it are.
+#: Number of directions around each foot, and distance in radii, of centers of rotation beside it.
 AROUND, BESIDE = 16, 1e-6
 
 
@@ -42,11 +43,11 @@ class Feet(NamedTuple):
 
 
 def feet_of(scene: Scene, count: int) -> Feet:
-    """Feet of the friction of a scene: its own points, and `count` for the rest of each support.
+    """Feet for the friction of a scene: its own points, and `count` for the rest of each support.
 
-    The pressure that is not on points is halved along its longer extent, and so are the halves, until each
-    part has its foot, at the part's center of pressure. The feet are then moved away from their common
-    center by one factor, so that the torque of spinning about it is that of the support.
+    The pressure that is not on points is repeatedly halved along the longer extent until there is one piece
+    per foot, which is at the center of pressure of the piece. The feet are then moved away from their
+    common center by one factor, so that the torque of spinning about it equals that of the support.
     """
     found = [_feet(_of_scene(each.support, scene), each.weight, count) for each in scene.friction]
     return Feet(*map(np.concatenate, zip(*found, strict=True)))
@@ -55,8 +56,8 @@ def feet_of(scene: Scene, count: int) -> Feet:
 def force_errors(scene: Scene, feet: Feet) -> tuple[float, float]:
     """Mean and maximum angle between the wrenches of the scene's friction and of the feet, in radians.
 
-    They are wrenches (f_x, f_y, tau / R) about the center of pressure for the same motion, over motions
-    spread evenly over the sphere of (v_x, v_y, R omega). The maximum includes rotations about points
+    The wrenches (f_x, f_y, tau / R) are about the center of pressure and for the same motion; the motions
+    are spread evenly over the sphere of (v_x, v_y, R omega). The maximum includes rotations about points
     beside each foot.
     """
     radius = scene.slider.radius
@@ -82,7 +83,7 @@ def force_errors(scene: Scene, feet: Feet) -> tuple[float, float]:
 
 
 def _of_scene(support: Any, scene: Scene) -> Any:
-    """The support; a ring without a radius has the slider's."""
+    """The support, with the slider's radius for a ring without one."""
     own = isinstance(support, Ring) and support.radius is None
     return replace(support, radius=scene.slider.radius) if own else support
 
@@ -95,7 +96,7 @@ def _feet(support: Any, weight: float, count: int) -> Feet:
 
 
 def _sampled(support: Any) -> tuple[Array, Array]:
-    """Points of a support, and samples of what is not on points; rows of x, y and share."""
+    """Points of a support, and samples of its remaining pressure; rows of x, y and share."""
     if isinstance(support, Composite):
         shares = [share for share, _ in support.members]
         parts = [_sampled(member) for _, member in support.members]
@@ -126,7 +127,7 @@ def _on_ring(row: Array) -> Array:
 
 
 def _on_area(pieces: Pieces) -> Array:
-    """Samples of discs and plates on a grid over all of them; the share is their pressure's."""
+    """Samples of discs and plates on a common grid, with shares proportional to the pressure."""
     discs, edges = pieces.discs, np.concatenate([np.empty((0, 5)), *pieces.plates])
     reach = discs[:, 2:3]
     ends = np.concatenate([discs[:, :2] - reach, discs[:, :2] + reach, edges[:, :2], edges[:, 2:4]])
@@ -148,7 +149,7 @@ def _doubled_areas(edges: Array) -> Array:
 
 
 def _along_column(edges: Array, x: float, y: Array) -> Array:
-    """Pressure of plates at places of one x: the jumps of the edges that are below add up."""
+    """Pressure of plates at points (x, y) of one column, as the sum of the jumps of all edges below."""
     start, end, low, high, jump = edges[:, 0], edges[:, 2], edges[:, 1], edges[:, 3], edges[:, 4]
     way = np.sign(end - start) * ((start > x) != (end > x))
     met = way != 0.0
@@ -157,7 +158,7 @@ def _along_column(edges: Array, x: float, y: Array) -> Array:
 
 
 def _divided(samples: Array, count: int) -> Array:
-    """Feet of samples, which carry equal shares; rows of x, y and share."""
+    """Feet of samples, with equal shares; rows of x, y and share."""
     feet = np.array(_halved(samples, count))
     center = _center(samples)
     exact, own = (rows[:, 2] @ np.hypot(*(rows[:, :2] - center).T) for rows in (samples, feet))
@@ -183,7 +184,7 @@ def _center(rows: Array) -> Array:
 
 
 def _spread(count: int) -> Array:
-    """Motions spread evenly over half a sphere; the opposite motions have the opposite wrenches."""
+    """Motions spread evenly over a hemisphere; the opposite motions have the opposite wrenches."""
     index = np.arange(count)
     spin, turn = (index + 0.5) / count, index * pi * (3.0 - sqrt(5.0))
     speed = np.sqrt(1.0 - spin * spin)
@@ -191,7 +192,7 @@ def _spread(count: int) -> Array:
 
 
 def _beside(feet: Array) -> Array:
-    """Rotations about points beside each foot, whose places are from the center of pressure, in radii."""
+    """Rotations about points beside each foot; feet are relative to the center of pressure, in radii."""
     turn = 2.0 * pi * (np.arange(AROUND) + 0.5) / AROUND
     around = BESIDE * np.column_stack([np.cos(turn), np.sin(turn)])
     x, y = (feet[:, None] + around).reshape(-1, 2).T

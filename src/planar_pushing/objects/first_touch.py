@@ -1,4 +1,4 @@
-"""First touch of a disc that moves straight towards an object at rest."""
+"""First contact of a disc that moves in a straight line with an object at rest."""
 
 from __future__ import annotations
 
@@ -13,30 +13,30 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.terms.errors import InvalidValue
 
-#: Rounding errors of positions, relative to the numbers that they are computed from.
+#: Rounding error of positions, relative to the numbers from which they are computed.
 ROUNDING = 1e-12
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Touch:
-    """First touches of a moving disc, arrays over the pushes.
+    """First touches of a moving disc, as arrays over the pushes.
 
     Attributes
     ----------
     contact : ndarray, shape S + (2,)
-        The point of the outline; NaN where the disc does not touch.
+        Touched point of the outline; NaN where the disc does not touch.
     normal : ndarray, shape S + (2,)
-        Unit vector into the object: from the disc's center to the contact, of a point the inward normal of
-        the side, or at a corner the bisector of the normals of its sides.
+        Unit vector into the object, from the disc's center to the contact. For a disc of radius 0, the
+        inward normal of the side, or at a corner the bisector of the normals of its sides.
     side : ndarray of int, shape S
-        Number of the side, which goes from corner `side` of the counter-clockwise outline to the next; at a
-        corner the side that ends there. -1 where the disc does not touch.
+        Number of the side, which goes from corner `side` of the counter-clockwise outline to the next one.
+        At a corner, the side that ends there; -1 where the disc does not touch.
     corner : ndarray of bool, shape S
         Whether the contact is at a convex corner.
     way : ndarray, shape S
         Fraction of the displacement before the touch; NaN where the disc does not touch.
     overlap : ndarray, shape S
-        Depth at which the disc overlaps the object at its start; 0 for one that begins outside.
+        Depth of the overlap of disc and object at the start; 0 for a disc that starts outside.
     """
 
     contact: Array
@@ -58,7 +58,7 @@ def first_touch(
     *,
     tolerance: float = 0.0,
 ) -> Touch:
-    """Where a disc that moves straight first touches an object at rest.
+    """First contact of a disc that moves in a straight line with an object at rest.
 
     Parameters
     ----------
@@ -67,28 +67,29 @@ def first_touch(
     position : array_like, shape S + (2,)
         Center of the disc at its start, in the frame of the outline.
     displacement : array_like, shape S + (2,)
-        Its motion, straight.
+        Motion of the disc along a straight line.
     radius : float or array_like of shape S
-        Radius of the disc, >= 0; of a point 0.
+        Radius of the disc, >= 0; 0 for a point.
     tolerance : float
-        A disc that overlaps the object by at most this at its start, as measured poses have it, touches at
-        once, at the nearest point of the outline.
+        Maximum overlap at the start, as in measured poses, with which a disc touches the object at once, at
+        the nearest point of the outline.
 
     Returns
     -------
     Touch
-        Its `way` is NaN where the disc does not touch, and where it begins deeper in the object than the
-        tolerance (`overlap`) or leaves it. A disc that only grazes the object does not touch it.
+        Its `way` is NaN where the disc does not touch, starts deeper in the object than the tolerance (see
+        `overlap`), or moves away from it. A disc that only grazes the object does not touch it.
 
     Raises
     ------
     InvalidValue
-        Where the outline is not a simple polygon, a number is not finite, or a radius is negative.
+        If the outline is not a simple polygon, a number is not finite, or a radius is negative.
 
     Notes
     -----
-    The center meets the boundary of the object grown by the radius: sides moved outward by the radius, and
-    circles about the convex corners. At a reflex corner the disc reaches one of the two sides first.
+    At the touch, the center reaches the boundary of the object grown by the radius: sides moved outward by
+    the radius, and circles about the convex corners. At a reflex corner the disc reaches one of the two
+    sides first.
     """
     sides = sides_of(outline)
     start, motion = _vectors("position", position), _vectors("displacement", displacement)
@@ -99,7 +100,7 @@ def first_touch(
     except ValueError:
         given = start.shape, motion.shape, reach.shape
         raise InvalidValue(
-            "position", given, "shapes that fit", "give one of each for each push"
+            "position", given, "shapes that broadcast together", "give one of each per push"
         ) from None
     places, motions = (
         np.broadcast_to(each, (*shape, 2)).reshape(-1, 2) for each in (start, motion)
@@ -111,14 +112,14 @@ def first_touch(
 def _touch(
     sides: Sides, start: Array, motion: Array, radius: Array, slack: float
 ) -> dict[str, Any]:
-    """The attributes of `Touch` for pushes of shape (n, 2)."""
+    """Attributes of `Touch` for pushes of shape (n, 2)."""
     error = ROUNDING * (
         sides.scale + np.abs(sides.start).max() + np.abs(start).max(axis=1, initial=0.0)
     )
     near = nearest(sides, start)
     gap = near.gap - radius
     side, place, way = _first_meeting(sides, start, motion, radius, error)
-    # One that begins in touch, or within the tolerance, and moves into the object touches at once.
+    # A disc that starts in contact, or within the tolerance, and moves into the object touches at once.
     normal = _contact(sides, start, near.side, near.place, error)["normal"]
     into = (normal * motion).sum(axis=1) > 0.0
     at_once = into & (gap <= error) & (gap >= -slack - error)
@@ -139,7 +140,7 @@ def _touch(
 def _first_meeting(
     sides: Sides, start: Array, motion: Array, radius: Array, error: Array
 ) -> tuple[npt.NDArray[np.intp], Array, Array]:
-    """Side, place on it, and fraction of the motion at which the center first meets the grown object."""
+    """Side, place on it, and fraction of the motion at which the center first reaches the grown object."""
     ways, places = _ways_to_sides(sides, start, motion, radius, error)
     every = np.concatenate([ways, _ways_to_corners(sides, start, motion, radius)], axis=1)
     rows, which = np.arange(len(start)), np.where(np.isnan(every), np.inf, every).argmin(axis=1)
@@ -152,7 +153,7 @@ def _first_meeting(
 def _ways_to_sides(
     sides: Sides, start: Array, motion: Array, radius: Array, error: Array
 ) -> tuple[Array, Array]:
-    """Fractions of the motion at which the center enters each moved side, else NaN, and places there."""
+    """Fractions of the motion at which the center crosses each moved side, or NaN, and the places there."""
     away = start[:, None] - sides.start
     height, along = ((away * each).sum(axis=-1) for each in (sides.normal, sides.tangent))
     rate, speed = motion @ sides.normal.T, motion @ sides.tangent.T
@@ -166,16 +167,16 @@ def _ways_to_sides(
 
 
 def _ways_to_corners(sides: Sides, start: Array, motion: Array, radius: Array) -> Array:
-    """Fractions of the motion at which the center enters the circle about each convex corner, else NaN."""
+    """Fractions of the motion at which the center enters the circle about each convex corner, or NaN."""
     away = start[:, None] - sides.start
     square = (motion * motion).sum(axis=1)[:, None]
     middle = (away * motion[:, None]).sum(axis=-1)
-    # The circle's distance from the line of the motion, without a difference of large squares.
+    # Distance of the circle's center from the line of motion, without a difference of large squares.
     aside = away[..., 0] * motion[:, None, 1] - away[..., 1] * motion[:, None, 0]
     root = square * (radius * radius)[:, None] - aside * aside
     outside = (away * away).sum(axis=-1) - (radius * radius)[:, None]
     with np.errstate(divide="ignore", invalid="ignore"):
-        # The smaller root, as a ratio that does not cancel.
+        # The smaller root, as a ratio without cancellation.
         way = outside / (np.sqrt(root) - middle)
     enters = sides.convex & (root > 0.0) & (middle < 0.0) & (way >= 0.0) & (way <= 1.0)
     return np.where(enters, way, np.nan)
@@ -184,7 +185,7 @@ def _ways_to_corners(sides: Sides, start: Array, motion: Array, radius: Array) -
 def _contact(
     sides: Sides, center: Array, side: npt.NDArray[np.intp], place: Array, error: Array
 ) -> dict[str, Any]:
-    """Contact and normal of a disc at its touch, on a side at a place of it."""
+    """Contact and normal of a disc that touches a side at a given place."""
     after = (side + 1) % len(sides.length)
     at_start, at_end = place <= error, place >= sides.length[side] - error
     vertex = np.where(at_end, after, side)
@@ -202,7 +203,7 @@ def _contact(
 def _normal(
     sides: Sides, center: Array, point: Array, side: Any, vertex: Any, corner: Any, error: Array
 ) -> Array:
-    """Normals: of the side, of a point at a corner the bisector, of a disc there from center to corner."""
+    """Normals of the side; at a corner, from the disc's center to it, or for a point the bisector."""
     own, before = sides.normal[vertex], sides.normal[vertex - 1]
     middle = own + before
     way = point - center

@@ -1,4 +1,4 @@
-"""The inverse question: which pushes give an object a twist."""
+"""The inverse problem: the pushes that give an object a desired twist."""
 
 from __future__ import annotations
 
@@ -28,17 +28,16 @@ class Push:
     normal : ndarray, shape (2,)
         Unit normal of its side, into the object.
     force : ndarray, shape (2,)
-        Force of the pusher on the object; where the load of the twist leaves several, the one that needs
-        the least friction.
+        Force of the pusher on the object; if several are possible, the one that needs the least friction.
     velocity : ndarray, shape (2,)
-        Motion of the pusher, that of the object's point at the contact: a velocity, and with inertia an
+        Motion of the pusher, equal to that of the object at the contact: a velocity, or with inertia an
         initial acceleration.
     friction_coefficient : float
-        The least mu of the contact under which it sticks.
+        Minimum mu for which the contact sticks.
     ends : tuple of two Push, or empty
-        Ends of an interval of contacts on the side, each of which gives the twist where the object turns
-        about a foot. The push itself is then that of the least friction in the interval. An end at which
-        the least friction is infinite is itself no contact.
+        Ends of an interval of contacts on the side, all of which give the twist because the object turns
+        about a foot. The push itself is then the one of least friction in the interval. An end with
+        infinite minimum friction is not itself a contact.
     """
 
     point: Array
@@ -62,7 +61,7 @@ class Push:
 
 
 def _pair(vector: Array) -> str:
-    """A vector in text; adding 0 leaves no negative zeros."""
+    """A vector as text; adding 0 removes negative zeros."""
     x, y = vector + 0.0
     return f"({x:.6g}, {y:.6g})"
 
@@ -73,7 +72,7 @@ def pushes_for(effects: tuple[Effect, ...], twist: npt.ArrayLike, outline: Any) 
     Parameters
     ----------
     effects : tuple of SupportFriction, Viscous, Inertia and Load
-        In the object's own frame; at least one that is no load. With inertia the twist is an initial
+        In the object's own frame; at least one other than a load. With inertia the twist is an initial
         acceleration from rest, and viscous friction is absent.
     twist : array_like, shape (3,)
         (v_x, v_y, omega) of the object's frame about its origin, omega in radians per unit of time.
@@ -83,23 +82,23 @@ def pushes_for(effects: tuple[Effect, ...], twist: npt.ArrayLike, outline: Any) 
     Returns
     -------
     tuple of Push
-        By the friction that they need, the least first; empty where no contact gives the twist. A corner
-        is a contact of each of its two sides, with the normal of each.
+        In order of increasing minimum friction; empty if no contact gives the twist. A corner is a contact
+        of both of its sides, with the normal of each.
 
     Raises
     ------
     InvalidValue
-        Where the outline is not a simple polygon, the twist is not three finite numbers or is zero, or an
-        effect is none of these, has arrays of parameters, or is a ring without a radius; where friction
+        If the outline is not a simple polygon, the twist is not three finite numbers or is zero, or an
+        effect is of another type, has arrays of parameters, or is a ring without a radius; or if friction
         cannot hold a load without inertia.
 
     Notes
     -----
-    The load of a twist is one wrench. A pusher's force acts along its line of action, which meets the
-    outline in points; where it enters the object, with a component along the inward normal, is a contact.
-    Where the object turns about a foot, that foot takes any force up to its share of the weight: the loads
-    are the set of `wrench_set`, and the contacts fill intervals. A line of action along a side needs
-    infinite friction, and counts as no contact.
+    The load of a twist is one wrench, and its line of action meets the outline at points. A point at which
+    the force has a component along the inward normal is a contact. If the object turns about a foot, that
+    foot takes any force up to its share of the weight: the loads are then the set of `wrench_set`, and the
+    contacts fill intervals. A line of action along a side needs infinite friction and does not count as a
+    contact.
     """
     motion, found = required_twist(twist), sides(outline)
     require_friction(required_effects(effects))

@@ -21,8 +21,8 @@ def scenes_at(points: Any, normals: Any, make: Callable[[Any, Any], Scene]) -> S
     Raises
     ------
     InvalidValue
-        As `make` does at the first contact that is refused; and where the shape is another, or the object
-        has viscous friction, whose support cannot be an array.
+        As in `make`, for the first contact that is refused; also if the shape differs, or the object has
+        viscous friction, whose support cannot be an array.
     """
     places = np.asarray(points, dtype=float)
     if places.shape[-1:] != (2,) or not places.size:
@@ -68,7 +68,7 @@ def scenes_at(points: Any, normals: Any, make: Callable[[Any, Any], Scene]) -> S
 
 
 def _stacked(effects: list[Any], array: Callable[..., Any], pair: Callable[..., Any]) -> Any:
-    """One effect of all scenes: its support, center and force as arrays."""
+    """One effect of all scenes, with its support, center and force as arrays."""
     if isinstance(effects[0], Viscous):
         raise InvalidValue(
             "effects", effects[0], "effects without viscous friction for an array of contacts",
@@ -85,7 +85,7 @@ def _stacked(effects: list[Any], array: Callable[..., Any], pair: Callable[..., 
 
 
 def _labelled(values: Any, points: Any) -> Any:
-    """Values over the dimensions of labelled points."""
+    """Values over the dimensions of labeled points."""
     if not is_labelled(points):
         return values
     import xarray as xr

@@ -1,4 +1,4 @@
-"""`to_mjcf`: a scene as a model of MuJoCo, in its XML."""
+"""`to_mjcf`: a scene as a MuJoCo model in XML."""
 
 from __future__ import annotations
 
@@ -23,30 +23,30 @@ from planar_pushing.terms.errors import (
 )
 from planar_pushing.terms.options import Shape
 
-#: Lengths in radii: rounding of outline and finger, feet, height of the outline, thickness of the fence.
-#: A turning slider rolls on the rounding, which moves the contact by that much a radian.
+#: Lengths in radii: edge rounding of outline and finger, feet, height of the outline, thickness of the
+#: fence. A turning slider rolls on its rounded edge, which moves the contact by this much per radian.
 ROUNDING, FOOT, HEIGHT, THICKNESS = 0.002, 0.02, 0.1, 0.05
 #: Half the length of the fence, in extents of the outline.
 FENCE = 10.0
-#: Numbers of feet for a support: three are the fewest that resist as an area does.
+#: Range of the number of feet for a support: at least three are needed to resist like an area.
 COUNTS = 3, 1000
-#: Share of the slider's mass in its feet, at most. Vertical motion is theirs alone.
+#: Maximum fraction of the slider's mass in its feet. Only the feet move vertically.
 LIGHT = 0.05
 #: Coefficient of friction of the feet. MuJoCo lifts a sliding contact in proportion to its coefficient, so
-#: that feet with a large one hop; friction itself depends on coefficient times load only.
+#: that feet with a large one hop; friction itself depends only on coefficient times load.
 COEFFICIENT = 0.03
-#: Compression of the springs that load the feet, in radii: the loads stay the same within 1e-5.
+#: Compression of the springs that load the feet, in radii: the loads are constant to within 1e-5.
 COMPRESSED = 100.0
-#: Time step in units of sqrt(m R / W), in which friction changes the slider's speed; and time constant of
-#: the contacts in steps, of which MuJoCo takes no fewer than two.
+#: Time step in units of sqrt(m R / W), the time scale on which friction changes the slider's speed; and
+#: time constant of the contacts in steps, for which MuJoCo requires at least two.
 STEP, STEPS = 0.002, 2.5
-#: Impedances of the feet and of the pusher's contact. Of 0.5 to 0.9, and of constants of 2.5 to 50 steps,
-#: these were the nearest to `simulate` in five slow pushes of a box.
+#: Impedances of the feet and of the pusher's contact. Among impedances of 0.5 to 0.9 and time constants of
+#: 2.5 to 50 steps, these came closest to `simulate` in five slow pushes of a box.
 FEET, PUSHER = 0.9, 0.5
-#: Ratio of the impedances of friction and of normal force: the larger, the less a sticking contact creeps.
+#: Ratio of the impedances of friction and normal force: the larger, the less a sticking contact creeps.
 IMPRATIO = 1e4
-#: Mass of the pusher over the slider's, and gain of its velocity control over the slider's mass per step.
-#: A pusher as light as the slider yields in the impacts of soft contact.
+#: Mass of the pusher relative to the slider's, and gain of its velocity control relative to the slider's
+#: mass per step. A pusher as light as the slider yields in the impacts of soft contact.
 HEAVY, GAIN = 1e3, 1e5
 
 
@@ -63,39 +63,40 @@ def to_mjcf(
     Parameters
     ----------
     scene : Scene
-        One scene, whose slider has an outline, under Coulomb's law, with friction on supports and inertia.
+        A single scene with Coulomb's law, support friction and inertia, whose slider has an outline.
     pusher : {"fence", "finger"}
-        What pushes, as in `Pusher`: a fence meets a corner of the outline, a finger a side. It moves in the
-        plane; two velocity actuators, `pusher_x` and `pusher_y`, drive it.
+        Shape of the pusher, as in `Pusher`: a fence touches a corner of the outline, a finger touches a
+        side. Two velocity actuators, `pusher_x` and `pusher_y`, drive it in the plane.
     feet : int
-        Number of feet, 3 to 1000, in the place of the pressure of each support that is not on points.
+        Number of feet, 3 to 1000, that replace the pressure of each support that is not on points.
     timestep : float, optional
         In the scene's unit of time, by default ``sqrt(m R / W) / 500``. The stiffness of the contacts
-        follows it.
+        depends on it.
     gravity : float
-        Acceleration for what is added to the model, by default in m/s^2. Nothing in the model feels it.
+        Acceleration for bodies added to the model, by default in m/s^2. It acts on nothing in the model.
 
     Returns
     -------
     str
         MJCF. The world is the fence frame: x along the fence, y its outward normal, z up; lengths, forces
-        and times are the scene's. Joints `slider_x`, `slider_y` and `slider_turn` are the displacement of
-        the slider's center and its turn, their velocities its twist as in `Solution`. The numeric fields
-        `mean_force_error` and `worst_force_error` say by how many radians the wrenches of the feet differ
-        from those of the supports for the same motion (torques over R): 0 for supports on points.
+        and times are in the scene's units. The joints `slider_x`, `slider_y` and `slider_turn` give the
+        displacement of the slider's center and its rotation; their velocities are the twist as in
+        `Solution`. The numeric fields `mean_force_error` and `worst_force_error` are the angles in radians
+        between the wrenches of the feet and of the supports for the same motion (torques over R): 0 for
+        point supports.
 
     Raises
     ------
     InvalidValue
-        Where the scene has no outline, another law, another effect, or lacks friction or inertia, or an
-        option is out of range.
+        If the scene has no outline, friction or inertia, or has another law or effect, or an option is out
+        of range.
 
     Notes
     -----
-    Each foot is a light body on a vertical joint, pressed to the floor by a spring, so that its load is
-    that of the scene, however many feet there are and however high the pusher touches. MuJoCo's elliptic
-    cone then limits the friction at each foot to its share of W. Only the feet and the floor, and the
-    pusher and the outline, touch. A fence that lies along a side touches both of its ends.
+    Each foot is a light body on a vertical joint that a spring presses to the floor. Its load is therefore
+    that of the scene, for any number of feet and any height of the pusher's contact. MuJoCo's elliptic cone
+    then limits the friction at each foot to its share of W. Only the feet and the floor, and the pusher and
+    the outline, collide. A fence that lies along a side touches both of its ends.
     """
     law, outline = _required(scene)
     shape = require_option("pusher", pusher, Shape, "name one of these shapes")
@@ -119,7 +120,7 @@ def to_mjcf(
 
 
 def _required(scene: Scene) -> tuple[Coulomb, Array]:
-    """The law and the outline of a scene that MuJoCo can have, or `InvalidValue`."""
+    """The law and the outline of a scene that MuJoCo can represent, or `InvalidValue`."""
     required_single(required_scene(scene))
     if not isinstance(scene.contact, Coulomb):
         remedy = "give a finite coefficient: MuJoCo has no other law"
@@ -127,7 +128,7 @@ def _required(scene: Scene) -> tuple[Coulomb, Array]:
     if not scene.friction or not scene.masses or scene.viscous or scene.loads:
         raise InvalidValue(
             "effects", scene.effects, "friction on supports and Inertia",
-            "list one of each at least: MuJoCo needs a mass, and the feet have friction only",
+            "list both and no other effect: MuJoCo needs a mass, and the feet have only friction",
         )  # fmt: skip
     if scene.slider.outline is None:
         raise InvalidValue(
@@ -152,13 +153,13 @@ def _required_step(given: Any, scene: Scene) -> float:
 
 
 def _errors(root: Element, feet: Feet, errors: tuple[float, float]) -> None:
-    """The errors as a remark and as numeric fields, which MuJoCo reads."""
+    """Add the errors as a comment and as numeric fields that MuJoCo reads."""
     mean, worst = map(degrees, errors)
     root.append(ElementTree.Comment(
         f" Units are those of the scene. {len(feet.places)} feet carry its friction: for the same motion "
         f"their wrenches differ from the scene's by {mean:.2g} degrees on average and by at most "
         f"{worst:.2g}, torques over the radius. Contact is soft: push slowly, and halve the timestep to "
-        "see by how much it matters. "
+        "see how much it matters. "
     ))  # fmt: skip
     fields = SubElement(root, "custom")
     for name, error in zip(("mean_force_error", "worst_force_error"), errors, strict=True):
@@ -171,7 +172,7 @@ def _settings(root: Element, step: float, gravity: float) -> None:
         root, "option", timestep=step, gravity=(0.0, 0.0, -gravity), cone="elliptic", impratio=IMPRATIO,
         integrator="implicitfast", solver="Newton", tolerance=1e-12,
     )  # fmt: skip
-    # Only the pairs that are listed touch.
+    # Only the listed pairs collide.
     _add(SubElement(root, "default"), "geom", contype=0, conaffinity=0)
 
 
@@ -203,7 +204,7 @@ def _foot(body: Element, name: str, foot: tuple[Array, float, float], radius: fl
 
 
 def _masses(scene: Scene, feet: Feet) -> Array:
-    """Masses of the feet; together with their moment of inertia a small share of the slider's."""
+    """Masses of the feet; their total mass and moment of inertia are a small share of the slider's."""
     mass, square = scene.inertia
     shares = feet.weights / feet.weights.sum()
     away = feet.places / scene.slider.radius - scene.mass_center
@@ -212,7 +213,7 @@ def _masses(scene: Scene, feet: Feet) -> Array:
 
 
 def _inertial(body: Element, scene: Scene, feet: Feet, masses: Array) -> None:
-    """The slider without its feet, so that both together have the scene's inertia."""
+    """Inertia of the slider without its feet, so that both together have the scene's inertia."""
     (mass, square), radius = scene.inertia, scene.slider.radius
     center = radius * np.array(scene.mass_center)
     rest = mass - masses.sum()
@@ -248,7 +249,7 @@ def _contacts(parent: Element, law: Coulomb, step: float, sides: int, feet: int)
 
 
 def _add(parent: Element, tag: str, **attributes: Any) -> Element:
-    """A child with attributes: texts, numbers, or sequences of numbers."""
+    """A child element with attributes: strings, numbers, or sequences of numbers."""
     return SubElement(parent, tag, {name: _text(value) for name, value in attributes.items()})
 
 

@@ -22,15 +22,15 @@ from planar_pushing.mechanics.supports.pressure.record import ATOMS, Pieces
 from planar_pushing.mechanics.wrench import wrench
 from planar_pushing.terms.errors import InvalidValue
 
-#: How many supports are kept without their feet.
+#: Number of supports that are cached without their feet.
 KEPT = 16
-#: A slider whose body frame stands on the fence, its origin at the contact.
+#: A slider whose body frame has its origin at the contact and its x axis along the normal of the fence.
 UPRIGHT = Slider(rod_length=0.0, rod_angle=pi / 2)
 
 
 @dataclass(frozen=True, eq=False)
 class Footless:
-    """The rest of a support whose feet were taken off; its shares add to 1."""
+    """A support without its feet; the shares of the rest add up to 1."""
 
     rest: Pieces
 
@@ -48,7 +48,7 @@ class Footless:
 
 @lru_cache(KEPT)
 def parted(support: Any) -> tuple[Array, float, Any]:
-    """Feet of a support (x, y, share), the share of the rest, and the rest, None where all is feet."""
+    """Feet of a support (x, y, share), the share of the rest, and the rest, or None without one."""
     pieces = support.pieces()
     feet = pieces.atoms
     if not any(map(len, pieces[ATOMS + 1 :])):
@@ -63,13 +63,12 @@ def parted(support: Any) -> tuple[Array, float, Any]:
 def required_effects(given: Any) -> tuple[Any, ...]:
     """Effects in an object's frame that act in a push from rest.
 
-    An object with inertia has no velocity then, and so no viscous friction.
+    An object with inertia has no velocity then, and therefore no viscous friction.
 
     Raises
     ------
     InvalidValue
-        Where something else than an effect is given, a ring has no radius of its own, nothing resists, or
-        parameters are arrays.
+        If an effect is of another type, a ring has no radius, nothing resists, or parameters are arrays.
     """
     effects = tuple(given) if isinstance(given, (tuple, list)) else ()
     resisting = SupportFriction | Viscous | Inertia
@@ -91,7 +90,7 @@ def _require_plain(effect: Any) -> None:
     """Refuse arrays of parameters, rings without a radius, and supports on one point."""
     support = getattr(effect, "support", None)
     if np.ndim(np.array(support, dtype=object)):
-        raise InvalidValue("support", support, "one support", "ask for each support in its turn")
+        raise InvalidValue("support", support, "one support", "give one support at a time")
     if isinstance(support, Ring) and support.radius is None:
         raise InvalidValue(
             "support", support, "a ring with a radius", "give the radius, as in Ring(1.0)"
@@ -101,11 +100,11 @@ def _require_plain(effect: Any) -> None:
     for name in ("weight", "coefficient", "mass", "gyration_radius", "center", "force"):
         value = getattr(effect, name, None)
         if any(map(np.ndim, value if isinstance(value, tuple) else (value,))):
-            raise InvalidValue(name, value, "numbers", "ask for each of the arrays in its turn")
+            raise InvalidValue(name, value, "numbers", "give one entry of the array at a time")
 
 
 def require_friction(effects: Sequence[Effect]) -> None:
-    """Refuse loads that friction cannot hold, where there is no inertia; errors as of `require_held`."""
+    """Refuse loads that friction cannot hold, if there is no inertia; errors as in `require_held`."""
     if not any(isinstance(each, Load) for each in effects):
         return
     turned = tuple(
@@ -115,7 +114,7 @@ def require_friction(effects: Sequence[Effect]) -> None:
 
 
 def _seen_from_fence(load: Load, effects: Sequence[Effect]) -> Load:
-    """The load in a scene whose body frame is the object's: x along the normal of the fence."""
+    """The load in a scene whose body frame is the object's, with x along the normal of the fence."""
     (x, y), (at_x, at_y) = load.force, _load_center(load, effects)
     return Load(force=(-y, x), center=(float(at_x), float(at_y)))
 
@@ -136,13 +135,13 @@ def feet_of(effects: Sequence[Effect]) -> Array:
 
 
 def motion_at(twist: Array, points: Array) -> Array:
-    """Motion of points of the object, of the shape of the points, (..., 2)."""
+    """Motion of points of the object; result and points have shape (..., 2)."""
     v_x, v_y, omega = twist
     return np.stack([v_x - omega * points[..., 1], v_y + omega * points[..., 0]], axis=-1)
 
 
 def resistance(effects: Sequence[Effect], twist: Array, sliding: Array) -> Array:
-    """Wrench about the object's origin that sustains a twist, with the friction of these feet only."""
+    """Wrench about the object's origin that sustains a twist, with the friction of the given feet only."""
     total = _of_feet(twist, sliding)
     for each in effects:
         total = total + _without_feet(each, effects, twist)
@@ -150,7 +149,7 @@ def resistance(effects: Sequence[Effect], twist: Array, sliding: Array) -> Array
 
 
 def _of_feet(twist: Array, feet: Array) -> Array:
-    """Friction of feet along their motion, none of which is at rest."""
+    """Wrench of the friction of feet, none of which is at rest, along their motion."""
     motion = motion_at(twist, feet[:, :2])
     force = motion * (feet[:, 2] / np.hypot(motion[:, 0], motion[:, 1]))[:, None]
     torque = feet[:, 0] * force[:, 1] - feet[:, 1] * force[:, 0]
@@ -158,12 +157,12 @@ def _of_feet(twist: Array, feet: Array) -> Array:
 
 
 def _without_feet(effect: Any, effects: Sequence[Effect], twist: Array) -> Array:
-    """Wrench of one effect, but for the Coulomb friction of feet."""
+    """Wrench of one effect, without the Coulomb friction of feet."""
     if isinstance(effect, Load):
         (x, y), (at_x, at_y) = effect.force, _load_center(effect, effects)
         return -np.array([x, y, at_x * y - at_y * x], dtype=float)
     if isinstance(effect, Inertia):
-        # Its own unit of length: the ratio of a radius of gyration to another has a range.
+        # Its radius of gyration is the unit of length, since the ratio to another one has a limited range.
         return wrench(effect, twist, replace(UPRIGHT, radius=effect.gyration_radius))
     if isinstance(effect, Viscous):
         return wrench(effect, twist)
@@ -174,7 +173,7 @@ def _without_feet(effect: Any, effects: Sequence[Effect], twist: Array) -> Array
 
 
 def _load_center(load: Load, effects: Sequence[Effect]) -> Any:
-    """Where a load acts: by default at the center of mass, without inertia at the center of pressure."""
+    """Point at which a load acts: by default the center of mass, or of pressure without inertia."""
     if load.center is not None:
         return load.center
     masses = [(each.mass, each.center) for each in effects if isinstance(each, Inertia)]

@@ -1,4 +1,4 @@
-"""A scene from an object in a frame of its own: supports, masses and contact as a person has them."""
+"""A scene from an object in its own frame: supports, masses and contact in the user's coordinates."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from planar_pushing.objects.many import scenes_at
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.units import Units
 
-#: A center less than this part of the extent above the fence counts as on it: its rod would be flat.
+#: A center closer to the fence than this, relative to the extent, counts as on it: its rod would be flat.
 LEAST_HEIGHT = 1e-9
 #: Largest distance of a contact from the center, in extents of the support: no object's handle is longer.
 FARTHEST = 500.0
@@ -36,42 +36,42 @@ def scene_at(
     outline: Any = None,
     units: Units | None = None,
 ) -> Scene:
-    """The scene of an object that is pushed at a point, everything in the object's own frame.
+    """The scene of an object that is pushed at a point, with everything in the object's own frame.
 
     Parameters
     ----------
     point : (x, y), or array of shape S + (2,)
-        The contact; an array of them makes an array of scenes. Of a DataArray the last dimension is that of
-        x and y, and the scenes are over the others.
+        The contact; an array makes an array of scenes. In a DataArray the last dimension holds x and y, and
+        the scenes extend over the others.
     normal : (n_x, n_y), or array of shape S + (2,), optional
-        Normal of the fence or of the finger's side, into the object, of any length. With an outline it may
-        be left out where the contact is not at a corner.
+        Normal of the fence or of the finger's side, into the object, of any length. It can be omitted if
+        the object has an outline and the contact is not at a corner.
     effects : sequence of effects
-        `SupportFriction`, `Viscous`, `Inertia` and `Load`; their supports, centers and forces in the
+        `SupportFriction`, `Viscous`, `Inertia` and `Load`, with supports, centers and forces in the
         object's frame.
     contact : ContactLaw
     outline : sequence of pairs, or an object with `coords` or `exterior`, optional
-        Corners of the object in order. The contact has to be on it, and the normal that of its side.
+        Corners of the object in order. The contact must be on the outline, and the normal that of its side.
     units : Units, optional
-        Names of the units, which results then carry.
+        Names of the units, for results.
 
     Returns
     -------
     Scene
-        In the fence frame: origin at the contact, +y along the normal, +x the normal turned by -90 degrees.
-        Its `placement` turns answers back (`Scene.to_object`). An array of scenes keeps no outline, which
-        differs from one body frame to the next.
+        In the fence frame: origin at the contact, +y along the normal, +x the normal rotated by -90
+        degrees. Use `Scene.to_object` to transform results back. An array of scenes has no outline, because
+        the outline differs between body frames.
 
     Raises
     ------
     InvalidValue
-        Where the normal has no length or points out of the object, the point is not on the outline, or an
-        effect has no place in an object's frame.
+        If the normal is zero or points out of the object, the point is not on the outline, or an effect
+        cannot be placed in an object's frame.
 
     Notes
     -----
-    The slider's center c is the center of pressure, of a scene with inertia alone the center of mass. Where
-    it is not above the fence, as for a hook, c is the point above the contact at the height of the
+    The slider's center c is the center of pressure, or the center of mass of a scene with inertia alone. If
+    it is not above the fence, as for a hook, c is instead the point above the contact at the height of the
     support's extent. The rod goes from the contact to c.
     """
     if np.ndim(point) > 1:
@@ -99,7 +99,7 @@ def scene_at(
 
 
 def _require_one_unit(length: float, extent: float) -> None:
-    """Refuse a contact that is as far from the support as only another unit of length takes it."""
+    """Refuse a contact so far from the support that the units of length must differ."""
     if not length <= FARTHEST * extent:
         raise InvalidValue(
             "point", f"a contact {length:.6g} from the center of a support of size {extent:.6g}",
@@ -124,13 +124,13 @@ def _required_effects(given: Any) -> tuple[Any, ...]:
     if not found or not all(hasattr(each, "moved") for each in found):
         raise InvalidValue(
             "effects", given, "a sequence of SupportFriction, Viscous, Inertia and Load",
-            "list what resists the motion; of a ring give the radius: SupportFriction(support=Ring(1.0))",
+            "list what resists the motion; for a ring give the radius: SupportFriction(support=Ring(1.0))",
         )  # fmt: skip
     return found
 
 
 def _with_center(effect: Any, center: Array, effects: tuple[Any, ...]) -> Any:
-    """A load at the object's center, which for a hook is not the slider's, where it acts at no point."""
+    """A load with the object's center as default point: the slider's center differs for a hook."""
     if not isinstance(effect, Load) or effect.center is not None:
         return effect
     if any(isinstance(each, Inertia) for each in effects):
@@ -139,7 +139,7 @@ def _with_center(effect: Any, center: Array, effects: tuple[Any, ...]) -> Any:
 
 
 def _middle(effects: tuple[Any, ...]) -> tuple[Array, float]:
-    """Center and extent of an object in its frame: of friction, else of viscous friction, else of mass."""
+    """Center and extent of an object in its frame: of friction, otherwise viscous friction, or mass."""
     friction = [each for each in effects if isinstance(each, SupportFriction)]
     films = [each for each in effects if isinstance(each, Viscous)]
     masses = [each for each in effects if isinstance(each, Inertia)]
@@ -159,7 +159,7 @@ def _middle(effects: tuple[Any, ...]) -> tuple[Array, float]:
 
 
 def _body(place: Placement, center: Array, extent: float) -> tuple[Frame, float, float]:
-    """The body frame in the object's frame, and length and angle of the rod."""
+    """The body frame in the object's frame, and the length and angle of the rod."""
     along, height = place.fence.point_in(center).tolist()
     if height <= LEAST_HEIGHT * extent:
         along, height = 0.0, extent

@@ -16,9 +16,9 @@ class Side(NamedTuple):
     Attributes
     ----------
     start, end : ndarray, shape (2,)
-        Its corners, the object on the left of the way from one to the other.
+        Its corners; the object is on the left when going from start to end.
     tangent, normal : ndarray, shape (2,)
-        Unit vectors from the start to the end, and into the object.
+        Unit vectors from start to end, and into the object.
     length : float
     """
 
@@ -30,12 +30,12 @@ class Side(NamedTuple):
 
 
 def sides(outline: Any) -> list[Side]:
-    """Sides of an outline, in order; two that are one straight line count as one.
+    """Sides of an outline, in order; adjacent sides on one straight line count as one.
 
     Raises
     ------
     InvalidValue
-        Where the outline is not a simple polygon.
+        If the outline is not a simple polygon.
     """
     corners = np.array(required_outline(outline))
     return [_side(*ends) for ends in zip(corners, np.roll(corners, -1, axis=0), strict=True)]

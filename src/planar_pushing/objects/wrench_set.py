@@ -1,4 +1,4 @@
-"""The set of loads at a twist: one wrench, and the disc of forces of a foot about which it turns."""
+"""The set of loads at a twist: one wrench, plus the disc of forces of a foot at the center of rotation."""
 
 from __future__ import annotations
 
@@ -23,10 +23,11 @@ from planar_pushing.objects.resistance import (
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue, as_floats, require_number, require_positive
 
-#: Distance of a foot at which the center of rotation is on it, relative to the numbers that it is computed
-#: from: the rounding of a twist that was turned from one frame to another.
+#: Distance within which the center of rotation is on a foot, relative to the numbers from which it is
+#: computed: the rounding error of a twist transformed between frames.
 ROUNDING = 1e-12
-#: Newton steps of the secular equation; it converges quadratically from below, in 3 to 9.
+#: Maximum number of Newton steps for the secular equation; 3 to 9 suffice, by quadratic convergence from
+#: below.
 STEPS = 50
 
 
@@ -37,15 +38,15 @@ class WrenchSet:
     Attributes
     ----------
     rest : ndarray, shape (3,)
-        (f_x, f_y, tau) about the origin of the object's frame: all of the load but the friction of the foot
-        on the center of rotation.
+        (f_x, f_y, tau) about the origin of the object's frame: the load without the friction of the foot at
+        the center of rotation.
     foot : ndarray, shape (2,), or None
-        Position r of this foot; None where no foot is on the center of rotation, and the set is the one
+        Position r of this foot; None if no foot is at the center of rotation, and the set is the single
         wrench `rest`.
     radius : float
-        Largest force of the foot, its share of the weight W; 0 without one.
+        Maximum force of the foot, its share of the weight W; 0 without one.
     length : float
-        By which torques are divided to compare them with forces, where no other length is given.
+        Default length by which torques are divided to compare them with forces.
     """
 
     rest: Array
@@ -64,7 +65,7 @@ class WrenchSet:
         wrench : array_like, shape S + (3,)
             (f_x, f_y, tau) about the origin of the object's frame.
         length : float, optional
-            By which torques are divided; by default that of the set.
+            Length by which torques are divided; by default that of the set.
 
         Returns
         -------
@@ -73,12 +74,12 @@ class WrenchSet:
         Raises
         ------
         InvalidValue
-            Where a wrench has no three finite numbers, or the length is not positive.
+            If a wrench is not three finite numbers, or the length is not positive.
 
         Notes
         -----
-        The force g of the foot minimizes a convex quadratic function on a disc: it is the unconstrained
-        minimum, or the point of the rim that a root of the secular equation gives.
+        The force g of the foot minimizes a convex quadratic function on a disc. It is the unconstrained
+        minimum, or a point on the rim given by a root of the secular equation.
         """
         wrenches, unit = _wrenches(wrench), self._unit(length)
         if self.foot is None:
@@ -90,7 +91,7 @@ class WrenchSet:
         return np.asarray(self.rest + np.concatenate([force, torque[..., None]], axis=-1))
 
     def distance(self, wrench: npt.ArrayLike, length: float | None = None) -> Array:
-        """Distance of wrenches of shape S + (3,) from the set, shape S, in the unit of the forces.
+        """Distance of wrenches of shape S + (3,) from the set, shape S, in the unit of force.
 
         Parameters and errors are those of `nearest`; the distance is the norm of
         ``(df_x, df_y, dtau / length)``.
@@ -101,7 +102,9 @@ class WrenchSet:
     def _unit(self, length: float | None) -> float:
         if length is None:
             return self.length
-        return require_positive("length", length, "give a length of the size of the object")
+        return require_positive(
+            "length", length, "give a length comparable to the size of the object"
+        )
 
 
 def _wrenches(given: npt.ArrayLike) -> Array:
@@ -134,7 +137,7 @@ def _held(away: Array, arm: Array, radius: float) -> Array:
 
 
 def _multiplier(parts: Array, stiff: Array, radius: float) -> Array:
-    """The root ``m >= 0`` of ``|parts / (stiff + m)| = radius``, 0 where the minimum is inside the disc.
+    """The root ``m >= 0`` of ``|parts / (stiff + m)| = radius``, or 0 if the minimum is inside the disc.
 
     Newton's method on ``1 / |.|``, which is concave: from below it never overshoots.
     """
@@ -162,30 +165,30 @@ def wrench_set(
     Parameters
     ----------
     effects : tuple of SupportFriction, Viscous, Inertia and Load
-        In the object's own frame; at least one that is no load. With inertia the twist is an initial
+        In the object's own frame; at least one other than a load. With inertia the twist is an initial
         acceleration from rest, and viscous friction is absent.
     twist : array_like, shape (3,)
         (v_x, v_y, omega) of the object's frame about its origin, omega in radians per unit of time.
     within : float, optional
-        Distance of the center of rotation from a foot, in the unit of length, within which it counts as on
-        the foot: the error of a measured motion. By default the rounding error.
+        Distance from a foot, in the unit of length, within which the center of rotation counts as on it:
+        the error of a measured motion. By default the rounding error.
 
     Returns
     -------
     WrenchSet
-        In the object's frame, torques about its origin. Where several feet are within the distance, the
-        set is that of the nearest.
+        In the object's frame, with torques about its origin. If several feet are within the distance, the
+        nearest determines the set.
 
     Raises
     ------
     InvalidValue
-        Where the twist is not three finite numbers or is zero, the distance is negative, or an effect is
-        none of these, has arrays of parameters, or is a ring without a radius.
+        If the twist is not three finite numbers or is zero, the distance is negative, or an effect is of
+        another type, has arrays of parameters, or is a ring without a radius.
 
     Notes
     -----
-    Each effect is a convex potential, and its gradient is the wrench. The potential of a foot has a kink
-    where the foot is at rest: there the foot takes any force up to its share of the weight.
+    Each effect is a convex potential, and its gradient is the wrench. The potential of a foot has a kink at
+    twists for which the foot is at rest: the foot then takes any force up to its share of the weight.
     """
     acting, motion = required_effects(effects), required_twist(twist)
     reach = require_number(
@@ -214,7 +217,7 @@ def required_twist(given: npt.ArrayLike) -> Array:
 
 
 def _resting(feet: Array, twist: Array, within: float) -> Any:
-    """Which feet are on the center of rotation: those at the place of the nearest."""
+    """Mask of the feet at the center of rotation: the nearest foot, and all at the same place."""
     near = np.zeros(len(feet), dtype=bool)
     if twist[2] == 0.0 or not len(feet):
         return near

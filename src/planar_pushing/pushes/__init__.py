@@ -1,1 +1,1 @@
-"""Measured pushes: their dataset, readers of published logs, and simulated ones."""
+"""Measured pushes: their dataset, readers of published logs, and simulated pushes."""

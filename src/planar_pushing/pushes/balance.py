@@ -1,8 +1,9 @@
-"""A support from forces and motions: the loads that it exerts at measured twists are linear in its weights.
+"""Identify a support from forces and motions by nonnegative least squares and cone programming.
 
-At a measured twist each place carries its weight against its velocity, so that weights follow from measured
-wrenches by nonnegative least squares. A place that moves less than its motion is known to carries any force
-up to its weight: the wrench is then near a set, and the problem is a cone program, convex all the same.
+At a measured twist, the friction at each place is its weight, directed against its velocity. The load is
+therefore linear in the weights, which follow from measured wrenches by nonnegative least squares. A place
+that moves less than the uncertainty of its motion carries any force up to its weight. The wrench is then
+near a set, and the problem becomes a cone program, which is still convex.
 """
 
 from __future__ import annotations
@@ -18,45 +19,45 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.candidates import Family
 from planar_pushing.pushes.measured import Index, Measured
 
-#: Fraction by which the mean load of a push differs from the load at its mean twist, for usual pushes.
+#: Relative difference between the mean load of a typical push and the load at its mean twist.
 MEAN = 0.01
-#: A place that moves less than this many standard deviations of its motion may be at rest: 95 percent of
-#: the places that are.
+#: A place that moves less than this many standard deviations of its motion can be at rest; this includes
+#: 95 percent of the places at rest.
 AT_REST = 2.45
-#: Standard deviation of the displacement at least, in sizes of the outline: rounding of a simulation.
+#: Smallest standard deviation of the displacement, in sizes of the outline: rounding error of a simulation.
 EXACT = 1e-5
-#: How often residuals are weighed anew: amounts then change by less than a tenth of their errors.
+#: Rounds of reweighting the residuals, after which amounts change by less than a tenth of their errors.
 ROUNDS = 6
-#: Pull towards even amounts, relative to the residuals together: it settles what no push tells.
+#: Pull toward even amounts, relative to all residuals: it fixes what no push determines.
 RIDGE = 0.1
-#: Residual of a push, in standard deviations, from which on it counts in proportion to its magnitude.
+#: Residual of a push, in standard deviations, above which it counts in proportion to its magnitude.
 LARGE = 1.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Balance:
-    """The least squares problem of pushes with forces and a family of supports.
+    """Least-squares problem for pushes with forces and a family of supports.
 
     Wrenches (f_x, f_y, tau / length) are about the centroid of the outline.
 
     Attributes
     ----------
     loads : ndarray, shape (n, 3, c)
-        Wrench of each push per amount of each column, without places that may be at rest.
+        Wrench of each push per unit amount of each column, without places that can be at rest.
     wrenches : ndarray, shape (n, 3)
-        That were measured.
+        Measured wrenches.
     pairs : ndarray of int, shape (m, 2)
-        Pushes, and places that may be at rest in them.
+        Pushes, and places that can be at rest in them.
     reaches : ndarray, shape (m, 3, 2)
-        Wrench of a force at the place of each pair.
+        Wrenches of unit forces along x and y at the place of each pair.
     whitening : ndarray, shape (n, 3, 3)
-        Takes residuals to standard deviations.
+        Maps residuals to standard deviations.
     columns : ndarray, shape (k, c)
-        Weights of the family's places per amount.
+        Weights of the family's places per unit amount.
     even : float
-        Amount of each column towards which all are pulled.
+        Amount toward which all columns are pulled.
     pull : float
-        Strength of this pull: standard deviations of all residuals per amount.
+        Strength of this pull, in standard deviations of all residuals per unit amount.
     """
 
     loads: Array
@@ -69,7 +70,7 @@ class Balance:
     pull: float
 
     def part(self, rows: Index) -> Balance:
-        """The problem of some of the pushes, of which one may come more than once."""
+        """The problem for a selection of the pushes, possibly with repetitions."""
         chosen = [np.flatnonzero(self.pairs[:, 0] == row) for row in rows]
         which = np.concatenate([*chosen, np.zeros(0, dtype=int)]).astype(int)
         push = np.repeat(np.arange(len(rows)), [len(each) for each in chosen])
@@ -86,14 +87,14 @@ class Balanced:
     Attributes
     ----------
     amounts : ndarray, shape (c,)
-        Of the columns, >= 0.
+        Amounts of the columns, >= 0.
     forces : ndarray, shape (m, 2)
-        Of the places that may be at rest.
+        Forces of the places that can be at rest.
     residuals : ndarray, shape (n, 3)
-        As the problem weighs them.
+        Weighted residuals.
     optimality : float
-        Largest violation of the conditions of Karush, Kuhn and Tucker, relative to the data: of any
-        amounts, those with none are optimal.
+        Largest violation of the Karush-Kuhn-Tucker conditions, relative to the data; without a violation
+        the amounts are optimal.
     """
 
     amounts: Array
@@ -103,10 +104,10 @@ class Balanced:
 
 
 def balance(pushes: Measured, family: Family, weights: Array) -> Balance:
-    """The problem of pushes with forces, its residuals weighed for a support of these weights."""
+    """Problem for pushes with forces, with residuals weighted for a support of these weights."""
     length, center = pushes.length, pushes.center
     places = family.places - center
-    # Displacements of the places, and directions of their friction.
+    # Displacements of the places, and directions of their friction forces.
     x, y = places.T
     c_x, c_y, turn = pushes.centered_twists.T[..., None]
     v_x, v_y = c_x - turn * y, c_y + turn * x
@@ -123,7 +124,7 @@ def balance(pushes: Measured, family: Family, weights: Array) -> Balance:
     reaches = np.zeros((len(pairs), 3, 2))
     reaches[:, 0, 0] = reaches[:, 1, 1] = 1.0
     reaches[:, 2, 0], reaches[:, 2, 1] = -y[pairs[:, 1]] / length, x[pairs[:, 1]] / length
-    # Change of friction with the twist: across the velocity, weight over speed.
+    # Change of friction with the twist: weight over speed, perpendicular to the velocity.
     across = np.stack([-u_y, u_x, (x * u_x + y * u_y) / length], axis=1)
     stiffness = np.where(rests, 0.0, weights / size)
     change = np.einsum("nak,nk,nbk->nab", across, stiffness, across)
@@ -141,12 +142,12 @@ def balance(pushes: Measured, family: Family, weights: Array) -> Balance:
 
 
 def ridge(residuals: int, columns: int) -> float:
-    """Strength of the pull towards even amounts, in standard deviations per even amount."""
+    """Strength of the pull toward even amounts, in standard deviations per even amount."""
     return RIDGE * float(np.sqrt(residuals / columns))
 
 
 def fit_balance(pushes: Measured, family: Family) -> tuple[Balance, Balanced, Array]:
-    """Amounts of a family's columns from pushes with forces, by weighed least squares.
+    """Fit the amounts of a family's columns to pushes with forces by weighted least squares.
 
     Returns the problem, its solution, and the error of each push in standard deviations, shape (n,).
     """
@@ -165,13 +166,13 @@ def fit_balance(pushes: Measured, family: Family) -> tuple[Balance, Balanced, Ar
 
 
 def solve_balance(problem: Balance) -> Balanced:
-    """The cone program: least squares of residuals over amounts >= 0 and forces of places at rest."""
+    """Solve the cone program: least squares over amounts >= 0 and forces of places at rest."""
     number, _, count = problem.loads.shape
     pairs = len(problem.pairs)
     matrix = _matrix(problem)
     target = np.einsum("nab,nb->na", problem.whitening, problem.wrenches).ravel()
     rows, variables = 3 * number, count + 2 * pairs
-    # Variables are amounts, forces and residuals.
+    # The variables are amounts, forces and residuals.
     square = problem.pull**2
     weights = np.concatenate([np.full(count, square), np.zeros(2 * pairs), np.ones(rows)])
     slope = np.concatenate([np.full(count, -square * problem.even), np.zeros(2 * pairs + rows)])
@@ -211,7 +212,7 @@ def _matrix(problem: Balance) -> Any:
 
 
 def _cones(problem: Balance, variables: int) -> Any:
-    """Rows of the cones: the weight of a place at rest bounds its force."""
+    """Rows of the cones, in which the weight of a place at rest bounds its force."""
     count, pairs = problem.columns.shape[1], len(problem.pairs)
     weights = problem.columns[problem.pairs[:, 1]]
     which, column = np.nonzero(weights)
@@ -223,10 +224,11 @@ def _cones(problem: Balance, variables: int) -> Any:
 
 
 def _violation(problem: Balance, amounts: Array, residuals: Array, target: Array) -> float:
-    """Largest violation of the conditions of optimality, relative to that of no support at all.
+    """Largest violation of the optimality conditions, relative to that without any support.
 
-    The slope of half the sum of squares along an amount is not negative, and zero where the amount is
-    positive. The force of a place at rest is its weight, against its own slope.
+    The derivative of half the sum of squares with respect to an amount must be nonnegative, and zero if the
+    amount is positive. The force of a place at rest has the magnitude of its weight and opposes its own
+    gradient.
     """
 
     def slopes(errors: Array) -> Array:

@@ -1,4 +1,4 @@
-"""Families of supports: places within an outline, and columns of weights on them that add up."""
+"""Families of supports: places within an outline, and columns of weights to combine."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ import numpy as np
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import nearest, sides_of
 
-#: Places per extent that stand for an even pressure.
+#: Places per extent that represent a uniform pressure.
 EVEN = 12
-#: Ellipses, as fractions of the ellipse with the outline's moments that are no larger than it.
+#: Sizes of the ellipses, as fractions of the ellipse with the moments of the outline.
 ELLIPSES = np.linspace(0.2, 1.2, 6)
 
 
 class Family(NamedTuple):
-    """Supports of a family: weights on places are sums of columns, each times a number >= 0.
+    """Supports of a family: nonnegative combinations of columns of weights on places.
 
-    `places` have shape (k, 2), `columns` (k, c), each with sum 1.
+    `places` has shape (k, 2) and `columns` has shape (k, c); each column has sum 1.
     """
 
     places: Array
@@ -27,13 +27,13 @@ class Family(NamedTuple):
 
 
 def points(outline: Array, spacing: float) -> Family:
-    """A weight of its own at each place of a grid, and at each corner."""
+    """Separate weights at all places of a grid and at all corners."""
     places = with_corners(outline, spacing)
     return Family(places, np.eye(len(places)))
 
 
 def even_and_corners(outline: Array, spacing: float) -> Family:
-    """An even pressure, and a weight at each corner."""
+    """A uniform pressure, and a weight at each corner."""
     even = inside(outline, np.ptp(outline, axis=0).max() / EVEN, 0.5)
     first = np.concatenate([np.full(len(even), 1.0 / len(even)), np.zeros(len(outline))])
     corners = np.concatenate([np.zeros((len(even), len(outline))), np.eye(len(outline))])
@@ -41,10 +41,10 @@ def even_and_corners(outline: Array, spacing: float) -> Family:
 
 
 def ellipse(outline: Array, spacing: float) -> Family:
-    """Even pressures within ellipses about the centroid, along the outline's principal axes."""
+    """Uniform pressures within ellipses about the centroid, along the outline's principal axes."""
     places = inside(outline, np.ptp(outline, axis=0).max() / EVEN, 0.5)
     away = places - places.mean(axis=0)
-    # An even ellipse extends to twice the root of its second moments.
+    # A uniform ellipse extends to twice the square root of its second moments.
     reach = np.sqrt((away @ np.linalg.inv(np.cov(away.T)) * away).sum(axis=1)) / 2.0
     columns = (reach[:, None] <= ELLIPSES).astype(float)
     columns = columns[:, columns.any(axis=0)]
@@ -52,7 +52,7 @@ def ellipse(outline: Array, spacing: float) -> Family:
 
 
 def pressure_map(outline: Array, spacing: float) -> Family:
-    """A pressure that is linear between the nodes of a grid."""
+    """A pressure that varies linearly between the nodes of a grid."""
     places = inside(outline, spacing / 3.0, 0.5)
     low, high = outline.min(axis=0), outline.max(axis=0)
     counts = np.maximum(np.round((high - low) / spacing).astype(int), 1)
@@ -79,7 +79,7 @@ FAMILIES: dict[str, Callable[[Array, float], Family]] = {
 
 
 def inside(outline: Array, spacing: float, offset: float = 0.0) -> Array:
-    """Places of a grid over an outline's extent, within it; with an offset of a half, centers of cells."""
+    """Places of a grid that are within an outline; with an offset of 0.5, centers of cells."""
     low, high = outline.min(axis=0), outline.max(axis=0)
     counts = np.maximum(np.round((high - low) / spacing).astype(int), 1)
     marks = [
@@ -94,7 +94,7 @@ def inside(outline: Array, spacing: float, offset: float = 0.0) -> Array:
 
 
 def with_corners(outline: Array, spacing: float) -> Array:
-    """Places of a grid within an outline, and its corners."""
+    """Places of a grid within an outline, and the corners of the outline."""
     grid = inside(outline, spacing)
     apart = np.hypot(*np.moveaxis(outline[:, None] - grid, -1, 0)).min(axis=1)
     return np.concatenate([grid, outline[apart > spacing / 4.0]])

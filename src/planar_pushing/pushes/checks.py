@@ -1,4 +1,4 @@
-"""Whether a dataset can be one of measured pushes: on the outline, in one unit, into the object."""
+"""Consistency of measured pushes: contacts on the outline, one unit, motions into the object."""
 
 from __future__ import annotations
 
@@ -12,27 +12,27 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.terms.errors import InvalidValue
 
-#: Largest distance of a contact from the outline, relative to its size.
+#: Largest distance of a contact from the outline, relative to the outline's size.
 ON_OUTLINE = 0.02
-#: Largest error of the length of a normal.
+#: Largest error in the length of a normal.
 UNIT = 1e-6
-#: Largest displacement of an object, in sizes of its outline: no push of a log goes further.
+#: Largest displacement of an object, in sizes of its outline: no recorded push goes farther.
 JUMP = 3.0
-#: Largest error of fractions of the load and of the end of a finger's path, relative.
+#: Largest relative error of load fractions and of the end of a finger's path.
 ROUNDING = 1e-6
-#: Ratios of lengths between which one of the two is in meters and the other in millimeters.
+#: Range of ratios of lengths that indicates meters mixed with millimeters.
 THOUSAND = (300.0, 30000.0)
 
 
 def require_consistent(pushes: xr.Dataset) -> None:
-    """Refuse pushes that are not possible, the first of them by its number.
+    """Refuse impossible pushes; the error names the first of them.
 
     Raises
     ------
     InvalidValue
-        Where lengths differ by the factor of another unit, a contact is not on the outline, a normal is no
-        unit vector or points out of the object, a pose jumps, a finger moves away from the object, a path
-        does not fit, or fractions of the load do not add up to 1.
+        If lengths are in different units, a contact is not on the outline, a normal is not a unit vector or
+        points out of the object, a pose jumps, a finger moves away from the object, a path does not match
+        its displacement, or load fractions do not add up to 1.
     """
     for name in dict.fromkeys(pushes["pushed"].values):
         numbers = np.flatnonzero(pushes["pushed"].values == name)
@@ -48,11 +48,11 @@ def require_consistent(pushes: xr.Dataset) -> None:
     if "force" in pushes:
         force = pushes["force"].values
         half = np.isnan(force).sum(axis=1) == 1
-        _refuse("force", half, force, "both components, or NaN for both", "leave out neither")
+        _refuse("force", half, force, "both components, or NaN for both", "give both or neither")
 
 
 def _require_object(pushes: xr.Dataset, numbers: Any, sides: Sides, name: str) -> None:
-    """The checks of the pushes of one object."""
+    """Check the pushes of one object."""
     contact, normal = pushes["contact"].values, pushes["normal"].values
     finger, scale = pushes["finger_displacement"].values, sides.scale
     _require_one_unit(pushes, sides, name)
@@ -65,7 +65,7 @@ def _require_object(pushes: xr.Dataset, numbers: Any, sides: Sides, name: str) -
     wrong = np.abs(length - 1.0) > UNIT
     _refuse("normal", wrong, normal, "a vector of length 1", "divide it by its length", numbers)
     wrong = ~_inward(sides, contact, normal)
-    _refuse("normal", wrong, normal, "a vector into the object", "turn it around", numbers)
+    _refuse("normal", wrong, normal, "a vector into the object", "reverse it", numbers)
     moved = np.hypot(
         *middle_displacement(
             pushes["displacement"].values, np.deg2rad(pushes["rotation"].values), sides.start
@@ -73,7 +73,12 @@ def _require_object(pushes: xr.Dataset, numbers: Any, sides: Sides, name: str) -
     )
     limit = f"at most {JUMP:g} times the size {scale:.6g} of {name}"
     _refuse(
-        "displacement", moved > JUMP * scale, moved, limit, "the pose jumps: leave it out", numbers
+        "displacement",
+        moved > JUMP * scale,
+        moved,
+        limit,
+        "the pose jumps: leave the push out",
+        numbers,
     )
     away = (finger * normal).sum(axis=1) <= 0.0
     limit = "a motion into the object, along the normal"
@@ -81,14 +86,14 @@ def _require_object(pushes: xr.Dataset, numbers: Any, sides: Sides, name: str) -
 
 
 def middle_displacement(displacement: Array, rotation: Array, corners: Array) -> Array:
-    """Displacement of the mean of an object's corners, shape (n, 2); rotation in radians."""
+    """Displacement of the mean of an object's corners, shape (n, 2), for rotations in radians."""
     x, y = corners.mean(axis=0)
     c, s = np.cos(rotation) - 1.0, np.sin(rotation)
     return np.asarray(displacement + np.stack([c * x - s * y, s * x + c * y], axis=-1))
 
 
 def _require_one_unit(pushes: xr.Dataset, sides: Sides, name: str) -> None:
-    """Refuse lengths that are about a thousand times larger or smaller than the outline's."""
+    """Refuse lengths that are about a thousand times larger or smaller than those of the outline."""
     scale, reach = sides.scale, float(np.abs(sides.start).max())
     finger = _typical(pushes["finger_displacement"].values)
     object_ = _typical(pushes["displacement"].values)
@@ -113,7 +118,7 @@ def _typical(vectors: Array) -> float:
 
 
 def _inward(sides: Sides, contact: Array, normal: Array) -> npt.NDArray[np.bool_]:
-    """Whether a normal points into the object at one of the sides that are near to its contact."""
+    """Whether a normal points into the object at one of the sides near its contact."""
     away = contact[:, None] - sides.start
     along = np.clip((away * sides.tangent).sum(axis=-1), 0.0, sides.length)
     apart = away - along[..., None] * sides.tangent
@@ -122,14 +127,14 @@ def _inward(sides: Sides, contact: Array, normal: Array) -> npt.NDArray[np.bool_
 
 
 def _require_paths(pushes: xr.Dataset) -> None:
-    """Paths begin at zero, end with the finger's displacement, and take time; a straight one may be NaN."""
+    """Refuse paths that do not start at zero, end at the finger's displacement, and take time."""
     path, times = pushes["finger_path"].values, pushes["path_time"].values
     known = np.isfinite(path).all(axis=2) & np.isfinite(times)
     count = known.sum(axis=1)
     gaps = known != (np.arange(known.shape[1]) < count[:, None])
-    limit = "at least two samples and NaN after the last alone, or NaN for a straight path"
+    limit = "at least two samples with NaN only after the last, or only NaN for a straight path"
     _refuse(
-        "finger_path", gaps.any(axis=1) | (count == 1), path, limit, "leave out what is missing"
+        "finger_path", gaps.any(axis=1) | (count == 1), path, limit, "leave out missing samples"
     )
     last = path[np.arange(len(path)), count - 1]
     finger = pushes["finger_displacement"].values
@@ -143,7 +148,7 @@ def _require_paths(pushes: xr.Dataset) -> None:
 
 
 def _require_shares(pushes: xr.Dataset) -> None:
-    """Fractions of the load are not negative and add up to 1, where they are known."""
+    """Refuse known load fractions that are negative or do not add up to 1."""
     if "feet" not in pushes:
         raise InvalidValue(
             "foot_weight", "without feet", "weights of feet", "add the places of the feet"
@@ -172,7 +177,7 @@ def _refuse(
     numbers: Any = None,
     dim: str = "push",
 ) -> None:
-    """Raise the error about the first of the pushes that are wrong, and say how many are."""
+    """Raise the error for the first wrong push, and give the number of other wrong pushes."""
     if not np.any(wrong):
         return
     rows = np.flatnonzero(wrong)

@@ -1,4 +1,4 @@
-"""Pushes of one object, and of several objects together."""
+"""Select the pushes of one object, and combine the pushes of several objects."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.schema import NOISE, VARIABLES, required_pushes
 from planar_pushing.terms.errors import InvalidValue, require_path, suggestion
 
-#: Dimensions that NaN fills, each with a variable over it as its second dimension.
+#: Dimensions padded with NaN, each with a variable that has it as its second dimension.
 PADDED = {"corner": "outline", "foot": "feet", "sample": "finger_path"}
 
 
 def of_object(pushes: xr.Dataset, name: str) -> xr.Dataset:
-    """The pushes of one object, whose dimension `object` stays, without what is not known of it.
+    """The pushes of one object, with the dimension `object` and without its unknown variables.
 
     Raises
     ------
     InvalidValue
-        Where the dataset holds no object of this name, or no push of it.
+        If the dataset contains no object of this name or no push of it.
     """
     names = [str(each) for each in pushes["object"].values]
     if name not in names:
@@ -48,7 +48,7 @@ def of_object(pushes: xr.Dataset, name: str) -> xr.Dataset:
 
 
 def with_outline(pushes: xr.Dataset, outline: Any) -> xr.Dataset:
-    """Pushes of one object with another outline, checked anew: their contacts have to be on it."""
+    """Pushes of one object with another outline, checked again: the contacts must be on it."""
     variable = VARIABLES["outline"]
     corners = np.array(required_outline(outline))[None]
     found = pushes.drop_vars("outline")
@@ -57,23 +57,24 @@ def with_outline(pushes: xr.Dataset, outline: Any) -> xr.Dataset:
 
 
 def concat_pushes(pushes: Sequence[xr.Dataset]) -> xr.Dataset:
-    """Pushes of several datasets in one, in order.
+    """Concatenate the pushes of several datasets in order.
 
     Parameters
     ----------
     pushes : sequence of xarray.Dataset
-        In the same units. Datasets may share an object whose outline and feet are the same.
+        Datasets of pushes in the same units. They can share an object if its outline and feet are the same.
 
     Returns
     -------
     xarray.Dataset
-        Its attribute `source` lists those of the datasets, each noise is the largest of theirs, and
-        `left_out` is the sum.
+        All pushes. The attribute `source` lists the sources of the datasets, each noise attribute is the
+        largest of theirs, and `left_out` is their sum.
 
     Raises
     ------
     InvalidValue
-        Where the sequence is empty, a dataset is none of pushes, units differ, or two objects share a name.
+        If the sequence is empty, a dataset does not contain pushes, units differ, or two objects share a
+        name.
     """
     given = list(pushes) if isinstance(pushes, (list, tuple)) else []
     if not given:
@@ -97,14 +98,14 @@ def concat_pushes(pushes: Sequence[xr.Dataset]) -> xr.Dataset:
 
 
 def require_file_names(files: Sequence[Any]) -> None:
-    """Refuse no file, and files that would give two objects one name."""
+    """Refuse an empty list of files, and files that would give two objects the same name."""
     stems = [Path(require_path("files", file)).stem for file in files]
     if not stems:
         raise InvalidValue("files", "none", "at least one file", "name the files to read")
     if len(set(stems)) < len(stems):
         again = next(stem for k, stem in enumerate(stems) if stem in stems[:k])
         raise InvalidValue(
-            "files", f"two files named {again}", "files of different names, which name the objects",
+            "files", f"two files named {again}", "files with different names, which name the objects",
             "rename one of them",
         )  # fmt: skip
 
@@ -122,7 +123,7 @@ def _require_same_units(each: list[xr.Dataset]) -> None:
 
 
 def _objects(each: list[xr.Dataset]) -> dict[str, xr.Dataset]:
-    """The dataset that describes each object; two that share a name have to be the same."""
+    """The dataset that describes each object; objects with the same name must be identical."""
     found: dict[str, xr.Dataset] = {}
     for one in each:
         for label in map(str, one["object"].values):
@@ -131,14 +132,14 @@ def _objects(each: list[xr.Dataset]) -> dict[str, xr.Dataset]:
                 raise InvalidValue(
                     "object",
                     label,
-                    "a name of its own for each object",
+                    "a different name for each object",
                     "rename one of the objects",
                 )
     return found
 
 
 def _same_object(one: xr.Dataset, other: xr.Dataset, label: str) -> bool:
-    """Whether two datasets describe an object alike, but for padding."""
+    """Whether two datasets describe an object identically except for padding."""
     for name in ("outline", "feet", "foot_weight", "center_of_mass", "mass"):
         here, there = (_array(each.sel(object=[label]), name) for each in (one, other))
         here, there = (each[np.isfinite(each)] for each in (here, there))
@@ -148,7 +149,7 @@ def _same_object(one: xr.Dataset, other: xr.Dataset, label: str) -> bool:
 
 
 def _array(pushes: xr.Dataset, name: str) -> Array:
-    """Values of a variable; of one that a dataset lacks, NaN over dimensions that may be empty."""
+    """Values of a variable; NaN, possibly over empty dimensions, if the dataset lacks it."""
     if name in pushes:
         return np.asarray(pushes[name].values)
     sizes = {dim: pushes.sizes.get(dim, 0) for dim in VARIABLES[name].dims}
@@ -156,7 +157,7 @@ def _array(pushes: xr.Dataset, name: str) -> Array:
 
 
 def _joined(arrays: list[Array]) -> Array:
-    """Arrays one after another along the first dimension, those of the others padded with NaN."""
+    """Arrays concatenated along the first dimension, with the other dimensions padded with NaN."""
     lengths = np.max([each.shape[1:] for each in arrays], axis=0, initial=0).astype(int)
     return np.concatenate([
         np.pad(
@@ -169,7 +170,7 @@ def _joined(arrays: list[Array]) -> Array:
 
 
 def _attributes(each: list[xr.Dataset]) -> dict[str, Any]:
-    """Attributes of the whole."""
+    """Attributes of the concatenated dataset."""
     sources = dict.fromkeys(str(one.attrs["source"]) for one in each if one.attrs["source"])
     noise = {
         key: max(float(one.attrs[key]) for one in each if key in one.attrs)

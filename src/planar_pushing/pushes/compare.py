@@ -1,4 +1,4 @@
-"""`compare`: how well models of an object's friction predict its pushes."""
+"""`compare`: how well friction models of an object predict its pushes."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ from planar_pushing.pushes.statistics import QUANTITIES, REFERENCE, statistics
 from planar_pushing.pushes.supported import OnSupport
 from planar_pushing.terms.errors import InvalidValue, suggestion
 
-#: Friction coefficients among which one is chosen for a support that is given, where no force tells it.
+#: Candidate contact friction coefficients for a given support, if no measured force determines it.
 FRICTIONS = np.geomspace(0.05, 1.2, 20)
-#: Pushes of an object at least, half of which have to tell five numbers of an ellipsoid.
+#: Smallest number of pushes of an object; half of them must determine five numbers of an ellipsoid.
 LEAST = 8
 
 
 class Half(NamedTuple):
-    """Pushes of an object to which models are fitted: the dataset, its arrays, and the options."""
+    """Half of an object's pushes, to which models are fitted: dataset, arrays, and options."""
 
     dataset: xr.Dataset
     pushes: Measured
@@ -40,7 +40,7 @@ class Half(NamedTuple):
 
 
 def feet_of(dataset: xr.Dataset) -> Points | None:
-    """The feet of the object of a dataset, where they and their loads are known."""
+    """Feet of the object of a dataset, if they and their loads are known."""
     if "feet" not in dataset or "foot_weight" not in dataset:
         return None
     places = without_padding(dataset["feet"].values[0])
@@ -75,7 +75,7 @@ def _fitted_ellipsoid(half: Half) -> tuple[Model, float]:
     return fitted_ellipsoid(half.pushes)
 
 
-#: Of each model how it is fitted to pushes, with the friction of the contact; None where it does not apply.
+#: Functions that fit each model and the contact friction to pushes, or return None if it does not apply.
 MODELS: dict[str, Callable[[Half], tuple[Model, float] | None]] = {
     "exact": _exact, "identified": _identified, "uniform": _uniform, "exact_ellipsoid": _exact_ellipsoid,
     "uniform_ellipsoid": _uniform_ellipsoid, REFERENCE: _fitted_ellipsoid,
@@ -92,21 +92,21 @@ def compare(
     family: str = "points",
     progress: bool = False,
 ) -> xr.Dataset:
-    """Compare how well models of friction predict measured pushes.
+    """Compare how well friction models predict measured pushes.
 
     Parameters
     ----------
     pushes : xarray.Dataset
-        Of one object or of several (`load_pushes`, `pushes_from_poses`).
+        Pushes of one or several objects (`load_pushes`, `pushes_from_poses`).
     models : sequence of str, or mapping of names to supports, optional
-        Of "exact" (the dataset's feet), "identified" (`identify`), "uniform" (an even pressure on the
-        outline), "exact_ellipsoid" and "uniform_ellipsoid" (`fit_ellipsoid` of these supports) and
-        "fitted_ellipsoid" (fitted to the same pushes); by default all that apply. A mapping compares
-        supports of one's own, in the object's frame, beside those.
+        Any of "exact" (the feet in the dataset), "identified" (`identify`), "uniform" (a uniform pressure
+        on the outline), "exact_ellipsoid" and "uniform_ellipsoid" (`fit_ellipsoid` of these supports) and
+        "fitted_ellipsoid" (fitted to the same pushes); by default all that apply. A mapping adds the user's
+        own supports, in the object's frame, to these models.
     seed : int
-        Of the halves and of the draws.
+        Seed of the division into halves and of the resampling.
     resamples : int
-        How often pushes are drawn anew for the intervals.
+        Number of resamples of the pushes for the intervals.
     spacing, family
         As in `identify`.
     progress : bool
@@ -116,22 +116,24 @@ def compare(
     -------
     xarray.Dataset
         `error` over (quantity, model, push), and medians, 90th percentiles, ratios and paired differences
-        to the fitted ellipsoid, with 95 percent intervals over `bound`. Quantities are the wrench under the
-        measured twist and the motion under the measured force, both as angles in degrees between vectors
-        whose torques and rotations count by half the outline's extent (`length`), and the final
-        pose, as the distance plus `length` times the angle. NaN where no force was measured or a model
-        does not apply.
+        relative to the fitted ellipsoid, with 95 percent intervals over `bound`. The quantities are the
+        wrench under the measured twist, the motion under the measured force, and the final pose. Errors of
+        wrench and motion are angles in degrees between predicted and measured vectors, with torques and
+        rotations scaled by half the outline's extent (`length`). The error of the final pose is the
+        distance plus `length` times the angle. Values are NaN if no force was measured or a model does not
+        apply.
 
     Raises
     ------
     InvalidValue
-        Where a model is unknown, or an object has too few pushes for two halves.
+        If a model is unknown or an object has too few pushes for two halves.
 
     Notes
     -----
-    The pushes of each object are divided into halves at random. What is fitted, the friction of the contact
-    included, is fitted to one half and scored on the other, and the other way round. A push that touches a
-    corner first meets either of its sides, or sticks there (`at_corner`); no model is fitted to these.
+    The pushes of each object are divided into halves at random. All fits, including that of the contact
+    friction, are made on one half and scored on the other, and vice versa. In a push that touches a corner
+    first (`at_corner`), the finger pushes one of the adjacent sides or sticks to the corner; no model is
+    fitted to such pushes.
     """
     checked = required_pushes(pushes)
     draws, seed = whole("resamples", resamples, 1), whole("seed", seed, 0)
@@ -167,7 +169,7 @@ def compare(
 
 
 def errors_of(model: Model, friction: float, pushes: Measured) -> Array:
-    """Errors of a model in wrench and motion, degrees, and in final pose, a length; shape (3, n)."""
+    """Errors of a model in wrench and motion (degrees) and in final pose (length), shape (3, n)."""
     scale = np.array([1.0, 1.0, pushes.length])
     found = np.full((3, len(pushes)), np.nan)
     forced = pushes.has_force
@@ -183,26 +185,26 @@ def errors_of(model: Model, friction: float, pushes: Measured) -> Array:
 
 
 def angles(a: Array, b: Array) -> Array:
-    """Angles between vectors of shape (n, 3), degrees; accurate where they are small."""
+    """Angles between vectors of shape (n, 3) in degrees, accurate for small angles."""
     across = np.linalg.norm(np.cross(a, b), axis=1)
     return np.asarray(np.rad2deg(np.arctan2(across, (a * b).sum(axis=1))))
 
 
 def on_support(support: Any, pushes: Measured) -> tuple[Model, float]:
-    """A given support, and the friction of the contact that fits it best."""
+    """Model of a given support, and the contact friction that fits it best."""
     model = OnSupport(support)
     return model, _friction(model, pushes)
 
 
 def on_ellipsoid(support: Any, pushes: Measured) -> tuple[Model, float]:
-    """The ellipsoid of a support, and the friction of the contact that fits it best."""
+    """Ellipsoid of a support, and the contact friction that fits it best."""
     fit = fit_ellipsoid(support)
     model = Ellipsoid.about(np.array(fit.center), fit.matrix)
     return model, _friction(model, pushes)
 
 
 def _friction(model: Model, pushes: Measured) -> float:
-    """Friction of the contact: from forces, otherwise that under which a model's poses are nearest."""
+    """Contact friction from forces, or otherwise the value with the most accurate final poses."""
     if pushes.has_force.any():
         return contact_friction(pushes).coefficient
     sides = pushes.part(~pushes.at_corner)
@@ -215,7 +217,7 @@ def _friction(model: Model, pushes: Measured) -> float:
 
 
 def _required_models(given: Any) -> dict[str, Callable[[Half], tuple[Model, float] | None]]:
-    """The models to compare, the reference among them, or `InvalidValue`."""
+    """Return the models to compare, including the reference, or raise `InvalidValue`."""
     if given is None:
         return dict(MODELS)
     names = list(given) if isinstance(given, (list, tuple)) else []
@@ -233,8 +235,8 @@ def _required_models(given: Any) -> dict[str, Callable[[Half], tuple[Model, floa
     ]
     if wrong:
         raise InvalidValue(
-            "models", {wrong[0]: given[wrong[0]]}, "supports by names of your own",
-            f"give Points or another support, and none of the names {', '.join(MODELS)}",
+            "models", {wrong[0]: given[wrong[0]]}, "supports under names of your own",
+            f"give Points or another support, and use none of the names {', '.join(MODELS)}",
         )  # fmt: skip
     own = {name: partial(_given, support) for name, support in given.items()}
     return {**own, **MODELS}
@@ -245,13 +247,13 @@ def _given(support: Any, half: Half) -> tuple[Model, float]:
 
 
 def _require_halves(name: str, pushes: Measured) -> None:
-    """Refuse pushes of which a half is too few for an ellipsoid."""
+    """Refuse pushes if half of them are too few to fit an ellipsoid."""
     usable = pushes.has_force | ~pushes.at_corner
     if usable.sum() < LEAST:
         raise InvalidValue(
             "pushes", f"{int(usable.sum())} pushes of {name} to which a model can be fitted",
             f"at least {LEAST}",
-            "measure more pushes: half of them are for the fit",
+            "measure more pushes: half of them are used for the fit",
         )  # fmt: skip
 
 
@@ -263,7 +265,7 @@ def _described(
     resamples: int,
     seed: int,
 ) -> xr.Dataset:
-    """The errors with their statistics, the pushes' objects, and attributes."""
+    """Dataset of the errors and their statistics, the objects of the pushes, and attributes."""
     unit = str(pushes["displacement"].attrs["units"])
     found = statistics(error, resamples, seed)
     found["pushed"] = (

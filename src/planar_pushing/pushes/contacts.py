@@ -1,7 +1,7 @@
-"""Contacts of pushes: sides that a finger may meet, and the motion that each leads to.
+"""Contacts of pushes: the sides that a finger can push, and the resulting motions.
 
-A finger that touches a side first meets that side. At a corner it meets the one or the other side, with the
-normal of each, or sticks to the corner, with a force between the two normals.
+A finger that touches a side first pushes that side. At a corner it pushes one of the two sides, with the
+normal of that side, or sticks to the corner, with a force between the two normals.
 """
 
 from __future__ import annotations
@@ -15,31 +15,32 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import nearest, sides_of
 from planar_pushing.pushes.measured import Index, Mask, Measured
 
-#: A finger that leaves a side within this fraction of its way does not push it.
+#: A finger that leaves a side within this fraction of its path does not push it.
 AT_ONCE = 1e-3
-#: A contact at the end of a side is this fraction of the object's size away from it.
+#: Smallest distance of a contact from the end of a side, as a fraction of the object's size.
 INSIDE = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Contacts:
-    """Contacts of pushes, arrays over the m contacts, in the object's frame before the push.
+    """Contacts of pushes: arrays over m contacts, in the object's frame before the push.
 
     Attributes
     ----------
     push : ndarray of int, shape (m,)
-        Number of the push, increasing.
+        Number of the push, in increasing order.
     point, normal : ndarray, shape (m, 2)
     start, end : ndarray, shape (m,)
-        Ends of the side along its tangent, the normal turned by -90 degrees, from the point.
+        Ends of the side, measured from the point along the tangent, which is the normal rotated by -90
+        degrees.
     path : ndarray, shape (m, parts, 2)
-        Displacements of the finger's center over equal parts of its way.
+        Displacements of the finger's center over equal parts of its path.
     radius : ndarray, shape (m,)
-        Of the finger.
+        Radius of the finger.
     sticks : ndarray of bool, shape (m,)
         Whether the finger sticks to a corner.
     aligned : ndarray, shape (m,)
-        Cosine of the angle between this normal and that of the finger at first touch.
+        Cosine of the angle between this normal and the finger's normal at first touch.
     """
 
     push: Index
@@ -54,14 +55,14 @@ class Contacts:
 
     @property
     def tangent(self) -> Array:
-        """Unit tangents, along x of the fence frame, shape (m, 2)."""
+        """Unit tangents, along the x axis of the fence frame, shape (m, 2)."""
         return np.column_stack([self.normal[:, 1], -self.normal[:, 0]])
 
 
 class Ends(NamedTuple):
-    """Where motions end: poses (x, y, angle) over (..., contacts, 3), and how long the contact lasts.
+    """Ends of motions: poses (x, y, angle), shape (..., contacts, 3), and the duration of the contact.
 
-    `lasted` is the fraction of the finger's way, shape (..., contacts).
+    `lasted` is the duration as a fraction of the finger's path, shape (..., contacts).
     """
 
     poses: Array
@@ -69,20 +70,20 @@ class Ends(NamedTuple):
 
 
 class Model(Protocol):
-    """A model of the friction of a support, in the object's frame."""
+    """A model of support friction in the object's frame."""
 
     def ends(self, contacts: Contacts, friction: float) -> Ends:
-        """Displacements of the object's frame by the pushes, under a friction coefficient."""
+        """Displacements of the object's frame by the pushes, for a contact friction coefficient."""
 
     def wrenches(self, twists: Array) -> Array:
-        """Directions of the wrenches under twists of shape (n, 3)."""
+        """Directions of the wrenches for twists of shape (n, 3)."""
 
     def motions(self, wrenches: Array) -> Array:
-        """Directions of the twists under wrenches of shape (n, 3), NaN where there is none."""
+        """Directions of the twists for wrenches of shape (n, 3); NaN if there is no motion."""
 
 
 def contacts_of(pushes: Measured) -> Contacts:
-    """The contacts of pushes: one at a side, three at a corner."""
+    """Contacts of pushes: one for a push at a side, three for a push at a corner."""
     sides, corner = sides_of(pushes.outline), pushes.at_corner
     at = nearest(sides, pushes.contact)
     vertex = np.hypot(*np.moveaxis(pushes.contact[:, None] - sides.start, -1, 0)).argmin(axis=1)
@@ -109,10 +110,10 @@ def contacts_of(pushes: Measured) -> Contacts:
 
 
 def final_poses(model: Model, pushes: Measured, friction: float) -> Array:
-    """Displacement of the object's frame by each push, and its rotation, shape (n, 3).
+    """Displacement and rotation of the object's frame by each push, shape (n, 3).
 
-    At a corner the side that lasts longest is pushed, of equals the one whose normal is nearest the
-    finger's; where both are left at once the finger sticks to the corner.
+    At a corner, the finger pushes the side with the longer contact; if they are equal, the side with the
+    normal closer to the finger's. If the finger leaves both sides at once, it sticks to the corner.
     """
     contacts = contacts_of(pushes)
     ends = model.ends(contacts, friction)
@@ -120,8 +121,8 @@ def final_poses(model: Model, pushes: Measured, friction: float) -> Array:
 
 
 def chosen(contacts: Contacts, ends: Ends) -> Array:
-    """Of each push the motion of one of its contacts."""
-    # Equal but for rounding errors.
+    """Motion of each push, from one of its contacts."""
+    # Durations are compared up to rounding error.
     lasted = np.round(np.where(contacts.sticks, AT_ONCE, ends.lasted) / AT_ONCE)
     order = np.lexsort([-contacts.aligned, -lasted, contacts.push])
     _, first = np.unique(contacts.push[order], return_index=True)

@@ -1,7 +1,7 @@
-"""Pushes of an object whose limit surface is an ellipsoid: the model that planners fit.
+"""Pushes of an object with an ellipsoidal limit surface, the model that planners fit.
 
-Wrenches and twists are in the object's frame. Under a wrench w the object moves along ``A w``; the limit
-surface is ``w . A w = 1``.
+Wrenches and twists are in the object's frame. The limit surface is ``w . A w = 1``, and the object moves
+along ``A w`` under a wrench w.
 """
 
 from __future__ import annotations
@@ -13,21 +13,21 @@ import numpy as np
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.contacts import Contacts, Ends
 
-#: Steps of the motion, by the midpoint rule: their error is below a hundredth of the measurement's.
+#: Steps of the motion by the midpoint rule; their error is below one percent of the measurement error.
 STEPS = 60
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ellipsoid:
-    """An object with an ellipsoid for its limit surface; `matrix` is A, shape (3, 3)."""
+    """An object with an ellipsoidal limit surface; `matrix` is A, shape (3, 3)."""
 
     matrix: Array
 
     @classmethod
     def about(cls, center: Array, matrix: Array) -> Ellipsoid:
-        """An ellipsoid whose matrix is for torques about a center."""
+        """Ellipsoid from a matrix for torques about a center."""
         x, y = center
-        # Torque about the center, of a wrench about the origin.
+        # Converts the torque about the origin to the torque about the center.
         moved = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [y, -x, 1.0]])
         return cls(moved.T @ matrix @ moved)
 
@@ -52,14 +52,14 @@ class Ellipsoid:
                     place + np.where(on, slid, 0.0),
                 )
                 on &= (place <= contacts.end) & (place >= contacts.start)
-                # An object that no force moves has parted from the finger.
+                # An object that does not move has separated from the finger.
                 lasted += np.where(on & step.any(axis=1), 1.0 / (parts * steps), 0.0)
         return Ends(pose, lasted)
 
     def _moved(
         self, contacts: Contacts, pose: Array, place: Array, way: Array, friction: float
     ) -> tuple[Array, Array]:
-        """Displacement of the object and of the contact along its side while the finger moves a little."""
+        """Displacement of the object, and of the contact along its side, in a small step of the finger."""
         c, s = np.cos(pose[:, 2]), np.sin(pose[:, 2])
         w_x, w_y = way.T
         finger = np.column_stack([c * w_x + s * w_y, c * w_y - s * w_x])
@@ -72,11 +72,11 @@ class Ellipsoid:
     def _pushed(
         self, contacts: Contacts, point: Array, finger: Array, friction: float
     ) -> tuple[Array, Array]:
-        """Twist of the object, and the finger's motion along the side: sticking, slipping, or parting."""
+        """Twist of the object, and the finger's motion along the side: sticking, slipping or separating."""
         reach = np.zeros((len(point), 2, 3))
         reach[:, 0, 0] = reach[:, 1, 1] = 1.0
         reach[:, 0, 2], reach[:, 1, 2] = -point[:, 1], point[:, 0]
-        # The contact's motion is G f under a force f there.
+        # A force f at the contact moves the contact by G f.
         across = self.matrix @ reach.transpose(0, 2, 1)
         mobility = reach @ across
         force = np.linalg.solve(mobility, finger[..., None])[..., 0]

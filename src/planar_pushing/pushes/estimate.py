@@ -1,4 +1,4 @@
-"""Estimates of amounts of a family's columns: from forces, from motions, or from both."""
+"""Estimates of the amounts of a family's columns from forces, motions, or both."""
 
 from __future__ import annotations
 
@@ -13,34 +13,34 @@ from planar_pushing.pushes.friction import contact_friction
 from planar_pushing.pushes.measured import Index, Measured
 from planar_pushing.pushes.motions import Linear, MotionProblem, fit_motions, resampled
 
-#: Slipping pushes from which their median is a friction coefficient.
+#: Smallest number of slipping pushes of which the median is the friction coefficient.
 FEWEST = 3
-#: A force of a point at rest below this fraction of its weight is inside its facet.
+#: The force of a point at rest is inside its facet if it is below this fraction of the point's weight.
 WITHIN = 0.999
-#: Residual, in standard deviations, from which on a push does not lie in a facet.
+#: Residual, in standard deviations, above which a push does not lie in a facet.
 FAR = 3.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Estimate:
-    """Amounts of columns, and of draws of the pushes.
+    """Amounts of columns, for the pushes and for resampled pushes.
 
     Attributes
     ----------
     amounts : ndarray, shape (c,)
-        In the unit of the force; of motions alone their sum is 1.
+        Amounts in the unit of force; from motions alone, their sum is 1.
     draws : ndarray, shape (resamples, c)
-        The same, of pushes drawn anew.
+        Amounts for resampled pushes.
     friction : float
         Friction coefficient of the contact.
     frictions : ndarray, shape (resamples,)
     residuals : ndarray, shape (n,)
-        Of the pushes of the estimate.
+        Errors of the pushes used.
     facet : ndarray of int, shape (n,)
-        Place of the family about which the object turned under less than its full friction, or -1.
+        Place of the family about which the object turned, with less than full friction there, or -1.
     optimality : float
     told : ndarray
-        Singular values: changes of the residuals, in standard deviations, by combinations of amounts that
+        Singular values: changes of the residuals, in standard deviations, for combinations of amounts that
         change by an even share.
     doubts : tuple of str
     """
@@ -59,14 +59,14 @@ class Estimate:
 def from_forces(
     pushes: Measured, family: Family, resamples: int, generator: np.random.Generator
 ) -> tuple[Estimate, Linear]:
-    """The estimate of pushes with forces, and the residuals that it leaves, as linear ones."""
+    """Estimate from pushes with forces, and its residuals in linear form."""
     problem, found, errors = fit_balance(pushes, family)
     number, share = len(pushes), found.amounts.sum() / len(found.amounts)
     changes = np.einsum("nab,nbc->nac", problem.whitening, problem.loads) * share
     changes = changes.reshape(3 * number, -1)
     told = _singular_values(changes)
     rows = [generator.integers(number, size=number) for _ in range(resamples)]
-    # Without the pull, which would make the draws more alike than the pushes are.
+    # The draws omit the pull, which would reduce their spread.
     free = replace(problem, pull=0.0)
     drawn = np.array([solve_balance(free.part(each)).amounts for each in rows])
     friction, frictions, doubts = _friction(pushes, resamples, generator)
@@ -81,7 +81,7 @@ def from_forces(
 def _friction(
     pushes: Measured, resamples: int, generator: np.random.Generator
 ) -> tuple[float, Array, tuple[str, ...]]:
-    """Friction of the contact, that of draws of the pushes, and a sentence where too few slip."""
+    """Contact friction, its values for resampled pushes, and a warning if too few pushes slip."""
     ratios = contact_friction(pushes)
     slipping = ratios.slipping
     if len(slipping) >= FEWEST:
@@ -98,16 +98,16 @@ def _singular_values(matrix: Array) -> Array:
 
 
 def _widened(drawn: Array, amounts: Array, pushes: int, told: Array) -> Array:
-    """Draws further apart: a fit leaves less than the errors, by the numbers that it is free to choose.
+    """Draws with a wider spread: a fit reduces the residuals below the errors through its free parameters.
 
-    Some amounts are then negative. Were they zero, the weight would be too large.
+    Some amounts then become negative; setting them to zero would make the weight too large.
     """
     free = min(int((told > 1.0).sum()), pushes // 2)
     return np.asarray(amounts + np.sqrt(pushes / (pushes - free)) * (drawn - amounts))
 
 
 def _facets(problem: Balance, found: Balanced, errors: Array) -> Index:
-    """Of each push the place at rest that carries the largest weight, if its force is less than that."""
+    """For each push, the place at rest with the largest weight among those with a smaller force; or -1."""
     facets = np.full(len(found.residuals), -1)
     weights = problem.columns[problem.pairs[:, 1]] @ found.amounts
     held = np.hypot(*found.forces.T) < WITHIN * weights
@@ -126,7 +126,7 @@ def from_motions(
     generator: np.random.Generator,
     progress: bool,
 ) -> Estimate:
-    """The estimate of final poses, of pushes that touch a side, and of the forces of others."""
+    """Estimate from final poses of pushes at a side, and from forces of other pushes if there are any."""
     linear = None if first is None else first[1]
     fitted = fit_motions(MotionProblem.of(pushes, family), linear, progress)
     number, count = len(pushes), len(fitted.amounts)

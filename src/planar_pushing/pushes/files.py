@@ -1,4 +1,4 @@
-"""Files of pushes: netCDF4, written whole or not at all."""
+"""Files of pushes in netCDF4 format, written completely or not at all."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path
 
 
 def save_pushes(pushes: xr.Dataset, file: PathLike) -> None:
-    """Write pushes to a netCDF4 file, whole or not at all.
+    """Write pushes to a netCDF4 file, completely or not at all.
 
     Parameters
     ----------
     pushes : xarray.Dataset
-        As `load_pushes`, `pushes_from_poses` and the readers return it.
+        Returned by `load_pushes`, `pushes_from_poses` or a reader.
     file : path
 
     Raises
     ------
     InvalidValue
-        Where the dataset is none of pushes.
+        If the dataset does not contain pushes.
     InvalidFile
-        Where the file cannot be written.
+        If the file cannot be written.
     """
     require_path("file", file)
     write_dataset(required_pushes(pushes), file)
@@ -38,17 +38,18 @@ def load_pushes(file: PathLike) -> xr.Dataset:
     Parameters
     ----------
     file : path
-        Written by `save_pushes` or ``planar-pushing convert``.
+        File written by `save_pushes` or ``planar-pushing convert``.
 
     Returns
     -------
     xarray.Dataset
-        In memory, over `push`, `object`, `corner` and `xy`, and `foot` and `sample` where there are any.
+        Loaded into memory, over `push`, `object`, `corner` and `xy`, and over `foot` and `sample` if there
+        are any.
 
     Raises
     ------
     InvalidFile
-        Where the file is missing, is not netCDF4, or does not hold pushes.
+        If the file is missing, is not netCDF4, or does not contain pushes.
     """
     if not Path(require_path("file", file)).is_file():
         raise InvalidFile(

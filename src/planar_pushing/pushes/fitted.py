@@ -1,4 +1,4 @@
-"""The ellipsoid that is fitted to pushes, as planners do."""
+"""Fit of an ellipsoid to pushes, as planners do."""
 
 from __future__ import annotations
 
@@ -13,20 +13,21 @@ from planar_pushing.pushes.ellipsoid import Ellipsoid
 from planar_pushing.pushes.friction import contact_friction
 from planar_pushing.pushes.measured import Measured
 
-#: Friction coefficients from which searches start.
+#: Friction coefficients at which searches start.
 STARTS = (0.15, 0.4)
-#: Errors from which on they count in proportion: of directions, and of poses in median errors.
+#: Errors above which they count in proportion: in directions, and in poses relative to the median error.
 LARGE_ANGLE, LARGE = 0.2, 1.5
-#: Torque of spinning over force and length, of the ellipsoid at the start: about that of an even pressure.
+#: Ratio of spin torque to force times length of the initial ellipsoid, about that of a uniform pressure.
 SPIN = 0.7
 
 
 def fitted_ellipsoid(pushes: Measured) -> tuple[Ellipsoid, float]:
-    """The ellipsoid nearest to pushes, and the friction of the contact.
+    """Ellipsoid that fits pushes best, and the contact friction.
 
-    Any ellipsoid about the origin: three semi-axes, whose common factor no motion tells, and three
-    directions. With forces the errors are those of the direction of motion under the measured wrench,
-    otherwise those of final poses, over which the friction is fitted too.
+    The ellipsoid is any ellipsoid about the origin, with three semi-axes and three directions; motions do
+    not determine the common factor of the axes. With forces, the errors are those of the direction of
+    motion under the measured wrench. Otherwise they are those of the final poses, and the friction is
+    fitted too.
     """
     forced = pushes.has_force
     if forced.any():
@@ -73,12 +74,12 @@ def unit(vectors: Array) -> Array:
 
 
 def _round() -> Array:
-    """Parameters of the ellipsoid of a round, even pressure."""
+    """Parameters of the ellipsoid of a round, uniform pressure."""
     return np.array([0.0, 0.0, 0.0, 0.0, -np.log(SPIN)])
 
 
 def _matrix(parameters: Array) -> Array:
-    """A positive definite matrix of five numbers: by Cholesky, its first entry 1."""
+    """Positive definite matrix from five numbers by a Cholesky factor with first entry 1."""
     low = np.zeros((3, 3))
     low[np.tril_indices(3)] = np.append(0.0, parameters)
     low[np.diag_indices(3)] = np.exp(np.diag(low))

@@ -1,4 +1,4 @@
-"""Friction between finger and object, from the forces of pushes whose contact slips."""
+"""Friction between finger and object from the forces of pushes with a slipping contact."""
 
 from __future__ import annotations
 
@@ -9,26 +9,26 @@ import numpy as np
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.measured import Measured
 
-#: A contact slips that travels this many standard deviations of its position, and this fraction of the way.
+#: A contact slips if it moves by this many standard deviations of its position and this part of the path.
 SURE, FRACTION = 3.0, 0.1
 
 
 class Friction(NamedTuple):
-    """Ratios of tangential to normal force, of the pushes that slip and of those that stick."""
+    """Ratios of tangential to normal force for slipping and for sticking pushes."""
 
     slipping: Array
     sticking: Array
 
     @property
     def coefficient(self) -> float:
-        """Median ratio of the pushes that slip; without one the largest ratio of those that stick."""
+        """Median ratio of the slipping pushes; if none slips, the largest ratio of the sticking pushes."""
         if len(self.slipping):
             return float(np.median(self.slipping))
         return float(self.sticking.max(initial=0.0))
 
 
 def contact_friction(pushes: Measured) -> Friction:
-    """Friction ratios of side pushes with forces, by whether the contact slips."""
+    """Friction ratios of pushes at a side with forces, divided by whether the contact slips."""
     chosen = pushes.part(pushes.has_force & ~pushes.at_corner)
     tangent = np.column_stack([chosen.normal[:, 1], -chosen.normal[:, 0]])
     travel = ((chosen.last_contacts - chosen.contact) * tangent).sum(axis=1)

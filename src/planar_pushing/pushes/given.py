@@ -1,4 +1,4 @@
-"""Values that a user gives with pushes: arrays of numbers, parts of the object, noise."""
+"""Values that a user gives with pushes: arrays of numbers, properties of the object, noise."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from planar_pushing.terms.errors import InvalidValue, as_floats, require_number
 
 
 def numbers(name: str, given: Any) -> Array:
-    """Numbers as an array, or `InvalidValue`."""
+    """Return numbers as an array, or raise `InvalidValue`."""
     try:
         return np.asarray(given, dtype=float)
     except (TypeError, ValueError):
@@ -20,7 +20,7 @@ def numbers(name: str, given: Any) -> Array:
 
 
 def whole(name: str, given: Any, least: int) -> int:
-    """A whole number that is not less than another, or `InvalidValue`."""
+    """Return a whole number with a lower bound, or raise `InvalidValue`."""
     allowed = f"a whole number >= {least}"
     return int(
         require_number(
@@ -30,7 +30,7 @@ def whole(name: str, given: Any, least: int) -> int:
 
 
 def rows_of(name: str, given: Any, width: int, count: int | None = None) -> Array:
-    """Finite numbers of shape (n, width), or `InvalidValue`."""
+    """Return finite numbers of shape (n, width), or raise `InvalidValue`."""
     found = numbers(name, given)
     if (
         found.ndim != 2
@@ -49,7 +49,7 @@ def rows_of(name: str, given: Any, width: int, count: int | None = None) -> Arra
 
 
 def object_parts(feet: Any, loads: Any, center_of_mass: Any, mass: float | None) -> dict[str, Any]:
-    """Variables of the object that are given."""
+    """Given variables of the object."""
     found: dict[str, Any] = {}
     if feet is not None:
         found["feet"] = rows_of("feet", feet, 2)[None]
@@ -70,12 +70,12 @@ def object_parts(feet: Any, loads: Any, center_of_mass: Any, mass: float | None)
 
 
 def noise_attributes(given: Any) -> dict[str, float]:
-    """The attributes that name the noise."""
+    """Attributes for the noise."""
     if given is None:
         return {}
     if len(as_floats(given)) != len(MEASURED_NOISE):
         raise InvalidValue(
-            "noise", given, "three numbers: position, angle in degrees, force", "give all"
+            "noise", given, "three numbers: position, angle in degrees, force", "give all three"
         )
     return {
         name: require_number(
@@ -86,10 +86,10 @@ def noise_attributes(given: Any) -> dict[str, float]:
 
 
 def required_units(given: Any) -> dict[str, str]:
-    """Names of the units of lengths and forces by the quantity, or `InvalidValue`."""
+    """Return the names of the units of lengths and forces by quantity, or raise `InvalidValue`."""
     names = list(given) if isinstance(given, (tuple, list)) else []
     if len(names) != 2 or not all(isinstance(each, str) and each for each in names):
         raise InvalidValue(
-            "units", given, "names of two units, such as (mm, N)", "give both as text"
+            "units", given, "the names of two units, such as (mm, N)", "give both as text"
         )
     return dict(zip(("length", "force"), names, strict=True))

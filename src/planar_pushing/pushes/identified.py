@@ -1,4 +1,4 @@
-"""The result of `identify`: the support of an object, and how well its pushes determine it."""
+"""The result of `identify`: the support of an object and how well its pushes determine it."""
 
 from __future__ import annotations
 
@@ -13,47 +13,46 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
 from planar_pushing.pushes.measured import Index
 
-#: Fraction of the heaviest point below which a point is no part of a foot.
+#: A point with less than this fraction of the heaviest point's weight does not belong to a foot.
 LIGHT = 0.1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
 class Identified:
-    """The support of an object that its pushes tell, in the object's frame.
+    """The support of an object as identified from its pushes, in the object's frame.
 
     Attributes
     ----------
     support : Points
-        The candidates that carry weight; their weights add up to 1.
+        Candidates that carry weight, with weights that add up to 1.
     weight : float
-        mu_s W, the support's friction in a translation, in the force's unit; NaN where no force was
-        measured.
+        mu_s W, the support friction in translation, in the unit of force; NaN if no force was measured.
     contact_friction : float
-        Friction coefficient between finger and object; a lower bound where `undetermined` says so.
+        Friction coefficient between finger and object; only a lower bound if `undetermined` says so.
     center_of_pressure : ndarray, shape (2,)
     spin_torque : float
-        Mean distance of the pressure from its center: the torque of friction in spinning about it, over
-        `weight`.
+        Mean distance of the pressure from its center, which is the friction torque when spinning about it,
+        divided by `weight`.
     intervals : dict
         90 percent confidence intervals (low, high) of `weight`, `contact_friction`, `center_of_pressure_x`,
-        `center_of_pressure_y` and `spin_torque`, from pushes drawn anew.
+        `center_of_pressure_y` and `spin_torque`, from resampled pushes.
     weight_intervals : ndarray, shape (points, 2)
-        The same of the weight of each point of the support.
+        90 percent confidence interval of the weight of each point of the support.
     residuals : ndarray, shape (pushes,)
-        Error of each push: of its wrench in standard deviations where its force was measured, otherwise of
-        the final pose, as a length (`length` times the angle); NaN of a push that was not used.
+        Error of each push: of its wrench in standard deviations if its force was measured, otherwise of the
+        final pose as a length (distance plus `length` times the angle); NaN for a push that was not used.
     facet : ndarray of int, shape (pushes,)
-        Number of the point of the support about which the object turned under less than its full friction;
-        -1 elsewhere, and where no force was measured.
+        Number of the support point about which the object turned, with less than full friction at that
+        point; -1 otherwise, and if no force was measured.
     length : float
-        Turns angles into lengths and torques into forces: half the outline's extent.
+        Half the outline's extent, which converts angles to lengths and torques to forces.
     spacing : float
         Distance between candidates.
     optimality : float
-        Largest violation of the conditions of optimality (Karush, Kuhn and Tucker), relative to the data.
-        With forces the problem is convex: there is no better support among the candidates.
+        Largest violation of the optimality (Karush-Kuhn-Tucker) conditions, relative to the data. With
+        forces the problem is convex, so that no better support exists among the candidates.
     undetermined : tuple of str
-        One sentence for each part that the pushes do not determine.
+        One sentence for each quantity that the pushes do not determine.
     """
 
     support: Points
@@ -83,11 +82,11 @@ class Identified:
 
     @property
     def feet(self) -> Points:
-        """The support with neighboring points joined, as a foot between candidates loads several.
+        """The support with neighboring points joined, because a foot between candidates loads several.
 
-        Points within two spacings of each other, along both axes, are one foot at their center of pressure.
-        Points that carry less than a tenth of the heaviest one are left out, as they would link what is
-        apart.
+        Points within two spacings of each other along both axes form one foot at their center of pressure.
+        Points with less than a tenth of the weight of the heaviest are omitted because they would link
+        separate feet.
         """
         places, weights = np.array(self.support.positions), np.array(self.support.weights)
         kept = weights >= LIGHT * weights.max()
@@ -103,14 +102,14 @@ class Identified:
 
 
 def moments_of(places: Array, weights: Array) -> tuple[Array, float]:
-    """Center of pressure, and mean distance of the pressure from it."""
+    """Center of pressure and mean distance of the pressure from it."""
     share = weights / weights.sum()
     center = share @ places
     return center, float(share @ np.hypot(*(places - center).T))
 
 
 def summary(places: Array, weights: Array, weight: float, friction: float) -> dict[str, float]:
-    """The numbers of a support whose intervals are given."""
+    """Numbers of a support for which `intervals` has entries."""
     (x, y), torque = moments_of(places, weights)
     return {
         "weight": weight, "contact_friction": friction, "center_of_pressure_x": float(x),

@@ -1,4 +1,4 @@
-"""`identify`: the support that a slider really has, from its pushes."""
+"""`identify`: the support of a slider from its measured pushes."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from planar_pushing.pushes.given import whole
 from planar_pushing.pushes.identified import Identified, moments_of, summary
 from planar_pushing.pushes.measured import Index, Mask, Measured, measured
 from planar_pushing.pushes.schema import required_pushes
-from planar_pushing.terms.errors import InvalidValue, require_positive, suggestion
+from planar_pushing.terms.errors import InvalidValue, require_number, suggestion
 
-#: Candidates along the outline's extent by default, with forces and without; they are fewer for few pushes.
+#: Default candidates along the outline's extent, with and without forces; fewer if there are few pushes.
 WITH_FORCES, WITHOUT = 15, 5
-#: Columns of a family that a push may determine at most: with forces weights >= 0 settle the others.
+#: Most columns of a family per push; with forces, the condition of weights >= 0 determines the others.
 COLUMNS_WITH_FORCES, COLUMNS_WITHOUT = 12.0, 2.5
-#: Ends of the intervals, percent.
+#: Ends of the intervals, in percent.
 ENDS = 5.0, 95.0
-#: A weight below this fraction is none.
+#: A weight below this fraction of the whole counts as zero.
 LEAST = 1e-4
-#: Candidates along the outline's extent at most.
+#: Most candidates along the outline's extent.
 MOST_PARTS = 100
 
 
@@ -48,19 +48,19 @@ def identify(
     pushes : xarray.Dataset
         Pushes of one object (`load_pushes`, `pushes_from_poses`).
     outline : array_like, shape (n, 2), or an object with `coords` or `exterior`, optional
-        Corners of the object in its frame; by default those of the dataset.
+        Corners of the object in its frame; by default the outline of the dataset.
     spacing : float, optional
-        Distance between candidate points; by default a fifteenth of the outline's extent with forces and a
-        fifth without, and more for few pushes.
+        Distance between candidate points, from a hundredth of the outline's extent to the full extent; by
+        default a fifteenth of it with forces and a fifth without, or more if there are few pushes.
     known : Points, or array_like of shape (n, 2), optional
-        Places of the feet, where only their weights are sought.
+        Positions of the feet, if only their weights are unknown.
     family : {"points", "even_and_corners", "ellipse", "map"}
-        Supports among which one is sought: a weight at each candidate; an even pressure and a weight at
-        each corner; even pressures within ellipses; a pressure that is linear between candidates.
+        Family of supports to search: a weight at each candidate; a uniform pressure and a weight at each
+        corner; uniform pressures within ellipses; or a pressure that varies linearly between candidates.
     resamples : int
-        How often the pushes are drawn anew for the intervals.
+        Number of resamples of the pushes for the intervals.
     seed : int
-        Of these draws.
+        Seed of the resampling.
     progress : bool
         Whether to show a progress bar.
 
@@ -71,17 +71,17 @@ def identify(
     Raises
     ------
     InvalidValue
-        Where the pushes are those of several objects or too few for the candidates, or a value is not
-        allowed.
+        If the pushes are of several objects or too few for the candidates, or a value is not allowed.
 
     Notes
     -----
-    At a measured twist t each load is linear in the weights, ``w = sum_j p_j l(r_j, t)``, so with forces
-    the weights follow by least squares over p >= 0, each residual in its standard deviations. A point that
-    moves less than its motion is known carries any force up to p_j, and the residual is the distance from
-    that set: a cone program. Without forces weights and contact friction are those whose simulated pushes
-    (`simulate_batch`) end nearest to the measured poses. With forces of some pushes only, both. Pushes that
-    touch a corner first are left out of final poses.
+    At a measured twist t, each load is linear in the weights, ``w = sum_j p_j l(r_j, t)``. With forces, the
+    weights therefore follow by least squares over p >= 0, with residuals in standard deviations. A point
+    that moves less than the uncertainty of its motion carries any force up to p_j. The residual is then the
+    distance from the set of these loads, and the problem is a cone program. Without forces, the weights and
+    the contact friction are those for which simulated pushes (`simulate_batch`) end closest to the measured
+    poses. If only some pushes have forces, both methods are combined. Final poses of pushes that touch a
+    corner first are not used.
     """
     checked = required_pushes(pushes)
     every = measured(checked if outline is None else with_outline(checked, outline))
@@ -91,7 +91,7 @@ def identify(
     posed = ~forced & ~every.at_corner
     if not (forced | posed).any():
         raise InvalidValue(
-            "pushes", "pushes that touch a corner first", "some that touch a side, or have a force",
+            "pushes", "pushes that touch a corner first", "some that touch a side or have a force",
             "push the sides of the object",
         )  # fmt: skip
     chosen, distance = _family(every, forced, posed, spacing, known, family)
@@ -112,21 +112,21 @@ def identify(
 def _family(
     pushes: Measured, forced: Mask, posed: Mask, spacing: float | None, known: Any, name: str
 ) -> tuple[Family, float]:
-    """The candidates, few enough for the pushes, and their distance."""
+    """Candidates that are few enough for the pushes, and their spacing."""
+    given = None if spacing is None else _required_spacing(spacing, pushes.size)
     if known is not None:
         places = np.array((known if isinstance(known, Points) else Points(known)).positions)
-        return Family(places, np.eye(len(places))), float(spacing or pushes.size / WITH_FORCES)
+        return Family(places, np.eye(len(places))), given or pushes.size / WITH_FORCES
     if name not in FAMILIES:
         raise InvalidValue(
             "family", name, ", ".join(FAMILIES), suggestion(name, FAMILIES, "name one of these families")
         )  # fmt: skip
     with_forces, without = int(forced.sum()), int(posed.sum())
     most = COLUMNS_WITH_FORCES * with_forces + COLUMNS_WITHOUT * without
-    if spacing is not None:
-        size = require_positive("spacing", spacing, "give a distance in the outline's unit")
-        found = _not_too_many(FAMILIES[name], pushes, size)
+    if given is not None:
+        found = FAMILIES[name](pushes.outline, given)
         _require_enough(found, most, with_forces + without)
-        return found, size
+        return found, given
     for parts in range(WITH_FORCES if with_forces else WITHOUT, 0, -1):
         found = FAMILIES[name](pushes.outline, pushes.size / parts)
         if found.columns.shape[1] <= most:
@@ -135,20 +135,20 @@ def _family(
     return found, pushes.size / parts
 
 
-def _not_too_many(family: Any, pushes: Measured, spacing: float) -> Family:
-    """Refuse a grid that is finer than any push could tell, before it is made."""
-    least = pushes.size / MOST_PARTS
-    if spacing < least:
-        raise InvalidValue(
-            "spacing", spacing, f"at least {least:.6g}, a hundredth of the outline's extent",
-            "give a distance in the outline's unit",
-        )  # fmt: skip
-    found: Family = family(pushes.outline, spacing)
-    return found
+def _required_spacing(given: Any, size: float) -> float:
+    """Return a spacing from a hundredth of the outline's extent to its extent, or raise `InvalidValue`."""
+    least, most = (float(f"{each:.6g}") for each in (size / MOST_PARTS, size))
+    return require_number(
+        "spacing",
+        given,
+        lambda x: least <= x <= most,
+        f"a number from {least:g} to {most:g}, a hundredth of the outline's extent to its full extent",
+        "give a distance in the outline's unit",
+    )
 
 
 def _require_enough(family: Family, most: float, pushes: int) -> None:
-    """Refuse more candidates than the pushes can tell apart."""
+    """Refuse more candidates than the pushes can distinguish."""
     count = family.columns.shape[1]
     if count > most:
         raise InvalidValue(
@@ -165,7 +165,7 @@ def _identified(
     residuals: Array,
     facet: Index,
 ) -> Identified:
-    """The result, of the places that carry weight."""
+    """Result with the places that carry weight."""
     weights = family.columns @ estimate.amounts
     kept = weights > LEAST * weights.sum()
     places, carried = family.places[kept], weights[kept] / weights[kept].sum()
@@ -194,11 +194,11 @@ def _identified(
 
 
 def _untold(estimate: Estimate) -> tuple[str, ...]:
-    """A sentence where the pushes determine fewer combinations of weights than there are candidates."""
+    """A sentence if the pushes determine fewer combinations of weights than there are candidates."""
     count, told = len(estimate.amounts), int((estimate.told > 1.0).sum())
     if told >= count:
         return ()
     return (
-        f"weights of single points: the pushes determine {told} combinations of {count} candidates; others "
-        "follow from weights >= 0",
+        f"weights of single points: the pushes determine {told} combinations of {count} candidates; the "
+        "others follow from weights >= 0",
     )  # fmt: skip

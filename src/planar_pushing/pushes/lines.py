@@ -1,4 +1,4 @@
-"""Lines of numbers of a text file, read one after another; errors name file, push and line."""
+"""Sequential reading of lines of numbers from a text file; errors name file, push and line."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from planar_pushing.terms.errors import InvalidFile
 
 
 class Lines:
-    """The lines of a file that are not empty, from the first on."""
+    """The nonempty lines of a file, read in order."""
 
     def __init__(self, file: Path) -> None:
         self.file, self._next, self._push = file, 0, ""
@@ -22,22 +22,22 @@ class Lines:
                 f"{file}: cannot be read ({error.strerror}); name another file"
             ) from None
         except UnicodeDecodeError:
-            raise InvalidFile(f"{file}: is not a text of numbers; name another file") from None
+            raise InvalidFile(f"{file}: is not a text file of numbers; name another file") from None
         every = enumerate(text.splitlines(), 1)
         self._lines = [(number, line) for number, line in every if line.strip()]
 
     @property
     def left(self) -> int:
-        """Number of lines that have not been read."""
+        """Number of lines not yet read."""
         return len(self._lines) - self._next
 
     def of_push(self, number: int, count: int | None = None) -> Lines:
-        """The same lines, of which messages say that they are those of a push."""
+        """The same lines, which messages attribute to a push from now on."""
         self._push = f"push {number}" + ("" if count is None else f" of {count}")
         return self
 
     def back(self) -> None:
-        """Read the last line once more."""
+        """Step back, so that the last line is read again."""
         self._next -= 1
 
     def next_numbers(self, kind: str = "a number") -> list[float]:
@@ -46,7 +46,7 @@ class Lines:
             last = self._lines[-1][0] if self._lines else 0
             where = f"in {self._push} " if self._push else ""
             raise InvalidFile(
-                f"{self.file}: cut short {where}after line {last}, where {kind} is missing; copy it anew"
+                f"{self.file}: cut short {where}after line {last}, where {kind} is missing; copy it again"
             )
         self._next += 1
         try:
@@ -58,18 +58,18 @@ class Lines:
         return found
 
     def count(self, kind: str, least: int = 0) -> int:
-        """A whole number on a line of its own."""
+        """Read a whole number from a separate line."""
         found = self.next_numbers(kind)
         if len(found) != 1:
             raise self.wrong(
-                f"holds {len(found)} numbers, where {kind} is expected: the counts do not fit"
+                f"holds {len(found)} numbers, where {kind} is expected: the counts do not match"
             )
         if found[0] != int(found[0]) or found[0] < least:
             raise self.wrong(f"holds {found[0]:g}, where {kind} is expected, at least {least}")
         return int(found[0])
 
     def rows(self, count: int, width: int, kind: str) -> Array:
-        """The next lines as an array of shape (count, width)."""
+        """Read the next lines as an array of shape (count, width)."""
         return np.array([self._row(width, kind) for _ in range(count)]).reshape(count, width)
 
     def _row(self, width: int, kind: str) -> list[float]:
@@ -81,11 +81,11 @@ class Lines:
                 f"ends after {len(found)} of the {width} numbers of {kind}: it is cut short"
             )
         raise self.wrong(
-            f"holds {len(found)} numbers, where {kind} has {width}: the counts do not fit"
+            f"holds {len(found)} numbers, where {kind} has {width}: the counts do not match"
         )
 
     def wrong(self, fault: str) -> InvalidFile:
-        """The error about the line that was read last, or the one after it where the file goes on."""
+        """The error for the line that was read last."""
         line = self._lines[max(self._next - 1, 0)][0]
         where = f" ({self._push})" if self._push else ""
-        return InvalidFile(f"{self.file}: line {line}{where} {fault}; copy the log anew")
+        return InvalidFile(f"{self.file}: line {line}{where} {fault}; copy the log again")

@@ -1,4 +1,4 @@
-"""The pushes of one object as arrays, with the quantities that follow from them."""
+"""The pushes of one object as arrays, with derived quantities."""
 
 from __future__ import annotations
 
@@ -16,40 +16,40 @@ from planar_pushing.objects.boundary import nearest, sides_of
 from planar_pushing.pushes.schema import NOISE, corners_of
 from planar_pushing.terms.errors import InvalidValue
 
-#: Flags and numbers of pushes.
+#: Arrays of flags over pushes, and of indices of pushes.
 Mask = npt.NDArray[np.bool_]
 Index = npt.NDArray[np.intp]
-#: Standard deviations of motion capture, of a force sensor and of friction, where a dataset names none:
+#: Default standard deviations of motion capture, a force sensor and friction if a dataset gives none:
 #: fractions of the outline's size, of the median force and of friction, and an angle in degrees.
 POSITION, ANGLE, FORCE, REPEATABILITY = 0.003, 0.3, 0.02, 0.05
-#: Straight parts that stand for the measured way of a finger.
+#: Number of straight parts that represent the measured path of a finger.
 PARTS = 8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Measured:
-    """Pushes of one object, arrays over the n pushes, in the object's frame before the push.
+    """Pushes of one object: arrays over n pushes, in the object's frame before the push.
 
     Attributes
     ----------
     outline : ndarray, shape (corners, 2)
-        Counter-clockwise.
+        Corners in counter-clockwise order.
     contact, normal : ndarray, shape (n, 2)
-        First touch, and the unit normal there, into the object.
+        Point of first touch, and the unit normal there, into the object.
     finger, displacement : ndarray, shape (n, 2)
         Displacements of the finger's center since the first touch, and of the object's frame.
     rotation : ndarray, shape (n,)
-        Of the object, radians.
+        Rotation of the object in radians.
     radius : ndarray, shape (n,)
-        Of the finger.
+        Radius of the finger.
     force : ndarray, shape (n, 2)
-        Mean force on the object, along the object's axes; NaN where there is none.
+        Mean force on the object along the object's axes; NaN if it was not measured.
     path : ndarray, shape (n, parts, 2)
-        Displacements of the finger's center over equal parts of its way.
+        Displacements of the finger's center over equal parts of its path.
     noise : tuple of float
         Standard deviations of the displacement, the rotation in radians, and the force.
     repeatability : float
-        Fraction by which friction differs from one push to the next.
+        Relative variation of friction from one push to the next.
     """
 
     outline: Array
@@ -71,13 +71,13 @@ class Measured:
         return same(self, other)
 
     def part(self, rows: Any) -> Measured:
-        """Some of the pushes."""
+        """A selection of the pushes."""
         kept = {each.name for each in fields(self)} - {"outline", "noise", "repeatability"}
         return replace(self, **{name: getattr(self, name)[rows] for name in kept})
 
     @property
     def length(self) -> float:
-        """Length that turns angles into distances: half the extent of the outline."""
+        """Length that converts angles to distances: half the extent of the outline."""
         return self.size / 2.0
 
     @property
@@ -99,7 +99,7 @@ class Measured:
     def twists(self) -> Array:
         """Mean twist of the object's frame over each push, in the object's axes, shape (n, 3).
 
-        The constant twist that displaces the object so in one unit of time.
+        It is the constant twist that produces the measured displacement in one unit of time.
         """
         half = self.rotation / 2.0
         factor = half / np.tan(np.where(half == 0.0, 1.0, half))
@@ -109,7 +109,7 @@ class Measured:
 
     @property
     def last_contacts(self) -> Array:
-        """Nearest place of the outline to the finger after each push, in the object's frame then."""
+        """Point of the outline nearest the finger after each push, in the object's frame at that time."""
         center = self.contact - self.radius[:, None] * self.normal + self.finger
         x, y = (center - self.displacement).T
         c, s = np.cos(self.rotation), np.sin(self.rotation)
@@ -118,7 +118,7 @@ class Measured:
 
     @property
     def points(self) -> Array:
-        """Where the finger pushes midway, in the object's frame, shape (n, 2)."""
+        """Point at which the finger pushes midway, in the object's frame, shape (n, 2)."""
         return (self.contact + self.last_contacts) / 2.0
 
     @property
@@ -136,12 +136,12 @@ class Measured:
 
     @property
     def centered_twists(self) -> Array:
-        """Mean twists of the centroid, shape (n, 3)."""
+        """Mean twists of the outline's centroid, shape (n, 3)."""
         return twists_at(self.twists, self.center)
 
     @property
     def centered_wrenches(self) -> Array:
-        """Wrenches about the centroid, shape (n, 3)."""
+        """Wrenches about the outline's centroid, shape (n, 3)."""
         return wrenches_about(self.wrenches, self.center)
 
     @property
@@ -152,24 +152,24 @@ class Measured:
 
 
 def twists_at(twists: Array, point: Array) -> Array:
-    """Twists of a point of the object, of those of its frame's origin."""
+    """Twists of a point of the object, from the twists of its frame's origin."""
     v_x, v_y, turn = twists.T
     return np.column_stack([v_x - turn * point[1], v_y + turn * point[0], turn])
 
 
 def wrenches_about(wrenches: Array, point: Array) -> Array:
-    """Wrenches about a point, of those about the origin."""
+    """Wrenches about a point, from wrenches about the origin."""
     f_x, f_y, torque = wrenches.T
     return np.column_stack([f_x, f_y, torque - point[0] * f_y + point[1] * f_x])
 
 
 def measured(pushes: xr.Dataset) -> Measured:
-    """The pushes of a checked dataset of one object.
+    """Arrays of the pushes in a checked dataset of one object.
 
     Raises
     ------
     InvalidValue
-        Where the dataset has several objects.
+        If the dataset has several objects.
     """
     names = [str(each) for each in pushes["object"].values]
     if len(names) > 1:
@@ -200,7 +200,7 @@ def _median(values: Array) -> float:
 
 
 def _paths(pushes: xr.Dataset, finger: Array) -> Array:
-    """Displacements over equal parts of the finger's ways; straight ones without measured ways."""
+    """Displacements over equal parts of the fingers' paths; paths that were not measured are straight."""
     if "finger_path" not in pushes:
         return finger[:, None]
     return np.stack(
@@ -209,7 +209,7 @@ def _paths(pushes: xr.Dataset, finger: Array) -> Array:
 
 
 def _parts(path: Array, end: Array) -> Array:
-    """Displacements over equal parts of one way; a way that is not known is straight."""
+    """Displacements over equal parts of one path; an unknown path is straight."""
     known = path[np.isfinite(path).all(axis=1)]
     ways = (
         np.append(0.0, np.hypot(*np.diff(known, axis=0).T).cumsum()) if len(known) else np.zeros(1)

@@ -1,8 +1,8 @@
-"""Pushes of polygons in MATLAB files (Yu, Bauza, Fazeli and Rodriguez, IROS 2016).
+"""Reader of pushes of polygons in MATLAB files (Yu, Bauza, Fazeli and Rodriguez, IROS 2016).
 
-The files are those that Zhou, Hou and Mason publish with the models that they fitted to the pushes.
-`record_all[k]` holds `init_pose_gt` and `final_pose_gt` (x, y in m, angle in radians), `init_tip_pt` and
-`final_tip_pt` (m): straight pushes by a round tip.
+The files are those published by Zhou, Hou and Mason with the models that they fitted to the pushes.
+`record_all[k]` contains `init_pose_gt` and `final_pose_gt` (x, y in m, angle in radians), and
+`init_tip_pt` and `final_tip_pt` (m). The pushes are straight, with a round tip.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.terms.errors import InvalidFile, InvalidValue, suggestion
 
 SOURCE = "Yu, Bauza, Fazeli and Rodriguez, IROS 2016, as filtered by Zhou, Hou and Mason"
-#: Radius of the tip, mm.
+#: Radius of the tip in mm.
 TIP = 4.75
-#: Files are in m, the dataset in mm.
+#: Files are in m, and the dataset is in mm.
 MILLIMETER = 1e3
-#: Fields of a push: name and number of values.
+#: Fields of a push with their numbers of values.
 FIELDS = {"init_pose_gt": 3, "final_pose_gt": 3, "init_tip_pt": 2, "final_tip_pt": 2}
-#: The variable that is read, and no other.
+#: The only variable that is read.
 RECORDS = "record_all"
 
 
@@ -38,18 +38,18 @@ def rectangle(width: float, height: float) -> Array:
 
 
 def triangle(a: float, b: float) -> Array:
-    """Corners of a right triangle, whose right corner is at (45, 45)."""
+    """Corners of a right triangle with its right angle at (45, 45)."""
     d = 45.0
     return np.array([(d, d), (d - b, d), (d, d - a)])
 
 
 def hexagon(radius: float) -> Array:
-    """Corners of a regular hexagon about the origin, one at angle 0."""
+    """Corners of a regular hexagon about the origin, with one corner at angle 0."""
     angles = np.arange(6) * np.pi / 3.0
     return radius * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
 
 
-#: Outlines by the name of the shape, mm.
+#: Outlines in mm by the name of the shape.
 OUTLINES: dict[str, Array] = {
     "rect1": rectangle(90.0, 90.0),
     "rect2": rectangle(89.91, 112.58),
@@ -62,25 +62,25 @@ OUTLINES: dict[str, Array] = {
 
 
 def read_mit(*files: PathLike) -> xr.Dataset:
-    """Read pushes of polygons from the MIT push data, as MATLAB files of version 5 hold them.
+    """Read pushes of polygons from the MIT push data, in MATLAB files of version 5.
 
     Parameters
     ----------
     *files : path
-        MATLAB files, whose names contain that of the shape: rect1, rect2, rect3, tri1, tri2, tri3 or hex.
+        MATLAB files. Each name must contain a shape: rect1, rect2, rect3, tri1, tri2, tri3 or hex.
 
     Returns
     -------
     xarray.Dataset
-        As `load_pushes` returns it, in mm, without forces. Each file is an object, named by the file
-        without its ending. Pushes that do not touch the object are left out, their number is the attribute
-        `left_out`. A tip that begins with its center outside the object touches at once where it overlaps
-        it: most of the poses have it so.
+        Dataset like that of `load_pushes`, in mm and without forces. Each file is an object with the file's
+        name without its extension. Pushes that do not touch the object are omitted; their number is the
+        attribute `left_out`. A tip that overlaps the object at the start, with its center outside, touches
+        immediately; this occurs in most of the pushes.
 
     Raises
     ------
     InvalidFile
-        Where a file is missing, is no MATLAB file, lacks fields, or has no known shape in its name.
+        If a file is missing, is not a MATLAB file, lacks fields, or has no known shape in its name.
     """
     require_file_names(files)
     return concat_pushes([_read(Path(file)) for file in files])
@@ -101,7 +101,7 @@ def _read(file: Path) -> xr.Dataset:
 
 
 def _shape(file: Path) -> str:
-    """Name of the shape in a file's name, or `InvalidFile`."""
+    """Return the name of the shape in a file's name, or raise `InvalidFile`."""
     words: list[str] = re.findall(r"[a-z]+\d*", file.stem.lower())
     found = [each for each in words if each in OUTLINES]
     if len(found) != 1:
@@ -114,7 +114,7 @@ def _shape(file: Path) -> str:
 
 
 def _fields(file: Path) -> dict[str, Array]:
-    """Values of each field over the pushes of a file, shape (n, 3) or (n, 2), or `InvalidFile`."""
+    """Values of each field over the pushes of a file, shape (n, 3) or (n, 2), or raise `InvalidFile`."""
     records = _records(file)
     return {
         name: np.array([_field(file, k, each, name, width) for k, each in enumerate(records, 1)])
@@ -133,15 +133,15 @@ def _field(file: Path, number: int, record: Any, name: str, width: int) -> Array
         fault = f"holds no {width} finite numbers in {name}"
     else:
         return found
-    raise InvalidFile(f"{file}: push {number} {fault}; export the file anew")
+    raise InvalidFile(f"{file}: push {number} {fault}; export the file again")
 
 
 def _records(file: Path) -> list[Any]:
-    """The pushes of a file, or `InvalidFile`."""
+    """Return the pushes of a file, or raise `InvalidFile`."""
     if not file.is_file():
         raise InvalidFile(f"{file}: no such file; name a MATLAB file")
     try:
-        # Whatever a damaged file holds, scipy raises one of many errors.
+        # Damaged files make scipy raise many kinds of errors.
         found = scipy.io.loadmat(
             file, squeeze_me=True, struct_as_record=False, variable_names=[RECORDS]
         )

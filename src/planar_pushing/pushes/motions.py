@@ -1,4 +1,4 @@
-"""A support from motions: least squares of final poses over weights and contact friction."""
+"""Identify a support from motions: least squares of final poses over weights and contact friction."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from planar_pushing.pushes.contacts import Contacts, contacts_of
 from planar_pushing.pushes.measured import Index, Measured
 from planar_pushing.pushes.supported import BodyFrames, body_frames, simulated
 
-#: Friction coefficients that are tried before the searches, and those that a search may find.
+#: Friction coefficients tried before the searches, and the range of the searches.
 TRIED, FRICTION = np.geomspace(0.05, 1.2, 10), (0.01, 3.0)
-#: Change of a parameter, relative to its usual magnitude, whose effect gives the derivative: far above the
-#: tolerance of a motion, far below the amounts that matter.
+#: Step of a finite difference, relative to the typical magnitude of a parameter: far above the tolerance
+#: of a motion and far below significant amounts.
 CHANGE = 1e-3
-#: Usual magnitudes of an amount over its even share, and of the friction coefficient.
+#: Typical magnitudes of an amount relative to its even share, and of the friction coefficient.
 USUAL_AMOUNT, USUAL_FRICTION = 1.0, 0.2
-#: Derivatives of a search at most, and the relative change of its parameters or its sum at which it ends.
+#: Maximum number of derivatives in a search, and relative change of parameters or cost at which it ends.
 EVALUATIONS, DONE = 15, 1e-4
 
 
@@ -37,9 +37,9 @@ class Linear(NamedTuple):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MotionProblem:
-    """Final poses of pushes as functions of amounts of a family's columns, and of contact friction.
+    """Final poses of pushes as functions of the amounts of a family's columns and of contact friction.
 
-    A parameter is an amount over its even share, or the friction coefficient, which comes last.
+    The parameters are the amounts relative to even shares, followed by the friction coefficient.
     """
 
     pushes: Measured
@@ -61,11 +61,11 @@ class MotionProblem:
 
     @property
     def even(self) -> Array:
-        """Parameters of even amounts, without friction."""
+        """Parameters of even amounts, without the friction coefficient."""
         return np.full(self.family.columns.shape[1], USUAL_AMOUNT)
 
     def residuals(self, parameters: Array) -> Array:
-        """Errors of final poses for rows of parameters, shape (rows, n, 3), in lengths."""
+        """Errors of final poses, as lengths, for rows of parameters, shape (rows, n, 3)."""
         weights = parameters[:, :-1] @ self.family.columns.T
         supports = [
             Points(places[kept], row[kept])
@@ -80,21 +80,21 @@ class MotionProblem:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Fitted:
-    """The best of the searches.
+    """Result of the best search.
 
     Attributes
     ----------
     amounts : ndarray, shape (c,)
-        Over even shares.
+        Amounts relative to even shares.
     friction : float
     residuals : ndarray, shape (n, 3)
-        Errors of final poses, in lengths.
+        Errors of final poses as lengths.
     scale : float
-        Error from which on a residual counts less than its square.
+        Error above which a residual counts less than its square.
     slopes : ndarray, shape (3 n, c + 1)
         Derivatives of the residuals.
     optimality : float
-        Largest slope of the sum along a parameter that is free, relative to that at the start.
+        Largest derivative of the cost with respect to a free parameter, relative to that at the start.
     """
 
     amounts: Array
@@ -108,20 +108,20 @@ class Fitted:
 def fit_motions(
     problem: MotionProblem, linear: Linear | None = None, progress: bool = False
 ) -> Fitted:
-    """Amounts and friction whose motions end nearest to the measured poses.
+    """Amounts and friction with simulated motions that end closest to the measured poses.
 
     Parameters
     ----------
     problem : MotionProblem
     linear : Linear, optional
-        Further residuals, for amounts over even shares; those of pushes with forces.
+        Additional residuals of pushes with forces, for amounts relative to even shares.
     progress : bool
         Whether to show a progress bar.
 
     Notes
     -----
-    Least squares with bounds, by `scipy.optimize.least_squares`; large residuals count in proportion to
-    their magnitude, as ``2 (sqrt(1 + r^2) - 1)``. Several starts are tried, and the best are improved.
+    Bounded least squares by `scipy.optimize.least_squares`. Large residuals count in proportion to their
+    magnitude, as ``2 (sqrt(1 + r^2) - 1)``. Several starting points are tried, and the best are refined.
     """
     starts, errors = _starts(problem)
     scale = max(1.5 * float(np.median(np.abs(errors))), problem.pushes.noise[0])
@@ -138,10 +138,10 @@ def fit_motions(
 
 
 def resampled(fitted: Fitted, linear: Linear | None, rows: Index) -> Array:
-    """Parameters of the pushes in `rows`, of which some come twice, by one step from the best ones."""
+    """Parameters for the resampled pushes in `rows`, by one step from the best parameters."""
     count = len(fitted.amounts)
     errors = fitted.residuals.ravel() / fitted.scale
-    # Large residuals count in proportion.
+    # Large residuals count in proportion to their magnitude.
     weight = (1.0 + errors**2) ** -0.25
     index = (3 * rows[:, None] + np.arange(3)).ravel()
     slopes = (weight[:, None] * fitted.slopes / fitted.scale)[index]
@@ -155,7 +155,7 @@ def resampled(fitted: Fitted, linear: Linear | None, rows: Index) -> Array:
 
 
 def _starts(problem: MotionProblem) -> tuple[list[Array], Array]:
-    """The best of several starts, and the errors of the best: even amounts, and those of the rim."""
+    """Best starting points, from even amounts and amounts on the rim, and the errors of the best."""
     places = problem.family.columns.T @ problem.family.places
     away = np.hypot(*(places - problem.pushes.center).T)
     rim = np.where(away > np.median(away), 1.9, 0.1)
@@ -190,7 +190,7 @@ def _searched(
 
 
 def _slopes(problem: MotionProblem, parameters: Array) -> tuple[Array, Array]:
-    """Derivatives of residuals, shape (3 n, c + 1), and the residuals."""
+    """Derivatives of the residuals, shape (3 n, c + 1), and the residuals."""
     steps = CHANGE * _usual(len(parameters) - 1)
     rows = parameters + np.concatenate([np.zeros((1, len(steps))), np.diag(steps)])
     found = problem.residuals(rows).reshape(len(rows), -1)
@@ -198,7 +198,7 @@ def _slopes(problem: MotionProblem, parameters: Array) -> tuple[Array, Array]:
 
 
 def _further(linear: Linear | None, parameters: Array, number: int) -> tuple[Array, Array]:
-    """Residuals of the pull towards even amounts and of pushes with forces, and their derivatives."""
+    """Residuals of the pull toward even amounts and of pushes with forces, and their derivatives."""
     count = len(parameters) - 1
     pull = ridge(number, count)
     residuals = pull * (parameters[:-1] - USUAL_AMOUNT)

@@ -1,4 +1,4 @@
-"""Paths of a finger: in the world as they are given, and from the first touch on."""
+"""Paths of a finger: in the world as given, and after the first touch."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.given import numbers
 from planar_pushing.terms.errors import InvalidValue
 
-#: A touch this near to the end of a leg is at its end.
+#: A touch this close to the end of a leg counts as at its end.
 ROUNDING = 1e-9
 
 
 class Path(NamedTuple):
-    """Finger centers, shape S + (samples, 2), and their times, None where only both ends are known."""
+    """Finger centers, shape S + (samples, 2), and their times; None if only both ends are known."""
 
     points: Array
     times: Array | None
 
 
 def required_path(start: Any, end: Any, path: Any, times: Any, count: int) -> Path:
-    """Paths of all pushes, shape (count, samples, 2), from ends or samples, or `InvalidValue`."""
+    """Return the paths of all pushes, shape (count, samples, 2), or raise `InvalidValue`."""
     ends, samples = (start is not None, end is not None), (path is not None, times is not None)
     if ends != (True, True) or any(samples):
         if any(ends) or samples != (True, True):
@@ -64,7 +64,7 @@ def _sampled(path: Any, times: Any, count: int) -> Path:
         raise InvalidValue(
             "finger_path",
             "a sample that is missing",
-            "NaN after the end of a path alone",
+            "NaN only after the end of a path",
             "leave the sample out",
         )
     return Path(points, moments)
@@ -80,7 +80,7 @@ def _require_finite(name: str, points: Array) -> None:
 
 
 def after_touch(path: Path, row: int, leg: int, way: float) -> Path:
-    """Displacements and times of one finger since the first touch, which is at a fraction of a leg."""
+    """Displacements and times of one finger since the first touch, given as a fraction of a leg."""
     points = path.points[row]
     points = points[np.isfinite(points).all(axis=1)]
     touch = points[leg] + way * (points[leg + 1] - points[leg])

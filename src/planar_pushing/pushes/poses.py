@@ -1,4 +1,4 @@
-"""Pushes from poses of an object and places of a finger in the world."""
+"""Pushes from poses of an object and positions of a finger in the world."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ from planar_pushing.pushes.schema import VARIABLES, XY, padded, required_pushes
 from planar_pushing.pushes.touching import listed, touching
 from planar_pushing.terms.errors import InvalidValue
 
-#: Distances of the finger from the object, in sizes of the outline, beyond which the units differ.
+#: Range of distances of the finger from the object, in sizes of the outline, outside which units differ.
 FAR, NEAR = 100.0, 0.01
 
 
 class Frames(NamedTuple):
-    """Frames of an object before and after each push, arrays over the pushes; angles in radians."""
+    """Frames of an object before each push, and their motions, as arrays over pushes; angles in radians."""
 
     origin: Array
     angle: Array
@@ -36,7 +36,7 @@ class Frames(NamedTuple):
     rotation: Array
 
     def places(self, points: Array) -> Array:
-        """Places in the world, shape (n, m, 2), in the object's frame before the push."""
+        """Positions in the world, shape (n, m, 2), converted to the object's frame before the push."""
         return turned(points - self.origin[:, None], -self.angle[:, None])
 
 
@@ -62,7 +62,7 @@ def pushes_from_poses(
     tolerance: float | None = None,
     skip_missed: bool = False,
 ) -> xr.Dataset:
-    """Pushes of one object from its poses and the finger's places, all in the world.
+    """Dataset of pushes of one object from its poses and the finger's positions in the world frame.
 
     Parameters
     ----------
@@ -73,20 +73,20 @@ def pushes_from_poses(
     finger_start, finger_end : array_like, shape (n, 2)
         Center of the finger before and after each push; it moves straight from one to the other.
     finger_radius : float
-        Of a point 0.
+        Radius of the finger; 0 for a point.
     force : array_like, shape (n, 2), optional
-        Mean force of the finger on the object during each push, along the world's axes; NaN where it was
-        not measured.
+        Mean force of the finger on the object during each push, along the world's axes; NaN if it was not
+        measured.
     feet : array_like, shape (feet, 2), optional
-        Where the object rests, in its frame.
+        Positions of the feet in the object's frame.
     foot_weights : array_like, shape (feet,), optional
         Loads of the feet, in any unit.
     center_of_mass : (x, y), optional
-        In the object's frame.
+        Center of mass in the object's frame.
     mass : float, optional
-        In kg.
+        Mass in kg.
     finger_path : array_like, shape (n, samples, 2), instead of finger_start and finger_end
-        Centers of the finger over time; after the end of a shorter path NaN.
+        Centers of the finger over time; NaN after the end of a shorter path.
     path_time : array_like, shape (n, samples)
         Times of the samples of `finger_path`, in seconds.
     units : (str, str)
@@ -94,27 +94,26 @@ def pushes_from_poses(
     name : str
         Name of the object.
     source : str
-        Where the measurements come from.
+        Source of the measurements.
     noise : (float, float, float), optional
         Standard deviations of positions, of angles in degrees, and of forces.
     tolerance : float, optional
-        Depth at which a finger may overlap the object at the start of a push, as noise makes it: it then
-        touches at once. By default 2 % of the size of the outline.
+        Largest overlap of finger and object at the start of a push that is attributed to noise; the finger
+        then touches immediately. By default 2 % of the size of the outline.
     skip_missed : bool
-        Whether pushes that do not touch the object are left out; their number is then the attribute
-        `left_out`.
+        Whether to omit pushes that do not touch the object; their number is then the attribute `left_out`.
 
     Returns
     -------
     xarray.Dataset
-        As `load_pushes` returns it: the contact, normal and finger's displacement from the first touch on,
-        and the object's displacement and rotation, in the object's frame before the push.
+        Dataset like that of `load_pushes`: contact, normal and finger displacement since the first touch,
+        and displacement and rotation of the object, in the object's frame before the push.
 
     Raises
     ------
     InvalidValue
-        Where shapes differ, a value is missing, lengths are in two units, a push does not touch the object
-        or begins deeper in it than the tolerance, or a pose jumps.
+        If shapes differ, a value is missing, lengths are in different units, a push does not touch the
+        object or begins deeper in it than the tolerance, or a pose jumps.
     """
     corners, names = required_outline(outline), required_units(units)
     frames = _frames(
@@ -152,18 +151,18 @@ def pushes_from_poses(
 
 
 def turned(vectors: Array, angle: Array) -> Array:
-    """Vectors of shape S + (2,) turned by angles of shape S, radians."""
+    """Vectors of shape S + (2,) rotated by angles of shape S in radians."""
     c, s = np.cos(angle), np.sin(angle)
     x, y = vectors[..., 0], vectors[..., 1]
     return np.stack([c * x - s * y, s * x + c * y], axis=-1)
 
 
 def _frames(before: Array, after: Array) -> Frames:
-    """Frames before the pushes, and the motion of the object in them."""
+    """Frames before the pushes, and the motions of the object in these frames."""
     if len(before) != len(after):
         raise InvalidValue(
-            "poses_after", f"{len(after)} poses", f"{len(before)}, as poses_before has",
-            "give both of each push",
+            "poses_after", f"{len(after)} poses", f"{len(before)} poses, as in poses_before",
+            "give both poses of each push",
         )  # fmt: skip
     rotation = (after[:, 2] - before[:, 2] + np.pi) % (2.0 * np.pi) - np.pi
     moved = turned(after[:, :2] - before[:, :2], -before[:, 2])
@@ -171,7 +170,7 @@ def _frames(before: Array, after: Array) -> Frames:
 
 
 def _require_one_unit(corners: Corners, starts: Array) -> None:
-    """Refuse fingers that are as far from the object, or as near to its middle, as in another unit."""
+    """Refuse finger positions so far from the object, or so near its middle, that the units must differ."""
     places = np.array(corners)
     scale = size(places)
     far = float(np.median(np.hypot(*(starts - places.mean(axis=0)).T))) if len(starts) else scale
@@ -183,7 +182,7 @@ def _require_one_unit(corners: Corners, starts: Array) -> None:
 
 
 def _refuse_jumps(corners: Corners, frames: Frames) -> None:
-    """Refuse poses between which the object moves further than any push moves it."""
+    """Refuse poses between which the object moves farther than any push can move it."""
     places = np.array(corners)
     moved = np.hypot(*middle_displacement(frames.displacement, frames.rotation, places).T)
     jumps = np.flatnonzero(moved > JUMP * size(places))
@@ -195,7 +194,7 @@ def _refuse_jumps(corners: Corners, frames: Frames) -> None:
 
 
 def _forces(given: Any, frames: Frames) -> Array:
-    """Forces along the object's axes midway in its rotation."""
+    """Forces along the object's axes halfway through its rotation."""
     found = numbers("force", given)
     if found.shape != (len(frames.angle), 2):
         allowed = f"shape ({len(frames.angle)}, 2)"
@@ -206,7 +205,7 @@ def _forces(given: Any, frames: Frames) -> Array:
 
 
 def _path(after: list[Path]) -> dict[str, Array]:
-    """The finger's paths over time, padded to one length."""
+    """Paths of the finger over time, padded to equal length."""
     return {
         "finger_path": padded([each.points for each in after]),
         "path_time": padded([np.asarray(each.times) for each in after]),

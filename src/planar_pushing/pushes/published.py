@@ -1,4 +1,4 @@
-"""Measurements on published pushes: `paper/measured_pushes.json`."""
+"""Numbers computed from published pushes: `paper/measured_pushes.json`."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ from planar_pushing.pushes.statistics import statistics
 from planar_pushing.pushes.three_feet import read_three_feet
 from planar_pushing.terms.errors import InvalidValue
 
-#: Folders and endings of the logs.
+#: Folders and extensions of the logs.
 FOLDERS = {"three_feet": "*.txt", "polygons": "*.mat"}
-#: What the numbers are of.
+#: Sources of the logs.
 SOURCES = {
     "three_feet": "J. Zhou, R. Paolini, J. A. Bagnell and M. T. Mason, ICRA 2016",
     "polygons": "K.-T. Yu, M. Bauza, N. Fazeli and A. Rodriguez, IROS 2016; as filtered by J. Zhou, Y. Hou "
     "and M. T. Mason",
 }  # fmt: skip
 COMMAND = "snakemake pushes --config data=FOLDER"
-#: Distance of the center of rotation from a foot, mm, of pushes about that foot.
+#: Largest distance of the center of rotation from a foot, in mm, in pushes about that foot.
 ABOUT = 5.0
-#: Distance of a wrench from the load set of a foot, over its own magnitude, that counts as in the set.
+#: Largest distance of a wrench from the load set of a foot, relative to its magnitude, to count as in it.
 NEAR = 0.2
 
 
@@ -40,23 +40,23 @@ def measure(folder: Any, seed: int = 0, progress: bool = False) -> dict[str, Any
     Parameters
     ----------
     folder : path
-        With `three_feet/*.txt` and `polygons/*.mat`, one of them at least.
+        Folder with `three_feet/*.txt`, `polygons/*.mat`, or both.
     seed : int
-        Of the halves and of the draws.
+        Seed of the division into halves and of the resampling.
     progress : bool
         Whether to show progress bars.
 
     Returns
     -------
     dict
-        Of numbers, texts, lists and None, as JSON has them.
+        Numbers, texts, lists and None, as in JSON.
 
     Raises
     ------
     InvalidValue
-        Where the folder holds no logs.
+        If the folder contains no logs.
     InvalidFile
-        Where a log cannot be read.
+        If a log cannot be read.
     """
     files = {name: sorted(Path(folder, name).glob(ending)) for name, ending in FOLDERS.items()}
     if not any(files.values()):
@@ -84,7 +84,7 @@ def _names(pushes: xr.Dataset) -> list[str]:
 
 
 def _of_objects(pushes: xr.Dataset, names: list[str]) -> xr.Dataset:
-    """The pushes of some of the objects."""
+    """Pushes of some of the objects."""
     return pushes.isel(
         push=np.flatnonzero(np.isin(pushes["pushed"].values.astype(str), names)),
         object=[_names(pushes).index(name) for name in names],
@@ -92,7 +92,7 @@ def _of_objects(pushes: xr.Dataset, names: list[str]) -> xr.Dataset:
 
 
 def _with_forces(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any]:
-    """Numbers of logs with forces."""
+    """Numbers for logs with forces."""
     found = compare(pushes, seed=seed, progress=progress)
     return {
         "selection": "all pushes that touch the object",
@@ -104,7 +104,7 @@ def _with_forces(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any
 
 
 def _by_poses(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any]:
-    """Numbers of logs without forces: those of pushes that touch a side first, and of all."""
+    """Numbers for logs without forces: for pushes that touch a side first, and for all pushes."""
     found = compare(pushes, seed=seed, progress=progress)
     corner, pushed = found["at_corner"].values, found["pushed"].values
     by_side = _table(_part(found, ~corner))
@@ -125,13 +125,13 @@ def _by_poses(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any]:
 
 
 def _part(found: xr.Dataset, rows: Mask) -> xr.Dataset:
-    """The statistics of some of the pushes."""
+    """Statistics of some of the pushes."""
     chosen = found["error"].isel(push=np.flatnonzero(rows))
     return statistics(chosen, found.attrs["resamples"], found.attrs["seed"])
 
 
 def _table(found: xr.Dataset) -> dict[str, Any]:
-    """Statistics by quantity and model, without those that have no value."""
+    """Statistics by quantity and model, without missing values."""
     table: dict[str, Any] = {}
     for quantity in map(str, found["quantity"].values):
         for model in map(str, found["model"].values):
@@ -148,7 +148,7 @@ def _table(found: xr.Dataset) -> dict[str, Any]:
 
 
 def _log(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any]:
-    """The support that all pushes of a log tell, beside the true one where it is known."""
+    """Support identified from all pushes of a log, and the true one if it is known."""
     found, true = identify(pushes, seed=seed, progress=progress), feet_of(pushes)
     own = measured(pushes)
     numbers: dict[str, Any] = {
@@ -176,19 +176,19 @@ def _log(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any]:
 
 
 def _weighted(points: Any) -> list[list[float]]:
-    """Places and fractions of points."""
+    """Positions of points and their fractions of the weight."""
     loads = np.array(points.weights)
     rows: list[list[float]] = np.column_stack([points.positions, loads / loads.sum()]).tolist()
     return rows
 
 
 def _intervals(found: Identified) -> dict[str, list[float]]:
-    """The intervals that have values."""
+    """Intervals that have values."""
     return {name: list(ends) for name, ends in found.intervals.items() if np.isfinite(ends).all()}
 
 
 def _about_a_foot(pushes: xr.Dataset) -> dict[str, Any]:
-    """How often the wrench of a push about a foot lies in the foot's load set, and of any push."""
+    """How often the wrench of a push is in a foot's load set, for pushes about the foot and for all."""
     about, within, count, others = 0, 0, 0, 0
     for name in _names(pushes):
         own = of_object(pushes, name)
@@ -224,7 +224,7 @@ def _pivots(pushes: Measured, places: Array) -> Array:
 def _sets(pushes: Measured, places: Array, shares: Array, weight: float) -> Mask:
     """Whether the wrench of each push is near the load set of a rotation about each place, shape (n, k).
 
-    Those of the other feet are known, as the object turns; the force at the foot is any up to its share.
+    The rotation determines the forces at the other feet; the force at the foot is any up to its share.
     """
     scale = np.array([1.0, 1.0, pushes.length])
     wrenches = pushes.wrenches / scale
@@ -238,7 +238,7 @@ def _sets(pushes: Measured, places: Array, shares: Array, weight: float) -> Mask
         loads = np.stack([u_x, u_y, arm[:, 0] * u_y - arm[:, 1] * u_x])
         rest = weight * (loads @ np.delete(shares, k)) / scale
         left = wrenches - sense[:, None] * rest
-        # The force at the foot by least squares, bounded by its share, and the rest of the wrench.
+        # Force at the foot by least squares, bounded by its share, and the remainder of the wrench.
         reach = np.array([[1.0, 0.0], [0.0, 1.0], [-y / pushes.length, x / pushes.length]])
         force = left @ np.linalg.pinv(reach).T
         size = np.hypot(*force.T)

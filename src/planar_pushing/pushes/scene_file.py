@@ -1,4 +1,4 @@
-"""The scene file of an object whose support was identified from its pushes."""
+"""Scene file of an object with a support identified from its pushes."""
 
 from __future__ import annotations
 
@@ -15,26 +15,26 @@ from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.scenes import save_object_file
 from planar_pushing.terms.errors import InvalidValue
 
-#: Most points of a support in a file, which may be as large as one that is read.
+#: Most points of a support in a file, limited by the size of file that can be read.
 MOST = 3500
 
 
 def save_support(found: Identified, pushes: xr.Dataset, path: PathLike) -> None:
-    """Write a scene file of the object that was pushed, on the support that was found.
+    """Write a scene file of a pushed object on its identified support.
 
     Parameters
     ----------
     found : Identified
     pushes : xarray.Dataset
-        The checked pushes of one object from which it was identified.
+        Checked pushes of one object from which the support was identified.
     path : path
 
     Raises
     ------
     InvalidValue
-        Where the support has more points than a file holds.
+        If the support has more points than a file can contain.
     InvalidFile
-        Where the support makes no scene, as a single point does not, or the file cannot be written.
+        If the support does not make a scene (a single point does not), or the file cannot be written.
     """
     count = len(found.support.positions)
     if count > MOST:
@@ -44,9 +44,9 @@ def save_support(found: Identified, pushes: xr.Dataset, path: PathLike) -> None:
 
 
 def object_entry(found: Identified, pushes: xr.Dataset) -> dict[str, Any]:
-    """The content of the file: the contact is in the middle of the side that the first push touches.
+    """Content of the file, with the contact in the middle of the side that the first push touches.
 
-    Where no force was measured the weight is 1, and the title says so.
+    If no force was measured, the weight is 1 and the title says so.
     """
     (name,) = (str(each) for each in pushes["object"].values)
     corners = corners_of(pushes, name)
@@ -54,8 +54,8 @@ def object_entry(found: Identified, pushes: xr.Dataset) -> dict[str, Any]:
     weight = _plain([found.weight])[0] if weighed else 1.0
     places = zip(found.support.positions, found.support.weights, strict=True)
     return {
-        "title": f"{name} on the support of {pushes.sizes['push']} pushes"
-        + ("" if weighed else ", whose weight is not known: 1"),
+        "title": f"{name} on the support identified from {pushes.sizes['push']} pushes"
+        + ("" if weighed else "; the weight is unknown and set to 1"),
         "object": {
             "outline": [_plain(each) for each in corners],
             "feet": [
@@ -77,11 +77,11 @@ def object_entry(found: Identified, pushes: xr.Dataset) -> dict[str, Any]:
 
 
 def _plain(values: Any) -> list[float]:
-    """Numbers of nine digits, far more than a measurement has."""
+    """Numbers rounded to nine digits, far more than a measurement has."""
     return [float(f"{each:.9g}") for each in values]
 
 
 def _middle(corners: Any, contact: Any) -> Array:
-    """Middle of the side that is nearest to a contact."""
+    """Middle of the side nearest a contact."""
     side = int(nearest(sides_of(corners), contact).side[0])
     return np.asarray((corners[side] + corners[(side + 1) % len(corners)]) / 2.0)

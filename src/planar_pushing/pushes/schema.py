@@ -1,4 +1,4 @@
-"""The dataset of pushes: its variables, and `required_pushes`, which checks one."""
+"""The dataset of pushes: its variables, and `required_pushes`, which checks a dataset."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes import checks
 from planar_pushing.terms.errors import InvalidValue
 
-#: Labels along the dimension of vectors.
+#: Labels of vector components.
 XY = ["x", "y"]
-#: Units of the quantities of `Variable`, where a dataset names none; it has to name that of lengths.
+#: Default units of the quantities of `Variable`; the unit of length has no default.
 UNITS = {"degree": "degree", "force": "N", "time": "s", "1": "1", "mass": "kg"}
-#: Attributes of the dataset: standard deviations of the measurements, and by which fraction friction
-#: differs from one push to the next.
+#: Attributes of the dataset: standard deviations of the measurements, and the relative variation of
+#: friction from one push to the next.
 MEASURED_NOISE = ("position_noise", "angle_noise", "force_noise")
 NOISE = (*MEASURED_NOISE, "friction_noise")
 #: Attributes that a dataset of pushes keeps.
@@ -27,8 +27,8 @@ ATTRIBUTES = ("source", *NOISE, "left_out")
 class Variable(NamedTuple):
     """A variable of the schema.
 
-    `quantity` is "length", "degree", "force", "time", "mass" or "1"; of a `complete` one no value may be
-    missing.
+    `quantity` is "length", "degree", "force", "time", "mass" or "1"; a `complete` variable has no missing
+    values.
     """
 
     dims: tuple[str, ...]
@@ -38,7 +38,7 @@ class Variable(NamedTuple):
     complete: bool = True
 
 
-#: Every variable but the name of the object of each push, `pushed`.
+#: All variables except `pushed`, the name of the object of each push.
 VARIABLES: dict[str, Variable] = {
     "outline": Variable(
         ("object", "corner", "xy"), "length", "corners of the object, counter-clockwise", complete=False
@@ -69,24 +69,25 @@ VARIABLES: dict[str, Variable] = {
 
 
 def required_pushes(given: Any) -> xr.Dataset:
-    """A canonical copy of a dataset of pushes, or a one-line error that says what is wrong with it.
+    """Return a canonical copy of a dataset of pushes, or raise a one-line error.
 
     Parameters
     ----------
     given : xarray.Dataset
-        Of the variables of the schema; every vector of a push is in the object's frame before the push.
+        Dataset with the variables of the schema; all vectors of a push are in the object's frame before
+        the push.
 
     Returns
     -------
     xarray.Dataset
-        In memory, with numbers in double precision, outlines counter-clockwise, and units and long names on
-        each variable. Variables over `push` or `object` that the schema does not know are kept.
+        Loaded into memory, with numbers in double precision, counter-clockwise outlines, and units and long
+        names for all variables. Additional variables over `push` or `object` are kept.
 
     Raises
     ------
     InvalidValue
-        Where a variable is missing or has other dimensions, a value is missing, or the pushes cannot be
-        those of such objects; see `planar_pushing.pushes.checks`.
+        If a variable is missing or has other dimensions, a value is missing, or the pushes are impossible
+        for their objects; see `planar_pushing.pushes.checks`.
     """
     if not isinstance(given, xr.Dataset):
         raise InvalidValue(
@@ -125,18 +126,18 @@ def required_pushes(given: Any) -> xr.Dataset:
 
 
 def corners_of(pushes: xr.Dataset, name: str) -> Array:
-    """Corners of an object, shape (n, 2), without the padding."""
+    """Corners of an object without padding, shape (n, 2)."""
     return without_padding(pushes["outline"].sel(object=name).values)
 
 
 def without_padding(places: Array) -> Array:
-    """Places of shape (n, 2) without the rows of NaN at their end."""
+    """Positions of shape (n, 2) without rows of NaN at the end."""
     empty = np.asarray(np.isnan(places).all(axis=1))
     return places[: len(places) - int(empty[::-1].cumprod().sum())]
 
 
 def padded(arrays: list[Array]) -> Array:
-    """Arrays of different lengths as one, with NaN after the shorter ones."""
+    """Arrays of different lengths as one array, with NaN after the shorter ones."""
     longest = max(map(len, arrays), default=0)
     found = np.full((len(arrays), longest, *np.shape(arrays[0])[1:]), np.nan)
     for row, each in zip(found, arrays, strict=True):
@@ -145,7 +146,7 @@ def padded(arrays: list[Array]) -> Array:
 
 
 def _require_variables(given: xr.Dataset) -> None:
-    """Refuse a dataset that lacks variables, or has them over other dimensions."""
+    """Refuse a dataset with missing variables or wrong dimensions."""
     missing = [each for each in ("pushed", *VARIABLES) if each not in given]
     missing = [each for each in missing if each == "pushed" or VARIABLES[each].required]
     if "finger_path" in given and "path_time" not in given:
@@ -159,7 +160,7 @@ def _require_variables(given: xr.Dataset) -> None:
     for name in dims.keys() & given.variables.keys():
         if set(given[name].dims) != set(dims[name]):
             shape = f"dimensions {tuple(map(str, given[name].dims))}"
-            raise InvalidValue(name, shape, f"dimensions {dims[name]}", "name the dimensions so")
+            raise InvalidValue(name, shape, f"dimensions {dims[name]}", "rename the dimensions")
     if given.sizes["xy"] != 2 or ("xy" in given.coords and list(given["xy"].values) != XY):
         raise InvalidValue(
             "xy", given["xy"].values.tolist(), "x, y", "give both components of vectors"
@@ -169,7 +170,7 @@ def _require_variables(given: xr.Dataset) -> None:
 
 
 def _units(given: xr.Dataset) -> dict[str, str]:
-    """Units of each quantity: one for all variables of it."""
+    """Unit of each quantity, which must be the same for all its variables."""
     found: dict[str, tuple[str, str]] = {}
     for name, variable in VARIABLES.items():
         unit = given[name].attrs.get("units") if name in given else None
@@ -193,7 +194,7 @@ def _units(given: xr.Dataset) -> dict[str, str]:
 
 
 def _object_names(given: xr.Dataset) -> list[str]:
-    """Names of the objects, all different."""
+    """Names of the objects, which must all be different."""
     names = [str(each) for each in given["object"].values] if "object" in given.coords else []
     if not names or len(set(names)) < len(names) or not all(names):
         raise InvalidValue("object", names, "a name for each object", "set the coordinate object")
@@ -223,13 +224,13 @@ def _numbers(given: xr.Dataset, name: str) -> Array:
             name,
             f"{values[np.nonzero(bad)][0]} of {place}",
             "finite numbers",
-            "leave out pushes that are not measured",
+            "leave out pushes that were not measured",
         )
     return values + 0.0
 
 
 def _outlines(given: Array, names: list[str]) -> Array:
-    """Outlines counter-clockwise, or the error that says whose is none."""
+    """Return counter-clockwise outlines, or raise the error for the first invalid outline."""
     found = []
     for name, corners in zip(names, given, strict=True):
         try:

@@ -1,4 +1,4 @@
-"""Pushes of a known support, simulated, with noise as measurements have it."""
+"""Simulated pushes on a known support, with noise like that of measurements."""
 
 from __future__ import annotations
 
@@ -21,24 +21,24 @@ from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.terms.errors import InvalidValue, require_number, require_positive
 
-#: Part of a side at each end where no push begins.
+#: Fraction of a side at each end in which no push begins.
 MARGIN = 0.05
-#: Largest angle between a push and the normal of its side, radians.
+#: Largest angle between a push and the normal of its side, in radians.
 WIDEST = math.radians(60.0)
-#: Law of the contact, that of a smooth finger.
+#: Default contact law, that of a smooth finger.
 CONTACT = Coulomb(0.25)
-#: Distance of a push, in sizes of the outline.
+#: Default distance of a push, in sizes of the outline.
 DISTANCE = 0.1
-#: Instants of a simulation, and the fraction of them at the start that the mean force leaves out.
+#: Number of instants of a simulation, and the initial fraction of them that the mean force omits.
 SAMPLES, SETTLING = 101, 0.3
-#: Depth of a finger in the object that is rounding, in sizes of the outline.
+#: Depth of a finger in the object attributed to rounding, in sizes of the outline.
 ROUNDING = 1e-6
-#: Draws for each push, on average, after which the object leaves the finger too often.
+#: Average number of draws per push above which the finger leaves its side too often.
 DRAWS = 50
 
 
 class Drawn(NamedTuple):
-    """A push that is drawn: its contact, the side's inward normal, and the direction of the finger."""
+    """A randomly drawn push: contact, inward normal of the side, and direction of the finger."""
 
     point: Array
     normal: Array
@@ -46,7 +46,7 @@ class Drawn(NamedTuple):
 
 
 class Pushed(NamedTuple):
-    """A push that was simulated: the finger's start, the pose of the object after, and the mean force."""
+    """A simulated push: start of the finger, final pose of the object, and mean force."""
 
     start: Array
     end: Array
@@ -67,27 +67,27 @@ def simulate_pushes(
     units: tuple[str, str] = ("mm", "N"),
     name: str = "object",
 ) -> xr.Dataset:
-    """Straight pushes of an object on a known support, as an experiment would measure them.
+    """Simulate straight pushes of an object on a known support, as an experiment would measure them.
 
     Parameters
     ----------
     effects : sequence of SupportFriction
-        In the object's frame: quasi-static.
+        Support friction in the object's frame; the motion is quasi-static.
     outline : array_like, shape (corners, 2), or an object with `coords` or `exterior`
         Corners of the object in order, in its frame.
     n : int
         Number of pushes.
     noise : (float, float, float), optional
-        Standard deviations of the noise that is added to each component of the displacement, to the
-        rotation in degrees, and to each component of the force.
+        Standard deviations of the noise added to each component of the displacement, to the rotation in
+        degrees, and to each component of the force.
     seed : int
-        The same seed makes the same dataset. Noise does not change which pushes are drawn.
+        The same seed gives the same dataset. Noise does not affect which pushes are drawn.
     contact : ContactLaw
-        Between the finger and the object.
+        Contact law between the finger and the object.
     distance : float, optional
-        How far the finger moves in contact, by default a tenth of the size of the outline.
+        Distance that the finger moves in contact; by default a tenth of the size of the outline.
     finger_radius : float
-        Of a point 0.
+        Radius of the finger; 0 for a point.
     units : (str, str)
         Names of the units of lengths and forces.
     name : str
@@ -96,18 +96,20 @@ def simulate_pushes(
     Returns
     -------
     xarray.Dataset
-        As `load_pushes` returns it. Where the support is `Points`, `feet` and `foot_weight` are the truth.
+        Dataset like that of `load_pushes`. If the support is `Points`, `feet` and `foot_weight` are the
+        true values.
 
     Raises
     ------
     InvalidValue
-        Where an effect is not friction, a number is not allowed, or the finger leaves the sides too often.
+        If an effect is not friction, a number is not allowed, or the finger leaves its side too often.
 
     Notes
     -----
-    Places are uniform over the outline but for 5 % at either end of each side, directions are uniform
-    within 60 degrees of the normal. A push during which the finger leaves its side is drawn anew. The force
-    is the mean over the last 70 % of the push along the object's axes, which turn with it.
+    Contacts are uniformly distributed over the outline except for 5 % at each end of each side, and
+    directions are uniformly distributed within 60 degrees of the normal. A push during which the finger
+    leaves its side is drawn again. The force is the mean over the last 70 % of the push, along the
+    object's axes, which turn with the object.
     """
     friction = _required_friction(effects)
     count = whole("n", n, 1)
@@ -124,12 +126,12 @@ def simulate_pushes(
             return _measured(found, friction, sides, noise, errors, radius, units, name)
     raise InvalidValue(
         "distance", reach, f"one over which the finger stays on a side; {len(found)} of {n} pushes do",
-        "push less far",
+        "give a shorter distance",
     )  # fmt: skip
 
 
 def _drawn(sides: Sides, random: np.random.Generator) -> Drawn:
-    """A random place of the outline and a random direction."""
+    """A random point of the outline and a random direction."""
     side = random.choice(len(sides.length), p=sides.length / sides.length.sum())
     place = random.uniform(MARGIN, 1.0 - MARGIN) * sides.length[side]
     angle = random.uniform(-WIDEST, WIDEST)
@@ -147,7 +149,7 @@ def _pushed(
     distance: float,
     radius: float,
 ) -> Pushed | None:
-    """A simulated push at unit speed, from the pose (0, 0, 0); None where the finger leaves its side."""
+    """Simulate a push at unit speed from the pose (0, 0, 0); None if the finger leaves its side."""
     start = drawn.point - radius * drawn.normal
     slack = ROUNDING * sides.scale
     if nearest(sides, start[None]).gap[0] < radius - slack:
@@ -172,12 +174,12 @@ def _pushed(
 
 
 def _mean_force(log: xr.Dataset, duration: float, drawn: Drawn, angle: Array) -> Array:
-    """Mean force over the last part of a push, at even intervals of time, along the object's axes.
+    """Mean force over the last part of a push, at equal time steps, along the object's axes.
 
-    It is turned into the world's axes as the object has them midway.
+    It is converted to the world's axes with the object's orientation halfway through the push.
     """
     times, force = log["time"].values, log["force"].values
-    # A log's +y is the normal at the start, its +x the normal turned by -90 degrees.
+    # The +y axis of a log is the normal at the start; its +x axis is the normal rotated by -90 degrees.
     n_x, n_y = drawn.normal
     world = np.stack(
         [force[:, 0] * n_y + force[:, 1] * n_x, -force[:, 0] * n_x + force[:, 1] * n_y], axis=-1
@@ -191,7 +193,7 @@ def _measured(
     found: list[Pushed], effects: tuple[SupportFriction, ...], sides: Sides, noise: Any,
     random: np.random.Generator, radius: float, units: tuple[str, str], name: str,
 ) -> xr.Dataset:  # fmt: skip
-    """The dataset of simulated pushes with noise."""
+    """Dataset of the simulated pushes with noise."""
     poses = np.array([each.pose for each in found])
     forces = np.array([each.force for each in found])
     place, angle, strength = (
@@ -210,17 +212,20 @@ def _measured(
 
 
 def _required_friction(given: Any) -> tuple[SupportFriction, ...]:
-    """Support friction alone, or `InvalidValue`."""
+    """Return support friction, the only effect allowed, or raise `InvalidValue`."""
     found = tuple(given) if isinstance(given, (list, tuple)) else ()
     if not found or not all(isinstance(each, SupportFriction) for each in found):
         raise InvalidValue(
-            "effects", given, "a sequence of SupportFriction", "leave out what is not quasi-static"
+            "effects",
+            given,
+            "a sequence of SupportFriction",
+            "leave out effects that are not quasi-static",
         )
     return found
 
 
 def _required_radius(given: Any) -> float:
-    """A radius, or `InvalidValue`."""
+    """Return a radius, or raise `InvalidValue`."""
     remedy = "give 0 for a point"
     return require_number(
         "finger_radius", given, lambda x: 0.0 <= x < math.inf, "a number >= 0", remedy
@@ -228,7 +233,7 @@ def _required_radius(given: Any) -> float:
 
 
 def _truth(effects: tuple[SupportFriction, ...]) -> tuple[Any, Any]:
-    """Feet and their loads, where the object rests on feet alone."""
+    """Feet and their loads, if the object rests only on feet."""
     support = effects[0].support
     if len(effects) > 1 or not isinstance(support, Points):
         return None, None

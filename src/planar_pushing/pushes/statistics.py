@@ -1,4 +1,4 @@
-"""Statistics of errors of models: medians, percentiles, and how they compare with the reference."""
+"""Statistics of model errors: medians, percentiles, and comparisons with the reference."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
 
-#: Quantities that are predicted, and the model with which the others are compared.
+#: Predicted quantities, and the reference model.
 QUANTITIES, REFERENCE = ("wrench", "motion", "pose"), "fitted_ellipsoid"
-#: Ends of the intervals, percent.
+#: Ends of the intervals, in percent.
 ENDS = (2.5, 97.5)
-#: Variables, and what they are.
+#: Variables and their descriptions.
 VARIABLES = {
     "median": "median error",
     "percentile_90": "90th percentile of the error",
@@ -25,8 +25,9 @@ VARIABLES = {
 def statistics(error: xr.DataArray, resamples: int = 1000, seed: int = 0) -> xr.Dataset:
     """Statistics of errors over (quantity, model, push), each with an interval over `bound`.
 
-    Of a quantity and a model they are those of the pushes at which both the model and the reference have
-    an error. The intervals hold 95 percent of the statistics of pushes drawn anew, the same for all models.
+    For each quantity and model, they include the pushes for which both the model and the reference have an
+    error. The intervals contain 95 percent of the statistics of resampled pushes; all models share the same
+    resamples.
     """
     values = error.transpose("quantity", "model", "push").values
     reference = list(error["model"].values).index(REFERENCE)
@@ -57,7 +58,7 @@ def statistics(error: xr.DataArray, resamples: int = 1000, seed: int = 0) -> xr.
 
 
 def _statistics(own: Array, other: Array) -> dict[str, Array]:
-    """The statistics of rows of pushes."""
+    """Statistics of rows of pushes."""
     median, reference = np.median(own, axis=1), np.median(other, axis=1)
     return {
         "median": median, "percentile_90": np.percentile(own, 90.0, axis=1),

@@ -1,4 +1,4 @@
-"""Pushes of an object on a support: exact mechanics through `simulate_batch` and its kin."""
+"""Pushes of an object on a support, with exact mechanics by `simulate_batch` and related functions."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from planar_pushing.pushes.contacts import Contacts, Ends
 from planar_pushing.simulation.batch import simulate_batch
 from planar_pushing.simulation.pusher import Pusher
 
-#: Tolerance of the motions: a thousandth of the best measurement.
+#: Tolerance of the motions: a thousandth of the error of the best measurement.
 TOLERANCE = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
 class OnSupport:
-    """An object on a support in the object's frame."""
+    """An object on a support given in the object's frame."""
 
     support: Any
 
@@ -42,7 +42,7 @@ class OnSupport:
         return wrench(SupportFriction(weight=1.0, support=self.support), twists)
 
     def motions(self, wrenches: Array) -> Array:
-        """Twists under the lines of force of wrenches, NaN for a torque without a force."""
+        """Twists under forces along the lines of wrenches; NaN for a torque without a force."""
         force, torque = wrenches[:, :2], wrenches[:, 2]
         square = (force**2).sum(axis=1)
         lines = np.flatnonzero(square > 0.0)
@@ -61,7 +61,7 @@ class OnSupport:
 
 @dataclass(frozen=True, slots=True)
 class BodyFrames:
-    """Body frames of contacts: origin, direction of x, and length and angle of the rod."""
+    """Body frames of contacts: origin, direction of the x axis, and length and angle of the rod."""
 
     every: list[Frame]
     origin: Array
@@ -71,7 +71,7 @@ class BodyFrames:
 
 
 def body_frames(contacts: Contacts, center: Array, extent: float) -> BodyFrames:
-    """Body frames whose origin is the center, or above the contact where that is not above the side."""
+    """Body frames with origin at the center, or above the contact if the center is not above the side."""
     rod = center - contacts.point
     height = (rod * contacts.normal).sum(axis=1)
     rod = np.where((height > 1e-3 * extent)[:, None], rod, extent * contacts.normal)
@@ -88,9 +88,9 @@ def body_frames(contacts: Contacts, center: Array, extent: float) -> BodyFrames:
 def simulated(
     contacts: Contacts, frames: BodyFrames, supports: list[Any], friction: Array, extent: float
 ) -> Ends:
-    """Ends of motions whose supports are in the body frames; several supports follow one another.
+    """Ends of the motions of supports given in the body frames, for one or several sets of supports.
 
-    `supports` and `friction` have a multiple of the number of contacts.
+    The numbers of `supports` and `friction` are a multiple of the number of contacts.
     """
     count = len(contacts.push)
     times = len(supports) // count
@@ -124,10 +124,10 @@ def simulated(
 
 
 def _lasted(log: Any, turn: Array, radius: Array, path: Array) -> Array:
-    """Fraction of the finger's way over which the contact lasts.
+    """Fraction of the finger's path over which the contact lasts.
 
-    The object rests once the finger has left the side, so that the rest of the way is the distance of the
-    finger, relative to the object, from the place where it left.
+    The object is at rest after the finger has left the side. The remaining path is therefore the distance
+    of the finger from the point at which it left, relative to the object.
     """
     left = -log["slip"].values - radius * turn
     rest = np.hypot(log["contact_position"].values - left, log["gap"].values)
@@ -137,7 +137,7 @@ def _lasted(log: Any, turn: Array, radius: Array, path: Array) -> Array:
 
 
 def _pusher(contacts: Contacts, repeated: Any) -> Pusher:
-    """The finger: each part of its way takes the same time."""
+    """The finger as a pusher; each part of its path takes the same time."""
     parts = contacts.path.shape[1]
     velocities = []
     for k in range(parts):

@@ -1,8 +1,8 @@
-"""Logs of a triangle on three feet, or on its whole face (Zhou, Paolini, Bagnell and Mason, ICRA 2016).
+"""Reader of logs of a triangle on three feet or its face (Zhou, Paolini, Bagnell and Mason, ICRA 2016).
 
-Text: the number of pushes, and for each the pose before and after (x y z in mm, quaternion w x y z), the
-number of force samples and the samples (time in s, f_x, f_y in N), the number of tool poses and the poses
-(time, x y z in mm, quaternion).
+A log is a text file with the number of pushes and, for each push, the poses before and after (x y z in mm,
+quaternion w x y z), the number of force samples, the samples (time in s, f_x, f_y in N), the number of tool
+poses, and the tool poses (time, x y z in mm, quaternion).
 """
 
 from __future__ import annotations
@@ -22,25 +22,25 @@ from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.terms.errors import InvalidFile, InvalidValue
 
 SOURCE = "Zhou, Paolini, Bagnell and Mason, ICRA 2016"
-#: Right triangle of 150 mm legs; the frame of its markers is at the right corner.
+#: Right triangle with legs of 150 mm; the frame of its markers is at the right angle.
 OUTLINE = ((0.0, 0.0), (150.0, 0.0), (0.0, 150.0))
 CENTER_OF_MASS = (50.0, 50.0)
 MASS = 1.518
-#: Standard deviations of positions in mm, angles in degrees and forces in N.
+#: Standard deviations of positions in mm, of angles in degrees and of forces in N.
 NOISE = (0.5, 0.3, 0.05)
-#: The sensor measures the reaction, in axes that are those of the tool after this reflection.
+#: Reflection from the sensor's axes to the tool's; the sensor measures the reaction force.
 SENSOR = np.array([[1.0, 1.0], [1.0, -1.0]]) / np.sqrt(2.0)
-#: Fraction of the force samples at the start of a push, before the contact has settled.
+#: Initial fraction of the force samples, before the contact has settled.
 SETTLING = 0.3
-#: Six coordinates in a file's name.
+#: Six coordinates in a file name.
 NUMBERS = re.compile(r"(?<![\d.])(\d+(?:\.\d+)?(?:_\d+(?:\.\d+)?){5})(?![\d.])")
 ALLOWED = "x1_x2_x3_y1_y2_y3 of the feet in mm, such as 30_90_30_30_30_90.txt, or patch.txt"
-#: Numbers on a line of each kind.
+#: Count of numbers on each kind of line.
 POSE, SAMPLE, TOOL = 7, 3, 8
 
 
 class Record(NamedTuple):
-    """One push of a log: poses before and after, force samples and tool poses, as they are written."""
+    """One push of a log as written: poses before and after, force samples, and tool poses."""
 
     before: Array
     after: Array
@@ -49,27 +49,28 @@ class Record(NamedTuple):
 
 
 def read_three_feet(*files: PathLike) -> xr.Dataset:
-    """Read logs of the triangle on three feet, or on its whole face.
+    """Read logs of the triangle on three feet or on its whole face.
 
     Parameters
     ----------
     *files : path
-        Text files, whose names give the places of the feet, x1_x2_x3_y1_y2_y3 in mm; `patch` in a name says
-        that there are none. A log without the number of pushes on its first line is read to its end.
+        Text files. The name of a file gives the positions of the feet as x1_x2_x3_y1_y2_y3 in mm, and
+        `patch` in the name means that there are none. A log without the number of pushes on its first line
+        is read to its end.
 
     Returns
     -------
     xarray.Dataset
-        As `load_pushes` returns it, in mm and N. Each file is an object, named by the file without its
-        ending, with feet, their weights by the center of mass, center of mass and mass. Forces are means of
-        the samples after the first 30 % that are not weaker than their mean, each along the object's axes
-        at its time. Pushes that do not touch the
-        object are left out, their number is the attribute `left_out`.
+        Dataset like that of `load_pushes`, in mm and N. Each file is an object with the file's name without
+        its extension; it has feet, foot weights computed from the center of mass, center of mass, and mass.
+        A force is the mean of those samples after the first 30 % that are not weaker than the samples'
+        mean, each along the object's axes at its time. Pushes that do not touch the object are omitted;
+        their number is the attribute `left_out`.
 
     Raises
     ------
     InvalidFile
-        Where a file is missing, is no such log, or is cut short: the message says at which push and line.
+        If a file is missing, is not such a log, or is cut short; the message gives the push and the line.
     """
     require_file_names(files)
     return concat_pushes([_read(Path(file)) for file in files])
@@ -85,7 +86,7 @@ def _read(file: Path) -> xr.Dataset:
 
 
 def _pushes(records: list[Record], feet: Array | None, name: str) -> xr.Dataset:
-    """The pushes of a log in the schema."""
+    """Dataset of the pushes of a log."""
     before, after = (
         np.array([getattr(each, key) for each in records]) for key in ("before", "after")
     )
@@ -100,7 +101,7 @@ def _pushes(records: list[Record], feet: Array | None, name: str) -> xr.Dataset:
 
 
 def _feet(file: Path) -> Array | None:
-    """Places of the feet that a file's name gives, shape (3, 2); None for a patch."""
+    """Positions of the feet from a file name, shape (3, 2); None for a patch."""
     found = NUMBERS.search(file.stem)
     if found is None and "patch" not in file.stem.lower():
         raise InvalidFile(f"{file}: a name without feet; allowed: {ALLOWED}; rename the file")
@@ -117,7 +118,7 @@ def _feet(file: Path) -> Array | None:
 
 
 def loads(feet: Array) -> Array:
-    """Fractions of the weight on three feet that balance it about the center of mass; NaN on one line."""
+    """Fractions of the weight on three feet, by balance about the center of mass; NaN if collinear."""
     balance = np.vstack([np.ones(3), feet.T])
     if np.linalg.matrix_rank(balance) < 3:
         return np.full(3, np.nan)
@@ -125,20 +126,20 @@ def loads(feet: Array) -> Array:
 
 
 def yaw(quaternion: Array) -> Array:
-    """Angle about the vertical of quaternions (w, x, y, z), shape S + (4,), radians."""
+    """Angles about the vertical of quaternions (w, x, y, z), shape S + (4,), in radians."""
     return np.asarray(2.0 * np.arctan2(quaternion[..., 3], quaternion[..., 0]))
 
 
 def planar(poses: Array) -> Array:
-    """(x, y, angle) of poses of shape (n, 7)."""
+    """Planar poses (x, y, angle) from poses of shape (n, 7)."""
     return np.column_stack([poses[:, :2], yaw(poses[:, 3:])])
 
 
 def mean_force(record: Record) -> Array:
-    """Mean force of the finger on the object along the axes that the object has midway; NaN without any.
+    """Mean force of the finger on the object in the world's axes; NaN without samples.
 
-    Each sample counts along the object's axes at its time, as the object turns evenly from the pose before
-    to the pose after; the mean is turned back into the world's axes.
+    The samples are averaged along the object's axes at their times, assuming a uniform rotation from the
+    pose before to the pose after. The mean is then converted with the object's orientation halfway through.
     """
     forces = record.forces[:, 1:] - record.forces[:1, 1:]
     kept = np.arange(len(forces)) >= int(SETTLING * len(forces))
@@ -150,20 +151,22 @@ def mean_force(record: Record) -> Array:
     turn = np.remainder(after - before + np.pi, 2.0 * np.pi) - np.pi
     times = record.forces[:, 0] - record.forces[0, 0]
     passed = times / times[-1] if times[-1] > 0.0 else np.full(len(times), 0.5)
-    # The tool does not turn; the object has turned by half midway.
+    # The tool does not rotate; halfway through, the object has made half its rotation.
     measured = turned(-(forces[kept] @ SENSOR.T), turn * (0.5 - passed[kept])).mean(axis=0)
     return turned(measured, yaw(record.tools[0, 4:]))
 
 
 def read_records(file: Path) -> list[Record]:
-    """The pushes of a log as they are written, or `InvalidFile`."""
+    """Return the pushes of a log as written, or raise `InvalidFile`."""
     lines = Lines(file)
     if len(lines.next_numbers()) == 1:
         lines.back()
         count = lines.count("the number of pushes")
         found = [_record(lines.of_push(k + 1, count)) for k in range(count)]
         if lines.left:
-            raise lines.wrong(f"goes on after the {count} pushes that its first line says")
+            raise lines.wrong(
+                f"is followed by more lines, but the first line announces {count} pushes"
+            )
     else:
         lines.back()
         found = []

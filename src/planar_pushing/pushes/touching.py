@@ -1,4 +1,4 @@
-"""Which pushes touch the object, where they do first, and the path of the finger from there on."""
+"""Pushes that touch the object, their first touches, and the finger's paths after these."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from planar_pushing.objects.first_touch import Touch, first_touch
 from planar_pushing.pushes.path import Path, after_touch
 from planar_pushing.terms.errors import InvalidValue
 
-#: Rounding of an overlap, in sizes of the outline.
+#: Overlap attributed to rounding, in sizes of the outline.
 ROUNDING = 1e-9
-#: Most numbers of pushes that a message lists.
+#: Most push numbers listed in a message.
 LISTED = 8
 
 
 def touching(
     corners: Corners, path: Path, radius: float, tolerance: float, skip_missed: bool
 ) -> tuple[npt.NDArray[np.intp], Touch, list[Path]]:
-    """Numbers of the pushes that touch, all first touches, and the paths from there on."""
+    """Numbers of the pushes that touch the object, all first touches, and the paths after them."""
     touch, leg = _first(corners, path, radius, tolerance)
     depth = touch.overlap
     deep = np.flatnonzero(depth > tolerance + ROUNDING * size(np.array(corners)))
@@ -48,10 +48,10 @@ def touching(
 def _first(
     corners: Corners, path: Path, radius: float, tolerance: float
 ) -> tuple[Touch, npt.NDArray[np.intp]]:
-    """First touch along the legs of each path, and its leg; the overlap is that at the start."""
+    """First touch along the legs of each path, and its leg, with the overlap at the start."""
     start, motion = path.points[:, :-1], np.diff(path.points, axis=1)
     known = np.isfinite(motion).all(axis=2, keepdims=True)
-    # A leg that is not there begins at a corner and stays there, which is no touch.
+    # A missing leg is replaced by a stationary finger at a corner, which is not a touch.
     every = first_touch(
         corners,
         np.where(known, start, corners[0]),
@@ -68,6 +68,6 @@ def _first(
 
 
 def listed(rows: npt.NDArray[np.intp]) -> str:
-    """Numbers of pushes in a message, counted from 0."""
+    """List of push numbers for a message, counted from 0."""
     shown = ", ".join(str(int(row)) for row in rows[:LISTED])
     return shown + (f" and {len(rows) - LISTED} more" if len(rows) > LISTED else "")

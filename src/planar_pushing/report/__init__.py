@@ -1,4 +1,4 @@
-"""The report: its numbers and tables, read from the results, and its setting as a PDF."""
+"""The report: its numbers and tables, read from the results, and its typesetting as a PDF."""
 
 from planar_pushing.terms.extras import require_extra
 

@@ -1,4 +1,4 @@
-"""The last lines of `make`: the report, the golden verdicts, the claims, and where the results are."""
+"""The last lines of `make`: the report, the golden verdicts, the claims and the results folder."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from planar_pushing.study.studies import KEY, SLIDERS_FILE, chosen_study, study_
 
 
 def closing_lines(folder: Path, others: tuple[Path, ...] = ()) -> list[str]:
-    """Four lines on a results folder, with the verdicts of other folders beside its own."""
+    """Four lines about a results folder, with the combined verdicts of this and other folders."""
     report = folder / "paper.pdf"
     rows = {
-        "Report": str(report) if report.is_file() else "none; it is about the paper's own study",
+        "Report": str(report) if report.is_file() else "none; only the paper's study has one",
         "Golden": _verdict([folder, *others]),
         "Claims": _claims(folder / "tables/claims.json"),
         "Results": f"{folder}/data and {folder}/figures; results/README.md describes them",
@@ -29,7 +29,7 @@ def _read(path: Path) -> Any:
 
 
 def _verdict(folders: Sequence[Path]) -> str:
-    """The verdicts of studies together: a build that ends has none that failed."""
+    """Combined golden verdict of several studies."""
     files = [folder / "tables/golden_verdict.json" for folder in folders]
     found = [each for each in map(_read, files) if each]
     if not found:
@@ -45,12 +45,12 @@ def _verdict(folders: Sequence[Path]) -> str:
 def _claims(path: Path) -> str:
     found = _read(path)
     if found is None:
-        return "not judged; they are about the paper's ring"
+        return "not checked; they are about the paper's ring"
     return ", ".join(f"{count} {verdict}" for verdict, count in found["counts"].items())
 
 
 def main() -> int:
-    """Print the lines on the study of the command line, or on the two default studies."""
+    """Print the lines for the study on the command line, or for the two default studies."""
     given = sys.argv[1:]
     file = chosen_study({KEY: given[0]} if given else {})
     others = () if given else (study_folder(study_name(SLIDERS_FILE)),)

@@ -1,4 +1,4 @@
-"""Numbers of the report that take a computation on a dataset; all for the paper's rod angle."""
+"""Numbers of the report that are computed from a dataset; all for the paper's rod angle."""
 
 from __future__ import annotations
 
@@ -22,20 +22,19 @@ from planar_pushing.study.files.study_model import labelled_law
 from planar_pushing.terms.options import EffectSet
 
 ROD_ANGLE = 45.0
-SLIPS = (ContactMode.SLIP_RIGHT, ContactMode.SLIP_LEFT)
-#: Angles from the rod, radians, among which the largest distance of a curve from its ellipse is taken.
+#: Angles from the rod, in radians, at which the deviation of a curve from its ellipse is evaluated.
 QUARTER = np.linspace(0.0, np.pi / 2, 901)
 
 
 def _scene(dataset: xr.Dataset, effects: str, rod_length: float, contact: ContactLaw) -> Scene:
-    """The study's slider on a rod of this length, with this law and these effects."""
+    """Scene with the study's slider on a rod of this length, with this law and these effects."""
     part = parameters_of(dataset)
     slider = part.ring(rod_length, ROD_ANGLE)
     return Scene(slider=slider, contact=contact, effects=part.effects(EffectSet(effects)))
 
 
 def ellipse_deviation(curves: xr.Dataset, rod_length: float) -> float:
-    """Largest distance of the limit curve from the ellipse of the same axes, percent of it."""
+    """Largest deviation of the limit curve from the ellipse with the same axes, percent."""
     scene = _scene(curves, FRICTION, rod_length, InfiniteFriction())
     force = limit_curve(scene, np.deg2rad(ROD_ANGLE) + QUARTER).magnitude
     long, short = force[0], force[-1]
@@ -43,27 +42,13 @@ def ellipse_deviation(curves: xr.Dataset, rod_length: float) -> float:
     return 100 * float(np.max(np.abs(force / ellipse - 1)))
 
 
-def cone_span(cones: xr.Dataset) -> float:
-    """Width furthest from a half turn among the infinite friction cones of one effect."""
-    one = cones.sel(effects=[name for name in cones.effects.values if name != BOTH])
-    one = one.sel(friction_coefficient=np.inf)
-    spans = (one.motion_cone_left - one.motion_cone_right).values.ravel()
-    return float(spans[np.argmax(abs(spans - 180.0))])
-
-
-def least_pulling(cones: xr.Dataset, effects: str, rod_length: float) -> float:
-    """Least coefficient of friction of the grid that pulls."""
-    pulls = cones.pulls.sel(effects=effects, rod_length=rod_length, rod_angle=ROD_ANGLE)
-    return float(pulls.friction_coefficient[pulls.values > 0].min())
-
-
 def slip_share(scene: xr.Dataset) -> float:
-    """Speed of slip, percent of the pusher's."""
+    """Slip speed, percent of the pusher's speed."""
     return 100 * float(abs(scene.slip.values[-1])) / float(scene.pusher_magnitude)
 
 
 def motion_direction(scene: xr.Dataset) -> float:
-    """Angle of the contact motion of the last solution."""
+    """Direction of the contact motion in the last solution."""
     x, y = scene.contact_motion.values[-1]
     return float(np.rad2deg(np.arctan2(y, x)))
 
@@ -79,39 +64,23 @@ def pushes(modes: xr.Dataset) -> float:
 
 
 def outcomes(modes: xr.Dataset, outcome: Outcome) -> float:
-    """Number of pushes of one outcome."""
+    """Number of pushes with a given outcome."""
     return float((modes.outcome == int(outcome)).sum())
 
 
-def inconsistent_definition_2(modes: xr.Dataset) -> float:
-    """Number of pushes without solution under the second definition of infinite friction."""
-    one = modes.outcome.sel(contact="infinite_friction_none")
-    return float((one == int(Outcome.INCONSISTENT)).sum())
-
-
-def _sticking_pulls(modes: xr.Dataset) -> xr.Dataset:
-    """Contact modes of the pushes under Coulomb's law; -1 but for those pulled sticking."""
-    angle = modes.pusher_angle
-    some = modes[["mode"]].isel(contact=modes.law.values == "coulomb")
-    away = some.sel(pusher_angle=angle[(angle > -180) & (angle < 0)])
-    return away.where((away["mode"] == ContactMode.STICK).any("solution"), -1)
-
-
 def sticking_pulls(modes: xr.Dataset) -> float:
-    """Number of pushes under Coulomb's law that are pulled sticking."""
-    return float((_sticking_pulls(modes)["mode"] == ContactMode.STICK).any("solution").sum())
-
-
-def slipping_pulls(modes: xr.Dataset) -> float:
-    """Number of these that are also pulled slipping."""
-    return float(_sticking_pulls(modes)["mode"].isin(SLIPS).any("solution").sum())
+    """Number of pushes under Coulomb's law in which the contact can stick while the fence retreats."""
+    angle = modes.pusher_angle
+    some = modes["mode"].isel(contact=modes.law.values == "coulomb")
+    away = some.sel(pusher_angle=angle[(angle > -180) & (angle < 0)])
+    return float((away == ContactMode.STICK).any("solution").sum())
 
 
 def furthest_pull(modes: xr.Dataset, contact: str, magnitude: float) -> float:
-    """Least pusher angle at which the contact can stick, with both effects.
+    """Smallest pusher angle at which the contact can stick, with both effects.
 
-    There the force of perfectly rough contact, which sticks to every motion, is on the right edge of the
-    friction cone.
+    At this angle, the force of a perfectly rough contact, which sticks for every motion, is on the right
+    edge of the friction cone.
     """
     edge = labelled_law(contact).force_angles.right
     scene = _scene(modes, BOTH, 2.0, PerfectlyRough())
@@ -125,6 +94,6 @@ def furthest_pull(modes: xr.Dataset, contact: str, magnitude: float) -> float:
 
 
 def conservative_excess(centers: xr.Dataset, side: str) -> float:
-    """Angle that the conservative cone adds to the exact one, rod of length 5."""
+    """Angle by which the conservative cone exceeds the exact one, for a rod of length 5."""
     one = centers.sel(rod_length=5.0)
     return float(abs(one[f"conservative_cone_{side}"] - one[f"exact_cone_{side}"]))

@@ -1,4 +1,4 @@
-"""What the workflow's jobs on the report call."""
+"""Functions that the workflow's jobs for the report call."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from pathlib import Path
 from planar_pushing.evidence.writing import write_text
 from planar_pushing.report import supplement, tables
 from planar_pushing.report.costs.tables import COST_TABLES
+from planar_pushing.report.provenance import provenance_text
 from planar_pushing.report.results import Results
 
 TABLES = {
@@ -19,17 +20,21 @@ TABLES = {
 }
 
 
-def report_tables(*, study: str, results: str, golden: str, **paths: str) -> None:
-    """Write the tables that the report is set from, each to the path under its name."""
+def report_tables(*, results: str, golden: str, **paths: str) -> None:
+    """Write the tables of the report, each to the path given under its name."""
     found = Results(Path(results), Path(golden))
     texts = {name: text(found) for name, text in TABLES.items()}
-    texts["provenance"] = tables.provenance_text(found, study)
     for name, path in paths.items():
         write_text(texts[name], path)
 
 
+def report_provenance(output: str, *, study: str, results: str, golden: str, state: str) -> None:
+    """Write the table that identifies the code, the state of the repository, and the study."""
+    write_text(provenance_text(Results(Path(results), Path(golden)), study, state), output)
+
+
 def supplement_tables(*, results: str, golden: str, **paths: str) -> None:
-    """Write the tables that the supplement on time is set from."""
+    """Write the tables of the supplement on time."""
     found = Results(Path(results), Path(golden))
     for path in paths.values():
         write_text(supplement.TABLES[Path(path).name](found), path)

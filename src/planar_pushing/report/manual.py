@@ -1,4 +1,4 @@
-"""Build the manual: Sphinx writes its pages, and any warning stops it."""
+"""Build the manual with Sphinx; any warning stops the build."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.extras import require_extra
 
-#: Makes two builds identical: sets are in one order, and no time of the build is written.
+#: Settings for reproducible builds: a fixed order of sets, and no build time in the output.
 FIXED = {"PYTHONHASHSEED": "0", "SOURCE_DATE_EPOCH": "0"}
-#: Files that Sphinx keeps for the next build, and the empty folder of sources.
+#: Files that Sphinx writes for its next build, and an empty folder of sources.
 KEPT = (".buildinfo", "_sources")
 
 
@@ -25,20 +25,20 @@ def build_manual(source: PathLike, output: PathLike, *options: str) -> None:
     Parameters
     ----------
     source : path
-        The folder of the pages and of Sphinx's configuration.
+        Folder of the pages and Sphinx's configuration.
     output : path
-        The folder to write.
+        Folder to write.
     *options : str
         Further options of `sphinx-build`.
 
     Raises
     ------
     InvalidFile
-        Where Sphinx finds an error or warns; the message holds what it says.
+        If Sphinx reports an error or a warning, which the message repeats.
     """
     require_extra("manual")
     with tempfile.TemporaryDirectory() as work:
-        # Sphinx leaves executed notebooks beside the pages, and doctrees in their own folder.
+        # Sphinx leaves executed notebooks next to the pages, and doctrees in a separate folder.
         pages, trees = Path(work) / "pages" / "html", Path(work) / "trees"
         command = [sys.executable, "-m", "sphinx", "--builder", "html", "--fail-on-warning"]
         command += ["--keep-going", "--quiet", "--doctree-dir", str(trees), *options]
@@ -47,5 +47,5 @@ def build_manual(source: PathLike, output: PathLike, *options: str) -> None:
             env=os.environ | FIXED, capture_output=True, text=True, check=False,
         )  # fmt: skip
         if ended.returncode:
-            raise InvalidFile(f"{source}: cannot be set: {ended.stderr.strip()}")
+            raise InvalidFile(f"{source}: cannot be built: {ended.stderr.strip()}")
         shutil.copytree(pages, output, ignore=shutil.ignore_patterns(*KEPT))

@@ -1,4 +1,4 @@
-"""The numbers of the report's prose, by the keys under which it names them."""
+"""The numbers of the report's prose, by the keys that the prose uses."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from planar_pushing.report.parts import any_slider, costs, evidence, mechanics, 
 from planar_pushing.report.quantities import Numbers
 from planar_pushing.report.results import Results
 
-#: Every number of the prose; a new part's are added here.
+#: All numbers of the prose; the numbers of a new part must be added here.
 NUMBERS: Numbers = {
     **mechanics.SETTING,
     **mechanics.QUASI_STATIC,
@@ -31,6 +31,6 @@ def numbers(results: Results) -> dict[str, dict[str, str]]:
     Raises
     ------
     InvalidFile
-        Where a file of the results is missing.
+        If a file of the results is missing.
     """
     return {key: quantity.entry(results) for key, quantity in NUMBERS.items()}

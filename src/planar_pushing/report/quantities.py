@@ -1,4 +1,4 @@
-"""Numbers of the report: where each is read, its unit and its digits."""
+"""Numbers of the report: the source, unit and digits of each."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ class Quantity:
     Attributes
     ----------
     read : callable
-        Reads it from the results; words are kept as they are.
+        Function that reads the number from the results; it can also return text.
     digits : int
         Digits after the decimal point.
     unit : str
         "1", "degree", "percent", or a unit of the datasets.
     source : str
-        File of the results and what is read there.
+        Result file, and the location of the number in it.
     """
 
     read: Read
@@ -38,7 +38,7 @@ class Quantity:
     source: str
 
     def entry(self, results: Results) -> dict[str, str]:
-        """Text, unit and source, as the report's table of numbers stores them."""
+        """Text, unit and source for the report's table of numbers."""
         value = self.read(results)
         text = value if isinstance(value, str) else rounded(value, self.digits)
         return {"text": text, "unit": self.unit, "source": self.source}
@@ -49,12 +49,12 @@ Numbers = dict[str, Quantity]
 
 
 def rounded(value: float, digits: int) -> str:
-    """Value with so many digits after the point; a rounded zero has no sign.
+    """Value with the given number of digits after the decimal point; a rounded zero has no sign.
 
     Raises
     ------
     InvalidValue
-        Where the value is not finite: prose has no digits for it.
+        If the value is not finite and therefore cannot be printed.
     """
     if not np.isfinite(value):
         raise InvalidValue("value", value, "a finite number", "read another number of the results")
@@ -63,7 +63,7 @@ def rounded(value: float, digits: int) -> str:
 
 
 def significant(value: float, digits: int = 2) -> str:
-    """Value with so many significant digits, a power of ten where it is below 0.01 or above 99,999."""
+    """Value with significant digits, as a power of ten if it is below 0.01 or above 99,999."""
     scaled = f"{value:.{digits - 1}e}"
     power = int(scaled.partition("e")[2])
     plain = value == 0 or -2 <= power <= 4
@@ -78,7 +78,7 @@ def picked(
     digits: int = 2,
     unit: str = "degree",
 ) -> Quantity:
-    """One value of a dataset at these coordinates, or at these places of axes without any."""
+    """One value of a dataset at these coordinates, or at these indices of axes without coordinates."""
 
     def read(results: Results) -> float:
         return float(chosen(results.dataset(dataset)[variable], at).item())
@@ -89,7 +89,7 @@ def picked(
 
 
 def chosen(variable: xr.DataArray, at: Mapping[str, float | str]) -> xr.DataArray:
-    """Select by coordinate where the axis has one, by place where it has none."""
+    """Select by coordinate, or by index along axes without coordinates."""
     by_value = {axis: where for axis, where in at.items() if axis in variable.coords}
     by_place = {axis: int(where) for axis, where in at.items() if axis not in by_value}
     return variable.sel(by_value).isel(by_place)
@@ -98,7 +98,7 @@ def chosen(variable: xr.DataArray, at: Mapping[str, float | str]) -> xr.DataArra
 def computed(
     dataset: str, compute: Callable[..., float], *given: Any, digits: int = 0, unit: str = "1"
 ) -> Quantity:
-    """Computed from a dataset and what is given by a function whose docstring says what it is."""
+    """Number computed by a function from a dataset and other arguments; its docstring is the source."""
 
     def read(results: Results) -> float:
         return compute(results.dataset(dataset), *given)
@@ -110,7 +110,7 @@ def computed(
 def magnitude(
     dataset: str, compute: Callable[..., float], *given: Any, unit: str = "1", digits: int = 1
 ) -> Quantity:
-    """Like `computed`, with so many digits after the first, as a power of ten where it is one."""
+    """As `computed`, with the given number of significant digits after the first."""
     number = computed(dataset, compute, *given, unit=unit)
 
     def read(results: Results) -> str:
@@ -122,7 +122,7 @@ def magnitude(
 def claimed(
     claim: str, check: str, *, field: str = "value", digits: int, unit: str = "1"
 ) -> Quantity:
-    """A number that a check of a claim found."""
+    """A number found by a check of a claim."""
 
     def read(results: Results) -> float:
         return float(results.check(claim, check)[field])
@@ -132,7 +132,7 @@ def claimed(
 
 
 def counted(what: str, count: Callable[[dict[str, Any]], int]) -> Quantity:
-    """Add up a count over the claims of the ledger."""
+    """Sum of a count over the claims of the ledger."""
 
     def read(results: Results) -> float:
         return float(sum(count(claim) for claim in results.claims["claims"]))

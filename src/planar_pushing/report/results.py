@@ -1,4 +1,4 @@
-"""Sources of the report: the datasets, the golden verdict and the claims of a results folder."""
+"""Sources of the report: the datasets, the golden verdict and the claims in a results folder."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from planar_pushing.study.files.fields import EffectsName
 from planar_pushing.study.store import open_dataset, read_attributes, read_dataset
 from planar_pushing.terms.errors import InvalidFile
 
-#: What resists the motion, as the datasets name it.
+#: Names of the sets of effects in the datasets.
 EFFECTS: tuple[str, ...] = get_args(EffectsName)
 FRICTION, INERTIA, BOTH = EFFECTS
-#: Datasets on how this work computes; a group is named behind a slash.
+#: Datasets about the computation itself; the name of a group follows a slash.
 MEASURED = ("accuracy", "accuracy_errors", "accuracy_time", "effects", "evaluations", "hard_cases")
 
 
-#: The study of sliders, whose datasets are named behind it and a slash.
+#: The study of sliders; the names of its datasets follow this name and a slash.
 SLIDERS = "sliders"
 
 
@@ -42,15 +42,15 @@ def _opened(name: str, folder: Path) -> xr.Dataset:
 def _marks(golden: Path) -> list[dict[str, Any]]:
     paths = sorted(golden.rglob("*.nc"))
     if not paths:
-        raise InvalidFile(f"{golden}: holds no golden data; name the folder that does")
+        raise InvalidFile(f"{golden}: holds no golden data; give the folder of the golden data")
     return [read_attributes(path) for path in paths]
 
 
 @dataclass(frozen=True, slots=True)
 class Results:
-    """A results folder that the pipeline filled, and the golden data that it was checked against.
+    """A results folder of the pipeline, and the golden data against which it was checked.
 
-    `measured` is the file of the numbers on measured pushes.
+    `measured` is the file with the numbers on measured pushes.
     """
 
     folder: Path
@@ -58,10 +58,10 @@ class Results:
     measured: Path = Path(PUSHES_FILE)
 
     def dataset(self, name: str) -> xr.Dataset:
-        """Dataset as `open_dataset` names it, one of `MEASURED`, or what a figure plots; read once.
+        """Dataset named as in `open_dataset`, one of `MEASURED`, or the data of a figure; read once.
 
-        A group is named as "accuracy_errors/cone", a figure as "figures/figure_06", a dataset of the
-        study of sliders as "sliders/supports". Errors as in `open_dataset`.
+        Names are, for example, "accuracy_errors/cone" for a group, "figures/figure_06" for a figure, and
+        "sliders/supports" for a dataset of the study of sliders. Errors as in `open_dataset`.
         """
         return _opened(name, self.folder)
 
@@ -71,18 +71,18 @@ class Results:
         Raises
         ------
         InvalidFile
-            Where there are no golden data.
+            If there are no golden data.
         """
         return _marks(self.golden)
 
     @property
     def verdicts(self) -> list[dict[str, Any]]:
-        """Golden verdicts of the paper's study and of that of sliders: counts, and every comparison.
+        """Golden verdicts of the paper's study and the study of sliders: counts and all comparisons.
 
         Raises
         ------
         InvalidFile
-            Where a golden check has not been made, or its file is not JSON.
+            If a golden check has not been run, or its file is not JSON.
         """
         folders = (self.folder, self.folder / "studies" / SLIDERS)
         return [_json(folder / "tables/golden_verdict.json") for folder in folders]
@@ -98,7 +98,7 @@ class Results:
         Raises
         ------
         InvalidFile
-            Where the ledger has no claim, or the claim no check, of this name.
+            If the ledger has no claim with this name, or the claim has no such check.
         """
         claims = {each["id"]: each["checks"] for each in self.claims["claims"]}
         found: dict[str, Any] = self._one(
@@ -129,5 +129,5 @@ def _json(path: Path) -> dict[str, Any]:
     except FileNotFoundError:
         raise InvalidFile(f"{path}: no such table; build it with make or snakemake") from None
     except json.JSONDecodeError as error:
-        raise InvalidFile(f"{path}: is not JSON ({error}); remove it and build it anew") from None
+        raise InvalidFile(f"{path}: is not JSON ({error}); delete it and build it again") from None
     return found

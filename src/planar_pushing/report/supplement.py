@@ -1,4 +1,4 @@
-"""The supplement on time: its numbers and its tables; both differ from machine to machine."""
+"""Numbers and tables of the supplement on time; they depend on the machine."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from planar_pushing.terms.errors import InvalidFile
 
 WRENCH, CONE, MOTION = (f"accuracy/{each}" for each in ("wrench", "cone", "motion"))
 MILLI = times.MILLI
-#: Settings that the prose names: a tolerance, and a number of steps.
+#: Settings in the prose: a tolerance, and a number of steps.
 RUNS = {"event-driven": 1e-10, "time-stepping": 1000.0}
-#: What is asked of the scene of a figure, as of one slider.
+#: Computations for the scene of a figure, the same as those for one slider.
 ASKED = {name: asked for (scene, name), asked in COMPUTED.items() if scene == "one slider"}
 
 
@@ -49,7 +49,7 @@ def numbers_text(results: Results) -> str:
 
 
 def _time(data: xr.Dataset, **where: str) -> str:
-    """Least time of the one case with these labels, milliseconds."""
+    """Minimum time of the case with these labels, milliseconds."""
     holds = [data[label].values == value for label, value in where.items()]
     (case,) = np.flatnonzero(np.all(holds, axis=0))
     least = MILLI * float(data.time[case].min())
@@ -57,7 +57,7 @@ def _time(data: xr.Dataset, **where: str) -> str:
 
 
 def effects_text(results: Results) -> str:
-    """Table of times of one slider and of the grid by effects, milliseconds."""
+    """Table of times for one slider and for the grid by effects, milliseconds."""
     data = results.dataset("effects")
     return csv_text(
         [
@@ -72,7 +72,7 @@ def effects_text(results: Results) -> str:
 
 
 def scenes_text(results: Results) -> str:
-    """Table of times of the scenes of the figures, milliseconds."""
+    """Table of times for the scenes of the figures, milliseconds."""
     data = results.dataset("effects")
     found = dict(zip(data.scene.values.tolist(), data.effects.values.tolist(), strict=True))
     return csv_text(
@@ -91,13 +91,13 @@ def machine_text(results: Results) -> str:
     Raises
     ------
     InvalidFile
-        Where the two measurements were taken on different machines or versions.
+        If the two measurements were made on different machines or versions.
     """
     first, second = (times.machine(results.dataset(name)) for name in (WRENCH, "effects"))
     if first != second:
         raise InvalidFile(
             f"{results.folder}/data: accuracy.nc and effects.nc come from different machines or versions; "
-            "measure anew with snakemake accuracy --forcerun accuracy_data effects_data"
+            "repeat the measurement with snakemake accuracy --forcerun accuracy_data effects_data"
         )
     return csv_text([{"what": what, "value": value} for what, value in first.items()])
 

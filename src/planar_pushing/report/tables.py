@@ -1,17 +1,15 @@
-"""The tables that the report is set from, as files in results/tables."""
+"""The tables of the report, as files in results/tables."""
 
 from __future__ import annotations
 
-import platform
 import re
-from importlib.metadata import version
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
 from planar_pushing.evidence.writing import csv_text, json_text
-from planar_pushing.figures.figure import drawing, entry
+from planar_pushing.figures.figure import entry, full_caption
 from planar_pushing.figures.studies import OURS, PUSHES
 from planar_pushing.report.costs.times import machine
 from planar_pushing.report.derived import ROD_ANGLE
@@ -20,26 +18,10 @@ from planar_pushing.report.quantities import rounded
 from planar_pushing.report.results import FRICTION, INERTIA, SLIDERS, Results
 from planar_pushing.report.verdict import verdict_rows
 from planar_pushing.study.datasets.base import words
-from planar_pushing.study.files.replacing import PathLike
-from planar_pushing.study.provenance import whole_digest
 from planar_pushing.study.store import read_dataset
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
-
-#: Packages that the results and the report are made with.
-PACKAGES = (
-    "planar-pushing",
-    "numpy",
-    "scipy",
-    "xarray",
-    "h5netcdf",
-    "h5py",
-    "matplotlib",
-    "pydantic",
-    "snakemake",
-    "typst",
-)
 
 
 def numbers_text(results: Results) -> str:
@@ -48,10 +30,10 @@ def numbers_text(results: Results) -> str:
 
 
 def figures_text(results: Results) -> str:
-    """Table of the figures: captions, promises of the paper's captions, files, and sections.
+    """Table of the figures: captions, contents according to the paper's captions, files and sections.
 
-    Figures about our own work are numbered on from those of the paper's subjects and of any slider. The
-    caption of one that shows times ends with the machine.
+    Figures about our own computation are numbered after those on the paper's subjects and on any slider.
+    The caption of a figure that shows times ends with the machine.
     """
     studies = {"figures": PAPER_FILE, f"studies/{SLIDERS}/figures": SLIDERS_FILE}
     found: dict[str, dict[str, object]] = {}
@@ -65,7 +47,7 @@ def figures_text(results: Results) -> str:
 
 
 def _ours(name: str, results: Results) -> dict[str, object]:
-    """A figure on how this work computes, or on measured pushes."""
+    """Entry of a figure about the computation itself or about measured pushes."""
     if name in PUSHES:
         return _figure(name, results.pushes, "figures")
     data = results.dataset(entry(name).reads[0])
@@ -74,17 +56,17 @@ def _ours(name: str, results: Results) -> dict[str, object]:
 
 
 def _figure(name: str, data: Any, folder: str) -> dict[str, object]:
-    figure = drawing(name)
+    figure = entry(name)
     return {
-        "caption": figure.caption(data),
-        "promise": figure.FIGURE.promise,
-        "section": figure.FIGURE.section,
+        "caption": full_caption(name, data),
+        "promise": figure.promise,
+        "section": figure.section,
         "file": f"{folder}/{name}",
     }
 
 
 def _machine(data: xr.Dataset) -> str:
-    """Sentence that names the machine on which a figure's dataset was measured, if it was."""
+    """Sentence that describes the machine on which a figure's dataset was measured, if any."""
     if "machine" not in data.attrs:
         return ""
     found = machine(data)
@@ -94,7 +76,7 @@ def _machine(data: xr.Dataset) -> str:
 
 
 def ellipsoids_text(results: Results) -> str:
-    """Table of the ellipsoids in the supports' place: integration constants, and errors in degrees."""
+    """Table of the ellipsoids that approximate supports: integration constants, and errors in degrees."""
     found = results.dataset(f"{SLIDERS}/supports")
     rows = []
     for name in found.support.values:
@@ -109,7 +91,7 @@ def ellipsoids_text(results: Results) -> str:
 
 
 def cones_text(results: Results) -> str:
-    """Table of the motion cones of infinite friction, degrees, by rod length."""
+    """Table of the motion cones of infinite friction by rod length, degrees."""
     cones = results.dataset("motion_cones").sel(friction_coefficient=np.inf, rod_angle=ROD_ANGLE)
     centers = results.dataset("acceleration_centers")
     rows = []
@@ -143,7 +125,7 @@ def verdict_text(results: Results) -> str:
     Raises
     ------
     InvalidFile
-        Where there is no verdict, or no variable in it agrees.
+        If there is no verdict, or it compares no variable.
     """
     rows = verdict_rows(results)
     if not rows:
@@ -151,15 +133,3 @@ def verdict_text(results: Results) -> str:
             f"{results.folder}/tables/golden_verdict.json: compares nothing; build it"
         )
     return csv_text(rows)
-
-
-def provenance_text(results: Results, study: PathLike) -> str:
-    """Table of the versions behind the results, with the study and its digest."""
-    rows = [("study", str(study)), ("SHA-256 of the study", whole_digest(load_study(study))[:16])]
-    rows.append(("Python", platform.python_version()))
-    rows += [(name, version(name)) for name in PACKAGES]
-    marks = results.golden_marks()[0]
-    for each in marks["golden_versions"].split(", "):
-        name, number = each.split(" ")
-        rows.append((f"{name}, golden data", number))
-    return csv_text([{"what": name, "version": value} for name, value in rows])

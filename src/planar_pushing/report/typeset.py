@@ -1,4 +1,4 @@
-"""Set a Typst source as a PDF whose bytes depend on what it reads alone."""
+"""Typeset a Typst source as a PDF with bytes that depend only on its inputs."""
 
 from __future__ import annotations
 
@@ -11,26 +11,26 @@ import typst
 from planar_pushing.study.files.replacing import PathLike, replacing
 from planar_pushing.terms.errors import InvalidFile
 
-#: The figures' fonts, which ship with matplotlib; so text and pictures have one family.
+#: The figures' fonts, which ship with matplotlib, so that text and figures use the same family.
 FONTS = str(distribution("matplotlib").locate_file("matplotlib/mpl-data/fonts/ttf"))
 
 
 def compiled(source: PathLike, root: PathLike, results: str = "results") -> bytes:
-    """Set a source as a PDF, with the fonts of the figures and those that Typst ships.
+    """Typeset a source as a PDF, with the fonts of the figures and those shipped with Typst.
 
     Parameters
     ----------
     source : path
         The Typst file.
     root : path
-        The folder that holds all that it reads.
+        The folder that contains all files that the source reads.
     results : str
-        The folder of the results, from `root`.
+        The folder of the results, relative to `root`.
 
     Raises
     ------
     InvalidFile
-        Where the source cannot be set, or is set with a warning such as a missing font.
+        If the source cannot be typeset, or only with a warning, such as a missing font.
     """
     if not Path(source).is_file():
         raise InvalidFile(f"{source}: no such file; give the path of a Typst source")
@@ -48,19 +48,20 @@ def compiled(source: PathLike, root: PathLike, results: str = "results") -> byte
     for warning in warnings:
         raise InvalidFile(_explain(source, warning))
     if not isinstance(pdf, bytes):
-        raise InvalidFile(f"{source}: was not set as one PDF; set its output to paged")
+        raise InvalidFile(f"{source}: was not typeset as one PDF; set its output to paged")
     return pdf
 
 
 def _explain(source: PathLike, fault: typst.TypstError | typst.TypstWarning) -> str:
-    """One line: the place that a fault comes from, what it is, and what helps."""
+    """One-line message: the location of a fault, its description, and hints."""
     places = re.findall(r"┌─ (\S+)", fault.diagnostic)
     said = fault.message.removeprefix("assertion failed: ").removeprefix("panicked with: ")
-    return "; ".join([f"{places[-1] if places else source}: cannot be set: {said}", *fault.hints])
+    message = f"{places[-1] if places else source}: cannot be typeset: {said}"
+    return "; ".join([message, *fault.hints])
 
 
 def typeset(source: PathLike, root: PathLike, output: PathLike, results: str = "results") -> None:
-    """Write the PDF of a source, whole or not at all; errors as in `compiled`."""
+    """Write the PDF of a source, completely or not at all; errors as in `compiled`."""
     pdf = compiled(source, root, results)
     with replacing(output) as temporary:
         temporary.write_bytes(pdf)

@@ -1,4 +1,4 @@
-"""The golden verdicts of both studies in short: their counts, and one line for each dataset."""
+"""Summary of the golden verdicts of both studies: their counts, and one line for each dataset."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from planar_pushing.terms.errors import InvalidFile
 #: One comparison of a verdict.
 Check = dict[str, Any]
 SOURCE = "tables/golden_verdict.json"
-#: How golden values are known, as verdicts have it.
+#: Kinds of golden values, as named in verdicts.
 KINDS = ("enclosed", "searched", "integrated", "plain")
 
 
@@ -20,13 +20,13 @@ def _passed(results: Results) -> list[dict[str, Any]]:
     for found in results.verdicts:
         if not found["passed"]:
             raise InvalidFile(
-                f"{results.folder}/{SOURCE}: holds no verdict that passed; build it anew"
+                f"{results.folder}/{SOURCE}: the golden check did not pass; build it again"
             )
     return results.verdicts
 
 
 def verdict_word() -> Quantity:
-    """Make the quantity that says whether the checks passed."""
+    """Quantity that says whether the checks passed."""
     return Quantity(
         read=lambda results: "passed" if _passed(results) else "",
         digits=0,
@@ -36,7 +36,7 @@ def verdict_word() -> Quantity:
 
 
 def kind_count(kind: str, part: str = "values") -> Quantity:
-    """Make the number of values, or of variables, of a kind of golden data that were compared."""
+    """Number of compared values or variables of one kind of golden data."""
     return Quantity(
         read=lambda results: float(sum(each["kinds"][kind][part] for each in _passed(results))),
         digits=0,
@@ -46,7 +46,7 @@ def kind_count(kind: str, part: str = "values") -> Quantity:
 
 
 def label_count() -> Quantity:
-    """Make the number of entries that are no finite numbers."""
+    """Number of entries that are not finite numbers."""
     return Quantity(
         read=lambda results: float(sum(each["labels"] for each in _passed(results))),
         digits=0,
@@ -56,7 +56,7 @@ def label_count() -> Quantity:
 
 
 def mark_count(mark: str, join: Any) -> Quantity:
-    """Make a number that golden files hold as an attribute."""
+    """Number stored as an attribute in golden files."""
 
     def read(results: Results) -> float:
         return float(join(marks[mark] for marks in results.golden_marks() if mark in marks))
@@ -65,9 +65,9 @@ def mark_count(mark: str, join: Any) -> Quantity:
 
 
 def verdict_rows(results: Results) -> list[dict[str, str]]:
-    """Variables, finite values and the worst error against the allowed one, by dataset.
+    """Number of variables and finite values, worst error and its tolerance, by dataset.
 
-    Scenes, logs and figures are counted together.
+    Scenes, logs and figures are each counted together.
     """
     groups: dict[str, list[Check]] = defaultdict(list)
     for found in _passed(results):

@@ -1,1 +1,1 @@
-"""Motion over time: the pushed slider simulated, and its log."""
+"""Simulation of the pushed slider over time, and its log."""

@@ -1,4 +1,4 @@
-"""`simulate_batch`: the motion of many scenes at once, from a scene of arrays."""
+"""`simulate_batch`: the motion of many scenes, given as one scene with array parameters."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ from planar_pushing.terms import quantities
 from planar_pushing.terms.errors import InvalidValue, require_kind
 from planar_pushing.terms.options import Policy, PolicyName, Shape
 
-#: Variables of the dataset that are those of a row.
+#: Variables of the dataset that are fields of a row.
 SAMPLED = (
     "time", "position", "rod_angle", "slip", "gap", "force", "mode", "solutions", "pivot", "stopped",
 )  # fmt: skip
-#: Types of those that are no variables of a log.
+#: Types of the variables that are not in a log.
 TYPES = {"time": "f8", "stopped": "i1"}
 
 
@@ -44,36 +44,37 @@ def simulate_batch(
     samples: int | None = None,
     progress: bool = False,
 ) -> xr.Dataset:
-    """Simulate a scene of arrays, each of its scenes as `simulate` does.
+    """Simulate many scenes, given as one scene with array parameters, each as `simulate` does.
 
     Parameters
     ----------
     scene : Scene
-        Parameters of slider, law and effects may be arrays of shape (scenes,), or labelled arrays.
+        Parameters of slider, law and effects can be arrays of shape (scenes,) or labeled arrays.
     pusher : Pusher
-        One for every scene; the two parts of its velocity, alone or in each piece, and the radius of a
-        finger may be arrays. Scenes under a pusher that follows a function of time run one by one.
+        Pusher of all scenes. The components of its velocity, also in each piece, and the radius of a finger
+        can be arrays. Scenes under a pusher that follows a function of time are simulated one by one.
     duration, gap : array_like
-        As in `simulate`. All arrays are broadcast against one another, labelled ones by name.
+        As in `simulate`. All arrays are broadcast against each other, labeled arrays by name.
     twist : (v_x, v_y, omega)
         As in `simulate`, omega in radians per time; numbers or arrays.
     rtol, on_ambiguity
         As in `simulate`.
     samples : int, optional
-        Number of evenly spaced instants, the first and the last included; without it only the last.
+        Number of evenly spaced instants, including the first and the last; by default only the last.
     progress : bool
         Whether to show a progress bar.
 
     Returns
     -------
     xarray.Dataset
-        Over `scene`, or the dimensions of the labelled arrays, and `part` of the duration where samples are
-        asked for; angles are degrees. The numbers are those of `simulate`; `force` is that at the instant.
+        Dataset over `scene`, or the dimensions of the labeled arrays, and over `part` of the duration if
+        `samples` is given; angles are in degrees. The numbers are equal to those of `simulate`; `force` is
+        the force at the instant.
 
     Raises
     ------
     InvalidValue
-        Where a value is not allowed, or shapes do not match.
+        If a value is not allowed, or shapes do not match.
     """
     require_kind("pusher", pusher, Pusher)
     problem = Problem(
@@ -84,7 +85,7 @@ def simulate_batch(
     _require_free(given)
     parts = np.ones(1) if samples is None else np.linspace(0.0, 1.0, sample_count(samples))
     ends = given.scenes.ends
-    # As `simulate` has them, bit for bit.
+    # Bit for bit the times of `simulate`.
     times = np.linspace(0.0, ends, len(parts), axis=-1) if samples else ends[:, None]
     rows, changes = run_scenes(problem, given.scenes, np.ascontiguousarray(times), progress)
     found = _variables(problem, in_units(rows, given.scenes.radius), samples is None)
@@ -110,7 +111,7 @@ class Given(NamedTuple):
 
 
 def _given(problem: Problem) -> Given:
-    """Scenes of arrays that are broadcast against one another."""
+    """Scenes from arrays that are broadcast against each other."""
     scene, pusher = problem.scene, problem.pusher
     velocities = [part for _, velocity in pusher.arrays for part in velocity]
     numbers = columns(scene, problem.twist, problem.gap, pusher.radius)
@@ -125,7 +126,7 @@ def _given(problem: Problem) -> Given:
 
 
 def _require_free(given: Given) -> None:
-    """Refuse dimensions and coordinates with the names of results."""
+    """Reject dimensions and coordinates with names of results."""
     taken = {*SAMPLED, *FINGER, "mode_changes", "evaluations", "part", "piece", "xy"}
     for name in (*given.dims, *map(str, given.own)):
         if name in taken:
@@ -137,13 +138,13 @@ def _require_free(given: Given) -> None:
 def _broadcast(
     given: list[Any],
 ) -> tuple[list[Array], tuple[str, ...], tuple[int, ...], dict[str, Any]]:
-    """Flat arrays, and dimensions, shape and coordinates of what was given."""
+    """Flat arrays, and the dimensions, shape and coordinates of the given values."""
     if any(map(is_labelled, given)):
         loose = [each for each in given if np.ndim(each) and not is_labelled(each)]
         if loose:
             raise InvalidValue(
-                "shapes", np.shape(loose[0]), "labelled arrays, or arrays of one shape",
-                "give this array as an xarray.DataArray too",
+                "shapes", np.shape(loose[0]), "labeled arrays, or arrays of one shape",
+                "also give this array as an xarray.DataArray",
             )  # fmt: skip
         every = xr.broadcast(*(each if is_labelled(each) else xr.DataArray(each) for each in given))
         dims = tuple(map(str, every[0].dims))
@@ -164,7 +165,7 @@ def _broadcast(
 
 
 def _fences(problem: Problem, ends: Array, radius: Array, moves: Any) -> Fences:
-    """The fences of scenes; those that are functions of time are made for one scene at a time."""
+    """Motions of the fences of scenes; functions of time are converted for one scene at a time."""
     pusher, policies = problem.pusher, problem.on_ambiguity
     if problem.follows_function:
 
@@ -185,7 +186,7 @@ def _fences(problem: Problem, ends: Array, radius: Array, moves: Any) -> Fences:
 
 
 def _variables(problem: Problem, rows: Any, only_last: bool) -> dict[str, Any]:
-    """The variables of rows, with dimensions and types as in a log."""
+    """Variables of rows, with dimensions and types as in a log."""
     over, rows = (("scene",), rows[:, -1]) if only_last else (("scene", "part"), rows)
     logged = {name: ((), dtype) for name, dtype in TYPES.items()} | variables(problem)
     found: dict[str, Any] = {}
@@ -197,7 +198,7 @@ def _variables(problem: Problem, rows: Any, only_last: bool) -> dict[str, Any]:
 
 
 def _unflat(value: Any, given: Given) -> Any:
-    """A variable over the scenes, over their dimensions."""
+    """Reshape a variable over the scenes to their dimensions."""
     dims, array = value
     return (*given.dims, *dims[1:]), np.asarray(array).reshape(*given.shape, *array.shape[1:])
 
@@ -224,7 +225,7 @@ def _coordinates(problem: Problem, given: Given) -> dict[str, Any]:
 
 
 def _velocities(pusher: Pusher, given: Given) -> dict[str, Any]:
-    """Velocities of the pushers, over their pieces where there are several."""
+    """Velocities of the pushers, over their pieces if there are several."""
     parts = [[_over(part, given)[1] for part in velocity] for _, velocity in pusher.arrays]
     every = np.moveaxis(np.array(parts), (0, 1), (-2, -1))
     if len(parts) == 1:
@@ -245,7 +246,7 @@ def _like(contact: Any, mu: list[float]) -> Any:
 
 
 def _over(value: Any, given: Given) -> Any:
-    """A number or an array over the dimensions of the scenes."""
+    """Expand a number or an array to the dimensions of the scenes."""
     if is_labelled(value):
         value = value.broadcast_like(xr.DataArray(np.zeros(given.shape), dims=given.dims))
         value = value.transpose(*given.dims).values

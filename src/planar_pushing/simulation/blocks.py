@@ -1,4 +1,4 @@
-"""Many scenes at once: a loop of the event-driven integrator over rows of numbers, mapped by threads."""
+"""Simulation of many scenes: the event-driven integrator loops over blocks of scenes in threads."""
 
 from __future__ import annotations
 
@@ -29,19 +29,20 @@ from planar_pushing.simulation.systems.setup import (
     size_of,
 )
 
-#: Scenes of a block.
+#: Scenes in a block.
 BLOCK = 128
-#: Rows that the integrator hands on at once.
+#: Maximum number of rows that the integrator returns at once.
 ROWS = 64
-#: Steps after which a block returns to Python, so that Ctrl-C is heard: a fraction of a second of work.
+#: Steps after which a block returns to Python to check for Ctrl-C: a fraction of a second of work.
 STEPS = 5_000
 
-#: Of a slice of many scenes: their fences, shape (scenes, pieces), and how many pieces of each count.
+#: Function from a slice of scenes to their fences, shape (scenes, pieces), and the number of pieces of
+#: each.
 Fences = Callable[[slice], tuple[Any, Array]]
 
 
 class Scenes(NamedTuple):
-    """Many scenes in radii: rows as `systems.setup` has them, durations, radii and fences."""
+    """Many scenes in units of radii: rows as in `systems.setup`, durations, radii and fences."""
 
     rows: Array
     ends: Array
@@ -51,7 +52,7 @@ class Scenes(NamedTuple):
 
 @inlined
 def _begin(system, numbers, run, at):
-    """Begin the next scene of a block, unless it is under way."""
+    """Begin the next scene of a block, unless it is already in progress."""
     if not at.begun:
         fill(numbers, system.fence, system.body)
         put(system, numbers, run.vectors[STATE])
@@ -61,9 +62,9 @@ def _begin(system, numbers, run, at):
 
 @inlined
 def _follow(system, task, run, rows, found, changes, at):
-    """Go on with one scene; `found` takes its row at each of the task's times, the last where it ends.
+    """Continue one scene, store its rows at the task's times in `found`, and return the number of steps.
 
-    Returns the number of steps.
+    If the scene ends early, its last row is repeated.
     """
     times, before = task.times, run.steps
     count = advance(system, task, run, rows)
@@ -81,13 +82,13 @@ def _follow(system, task, run, rows, found, changes, at):
     return 1 + run.steps - before
 
 
-# Two kernels, and no function that makes a system: it holds a record, which no function returns.
+# These are two kernels because a system contains a record, which a compiled function cannot return.
 @kernel
 @owning
 def _quasi_static(
     kinds, shape, scenes, fences, counts, times, rtol, body, room, run, rows, found, changes, at
 ):
-    """Go on with a block of scenes without inertia, until it ends or many steps are done."""
+    """Continue a block of scenes without inertia until it ends or many steps are done."""
     done = 0
     while at.scene < len(scenes) and done < STEPS:
         i = at.scene
@@ -108,7 +109,7 @@ def _quasi_static(
 def _inertial(
     kinds, shape, scenes, fences, counts, times, rtol, body, room, run, rows, found, changes, at
 ):
-    """As `_quasi_static`, of scenes with inertia."""
+    """As `_quasi_static`, for scenes with inertia."""
     done = 0
     while at.scene < len(scenes) and done < STEPS:
         i = at.scene
@@ -124,7 +125,7 @@ def _inertial(
         done += _follow(system, Task(rtol, times[i]), run, rows, found[i], changes, at)
 
 
-#: Where a block is.
+#: Position in a block: the scene, the sample, and whether the scene has begun.
 PLACE = np.dtype([("scene", "i8"), ("place", "i8"), ("begun", "b1")], align=True)
 
 
@@ -133,7 +134,7 @@ def run_scenes(
 ) -> tuple[Any, Any]:
     """Rows of the scenes of a problem at these times, shape (scenes, samples), and their mode changes.
 
-    The last row of a scene that stops before stands for the times after.
+    For a scene that stops early, the last row is repeated for the later times.
     """
     size, scene, shape = len(times), problem.scene, PUSHERS[problem.shape]
     kinds, entries = kinds_of(scene), size_of(scene)
@@ -159,7 +160,7 @@ def run_scenes(
 
     with tqdm(total=size, disable=not progress, unit="scene", leave=False) as bar:
         try:
-            run(0)  # which compiles where it must, before the threads do
+            run(0)  # compile before the threads start
             in_threads(run, range(block, size, block))
         except BaseException:
             stop.set()

@@ -1,4 +1,4 @@
-"""A smooth function of time as Chebyshev polynomials, to rounding."""
+"""Approximation of a smooth function of time by Chebyshev polynomials, to rounding error."""
 
 from __future__ import annotations
 
@@ -11,19 +11,20 @@ from numpy.polynomial import chebyshev
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.fence import POINTS
 
-#: Points in a piece: the zeros of a Chebyshev polynomial, so that a piece sees its own side of a jump.
+#: Nodes of a piece: zeros of a Chebyshev polynomial, so that a piece does not sample jumps at its ends.
 NODES = np.cos(np.pi * (np.arange(POINTS)[::-1] + 0.5) / POINTS)
 TO_COEFFICIENTS = np.linalg.inv(chebyshev.chebvander(NODES, POINTS - 1))
 #: Rounding errors of values and of coefficients, relative to the largest of a piece.
 ROUNDING = 2e-15
-#: Points beside the nodes, at which an interpolant is checked.
+#: Points other than the nodes at which an interpolant is checked.
 CHECKS = np.array([-0.97, 0.021, 0.53])
-#: Least part of a span that is a piece, and most pieces: a function that is not smooth ends there.
+#: Smallest length of a piece as a fraction of the span, and maximum number of pieces, which end the
+#: subdivision for a function that is not smooth.
 SHORTEST, MOST = 2.0**-30, 4096
 
 
 def _operator(function: Callable[[Any], Any]) -> Array:
-    """The matrix of a linear function of coefficients."""
+    """Matrix of a linear function of coefficients."""
     found = np.zeros((POINTS, POINTS))
     for column, unit in zip(found.T, np.eye(POINTS), strict=True):
         image = function(unit)
@@ -31,13 +32,13 @@ def _operator(function: Callable[[Any], Any]) -> Array:
     return found
 
 
-#: From a piece's coefficients to those of its derivative, over -1 to 1, and of its mean since it began.
+#: Matrices from a piece's coefficients to those of its derivative, over -1 to 1, and of its running mean.
 SLOPE = _operator(chebyshev.chebder)
 MEAN = _operator(lambda c: chebyshev.chebdiv(chebyshev.chebint(c, lbnd=-1), [1.0, 1.0])[0])
 
 
 class Piece(NamedTuple):
-    """The fence's velocity up to a time: coefficients, shape (POINTS, 2), and what is rounding of it."""
+    """The fence's velocity up to a time: coefficients, shape (POINTS, 2), and their rounding error."""
 
     end: float
     coefficients: Array
@@ -47,7 +48,7 @@ class Piece(NamedTuple):
 def pieces_of(
     velocity: Callable[[float], tuple[float, float]], start: float, end: float
 ) -> list[Piece]:
-    """Pieces of a velocity between two times, halved until each is a polynomial to rounding."""
+    """Pieces of a velocity between two times, halved until each is a polynomial to rounding error."""
     found: list[Piece] = []
     left = [(start, end)]
     while left:
@@ -65,7 +66,7 @@ def pieces_of(
 def _interpolated(
     velocity: Callable[[float], tuple[float, float]], low: float, high: float
 ) -> tuple[Piece, bool]:
-    """The interpolant between two times, and whether it is the function to rounding."""
+    """Interpolant between two times, and whether it matches the function to rounding error."""
     middle, half = (low + high) / 2, (high - low) / 2
     values = np.array([velocity(middle + half * node) for node in NODES])
     coefficients = TO_COEFFICIENTS @ values

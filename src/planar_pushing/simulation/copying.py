@@ -1,4 +1,4 @@
-"""Copies of rows of numbers."""
+"""Copying of rows of numbers."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from planar_pushing.mechanics.compiled import compiled
 
 @compiled
 def copy(target, source):
-    """Write one row into another.
+    """Copy one row into another.
 
-    An assignment to a slice would make an array in between, lest the two overlap, and compile numba's
-    formatting of text for its message about shapes, which takes seconds.
+    An assignment to a slice would create a temporary array in case the two overlap. It would also compile
+    numba's text formatting for an error message about shapes, which takes seconds.
     """
     for k in range(len(target)):
         target[k] = source[k]

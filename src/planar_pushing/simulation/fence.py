@@ -1,7 +1,7 @@
-"""The fence's motion in the compiled core: spans in which its velocity is smooth, made of polynomials.
+"""The fence's motion in the compiled core: spans of smooth velocity, made of polynomial pieces.
 
-A piece holds Chebyshev coefficients over its own length of time, of the velocity, of its derivative and of
-the mean velocity since the piece began. A constant velocity is a polynomial of degree 0.
+A piece holds Chebyshev coefficients over its time interval for the velocity, its derivative, and the mean
+velocity since the start of the piece. A constant velocity is a polynomial of degree 0.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled
 
-#: Rows of a piece's coefficients: of each quantity that along the fence and that normal to it.
+#: Rows of a piece's coefficients; each quantity has one row along the fence and one normal to it.
 VELOCITY, ACCELERATION, MEAN = 0, 2, 4
-#: Coefficients of a piece at most.
+#: Maximum number of coefficients of a piece.
 POINTS = 16
-#: A piece, in radii of the slider: its time, its degree, the pieces of its span from `first` to before
-#: `last`, the policy that holds in it, the rounding error of each part of its velocity, the displacement
-#: at its start, and its coefficients.
+#: A piece, in units of the slider's radius: its time interval and degree, the pieces of its span from
+#: `first` to before `last`, its policy, the rounding error of each velocity component, the displacement at
+#: its start, and its coefficients.
 PIECE = np.dtype(
     [
         ("start", "f8"), ("end", "f8"), ("degree", "i8"), ("first", "i8"), ("last", "i8"),
@@ -27,14 +27,14 @@ PIECE = np.dtype(
     ],
     align=True,
 )  # fmt: skip
-#: Parts of a span at which its speed is sampled.
+#: Number of intervals of a span at which its speed is sampled.
 PARTS = 64
-#: Nodes and weights of the quadrature that turns a velocity into a way.
+#: Nodes and weights of the quadrature for the displacement from a velocity.
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 
 class Span(NamedTuple):
-    """A span of time in which the velocity is smooth, and its pieces from `first` to before `last`."""
+    """A time interval of smooth velocity, and its pieces from `first` to before `last`."""
 
     start: float
     end: float
@@ -45,7 +45,7 @@ class Span(NamedTuple):
 
 @compiled
 def span(fence, index):
-    """The span of a piece; the fence is an array of pieces."""
+    """Span of a piece; the fence is an array of pieces."""
     piece = fence[index]
     constant = piece.last - piece.first == 1 and piece.degree == 0
     return Span(
@@ -55,7 +55,7 @@ def span(fence, index):
 
 @compiled
 def _piece(fence, during, time):
-    """Index of the piece of a span that holds a time."""
+    """Index of the piece of a span that contains a time."""
     low, high = during.first, during.last
     while high - low > 1:
         middle = (low + high) // 2
@@ -81,7 +81,7 @@ def _value(piece, row, time):
 
 @compiled
 def velocity(fence, during, time):
-    """Velocity of the fence at a time of a span, exactly zero where it is nothing but rounding."""
+    """Velocity of the fence at a time of a span; components that are only rounding error are zero."""
     piece = fence[_piece(fence, during, time)]
     x, y = _value(piece, VELOCITY, time), _value(piece, VELOCITY + 1, time)
     return x if abs(x) > piece.noise[0] else 0.0, y if abs(y) > piece.noise[1] else 0.0
@@ -98,7 +98,7 @@ def acceleration(fence, during, time):
 
 @compiled
 def displacement(fence, during, time):
-    """Displacement of the fence since the start of its motion."""
+    """Displacement of the fence from the start of its motion."""
     piece = fence[_piece(fence, during, time)]
     passed, origin = time - piece.start, piece.origin
     x, y = _value(piece, MEAN, time), _value(piece, MEAN + 1, time)
@@ -107,7 +107,7 @@ def displacement(fence, during, time):
 
 @compiled
 def way(fence, during, start, end):
-    """How far the fence travels between two times of a span."""
+    """Displacement of the fence between two times of a span."""
     if during.constant:
         x, y = velocity(fence, during, start)
         return x * (end - start), y * (end - start)
@@ -120,7 +120,7 @@ def way(fence, during, start, end):
 
 @compiled
 def typical_speed(fence):
-    """The greatest speed among samples of the fence's motion."""
+    """Maximum speed among samples of the fence's motion."""
     most, index = 0.0, 0
     while index < len(fence):
         during = span(fence, index)

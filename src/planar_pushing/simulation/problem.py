@@ -1,11 +1,11 @@
-"""A motion to be simulated: scene, pusher, initial state, and what decides between contact modes.
+"""A problem to simulate: scene, pusher, initial state, and policy for the contact modes.
 
-The fence is the line ``y = Y(t)`` of a frame whose origin is the contact at time 0, and its
-displacement is ``(X, Y)``. The rod angle is any real number. The contact is the rod's free end alone, so
-the model holds as long as the slider's center is above the fence; where it comes down to it, the rod
-lies along the fence or under it, and a simulation stops there. An outline, where the slider has one, ends
-it where another of its points meets the fence. A finger is the point ``(X, Y)``, against a
-side of the slider that lies along x at time 0, or a disc whose center is a radius below the contact then.
+The fence is the line ``y = Y(t)`` in a frame with its origin at the contact at time 0, and its displacement
+is ``(X, Y)``. The rod angle can be any real number. Only the rod's free end can touch the fence, so the
+model is valid as long as the slider's center is above the fence. The simulation stops when the center
+reaches the fence, where the rod lies along it. If the slider has an outline, the simulation also stops when
+another point of the outline meets the fence. A finger is the point ``(X, Y)``, or a disc with its center
+one radius below the contact at time 0; it pushes a side of the slider that is along x at time 0.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from planar_pushing.terms.domain import SPEEDS, Number, require_fields, required
 from planar_pushing.terms.errors import InvalidValue, require_number
 from planar_pushing.terms.options import SAMPLES, TOLERANCE, Policy, PusherFrame, Shape
 
-#: What an initial twist may be.
+#: Allowed initial twists.
 TWIST = f"three finite numbers of at most {SPEEDS[1]:g}"
 
 
@@ -34,14 +34,14 @@ TWIST = f"three finite numbers of at most {SPEEDS[1]:g}"
 class Problem:
     """The problem that `simulate` solves.
 
-    In a batch numbers are arrays over the scenes. `on_ambiguity` becomes policies with their start times,
-    and the motion of the pusher is that along the axes of the fence frame.
+    In a batch, numbers are arrays over the scenes. `on_ambiguity` is converted to policies with start
+    times, and the motion of the pusher to the axes of the fence frame.
 
     Raises
     ------
     InvalidValue
-        Where a value is out of range, a twist is given that the scene's effects determine, or an outline
-        begins through the fence.
+        If a value is out of range, a twist is given although the scene's effects determine it, or the
+        outline initially penetrates the fence.
     """
 
     scene: Scene
@@ -57,7 +57,7 @@ class Problem:
         require_fields(self, "duration", "gap")
         rtol = require_number(
             "rtol", self.rtol, TOLERANCE.holds, TOLERANCE.allowed,
-            "choose a tolerance that double precision can hold",
+            "choose a tolerance that double precision can achieve",
         )  # fmt: skip
         object.__setattr__(self, "rtol", rtol)
         object.__setattr__(self, "twist", _twist(self.twist, self.scene))
@@ -72,19 +72,19 @@ class Problem:
         object.__setattr__(self, "pusher", self._pusher_along_the_fence())
 
     def _pusher_along_the_fence(self) -> Pusher:
-        """The pusher, its motion along the axes of the fence frame."""
+        """The pusher, with its motion along the axes of the fence frame."""
         if self.pusher.frame == PusherFrame.FENCE:
             return self.pusher
         if self.world is None:
             raise InvalidValue(
-                "frame", str(self.pusher.frame), f"{PusherFrame.FENCE}, where no object_pose is given",
-                "give simulate the object_pose, or a motion along the fence and normal to it",
+                "frame", str(self.pusher.frame), f"{PusherFrame.FENCE}, if no object_pose is given",
+                "give simulate the object_pose, or give the motion along and normal to the fence",
             )  # fmt: skip
         return self.pusher.in_fence_frame(self.world.fence)
 
     @property
     def world(self) -> World | None:
-        """The world, where the object's pose in it is given."""
+        """The world, if the object's pose in it is given."""
         return None if self.object_pose is None else world_of(self.scene, self.object_pose)
 
     @property
@@ -98,13 +98,13 @@ class Problem:
         return not self.pusher.pieces and not self.pusher.arrays
 
     def fence(self, duration: float, radius: float) -> Any:
-        """The motion of a `Pusher` as an array of pieces, each with its policy; errors as of the pusher."""
+        """The pusher's motion as an array of pieces, each with its policy; errors as in `Pusher`."""
         cuts = starts_of(self.on_ambiguity)
         return marked(self.pusher.fence(duration, radius, cuts), self.on_ambiguity)
 
 
 def _require_narrow(radius: Number, slider_radius: Number) -> None:
-    """Refuse a finger whose radius is out of proportion to the slider's, or of another shape."""
+    """Reject a finger radius with an extreme ratio to the slider's radius, or with a mismatched shape."""
     try:
         ratio = radius / slider_radius
     except ValueError:
@@ -116,7 +116,7 @@ def _require_narrow(radius: Number, slider_radius: Number) -> None:
 
 
 def _twist(given: Any, scene: Scene) -> tuple[Number, ...]:
-    """An initial twist, which is zero for a scene without inertia."""
+    """Validate an initial twist, which must be zero for a scene without inertia."""
     twist = tuple(map(as_numbers, given)) if hasattr(given, "__len__") else ()
     fits = (each is not None and (np.abs(each) <= SPEEDS[1]).all() for each in twist)
     if len(twist) != 3 or not all(fits):
@@ -124,24 +124,24 @@ def _twist(given: Any, scene: Scene) -> tuple[Number, ...]:
     if not scene.stores_energy and any(np.any(each != 0) for each in twist):
         raise InvalidValue(
             "twist", given, "(0, 0, 0) for a scene without inertia",
-            "leave the twist out: the fence determines a quasi-static motion",
+            "leave the twist out, since the fence determines a quasi-static motion",
         )  # fmt: skip
     return twist
 
 
 def as_numbers(given: Any) -> Number | None:
-    """A number or an array of numbers as floats; None for anything else."""
+    """Convert a number or an array of numbers to floats; return None for anything else."""
     try:
         found = np.asarray(given)
-    except (TypeError, ValueError):  # lists of several lengths
+    except (TypeError, ValueError):  # lists of different lengths
         return None
     return found.astype(float)[()] if found.dtype.kind in "iuf" else None
 
 
 def sample_count(given: object) -> int:
-    """A number of samples, the first and the last instant included, or `InvalidValue`."""
+    """Validate a number of samples, which includes the first and the last instant."""
     count = require_number(
         "samples", given, lambda n: SAMPLES.holds(n) and n == int(n), SAMPLES.allowed,
-        "ask at least for the first and the last instant",
+        "request at least the first and the last instant",
     )  # fmt: skip
     return int(count)

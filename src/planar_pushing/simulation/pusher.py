@@ -1,4 +1,4 @@
-"""What pushes, and its prescribed motion: constant, piecewise constant or any function of time."""
+"""The pusher and its prescribed motion: constant, piecewise constant, or any function of time."""
 
 from __future__ import annotations
 
@@ -27,17 +27,17 @@ Vector = tuple[float, float]
 Vectors = tuple[npt.ArrayLike, npt.ArrayLike]
 Motion = Callable[[float], Vector]
 
-#: What `velocity` and `waypoints` may be, and what to do otherwise.
+#: Allowed values of `velocity` and `waypoints`, and remedies.
 ALLOWED = (
     "(v_x, v_y), a sequence of (start_time, (v_x, v_y)), or a function of time that returns one"
 )
 REMEDY = "give the fence's velocity as finite numbers in the scene's units"
 PLACES = "at least two (time, (x, y)) of finite numbers"
-TIMES = "give places of the pusher in the scene's length, with times from 0 on"
+TIMES = "give positions of the pusher in the scene's unit of length, with times from 0"
 
 
 def vector(given: object) -> Vector:
-    """Two numbers as floats, whose size a square can hold, or `InvalidValue`."""
+    """Validate a vector of two numbers with a magnitude in the allowed range."""
     numbers = as_floats(given)
     if len(numbers) != 2 or not all(map(math.isfinite, numbers)):
         raise InvalidValue("velocity", given, ALLOWED, REMEDY)
@@ -47,49 +47,48 @@ def vector(given: object) -> Vector:
 
 
 def required_shape(given: object) -> Shape:
-    """The shape of a pusher, or `InvalidValue`."""
+    """Validate the shape of a pusher."""
     remedy = suggestion(given, Shape, "name one of these shapes")
     return require_option("shape", given, Shape, remedy)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Pusher:
-    """What pushes, and its velocity: a fence, which stays parallel to x, or a finger, a disc or a point.
+    """A pusher and its motion: a fence, which stays parallel to x, or a finger, which is a disc or a point.
 
     Parameters
     ----------
     velocity : (v_x, v_y), sequence of (start_time, (v_x, v_y)), or callable
-        Length per time; of a finger that of its center. The pieces start at 0 and follow one another; each
-        holds until the next starts. For `simulate_batch` v_x and v_y may be arrays over the scenes, shape
-        (scenes,), or labelled arrays, also in each piece.
+        Velocity in length per time; for a finger, that of its center. The first piece starts at time 0, and
+        each piece lasts until the next one starts. For `simulate_batch`, v_x and v_y can be arrays over the
+        scenes, shape (scenes,), or labeled arrays, also in each piece.
     waypoints : sequence of (time, (x, y)), instead of a velocity
-        Places of the pusher with their times, the first at time 0: straight from one to the next at
-        constant velocity, and at rest after the last. Only the way between them counts, as the pusher
-        starts at the contact, or a gap below it.
+        Positions of the pusher with their times, the first at time 0. The pusher moves straight from one to
+        the next at constant velocity and rests after the last. Only their differences matter, since the
+        pusher starts at the contact, or a gap below it.
     acceleration : callable, optional
-        Derivative of a callable velocity. It is not needed: a callable velocity becomes polynomials,
-        whose derivatives are known.
+        Derivative of a callable velocity. It is not needed, since a callable velocity is approximated by
+        polynomials with known derivatives.
     breakpoints : sequence of float
         Times at which a callable velocity is not smooth.
     shape : {"fence", "finger"}
-        A fence meets the rod's free end. A finger meets a flat side of the slider (`Slider.side`), which is
-        along x at time 0, turns with the slider, and along which the contact travels as it slips. A finger
-        does not rotate.
+        A fence touches the rod's free end. A finger touches a flat side of the slider (`Slider.side`),
+        which is along x at time 0 and rotates with the slider. A slipping contact travels along this side.
+        A finger does not rotate.
     radius : float
-        Radius of the finger in the scene's length, >= 0: by default 0, a point. The side is tangent to the
-        disc, so the contact also travels where it sticks while the slider turns, by ``-radius`` times the
-        turn; along the side ``ds/dt = tangent . (v_finger - v_slider) - radius omega``. For
-        `simulate_batch` it may be an array. A fence has none.
+        Radius of the finger in the scene's unit of length, >= 0; the default 0 is a point. The side is
+        tangent to the disc. Therefore, when the slider rotates, even a sticking contact travels along the
+        side, by ``-radius`` times the rotation: ``ds/dt = tangent . (v_finger - v_slider) - radius omega``.
+        For `simulate_batch`, the radius can be an array. A fence has no radius.
     frame : {"fence", "world"}
-        Axes of velocity and waypoints: along the fence and normal to it (the finger's side, at time 0), or
-        those of the world, for which `simulate` takes the object's pose.
+        Axes of velocity and waypoints: along the fence and normal to it (for a finger, along its side at
+        time 0), or those of the world, which requires the object's pose in `simulate`.
 
     Raises
     ------
     InvalidValue
-        Where the velocity has another shape, times do not increase, the pusher's shape or its frame is
-        unknown, the radius is negative or that of a fence, or not exactly one of velocity and waypoints is
-        given.
+        If the velocity has an invalid form, times do not increase, the pusher's shape or frame is unknown,
+        the radius is negative or given for a fence, or not exactly one of velocity and waypoints is given.
     """
 
     velocity: Vectors | Sequence[tuple[float, Vectors]] | Motion | None = None
@@ -128,11 +127,11 @@ class Pusher:
 
     @property
     def steps(self) -> tuple[Array, Array]:
-        """Start times, and velocities of shape (pieces, 2), where the velocity is piecewise constant."""
+        """Start times, and velocities of shape (pieces, 2), of a piecewise constant velocity."""
         return np.array([time for time, _ in self.pieces]), np.array([v for _, v in self.pieces])
 
     def in_fence_frame(self, fence: Frame) -> Pusher:
-        """The same motion along the axes of the fence frame, of a pusher that moves along the world's."""
+        """Convert a motion along the axes of the world to the axes of the fence frame."""
         given: Any = self.velocity
 
         def turned(velocity: object) -> Vector:
@@ -148,12 +147,12 @@ class Pusher:
         )  # fmt: skip
 
     def fence(self, duration: float, radius: float, cuts: Sequence[float] = ()) -> Any:
-        """The fence's motion as an array of pieces, from 0 to the duration; a span ends at each cut.
+        """The pusher's motion as an array of pieces, from 0 to the duration; a span ends at each cut.
 
         Raises
         ------
         InvalidValue
-            Where a function returns something else than a velocity.
+            If a function does not return a velocity.
         """
         if self.pieces:
             starts, moves = self.steps
@@ -169,10 +168,10 @@ class Pusher:
 def constant_fences(
     starts: Array, velocities: Array, ends: Array, cuts: Sequence[float]
 ) -> tuple[Any, Array]:
-    """Fences of many scenes whose velocities, shape (scenes, pieces, 2), are constant from given times on.
+    """Fences of many scenes with piecewise constant velocities, shape (scenes, pieces, 2).
 
-    Pieces start at the cuts as well. Returns the fences and, of each, the number of pieces that begin
-    before its end; the others do not count.
+    Pieces start at the given times and also at the cuts. Returns the fences and the number of valid pieces
+    of each, which are those that begin before its end.
     """
     given, starts = starts, np.union1d(starts, cuts)
     velocities = velocities[:, np.searchsorted(given, starts, side="right") - 1]
@@ -190,7 +189,7 @@ def constant_fences(
 
 
 def _fence(spans: Sequence[Sequence[Piece]], radius: float) -> Any:
-    """The pieces of each span as the compiled core has them."""
+    """Convert the pieces of each span to the form of the compiled core."""
     pieces = [piece for during in spans for piece in during]
     series = np.array([piece.coefficients.T for piece in pieces]) / radius
     fence = records(PIECE, len(pieces))
@@ -206,38 +205,38 @@ def _fence(spans: Sequence[Sequence[Piece]], radius: float) -> Any:
     slopes = series @ chebyshev.SLOPE.T
     fence["series"][:, ACCELERATION:MEAN] = 2 / lengths[:, None, None] * slopes
     fence["series"][:, MEAN:] = series @ chebyshev.MEAN.T
-    # At the end of a piece every Chebyshev polynomial is 1.
+    # At the end of a piece, every Chebyshev polynomial is 1.
     paths = lengths[:, None] * fence["series"][:, MEAN:].sum(axis=-1)
     fence["origin"][1:] = paths.cumsum(axis=0)[:-1]
     return fence
 
 
 def _are_arrays(given: Any) -> bool:
-    """Whether a velocity is two parts, of which one at least is an array of numbers."""
+    """Whether a velocity has two components, at least one of which is an array of numbers."""
     pair = isinstance(given, (tuple, list)) and len(given) == 2
     return pair and any(getattr(each, "ndim", 0) > 0 for each in given)
 
 
 def _hold_arrays(given: Any) -> bool:
-    """Whether a velocity is pieces, of which one at least holds arrays."""
+    """Whether a velocity consists of pieces, at least one of which contains arrays."""
     pieces = given if isinstance(given, (tuple, list)) else ()
     pairs = (each for each in pieces if isinstance(each, (tuple, list)) and len(each) == 2)
     return any(_are_arrays(velocity) for _, velocity in pairs)
 
 
 def _required_radius(given: Number, shape: str) -> Number:
-    """The radius of a finger, or of many; that of a fence is 0. Or `InvalidValue`."""
+    """Validate the radius of one or many fingers; that of a fence must be 0."""
     radius = required_finger_radius(given)
     if shape == Shape.FENCE and np.any(np.asarray(radius) != 0):
         raise InvalidValue(
             "radius", given, "0 for a fence, which is a line",
-            'leave the radius out, or push with shape="finger"',
+            'leave the radius out, or set shape="finger"',
         )  # fmt: skip
     return radius
 
 
 def _required_arrays(given: Any) -> tuple[Any, Any]:
-    """The parts of the velocities of many pushers, or `InvalidValue`."""
+    """Validate the velocity components of many pushers."""
     if not isinstance(given, (tuple, list)) or len(given) != 2:
         raise InvalidValue("velocity", given, ALLOWED, REMEDY)
     x, y = given
@@ -256,14 +255,14 @@ def _required_arrays(given: Any) -> tuple[Any, Any]:
 
 
 def _constant(given: object) -> Vector:
-    """The velocity of a piece, which may be at rest."""
+    """Validate the velocity of a piece, which can be zero."""
     found = vector(given)
     required("velocity", math.hypot(*found))
     return found
 
 
 def _pieces(given: Any) -> tuple[tuple[float, Vector], ...]:
-    """Start times and velocities; one velocity alone holds from 0."""
+    """Start times and velocities; a single velocity applies from time 0."""
     items = list(given) if hasattr(given, "__len__") else []
     if not any(isinstance(each, Iterable) for each in items):
         return ((0.0, _constant(given)),)
@@ -271,15 +270,15 @@ def _pieces(given: Any) -> tuple[tuple[float, Vector], ...]:
 
 
 def _require_alone(velocity: Any) -> None:
-    """Refuse a velocity beside waypoints."""
+    """Reject a velocity in addition to waypoints."""
     if velocity is not None:
         raise InvalidValue(
-            "velocity", velocity, "none beside waypoints", "give the velocity or the waypoints"
+            "velocity", velocity, "none with waypoints", "give either the velocity or the waypoints"
         )
 
 
 def _legs(given: Any) -> tuple[tuple[float, Vector], ...]:
-    """Start times and velocities between places with times, or `InvalidValue`."""
+    """Validate waypoints, and return start times and velocities between them."""
     if not hasattr(given, "__len__") or len(given) < 2:
         raise InvalidValue("waypoints", given, PLACES, TIMES)
     places = timed("waypoints", given, lambda place: _place(given, place), PLACES, TIMES)
@@ -291,7 +290,7 @@ def _legs(given: Any) -> tuple[tuple[float, Vector], ...]:
 
 
 def _place(every: Any, given: Any) -> Vector:
-    """A place of the pusher."""
+    """Validate a position of the pusher."""
     place = as_floats(given)
     if len(place) != 2 or not all(map(math.isfinite, place)):
         raise InvalidValue("waypoints", every, PLACES, TIMES)

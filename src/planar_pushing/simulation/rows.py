@@ -1,4 +1,4 @@
-"""Rows: what an integrator writes down at one instant."""
+"""Rows: the data that an integrator records at one instant."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-#: Value of `mode` where no mode is consistent; otherwise it is one of `ContactMode`.
+#: Value of `mode` if no mode is consistent; otherwise it is a `ContactMode`.
 NO_MODE = -1
-#: Variables that the core has in radii; energies too are forces times radii.
+#: Variables that the core has in units of the radius; energies are also in force times radius.
 LENGTHS = (
     "position", "pusher", "slip", "gap", "contact_position",
     "dissipated", "contact_dissipated", "work", "load_work", "kinetic_energy",
@@ -19,11 +19,12 @@ LENGTHS = (
 
 @cache
 def row_type(effects: int) -> np.dtype[Any]:
-    """One instant of a scene with so many effects that resist the motion, lengths in radii of the slider.
+    """Data type of one instant of a scene with a number of resisting effects; lengths are in slider radii.
 
-    Slider's center, rod angle in radians, twist, displacement of the pusher, number of the support point
-    that is a pivot, why the mode was chosen anew (`Event`), and energies since the start. `stopped` is a
-    `Stop`. Position of a finger along the side, and whether its contact has ended for good.
+    The fields include the slider's center, the rod angle in radians, the twist, the displacement of the
+    pusher, the number of the support point that is a pivot, the event at which the mode was chosen
+    (`Event`), the energies since the start, the position of a finger along the side, and whether its
+    contact has ended permanently. `stopped` is a `Stop`.
     """
     return np.dtype(
         [
@@ -40,7 +41,7 @@ def row_type(effects: int) -> np.dtype[Any]:
 
 
 class Stop(IntEnum):
-    """Why a run ended before its time."""
+    """Reasons why a run ended early."""
 
     NO = 0
     INCONSISTENT = 1
@@ -67,17 +68,17 @@ REASONS = {
 
 
 def reason(stop: int) -> str:
-    """Why a run ended before its time, in words."""
+    """Text of the reason why a run ended early."""
     return REASONS[Stop(stop)]
 
 
 def records(dtype: np.dtype[Any], count: int) -> Any:
-    """Array of records whose fields are attributes, in compiled code as in Python."""
+    """Array of records with fields as attributes, both in compiled code and in Python."""
     return np.zeros(count, dtype).view(np.recarray)
 
 
 def in_units(rows: Any, radius: Any) -> Any:
-    """Rows with lengths in the unit of the scene; the rows themselves change.
+    """Convert lengths in rows to the scene's unit, in place.
 
     Parameters
     ----------
@@ -85,7 +86,7 @@ def in_units(rows: Any, radius: Any) -> Any:
     radius : float, or ndarray over the first dimension of the rows
     """
     for name in LENGTHS:
-        values = rows[name].T  # the last dimension is that of the radii
+        values = rows[name].T  # the radii are along the last dimension
         values *= radius
     velocity = rows["twist"][..., :2].T
     velocity *= radius

@@ -1,4 +1,4 @@
-"""`simulate`: the motion of a pushed slider over time, as a log."""
+"""`simulate`: the motion of a pushed slider over time, recorded in a log."""
 
 from __future__ import annotations
 
@@ -50,76 +50,77 @@ def simulate(
     path: PathLike | None = None,
     progress: bool = False,
 ) -> xr.Dataset:
-    """Simulate the slider under a moving fence, and log its motion.
+    """Simulate the slider under a moving pusher, and log its motion.
 
     Parameters
     ----------
     scene : Scene
-        Its rod angle is the initial one; the contact starts on the fence, at the origin. An outline may not
-        begin through the fence.
+        Scene with the initial rod angle; without a gap, the contact starts on the fence, at the origin. An
+        outline must not penetrate the fence initially.
     pusher : Pusher
         A fence or a finger, and its velocity over time.
     duration : float
-        Time to simulate at most, > 0.
+        Maximum time to simulate, > 0.
     method : {"event-driven", "time-stepping"}
-        DOP853 from event to event to the tolerance, or steps of first order, which survive
-        configurations in which the equations of motion have no solution.
+        Integration from event to event by DOP853 within the tolerance, or first-order steps, which pass
+        through configurations in which the equations of motion have no solution.
     rtol : float
         Relative tolerance of the motion, for the event-driven method.
     on_ambiguity : {"keep-contact", "separate", "stay-in-mode", "stick", "slip-right", "slip-left"}
-        Which mode is taken where several are consistent. "keep-contact": sticking before slip, separation
-        last; "separate": separation first; "stay-in-mode": the mode so far while it is consistent; "stick",
-        "slip-right", "slip-left": that mode where it is consistent, else as "keep-contact". Or a sequence
-        of (start_time, policy), which begins at 0: each policy holds until the next starts, and at these
-        times the mode is chosen anew.
+        Which mode is chosen if several are consistent. "keep-contact": sticking before slip, separation
+        last; "separate": separation first; "stay-in-mode": the current mode while it is consistent;
+        "stick", "slip-right", "slip-left": this mode if it is consistent, otherwise as "keep-contact".
+        Alternatively, a sequence of (start_time, policy) that begins at time 0: each policy lasts until the
+        next one starts, and the mode is chosen again at these times.
     twist : (v_x, v_y, omega)
-        Initial twist at the slider's center, omega in radians per time, for a scene with inertia.
+        Initial twist at the slider's center, with omega in radians per time, for a scene with inertia.
     gap : float
         Initial height of the contact above the fence.
     samples : int
-        Number of evenly spaced instants in the log, >= 2; every event is logged besides.
+        Number of evenly spaced instants in the log, >= 2; every event is also logged.
     step : float, optional
-        Greatest step of the time-stepping method, by default a thousandth of the duration.
+        Maximum step of the time-stepping method, by default 1/1000 of the duration.
     until : Event, ContactMode, str, Until or callable, optional
-        The run stops at the first instant at which this holds: the event or the contact mode of this name
-        (a flag meaning of `event` or `mode` in the log), a rotation or a distance that is reached, or a
-        function of an instant that returns True. The function is given the log's variables at the instant
-        by name, in the log's units, and `time`; its answer is looked at in every entry of the log, and then
-        between the two entries where it changes, to rounding of the time. By time-stepping the run stops at
-        the end of a step, and events are not located.
+        Condition that stops the run at the first instant at which it holds: an event or a contact mode,
+        also by name (a flag meaning of `event` or `mode` in the log), a rotation or distance to reach, or a
+        function of an instant that returns True. The function receives the log's variables at the instant
+        and `time`, by name and in the log's units. It is evaluated at every entry of the log, and then
+        between the two entries where its result changes, until the time is known to rounding error. With
+        time-stepping, the run stops at the end of a step, and events are not located.
     object_pose : (x, y, angle), optional
-        Pose of the object's frame in the world at time 0, the angle in radians. With it the log holds
-        `object_pose`, whose angles are degrees, and `pusher_position`, the place of the finger's center or
+        Pose of the object's frame in the world at time 0, the angle in radians. With it, the log contains
+        `object_pose`, with angles in degrees, and `pusher_position`, the position of the finger's center or
         of the point of the fence that is under the contact at time 0. The object's frame is that of
         `Scene.placement`, by default the body frame.
     path : path, optional
-        A file to which the log is streamed; memory then stays bounded, and the dataset that is returned
-        reads from the file.
+        File to which the log is streamed. Memory use is then bounded, and the returned dataset reads from
+        the file.
     progress : bool
         Whether to show a progress bar.
 
     Returns
     -------
     xarray.Dataset
-        One entry of each variable for each instant; angles in degrees. Where the motion ended before the
-        duration the attribute `stopped` says why: it could not go on, or `until` holds ("until: ..."). It
-        is empty otherwise. A finger that leaves the side at its end ends the contact for good: `parted` is
-        true from then on. A slider with an outline ends the run there, and where another point of the
-        outline meets the fence, to a billionth of the outline's extent.
+        Log with one entry of each variable for each instant; angles are in degrees. If the motion ended
+        early, the attribute `stopped` gives the reason: the motion could not continue, or `until` holds
+        ("until: ..."). Otherwise it is empty. When a finger leaves the side at its end, the contact ends
+        permanently, and `parted` is true from then on. If the slider has an outline, the run ends there,
+        and also when another point of the outline meets the fence, within a billionth of the outline's
+        extent.
 
     Raises
     ------
     InvalidValue
-        Where a value is not allowed.
+        If a value is not allowed.
     InvalidFile
-        Where `path` cannot be written.
+        If `path` cannot be written.
     """
     required_single(required_scene(scene))
     require_kind("pusher", pusher, Pusher)
     for name, several in (("velocity", pusher.arrays), ("radius", np.ndim(pusher.radius))):
         if several:
             raise InvalidValue(
-                name, "arrays", f"one {name}", "take the pushers one by one, or call simulate_batch"
+                name, "arrays", f"one {name}", "simulate them one by one, or call simulate_batch"
             )
     for name, given in (("duration", duration), ("gap", gap)):
         require_number(name, required(name, given), math.isfinite, "one number", "give one")
@@ -142,14 +143,14 @@ def simulate(
 
 
 def _run(problem: Problem, method: str, times: Array, step: float | None, until: Any) -> Any:
-    """A run that has not begun."""
+    """Create a run, which has not begun."""
     start: Callable[[Array], Any]
     if method == Method.TIME_STEPPING:
         start = partial(TimeStepping, problem, step=step)
     elif step is not None:
         raise InvalidValue(
             "step", step, "a number for the time-stepping method only",
-            "leave it out: the event-driven method takes its steps by rtol",
+            "leave it out, since rtol controls the steps of the event-driven method",
         )  # fmt: skip
     else:
         start = partial(EventDriven, problem)
@@ -160,7 +161,7 @@ def _run(problem: Problem, method: str, times: Array, step: float | None, until:
 
 
 def _shown(batches: Iterable[Any], duration: float, progress: bool) -> Iterator[Any]:
-    """The same batches of rows, with a progress bar over the simulated time."""
+    """Yield the batches of rows, with a progress bar over the simulated time."""
     with tqdm(total=duration, disable=not progress, unit="time", leave=False) as bar:
         for rows in batches:
             bar.update(rows["time"][-1] - bar.n)

@@ -1,4 +1,4 @@
-"""Logs as tables: one row an instant."""
+"""Logs as tables with one row per instant."""
 
 from __future__ import annotations
 
@@ -12,29 +12,29 @@ from planar_pushing.terms.errors import InvalidValue
 
 
 def to_pandas(log: xr.Dataset) -> pd.DataFrame:
-    """A log as a table with one row an instant.
+    """Convert a log to a table with one row per instant.
 
     Parameters
     ----------
     log : xarray.Dataset
-        As `simulate` returns it, or read from its file.
+        Log returned by `simulate`, or read from its file.
 
     Returns
     -------
     pandas.DataFrame
-        Over the index `time`, in the log's units. A variable with components has a column for each:
+        Table with the index `time`, in the log's units. A variable with components has one column for each:
         `position_x`, `position_y`, `twist_v_x`, ..., `dissipated_support_friction`. Flags (`mode`, `event`,
-        `outcome`) are categories by their names.
+        `outcome`) are categories with their names.
 
     Raises
     ------
     InvalidValue
-        Where the dataset is no log.
+        If the dataset is not a log.
     """
     if not isinstance(log, xr.Dataset) or "time" not in log.dims or "time" not in log.coords:
         raise InvalidValue(
             "log", type(log).__name__, "a log of simulate, over time",
-            "of a batch take to_dataframe, of xarray",
+            "for a batch, use xarray's to_dataframe",
         )  # fmt: skip
     over_time = [name for name, variable in log.data_vars.items() if "time" in variable.dims]
     columns = {name: column for each in over_time for name, column in _columns(log[each])}
@@ -42,7 +42,7 @@ def to_pandas(log: xr.Dataset) -> pd.DataFrame:
 
 
 def _columns(variable: xr.DataArray) -> Iterator[tuple[str, Any]]:
-    """Columns of a variable by their names."""
+    """Columns of a variable, by name."""
     components = [dim for dim in variable.dims if dim != "time"]
     if not components:
         yield str(variable.name), _named(variable)
@@ -52,7 +52,7 @@ def _columns(variable: xr.DataArray) -> Iterator[tuple[str, Any]]:
 
 
 def _named(variable: xr.DataArray) -> Any:
-    """The values of a variable, flags by their names."""
+    """Values of a variable; flags are replaced by their names."""
     if "flag_meanings" not in variable.attrs:
         return variable.values
     names = variable.attrs["flag_meanings"].split()

@@ -1,4 +1,4 @@
-"""What holds in pieces of time: start times that begin at 0, and a value from each on."""
+"""Piecewise constant values over time: start times, the first of which is 0, and a value for each."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ Value = TypeVar("Value")
 def timed(
     name: str, given: Any, read: Callable[[Any], Value], allowed: str, remedy: str
 ) -> tuple[tuple[float, Value], ...]:
-    """Start times and values, read by a function, from pairs of both.
+    """Read pairs of start time and value, with a function that reads the values.
 
     Raises
     ------
     InvalidValue
-        Under this name, where something is no pair, or the times do not begin at 0 and increase.
+        If an entry is not a pair, or the times do not start at 0 and increase; the error has this name.
     """
     pieces = []
     for item in given:

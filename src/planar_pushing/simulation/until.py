@@ -1,4 +1,4 @@
-"""`until`: a run that ends at the first instant at which a condition on the log holds."""
+"""`until`: end a run at the first instant at which a condition on the log holds."""
 
 from __future__ import annotations
 
@@ -16,33 +16,33 @@ from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms.errors import InvalidValue, require_positive, suggestion
 from planar_pushing.terms.options import Event, Method
 
-#: The names of the events and of the contact modes, as the flag meanings of a log have them.
+#: Events and contact modes by the names that are flag meanings in a log.
 EVENTS = {event.name: event for event in Event if event is not Event.NONE}
 MODES = {mode.name: mode for mode in ContactMode}
 ALLOWED = "an Event or a ContactMode or its name, an Until, or a function of an instant of the log"
-#: Times that the instant is bracketed anew, each time 65 times narrower: to rounding from any duration.
+#: Number of times that the bracket is narrowed by a factor of 65, enough to reach rounding error.
 PASSES = 20
-#: The values of an instant, or of many, by the names of the log's variables.
+#: Values at one or many instants, by the names of the log's variables.
 Values = dict[str, Any]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Until:
-    """How far a motion goes until `simulate` stops: to the first of these that is reached.
+    """Rotation or distances at which `simulate` stops, whichever is reached first.
 
     Parameters
     ----------
     rotation : float, optional
-        Angle by which the slider has turned since time 0, in either sense; radians, > 0.
+        Angle of rotation of the slider since time 0, in either direction; radians, > 0.
     distance : float, optional
-        Straight distance of the slider's center from its place at time 0, > 0.
+        Straight-line distance of the slider's center from its position at time 0, > 0.
     pusher_distance : float, optional
-        Straight distance of the pusher from its place at time 0, > 0.
+        Straight-line distance of the pusher from its position at time 0, > 0.
 
     Raises
     ------
     InvalidValue
-        Where none is given, or one is no finite number > 0.
+        If none is given, or one is not a finite number > 0.
     """
 
     rotation: float | None = None
@@ -55,22 +55,22 @@ class Until:
         }
         if not given:
             raise InvalidValue(
-                "Until", None, ", ".join(self.__slots__), "say how far the motion goes"
+                "Until", None, ", ".join(self.__slots__), "give at least one of them"
             )
         for name, value in given.items():
-            positive = require_positive(name, value, "say how far the motion goes, or leave it out")
+            positive = require_positive(name, value, "give a positive number, or leave it out")
             object.__setattr__(self, name, positive)
 
 
 class Condition(NamedTuple):
-    """When a run ends: of which instants that is so, given the log's variables, and in words."""
+    """Condition that ends a run: a function of the log's variables at many instants, and its text."""
 
     holds: Callable[[Values], Array]
     reason: str
 
 
 def required_condition(given: Any, problem: Problem, method: str) -> Condition:
-    """The condition that `until` stands for, or `InvalidValue`."""
+    """Validate `until` and convert it to a condition."""
     if isinstance(given, Until):
         return Condition(lambda now: _reached(given, now, problem), _goal(given))
     named = {**EVENTS, **MODES}.get(given) if isinstance(given, str) else given
@@ -78,16 +78,14 @@ def required_condition(given: Any, problem: Problem, method: str) -> Condition:
         if method == Method.TIME_STEPPING:
             raise InvalidValue(
                 "until", named.name, "a mode, an Until or a function for the time-stepping method",
-                "take the event-driven method, which alone locates events",
+                "use the event-driven method, since only it locates events",
             )  # fmt: skip
         return Condition(lambda now: now["event"] == named, f"event {named.name}")
     if isinstance(named, ContactMode):
         return Condition(lambda now: now["mode"] == named, f"mode {named.name}")
     if callable(given):
         return Condition(lambda now: _told(given, now), "the function returns True")
-    remedy = suggestion(
-        given, [*EVENTS, *MODES], "name one as the log does, for instance SLIP_ENDS"
-    )
+    remedy = suggestion(given, [*EVENTS, *MODES], "use a name from the log, such as SLIP_ENDS")
     raise InvalidValue("until", given, ALLOWED, remedy)
 
 
@@ -97,7 +95,7 @@ def _goal(until: Until) -> str:
 
 
 def _reached(until: Until, now: Values, problem: Problem) -> Array:
-    """Whether one of the goals is reached, of each instant."""
+    """Whether one of the goals is reached at each instant."""
     slider = problem.scene.slider
     angle, length = float(slider.rod_angle), float(slider.rod_length)
     center = length * math.cos(angle), length * math.sin(angle)
@@ -112,7 +110,7 @@ def _reached(until: Until, now: Values, problem: Problem) -> Array:
 
 
 def _told(function: Callable[[Values], Any], now: Values) -> Array:
-    """The answers of a function of an instant, one by one."""
+    """Results of a function of an instant, one for each instant."""
     count = len(now["time"])
     instants = ({name: each[i] for name, each in now.items()} for i in range(count))
     return np.array([_truth(function(instant)) for instant in instants], bool)
@@ -122,22 +120,23 @@ def _truth(answer: Any) -> bool:
     single = getattr(getattr(answer, "dtype", None), "kind", "") == "b" and np.ndim(answer) == 0
     if not single and not isinstance(answer, bool):
         raise InvalidValue(
-            "until", answer, "a function that returns True or False", "compare with a number in it"
+            "until", answer, "a function that returns True or False", "return a comparison from it"
         )
     return bool(answer)
 
 
 class UntilRun:
-    """A run that ends at the first instant at which a condition holds; iterating hands on its rows.
+    """A run that ends at the first instant at which a condition holds; iteration yields its rows.
 
     Parameters
     ----------
     start : callable
-        A new run that samples these times; both methods take the same path for any samples.
+        Function that creates a run with samples at given times; in both methods, the motion does not depend
+        on the samples.
     times : ndarray
-        Samples to record. Between the last at which the condition does not hold and the first at which it
-        does the run is repeated with more of them, until the instant is known to rounding or is the end of
-        a step.
+        Times to record. Between the last sample at which the condition does not hold and the first at which
+        it does, the run is repeated with more samples until the instant is known to rounding error or is
+        the end of a step.
     """
 
     def __init__(
@@ -162,7 +161,7 @@ class UntilRun:
         return self.condition.holds(arrays(rows, self.problem))
 
     def _end(self) -> float | None:
-        """The first instant at which the condition holds; None where there is none."""
+        """First instant at which the condition holds; None if there is none."""
         run, found = self.start(self.times), None
         bracket = self._bracket(run)
         for _ in range(PASSES):
@@ -176,7 +175,7 @@ class UntilRun:
         return found
 
     def _bracket(self, run: Any) -> tuple[float, float] | None:
-        """The last time before the condition holds, and the first at which it does."""
+        """Last time at which the condition does not hold, and first time at which it does."""
         before = 0.0
         for rows in run:
             holds, times = self._holds(rows), rows["time"]

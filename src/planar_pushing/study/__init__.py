@@ -1,1 +1,1 @@
-"""Scene and study files, and the datasets built from them: the one place that knows YAML and HDF5."""
+"""Scene and study files, and the datasets built from them; only this package uses YAML and HDF5."""

@@ -1,7 +1,7 @@
-"""The builds of datasets: from the values of a study to a file, in bounded memory.
+"""Build datasets: from the values of a study to a file, in bounded memory.
 
-A large grid is computed in blocks, each in a file of its own beside the dataset's, which xarray and dask
-then write into one file.
+A large grid is computed in blocks. Each block is written to a temporary file next to the dataset, and
+xarray and dask then combine the blocks into one file.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ Attributes = Mapping[str, str]
 
 
 def build_dataset(name: str, values: Values) -> Built:
-    """Build a dataset, or one for each group, from a slice of a study or a part of one."""
+    """Build a dataset, or one for each group, from a slice of a study or part of a slice."""
     module = import_module(f"planar_pushing.study.datasets.{DATASETS[name].module}")
     if name == "scenes":
         groups: dict[str, xr.Dataset] = module.build(pushes(values))
@@ -44,7 +44,8 @@ def dataset(
 ) -> None:
     """Write a dataset, or a chunk of one, from its slice of the study.
 
-    A chunk has no attributes `marks` that name the study, so that it outlives changes elsewhere in it.
+    A chunk has no attributes that name the study (`marks`), so changes elsewhere in the study do not make
+    it outdated.
     """
     CORES.set(threads)
     lengths = {} if name == "scenes" else sizes(name, study)
@@ -71,7 +72,7 @@ def gather(
 def index(
     path: PathLike, *, chunks: Sequence[str], name: str, whole: Values, marks: Attributes
 ) -> None:
-    """Write the index of a dataset that stays in its chunks."""
+    """Write the index of a dataset that is stored in chunks."""
     with _joined(Path(chunks[0]).parent, whole["lengths"], whole["steps"]) as found:
         _write(index_of(found, whole["steps"]), path, name, marks)
 
@@ -91,16 +92,16 @@ def _file(part: Mapping[str, slice]) -> str:
 def _joined(
     folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int]
 ) -> Iterator[xr.Dataset]:
-    """Blocks or chunks as one dataset, which is read one after another as it is written."""
+    """Open blocks or chunks as one dataset, which reads them one by one as it is written."""
     with joined(folder, lengths, steps) as whole:
-        import dask  # an extra, which grids of one block do without
+        import dask  # an extra that grids of one block do not need
 
         with dask.config.set(scheduler="synchronous"):
             yield whole
 
 
 def _write(built: Built, path: PathLike, name: str, marks: Attributes | None) -> None:
-    """Write a dataset; of a whole one without the places along `solution` that no push fills."""
+    """Write a dataset; a whole dataset is written without unused entries along `solution`."""
     if marks is None:
         write_dataset(built, path)
         return

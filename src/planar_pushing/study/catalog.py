@@ -1,4 +1,4 @@
-"""The datasets, one declaration each, and the files of the results; read without importing xarray."""
+"""Declarations of the datasets and names of the result files; this module does not import xarray."""
 
 from __future__ import annotations
 
@@ -23,23 +23,23 @@ class Dataset:
     Attributes
     ----------
     about : str
-        Title; the dictionary's heading.
+        Title, also used in the data dictionary.
     source : str
-        Where the paper has it.
+        Location of the topic in the paper.
     dims : tuple of str
-        The axes of the study's grid along which it lies, in order; those of `inner` follow.
+        Axes of the study's grid that are dimensions of the dataset, in order; those of `inner` follow.
     inner : tuple of str
         Dimensions that are not on the grid.
     reads : tuple of str
-        Further axes of the grid.
+        Further axes of the grid that the dataset depends on.
     variables : tuple of str
-        Its variables; their units and names are in `terms.quantities`.
+        Variables; their units and names are in `terms.quantities`.
     module : str
-        Module of `study.datasets` that builds it.
+        Module of `study.datasets` that builds the dataset.
     effects : str, optional
         Effects that the grid must list.
     pushes : bool
-        Whether it holds the force angles from 0 to 180 degrees alone.
+        Whether the dataset holds only the force angles from 0 to 180 degrees.
     """
 
     about: str
@@ -54,7 +54,7 @@ class Dataset:
 
     @property
     def axes(self) -> tuple[str, ...]:
-        """The axes of the grid that it reads."""
+        """Axes of the grid that the dataset depends on."""
         return (*self.dims, *self.reads)
 
 
@@ -140,61 +140,61 @@ DATASETS: Mapping[str, Dataset] = {
     ),
 }  # fmt: skip
 
-#: Folder of the logs of motion over time.
+#: Folder of the simulation logs.
 SIMULATIONS = "simulations"
 #: Folder of the numbers that the figures plot.
 FIGURES = "figures"
-#: The folders of both in the results: a file for each name.
+#: Paths of both folders in the results, which hold a file for each name.
 FOLDERS = {SIMULATIONS: "data/simulations", FIGURES: "figures/data"}
 
-#: Datasets on how this work computes: what each holds; `accuracy_time` differs from run to run.
+#: Datasets about the computation itself, with their contents; `accuracy_time` differs from run to run.
 EVIDENCE = {
     "accuracy_errors": "errors and evaluations of every method, a group for each quantity",
-    "accuracy_time": "errors of the methods for the friction wrench and their times on one machine",
-    "evaluations": "functions of each effect in machine code, and its evaluations over time",
-    "hard_cases": "results in doubles against references of 40 digits, where numbers get hard",
+    "accuracy_time": "errors of the methods for the friction wrench, and their times on one machine",
+    "evaluations": "compiled functions of each effect, and its evaluations in simulations",
+    "hard_cases": "double-precision results for numerically hard cases, against 40-digit references",
 }
-#: Those that hold times of one machine and are written by `snakemake accuracy` alone.
+#: Datasets with times of one machine, which only `snakemake accuracy` writes.
 TIMES = {
-    "accuracy": "what accuracy costs: errors, evaluations and times, a group for each quantity",
+    "accuracy": "cost of accuracy: errors, evaluations and times, a group for each quantity",
     "effects": "times of each set of effects",
 }
-#: Keys of a study that give an axis of another name.
+#: Keys of a study whose names differ from that of their axis.
 KEYS = {"support": "supports", "contact": "contact_friction_coefficient"}
-#: The files of datasets.
+#: Names of the dataset files.
 WHOLE = (*DATASETS, *EVIDENCE, *TIMES)
-#: Groups of the datasets that are opened by the group alone; those of `scenes` are the study's.
+#: Groups of the datasets that are opened one group at a time; the study names the groups of `scenes`.
 GROUPS = {
     "scenes": ("NAME",),
     "accuracy_errors": ("cone", "wrench"),
     "accuracy": ("cone", "motion", "wrench"),
 }
 
-#: The tables beside them: what each file holds.
+#: The result tables, with the contents of each file.
 TABLES = {
-    "golden_verdict.json": "the comparison with the golden data, every variable",
-    "golden_verdict.txt": "the same to read, worst first",
-    "golden_summary.csv": "the same in short, by dataset",
+    "golden_verdict.json": "comparison of every variable with the golden data",
+    "golden_verdict.txt": "the same comparison as text, worst first",
+    "golden_summary.csv": "summary of the comparison by dataset",
     "claims.json": "every claim of the ledger with its verdict, and its checks with argument and numbers",
-    "claims.csv": "the same as a table, one line for each check",
-    "numbers.json": "the numbers of the report's prose, each with its unit and where it was read",
+    "claims.csv": "the claims as a table, one line for each check",
+    "numbers.json": "the numbers of the report's prose, each with its unit and source",
     "figures.json": "captions and margins of the figures",
     "infinite_friction_cones.csv": "motion cones of infinite friction by rod length, degrees",
-    "provenance.csv": "the study and the versions of what computed the results",
+    "provenance.csv": "the study, the code, and the versions of the packages that computed the results",
     "accuracy_wrench.csv": "methods for the friction wrench: setting, calls and worst error",
     "accuracy_cone.csv": "methods for motion cones: setting, calls and largest error",
     "hard_places.csv": "hard cases by place, with their errors in units in the last place",
     "hard_ill.csv": "ill-conditioned cases: condition, digits left and error",
-    "evaluations.csv": "functions of each effect in machine code, and its evaluations over time",
-    "accuracy_numbers.json": "the numbers of the supplement on time, by `snakemake accuracy`",
-    "times_effects.csv": "times of each set of effects, by `snakemake accuracy`",
-    "times_scenes.csv": "times of each scene, by `snakemake accuracy`",
-    "times_machine.csv": "the machine that they were measured on, by `snakemake accuracy`",
+    "evaluations.csv": "compiled functions of each effect, and its evaluations in simulations",
+    "accuracy_numbers.json": "numbers of the supplement on time, written by `snakemake accuracy`",
+    "times_effects.csv": "times of each set of effects, written by `snakemake accuracy`",
+    "times_scenes.csv": "times of each scene, written by `snakemake accuracy`",
+    "times_machine.csv": "machine on which the times were measured, written by `snakemake accuracy`",
 }
 
-#: Labels of the contact laws without a coefficient, behind those of Coulomb along `contact`.
+#: Labels of the contact laws without a coefficient, which follow those of Coulomb along `contact`.
 CONTACT_LAWS = ("infinite_friction_free", "infinite_friction_none", "perfectly_rough")
-#: A name in a folder, or of a group or a study.
+#: Pattern for the name of a file, a group or a study.
 NAME = re.compile(r"[A-Za-z0-9_]+")
 
 
@@ -204,12 +204,12 @@ def dataset_place(name: str) -> tuple[str, str | None]:
     Parameters
     ----------
     name : str
-        A dataset, "dataset/group", or a file of one of the folders, as "simulations/figure_15".
+        A dataset, "dataset/group", or a file of one of the folders, such as "simulations/figure_15".
 
     Raises
     ------
     InvalidValue
-        Where there is no dataset of this name.
+        If there is no dataset with this name.
     """
     stem, slash, part = name.partition("/") if isinstance(name, str) else ("", "", "")
     named = NAME.fullmatch(part) is not None
@@ -222,7 +222,7 @@ def dataset_place(name: str) -> tuple[str, str | None]:
 
 
 def opened() -> list[str]:
-    """The names that `open_dataset` takes, NAME standing for one that a study chooses."""
+    """Names that `open_dataset` accepts; NAME is a placeholder for a name chosen by a study."""
     parts = [
         f"{stem}/{part}" if part else stem for stem in WHOLE for part in GROUPS.get(stem, ("",))
     ]
@@ -230,7 +230,7 @@ def opened() -> list[str]:
 
 
 def building(name: str) -> str:
-    """The command that builds a dataset which is not there."""
+    """Command that builds a missing dataset."""
     stem = name.partition("/")[0]
     if stem in TIMES:
         return "measure it with snakemake accuracy, in the project's folder"
@@ -252,10 +252,10 @@ def dataset_file(name: str) -> str:
 
 
 def contact_labels(coefficients: Iterable[float]) -> list[str]:
-    """Labels along the axis `contact`: a law of Coulomb for each coefficient, then the others."""
+    """Labels along the axis `contact`: a Coulomb law for each coefficient, then the other laws."""
     return [*(f"coulomb_{number_label(each)}" for each in coefficients), *CONTACT_LAWS]
 
 
 def number_label(number: float) -> str:
-    """The shortest text that no other double has: 1.4, 2 or 1.4000001."""
+    """Shortest text that identifies a double, such as 1.4, 2 or 1.4000001."""
     return repr(float(number)).removesuffix(".0")

@@ -1,7 +1,7 @@
-"""Large grids: the blocks of a job, the chunks of a study, and what they take.
+"""Large grids: the blocks of a job, the chunks of a study, and the resources they need.
 
-A chunk is a file named by the indices at which it starts along each dimension that is cut. Its borders are
-multiples of the study's numbers, and its job reads its own values of the axes alone.
+A chunk is a file named after the indices at which it starts along each dimension that is split. Its borders
+are multiples of the chunk lengths of the study, and its job reads only its own values of the axes.
 """
 
 from __future__ import annotations
@@ -24,20 +24,20 @@ if TYPE_CHECKING:
     from planar_pushing.study.files.replacing import PathLike
     from planar_pushing.study.files.study_model import StudyFile
 
-#: Most points of a block, which one call computes.
+#: Maximum number of points of a block, which one call computes.
 BLOCK = 2**16
 #: Bytes of a variable that dask reads at once.
 PIECE = 2**24
-#: Points for which a job takes another thread, and the most threads that it keeps busy.
+#: Points per thread of a job, and the maximum number of threads.
 POINTS_PER_THREAD, MOST_THREADS = 2**20, 4
-#: Megabytes of a job (measured at most: 540 for contact modes with both effects).
+#: Memory limit of a job in MB (measured maximum: 540, for contact modes with both effects).
 MEMORY = 900
-#: Minutes of a job, and seconds of a point: three times what contact modes take (measured: 3e-5).
+#: Time limit of a job: minutes, plus seconds per point, 3 times the rate measured for contact modes (3e-5).
 MINUTES, SECONDS_PER_POINT = 10, 1e-4
 
 
 def shape(lengths: Sequence[int], most: int) -> tuple[int, ...]:
-    """Lengths of a block of at most `most` points: whole inner dimensions, a power of two, then one."""
+    """Shape of a block of at most `most` points: whole inner dimensions, a power of two, then ones."""
     found: list[int] = []
     for length in reversed(lengths):
         fits = length <= most
@@ -47,18 +47,18 @@ def shape(lengths: Sequence[int], most: int) -> tuple[int, ...]:
 
 
 def blocks(lengths: Mapping[str, int], most: int = BLOCK) -> list[Cut]:
-    """Parts of at most `most` points that make up a grid."""
+    """Split a grid into blocks of at most `most` points."""
     steps = shape(list(lengths.values()), most)
     return list(cuts(lengths, dict(zip(lengths, steps, strict=True))))
 
 
 def chunk_name(part: Cut) -> str:
-    """Name of a chunk, such as contact_10.pusher_angle_90: the indices at which it starts."""
+    """Name of a chunk from the indices at which it starts, such as contact_10.pusher_angle_90."""
     return ".".join(f"{dim}_{span.start}" for dim, span in part.items())
 
 
 def chunk_steps(study: StudyFile, name: str) -> dict[str, int]:
-    """Most values of a chunk along each dimension that is cut, in the order of the dataset's."""
+    """Maximum length of a chunk along each dimension that is split, in the dataset's order."""
     given = study.chunks.get(name, {})
     return {dim: given[dim] for dim in sizes(name, study_slice(study, name)) if dim in given}
 
@@ -75,18 +75,18 @@ def chunk_slice(study: StudyFile, name: str, part: Cut) -> dict[str, Any]:
 
 
 def joined(folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int]) -> xr.Dataset:
-    """Open the chunks in a folder as one dataset, which dask reads where it is used.
+    """Open the chunks in a folder as one dataset, which dask reads on demand.
 
     Parameters
     ----------
     folder : path
     lengths, steps : mapping
-        Of the whole and of a chunk, along the dimensions that are cut.
+        Lengths of the whole dataset and of a chunk along the dimensions that are split.
 
     Raises
     ------
     MissingExtra
-        Where dask is not installed.
+        If dask is not installed.
     """
     require_extra("chunks")
     import dask
@@ -94,7 +94,7 @@ def joined(folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int
 
     files = [Path(folder, f"{chunk_name(part)}.nc") for part in cuts(lengths, steps)]
     counts = [-(-lengths[dim] // step) for dim, step in steps.items()]
-    # Pieces as they are stored would take longer to find than to read.
+    # With pieces as small as those stored, dask would spend more time on scheduling than on reading.
     with dask.config.set({"array.chunk-size": PIECE}):
         return xr.open_mfdataset(
             np.array(files).reshape(counts).tolist(), combine="nested", concat_dim=list(steps),
@@ -104,7 +104,7 @@ def joined(folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int
 
 
 def _attributes(parts: Sequence[dict[str, Any]], context: object = None) -> dict[str, Any]:
-    """Attributes of the first part; its parameters list the supports of all, in order."""
+    """Attributes of the first part, with the supports of all parts in its parameters, in order."""
     found = dict(parts[0])
     if "parameters" in found:
         listed = [json.loads(each["parameters"]) for each in parts]
@@ -114,10 +114,10 @@ def _attributes(parts: Sequence[dict[str, Any]], context: object = None) -> dict
 
 
 def threads(count: int) -> int:
-    """Threads that a job of so many points keeps busy."""
+    """Number of threads for a job with this number of points."""
     return min(max(math.ceil(count / POINTS_PER_THREAD), 1), MOST_THREADS)
 
 
 def minutes(count: int) -> int:
-    """Minutes after which a job of so many points has failed, on one core."""
+    """Time limit in minutes for a job with this number of points on one core."""
     return MINUTES + math.ceil(count * SECONDS_PER_POINT / 60)

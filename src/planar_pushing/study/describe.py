@@ -1,4 +1,4 @@
-"""Attributes of datasets: units and names of the variables; title, source and provenance."""
+"""Attributes of datasets: units and names of their variables, title, source and provenance."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def describe(
     quantities: Quantities = DATASET,
     notes: Mapping[str, str] = NOTES,
 ) -> xr.Dataset:
-    """Give every variable its unit and name, and the dataset its title, source and provenance."""
+    """Add units and names to the variables, and title, source and provenance to the dataset."""
     for name, variable in dataset.variables.items():
         variable.attrs = dict(attributes(quantities, str(name)))
         flags = FLAGS.get(str(name))
@@ -53,14 +53,12 @@ def describe(
 
 
 def described(dataset: xr.Dataset, name: str, part: Part) -> xr.Dataset:
-    """A dataset in the order of its declaration, with the attributes that follow from it."""
+    """Order a dataset as declared, and add the attributes that its declaration defines."""
     entry = DATASETS[name]
     order = [*entry.dims, *entry.inner]
     ordered = dataset[list(entry.variables)].transpose(*order, missing_dims="ignore")
     coords = sorted(map(str, ordered.coords), key=lambda each: (_place(order, each), each))
-    variables = {
-        each: ordered[each].variable for each in entry.variables
-    }  # which bring no coordinates
+    variables = {each: ordered[each].variable for each in entry.variables}  # without coordinates
     ordered = xr.Dataset(variables, {each: ordered.coords[each].variable for each in coords})
     support = "support" in entry.dims
     return describe(
@@ -78,7 +76,7 @@ def _place(order: list[str], name: str) -> int:
 
 
 def _parameters(part: Part, dims: tuple[str, ...]) -> dict[str, object]:
-    """Parameters of a study that are no axis; `figures` says where the figures cut one."""
+    """Parameters of a study that are not axes; `figures` holds the values at which figures cut an axis."""
     if "support" in dims:
         entries = part.supports.items()
         return {"supports": {name: each.model_dump(exclude_none=True) for name, each in entries}}
@@ -88,7 +86,7 @@ def _parameters(part: Part, dims: tuple[str, ...]) -> dict[str, object]:
 
 
 def parameters_of(dataset: xr.Dataset) -> Part:
-    """The slider and the effects that a dataset over the paper's grid was computed for, without its axes.
+    """Slider and effects, without axes, for which a dataset over the paper's grid was computed.
 
     The rod angle is the one at which the figures cut the dataset.
     """
@@ -100,16 +98,16 @@ def parameters_of(dataset: xr.Dataset) -> Part:
 def of_study(
     built: xr.Dataset | dict[str, xr.Dataset], name: str, study: Mapping[str, str]
 ) -> xr.Dataset | dict[str, xr.Dataset]:
-    """Name the study and the conventions in a dataset, or in every group and above them.
+    """Name the study and the conventions in a dataset, or in each group and their root.
 
     Parameters
     ----------
     built : xarray.Dataset or dict of them
         A dataset, or one for each group.
     name : str
-        Name of the dataset: its title becomes that of a dataset without one.
+        Name of the dataset, which provides the title for a dataset without one.
     study : mapping
-        Attributes that name the study, as `provenance` gives them.
+        Attributes from `provenance` that name the study.
     """
     marks: dict[str, Any] = {**GLOBAL, **study}
     title = DATASETS[name].about if name in DATASETS else (EVIDENCE | TIMES).get(name, name)

@@ -28,21 +28,26 @@ STUDY = study_name(SLIDERS_FILE)
 
 HEAD = """# Data dictionary
 
-The pipeline generates everything in this folder except this page: `data/` holds the datasets, `figures/`
-the figures, with the numbers that they plot in `figures/data/`, `tables/` the golden verdict and the tables
-of the report, `paper.pdf` the report, `accuracy.pdf` its supplement on time, `logs/` and `benchmarks/` a
-file for each job, `report.html` Snakemake's report, `manual/` the manual. `studies/NAME/` holds the same
-for a study other than the paper's, with the chunks of its datasets in `chunks/`; `studies/sliders/` belongs
-to the study of sliders.
+The pipeline generates everything in this folder except this page:
+
+- `data/` holds the datasets.
+- `figures/` holds the figures, and `figures/data/` the numbers that they plot.
+- `tables/` holds the golden verdict and the tables of the report.
+- `paper.pdf` is the report, and `accuracy.pdf` its supplement on time.
+- `manual/` is the manual, and `report.html` Snakemake's report.
+- `logs/` and `benchmarks/` hold a file for each job.
+- `studies/NAME/` holds the same for a study other than the paper's, with the chunks of its datasets in
+  `chunks/`; `studies/sliders/` belongs to the study of sliders.
+
 `make dictionary` writes this page from the attributes of the datasets.
 
-The datasets are netCDF4 files by the CF conventions; `planar_pushing.open_dataset("motion_cones")` opens
-one with xarray, `open_dataset(name, study="NAME")` that of another study, and `planar-pushing query` prints
-parts of it. The attributes `study` and `study_digest` name the study and give the digest of the values
-that the dataset is computed from.
-Angles are degrees, counter-clockwise from the fence. NaN marks values that do not exist; infinite
-coordinates are those of a translation's motion center. Truth values are stored as bytes, and come back
-as `bool`.
+The datasets are netCDF4 files that follow the CF conventions. `planar_pushing.open_dataset("motion_cones")`
+opens a dataset with xarray, `open_dataset(name, study="NAME")` opens one of another study, and
+`planar-pushing query` prints part of a dataset. The attributes `study` and `study_digest` give the name of
+the study and the digest of the values from which the dataset is computed.
+Angles are in degrees, counterclockwise from the fence. NaN marks values that do not exist. Infinite
+coordinates are those of the motion center of a translation. Booleans are stored as bytes and read back as
+`bool`.
 """
 
 
@@ -57,7 +62,10 @@ def dictionary_text(results: str = "results") -> str:
         *(_times(), _figures(results), _tables()),
         *_sliders(results, [name for name in DATASETS if name not in of_paper]),
     ]
-    scaled = "Units of numbers that are scaled, which the attribute `quantity` names; `units` is then 1:\n"
+    scaled = (
+        "Dimensional quantities are stored in scaled units: `units` is 1, and the attribute `quantity` is "
+        "one of these:\n"
+    )
     return "\n".join([HEAD, scaled, units, "", *sections])
 
 
@@ -66,17 +74,18 @@ def _lines(title: str, about: str, *lines: str) -> str:
 
 
 def _simulations(results: str) -> str:
-    """Section of the logs of motion over time, which share their variables."""
+    """Section of the simulation logs, which share their variables."""
     first = min((Path(results) / "data" / SIMULATIONS).glob("*.nc")).stem
     dataset = open_dataset(f"{SIMULATIONS}/{first}", results)
-    about = "motion over time, a log of each simulation"
-    rows = [*_table([dataset]), "", "The log of a finger differs in these:", "", *_finger_table()]
-    rows += ["", "A log with the object's pose in the world holds these too:", "", *_world_table()]
+    about = "motion over time, one log for each simulation"
+    finger = "The log of a finger differs in these variables:"
+    rows = [*_table([dataset]), "", finger, "", *_finger_table()]
+    rows += ["", "A log with the object's pose in the world also holds:", "", *_world_table()]
     return _lines(f"data/{SIMULATIONS}/NAME.nc", about, *_source(dataset), *rows)
 
 
 def _finger_table() -> Iterator[str]:
-    """Rows of the further variables of a finger's log, and of those with another meaning there."""
+    """Rows of the variables that a finger's log adds or defines differently."""
     yield "| name | unit | meaning |"
     yield "| --- | --- | --- |"
     for name, (unit, meaning) in FINGER.items():
@@ -85,7 +94,7 @@ def _finger_table() -> Iterator[str]:
 
 
 def _world_table() -> Iterator[str]:
-    """Rows of the variables of a log in the world, and of their coordinate."""
+    """Rows of the variables that a log in the world adds, and of their coordinate."""
     yield "| name | unit | meaning |"
     yield "| --- | --- | --- |"
     for name in ("object_pose", "pose", "pusher_position"):
@@ -94,7 +103,7 @@ def _world_table() -> Iterator[str]:
 
 
 def _section(name: str, about: str, results: str) -> str:
-    """Section of a dataset; of its groups, where it has some."""
+    """Section of a dataset, or of its groups if it has any."""
     groups = group_names(Path(results) / "data" / f"{name}.nc")
     parts = [open_dataset(f"{name}/{each}", results) for each in groups]
     if parts:
@@ -105,15 +114,18 @@ def _section(name: str, about: str, results: str) -> str:
 
 
 def _times() -> str:
-    """Section of the files that differ on every machine, which a plain run does not write."""
+    """Section of the files that depend on the machine, which a plain run does not write."""
     rows = [f"- `data/{name}.nc`: {what}." for name, what in TIMES.items()]
-    return _lines("What `snakemake accuracy` writes", "times of one machine", *rows)
+    return _lines("Results of `snakemake accuracy`", "times measured on one machine", *rows)
 
 
 def _figures(results: str) -> str:
-    """Section of what the figures plot."""
+    """Section of the figures' data."""
     found = [open_dataset(f"{FIGURES}/{name}", results) for name in load_study(PAPER_FILE).figures]
-    about = "the numbers that each figure plots, a file for each: parts of the datasets, and finer lines"
+    about = (
+        "the numbers that the figures plot, one file for each figure: parts of the datasets, and curves "
+        "with finer sampling"
+    )
     return _lines("figures/data/NAME.nc", about, *_table(found))
 
 
@@ -131,7 +143,7 @@ def _sliders(results: str, names: Iterable[str]) -> Iterator[str]:
 
 def _tables() -> str:
     rows = [f"- `tables/{name}`: {what}." for name, what in TABLES.items()]
-    return _lines("tables/", "what the report is set from", *rows)
+    return _lines("tables/", "the tables that the report is typeset from", *rows)
 
 
 def _source(dataset: xr.Dataset) -> tuple[str, ...]:
@@ -139,7 +151,7 @@ def _source(dataset: xr.Dataset) -> tuple[str, ...]:
 
 
 def _table(datasets: Iterable[xr.Dataset]) -> Iterator[str]:
-    """Rows of variables and coordinates, one for each of several that are described alike."""
+    """Rows of variables and coordinates, without duplicates."""
     yield "| name | dims | unit | meaning |"
     yield "| --- | --- | --- | --- |"
     rows = (_row(name, data[name]) for data in datasets for name in (*data.coords, *data.data_vars))

@@ -1,4 +1,4 @@
-"""The datasets that a folder of results holds, and the commands that build the others."""
+"""The datasets in a results folder, and the commands that build the others."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from planar_pushing.terms.errors import InvalidFile
 
 
 def built_datasets(results: PathLike, study: str | None = None) -> dict[str, str]:
-    """Names that `open_dataset` takes for the results of a study, and their titles.
+    """Names that `open_dataset` accepts for the results of a study, and their titles.
 
-    Errors as in `open_dataset`; a damaged file is said in the place of its title.
+    Errors as in `open_dataset`; for a damaged file, the error message replaces the title.
     """
     folder = built_results(results, study)
     found: dict[str, str] = {}
@@ -26,7 +26,7 @@ def built_datasets(results: PathLike, study: str | None = None) -> dict[str, str
 
 
 def _named(path: Path, name: str) -> dict[str, str]:
-    """Title of a file by its name, or by those of its groups; nothing of one that is not there."""
+    """Title of a file by its name or those of its groups; empty if the file does not exist."""
     if not path.is_file():
         return {}
     try:
@@ -38,7 +38,7 @@ def _named(path: Path, name: str) -> dict[str, str]:
 
 
 def other_datasets(built: dict[str, str]) -> dict[str, str]:
-    """Names that are not among the built ones, and what builds each; NAME stands for any."""
+    """Names of datasets that are not built, and the command for each; NAME is a placeholder."""
     stems = {name.partition("/")[0] for name in built}
     return {
         name: building(name)

@@ -1,6 +1,6 @@
-"""The points, jobs, memory, disk and CPU time that each dataset of a study takes, before anything runs.
+"""Estimate the points, jobs, memory, disk space and CPU time of each dataset before a study runs.
 
-Rates are measured on this machine, on blocks from all over the grid.
+Rates are measured on this machine with blocks from the whole grid.
 """
 
 from __future__ import annotations
@@ -18,15 +18,15 @@ from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.study.slices import computes, cut, points, sizes, study_slice
 from planar_pushing.study.store import write_dataset
 
-#: Blocks on which a rate is measured, four for each set of effects of a study with all, and their points.
+#: Number of blocks for measuring a rate, four for each set of effects if a study has all, and their points.
 SAMPLES, SAMPLE = 12, 2**14
-#: CPU seconds that a job takes to start, beside its points (measured: 2.9).
+#: CPU seconds to start a job, in addition to those of its points (measured: 2.9).
 START = 3.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Plan:
-    """Demands of a dataset: memory in MB for each job, disk in MB with its chunks."""
+    """Resources for a dataset: memory in MB for each job, disk space in MB including chunks."""
 
     dataset: str
     points: int
@@ -45,7 +45,7 @@ def study_plan(study: StudyFile) -> list[Plan]:
 
 
 def uncounted(study: StudyFile) -> dict[str, int]:
-    """Numbers of what a study builds beside its grids: what each takes is known once it has run."""
+    """Numbers of scenes and other outputs beyond the grids, whose cost is known only after a run."""
     return {
         "scenes": len(study.scenes),
         "simulations": len(study.simulations),
@@ -63,7 +63,7 @@ def _plan(study: StudyFile, name: str) -> Plan:
         dataset=name,
         points=count,
         chunks=max(number, 1),
-        jobs=number + 1,  # the last gathers the chunks, lists them, or is the one
+        jobs=number + 1,  # the last job combines or indexes the chunks, or is the only job
         memory=chunks.MEMORY,
         disk=count * stored * copies / 1e6,
         cpu_hours=(count * seconds * copies + (number + 1) * START) / 3600,
@@ -71,11 +71,11 @@ def _plan(study: StudyFile, name: str) -> Plan:
 
 
 def measured_rates(name: str, values: dict[str, Any]) -> tuple[float, float]:
-    """CPU seconds and bytes of a point, from blocks in the middles of equal parts of a grid."""
+    """CPU seconds and bytes per point, measured on blocks at the middles of equal parts of a grid."""
     found = chunks.blocks(sizes(name, values), SAMPLE)
     number = min(SAMPLES, len(found))
     chosen = [found[(2 * i + 1) * len(found) // (2 * number)] for i in range(number)]
-    # First of one point, which compiles or loads the code of the others.
+    # The first block has one point and compiles or loads the code for the others.
     _measured(name, cut(values, {dim: slice(0, 1) for dim in found[0]}))
     rows = [_measured(name, cut(values, part)) for part in chosen]
     count = sum(row[0] for row in rows)

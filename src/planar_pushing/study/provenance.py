@@ -1,4 +1,4 @@
-"""The part of a study that each of its results is computed from, and its digest, which the result holds."""
+"""The part of a study from which each result is computed, and its digest, which the result stores."""
 
 from __future__ import annotations
 
@@ -14,24 +14,24 @@ from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.studies import study_name
 
-#: Keys of a study that no value depends on: where it is compared with golden data, and how it is cut.
+#: Keys of a study that do not affect values: the golden data to compare with, and the chunks.
 ASIDE = {"golden", "chunks", "gather"}
-#: Results on how a study is computed, and the keys that they do not read.
+#: Results about the computation itself, and the keys that they do not use.
 UNREAD = {
     "evaluations": ("title", "scenes", "simulations", "figures"),
     "effects": ("simulations", "figures"),
 }
 
-#: Gives the attributes that name the study in a result, by the name of the result.
+#: Function from the name of a result to the attributes that identify its study.
 Marks = Callable[[str], dict[str, str]]
 
 
 def provenance(study: StudyFile, file: PathLike) -> Marks:
-    """Attributes `study` and `study_digest` of each result of a study, by its name.
+    """Function that gives the attributes `study` and `study_digest` of a result by its name.
 
-    The digest is that of the validated values that the result is computed from: comments, layout, and
-    values of other results leave it as it is. Results are named as in `open_dataset`, a figure without
-    its folder. Scene files are read once, here.
+    The digest covers the validated values from which the result is computed. Comments, layout, and values
+    of other results do not affect it. Results are named as in `open_dataset`, figures without their folder.
+    Scene files are read once, when this function is called.
     """
     name, whole = study_name(file), contents(study)
 
@@ -42,7 +42,7 @@ def provenance(study: StudyFile, file: PathLike) -> Marks:
 
 
 def digest(values: object) -> str:
-    """SHA-256 of plain values; a key without a value counts as absent: new keys change no digest."""
+    """SHA-256 of plain values; keys without a value are ignored, so that new keys do not change digests."""
     return hashlib.sha256(to_json(_given(values)).encode()).hexdigest()
 
 
@@ -54,12 +54,12 @@ def _given(values: Any) -> Any:
 
 
 def whole_digest(study: StudyFile) -> str:
-    """Digest of every value that a result of a study is computed from."""
+    """Digest of all values from which results of a study are computed."""
     return digest(contents(study))
 
 
 def contents(study: StudyFile) -> dict[str, Any]:
-    """Plain values of a study, with what its scene files hold in the place of their paths."""
+    """Plain values of a study, with paths of scene files replaced by their contents."""
 
     def scene(path: str) -> dict[str, Any]:
         return load_scene_file(path).model_dump(exclude_defaults=True)
@@ -72,7 +72,7 @@ def contents(study: StudyFile) -> dict[str, Any]:
 
 
 def _read(study: StudyFile, whole: dict[str, Any], result: str) -> object:
-    """The values that a result is computed from: none for one that is the same for every study."""
+    """Values from which a result is computed; empty for a result that does not depend on the study."""
     folder, _, name = result.rpartition("/")
     if folder == SIMULATIONS:
         return whole[SIMULATIONS][name]

@@ -1,4 +1,4 @@
-"""Pick values out of a dataset by the names of its axes."""
+"""Select values of a dataset by axis name."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from planar_pushing.terms.errors import InvalidValue
 
 
 def axis_names(dataset: xr.Dataset) -> list[str]:
-    """Axes, and labels along them, that a query may name."""
+    """Names of axes and of labels along them that a query can use."""
     return sorted(str(name) for name, coord in dataset.coords.items() if coord.ndim == 1)
 
 
 def select(dataset: xr.Dataset, wanted: dict[str, str]) -> xr.Dataset:
-    """Part of a dataset where each named axis has the wanted value.
+    """Part of a dataset in which each named axis has the requested value.
 
     Raises
     ------
     InvalidValue
-        Where there is no such axis, or no such value on it.
+        If there is no such axis, or no such value on it.
     """
     for name, text in wanted.items():
         if name not in axis_names(dataset):
@@ -33,7 +33,7 @@ def select(dataset: xr.Dataset, wanted: dict[str, str]) -> xr.Dataset:
         if not found.size:
             raise InvalidValue(name, text, listed(coord), "choose a value of the study's grid")
         dataset = dataset.isel({coord.dims[0]: found[0] if found.size == 1 else found})
-    # A large dataset is read here, and may be damaged where nobody has looked yet.
+    # A large dataset is read only here, so damage to the file can first appear here.
     with reading(dataset.encoding.get("source", "the dataset")):
         return dataset.load()
 
@@ -46,7 +46,7 @@ def _parse(name: str, text: str) -> float:
 
 
 def listed(coord: xr.DataArray, most: int = 12) -> str:
-    """The values of an axis as text, not all of a long one."""
+    """Values of an axis as text; a long axis is abbreviated."""
     label = number_label if coord.dtype.kind == "f" else str
     values = list(dict.fromkeys(label(value) for value in coord.values))
     if len(values) > most:

@@ -1,4 +1,4 @@
-"""Scene files simulated: their section `simulate` as arguments of `simulate`."""
+"""Simulation of scene files, with their section `simulate` as arguments of `simulate`."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from planar_pushing.terms.errors import InvalidValue
 def simulate_file(
     file: SceneFile, *, path: PathLike | None = None, progress: bool = False
 ) -> xr.Dataset:
-    """Simulate what a scene file holds; parameters and errors as in `simulate`.
+    """Simulate the scene of a file; parameters and errors as in `simulate`.
 
     Raises
     ------
     InvalidValue
-        Where the file has no section `simulate`.
+        If the file has no section `simulate`.
     """
     if file.simulate is None:
         raise InvalidValue("simulate", None, "a section of the scene file", "add it to the file")
@@ -52,7 +52,7 @@ def arguments(entry: SimulateEntry) -> dict[str, Any]:
 
 
 def _pusher(entry: SimulateEntry) -> Pusher:
-    """The pusher, by its velocities or its waypoints."""
+    """The pusher, from its velocities or its waypoints."""
     kind: dict[str, Any] = {"shape": entry.pusher_shape, "frame": entry.pusher_frame}
     if entry.pusher_radius is not None:
         kind["radius"] = entry.pusher_radius
@@ -62,7 +62,7 @@ def _pusher(entry: SimulateEntry) -> Pusher:
 
 
 def velocity(piece: PieceEntry) -> tuple[float, float]:
-    """Velocity of the fence; along the fence and across it without the rounding of pi."""
+    """Velocity of the fence; directions along and normal to the fence are free of rounding of pi."""
     angle = math.radians(piece.angle % 360)
     x, y = piece.speed * math.cos(angle), piece.speed * math.sin(angle)
     return (0.0 if piece.angle % 180 == 90 else x), (0.0 if piece.angle % 180 == 0 else y)

@@ -1,4 +1,4 @@
-"""Parts of a study: the values that one dataset reads, so that a change elsewhere leaves it alone."""
+"""Slices of a study: the values that one dataset reads; other changes to the study do not affect it."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from typing import Any
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.files.study_model import Part, PushEntry, StudyFile
 
-#: Values of a study as plain data: parameters, and those along each axis under `grid`.
+#: Plain values of a study: parameters, and the values along each axis under `grid`.
 Values = Mapping[str, Any]
-#: A range along each dimension that is cut; the others are whole.
+#: A range along each dimension that is split; the others are whole.
 Cut = Mapping[str, slice]
 
 
@@ -27,7 +27,7 @@ def computes(study: StudyFile, name: str) -> bool:
 
 
 def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
-    """Plain values of a study that the dataset `name` reads."""
+    """Plain values of a study that a dataset reads."""
     entry = DATASETS[name]
     if name == "scenes":
         return {"scenes": {key: push.model_dump() for key, push in study.scenes.items()}}
@@ -36,29 +36,29 @@ def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
         grid["force_angle"] = [angle for angle in grid["force_angle"] if 0 <= angle <= 180]
     if "support" in grid:
         listed = {key: each.model_dump() for key, each in study.supports.items()}
-        slider = {"rod_angle": study.slider.rod_angle}  # which no such dataset reads
+        slider = {"rod_angle": study.slider.rod_angle}  # required, but not read by these datasets
         return {"slider": slider, "supports": listed, "grid": grid}
     parts = {part: each.model_dump() for part, each in study.parts.items()}
     return {"slider": study.slider.model_dump(), **parts, "grid": grid}
 
 
 def part_of(values: Values) -> Part:
-    """The part of a study that plain values are."""
+    """Validate plain values as part of a study."""
     return Part.model_validate(values)
 
 
 def pushes(values: Values) -> dict[str, PushEntry]:
-    """The scenes of a slice of a study."""
+    """Scenes of a slice of a study."""
     return {name: PushEntry.model_validate(push) for name, push in values["scenes"].items()}
 
 
 def sizes(name: str, values: Values) -> dict[str, int]:
-    """Lengths of the dimensions along which a slice can be cut; none for the scenes."""
+    """Lengths of the dimensions along which a slice can be split; empty for the scenes."""
     return {dim: len(values["grid"][dim]) for dim in DATASETS[name].dims}
 
 
 def cut(values: Values, ranges: Cut) -> dict[str, Any]:
-    """The part of a slice with the values in a range of each axis alone."""
+    """Part of a slice with only the values in a range of each axis."""
     found = dict(values)
     if ranges:
         grid = {axis: each[ranges.get(axis, slice(None))] for axis, each in values["grid"].items()}
@@ -69,7 +69,7 @@ def cut(values: Values, ranges: Cut) -> dict[str, Any]:
 
 
 def cuts(lengths: Mapping[str, int], steps: Mapping[str, int]) -> Iterator[Cut]:
-    """Ranges of the given lengths along some dimensions; their borders are multiples of these."""
+    """Ranges that split dimensions of these lengths at multiples of the given steps."""
     spans = [
         [slice(start, min(start + step, lengths[dim])) for start in range(0, lengths[dim], step)]
         for dim, step in steps.items()
@@ -79,5 +79,5 @@ def cuts(lengths: Mapping[str, int], steps: Mapping[str, int]) -> Iterator[Cut]:
 
 
 def points(name: str, values: Values) -> int:
-    """Number of points of a slice's grid."""
+    """Number of grid points of a slice."""
     return math.prod(sizes(name, values).values())

@@ -1,4 +1,4 @@
-"""Datasets in files, netCDF4: written whole or not at all, read with one line where a file is damaged."""
+"""Datasets in netCDF4 files: written completely or not at all, with one-line errors for damaged files."""
 
 from __future__ import annotations
 
@@ -28,23 +28,23 @@ from planar_pushing.terms.errors import (
 )
 
 ENGINE: Literal["h5netcdf"] = "h5netcdf"
-#: A variable of fewer bytes, a page, gains nothing from compression.
+#: Minimum size in bytes, one page, for which a variable gains from compression.
 SMALL = 4096
-#: Most numbers of a piece that is compressed by itself, and how hard that is tried.
+#: Maximum number of values in a separately compressed piece, and the compression level.
 STORED, LEVEL = 2**15, 1
-#: A dataset of more bytes is read when it is used.
+#: Size in bytes above which a dataset is read on demand.
 LARGE = 2**23
-#: Attribute of an index: the most values of a chunk along each dimension that is cut.
+#: Attribute of an index: the maximum length of a chunk along each dimension that is split.
 CHUNKS = "chunks"
 
 
 def write_dataset(built: xr.Dataset | dict[str, xr.Dataset], path: PathLike) -> None:
-    """Write a dataset, or one group for each of several, whole or not at all.
+    """Write a dataset, or several as groups of one file, completely or not at all.
 
-    The bytes depend on the content alone, but for those of a dataset that dask reads.
+    The bytes of the file depend only on the content, unless dask reads the dataset.
     """
     groups = {"/": built} if isinstance(built, xr.Dataset) else built
-    # Without the encoding that another file has chosen.
+    # Drop encodings inherited from other files.
     tree = xr.DataTree.from_dict({name: each.drop_encoding() for name, each in groups.items()})
     encoding = {
         node.path: {name: _encoding(each) for name, each in node.variables.items()}
@@ -55,21 +55,21 @@ def write_dataset(built: xr.Dataset | dict[str, xr.Dataset], path: PathLike) -> 
 
 
 def _encoding(variable: xr.Variable) -> dict[str, Any]:
-    """No value stands for a missing one; numbers are compressed where that saves space."""
+    """Encoding without a fill value; numbers are compressed if that saves space."""
     chunks = stored_chunks(variable.shape, variable.dtype)
     layout = {"zlib": True, "complevel": LEVEL, "chunksizes": chunks} if chunks else {}
     return {"_FillValue": None} | layout
 
 
 def stored_chunks(lengths: Sequence[int], dtype: np.dtype[Any]) -> tuple[int, ...] | None:
-    """Shape of the pieces in which a variable is compressed; None for one that is not."""
+    """Shape of the compressed pieces of a variable; None without compression."""
     small = dtype.kind in "OU" or math.prod(lengths) * dtype.itemsize < SMALL
     return None if small else shape(lengths, STORED)
 
 
 @contextmanager
 def reading(path: PathLike) -> Iterator[None]:
-    """Say in one line what is wrong with a file that is read within; damage shows itself in any error."""
+    """Report any error while reading a file as a one-line message, since damage can cause any error."""
     try:
         yield
     except PlanarPushingError:
@@ -81,13 +81,13 @@ def reading(path: PathLike) -> Iterator[None]:
         number = error.errno if isinstance(error, OSError) else None
         reason = f" ({os.strerror(number)})" if number else ""
         raise InvalidFile(
-            f"{path}: is not a netCDF4 file{reason}; remove it and build it anew"
+            f"{path}: is not a netCDF4 file{reason}; delete it and build it again"
         ) from None
 
 
 @contextmanager
 def _netcdf(path: PathLike) -> Iterator[h5netcdf.File]:
-    """A file whose root can be read; h5netcdf itself would complain a second time while it closes."""
+    """Open a file with a readable root; otherwise h5netcdf would report a second error on closing."""
     with reading(path):
         with h5py.File(path, "r") as file:
             dict(file.attrs)
@@ -96,25 +96,25 @@ def _netcdf(path: PathLike) -> Iterator[h5netcdf.File]:
 
 
 def read_attributes(path: PathLike) -> dict[str, object]:
-    """Read the root attributes of a file, and nothing else of it; errors as in `read_dataset`."""
+    """Read only the root attributes of a file; errors as in `read_dataset`."""
     with _netcdf(path) as file:
         return dict(file.attrs)
 
 
 def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
-    """Read a dataset into memory, and close its file; one above 8 MB is read when it is used.
+    """Read a dataset into memory and close its file; a dataset above 8 MB is read on demand.
 
-    So is one that stays in its chunks, by dask.
+    A dataset that is stored in chunks is also read on demand, by dask.
 
     Raises
     ------
     InvalidFile
-        Where the file is missing, is not netCDF4, or has no such group.
+        If the file is missing, is not netCDF4, or has no such group.
     """
     if group not in (None, *group_names(path)):
-        raise InvalidFile(f"{path}: has no group {group!r}; remove it and build it anew")
+        raise InvalidFile(f"{path}: has no group {group!r}; delete it and build it again")
     with reading(path):
-        # A file that is HDF5 and no netCDF4 names no dimensions; no dataset holds dates.
+        # An HDF5 file that is not netCDF4 has no named dimensions. No dataset holds dates.
         opened = xr.open_dataset(
             path, engine=ENGINE, group=group, phony_dims="access", decode_times=False
         )
@@ -126,12 +126,12 @@ def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
 
 
 def index_of(whole: xr.Dataset, steps: Mapping[str, int]) -> xr.Dataset:
-    """The index of a dataset that stays in its chunks: its coordinates and attributes."""
+    """Index of a dataset that is stored in chunks: its coordinates and attributes."""
     return whole.drop_vars(list(whole.data_vars)).assign_attrs({CHUNKS: json.dumps(dict(steps))})
 
 
 def _behind_index(index: xr.Dataset, path: Path) -> xr.Dataset:
-    """The dataset for which an index stands, with the attributes of the index."""
+    """Dataset of the chunks that an index describes, with the attributes of the index."""
     steps = _steps(index, path)
     folder = path.parent.parent / "chunks" / path.stem
     lengths = {str(dim): length for dim, length in index.sizes.items()}
@@ -139,20 +139,20 @@ def _behind_index(index: xr.Dataset, path: Path) -> xr.Dataset:
         whole = joined(folder, lengths, steps)
     if not all(whole[dim].equals(index[dim]) for dim in steps):
         raise InvalidFile(
-            f"{path}: its chunks are those of another grid; remove it and build it anew"
+            f"{path}: its chunks belong to another grid; delete it and build it again"
         )
     return whole.assign_attrs({key: each for key, each in index.attrs.items() if key != CHUNKS})
 
 
 def _steps(index: xr.Dataset, path: Path) -> dict[str, int]:
-    """Lengths of the chunks that an index names, or `InvalidFile`."""
+    """Chunk lengths from an index; raises `InvalidFile` if it has none."""
     try:
         steps = {str(dim): int(step) for dim, step in json.loads(index.attrs[CHUNKS]).items()}
     except (TypeError, ValueError, AttributeError):
         steps = {}
     dims = DATASETS[path.stem].dims if path.stem in DATASETS else ()
     if not steps or not set(steps) <= set(dims) or min(steps.values()) < 1:
-        raise InvalidFile(f"{path}: names no chunks; remove it and build it anew")
+        raise InvalidFile(f"{path}: names no chunks; delete it and build it again")
     return steps
 
 
@@ -163,7 +163,7 @@ def group_names(path: PathLike) -> list[str]:
 
 
 def _filled(folder: Path) -> Path:
-    """The folder of results, or `InvalidFile` where it is not one that the pipeline has filled."""
+    """Results folder; raises `InvalidFile` if the pipeline has not written to it."""
     if not (folder / "data").is_dir():
         place = (
             f"{folder}: holds no folder data" if folder.is_dir() else f"{folder}: no such folder"
@@ -181,28 +181,28 @@ def open_dataset(
     Parameters
     ----------
     name : str
-        limit_curves, motion_cones, contact_modes, acceleration_centers, center_regions, a scene as
-        "scenes/figure_08", a simulation as "simulations/figure_15", the numbers that a figure plots as
-        "figures/figure_06", or one on how this work computes, such as "accuracy_errors/cone"; of a study
-        with supports also supports, support_cones and support_modes. `planar-pushing query` lists those
-        that are built.
+        One of limit_curves, motion_cones, contact_modes, acceleration_centers and center_regions; a scene
+        such as "scenes/figure_08"; a simulation such as "simulations/figure_15"; the numbers that a figure
+        plots, such as "figures/figure_06"; or a dataset about the computation itself, such as
+        "accuracy_errors/cone". A study with supports also has supports, support_cones and support_modes.
+        `planar-pushing query` lists the datasets that are built.
     results : path
-        The folder that the pipeline filled.
+        Results folder of the pipeline.
     study : str, optional
-        Name of another study than the paper's, whose results are in studies/NAME there.
+        Name of a study other than the paper's, whose results are in studies/NAME in that folder.
 
     Returns
     -------
     xarray.Dataset
-        In memory, or read when it is used where it is above 8 MB or stays in its chunks; angles are
+        Dataset in memory, or read on demand if it is above 8 MB or stored in chunks; angles are in
         degrees.
 
     Raises
     ------
     InvalidValue
-        Where there is no dataset of this name, or no study.
+        If there is no dataset or no study with this name.
     InvalidFile
-        Where the folder is not one of results, or the dataset has not been built: the message says which
+        If the folder is not a results folder, or the dataset has not been built; the message says which
         command builds it.
     """
     file, group = dataset_place(name)
@@ -215,22 +215,22 @@ def open_dataset(
 
 
 def built_results(results: PathLike, study: str | None = None) -> Path:
-    """The folder of a study's results; errors as in `open_dataset`."""
+    """Folder of a study's results; errors as in `open_dataset`."""
     return _filled(built_folder(study, require_path("results", results)))
 
 
 def _not_built(name: str, path: Path) -> PlanarPushingError:
-    """The error that says what builds a dataset, or which simulations and figures there are."""
+    """Error that names the command to build a dataset, or lists the existing simulations and figures."""
     stem = name.partition("/")[0]
     others = [f"{stem}/{each.stem}" for each in sorted(path.parent.glob("*.nc"))]
     if stem in FOLDERS and others:
-        remedy = f"name one of these, or list it under {stem} in the study and build that anew"
+        remedy = f"name one of these, or list it under {stem} in the study and build that again"
         return InvalidValue("name", name, ", ".join(others), remedy)
     return InvalidFile(f"{path}: no such dataset; {building(name)}")
 
 
 def _require_part(name: str, group: str | None, path: Path) -> None:
-    """Refuse a part that a file does not have, and a whole where the file has parts alone."""
+    """Reject a missing part of a file, and the name of a whole file that has only parts."""
     parts = group_names(path)
     if group is None and not parts:
         return

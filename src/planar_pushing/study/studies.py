@@ -1,4 +1,4 @@
-"""Studies side by side: which one is chosen, its name, and the folder that its results fill."""
+"""Choice of a study, its name, and the folder of its results."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from planar_pushing.study.catalog import NAME
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.terms.errors import InvalidFile, InvalidValue, suggestion
 
-#: The study of the paper: its file, and its name, whose results are not in a folder of their own.
+#: The study of the paper: its file and its name. Its results are at the top of the results folder.
 PAPER_FILE, PAPER = "workflow/config/paper.yaml", "paper"
-#: The study of sliders that is built beside it.
+#: The study of sliders, which is built together with it.
 SLIDERS_FILE = "workflow/config/sliders.yaml"
 #: The keys of the workflow's configuration: the study's file, the folder of all results, and the folder of
 #: published logs of pushes.
@@ -20,22 +20,22 @@ KEYS = (KEY, RESULTS, DATA)
 
 
 def chosen_studies(config: Mapping[str, object]) -> tuple[str, ...]:
-    """Files of the studies that the workflow builds: the one that its configuration chooses, or ours both.
+    """Study files that the workflow builds: the configured one, or both of our own for the paper's study.
 
     Errors as in `chosen_study`.
     """
     chosen = chosen_study(config)
-    # The report of the paper's study shows that of sliders as well.
+    # The report of the paper's study also covers the study of sliders.
     return (chosen, SLIDERS_FILE) if _is_papers(chosen) else (chosen,)
 
 
 def chosen_study(config: Mapping[str, object]) -> str:
-    """File of the study that the workflow's configuration chooses, the paper's where it says nothing.
+    """Study file that the workflow's configuration selects, by default the paper's.
 
     Raises
     ------
     InvalidValue
-        Where the configuration has another key, or no path as study.
+        If the configuration has an unknown key or its study is not a path.
     """
     for key in config:
         if key not in KEYS:
@@ -46,17 +46,17 @@ def chosen_study(config: Mapping[str, object]) -> str:
 
 
 def chosen_results(config: Mapping[str, object]) -> str:
-    """Folder of all results that the workflow's configuration chooses; `InvalidValue` as for the study."""
+    """Folder of all results that the workflow's configuration selects; errors as in `chosen_study`."""
     return _path(config, RESULTS, RESULTS, "a folder")
 
 
 def chosen_data(config: Mapping[str, object]) -> str | None:
-    """Folder of published logs that the configuration chooses, if any; `InvalidValue` as for the study."""
+    """Folder of published logs that the configuration selects, if any; errors as in `chosen_study`."""
     return _path(config, DATA, "", "a folder") if DATA in config else None
 
 
 def _path(config: Mapping[str, object], key: str, default: str, kind: str) -> str:
-    """The path that a configuration gives under a key; Snakemake reads braces as wildcards."""
+    """Path under a key of the configuration, without braces, which Snakemake reads as wildcards."""
     path = config.get(key, default)
     if not isinstance(path, str) or not path.isprintable() or set(path) & {"{", "}"} or not path:
         allowed = f"the path of {kind}, without braces"
@@ -65,16 +65,16 @@ def _path(config: Mapping[str, object], key: str, default: str, kind: str) -> st
 
 
 def study_name(file: PathLike) -> str:
-    """Name under which a study is built, that of its file.
+    """Name of a study for building, taken from its file.
 
     Raises
     ------
     InvalidFile
-        Where it cannot name a folder, or is the name of the paper's study.
+        If the name cannot be that of a folder, or is reserved for the paper's study.
     """
     name = file_name(file)
     if name == PAPER and not _is_papers(file):
-        remedy = "go there to build it, or rename the file to build a study of your own"
+        remedy = "go there to build it, or rename the file to build your own study"
         raise InvalidFile(
             f"{file}: {PAPER!r} names the paper's study, {PAPER_FILE} in the project's folder; {remedy}"
         )
@@ -82,7 +82,7 @@ def study_name(file: PathLike) -> str:
 
 
 def file_name(file: PathLike) -> str:
-    """Name of a study wherever its file is; `InvalidFile` where it cannot name a folder."""
+    """Name of a study from its file anywhere; raises `InvalidFile` if it cannot name a folder."""
     name = Path(file).stem
     if not NAME.fullmatch(name):
         allowed = "names of letters, digits and underscores, which become a folder's name"
@@ -95,24 +95,24 @@ def _is_papers(file: PathLike) -> bool:
 
 
 def paper_file() -> Path | None:
-    """File of the paper's study: in the current folder, else in the checkout that holds this package."""
+    """File of the paper's study, in the current folder or in the checkout that holds this package."""
     checkout = Path(__file__).parents[3]
     found = (folder / PAPER_FILE for folder in (Path(), checkout))
     return next((file for file in found if file.is_file()), None)
 
 
 def built_studies(results: PathLike = RESULTS) -> list[str]:
-    """Names of the studies besides the paper's that a folder of results holds."""
+    """Names of the studies other than the paper's in a results folder."""
     return sorted(path.name for path in (Path(results) / "studies").glob("*") if path.is_dir())
 
 
 def study_folder(name: str | None, results: PathLike = "results") -> Path:
-    """Folder that a study's results fill: that of all results for the paper's, else one within it.
+    """Folder of a study's results: the results folder itself for the paper's, otherwise one within it.
 
     Raises
     ------
     InvalidValue
-        Where the name cannot be one of a study.
+        If the name cannot be that of a study.
     """
     if name is None or name == PAPER:
         return Path(results)
@@ -122,12 +122,12 @@ def study_folder(name: str | None, results: PathLike = "results") -> Path:
 
 
 def built_folder(name: str | None, results: PathLike = "results") -> Path:
-    """Folder of results of a study that was built.
+    """Results folder of a study that was built.
 
     Raises
     ------
     InvalidValue
-        Where the results hold no such study.
+        If the results contain no such study.
     """
     folder = study_folder(name, results)
     if Path(results).is_dir() and not folder.is_dir():
@@ -136,6 +136,6 @@ def built_folder(name: str | None, results: PathLike = "results") -> Path:
 
 
 def _unknown(name: object, results: PathLike) -> InvalidValue:
-    """The error that lists the studies that were built."""
+    """Error that lists the studies that were built."""
     allowed = ", ".join([PAPER, *built_studies(results)])
     return InvalidValue("study", name, allowed, "name a study that was built")

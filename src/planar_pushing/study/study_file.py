@@ -1,4 +1,4 @@
-"""Study files: reading one, and reasons why a well-formed study cannot be computed."""
+"""Read study files, and find reasons why a well-formed study cannot be computed."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from planar_pushing.terms.domain import LONGEST
 from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.options import EFFECT_TYPES
 
-#: Most points of a dataset's grid: a terabyte.
+#: Maximum number of points of a dataset's grid, which fill a terabyte.
 POINTS = 10**10
 
 
 def load_study(path: PathLike) -> StudyFile:
-    """Read a study file and check the scenes that it names; errors as in `load_scene`.
+    """Read a study file and check its scenes; errors as in `load_scene`.
 
-    The paths in the study become those from here, where the file has them from its own folder.
+    Paths in the file are relative to its folder; in the returned study, to the current folder.
     """
     study = _located(load_model(path, StudyFile), Path(path).parent)
     for problem in _study_problems(study):
@@ -48,7 +48,7 @@ def _study_problems(study: StudyFile) -> Iterator[str]:
     """Reasons why a well-formed study cannot be computed."""
     computed = [name for name in DATASETS if computes(study, name)]
     if not computed:
-        yield "grid: gives all axes of no dataset; allowed: those of one at least; add axes"
+        yield "grid: no dataset has all its axes; allowed: all axes of at least one; add axes"
     yield from _effects_problems(study)
     yield from _support_problems(study)
     yield from _size_problems(study, computed)
@@ -58,14 +58,14 @@ def _study_problems(study: StudyFile) -> Iterator[str]:
     if study.inertia and study.inertia.gyration_radius != study.slider.radius:
         yield (
             f"inertia.gyration_radius: {study.inertia.gyration_radius!r} given; allowed: the radius of "
-            f"the ring, {study.slider.radius!r}, which the paper's bound presumes; change it"
+            f"the ring, {study.slider.radius!r}, which the paper's bound assumes; change it"
         )
     if study.golden and not Path(study.golden).is_dir():
         yield f"golden: {study.golden!r} given; allowed: a folder of golden data; leave the key out"
 
 
 def _size_problems(study: StudyFile, computed: Iterable[str]) -> Iterator[str]:
-    """Datasets of more points than a cluster computes."""
+    """Datasets with too many points."""
     for name in computed:
         axes = DATASETS[name].axes
         count = math.prod(len(study.values(axis)) for axis in axes)
@@ -77,7 +77,7 @@ def _size_problems(study: StudyFile, computed: Iterable[str]) -> Iterator[str]:
 
 
 def _chunk_problems(study: StudyFile, computed: Collection[str]) -> Iterator[str]:
-    """Chunks of datasets that have none, chunks along wrong axes, and `gather` without chunks."""
+    """Chunks of datasets that cannot be split, chunks along invalid axes, and `gather` without chunks."""
     cut = [name for name in computed if DATASETS[name].dims]
     for name, chunk in study.chunks.items():
         allowed = DATASETS[name].dims if name in cut else ()
@@ -103,7 +103,7 @@ def _support_problems(study: StudyFile) -> Iterator[str]:
 
 
 def _scene_problems(study: StudyFile) -> Iterator[str]:
-    """Scene files that cannot be read, or that list effects the study has no parameters for."""
+    """Scene files that cannot be read, or that list effects without parameters in the study."""
     for name, push in study.scenes.items():
         try:
             kinds = {EFFECT_TYPES[effect.type] for effect in load_scene_file(push.file).effects}
@@ -133,7 +133,7 @@ def _simulation_problems(simulations: Mapping[str, str]) -> Iterator[str]:
 
 
 def _effects_problems(study: StudyFile) -> Iterator[str]:
-    """Effects of the grid that the study has no parameters for."""
+    """Effects of the grid without parameters in the study."""
     for name in study.grid.effects:
         for part in name.split("+"):
             if part not in study.parts:

@@ -1,1 +1,1 @@
-"""The words that every room shares: errors, options, units, and the ranges of parameters."""
+"""Vocabulary shared by all packages: errors, options, units, and ranges of parameters."""

@@ -1,7 +1,7 @@
-"""The domain: what each parameter may be, and the one refusal of a value outside it.
+"""The domain: the range of each parameter, and the error for a value outside it.
 
-Each parameter stands here once, with its range, and with what a user can do. Parameters are numbers,
-numpy arrays or `xarray.DataArray`; of a lazy array the blocks are checked when they are computed.
+Each parameter is listed here once, with its range and a remedy. Parameters are numbers, numpy arrays or
+`xarray.DataArray`; the blocks of a lazy array are checked when they are computed.
 """
 
 from __future__ import annotations
@@ -18,27 +18,27 @@ from planar_pushing.terms.options import SPEED
 
 #: A number, a numpy array or a DataArray.
 Number = Any
-#: One number, and many without labels, in the types of functions whose results follow their arguments.
+#: One number, and many without labels, for the types of functions whose result type follows the arguments.
 Scalar = float | np.floating[Any] | np.integer[Any]
 Numbers = npt.NDArray[Any] | list[Any]
 
-#: Longest rod, and range of the radius of gyration, in radii of the slider.
+#: Maximum rod length, and range of the radius of gyration, in radii of the slider.
 LONGEST, GYRATION = 1e6, (1e-4, 1e4)
-#: Greatest radius of a finger, in radii of the slider: with a larger one the contact travels so fast that a
-#: simulation takes a step for each part of a second.
+#: Maximum radius of a finger, in radii of the slider: with a larger one the contact travels so fast that a
+#: simulation takes very small time steps.
 WIDEST = 1e4
-#: Greatest coefficient of friction of Coulomb's law; infinite friction is a law of its own.
+#: Maximum coefficient of friction of Coulomb's law; infinite friction is a separate law.
 ROUGHEST = 1e9
 #: Range of s = m |a| / W for a push from rest with friction and inertia.
 SHARES = (1e-12, 1e12)
-#: Largest angle that a Python number gives, radians: a larger one is most likely one of degrees.
+#: Maximum angle in radians given by a Python number: a larger one is most likely in degrees.
 TURNS = 4 * math.pi
 #: Range of speeds over time.
 SPEEDS = SPEED.least, SPEED.most
 
 
 class Range(NamedTuple):
-    """What a parameter may be, in code and in words, and what to do where it is not."""
+    """Range of a parameter, in code and in words, and the remedy for a value outside it."""
 
     allows: Callable[[Any], Any]
     allowed: str
@@ -60,7 +60,7 @@ RANGES = {
     ),
     "rod_angle": Range(
         lambda x: (x > 0) & (x < math.pi), "radians in the open interval (0, pi)",
-        "keep the slider above the fence; turn degrees into radians with np.deg2rad",
+        "keep the slider above the fence; convert degrees to radians with np.deg2rad",
     ),
     "radius": _positive("give it in the unit of the rod length"),
     "mass_center": Range(
@@ -70,7 +70,7 @@ RANGES = {
         lambda x: (x >= 0) & (x <= ROUGHEST), f"a number in [0, {ROUGHEST:g}]",
         "use the law of infinite friction where no coefficient is large enough",
     ),
-    "load_force": Range(np.isfinite, "a finite number", "give the parts of the force"),
+    "load_force": Range(np.isfinite, "a finite number", "give the components of the force"),
     "load_center": Range(np.isfinite, "a finite number", "give x and y in the body frame"),
     "coefficient": _positive("leave the effect out of the scene if nothing is viscous"),
     "weight": _positive("leave the effect out of the scene if the support is frictionless"),
@@ -78,14 +78,14 @@ RANGES = {
     "support_friction": _positive("leave the effect out of the scene if the support is frictionless"),
     "gravity": _positive("give the acceleration of gravity, 9.80665 on Earth"),
     "gyration_radius": _positive("leave the effect out of the scene if the slider has no inertia"),
-    "force_angle": _angle("turn degrees into radians with np.deg2rad"),
-    "angle": _angle("turn degrees into radians with np.deg2rad"),
+    "force_angle": _angle("convert degrees to radians with np.deg2rad"),
+    "angle": _angle("convert degrees to radians with np.deg2rad"),
     "pusher_angle": _angle(
-        "turn degrees into radians with np.deg2rad; the angle of a velocity is np.arctan2(v_y, v_x)"
+        "convert degrees to radians with np.deg2rad; the angle of a velocity is np.arctan2(v_y, v_x)"
     ),
     "pusher_magnitude": Range(
         lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0",
-        "turn the pusher around by its angle, not by a sign",
+        "reverse the pusher by its angle, not by a sign",
     ),
     "inertia_share": Range(
         lambda x: (x >= 0) & (x <= 1), "numbers in [0, 1]", "give s / (1 + s) with s = m a / W",
@@ -101,19 +101,19 @@ RANGES = {
         lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0", "start on the fence or above it",
     ),
 }  # fmt: skip
-#: Angles of directions; of more than one of them arrays are given, and a tuple is the parts of a vector.
+#: Angles of directions. Several are given as an array; a tuple is taken for the components of a vector.
 ANGLES = ("force_angle", "angle", "pusher_angle")
-#: What the ends of a side may be, and what to do where they are not.
+#: Range of the ends of a side, and remedy.
 SIDE = (
     "(start, end) with start < 0 < end, infinite for a side without an end",
-    "measure both ends along the side from the contact, which is between them, the one towards -x first",
+    "measure both ends along the side from the contact, which is between them, the one toward -x first",
 )
-#: What the radius of a finger may be.
+#: Range of the radius of a finger.
 FINGER_RADIUS = Range(
     lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0",
-    "give the radius of the finger in the scene's length, or leave it out for a point",
+    "give the radius of the finger in the scene's unit of length, or leave it out for a point",
 )  # fmt: skip
-#: Ranges of dimensionless combinations: of which parameter the refusal speaks, and its range.
+#: Ranges of dimensionless combinations: the parameter that the error names, and the range.
 RATIOS = {
     "length_ratio": ("rod_length", Range(
         lambda x: x <= LONGEST, f"at most {LONGEST:g} times the radius",
@@ -135,7 +135,7 @@ RATIOS = {
     "force_ratio": ("pusher_magnitude", Range(
         lambda x: (x >= SHARES[0]) & (x <= SHARES[1]),
         f"m a / W in [{SHARES[0]:g}, {SHARES[1]:g}] for a scene with friction and inertia",
-        "leave the effect out that has no part in the motion",
+        "leave out the effect that is negligible in the motion",
     )),
 }  # fmt: skip
 
@@ -146,12 +146,12 @@ def is_lazy(value: object) -> bool:
 
 
 def required(name: str, given: Number) -> Number:
-    """The parameter that was given, a list as an array; of a lazy one each block is checked in its turn.
+    """The given parameter, with a list as an array; blocks of a lazy one are checked when computed.
 
     Raises
     ------
     InvalidValue
-        Where a number is outside the range, with the name, the first number outside and the range.
+        If a number is outside the range, with the name, the first number outside, and the range.
     """
     if name in ANGLES and _is_no_angle(given):
         raise InvalidValue(name, given, RANGES[name].allowed, RANGES[name].remedy)
@@ -159,20 +159,20 @@ def required(name: str, given: Number) -> Number:
 
 
 def _is_no_angle(given: object) -> bool:
-    """Whether a value is taken for a vector or, a Python number, for degrees; arrays may hold any angle."""
+    """Whether a value is a vector, or a Python number in degrees; arrays can hold any angle."""
     if isinstance(given, (int, float)) and not isinstance(given, np.generic):
         return abs(given) > TURNS
     return isinstance(given, tuple)
 
 
 def required_ratio(ratio: str, values: Number) -> Number:
-    """Refuse a parameter out of proportion to the others; result and errors as of `required`."""
+    """Refuse a parameter out of proportion to the others; result and errors as in `required`."""
     name, allowed = RATIOS[ratio]
     return _required(name, values, allowed)
 
 
 def required_side(given: Any) -> tuple[Number, Number]:
-    """Ends of a side, measured from the contact, which lies between them; errors as of `required`."""
+    """Ends of a side, measured from the contact, which lies between them; errors as in `required`."""
     if not isinstance(given, (list, tuple)) or len(given) != 2:
         raise InvalidValue("side", given, *SIDE)
     start, end = given
@@ -181,12 +181,12 @@ def required_side(given: Any) -> tuple[Number, Number]:
 
 
 def required_finger_radius(given: Number) -> Number:
-    """The radius of a finger, or of many; errors as of `required`."""
+    """The radius of a finger, or radii of many; errors as in `required`."""
     return _required("radius", given, FINGER_RADIUS)
 
 
 def require_fields(value: object, *names: str) -> None:
-    """Take the fields of a frozen value through `required`."""
+    """Check the fields of a frozen value with `required`, and replace them with the results."""
     for name in names:
         object.__setattr__(value, name, required(name, getattr(value, name)))
 

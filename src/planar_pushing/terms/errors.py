@@ -1,6 +1,6 @@
-"""The one exception family: what was given, what is allowed, what to do.
+"""The exceptions of the package: they state the given value, the allowed values, and a remedy.
 
-The command line imports it to print its help, so it imports no numpy.
+The command line imports this module to print its help, so it does not import numpy.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from typing import Any, TypeVar
 Kind = TypeVar("Kind")
 Option = TypeVar("Option", bound=StrEnum)
 
-#: Most characters, entries and levels of a value that a message shows.
+#: Maximum number of characters, entries and levels of a value that a message shows.
 SHORT = reprlib.Repr()
 SHORT.maxstring = SHORT.maxother = 120
 SHORT.maxlist = SHORT.maxtuple = SHORT.maxdict = SHORT.maxset = 8
@@ -27,18 +27,18 @@ class PlanarPushingError(Exception):
 
 
 class InvalidValue(PlanarPushingError, ValueError):
-    """A value outside what the mechanics allow.
+    """A value outside its allowed range.
 
     Parameters
     ----------
     name : str
         Name of the parameter in the public interface.
     given : object
-        What was given.
+        The given value.
     allowed : str
-        What is allowed.
+        Description of the allowed values.
     remedy : str
-        What to do about it.
+        Advice to the user.
     """
 
     def __init__(self, name: str, given: object, allowed: str, remedy: str) -> None:
@@ -58,11 +58,11 @@ class InvalidResult(PlanarPushingError):
 
 
 class MissingExtra(PlanarPushingError, ImportError):
-    """A part of the package whose dependencies are not installed; the message names the extra."""
+    """A feature whose dependencies are not installed; the message names the extra."""
 
 
 def shown(given: object) -> str:
-    """A value as a message shows it, in a line; what is too long is cut."""
+    """A value as one line of a message, truncated if too long."""
     try:
         text = SHORT.repr(given)
     except ValueError:  # Python refuses to print an integer of thousands of digits
@@ -71,7 +71,7 @@ def shown(given: object) -> str:
 
 
 def as_float(given: object) -> float:
-    """A real number as a float; NaN for texts, truth values, decimals, arrays and what else is none."""
+    """A real number as a float; NaN for anything else, such as strings, booleans, decimals and arrays."""
     plain = isinstance(given, (int, float)) and not isinstance(given, bool)
     single = getattr(getattr(given, "dtype", None), "kind", "") in ("i", "u", "f")
     if not plain and not (single and getattr(given, "ndim", 1) == 0):
@@ -120,7 +120,7 @@ def require_path(name: str, given: Any) -> Any:
 
 
 def suggestion(given: object, options: Iterable[str], otherwise: str) -> str:
-    """What to do about an unknown option: the one that is spelled almost alike, or something else."""
+    """Remedy for an unknown option: the option with a similar spelling, or another text."""
     near = difflib.get_close_matches(str(given), list(options), n=1)
     return f"did you mean {near[0]}?" if near else otherwise
 

@@ -1,4 +1,4 @@
-"""Optional dependencies: what brings each, so that a missing one is named where it is needed."""
+"""Optional dependencies and their extras, so that a missing one is named when it is needed."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from importlib.util import find_spec
 
 from planar_pushing.terms.errors import MissingExtra
 
-#: Extras of the package, as `pip install` names them, and what a part of the package imports of each.
+#: Extras of the package, as named in `pip install`, and the modules that the package imports from each.
 EXTRAS = {
     "workflow": ("snakemake",),
     "chunks": ("dask",),
@@ -21,7 +21,7 @@ EXTRAS = {
 
 
 def require_extra(extra: str) -> None:
-    """Raise `MissingExtra` where a dependency of an extra is not installed; it imports none."""
+    """Raise `MissingExtra` if a dependency of an extra is not installed, without importing any."""
     missing = [name for name in EXTRAS[extra] if find_spec(name) is None]
     if missing:
         raise MissingExtra(

@@ -1,4 +1,4 @@
-"""Options that files, Python and the command line share: their names, and what they allow.
+"""Options shared by files, Python and the command line: their names and allowed values.
 
 An option is given as the enum or as its value.
 """
@@ -10,10 +10,10 @@ from typing import Literal, NamedTuple
 
 
 class Policy(StrEnum):
-    """Which mode is taken where several are consistent.
+    """Choice of a mode if several are consistent.
 
-    `KEEP_CONTACT` takes sticking before slip and separation last. The others prefer a mode, and act like
-    `KEEP_CONTACT` where that mode is not consistent.
+    `KEEP_CONTACT` prefers sticking to slip, and slip to separation. The others prefer one mode, and act
+    like `KEEP_CONTACT` if that mode is not consistent.
     """
 
     KEEP_CONTACT = "keep-contact"
@@ -24,46 +24,46 @@ class Policy(StrEnum):
     SLIP_LEFT = "slip-left"
 
 
-#: The same as the enum, or as its value.
+#: The enum, or its value.
 PolicyName = (
     Policy | Literal["keep-contact", "separate", "stay-in-mode", "stick", "slip-right", "slip-left"]
 )
 
 
 class Method(StrEnum):
-    """How a motion is integrated over time."""
+    """Method of integration over time."""
 
     EVENT_DRIVEN = "event-driven"
     TIME_STEPPING = "time-stepping"
 
 
-#: The same as the enum, or as its value.
+#: The enum, or its value.
 MethodName = Method | Literal["event-driven", "time-stepping"]
 
 
 class Shape(StrEnum):
-    """What pushes: a line against a point of the slider, or a point against a side of it."""
+    """Shape of the pusher: a line that touches a point of the slider, or a point that touches a side."""
 
     FENCE = "fence"
     FINGER = "finger"
 
 
 class PusherFrame(StrEnum):
-    """Axes along which the pusher moves: those of the fence frame at time 0, or of the world."""
+    """Frame of the pusher's motion: the fence frame at time 0, or the world."""
 
     FENCE = "fence"
     WORLD = "world"
 
 
 class AtZeroNormal(StrEnum):
-    """Tangential force of infinite friction without normal force: the paper's definitions 1 and 2."""
+    """Tangential force of infinite friction at zero normal force: the paper's definitions 1 and 2."""
 
     FREE = "free"
     NONE = "none"
 
 
 class EffectKind(StrEnum):
-    """What resists or drives the motion, by its name in files and datasets."""
+    """Effects that resist or drive the motion, by their names in files and datasets."""
 
     SUPPORT_FRICTION = "support_friction"
     INERTIA = "inertia"
@@ -72,14 +72,14 @@ class EffectKind(StrEnum):
 
 
 class EffectSet(StrEnum):
-    """The effects that resist the motion together, by their name in studies and datasets."""
+    """Sets of effects that together resist the motion, by their names in studies and datasets."""
 
     SUPPORT_FRICTION = EffectKind.SUPPORT_FRICTION.value
     INERTIA = EffectKind.INERTIA.value
     BOTH = f"{EffectKind.SUPPORT_FRICTION}+{EffectKind.INERTIA}"
 
 
-#: Effects by the types that scene files give them.
+#: Effects by their types in scene files.
 EFFECT_TYPES = {
     "ring_friction": EffectKind.SUPPORT_FRICTION,
     "support_friction": EffectKind.SUPPORT_FRICTION,
@@ -100,7 +100,7 @@ STUDIED = (EffectKind.SUPPORT_FRICTION, EffectKind.INERTIA)
 
 
 class Range(NamedTuple):
-    """A closed range of numbers, in figures and in words."""
+    """A closed range of numbers, as bounds and in words."""
 
     least: float
     most: float
@@ -111,17 +111,18 @@ class Range(NamedTuple):
         return self.least <= number <= self.most
 
 
-#: Speeds over time other than 0: the square of one, in units of the least tolerance, is a double.
+#: Nonzero speeds in simulations, whose squares are doubles also in units of the smallest tolerance.
 SPEED = Range(1e-140, 1e140, "0, or a number in [1e-140, 1e140]")
-#: Entries of a log at even intervals, and steps of equal length: what a run can hold, and do in hours.
+#: Number of entries of a log at equal intervals, limited by memory, and of equal time steps, limited by
+#: hours of computation.
 SAMPLES = Range(2, 1e7, "a whole number >= 2, at most 1e7")
 MOST_STEPS = 1e9
-#: Relative tolerance of a motion over time: what double precision can hold.
+#: Relative tolerance of a simulation, limited by double precision.
 TOLERANCE = Range(1e-13, 1e-2, "a number in [1e-13, 1e-2]")
 
 
 class Event(IntEnum):
-    """Why a contact mode ends, or why the modes are enumerated anew: flags of `event` in a log."""
+    """Reason why a contact mode ends or the modes are enumerated again: values of `event` in a log."""
 
     NONE = -1
     #: The force leaves the friction cone; a slip or a force ends; the contact is made.
@@ -129,22 +130,23 @@ class Event(IntEnum):
     SLIP_ENDS = 1
     FORCE_ENDS = 2
     TOUCHES = 3
-    #: The fence begins to push a slider at rest; without a force the contact would part, or no longer.
+    #: The fence starts to push a slider at rest; without a force the contact would start, or stop, to
+    #: separate.
     STARTS = 4
     LIFTS = 5
     #: Friction no longer holds the support point about which the slider pivots.
     HINGE_YIELDS = 6
-    #: The slider's center comes down to the fence; the slider comes to rest.
+    #: The slider's center reaches the fence; the slider comes to rest.
     LIES = 7
     STOPS = 8
     #: The center of rotation arrives at a support point, or leaves it.
     ARRIVES = 9
     #: The response to the motion is not smooth, or a pivot starts or ends.
     KINK = 10
-    #: The normal motion of the fence changes its sign, or it starts to move; that along itself does.
+    #: The normal velocity of the fence changes sign or starts; its tangential velocity does so.
     TURNS = 11
     TURNS_ALONG = 12
-    #: A finger comes to the end of its side.
+    #: A finger reaches the end of its side.
     END_OF_SIDE = 13
     #: Another point of the outline meets the fence.
     PENETRATES = 14

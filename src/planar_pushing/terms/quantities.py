@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-#: The paper, as the attribute `source` begins.
+#: The paper, as cited at the beginning of the attribute `source`.
 PAPER = (
     "Lynch and Mason, Pulling by Pushing, Slip with Infinite Friction, and Perfectly Rough Surfaces"
 )
-#: What the attributes of every file say, by the CF conventions.
+#: Global attributes of every file, by the CF conventions.
 GLOBAL = {
     "Conventions": "CF-1.11",
     "references": f"{PAPER}, IEEE International Conference on Robotics and Automation, 1993, "
@@ -20,7 +20,7 @@ GLOBAL = {
 #: Name: (units, long name). "1" is the unit of a ratio, a count, a flag or a label.
 Quantities = dict[str, tuple[str, str]]
 
-#: What a dataset holds.
+#: Variables of a dataset.
 DATASET: Quantities = {
     "adhesive": ("1", "whether the fence pulls on the slider"),
     "case": ("1", "hard case"),
@@ -123,7 +123,7 @@ DATASET: Quantities = {
     "twist_component": ("1", "component of the twist"),
     "xy": ("1", "along the fence, normal to the fence"),
 }
-#: What the log of a motion over time holds; a name may mean something else than in a dataset.
+#: Variables of the log of a simulation; a name can have another meaning than in a dataset.
 LOG: Quantities = {
     **DATASET,
     "contact_dissipated": ("force length", "energy dissipated at the contact, accumulated"),
@@ -153,7 +153,7 @@ LOG: Quantities = {
     ),
     "work": ("force length", "work of the fence on the slider, accumulated"),
 }
-#: What the log of a motion under a finger holds.
+#: Variables of the log of a simulation with a finger.
 FINGER: Quantities = {
     **LOG,
     "adhesive": ("1", "whether the finger pulls on the slider"),
@@ -172,7 +172,7 @@ FINGER: Quantities = {
     "work": ("force length", "work of the finger on the slider, accumulated"),
     "xy": ("1", "along the side and normal to it, at time 0"),
 }
-#: What a batch of motions holds; a name may mean something else than in a log.
+#: Variables of a batch of simulations; a name can have another meaning than in a log.
 BATCH: Quantities = {
     **LOG,
     "duration": ("time", "time to simulate"),
@@ -190,7 +190,8 @@ BATCH: Quantities = {
     "velocity": ("length/time", "velocity of the fence"),
 }
 
-#: What the datasets of a study of sliders hold; a name may mean something else than for the paper's ring.
+#: Variables of the datasets of a study of sliders; a name can have another meaning than for the paper's
+#: ring.
 SLIDERS: Quantities = {
     **DATASET,
     "center_of_pressure_x": ("length", "center of pressure in the body frame, along the rod"),
@@ -229,7 +230,7 @@ SLIDERS: Quantities = {
     "wrench_component": ("1", "component of a wrench"),
 }
 
-#: What the dataset `evaluations` holds; a name may mean something else than in the others.
+#: Variables of the dataset `evaluations`; a name can have another meaning than in the others.
 EVALUATIONS: Quantities = {
     **DATASET,
     "effect": ("1", "effect that is counted"),
@@ -237,7 +238,7 @@ EVALUATIONS: Quantities = {
     "functions": ("1", "number of the effect's functions in the machine code"),
     "integrator": ("1", "method that follows a motion over time"),
 }
-#: What the datasets on accuracy and its costs hold; a name may mean something else than in the others.
+#: Variables of the datasets on accuracy and its cost; a name can have another meaning than in the others.
 COSTS: Quantities = {
     "method": ("1", "method"),
     "setting": ("1", "number of points, table entries or steps, or tolerance; 0 for none"),
@@ -258,7 +259,7 @@ COSTS: Quantities = {
     "repeat": ("1", "number of the repeat"),
 }
 
-#: What the functions of the mechanics give for labeled arrays: angles are radians.
+#: Variables in the results of the mechanics for labeled arrays; angles are in radians.
 MECHANICS: Quantities = {
     **DATASET,
     **{
@@ -274,19 +275,19 @@ MECHANICS: Quantities = {
     "force_size": ("force", "size of the force on the limit curve"),
 }
 
-#: What the units of a dataset stand for.
+#: Meaning of the units of a dataset.
 NOTES = {
     "length": "the unit of the study's radius",
     "force": "the unit of the study's weight; without friction mass times a unit motion",
     "motion": "speed in a quasi-static scene, initial acceleration from rest otherwise",
 }
-#: What the units of a dataset of a study of sliders stand for.
+#: Meaning of the units of a dataset of a study of sliders.
 SLIDERS_NOTES = {
     "length": "the unit of the study's lengths",
     "force": "the friction of the whole support in a translation",
     "motion": NOTES["motion"],
 }
-#: What the units of a log stand for.
+#: Meaning of the units of a log.
 LOG_NOTES = {
     "length": "the unit of the scene's lengths",
     "time": "the unit of the simulated duration",
@@ -294,7 +295,7 @@ LOG_NOTES = {
 }
 
 
-#: Units of numbers that UDUNITS has no unit for: what the notes call one is the scale.
+#: Units that UDUNITS lacks, in readable form; the notes define their scale.
 READABLE = {
     "force/radian": "radian-1",
     **dict.fromkeys(("length", "force", "motion", "time"), "1"),
@@ -303,7 +304,7 @@ READABLE = {
 
 
 def described(unit: str, long_name: str) -> dict[str, str]:
-    """Attributes of a variable: a unit that UDUNITS reads, the quantity that is scaled, its name."""
+    """Attributes of a variable: a UDUNITS unit, the scaled quantity if any, and the long name."""
     if unit not in READABLE:
         return {"units": unit, "long_name": long_name}
     return {"units": READABLE[unit], "quantity": unit, "long_name": long_name}
@@ -315,5 +316,5 @@ def attributes(quantities: Quantities, name: str) -> dict[str, str]:
 
 
 def unit_of(attrs: Mapping[str, Any]) -> str:
-    """Unit of a variable as people read it: the quantity where its numbers are scaled."""
+    """Unit of a variable in readable form: the quantity if its numbers are scaled."""
     return str(attrs.get("quantity", attrs.get("units", "1")))

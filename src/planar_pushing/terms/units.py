@@ -10,19 +10,19 @@ from planar_pushing.terms.errors import InvalidValue
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Units:
-    """Units in which the numbers of a scene are, as results and pictures print them.
+    """Units of the numbers of a scene, for results and pictures.
 
-    They are names: nothing is converted.
+    They are only names: nothing is converted.
 
     Parameters
     ----------
     length, force, time : str
-        For instance "m", "N" and "s", the default, or "mm", "N" and "s".
+        For instance "m", "N" and "s", the defaults, or "mm", "N" and "s".
 
     Raises
     ------
     InvalidValue
-        Where a name is no text.
+        If a name is not a nonempty string.
     """
 
     length: str = "m"
@@ -38,7 +38,7 @@ class Units:
                 )
 
     def of(self, quantity: str, *, inertia: bool = False) -> str:
-        """Unit of a quantity as the tables of `quantities` have it: a power product in UDUNITS' form."""
+        """Unit of a quantity of the tables in `quantities`, as a product of powers in UDUNITS syntax."""
         motion = f"{self.length} {self.time}-{2 if inertia else 1}"
         units = {
             "length": self.length,
@@ -53,7 +53,7 @@ class Units:
 
 
 def named_units(found: Any, units: Units | None, *, inertia: bool = False) -> Any:
-    """A DataArray or a dataset, its variables with the units of a scene; both names as in `with_units`."""
+    """A DataArray or a dataset with the units of a scene, from `with_units`."""
     if units is None:
         return found
     for each in (found, *getattr(found, "variables", {}).values()):
@@ -64,7 +64,7 @@ def named_units(found: Any, units: Units | None, *, inertia: bool = False) -> An
 def with_units(
     attributes: dict[str, Any], units: Units | None, *, inertia: bool = False
 ) -> dict[str, Any]:
-    """Attributes of a variable with the units of a scene in the place of a scaled quantity."""
+    """Attributes of a variable, with the units of a scene instead of a scaled quantity."""
     if units is None or "quantity" not in attributes:
         return attributes
     found = {name: each for name, each in attributes.items() if name != "quantity"}

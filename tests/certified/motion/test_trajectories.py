@@ -102,7 +102,7 @@ def test_a_force_that_leaves_the_cone_is_not_certified():
     leaning = changed(pushed, "slider", rod_angle=120.0)
     slippery = changed(leaning, "contact", friction_coefficient=0.5)
     assert trajectories.pulled(slippery, [fmpq(0)])[0].mode == Mode.STICK
-    with pytest.raises(Undecided, match="the condition of the mode is open"):
+    with pytest.raises(Undecided, match="the condition of the mode is undecided"):
         trajectories.pulled(slippery, [fmpq(1, 4)])
 
 

@@ -30,7 +30,7 @@ def test_any_support_is_animated(run, tmp_path):
 
 WRONG = [
     (["animate", "none.nc", "-o", "motion.gif"],
-     "none.nc: no such file; give the log that simulate wrote"),
+     "none.nc: no such file; give a log written by simulate"),
     (["animate", "LOG", "-o", "motion.mp4"],
      "output: 'motion.mp4' given; allowed: a name ending in .gif; rename the file"),
     (["animate", "LOG", "--frames", "1", "-o", "motion.gif"],

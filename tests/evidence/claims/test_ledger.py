@@ -109,8 +109,8 @@ def doubled(text):
 
 CHECK = "claims[0] (a-claim).checks"
 WRONG = [
-    (doubled, "claims[1] (a-claim).id: 'a-claim' given twice; allowed: a name of its own"),
-    ("name: push", "name: edge", f"{CHECK}[2].name: 'edge' given twice; allowed: a name of its own"),
+    (doubled, "claims[1] (a-claim).id: 'a-claim' given twice; allowed: a unique name"),
+    ("name: push", "name: edge", f"{CHECK}[2].name: 'edge' given twice; allowed: a unique name"),
     (
         "friction-integrals", "friction-integral",
         f"{CHECK}[0].check: 'friction-integral' given; allowed: the check of the package; "

@@ -30,7 +30,7 @@ def test_covers_prove_refute_or_stay_open():
     assert refuted.failure**2 < 0.3
     touching = cover(square_less(0.25), low, high, most=200).evidence()
     assert touching.verdict is Verdict.UNDECIDED
-    assert touching.reason == "open after 200 boxes"
+    assert touching.reason == "undecided after 200 boxes"
 
 
 @pytest.mark.parametrize("function", [boxes.turn, boxes.loss, boxes.slope])

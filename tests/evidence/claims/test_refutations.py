@@ -186,7 +186,7 @@ def test_a_bound_that_is_touched_is_undecided():
     """Both sides vanish alike as the rod does: with the coefficient 1 boxes never end."""
     evidence = verdict_with("short-and-long-rods", "tends-to-circle", coefficient=1)
     assert evidence.verdict is Verdict.UNDECIDED
-    assert evidence.reason == "open after 2000 boxes"
+    assert evidence.reason == "undecided after 2000 boxes"
 
 
 def test_numbers_that_a_check_is_not_defined_for_are_named():

@@ -83,7 +83,7 @@ def test_a_verdict_that_is_not_expected_is_named():
     first, second, *rest = judged()
     said = complaint([changed(first, verdict=Verdict.REFUTED, reason="off by 1"), second, *rest])
     assert said == (
-        "1 claims have another verdict than the ledger expects\n"
+        "claims whose verdict is not the expected one: 1\n"
         f"{first.claim.id}: refuted, expected proved; {first.checks[0].entry.title}: off by 1"
     )
     weaker = changed(first, verdict=Verdict.ENCLOSED)

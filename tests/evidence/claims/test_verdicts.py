@@ -65,7 +65,7 @@ def test_identities():
 
 
 def test_facts_and_points_name_what_fails():
-    assert facts({"one": True, "two": False}).reason == "not so: two"
+    assert facts({"one": True, "two": False}).reason == "false: two"
     assert at_points([], 5).verdict is Verdict.SAMPLED
     assert at_points(["l = 1"], 5).reason == "fails at 1 points, first l = 1"
 

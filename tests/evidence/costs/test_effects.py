@@ -104,7 +104,7 @@ def test_without_the_compiler_there_is_nothing_to_look_at():
         [sys.executable, "-c", code], env=os.environ | {"NUMBA_DISABLE_JIT": "1"}, check=False,
         capture_output=True, text=True,
     )  # fmt: skip
-    assert "no machine code to look at; unset NUMBA_DISABLE_JIT" in ran.stderr
+    assert "no machine code to inspect; unset NUMBA_DISABLE_JIT" in ran.stderr
 
 
 def test_evaluations_repeat_exactly_and_have_units(found):

@@ -138,7 +138,7 @@ def test_golden_data_of_nothing_are_a_failed_check(copy, capsys):
     shutil.copy(copy / "golden/limit_curves.nc", copy / "golden/more.nc")
     code, out, _ = check(copy, capsys)
     assert code == 1
-    assert "FAIL more is golden, and no result of the study" in out
+    assert "FAIL more is a golden file, but not a result of the study" in out
 
 
 def test_a_study_without_golden_data_is_one_line(copy, capsys):

@@ -103,7 +103,7 @@ def test_no_motion_errs_by_more_than_the_worst(name):
 
 
 def test_a_point_has_no_ellipsoid():
-    with pytest.raises(InvalidValue, match=r"support: Points.*larger than a point.*no rotation"):
+    with pytest.raises(InvalidValue, match=r"support: Points.*more than one point.*no rotation"):
         fit_ellipsoid(Points([(1.0, 2.0)], [3.0]))
 
 

@@ -136,7 +136,7 @@ REFUSED = [
     (lambda: Points.disc(0, 1.0), ["count: 0 given", ">= 1"]),
     (lambda: Points.regular(3, -1.0), ["radius: -1.0 given"]),
     (lambda: Points([(0, 0), (1, 0)], names=["a"]), ["names: ['a'] given", "2 names"]),
-    (lambda: Points([(0, 0), (1, 0)], names=["a", "a"]), ["names: ", "that differ"]),
+    (lambda: Points([(0, 0), (1, 0)], names=["a", "a"]), ["names: ", "distinct"]),
     (lambda: Points([(0, 0), (1, 0)], names="ab"), ["names: 'ab' given"]),
     (lambda: Ring(None, (1, 0)), ["radius: None given", "Ring(1.0)"]),
     (lambda: Ring(1.0, (1, NAN)), ["center[1]: nan given"]),

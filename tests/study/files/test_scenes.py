@@ -90,7 +90,7 @@ def test_a_side_that_does_not_hold_the_contact(tmp_path, side):
     assert said.startswith("slider.side: ")
     assert said.endswith(
         " given; allowed: (start, end) with start < 0 < end, infinite for a side without an end; measure "
-        "both ends along the side from the contact, which is between them, the one towards -x first; "
+        "both ends along the side from the contact, which is between them, the one toward -x first; "
         "change the value"
     )
 
@@ -109,10 +109,10 @@ def message(tmp_path, text):
     [
         ("friction_coefficient: 2", "friction_coefficient: -1",
          "contact.friction_coefficient: -1 given; allowed: a finite number >= 0; infinite friction is "
-         "a law of its own, law: infinite_friction; change the value"),
+         "a separate law, law: infinite_friction; change the value"),
         ("friction_coefficient: 2", "friction_coefficient: inf",
          "contact.friction_coefficient: 'inf' given; allowed: a finite number >= 0; infinite friction "
-         "is a law of its own, law: infinite_friction; change the value"),
+         "is a separate law, law: infinite_friction; change the value"),
         ("mass: 1", "mass: -1",
          "effects[1].mass: -1 given; allowed: a finite number > 0; change the value"),
         ("mass: 1", "mass: heavy",
@@ -154,9 +154,9 @@ def message(tmp_path, text):
          "title: 'a\\x00b' given; allowed: text without control characters; change the value"),
         ("radius: 1}\ncontact", "radius: 1, radius: 2}\ncontact",
          "not YAML: line 2, column 51: found duplicate key \"radius\" with value \"2\" "
-         "(original value: \"1\"); mend the line"),
+         "(original value: \"1\"); correct the line"),
         ("title: A scene", "title: [",
-         "not YAML: line 3, column 1: expected ',' or ']', but got '<scalar>'; mend the line"),
+         "not YAML: line 3, column 1: expected ',' or ']', but got '<scalar>'; correct the line"),
     ],
 )  # fmt: skip
 def test_scene_error(tmp_path, written, instead, said):

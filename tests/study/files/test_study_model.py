@@ -75,5 +75,5 @@ def test_a_study_that_computes_nothing_is_refused(tmp_path):
     with pytest.raises(InvalidFile) as caught:
         load_study(path)
     assert str(caught.value) == (
-        f"{path}: grid: gives all axes of no dataset; allowed: those of one at least; add axes"
+        f"{path}: grid: no dataset has all its axes; allowed: all axes of at least one; add axes"
     )

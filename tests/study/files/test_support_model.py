@@ -82,7 +82,7 @@ REFUSED = {
     ),
     "{shape: points, positions: [[0, 1]]}": (
         "",
-        "allowed: a support that is larger than a point, which resists no rotation",
+        "allowed: a support with more than one point, since a single point resists no rotation",
     ),
     "{shape: points, positions: [[0, 1], [1, 1]], names: [a]}": (
         ".names",
@@ -118,7 +118,7 @@ REFUSED = {
     ),
     "{shape: points, positions: [[0.1, 0.2], [0.1, 0.2], [0.1, 0.2]], weights: [0.3, 0.3, 0.1]}": (
         "",
-        "allowed: a support that is larger than a point, which resists no rotation",
+        "allowed: a support with more than one point, since a single point resists no rotation",
     ),
     MAP.replace("PRESSURE", "[[0, 0]]"): (
         ".pressure",

@@ -15,23 +15,23 @@ LAUGHS = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n" + "".join(
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("title: 2026-13-45", "not YAML: month must be in 1..12; mend the value"),
-        ("title: !!int foo", "not YAML: invalid literal for int() with base 10: 'foo'; mend the value"),
+        ("title: 2026-13-45", "not YAML: month must be in 1..12; correct the value"),
+        ("title: !!int foo", "not YAML: invalid literal for int() with base 10: 'foo'; correct the value"),
         ("title: !scene {a: 3}", "not YAML: line 1, column 8: could not determine a constructor"),
         ("title: !!python/name:os.system", "not YAML: line 1, column 8: could not determine a con"),
         (r'title: "\UFFFFFFFF"', "not YAML: "),  # Python's own words, which differ by version
         (f"title: {'9' * 5000}", "not YAML: Exceeds the limit (4300 digits)"),
         ("? [a, b]\n: 3", "('a', 'b'): 3 given; allowed: the keys title, slider"),
         ("? {a: b}\n: 3", "not YAML: line 1, column 3: found unhashable key"),
-        (f"title: {'[' * 1000}{']' * 1000}", "not YAML: nested too deep; write it out plainly"),
-        (LAUGHS, "not YAML: line 2, column 10: aliases are not allowed; mend the line"),
-        ("title: &a [*a]", "not YAML: line 1, column 12: aliases are not allowed; mend the line"),
-        ("title: [*b]", "not YAML: line 1, column 9: aliases are not allowed; mend the line"),
+        (f"title: {'[' * 1000}{']' * 1000}", "not YAML: nested too deeply; reduce the nesting"),
+        (LAUGHS, "not YAML: line 2, column 10: aliases are not allowed; correct the line"),
+        ("title: &a [*a]", "not YAML: line 1, column 12: aliases are not allowed; correct the line"),
+        ("title: [*b]", "not YAML: line 1, column 9: aliases are not allowed; correct the line"),
         ("<<: 3", "not YAML: line 1, column 5: expected a mapping"),
         ("\0", "not YAML: unacceptable character #x0000"),
         ('? "' + "k" * 900 + '"\n: 3', "kkkk"),
         ("a: 1\n---\nb: 2", "not YAML: line 2, column 1: but found another document"),
-        ("#" + "x" * yaml_text.BYTES, "is larger; allowed: files of at most 262144 bytes; "),
+        ("#" + "x" * yaml_text.BYTES, "is too large; allowed: files of at most 262144 bytes; "),
     ],
 )  # fmt: skip
 def test_text_that_is_refused(tmp_path, text, said):

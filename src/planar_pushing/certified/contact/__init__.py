@@ -1,1 +1,1 @@
-"""Contact modes of one push: sticking, slipping, and which of them are consistent."""
+"""Contact modes of a push: sticking, slipping, and which of them are consistent."""

@@ -1,8 +1,8 @@
 """Contact modes: every consistent solution for a pusher motion from rest, by certified decisions.
 
-The conditions are those of the case analysis of Sec. 2. A slip that coincides with stick is stick;
-a slip needs a motion. Where the pusher moves along the fence and so does the motion of an edge, the
-slips form a family from rest to stick: none of them is counted.
+The conditions are those of the case analysis of Sec. 2. A slip that coincides with sticking counts as
+sticking, and a slip requires a motion. If the pusher moves along the fence and the motion under an edge
+does too, the slips form a continuum from rest to sticking, and none of them is counted.
 """
 
 from __future__ import annotations
@@ -48,13 +48,13 @@ class Mode(IntEnum):
 #: The slider at rest.
 REST = Motion(arb(0), arb(0))
 
-#: Edge of the friction cone that each slip loads: 1 is the right, -1 the left one.
+#: Edge of the friction cone on which the force of each slip lies: 1 is the right, -1 the left edge.
 SLIPS = {Mode.SLIP_RIGHT: -1, Mode.SLIP_LEFT: 1}
 
 
 @dataclass(frozen=True, slots=True)
 class Law:
-    """Contact law: width of the friction cone, whether its edges belong to it; adhesive has none."""
+    """Contact law: width of the friction cone, whether its edges belong to it; an adhesive law has none."""
 
     friction_coefficient: float
     closed: bool = True
@@ -62,7 +62,7 @@ class Law:
 
     @property
     def slips(self) -> bool:
-        """Whether the contact slips under a force on an edge."""
+        """Whether the contact can slip under a force on an edge."""
         return self.closed and not self.adhesive
 
 
@@ -88,9 +88,9 @@ def contact_modes(
     effects : Effects
     law : Law
     magnitude : float
-        Of the pusher's motion, > 0, exact.
+        Magnitude of the pusher's motion, > 0, exact.
     pusher_angle : float or fmpq
-        Degrees, exact.
+        In degrees, exact.
     """
     size, pusher = rational(magnitude), heading(pusher_angle)
     found: dict[Mode, list[Motion]] = {mode: [] for mode in Mode}
@@ -110,12 +110,12 @@ def contact_modes(
 def speed(
     slider: Slider, law: Law, mode: Mode, motion: Motion, magnitude: fmpq, pusher: Heading
 ) -> arb:
-    """Speed of the slider's center in a consistent motion: the contact keeps up with the pusher."""
+    """Speed of the slider's center in a consistent motion, where the contact keeps up with the pusher."""
     force = direction(motion.force_angle)
     x, y = contact_motion(slider, force, motion.spin_ratio)
     if mode is Mode.STICK:
         return magnitude / norm(x, y)
-    if pusher.y == 0:  # of a slip along the fence, whose force tells its size
+    if pusher.y == 0:  # a slip along the fence, where the force determines the speed
         motions, _ = cover(slider, law.friction_coefficient, SLIPS[mode])
         return motions.speed(abs(motion.spin_ratio))
     return magnitude * pusher.y / y
@@ -128,9 +128,10 @@ def outcome(found: dict[Mode, list[Motion]]) -> int:
 
 @precise
 def is_continuum(slider: Slider, effects: Effects, law: Law, pusher_angle: float | fmpq) -> bool:
-    """Whether slips from rest up to the stick are all consistent, under forces on an edge.
+    """Whether all slips from rest up to sticking are consistent, under forces on an edge.
 
-    The pusher moves along the fence, and so does the contact under the force of an edge, at any speed.
+    This is the case if the pusher moves along the fence and the contact does too under the force of an
+    edge, at any speed.
     """
     pusher = heading(pusher_angle)
     if not law.slips or pusher.y != 0:
@@ -158,7 +159,7 @@ def _keeps_to_fence(
 
 
 def _sufficient(effects: Effects, magnitude: fmpq) -> fmpq:
-    """Magnitude on which the sticking motion depends: one effect alone has no scale."""
+    """Magnitude on which the sticking motion depends; one effect alone is independent of scale."""
     return magnitude if effects is Effects.BOTH else fmpq(1)
 
 
@@ -167,12 +168,12 @@ def _admits(law: Law, stick: Sticking) -> bool:
     sides = [_side_of_edge(law.friction_coefficient, side, stick) for side in (1, -1)]
     if not law.closed:
         return min(sides) > 0
-    # A cone of one direction also has no force against it.
+    # A cone that is a single direction excludes the opposite direction.
     return min(sides) >= 0 and (law.friction_coefficient > 0 or stick.force[1] > 0)
 
 
 def _side_of_edge(friction_coefficient: float, side: int, stick: Sticking) -> int:
-    """1 inside an edge of the friction cone, 0 on its line, -1 outside."""
+    """1 inside an edge of the friction cone, 0 on it, -1 outside it."""
     bound = edge(friction_coefficient, side)
     ball = bound.x * stick.force[1] - bound.y * stick.force[0]
 
@@ -186,7 +187,7 @@ def _side_of_edge(friction_coefficient: float, side: int, stick: Sticking) -> in
 def _slips(
     slider: Slider, effects: Effects, mu: float, side: int, magnitude: fmpq, pusher: Heading
 ) -> list[arb]:
-    """Spin ratios of the motions under a force on an edge that slide off the pusher, slowest first."""
+    """Spin ratios of the motions under a force on an edge for which the contact slips, slowest first."""
     force = edge(mu, side)
     _, sine = lean(slider, force)
     if effects is not Effects.BOTH or is_steady(slider, force):
@@ -208,7 +209,7 @@ def _slips(
 def _steady_slips(
     slider: Slider, force: Heading, share: fmpq, side: int, pusher: Heading
 ) -> list[arb]:
-    """Slips in the direction of an edge of the motion cone; any speed sustains the force there."""
+    """Slips in the direction of an edge of the motion cone; the same force sustains any speed there."""
     spin = spin_ratio(slider, force, share)
     motion, exact = contact_motion(slider, force, spin), exact_contact_motion(slider, force, share)
     towards = sign(motion[1], None if exact is None else lambda: exact[1])
@@ -218,7 +219,7 @@ def _steady_slips(
 
 
 def _turn(slider: Slider, force: Heading, spin: arb, share: fmpq, pusher: Heading) -> int:
-    """Sign of the turn from the contact's motion to the pusher's; times n . u that of the slip."""
+    """Sign of the rotation from the contact's motion to the pusher's; times n . u, the sign of the slip."""
     motion, known = contact_motion(slider, force, spin), exact_contact_motion(slider, force, share)
 
     def exact() -> Exact:
@@ -234,7 +235,7 @@ def _turn(slider: Slider, force: Heading, spin: arb, share: fmpq, pusher: Headin
 def cover(
     slider: Slider, friction_coefficient: float, side: int
 ) -> tuple[slips.Edge, list[slips.Part]]:
-    """Motions under a force on an edge off the ring center, cut into certified monotone parts."""
+    """Motions under a force on an edge that misses the ring center, in certified monotone parts."""
     force = edge(friction_coefficient, side)
     _, sine = lean(slider, force)
     exact = exact_contact_motion(slider, force, INERTIA)

@@ -1,10 +1,10 @@
-"""Slipping motions with friction and inertia: every motion with a given normal part, certified.
+"""Slipping motions with friction and inertia: every motion with a given normal component, certified.
 
-Under a force on an edge the spin ratio k determines the speed, ``v = (W / m) X / Y`` with
-``X = h f - t`` and ``Y = g k - h``, positive on the open segment between the friction value (X = 0) and
-the inertia value (Y = 0). The normal part ``N = v A``, ``A = n_f - lever k``, need not be monotone. The
-segment is subdivided until balls decide the sign of N' on every part but gaps of no consequence, so
-that no motion is missed.
+Under a force on an edge the spin ratio k determines the speed, ``v = (W / m) X / Y`` with ``X = h f -
+t`` and ``Y = g k - h``, which is positive on the open segment between the friction value (X = 0) and
+the inertia value (Y = 0). The normal component ``N = v A``, ``A = n_f - lever k``, need not be
+monotone. The segment is subdivided until balls decide the sign of N' on every part except for
+negligible gaps, so that no motion is missed.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from planar_pushing.certified.setting import FRICTION, INERTIA, Heading, Slider
 #: Parts narrower than this, relative to k, become gaps.
 _GAP = arb(2) ** -40
 
-#: Parts after which the subdivision counts as endless.
+#: Maximum number of parts of the subdivision.
 _MOST = 4096
 
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """Part of the segment, and N at its ends; N is monotone on it with the sign `rise`, 0 on a gap."""
+    """Part of the segment, and N at its ends; N is monotone on it with the sign `rise`, or 0 on a gap."""
 
     low: arb
     high: arb
@@ -41,10 +41,10 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Edge:
-    """Line of force on an edge, mirrored to a moment arm > 0.
+    """Line of force on an edge, mirrored so that the moment arm is positive.
 
-    `normal` and `lever` give A; `ends` are the friction and the inertia value of k; `stays` says that A
-    vanishes with Y, so that N stays finite as the motion grows.
+    `normal` and `lever` determine A; `ends` are the friction and the inertia value of k; `stays` says
+    that A vanishes with Y, so that N remains finite as the motion grows.
     """
 
     slider: Slider
@@ -55,11 +55,11 @@ class Edge:
     stays: bool
 
     def advance(self, k: arb) -> arb:
-        """Return A, the normal part of the contact's motion per speed of the center."""
+        """Return A, the normal component of the contact's motion per unit speed of the center."""
         return self.normal - self.lever * k
 
     def surplus(self, k: arb) -> arb:
-        """Return X; it falls with k, so the ends enclose it."""
+        """Return X; it decreases with k, so that its values at the ends enclose it."""
         ends = (k,) if k.is_exact() else (k.lower(), k.upper())
         values = [self.arm * force - torque for force, torque in map(ring.profile, ends)]
         return values[0].union(values[-1])
@@ -80,13 +80,13 @@ class Edge:
         return self.speed(k) * self.advance(k)
 
     def turn(self, low: arb, high: arb) -> int:
-        """Sign of ``N' Y^2`` on [low, high], 0 where it is open."""
+        """Sign of ``N' Y^2`` on [low, high], or 0 if it is undecided."""
         k = low.union(high)
-        if self.stays:  # N is a multiple of X, which falls
+        if self.stays:  # N is a multiple of X, which decreases
             return sign(self.lever)
         advance, surplus, lag = self.advance(k), self.surplus(k), self.lag(k)
         steady = -self.lever * surplus * lag - self.slider.gyration * advance * surplus
-        steep = -lag * advance * (1 + k * self.arm)  # times t', which has no bound next to k = 1
+        steep = -lag * advance * (1 + k * self.arm)  # times t', which is unbounded next to k = 1
         least, greatest = (bound(low, high) for bound in (ring.least_slope, ring.greatest_slope))
         ends = [steady + steep * least]
         ends += [steady + steep * greatest] if greatest.is_finite() else [steep]
@@ -96,7 +96,7 @@ class Edge:
 
 
 def mirrored_edge(slider: Slider, force: Heading, sine: arb, cosine: arb, finite: bool) -> Edge:
-    """Edge for a force with a moment arm other than 0; `cosine` is that of the rod angle."""
+    """Edge for a force with a nonzero moment arm; `cosine` is that of the rod angle."""
     arm = slider.rod_length * abs(sine)
     lever = slider.rod_length * cosine * sine.sgn()
     friction, inertia = (spin_of_arm(arm, slider.gyration, share) for share in (FRICTION, INERTIA))
@@ -120,7 +120,7 @@ def parts(edge: Edge) -> list[Part]:
     divided = chain.from_iterable(_divide(edge, a, b) for a, b in pairwise(cuts))
     found = list(islice(divided, _MOST))
     if len(found) == _MOST:
-        raise Undecided("the normal motion has no sign of slope that balls can tell")
+        raise Undecided("balls do not decide the sign of the slope of the normal motion")
     return list(_merged(edge, found))
 
 
@@ -148,7 +148,7 @@ def _merged(edge: Edge, found: list[tuple[arb, arb, int]]) -> Iterator[Part]:
 
 
 def _limit(edge: Edge, side: int) -> arb:
-    """N towards the lower (0) or the upper (1) end of the segment: 0, infinite, or finite."""
+    """Limit of N at the lower (0) or the upper (1) end of the segment: 0, infinite, or finite."""
     friction, inertia = edge.ends
     if (friction < inertia) == (side == 0):
         return arb(0)
@@ -159,7 +159,7 @@ def _limit(edge: Edge, side: int) -> arb:
 
 @precise
 def slip_spins(edge: Edge, cover: list[Part], normal_motion: arb) -> list[arb]:
-    """Every |k| whose motion has the normal part N = `normal_motion`, slowest first."""
+    """Every |k| whose motion has the normal component N = `normal_motion`, slowest first."""
     if normal_motion.is_zero():
         found = _grazing(edge)
     else:
@@ -188,7 +188,7 @@ def _in_part(edge: Edge, part: Part, target: arb) -> list[arb]:
     behind = 1 if edge.ends[0] > edge.ends[1] else -1  # sign of Y on the segment
 
     def excess(k: arb) -> arb:
-        """Return a multiple of N - target that stays finite where Y vanishes."""
+        """Return a multiple of N - target that remains finite where Y vanishes."""
         if edge.stays:
             return after * (edge.normal_motion(k) - target)
         gap = scale * edge.surplus(k) * edge.advance(k) - target * edge.lag(k)

@@ -1,4 +1,4 @@
-"""Sticking motions: the motion of the slider that takes the contact along with the pusher."""
+"""Sticking motions: the motion of the slider whose contact moves with the pusher."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from planar_pushing.certified.setting import Effects, Slider
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """A consistent motion: spin ratio and force angle in degrees in (-180, 180]; both 0 at rest."""
+    """A consistent motion: spin ratio, and force angle in degrees in (-180, 180]; both are 0 at rest."""
 
     spin_ratio: arb
     force_angle: arb
@@ -32,7 +32,7 @@ class Motion:
 
 @dataclass(frozen=True, slots=True)
 class Sticking:
-    """The sticking motion, and a positive multiple of its force as balls and, where known, exactly."""
+    """The sticking motion, and a positive multiple of its force as balls and, if known, exactly."""
 
     motion: Motion
     force: tuple[arb, arb]
@@ -44,8 +44,8 @@ class Sticking:
 def sticking(slider: Slider, effects: Effects, magnitude: fmpq, pusher_angle: fmpq) -> Sticking:
     """Motion whose contact moves as the pusher does.
 
-    In the frame of the rod the contact moves by (along, aside); the rotation takes a part of `aside`,
-    the center the rest, and the force is along the motion of the center.
+    In the frame of the rod the contact moves by (along, aside). The rotation contributes a fraction of
+    `aside` and the center the rest; the force is along the motion of the center.
     """
     cosine, sine = cosine_sine(slider.rod_angle - pusher_angle)
     along, aside = magnitude * cosine, magnitude * sine
@@ -66,10 +66,10 @@ def _straight(slider: Slider, along: arb, aside: arb) -> bool:
 
 
 def _across(slider: Slider, effects: Effects, along: arb, aside: arb) -> arb:
-    """Part of the force across the rod, where `along` is the part along it."""
+    """Component of the force across the rod if `along` is the component along it."""
     if _straight(slider, along, aside):
         return aside
-    if effects is Effects.INERTIA:  # the rod makes the slider lighter across, Eqs. (11)-(12)
+    if effects is Effects.INERTIA:  # the effective mass is smaller across the rod, Eqs. (11)-(12)
         return aside / (1 + slider.rod_length**2 / slider.gyration)
     return aside - slider.rod_length * _rotation(slider, effects, along, aside)
 
@@ -77,7 +77,7 @@ def _across(slider: Slider, effects: Effects, along: arb, aside: arb) -> arb:
 def _exact_force(
     slider: Slider, effects: Effects, pusher_angle: fmpq, along: arb, aside: arb
 ) -> tuple[Exact, Exact] | None:
-    """Positive multiple of the force where it is algebraic."""
+    """Positive multiple of the force if it is algebraic."""
     if not has_exact_direction(pusher_angle):
         return None
     x, y = exact_direction(pusher_angle)
@@ -92,7 +92,7 @@ def _exact_force(
 
 
 def _rotation(slider: Slider, effects: Effects, along: arb, aside: arb) -> arb:
-    """R omega at which the torque about the contact vanishes, of the sign of `aside`."""
+    """R omega at which the torque about the contact vanishes, with the sign of `aside`."""
     ratio = slider.mass / slider.weight if effects is Effects.BOTH else fmpq(0)
     return sticking_rotation(along, aside, slider.rod_length, slider.gyration, ratio)
 
@@ -110,7 +110,7 @@ def _spin(slider: Slider, effects: Effects, along: arb, aside: arb, force: tuple
 
 
 def _spin_across(slider: Slider, effects: Effects, aside: arb) -> arb:
-    """Spin ratio where the contact moves across the rod: the moment arm is the rod."""
+    """Spin ratio if the contact moves across the rod: the moment arm is the rod length."""
     if effects is not Effects.BOTH:
         return spin_of_arm(arb(slider.rod_length), slider.gyration, effects.shares[0])
     omega = _rotation(slider, effects, arb(0), aside)
@@ -118,7 +118,7 @@ def _spin_across(slider: Slider, effects: Effects, aside: arb) -> arb:
 
 
 def _wrapped(degrees: arb, exact_normal: Callable[[], Exact] | None) -> arb:
-    """Force angle in (-180, 180]; the normal part of the force settles ties with the fence."""
+    """Force angle in (-180, 180]; the normal component of the force decides ties with the fence."""
     if degrees.contains(0):
         return settle(degrees, exact_normal)
     if sign(degrees - 180, exact_normal) > 0:

@@ -1,1 +1,1 @@
-"""Contact modes under any tuple of effects, in ball arithmetic."""
+"""Contact modes with any tuple of effects, in ball arithmetic."""

@@ -1,9 +1,10 @@
-"""Check of a solution that was found in floats: one evaluation of the effects on balls around it.
+"""Check of a solution found in floating point: one evaluation of the effects on balls around it.
 
-The claim is a solution for some twist and force within a tolerance of those that are stated. Every
-condition of its mode is evaluated on balls of this radius; one that fails on all of the balls refuses the
-claim. A foot whose ball holds the center of rotation may carry any force up to its share. The check does
-not tell whether a solution ends a continuum, nor whether one is missing: `modes` enumerates.
+The claim is that a solution exists for some twist and force within a tolerance of the stated ones.
+Every condition of its mode is evaluated on balls of this radius; the claim is rejected if one condition
+fails on the entire ball. A foot whose ball contains the center of rotation can carry any force up to
+its share. The check does not decide whether a solution ends a continuum or whether one is missing:
+`modes` enumerates all solutions.
 """
 
 from __future__ import annotations
@@ -23,15 +24,15 @@ from planar_pushing.certified.potential.resistance import Scene, resistance
 PRECISION = 128
 #: Tolerance of a claim, relative to the speed and to the force.
 TOLERANCE = 1e-9
-#: Parts of the tolerance that are tried in turn where the balls leave friction open.
+#: Fractions of the tolerance that are tried in turn if friction is undecided over the balls.
 PARTS = (1.0, 2.0**-12, 2.0**-24)
 
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """The conditions that a claim fails, and those that stay open.
+    """The conditions that a claim fails, and those that remain undecided.
 
-    It holds, to the tolerance, where there is neither.
+    The claim holds, to within the tolerance, if both are empty.
     """
 
     fails: tuple[str, ...] = ()
@@ -59,13 +60,13 @@ def check(
     scene : Scene
     law : Law
     pusher : Direction
-        Of the pusher's motion, fence's frame.
+        Direction of the pusher's motion, in the frame of the fence.
     magnitude : fmpq
-        Of the pusher's motion, >= 0.
+        Magnitude of the pusher's motion, >= 0.
     claim : Claim
     tolerance : float, optional
-        Radius of the balls: of the force relative to it and to a load, of the twist relative to
-        ``|v| + L |omega|``, L the length of the rod and the extent of the slider.
+        Radius of the balls: of the force, relative to the force and a load; of the twist, relative to
+        ``|v| + L |omega|``, where L is the length of the rod plus the extent of the slider.
     """
     numbers = claim.force, claim.force_end, claim.contact_motion, claim.twist
     if not all(math.isfinite(each) for given in numbers for each in given):

@@ -1,4 +1,4 @@
-"""The conditions of a contact mode, evaluated on balls around a solution that is claimed."""
+"""The conditions of a contact mode, evaluated on balls around a claimed solution."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from planar_pushing.certified.supports.pressure.moments import Vector
 
 
 class Claim(Protocol):
-    """A solution in the fence's frame, as `planar_pushing.Solution` states it.
+    """A solution in the frame of the fence, as given by `planar_pushing.Solution`.
 
     Attributes
     ----------
@@ -28,9 +28,9 @@ class Claim(Protocol):
         Ends of the interval of forces.
     contact_motion : sequence of float, shape (2,)
     twist : sequence of float, shape (3,)
-        (v_x, v_y, omega) at the body frame's origin.
+        (v_x, v_y, omega) at the origin of the body frame.
     pivot : int
-        Number of the support's point at the center of rotation, -1 without one.
+        Index of the support's point at the center of rotation, -1 if there is none.
     """
 
     @property
@@ -48,7 +48,7 @@ class Claim(Protocol):
 
 
 class _Moved(NamedTuple):
-    """A twist in balls: motion of the contact and rotation, body frame; and the radii of the speed."""
+    """A twist as balls: motion of the contact and rotation, body frame; and the radius of the speed."""
 
     motion: Motion
     slack: arb
@@ -56,7 +56,7 @@ class _Moved(NamedTuple):
 
 
 class Conditions:
-    """The conditions of one claim."""
+    """The conditions of a claim."""
 
     def __init__(
         self,
@@ -87,7 +87,7 @@ class Conditions:
             return
         ends = {_exact(self.claim.force), _exact(self.claim.force_end)}
         if len(ends) > 1 and (self.pivot < 0 or self.mode is not Mode.STICK):
-            yield "an interval of forces without a pivot that sticks"
+            yield "an interval of forces without a sticking pivot"
         for given in ends:
             yield from self._force(given)
 
@@ -103,12 +103,12 @@ class Conditions:
         return _Moved(Motion(motion, turn), slack, bool(slack.is_zero()))
 
     def _kinematics(self) -> Iterator[str]:
-        """The contact's motion, and its slip over the pusher."""
+        """The contact's motion, and its slip relative to the pusher."""
         own = returned(self.moved.motion.t, self.total.rod)
         given = [arb(rational(each)) for each in self.claim.contact_motion]
         wide = arb(0, (self.tolerance * self.size).upper())
         if not all((a - b).contains(0) for a, b in zip(own, given, strict=True)):
-            yield "the contact's motion is not that of the twist"
+            yield "the contact motion does not match the twist"
         slip, gap = (a - b + wide for a, b in zip(own, self.pusher, strict=True))
         if self.mode is Mode.SEPARATE:
             if gap < 0:
@@ -118,7 +118,7 @@ class Conditions:
         if self.mode is Mode.STICK and not slip.contains(0):
             yield "the contact slips"
         if self.mode in SLIPS and -SLIPS[self.mode] * slip < 0:
-            yield "the contact slips to the other side"
+            yield "the contact slips in the opposite direction"
 
     def _turns_about(self, foot: int) -> bool:
         if foot >= len(self.total.support.points):
@@ -130,7 +130,7 @@ class Conditions:
     # --- Force -----------------------------------------------------------------------------------
 
     def _free(self) -> Iterator[str]:
-        """Separation: no force, and the motion of the slider on its own."""
+        """Separation: no force, and the free motion of the slider."""
         if any(_exact(self.claim.force)) or any(_exact(self.claim.force_end)):
             yield "a force without contact"
         if not self.moved.rests:
@@ -151,22 +151,22 @@ class Conditions:
         )
 
     def _in_cone(self, force: Vector) -> Iterator[str]:
-        """The force within the law's cone; of a slip on the edge against it."""
+        """The force is within the law's cone; for a slip, it is on the edge that opposes the slip."""
         if self.mode in SLIPS:
             bound = edge(self.law, SLIPS[self.mode]).ball()
             if not self.law.slips:
-                yield "a slip under a law that does not slip"
+                yield "a slip under a law that does not allow slip"
             if not _cross(bound, force).contains(0):
-                yield "the force is off the edge of the cone"
+                yield "the force is not on the edge of the cone"
             if bound[0] * force[0] + bound[1] * force[1] < 0:
-                yield "the force is against the edge of the cone"
+                yield "the force is opposite to the edge of the cone"
         elif not self.law.adhesive:
             depths = (side * _cross(edge(self.law, side).ball(), force) for side in (1, -1))
             if any(each < 0 for each in depths) or force[1] < 0:
-                yield "the force is outside of the cone"
+                yield "the force is outside the cone"
 
     def _balance(self, force: Vector, *, is_end: bool = False) -> Iterator[str]:
-        """Force and torque about the contact; feet at the center of rotation carry the rest."""
+        """Balance of force and torque about the contact; feet at the center of rotation carry the rest."""
         total, x, y = self.total, *turned(force, self.total.rod)
         now = response(total, self.moved.motion, self.pivot)
         load = norm(*total.load[:2]) + abs(total.load[2]) / _reach(total)
@@ -181,7 +181,7 @@ class Conditions:
             return
         yield from self._hinged(now, hinge, torque)
         if is_end and self.pivot >= 0 and not self._ends(force, hinge):
-            yield "the interval of forces goes on"
+            yield "the interval of forces does not end here"
 
     def _hinged(self, now: Response, hinge: Vector, torque: arb) -> Iterator[str]:
         total, feet = self.total, now.feet
@@ -196,7 +196,7 @@ class Conditions:
             yield "the torque about the contact is not zero"
 
     def _ends(self, force: Vector, hinge: Vector) -> bool:
-        """Whether the foot carries its share, or the force is on an edge of the cone."""
+        """Whether the foot carries its full share, or the force is on an edge of the cone."""
         share = self.total.weight * self.total.support.points[self.pivot].share
         if norm(*hinge).overlaps(arb(share)):
             return True
@@ -213,7 +213,7 @@ def _cross(a: Vector, b: Vector) -> arb:
 
 
 def _reach(total: Resistance) -> arb:
-    """Length of the rod, and the extent of the slider from its center of pressure or of mass."""
+    """Length of the rod plus the extent of the slider from its center of pressure or of mass."""
     own = total.support.extent
     if total.weight == 0 and total.mass:
         x, y = total.first

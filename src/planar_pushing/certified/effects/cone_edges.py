@@ -30,9 +30,9 @@ class Edge(NamedTuple):
     ----------
     force_angle : arb
     low, high : arb
-        Ends of the angles of the contact's motion, the same but at a corner.
+        Range of the angles of the contact's motion; the two are equal except at a corner.
     moved : Moved
-        For unit weight, ``e . u = 1``.
+        For unit weight and ``e . u = 1``.
     """
 
     force_angle: arb
@@ -42,21 +42,21 @@ class Edge(NamedTuple):
 
     @property
     def angle(self) -> arb:
-        """Angle of the contact's motion; of a corner the middle."""
+        """Angle of the contact's motion; at a corner, the middle of the range."""
         return self.low if self.low is self.high else (self.low + self.high) / 2
 
 
 @lru_cache(maxsize=1 << 15)
 @precise
 def edge(support: Pieces, length: fmpq, angle: fmpq, friction: float, side: int) -> Edge:
-    """The motion at an edge, 1 for the right and -1 for the left one, of a rod at an angle in degrees."""
+    """Motion at an edge, 1 for the right and -1 for the left one, for a rod at an angle in degrees."""
 
     def found() -> tuple[Moved, tuple[arb, arb]]:
         total, push = pushed(support, length, angle, friction, side)
         moved = under(total, push, ONE)
         return moved, _turns(total, push, moved)
 
-    # Of infinite friction exactly along the fence.
+    # Under infinite friction exactly along the fence.
     half = arb(90) if math.isinf(friction) else in_degrees(arb(rational(friction)).atan())
     force, (moved, turns) = 90 - side * half, decided(found, FINE)
     if moved.pivot >= 0 and not support.points[moved.pivot].place[1]:
@@ -70,9 +70,9 @@ def edge(support: Pieces, length: fmpq, angle: fmpq, friction: float, side: int)
 def pivot_load(
     support: Pieces, length: fmpq, angle: fmpq, friction: float, side: int, foot: int
 ) -> arb | None:
-    """Square of the part of its share that a foot would take as a pivot under the force of an edge.
+    """Squared load of a foot, relative to its share, as a pivot under the force of an edge.
 
-    None where the force meets the foot.
+    None if the line of force passes through the foot.
     """
     found = about(*pushed(support, length, angle, friction, side), ONE, foot)
     return None if found is None else found.own / support.points[foot].share ** 2
@@ -81,17 +81,17 @@ def pivot_load(
 def pushed(
     support: Pieces, length: fmpq, angle: fmpq, friction: float, side: int
 ) -> tuple[Resistance, Push]:
-    """Friction of unit weight, and the line of force of an edge."""
+    """Friction for unit weight, and the line of force of an edge."""
     scene = Scene(length, degrees(angle), (Friction(support, ONE),))
     total = resistance(scene)
     return total, total.push(relative(edge_of(Law(friction), side), scene.rod))
 
 
 def _turns(total: Resistance, push: Push, moved: Moved) -> tuple[arb, arb]:
-    """Least and largest angle from the force to the contact's motion, the same but at a corner.
+    """Minimum and maximum angle from the force to the contact's motion; they differ only at a corner.
 
-    A contact on the line of a support moves along a force across that line through the center of pressure,
-    whatever the rotation.
+    A contact on the line of a support moves along a force that acts across that line through the center
+    of pressure, whatever the rotation.
     """
     if is_straight(total, push, ONE):
         ends = collinear.crossed(push)
@@ -107,7 +107,7 @@ def _turns(total: Resistance, push: Push, moved: Moved) -> tuple[arb, arb]:
 
 
 def _turn(push: Push, center: Place) -> arb:
-    """Angle from the force to the contact's motion about a center, within 90 degrees."""
+    """Angle from the force to the contact's motion in a rotation about a center, within 90 degrees."""
     place = arb(center[0]), arb(center[1])
     return in_degrees((-push.reach(place) / push.arm(place)).atan())
 
@@ -115,7 +115,7 @@ def _turn(push: Push, center: Place) -> arb:
 def _across_rod(reach: fmpq, angle: fmpq, force: arb) -> arb:
     """Angle of a motion about a point on the rod's line, within 90 degrees of the force; exact.
 
-    The reach counts as negative where the slider turns clockwise.
+    The reach is negative if the slider rotates clockwise.
     """
     degrees = angle - (90 if reach > 0 else -90)
     return arb(degrees + 360 * round(float(force - degrees) / 360))

@@ -32,9 +32,9 @@ Entry = Mapping[str, Any]
 
 
 def scene(entry: Entry) -> Scene:
-    """The scene of a scene file's entry; rings without a radius have that of the slider.
+    """Scene of a scene file's entry; rings without a radius have the radius of the slider.
 
-    Angles of a scene file are in degrees.
+    Angles in a scene file are in degrees.
     """
     slider = entry["slider"]
     radius = slider.get("radius") or 1.0
@@ -44,7 +44,7 @@ def scene(entry: Entry) -> Scene:
 
 
 def law(entry: Entry) -> Law:
-    """The contact law of a scene file's entry."""
+    """Contact law of a scene file's entry."""
     contact = entry["contact"]
     if contact["law"] == "coulomb":
         return coulomb(float(contact["friction_coefficient"]))
@@ -54,7 +54,7 @@ def law(entry: Entry) -> Law:
 
 
 def heading(radians: float) -> Direction:
-    """The direction at an angle in radians; exact where that rounds a multiple of half a degree."""
+    """The direction at an angle in radians; exact if the angle is a rounded multiple of half a degree."""
     degrees = round(2 * math.degrees(radians)) / 2
     if math.radians(degrees) == radians:
         return direction.degrees(rational(degrees))

@@ -32,23 +32,23 @@ FENCE, NORMAL = directions.degrees(fmpq(0)), directions.degrees(fmpq(90))
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """A consistent solution; fence's frame.
+    """A consistent solution, in the frame of the fence.
 
     Attributes
     ----------
     mode : Mode
     motion : tuple of arb
-        Of the contact; NaN of a slider that leaves, whose motion is not asked for.
+        Motion of the contact; NaN if the slider leaves the pusher, where it is not computed.
     spin : arb
         Rotation.
     force : tuple of arb
-        Of the pusher; of a pivot that sticks the middle of the interval of forces.
+        Force of the pusher; for a sticking pivot, the middle of the interval of forces.
     free : tuple of arb
-        Half of that interval, else zero.
+        Half of that interval, otherwise zero.
     pivot : int
-        Number of the support's point that is the center of rotation, -1 without one.
+        Index of the support's point that is the center of rotation, -1 if there is none.
     continuum : bool
-        Whether every slip from rest up to this solution is one too.
+        Whether every slip from rest up to this solution is a solution too.
     """
 
     mode: Mode
@@ -70,24 +70,24 @@ def edge(law: Law, side: int) -> Direction:
 def modes(
     scene: Scene, law: Law, pusher: Direction, size: fmpq, precisions: Sequence[int] = COARSE
 ) -> list[Solution]:
-    """Every consistent solution, by mode; of one mode the one next to the stick first.
+    """Every consistent solution, ordered by mode, and within a mode by distance from sticking.
 
     Parameters
     ----------
     scene : Scene
     law : Law
     pusher : Direction
-        Of the pusher's motion, fence's frame.
+        Direction of the pusher's motion, in the frame of the fence.
     size : fmpq
-        Its magnitude, > 0.
+        Magnitude of the pusher's motion, > 0.
     precisions : sequence of int
         In bits, tried in turn.
 
     Raises
     ------
     Undecided
-        Where a coincidence is not decided at any precision, for instance a force on an edge that is not
-        known to be so, or where a load moves the slider against friction alone.
+        If a coincidence is not decided at any precision, for example a force on an edge that is not
+        known to be exactly there, or if a load moves the slider against friction alone.
     """
 
     def found() -> list[Solution]:
@@ -121,7 +121,7 @@ class _Problem(NamedTuple):
 
     @property
     def way(self) -> Way:
-        """Contact motions with the pusher's normal part."""
+        """Contact motions with the pusher's normal component."""
         toward, normal = (
             self.total.push(relative(each, self.scene.rod)) for each in (FENCE, NORMAL)
         )
@@ -135,14 +135,14 @@ class _Problem(NamedTuple):
 
 @lru_cache(maxsize=1 << 12)
 def _stuck(scene: Scene, pusher: Direction, size: fmpq, precision: int) -> Stuck:
-    """The sticking motion, which laws share."""
+    """The sticking motion, which different laws share."""
     total = resistance(scene)
     return stick(total, total.push(relative(pusher, scene.rod)), size)
 
 
 @lru_cache(maxsize=1 << 12)
 def _loaded(scene: Scene, friction_coefficient: float, side: int, precision: int) -> Moved:
-    """The motion under the force of an edge of the friction cone, which pushers share."""
+    """The motion under the force of an edge of the friction cone, which different pushers share."""
     total, bound = resistance(scene), edge(Law(friction_coefficient), side)
     return under(total, total.push(relative(bound, scene.rod)), ONE)
 
@@ -153,7 +153,7 @@ def _solutions(problem: _Problem) -> Iterator[Solution]:
     push = problem.push
     stuck = _stuck(problem.scene, problem.pusher, problem.size, ctx.prec)
     admitted, on_edge = _admits(problem, stuck)
-    # Slips from rest up to the stick, all under forces on an edge.
+    # Slips from rest up to sticking, all under forces on an edge.
     along = problem.moves == 0 and (total.is_steady or problem.is_even)
     continuum = admitted and on_edge and along and law.slips
     if law.adhesive or admitted:
@@ -166,7 +166,7 @@ def _solutions(problem: _Problem) -> Iterator[Solution]:
 
 
 def _separate(problem: _Problem) -> Iterator[Solution]:
-    """The slider moves on its own, and the pusher does not catch up."""
+    """Separation: the slider moves freely, and the pusher does not catch up."""
     if is_held(problem.total):
         if problem.moves <= 0:
             yield Solution(Mode.SEPARATE, NOTHING, arb(0), NOTHING)
@@ -180,7 +180,7 @@ def _separate(problem: _Problem) -> Iterator[Solution]:
 
 
 def _admits(problem: _Problem, stuck: Stuck) -> tuple[bool, bool]:
-    """Whether a force of a sticking motion is in the cone, and one on an edge; of a pivot any."""
+    """Whether a force of a sticking motion lies in the cone, and whether one lies on an edge."""
     law, low, high = problem.law, arb(-1), arb(1)
     force, free = (returned(each, problem.total.rod) for each in (stuck.force, stuck.free))
     exact = problem.pusher.exact if stuck.straight else None
@@ -215,7 +215,7 @@ def _exact_depth(
 
 
 def _slips(problem: _Problem, mode: Mode, side: int) -> Iterator[Solution]:
-    """Slips of a mode, whose force is on the edge of a side and which goes to the other side."""
+    """Slips of a mode, with the force on the edge of one side and the slip toward the other side."""
     total, way = problem.total, problem.way
     loaded = relative(edge(problem.law, side), problem.scene.rod).ball()
     stick_place = problem.pusher.ball()[0] * problem.size
@@ -235,7 +235,7 @@ def _slips(problem: _Problem, mode: Mode, side: int) -> Iterator[Solution]:
 
 
 def _across_rod(problem: _Problem, found: Moved) -> tuple[Exact, Exact] | None:
-    """The motion of a contact that turns about a foot on the rod's line, as a positive multiple."""
+    """A positive multiple of the motion of a contact that rotates about a foot on the rod's line."""
     rod = problem.scene.rod.exact
     if rod is None or found.pivot < 0:
         return None
@@ -247,12 +247,12 @@ def _across_rod(problem: _Problem, found: Moved) -> tuple[Exact, Exact] | None:
 
 
 def _ray(problem: _Problem, side: int) -> Iterator[Slip]:
-    """The slip of effects of one degree: under the force of an edge any multiple of a motion."""
+    """The slip of effects of one degree: a force on an edge sustains any multiple of a motion."""
     total, bound = problem.total, edge(problem.law, side)
     push = total.push(relative(bound, problem.scene.rod))
     straight = is_straight(total, push, ONE)
     if straight and total.weight != 0 and collinear.crossed(push) is not None:
-        raise Undecided("a corner: one force, an interval of motions")
+        raise Undecided("a corner: one force allows an interval of motions")
     found = _loaded(problem.scene, problem.law.friction_coefficient, side, ctx.prec)
     parallel = straight or (is_across(push) and total.is_even())
     exact = bound.exact if parallel else _across_rod(problem, found)

@@ -1,4 +1,4 @@
-"""Whether friction holds a slider against a load, and whether it leaves the pusher where it does not."""
+"""Whether friction holds a slider against a load, and whether the slider otherwise leaves the pusher."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from planar_pushing.certified.potential.resistance import Resistance
 from planar_pushing.certified.potential.sticking import rotation
 from planar_pushing.certified.supports.pressure.moments import Vector, moments
 
-#: Numbers of directions that are tried in turn; a polygon of forces has a corner at each.
+#: Numbers of directions that are tried in turn; a polygon of forces has a corner for each.
 DIRECTIONS = (8, 32, 128)
-#: Angle of the first, degrees: no foot is just across it.
+#: Angle of the first direction, degrees: no foot is exactly across it.
 FIRST = fmpq(12345, 7919)
 
 
 def is_held(total: Resistance) -> bool:
     """Whether the slider stays at rest without the pusher.
 
-    The forces of small motions, less the load, bound a convex region. It holds the origin where a polygon
-    of some of them does; where the potential of one motion is negative it does not.
+    The forces of small motions, less the load, bound a convex region. It contains the origin if a
+    polygon of some of them does; it does not if the potential of one motion is negative.
 
     Raises
     ------
     Undecided
-        Where the load is next to the limit surface.
+        If the load is next to the limit surface.
     """
     if all(each.is_zero() for each in total.load):
         return True
@@ -56,7 +56,7 @@ def _small(total: Resistance, angle: fmpq) -> tuple[Vector, Vector]:
 
 
 def _holds_origin(corners: Sequence[Vector]) -> bool:
-    """Whether a polygon whose corners turn to the left has the origin inside."""
+    """Whether a polygon with counter-clockwise corners contains the origin."""
     sides: Iterable[tuple[Vector, Vector]] = pairwise([*corners, corners[0]])
     return all(a[0] * b[1] - a[1] * b[0] > 0 for a, b in sides)
 
@@ -64,6 +64,6 @@ def _holds_origin(corners: Sequence[Vector]) -> bool:
 def free_normal(total: Resistance, normal: Direction, power: arb | fmpq) -> arb:
     """Normal force that a frictionless pusher with a given normal motion would exert.
 
-    It is negative where the slider on its own moves away from the pusher.
+    It is negative if the free slider moves away from the pusher.
     """
     return under(total, total.push(normal), power).force

@@ -1,7 +1,8 @@
-"""Every slip along a way: the places at which the force is along an edge of the friction cone.
+"""Every slip along a path of contact motions: places with the force on an edge of the friction cone.
 
-The way is bisected until each cell shows by balls that the force is off the edge, or that its part across
-the edge is monotone: then the signs at the ends tell whether there is a slip.
+The path is bisected until balls show for each cell that the force is off the edge, or that its
+component across the edge is monotone; in the second case the signs at the ends decide whether there is
+a slip.
 """
 
 from __future__ import annotations
@@ -17,27 +18,27 @@ from planar_pushing.certified.potential.gradient import Motion, response
 from planar_pushing.certified.potential.sticking import near_root, rising_bounds, rotation, width
 from planar_pushing.certified.supports.pressure.moments import Vector
 
-#: Cells after which the bisection counts as endless.
+#: Maximum number of cells of the bisection.
 BUDGET = 1000
-#: Doublings of the way to where the force points off the edge for good.
+#: Doublings of the path until the force points away from the edge for good.
 DOUBLINGS = 200
 
 
 @dataclass(frozen=True, slots=True)
 class Slip:
-    """A slip; body frame.
+    """A slip, in the body frame.
 
     Attributes
     ----------
     s : arb
-        Place on the way.
+        Place on the path.
     motion : tuple of arb
-        Of the contact.
+        Motion of the contact.
     spin : arb
         Rotation.
     force : tuple of arb
     pivot : int
-        Number of the support's point that is the center of rotation, -1 without one.
+        Index of the support's point that is the center of rotation, -1 if there is none.
     """
 
     s: arb
@@ -48,25 +49,25 @@ class Slip:
 
 
 def slips(way: Way, edge: Vector, stick: arb, side: int, *, budget: int = BUDGET) -> list[Slip]:
-    """Slips beyond the stick, nearest first.
+    """Slips beyond sticking, nearest first.
 
     Parameters
     ----------
     way : Way
-        Contact motions with the pusher's normal part; its direction is along the fence.
+        Contact motions with the pusher's normal component; its direction is along the fence.
     edge : tuple of arb
         Unit vector of the edge, body frame.
     stick : arb
         Place of the pusher's motion.
     side : int
-        1 of slips to larger s, -1 to smaller ones.
+        1 for slips toward larger s, -1 toward smaller s.
     budget : int, optional
-        Cells of the bisection at most.
+        Maximum number of cells of the bisection.
 
     Raises
     ------
     Undecided
-        Where the budget does not suffice: next to a slip that two slips become, or to the stick.
+        If the budget does not suffice: near a slip in which two slips merge, or near sticking.
     """
     search = _Search(way, edge, side, budget)
     every = [each for each in kinks(way) if not each.s.overlaps(stick)]
@@ -87,7 +88,7 @@ def _between(s: arb, low: arb, high: arb, side: int) -> bool:
 
 @dataclass(slots=True)
 class _Search:
-    """The edge, the side, and the cells that are left."""
+    """The edge, the side, and the remaining number of cells."""
 
     way: Way
     edge: Vector
@@ -95,24 +96,24 @@ class _Search:
     budget: int
 
     def across(self, force: Vector) -> arb:
-        """Part of a force across the edge."""
+        """Component of a force across the edge."""
         return self.edge[0] * force[1] - self.edge[1] * force[0]
 
     def along(self, force: Vector) -> arb:
-        """Part of a force along the edge."""
+        """Component of a force along the edge."""
         return self.edge[0] * force[0] + self.edge[1] * force[1]
 
     def ahead(self, force: Vector) -> arb:
-        """Part of a force along the fence, to the side of the slips; it rises on the way there."""
+        """Component of a force along the fence, toward the slips; it increases along the path."""
         return self.side * (self.way.toward.x * force[0] + self.way.toward.y * force[1])
 
     def end(self, stick: arb) -> Place:
-        """A place from which on the force points ahead; that on an edge does not."""
+        """A place beyond which the force points to the side of the slips; the force on an edge does not."""
         speed = self.way.start[0] ** 2 + self.way.start[1] ** 2
         step = arb.max(speed.sqrt(), abs(stick)).mid()
         step = step if step > 0 else arb(1)
         for _ in range(DOUBLINGS):
-            # Not where a multiple of the start is: a foot may be just across it.
+            # Not at a multiple of the start: a foot can be exactly across from it.
             s = (stick + self.side * step * arb("1.0371")).mid()
             try:
                 found = at(self.way, s, self.side)
@@ -121,10 +122,10 @@ class _Search:
             except Undecided:
                 pass
             step = 2 * step
-        raise Undecided("the force never points ahead")
+        raise Undecided("the force never points to the side of the slips")
 
     def between(self, first: Place, inside: list[Kink], last: Place) -> Iterator[Slip]:
-        """Slips between two places with the kinks between them, and rest."""
+        """Slips between two places, with the kinks and rest between them."""
         start = first
         for kink in inside:
             yield from self._over(start, kink.toward(self.way, -self.side))
@@ -151,7 +152,7 @@ class _Search:
             cell = cells.pop()
             self.budget -= 1
             if self.budget < 0:
-                raise Exhausted("slips are open: the bisection has no end")
+                raise Exhausted("slips are undecided: the bisection does not end")
             verdict = self._verdict(cell)
             if verdict is None:
                 cells += self._halves(cell)
@@ -163,7 +164,7 @@ class _Search:
         return [Cell(cell.low, middle), Cell(middle, cell.high)]
 
     def _verdict(self, cell: Cell) -> int | None:
-        """0 without a slip, the sign of the slope where there is one, None where it is open."""
+        """0 without a slip, the sign of the slope if there is one, None if it is undecided."""
         try:
             motion, force = over(self.way, cell)
         except Undecided:
@@ -190,7 +191,7 @@ class _Search:
         return rising if low < 0 < high else None
 
     def _stays_off(self, cell: Cell, slope: arb) -> bool:
-        """Whether the part across the edge does not come to zero from an end, by the slope."""
+        """Whether the component across the edge does not reach zero from an end, by its slope."""
         step = arb(0).union((cell.high.s - cell.low.s).upper())
         ends = (
             self.across(cell.low.force) + slope * step,
@@ -212,7 +213,7 @@ class _Search:
         if now.feet:
             raise Undecided("a slip next to a foot")
         size = scale if self.way.rests else arb(1)
-        if sign(self.along((now.x, now.y))) > 0:  # and not against it
+        if sign(self.along((now.x, now.y))) > 0:  # and not opposite to it
             yield Slip(s, (size * t[0], size * t[1]), spin * size, (now.x, now.y))
 
     def _inward(self, cell: Cell, rising: int) -> tuple[arb, arb]:

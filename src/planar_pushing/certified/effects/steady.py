@@ -1,7 +1,7 @@
-"""Slips along a way through rest on which a foot pivots whatever the speed.
+"""Slips along a path through rest on which the slider pivots about a foot at any speed.
 
-The foot lies across the way from the contact. Its friction is any force up to its share, so that the slips
-under the force of an edge are an interval of speeds.
+The foot lies across the path from the contact. Its friction is any force up to its share, so that the
+slips under the force of an edge form an interval of speeds.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ Polynomial = tuple[arb, ...]
 
 
 def steady_foot(way: Way) -> int:
-    """The foot about which the slider can turn at all places of a way through rest, -1 without one."""
+    """The foot about which the slider can rotate everywhere on a path through rest, -1 if there is none."""
     for i in range(len(way.total.support.points)):
         place = way.total.foot(i)
         if way.rests and any(place) and way.toward.along(place) == 0:
@@ -32,17 +32,17 @@ def steady_foot(way: Way) -> int:
 def steady_slips(
     way: Way, edge: Vector, stick: arb, side: int, foot: int, is_even: bool
 ) -> Iterator[Slip]:
-    """Ends of the interval of slips between rest and the stick; rest is none.
+    """Ends of the interval of slips between rest and sticking; rest is not a slip.
 
     Raises
     ------
     Undecided
-        Where the interval reaches the stick, or the foot slides before and no symmetry tells the force.
+        If the interval reaches sticking, or the foot slides before and no symmetry determines the force.
     """
     if not all(each.is_zero() for each in way.total.load):
         raise Undecided("a load, and a pivot at all speeds")
     sense = sign(stick)
-    if sense == side:  # the force would take energy from the slider
+    if sense == side:  # the force would extract energy from the slider
         return
     t = sense * way.toward.x, sense * way.toward.y
     (x, y), share = way.total.foot(foot), way.total.weight * way.total.support.points[foot].share
@@ -57,7 +57,7 @@ def steady_slips(
     free = share * share - part[0] * part[0], -2 * part[0] * part[1], -part[1] * part[1]
     limit = abs(stick)
     if not is_even and not _value(free, limit) > 0:
-        raise Undecided("a foot that pivots up to a speed")
+        raise Undecided("a foot that is a pivot only up to some speed")
     across = tuple(edge[0] * f[1] - edge[1] * f[0] for f in (middle, change, (x, y)))
     slack = (
         free[0] * across[2] ** 2 - across[0] ** 2 * reach**2,
@@ -85,7 +85,7 @@ def _force(
 
 
 def _ends(slack: Polynomial, limit: arb) -> list[arb]:
-    """Ends of where a concave quadratic is positive, inside (0, limit)."""
+    """Ends of the range where a concave quadratic is positive, inside (0, limit)."""
     whole = slack[1] ** 2 - 4 * slack[0] * slack[2]
     if sign(slack[2]) == 0:
         raise Undecided("slips at all speeds")
@@ -94,5 +94,5 @@ def _ends(slack: Polynomial, limit: arb) -> list[arb]:
     root = whole.sqrt()
     ends = [(-slack[1] + side * root) / (2 * slack[2]) for side in (1, -1)]
     if sign(ends[1]) > 0 and sign(ends[1] - limit) >= 0 > sign(ends[0] - limit):
-        raise Undecided("slips up to the stick")
+        raise Undecided("slips up to sticking")
     return [each for each in ends if sign(each) > 0 > sign(each - limit)]

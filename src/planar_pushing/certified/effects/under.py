@@ -1,8 +1,9 @@
 """The motion under a force along a direction, with any effects.
 
-Among contact motions ``p e + s n``, n to the left of the direction e, the force has no part along n at one:
-the part rises with s, by convexity, and jumps where a foot pivots. Newton's method finds the motion, the
-signs of the part on both of its sides prove it.
+Among the contact motions ``p e + s n``, with n to the left of the direction e, the component of the
+force along n vanishes for exactly one: by convexity the component increases with s, and it jumps where
+the slider pivots about a foot. Newton's method finds the motion, and the signs of the component on both
+sides prove it.
 """
 
 from __future__ import annotations
@@ -21,26 +22,26 @@ from planar_pushing.certified.potential.sticking import near_root, rising_bounds
 from planar_pushing.certified.supports.pressure.moments import Vector
 
 ZERO = arb(0)
-#: Doublings of a bracket.
+#: Maximum number of doublings of a bracket.
 DOUBLINGS = 200
 
 
 @dataclass(frozen=True, slots=True)
 class Moved:
-    """A motion under a line of force, body frame.
+    """A motion under a line of force, in the body frame.
 
     Attributes
     ----------
     motion : tuple of arb
-        Of the contact.
+        Motion of the contact.
     spin : arb
         Rotation.
     force : arb
-        Part along the direction; the other one is zero.
+        Component along the direction; the other component is zero.
     pivot : int
-        Number of the support's point that is the center of rotation, -1 without one.
+        Index of the support's point that is the center of rotation, -1 if there is none.
     own : arb
-        Of a pivot the square of the force that the point takes.
+        For a pivot, the squared force that the point carries.
     """
 
     motion: Vector
@@ -51,26 +52,26 @@ class Moved:
 
     @property
     def turn(self) -> arb:
-        """Rotation while the contact moves by one unit."""
+        """Rotation per unit motion of the contact."""
         x, y = self.motion
         return self.spin / (x * x + y * y).sqrt()
 
 
 def under(total: Resistance, push: Push, power: arb | fmpq) -> Moved:
-    """The motion under a force along a direction e, whose contact moves by u with a given ``e . u``.
+    """The motion under a force along a direction e with a given ``e . u``, where u is the contact's motion.
 
     Parameters
     ----------
     total : Resistance
     push : Push
-        The direction e, by `total.push`.
+        The direction e, from `total.push`.
     power : arb or fmpq
-        ``e . u``; its sign is free where the effects are not friction alone.
+        ``e . u``; its sign is free unless friction is the only effect.
 
     Raises
     ------
     Undecided
-        Where a sign stays open, or the motion is not the only one: at a corner, and at rest.
+        If a sign remains undecided, or the motion is not unique: at a corner, and at rest.
     """
     if is_straight(total, push, power):
         t = line(push, power)
@@ -92,7 +93,7 @@ def under(total: Resistance, push: Push, power: arb | fmpq) -> Moved:
 
 
 def is_straight(total: Resistance, push: Push, power: arb | fmpq) -> bool:
-    """Whether the line of force goes through the center of all that resists, exactly."""
+    """Whether the line of force passes exactly through the common center of all effects."""
     if not all(each.is_zero() for each in total.load):
         return False
     if not isinstance(power, fmpq) or not power > 0:
@@ -103,15 +104,15 @@ def is_straight(total: Resistance, push: Push, power: arb | fmpq) -> bool:
 
 
 def about(total: Resistance, push: Push, power: arb | fmpq, foot: int) -> Moved | None:
-    """The rotation about a foot under a line of force, whatever the foot's share.
+    """The rotation about a foot under a line of force, whatever the share of the foot.
 
-    The rest of the effects takes the force f and the torque T about the contact. With the foot at r from
-    the contact, ``h = (T e - r (e x f)) / (e x r)`` makes f + h parallel to e, without torque.
+    The other effects require the force f and the torque T about the contact. With the foot at r from the
+    contact, its force ``h = (T e - r (e x f)) / (e x r)`` makes f + h parallel to e, without torque.
 
     Returns
     -------
     Moved or None
-        None where the line of force meets the foot.
+        None if the line of force passes through the foot.
     """
     if push.side(total.support.points[foot].place) == 0:
         return None
@@ -127,7 +128,7 @@ def about(total: Resistance, push: Push, power: arb | fmpq, foot: int) -> Moved 
 
 
 def _balanced(way: Way, push: Push, power: arb | fmpq) -> tuple[arb, arb]:
-    """The place at which the force has no part along the way, and the rotation there."""
+    """The place at which the force has no component along the path, and the rotation there."""
     one = Line(way.total, (push.x.mid(), push.y.mid()), arb(power).mid())
     try:
         near = least(one)
@@ -148,14 +149,14 @@ def _balanced(way: Way, push: Push, power: arb | fmpq) -> tuple[arb, arb]:
             raise Undecided("a center of rotation next to a foot")
         return now.x * way.toward.x + now.y * way.toward.y
 
-    # By symmetry the place may be zero, to all digits.
+    # By symmetry the place can be exactly zero.
     wide = (abs(near.s) + abs(one.power)) * arb(2) ** (8 - ctx.prec)
     s = rising_bounds(part, near.s + arb(0, wide.mid()))
     return s, spin(s)
 
 
 def _through_rest(way: Way) -> tuple[arb, arb]:
-    """The same without slopes, of a way through rest, where the potential has a kink."""
+    """The balanced place without slopes, on a path through rest, where the potential has a kink."""
 
     def part(way: Way, s: arb) -> arb:
         x, y = at(way, s).force

@@ -1,7 +1,7 @@
-"""Sticking along a way of contact motions ``start + s toward``: forces at a place and over an interval.
+"""Sticking along a path of contact motions ``start + s toward``: forces at a place and over an interval.
 
-A way through rest is taken apart there: friction has one limit on each side, and is evaluated at the unit
-motion. Where a foot pivots the force jumps; towards either side it has a limit too.
+A path through rest is divided there: friction has one limit on each side and is evaluated at the unit
+motion. Where the slider pivots about a foot the force jumps; there, too, it has a limit on each side.
 """
 
 from __future__ import annotations
@@ -31,20 +31,20 @@ from planar_pushing.certified.potential.sticking import (
 )
 from planar_pushing.certified.supports.pressure.moments import Vector
 
-#: Rotations over a cell are first assumed to be off their secant by this part of their change.
+#: First bound on the deviation of the rotation from its secant over a cell, as a fraction of its change.
 WIDE = 64
 
 
 class Way(NamedTuple):
-    """Contact motions on a straight line, body frame.
+    """Contact motions on a straight line, in the body frame.
 
     Attributes
     ----------
     total : Resistance
     start : tuple of arb
-        Zero exactly where the way goes through rest.
+        Exactly zero if the path passes through rest.
     toward : Push
-        Direction of the way.
+        Direction of the path.
     """
 
     total: Resistance
@@ -58,7 +58,7 @@ class Way(NamedTuple):
         return still and self.total.weight != 0
 
     def motion(self, s: arb) -> tuple[Vector, arb]:
-        """The contact's motion, and its scale; through rest the unit motion, on one side."""
+        """The contact's motion and its scale; on a path through rest, the unit motion on one side."""
         (x, y), (t_x, t_y) = self.start, (self.toward.x, self.toward.y)
         if not self.rests:
             return (x + s * t_x, y + s * t_y), arb(1)
@@ -67,9 +67,9 @@ class Way(NamedTuple):
 
 
 class Place(NamedTuple):
-    """A place of a way: the rotation per scale, the force, and the foot that pivots there, if one does.
+    """A place of a path: the rotation per unit scale, the force, and the foot that is the pivot, if any.
 
-    Next to a pivot the force is that towards the interval which the place ends.
+    At a pivot the force is the limit from the interval that the place ends.
     """
 
     s: arb
@@ -79,21 +79,21 @@ class Place(NamedTuple):
 
 
 class Kink(NamedTuple):
-    """A place at which a foot pivots, and the interval of forces."""
+    """A place at which the slider pivots about a foot, and the interval of forces."""
 
     s: arb
     foot: int
     stuck: Stuck
 
     def toward(self, way: Way, side: int) -> Place:
-        """The end of the interval of forces towards larger s (1) or smaller s (-1)."""
+        """The end of the interval of forces toward larger s (1) or smaller s (-1)."""
         part = side * way.toward.along(way.total.foot(self.foot))
         (x, y), (e_x, e_y) = self.stuck.force, self.stuck.free
         return Place(self.s, self.stuck.spin, (x + part * e_x, y + part * e_y), self.foot)
 
 
 def at(way: Way, s: arb, side: int = 0) -> Place:
-    """The place at an s off the kinks; at rest its limit on a side."""
+    """The place at an s off the kinks; at rest, its limit from a side."""
     (x, y), scale = way.motion(s if s != 0 or not side else arb(side))
     scale = abs(s) if way.rests else scale
     spin = rotation(way.total, (x, y), scale)
@@ -104,12 +104,12 @@ def at(way: Way, s: arb, side: int = 0) -> Place:
 
 
 def kinks(way: Way) -> Iterator[Kink]:
-    """Every place but rest at which a foot pivots.
+    """Every place except rest at which the slider pivots about a foot.
 
     Raises
     ------
     Undecided
-        Where the feet are too close to a place that is next to a share.
+        If the load of a foot as the pivot is too close to its share to decide whether it slides.
     """
     for i in range(len(way.total.support.points)):
         x, y = way.total.foot(i)
@@ -126,19 +126,19 @@ def kinks(way: Way) -> Iterator[Kink]:
 
 
 class Cell(NamedTuple):
-    """An interval of a way between two places; kinks are at its ends only."""
+    """An interval of a path between two places; kinks lie only at its ends."""
 
     low: Place
     high: Place
 
     @property
     def s(self) -> arb:
-        """All of the interval."""
+        """The whole interval as a ball."""
         return self.low.s.union(self.high.s)
 
 
 class Range(NamedTuple):
-    """Balls over a cell: contact motion, scale, rotation, force."""
+    """Balls over a cell: contact motion, scale, rotation, and force."""
 
     motion: Motion
     force: Vector
@@ -150,7 +150,7 @@ def over(way: Way, cell: Cell) -> Range:
     Raises
     ------
     Undecided
-        Where the cell is too large.
+        If the cell is too large.
     """
     motion = _motion(way, cell)
     now = response(way.total, motion)
@@ -171,14 +171,14 @@ def _motion(way: Way, cell: Cell) -> Motion:
 
 
 class _Tube(NamedTuple):
-    """Motions next to the secant of a cell: the rotation is off a linear function of s."""
+    """Motions near the secant of a cell: the rotation deviates from a linear function of s."""
 
     way: Way
     cell: Cell
     middle: arb
 
     def motion(self, off: arb) -> Motion:
-        """The motions whose rotation is off the secant; their centers of rotation by slopes."""
+        """The motions for a deviation of the rotation from the secant; centers by first derivatives."""
         (low, high), (d_x, d_y) = self.cell, (self.way.toward.x, self.way.toward.y)
         (x, y), scale = self.way.motion(self.cell.s)
         run, rate = self.cell.s - self.middle, ((high.spin - low.spin) / (high.s - low.s)).mid()
@@ -195,7 +195,7 @@ class _Tube(NamedTuple):
 
 
 def _with_feet(way: Way, cell: Cell, now: Response) -> Vector:
-    """The force with that of the feet which may be at the center of rotation."""
+    """The force, including that of the feet that can be at the center of rotation."""
     for side, end in ((1, cell.low), (-1, cell.high)):
         if now.feet == (end.foot,):
             return _next_to_pivot(way, now, side)
@@ -207,10 +207,10 @@ def _with_feet(way: Way, cell: Cell, now: Response) -> Vector:
 
 
 def _next_to_pivot(way: Way, now: Response, side: int) -> Vector:
-    """The force next to a pivot, where its foot slides slowly.
+    """The force near a pivot, where its foot slides slowly.
 
-    The foot has no torque about the contact left, which gives its friction across the line to the contact;
-    along it the foot moves as the contact does.
+    The friction of the foot balances the remaining torque about the contact, which determines its
+    component across the line to the contact; along this line the foot moves as the contact does.
     """
     (i,), total = now.feet, way.total
     (x, y), share = total.foot(i), arb(total.weight * total.support.points[i].share)
@@ -222,14 +222,14 @@ def _next_to_pivot(way: Way, now: Response, side: int) -> Vector:
 
 
 def rise(way: Way, motion: Motion) -> Vector:
-    """Slope of the force along the way over a motion's balls, times its scale."""
+    """Derivative of the force along the path over a motion's balls, times the scale."""
     xx, xy, yy = slopes(way.total, motion).felt()
     x, y = way.toward.x, way.toward.y
     return xx * x + xy * y, xy * x + yy * y
 
 
 def line(push: Push, part: arb | fmpq) -> Vector:
-    """A part of the unit vector of a push."""
+    """A multiple of the unit vector of a push."""
     if isinstance(part, fmpq) and not part:
         return arb(0), arb(0)
     return push.x * part, push.y * part

@@ -1,1 +1,1 @@
-"""Motion over time: validated where it is an integral or a closed form, elsewhere to some thirty digits."""
+"""Motion over time: validated if it is an integral or a closed form, otherwise to about thirty digits."""

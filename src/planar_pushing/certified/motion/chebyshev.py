@@ -1,7 +1,7 @@
-"""Integrals of smooth functions by Chebyshev series, to some thirty digits; not validated.
+"""Integrals of smooth functions by Chebyshev series, to about thirty digits; not validated.
 
-The series of an analytic function converges geometrically. Numbers are midpoints of balls: what is reported
-as their error is the difference between two runs with other numbers of nodes.
+The series of an analytic function converges geometrically. Numbers are midpoints of balls; the error
+that is reported is the difference between two runs with different numbers of nodes.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def integrals(rates: Rates, start: arb, end: arb, nodes: int) -> list[Series]:
 
 
 def _cosine(count: int, nodes: int) -> arb:
-    """Cosine of a number of quarter turns over the number of nodes."""
+    """Cosine of a multiple of 90 degrees divided by the number of nodes."""
     return arb.cos_pi_fmpq(fmpq(count, 2 * nodes))
 
 
@@ -58,7 +58,7 @@ def _coefficients(values: Sequence[arb]) -> list[arb]:
 
 
 def _integrated(c: Sequence[arb], half: arb) -> tuple[arb, ...]:
-    """Coefficients of the integral: of T_k they are ``(c_(k-1) - c_(k+1)) / 2k``, and c_0 counts twice."""
+    """Coefficients of the integral: for T_k they are ``(c_(k-1) - c_(k+1)) / 2k``, and c_0 counts twice."""
     padded = [2 * c[0], *c[1:], arb(0), arb(0)]
     terms = (half * (padded[k - 1] - padded[k + 1]) / (2 * k) for k in range(1, len(c) + 1))
     return (arb(0), *(each.mid() for each in terms))

@@ -1,4 +1,4 @@
-"""Consistent contact modes of a slider that friction alone resists, and the mode that a policy takes."""
+"""Consistent contact modes of a slider with friction alone, and the mode that a policy selects."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from planar_pushing.certified.contact.modes import Mode
 from planar_pushing.certified.inverse import spin_of_arm
 from planar_pushing.certified.motion.instants import File, Vector
 
-#: The mode that a policy takes first; then the contact sticks before it slips, and separates last.
+#: The mode that a policy prefers; after it, sticking precedes slip, and separation comes last.
 FIRST = {
     "keep-contact": Mode.STICK,
     "separate": Mode.SEPARATE,
@@ -24,12 +24,12 @@ ORDER = [Mode.STICK, Mode.SLIP_RIGHT, Mode.SLIP_LEFT, Mode.SEPARATE]
 
 
 def chosen(found: Sequence[Mode], policy: str) -> Mode:
-    """The mode that a policy takes.
+    """The mode that a policy selects.
 
     Raises
     ------
     Undecided
-        Where no mode is consistent, or the policy is not one of `FIRST`.
+        If no mode is consistent, or the policy is not in `FIRST`.
     """
     if policy not in FIRST or not found:
         raise Undecided(f"no mode under the policy {policy} of {len(found)} modes")
@@ -44,12 +44,12 @@ def friction_edges(file: File) -> tuple[arb, arb]:
     elif contact["law"] == "infinite_friction" and contact["at_zero_normal"] == "free":
         mu = arb.pos_inf()
     else:
-        raise Undecided("certified motion is that of a law under which the contact slips")
+        raise Undecided("certified motion requires a contact law that allows slip")
     return radians.friction_edge(mu, 1), radians.friction_edge(mu, -1)
 
 
 def consistent(edges: tuple[Vector, Vector], pusher: Vector) -> list[Mode]:
-    """Consistent modes of a slider on a fence that moves, by the edges of its motion cone.
+    """Consistent modes of a slider on a moving fence, from the edges of its motion cone.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
 """Motion over time of a ring with friction and inertia, from impact to impact and to rest; not validated.
 
-The fence's velocity is constant in pieces, and each piece begins with an impact where it jumps. Lengths are
-in units of R = 1.
+The velocity of the fence is piecewise constant, and each piece begins with an impact at the jump of the
+velocity. Lengths are in units of R = 1.
 """
 
 from __future__ import annotations
@@ -32,24 +32,26 @@ from planar_pushing.certified.motion.instants import (
     spin_ratio,
 )
 
-#: Number of the event in which the slider comes to rest.
+#: Number of the event at which the slider comes to rest.
 STOPS = 8
 
 
 @precise
 def driven(file: File, times: Sequence[fmpq], scheme: Scheme) -> list[Instant]:
-    """Motion of a slider that is at rest on the fence at first.
+    """Motion of a slider that is initially at rest on the fence.
 
-    The stored instant next to the time at which the slider comes to rest is that of the event.
+    The stored instant closest to the time at which the slider comes to rest is that of the event.
 
     Raises
     ------
     Undecided
-        Where the slider leaves the fence, or a mode ends otherwise than at rest.
+        If the slider leaves the fence, or a mode ends other than at rest.
     """
     section, fence = file["simulate"], pieces(file)
     if section["initial_gap"] != 0 or section["initial_twist"] is not None:
-        raise Undecided("certified motion with friction and inertia begins at rest on the fence")
+        raise Undecided(
+            "certified motion with friction and inertia must begin at rest on the fence"
+        )
     of, weight = impulses.body(file), _weight(file)
     angle = (arb.pi() * rational(file["slider"]["rod_angle"]) / 180).mid()
     now, past = Now(angle, *[arb(0)] * 7), None
@@ -73,7 +75,7 @@ def _weight(file: File) -> fmpq:
     """Weight on a ring of unit radius about the slider's center."""
     found = [each for each in file["effects"] if each["type"] != "inertia"]
     if len(found) != 1 or found[0]["type"] != "ring_friction":
-        raise Undecided("certified motion with friction and inertia is that of a ring")
+        raise Undecided("certified motion with friction and inertia requires a ring")
     return rational(found[0]["weight"])
 
 
@@ -89,12 +91,12 @@ class _Part:
         self.event: fmpq | None = None
 
     def hit(self, now: Now, past: Piece | None, policy: str) -> Now:
-        """Choose the mode, and return the state after the impact that begins the piece."""
+        """Select the mode, and return the state after the impact that begins the piece."""
         if past is not None and (past.degrees, past.speed) == (
             self.piece.degrees,
             self.piece.speed,
         ):
-            raise Undecided("certified pieces of the fence's motion differ in velocity")
+            raise Undecided("certified pieces of the fence's motion must differ in velocity")
         of, (w_x, w_y), rod = self.of, self.piece.velocity, rod_of(self.of.length, now.angle)
         before = ZERO if past is None else past.velocity
         apart = before[0] + now.rate - w_x, before[1] - w_y
@@ -115,7 +117,7 @@ class _Part:
         return after
 
     def look_for_rest(self, now: Now, times: Sequence[fmpq]) -> None:
-        """Find where the motion dies out, on a fence that is at rest."""
+        """Find where the motion decays to rest, on a fence that does not move."""
         if self.piece.speed != 0:
             return
         rest = self.phase.rest(now, self.scheme)

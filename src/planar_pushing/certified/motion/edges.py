@@ -1,4 +1,4 @@
-"""Slips of a slider on any support that friction alone resists, under an edge of the friction cone."""
+"""Slips of a slider with friction alone, on any support, under an edge of the friction cone."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from planar_pushing.certified.potential.push import Push
 from planar_pushing.certified.potential.resistance import Resistance, resistance
 
 ONE = fmpq(1)
-#: A pivot lasts up to this excess: a stored time may be a little before that of its start.
+#: A pivot lasts up to this excess, since a stored time can be slightly before its start.
 SLACK = arb(2) ** -20
 
 
@@ -34,10 +34,10 @@ class Slip(NamedTuple):
 
 
 class Edges:
-    """A scene's friction cone over a fence of constant velocity, and the slip under one of its edges.
+    """A scene's friction cone on a fence of constant velocity, and the slip under one of its edges.
 
-    Rod angles are in radians and exact. A foot is the number of the support's point about which the slider
-    pivots, -1 without one.
+    Rod angles are in radians and exact. A foot is the index of the support's point about which the
+    slider pivots, -1 if there is none.
     """
 
     def __init__(self, file: File, mode: Mode, piece: Piece) -> None:
@@ -46,13 +46,13 @@ class Edges:
 
     @property
     def feet(self) -> range:
-        """Numbers of the points of the support."""
+        """Indices of the points of the support."""
         return range(len(resistance(self.scene).support.points))
 
     def excess(self, angle: arb, foot: int) -> arb:
-        """Square of the force that a pivot takes of a foot, less that of its share.
+        """Squared force that a pivot requires of a foot, less the square of its share.
 
-        The slider pivots about the foot where it is negative.
+        The slider pivots about the foot if it is negative.
         """
         total, push = self._line(angle, self.side)
         found = about(total, push, ONE, foot)
@@ -60,12 +60,12 @@ class Edges:
         return arb.pos_inf() if found is None else found.own - share * share
 
     def turned(self, angle: arb, foot: int, time: arb) -> arb:
-        """Rod angle after a time of a pivot from a rod angle on: the contact turns about the foot."""
+        """Rod angle after a pivot of some duration from a rod angle: the contact rotates about the foot."""
         x, y = (arb(each) for each in resistance(self.scene).foot(foot))
         lean, reach = arb.atan2(y, x), norm(x, y)
         sine = (angle + lean).sin() - self.fence[1] * time / reach
         if not (abs(sine) < 1 and (angle + lean).cos() > 0):
-            raise Undecided("the pivot takes the contact past the foot")
+            raise Undecided("the pivot moves the contact past the foot")
         return (sine.asin() - lean).mid()
 
     def slip(self, angle: arb, foot: int) -> Slip:
@@ -74,7 +74,7 @@ class Edges:
         Raises
         ------
         Undecided
-            Where the slip has ended, or pivots about no foot or about another one.
+            If the slip has ended, or its pivot has ended or changed to another foot.
         """
         motion, found = self._moved(angle, self.side, foot)
         scale, toward = self.fence[1] / motion[1], edge(self.law, self.side).ball()
@@ -94,15 +94,15 @@ class Edges:
         return consistent((own, other) if self.side > 0 else (other, own), self.fence)
 
     def _moved(self, angle: arb, side: int, foot: int) -> tuple[Vector, Moved]:
-        """Motion of the contact under an edge, and what it is in the body frame."""
+        """Motion of the contact under an edge, and the same in the body frame."""
         total, push = self._line(angle, side)
         found = under(total, push, ONE) if foot < 0 else about(total, push, ONE, foot)
         if found is None:
-            raise Undecided("the line of force meets the foot")
+            raise Undecided("the line of force passes through the foot")
         return returned(found.motion, total.rod), found
 
     def _line(self, angle: arb, side: int) -> tuple[Resistance, Push]:
-        """The effects at a rod angle, and the line of an edge."""
+        """The effects at a rod angle, and the line of force of an edge."""
 
         def rod() -> Vector:
             sine, cosine = angle.sin_cos()

@@ -1,8 +1,8 @@
-"""Integration of smooth equations to some thirty digits: Gragg's method, extrapolated; not validated.
+"""Integration of smooth equations to about thirty digits: Gragg's method, extrapolated; not validated.
 
-Steps of the midpoint rule have an error in even powers of their size, which Neville's scheme takes to zero
-(Hairer, Norsett and Wanner I, Sec. II.9). Numbers are midpoints of balls: what is reported as their error
-is the difference between two runs with other orders and steps.
+Steps of the midpoint rule have an error in even powers of the step size, which Neville's scheme
+extrapolates to zero (Hairer, Norsett and Wanner I, Sec. II.9). Numbers are midpoints of balls; the
+error that is reported is the difference between two runs with different orders and steps.
 """
 
 from __future__ import annotations
@@ -15,10 +15,10 @@ from flint import arb
 
 from planar_pushing.certified.balls import Undecided
 
-#: The state of a system without time, whose components are exact.
+#: The state of an autonomous system; its components are exact.
 State = tuple[arb, ...]
 Rates = Callable[[State], State]
-#: Halvings of a step whose extrapolation does not converge.
+#: Maximum number of halvings of a step if the extrapolation does not converge.
 HALVINGS = 12
 
 
@@ -29,11 +29,11 @@ class Scheme:
     Attributes
     ----------
     rows : int
-        Largest number of rows of Neville's scheme; the order is twice as many.
+        Maximum number of rows of Neville's scheme; the order is twice this number.
     tolerance : arb
-        Difference of the last values of two rows at which a step is done.
+        Difference between the last values of two rows at which a step is complete.
     steps : int
-        Number of equal steps at first.
+        Initial number of equal steps.
     """
 
     rows: int
@@ -41,18 +41,18 @@ class Scheme:
     steps: int = 1
 
 
-#: Two schemes of other orders and steps: the result is by the first.
+#: Two schemes of different orders and steps; the result is from the first.
 FINE = Scheme(16, arb(2) ** -122)
 COARSE = Scheme(12, arb(2) ** -108, steps=2)
 
 
 def advance(rates: Rates, state: State, time: arb, scheme: Scheme) -> State:
-    """The state after a time.
+    """The state after some time.
 
     Raises
     ------
     Undecided
-        Where the extrapolation does not converge.
+        If the extrapolation does not converge.
     """
     for _ in range(scheme.steps):
         state = _over(rates, state, (time / scheme.steps).mid(), scheme, HALVINGS)
@@ -70,7 +70,7 @@ def _over(rates: Rates, state: State, step: arb, scheme: Scheme, halvings: int) 
 
 
 def extrapolated(rates: Rates, state: State, step: arb) -> Iterator[State]:
-    """The state after a step by methods of order 2, 4, 6 and so on."""
+    """The state after a step by methods of order 2, 4, 6, and so on."""
     slope, row = rates(state), list[State]()
     for j in count(1):
         above, row = row, [_midpoint(rates, state, slope, step, 2 * j)]
@@ -81,12 +81,12 @@ def extrapolated(rates: Rates, state: State, step: arb) -> Iterator[State]:
 
 
 def _apart(a: State, b: State) -> arb:
-    """Largest difference between two states."""
+    """Largest difference between the components of two states."""
     return max((abs(x - y) for x, y in zip(a, b, strict=True)), key=float)
 
 
 def _midpoint(rates: Rates, state: State, slope: State, step: arb, parts: int) -> State:
-    """The state after a number of steps of the midpoint rule, the first of Euler's."""
+    """The state after a number of steps of the midpoint rule, the first of which is an Euler step."""
     size = (step / parts).mid()
     before, now = state, _line(state, slope, size)
     for _ in range(parts - 1):

@@ -1,7 +1,7 @@
-"""Validated motion over time of a slider with inertia alone that flies, meets the fence once and leaves it.
+"""Validated motion over time of a slider with inertia alone that flies, hits the fence once and leaves it.
 
-Without friction of the support the twist is constant between impacts, and the motion is known in closed
-form but for the time of the impact, the root of the height of the contact over the fence.
+Without support friction the twist is constant between impacts, and the motion has a closed form except
+for the time of the impact, which is the root of the height of the contact above the fence.
 """
 
 from __future__ import annotations
@@ -29,15 +29,15 @@ from planar_pushing.certified.motion.instants import (
 )
 from planar_pushing.certified.roots import increasing_root
 
-#: Number of the event in which the contact is made.
+#: Number of the event at which contact is made.
 TOUCHES = 3
-#: Halvings of a span of time in which the contact may be made.
+#: Maximum number of halvings of a time span in which contact can be made.
 DEPTH = 24
 
 
 @dataclass(frozen=True, slots=True)
 class _Flight:
-    """A flight from a time, a rod angle and a place of the center on, and the energies until then."""
+    """A flight from an initial time, rod angle and place of the center, and the energies up to then."""
 
     of: Body
     fence: Vector
@@ -56,7 +56,7 @@ class _Flight:
         return self.angle + self.spin * (time - self.start)
 
     def height(self, time: arb) -> arb:
-        """Height of the contact over the fence."""
+        """Height of the contact above the fence."""
         rod = rod_of(self.of.length, self.turned(time))
         passed = time - self.start
         fence = self.fence[1] * time - self.gap
@@ -88,15 +88,15 @@ class _Flight:
 
 @precise
 def flying(file: File, times: Sequence[fmpq]) -> list[Instant]:
-    """Flight, an impact and the flight after it.
+    """Flight, an impact, and the flight after it.
 
-    The height is shown to be positive before the impact and after it; the impact takes the mode of the
-    policy. The stored instant of the impact is that just after it.
+    The height is shown to be positive before and after the impact, and the policy selects the mode of
+    the impact. The stored instant of the impact is the one just after it.
 
     Raises
     ------
     Undecided
-        Where the fence does not move evenly, the slider starts on it, or stays on it after the impact.
+        If the fence does not move uniformly, or the slider starts on it or stays on it after the impact.
     """
     piece, of, end = only_piece(file), impulses.body(file), arb(times[-1])
     first = _begun(file, of, piece.velocity)
@@ -119,7 +119,7 @@ def _begun(file: File, of: Body, fence: Vector) -> _Flight:
     v_x, v_y, omega = (arb(rational(twist.get(name, 0))) for name in ("v_x", "v_y", "omega"))
     gap, spin = rational(section["initial_gap"]), arb.pi() * omega / 180
     if gap == 0:
-        raise Undecided("certified flight begins above the fence")
+        raise Undecided("certified flight must begin above the fence")
     return _Flight(of, fence, arb(0), angle, rod_of(of.length, angle), (v_x, v_y), spin, gap)
 
 
@@ -133,7 +133,7 @@ def _touch(flight: _Flight, start: arb, end: arb, depth: int) -> arb | None:
             return None
         return increasing_root(lambda time: -flight.height(time), start, end)
     if depth == 0:
-        raise Undecided(f"whether the contact is made between {start} and {end} is open")
+        raise Undecided(f"it is undecided whether contact is made between {start} and {end}")
     middle = (start + end) / 2
     found = _touch(flight, start, middle, depth - 1)
     return _touch(flight, middle, end, depth - 1) if found is None else found
@@ -157,7 +157,7 @@ def _bounced(file: File, flight: _Flight, touch: arb) -> _Flight:
 
 
 def _shown_open(flight: _Flight, end: arb) -> None:
-    """Show that the contact opens and stays open: its height bends upward from a minimum at the impact."""
+    """Show that the contact opens and stays open: its height is convex with a minimum at the impact."""
     turned = flight.turned(flight.start.union(end))
     if not (turned.sin() > 0 and sign(flight.spin)):
-        raise Undecided("whether the slider leaves the fence after the impact is open")
+        raise Undecided("it is undecided whether the slider leaves the fence after the impact")

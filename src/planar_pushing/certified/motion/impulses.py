@@ -1,8 +1,8 @@
 """The contact of a slider with inertia: forces and impulses of the contact modes, as balls.
 
-A force f at the contact accelerates it by ``f / m + (rod x f) J rod / (m rho^2)``, where rod is the vector
-from the contact to the center of mass. An impulse changes its velocity likewise. Friction of the support is
-finite and has no part in an impact, which is inelastic.
+A force f at the contact accelerates it by ``f / m + (rod x f) J rod / (m rho^2)``, where rod is the
+vector from the contact to the center of mass. An impulse changes its velocity in the same way. Support
+friction is finite and has no part in an impact, which is inelastic.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class Body:
     Attributes
     ----------
     length, mass, moment : fmpq
-        Of the rod; m; m rho^2.
+        Length of the rod; m; m rho^2.
     right, left : tuple of arb
         Edges of the friction cone.
     """
@@ -39,7 +39,7 @@ class Body:
     left: Vector
 
     def edge(self, mode: Mode) -> Vector:
-        """The edge of the friction cone that a slip loads."""
+        """The edge of the friction cone on which the force of a slip lies."""
         return self.left if mode is Mode.SLIP_RIGHT else self.right
 
 
@@ -47,7 +47,7 @@ def body(file: File) -> Body:
     """The body of a scene file."""
     slider, inertia = file["slider"], [e for e in file["effects"] if e["type"] == "inertia"]
     if slider["radius"] != 1 or len(inertia) != 1 or any(inertia[0].get("center") or ()):
-        raise Undecided("certified motion is that of one mass at the slider's center, R = 1")
+        raise Undecided("certified motion requires one mass at the slider's center, with R = 1")
     mass = rational(inertia[0]["mass"])
     moment = mass * rational(inertia[0]["gyration_radius"]) ** 2
     right, left = ((angle.cos(), angle.sin()) for angle in friction_edges(file))
@@ -66,9 +66,9 @@ def response(of: Body, rod: Vector, force: Vector) -> Vector:
 
 
 def force(of: Body, rod: Vector, mode: Mode, free: Vector) -> Vector:
-    """Force of a mode, given the acceleration of the contact over the fence without it.
+    """Force of a mode, given the acceleration that the contact would have relative to the fence without it.
 
-    As well the impulse of a mode, given the velocity before it.
+    The same function gives the impulse of a mode, given the velocity before the impact.
     """
     if mode is Mode.SEPARATE:
         return ZERO
@@ -80,7 +80,7 @@ def force(of: Body, rod: Vector, mode: Mode, free: Vector) -> Vector:
 
 
 def _stopping(of: Body, rod: Vector, free: Vector) -> Vector:
-    """The force that takes a motion away: the mass counts along the rod, and less across it."""
+    """The force that cancels a motion: the effective mass is m along the rod, and smaller across it."""
     reach = norm(*rod)
     x, y = rod[0] / reach, rod[1] / reach
     along = -of.mass * (free[0] * x + free[1] * y)
@@ -89,16 +89,16 @@ def _stopping(of: Body, rod: Vector, free: Vector) -> Vector:
 
 
 def consistent(of: Body, rod: Vector, slip: arb, free: Vector) -> list[Mode]:
-    """Modes in which a motion on the fence may go on, of accelerations or of an impact.
+    """Modes in which a motion on the fence can continue, for accelerations or for an impact.
 
     Parameters
     ----------
     of : Body
     rod : tuple of arb
     slip : arb
-        Velocity of the contact along the fence; an exact zero at an impact, which takes any sense.
+        Velocity of the contact along the fence; an exact zero at an impact, which allows either sense.
     free : tuple of arb
-        Acceleration of the contact over the fence without a force, or its velocity before an impact.
+        Acceleration of the contact relative to the fence without a force, or velocity before an impact.
     """
     found = [Mode.SEPARATE] if sign(free[1]) >= 0 else []
     if slip.is_zero() and admits(of, force(of, rod, Mode.STICK, free)):
@@ -115,7 +115,7 @@ def consistent(of: Body, rod: Vector, slip: arb, free: Vector) -> list[Mode]:
 
 @dataclass(frozen=True, slots=True)
 class Impact:
-    """Mode and impulse of an impact, the velocity of the slip after it, and the energy lost in it."""
+    """Mode and impulse of an impact, the velocity of slip after it, and the energy lost."""
 
     mode: Mode
     impulse: Vector
@@ -124,7 +124,7 @@ class Impact:
 
 
 def impact(of: Body, rod: Vector, before: Vector, policy: str) -> Impact:
-    """The impact that a policy takes, given the velocity of the contact over the fence before it."""
+    """The impact that a policy selects, given the velocity of the contact relative to the fence."""
     mode = chosen(consistent(of, rod, arb(0), before), policy)
     p = force(of, rod, mode, before)
     change = response(of, rod, p)
@@ -140,7 +140,7 @@ def admits(of: Body, f: Vector) -> bool:
     Raises
     ------
     Undecided
-        Where it is next to an edge.
+        If it is too close to an edge.
     """
     sides = (edge[0] * f[1] - edge[1] * f[0] for edge in (of.right, of.left))
     past, short = map(sign, sides)

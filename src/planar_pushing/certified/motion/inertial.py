@@ -1,7 +1,7 @@
 """Equations of a ring with friction and inertia whose contact sticks to the fence or slips on it.
 
-Lengths are in units of R = 1. The state holds the rotation and the velocity of the contact over the fence,
-which is zero while the contact sticks. Numbers are midpoints of balls.
+Lengths are in units of R = 1. The state contains the rotation and the velocity of the contact relative
+to the fence, which is zero while the contact sticks. Numbers are midpoints of balls.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ from planar_pushing.certified.motion.extrapolation import Scheme, State, advance
 from planar_pushing.certified.motion.impulses import Body
 from planar_pushing.certified.motion.instants import Vector, center_motion, rod_of
 
-#: Steps in the logarithm of the rotation in which a motion dies out to all digits: it falls by e in each.
+#: Unit steps in the logarithm of the rotation after which a motion has decayed to zero to all digits.
 DECAYS = 80
 
 
 class Now(NamedTuple):
-    """Rod angle, rotation, rate of the slip, slip, energies and time."""
+    """Rod angle, rotation, rate of slip, slip, energies and time."""
 
     angle: arb
     spin: arb
@@ -42,15 +42,15 @@ class Forces(NamedTuple):
     Attributes
     ----------
     rod, velocity : tuple of arb
-        From the contact to the center; of the center.
+        Vector from the contact to the center; velocity of the center.
     free : tuple of arb
-        Acceleration of the contact over the fence without the fence's force.
+        Acceleration of the contact relative to the fence without the force of the fence.
     force : tuple of arb
-        Of the fence.
+        Force of the fence.
     turn, along : arb
         Accelerations of the rotation and of the slip.
     power : arb
-        That friction of the support dissipates.
+        Power that support friction dissipates.
     """
 
     rod: Vector
@@ -99,21 +99,21 @@ class Phase:
         )
 
     def by_decay(self, state: State) -> State:
-        """Derivative by the falling logarithm of the rotation, of a state with its rate over the rotation.
+        """Derivative by the falling logarithm of the rotation, for a state with its rate over the rotation.
 
-        This ratio, and with it the direction of the motion, settles while the motion dies out.
+        This ratio, and with it the direction of the motion, converges while the motion decays.
         """
         of_spin = Now(*state)
         now = of_spin._replace(rate=of_spin.rate * of_spin.spin)
         rates = Now(*self.by_time(now))
         if not rates.spin * now.spin < 0:
-            raise Undecided("the rotation does not fall while the motion dies out")
+            raise Undecided("the rotation does not decrease while the motion decays")
         pace = -now.spin / rates.spin
         found = Now(*(each * pace for each in rates))
         return found._replace(rate=of_spin.rate - rates.rate / rates.spin)
 
     def rest(self, now: Now, scheme: Scheme) -> Now:
-        """State in which a motion on a fence at rest has died out."""
+        """State in which a motion on a fence at rest has decayed."""
         state: State = now._replace(rate=now.rate / now.spin)
         for _ in range(DECAYS):
             state = advance(self.by_decay, state, arb(1), scheme)
@@ -127,7 +127,7 @@ class Phase:
         Raises
         ------
         Undecided
-            Where the mode of the phase is none of them.
+            If the mode of the phase is not one of them.
         """
         found = self.forces(now)
         modes = impulses.consistent(self.of, found.rod, now.rate, found.free)

@@ -1,4 +1,4 @@
-"""Instants of a motion over time: the numbers that a log holds, lengths in units of R = 1."""
+"""Instants of a motion over time: the numbers that a log contains, with lengths in units of R = 1."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ Vector = tuple[arb, arb]
 NOTHING = arb(0)
 ZERO: Vector = (NOTHING, NOTHING)
 NO_EVENT, NO_PIVOT = -1, -1
-#: A stored instant this near to an event, as a fraction of the last instant, is that of the event.
+#: A stored instant this close to an event, as a fraction of the last time, is that of the event.
 NEAR = fmpq(1, 10**8)
 
 
@@ -38,9 +38,9 @@ class Instant:
     ----------
     time, angle : arb
     position, contact, fence : tuple of arb
-        Of the slider's center, of the contact, and of the fence.
+        Positions of the slider's center, of the contact, and of the fence.
     twist : tuple of arb
-        (v_x, v_y, omega) of the slider's center.
+        (v_x, v_y, omega) at the slider's center.
     mode : Mode
     solutions : int
         Number of consistent contact modes.
@@ -49,7 +49,7 @@ class Instant:
     force : tuple of arb
     slip, gap : arb
     work, rubbed, lost : arb
-        Work of the fence, and energy dissipated by friction of the support and at the contact.
+        Work of the fence, and energies dissipated by support friction and at the contact.
     kinetic : arb
     pivot, event : int
     """
@@ -96,14 +96,16 @@ def pieces(file: File) -> list[Piece]:
     Raises
     ------
     Undecided
-        Where the section `simulate` holds something that is not certified.
+        If the section `simulate` contains something that is not certified.
     """
     section = file["simulate"]
     plain = section["method"] == "event-driven" and section["pusher_shape"] == "fence"
     further = any(section.get(name) is not None for name in ("waypoints", "until"))
     along = section.get("pusher_frame", "fence") == "fence"
     if not plain or not along or further or not isinstance(section["on_ambiguity"], str):
-        raise Undecided("certified motion is event-driven, of a fence, under one policy")
+        raise Undecided(
+            "certified motion requires event-driven integration, a fence, and one policy"
+        )
     given = section["pusher"] or [
         {"time": 0, "angle": section["pusher_angle"], "speed": section["pusher_speed"]}
     ]
@@ -116,10 +118,10 @@ def pieces(file: File) -> list[Piece]:
 
 
 def only_piece(file: File) -> Piece:
-    """The one velocity of a fence that moves evenly."""
+    """The single velocity of a fence that moves uniformly."""
     found = pieces(file)
     if len(found) != 1:
-        raise Undecided("certified motion of this kind is that of a fence of one velocity")
+        raise Undecided("certified motion of this kind requires a fence of constant velocity")
     return found[0]
 
 
@@ -129,7 +131,7 @@ def during(times: Sequence[fmpq], piece: Piece, last: bool) -> list[fmpq]:
 
 
 def displacement(fence: Sequence[Piece], time: fmpq) -> Vector:
-    """Displacement of the fence; zeros are exact where the directions of the pieces are."""
+    """Displacement of the fence; zeros are exact if the directions of the pieces are."""
     paths = [(min(time, each.end) - each.start, each) for each in fence if each.start < time]
     sums = (sum((path * piece.velocity[i] for path, piece in paths), NOTHING) for i in (0, 1))
     if not all(has_exact_direction(piece.degrees) for _, piece in paths):
@@ -145,7 +147,7 @@ def displacement(fence: Sequence[Piece], time: fmpq) -> Vector:
 
 
 def ahead(start: Vector, velocity: Vector, time: arb) -> Vector:
-    """Place after a time at a constant velocity."""
+    """Place after some time at a constant velocity."""
     return start[0] + time * velocity[0], start[1] + time * velocity[1]
 
 
@@ -156,7 +158,7 @@ def rod_of(length: fmpq, angle: arb) -> Vector:
 
 
 def center_motion(rod: Vector, contact: Vector, spin: arb) -> Vector:
-    """Velocity of the center, of that of the contact and the rotation."""
+    """Velocity of the center, from the velocity of the contact and the rotation."""
     return contact[0] - spin * rod[1], contact[1] + spin * rod[0]
 
 
@@ -171,7 +173,7 @@ def of_event(times: Sequence[fmpq], event: arb) -> int:
     Raises
     ------
     Undecided
-        Where not one stored instant is next to the event.
+        If there is not exactly one stored instant next to the event.
     """
     found = [i for i, time in enumerate(times) if abs(time - event) < NEAR * times[-1]]
     if len(found) != 1:

@@ -23,15 +23,15 @@ from planar_pushing.certified.motion.instants import Instant
 from planar_pushing.certified.motion.pivoting import pivoting
 from planar_pushing.certified.motion.trajectories import pulled, slipping
 
-#: Largest difference of two runs, relative to a number.
+#: Largest difference between two runs, relative to a number.
 RESOLUTION = 1e-25
 #: Dimensions and nested lists of balls, or of flags.
 Values = dict[str, tuple[tuple[str, ...], Any]]
-#: Numbers of nodes of the two runs of a slider on feet; the result is by the first.
+#: Numbers of nodes of the two runs of a slider on feet; the result is from the first.
 NODES = 72, 60
-#: Relative error that both runs may share, by the widths of roots and by rounding.
+#: Relative error that both runs can share, from the widths of roots and from rounding.
 SHARED = arb(2) ** -100
-#: Variables of a log but `dissipated`: dimensions after time, and the value of an instant.
+#: Variables of a log except `dissipated`: dimensions after time, and the value at an instant.
 VARIABLES: dict[str, tuple[tuple[str, ...], Callable[[Instant], Any]]] = {
     "time": ((), lambda now: now.time),
     "position": (("xy",), lambda now: [*now.position]),
@@ -61,13 +61,14 @@ class LogValues:
     Attributes
     ----------
     values : dict
-        Of each variable of the log but `evaluations`, and of `time`, its dimensions and its values as
-        nested lists: balls of numbers, int or bool of flags. Names, dimensions, frames and units are those
-        of the log: angles in degrees, rotations in radians per time, x along the fence, y normal to it.
+        For `time` and each variable of the log except `evaluations`: its dimensions, and its values as
+        nested lists, with balls for numbers and int or bool for flags. Names, dimensions, frames and units
+        are those of the log: angles in degrees, rotations in radians per time, x along the fence, y normal
+        to it.
     validated : bool
         Whether the balls are proved to enclose the numbers. Otherwise their radius is the difference from a
-        second run of the same equations by a method of another order and with other steps, and at least
-        2^-100 of the number, which covers the errors that both runs share.
+        second run of the same equations by a method of different order and with different steps, and at
+        least 2^-100 of the number, to cover the errors that both runs share.
     """
 
     values: Values
@@ -76,7 +77,7 @@ class LogValues:
 
 @precise
 def log_values(scene: Mapping[str, Any], times: Sequence[float]) -> LogValues:
-    """Every value of the log of a scene at its stored instants, without the code that computed the log.
+    """Every value of the log of a scene at its stored instants, without the code that wrote the log.
 
     Parameters
     ----------
@@ -93,12 +94,12 @@ def log_values(scene: Mapping[str, Any], times: Sequence[float]) -> LogValues:
     Raises
     ------
     Undecided
-        Where the scene is not of a kind that is certified, a condition of its motion stays open, the two
-        runs differ by more than 1e-25 relative to a number, or the stored instants lack an event.
+        If the scene is not of a certified kind, a condition of its motion remains undecided, the two runs
+        differ by more than 1e-25 relative to a number, or an event has no stored instant.
 
     Notes
     -----
-    Certified are, with R = 1 and a fence of piecewise constant velocity:
+    The following are certified, with R = 1 and a fence of piecewise constant velocity:
 
     - a ring that sticks, or slips under infinite friction (figures 14 and 15): integrals over the spin
       ratio, validated;
@@ -106,15 +107,15 @@ def log_values(scene: Mapping[str, Any], times: Sequence[float]) -> LogValues:
     - a ring with inertia from rest on the fence: extrapolation of order up to 32, not validated;
     - a support of points that slips and then pivots: Chebyshev series over the rod angle, not validated.
 
-    A log holds each event of a motion at the time that the library found. The stored instant next to an
+    A log contains each event of a motion at the time that the library found. The stored instant next to an
     event, within 1e-8 of the last time, is that of the event: its `time` encloses the exact time of the
     event, and its other values are those of the motion after the event, at the stored time, so that the
     error of that time does not count twice. At the start of a piece of the fence's motion the values are
-    likewise those just after it.
+    also those just after it.
     """
     exact = [rational(time) for time in times]
     if not exact or any(b <= a for a, b in pairwise(exact)):
-        raise Undecided("certified instants increase, and there is one at least")
+        raise Undecided("certified instants must increase, and there must be at least one")
     if scene["simulate"] is None:
         raise Undecided("the scene file has no section simulate")
     effects, runs = [each["type"] for each in scene["effects"]], _runs(scene, exact)
@@ -127,10 +128,10 @@ def log_values(scene: Mapping[str, Any], times: Sequence[float]) -> LogValues:
 
 
 def _runs(scene: Mapping[str, Any], times: list[fmpq]) -> list[Callable[[], list[Instant]]]:
-    """One validated run of a scene, or two that are compared."""
+    """One validated run of a scene, or two runs for comparison."""
     kinds = {each["type"] for each in scene["effects"]}
     if len(kinds) < len(scene["effects"]):
-        raise Undecided("certified motion is that of one effect of a kind")
+        raise Undecided("certified motion requires at most one effect of each kind")
     if kinds == {"inertia"}:
         return [lambda: flying(scene, times)]
     if kinds == {"ring_friction", "inertia"}:
@@ -138,14 +139,14 @@ def _runs(scene: Mapping[str, Any], times: list[fmpq]) -> list[Callable[[], list
     if kinds == {"support_friction"}:
         return [lambda: pivoting(scene, times, NODES[0]), lambda: pivoting(scene, times, NODES[1])]
     if kinds != {"ring_friction"}:
-        raise Undecided(f"certified motion is not known under {', '.join(sorted(kinds))}")
+        raise Undecided(f"certified motion is not available with {', '.join(sorted(kinds))}")
     rough = scene["contact"]["law"] == "infinite_friction"
     return [lambda: slipping(scene, times) if rough else pulled(scene, times)]
 
 
 def _columns(instants: Sequence[Instant], effects: Sequence[str], count: int) -> Values:
     if len(instants) != count:
-        raise Undecided("certified instants are within the duration")
+        raise Undecided("certified instants must be within the duration")
     found: Values = {
         name: (("time", *dims), [of(now) for now in instants])
         for name, (dims, of) in VARIABLES.items()
@@ -155,7 +156,7 @@ def _columns(instants: Sequence[Instant], effects: Sequence[str], count: int) ->
 
 
 def _joined(fine: Any, coarse: Any) -> Any:
-    """Values of one run as balls whose radius is the difference from another run."""
+    """Values of one run as balls with the difference from another run as the radius."""
     if isinstance(fine, list):
         return [_joined(a, b) for a, b in zip(fine, coarse, strict=True)]
     if not isinstance(fine, arb):
@@ -165,6 +166,6 @@ def _joined(fine: Any, coarse: Any) -> Any:
     apart = (fine - coarse).abs_upper()
     if apart > RESOLUTION * abs(fine):
         raise Undecided(f"two runs differ by too much: {fine}, {coarse}")
-    if apart == 0 and fine == float(fine):  # a number that is given, or a zero
+    if apart == 0 and fine == float(fine):  # a given number, or zero
         return fine
     return arb(fine.mid(), arb.max(apart, (SHARED * abs(fine)).abs_upper()))

@@ -1,8 +1,8 @@
 """Motion over time of a slider on feet that slips and then pivots about one of them; not validated.
 
-The force is along an edge of the friction cone, so that the motion depends on the rod angle alone: time,
-slip and energies are integrals over it (`chebyshev`), and the instants are roots of the time. The pivot
-begins where the foot can take the force that it asks of it, a root as well.
+The force is along an edge of the friction cone, so that the motion depends only on the rod angle. Time,
+slip and energies are integrals over this angle (`chebyshev`), and the instants are roots of the time.
+The pivot begins where the foot can carry the force that the pivot requires, which is a root as well.
 """
 
 from __future__ import annotations
@@ -34,16 +34,16 @@ from planar_pushing.certified.potential.direction import degrees
 from planar_pushing.certified.roots import increasing_root
 
 T = TypeVar("T")
-#: Number of the event in which a pivot begins.
+#: Number of the event at which a pivot begins.
 KINK = 10
-#: Parts of the rod angles ahead in which the start of a pivot is sought.
+#: Number of parts of the remaining rod angles in which the start of a pivot is sought.
 PARTS = 64
 #: An instant of the event is this close to the end of a phase, in radians.
 BESIDE = arb(2) ** -16
 
 
 class Sums(NamedTuple, Generic[T]):
-    """Time, slip, and energies, or what gives them, along the rod angle."""
+    """Time, slip, and energies, or the quantities that determine them, along the rod angle."""
 
     time: T
     slip: T
@@ -53,20 +53,22 @@ class Sums(NamedTuple, Generic[T]):
 
 @precise
 def pivoting(file: File, times: Sequence[fmpq], nodes: int) -> list[Instant]:
-    """Slip and pivot on a fence of constant velocity, by series of a number of nodes.
+    """Slip and pivot on a fence of constant velocity, by series with a number of nodes.
 
     The stored instant next to the start of the pivot is that of the event, just after it.
 
     Raises
     ------
     Undecided
-        Where the slider does not slip at first, or pivots at first, never, or about two feet in turn.
+        If the slider does not slip at first, pivots at first or never, or pivots about two feet in turn.
     """
     piece, start = only_piece(file), (arb.pi() * rational(file["slider"]["rod_angle"]) / 180).mid()
     may = modes(given.scene(file), given.law(file), degrees(piece.degrees), piece.speed)
     mode = chosen([each.mode for each in may], file["simulate"]["on_ambiguity"])
     if mode not in SENSE or file["slider"]["radius"] != 1:
-        raise Undecided(f"certified pivots follow a slip, with R = 1, not the mode {mode.name}")
+        raise Undecided(
+            f"certified pivots must follow a slip, with R = 1, not the mode {mode.name}"
+        )
     edges = Edges(file, mode, piece)
     foot, angle = _pivot(edges, start)
     slip = _Phase(edges, NO_PIVOT, start, angle, nodes, Sums(*[arb(0)] * 4))
@@ -80,7 +82,7 @@ def pivoting(file: File, times: Sequence[fmpq], nodes: int) -> list[Instant]:
 
 
 def _pivot(edges: Edges, start: arb) -> tuple[int, arb]:
-    """The foot about which the slider pivots first, and the rod angle there."""
+    """The foot about which the slider first pivots, and the rod angle there."""
     falls = sign(edges.slip(start, NO_PIVOT).spin) < 0
     end = arb(0) if falls else arb.pi().mid()
     before = start
@@ -94,14 +96,14 @@ def _pivot(edges: Edges, start: arb) -> tuple[int, arb]:
 
 
 def _crossing(edges: Edges, foot: int, before: arb, behind: arb) -> arb:
-    """Rod angle at which a foot begins to take the force that a pivot asks of it."""
+    """Rod angle at which a foot can first carry the force that a pivot requires of it."""
     low, high = (before, behind) if before < behind else (behind, before)
     sense = -1 if before < behind else 1
     return increasing_root(lambda angle: sense * edges.excess(angle, foot), low, high).mid()
 
 
 class _Phase:
-    """A slip about no foot, or a pivot about one, between two rod angles, from some sums on."""
+    """A slip, or a pivot about a foot, between two rod angles, with initial sums."""
 
     def __init__(
         self, edges: Edges, foot: int, start: arb, end: arb, nodes: int, first: Sums[arb]

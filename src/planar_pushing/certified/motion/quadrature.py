@@ -1,7 +1,8 @@
 """Quasi-static motion within one mode as integrals over the spin ratio, enclosed by `acb.integral`.
 
-With friction alone the moment arm is ``h = H(k)``, ``H = t / f``, so a mode in which the fence's velocity
-is constant is known in terms of k. Angles are radians, lengths in units of R, 0 < k < 1 throughout.
+With friction alone the moment arm is ``h = H(k)``, ``H = t / f``; a mode with a constant velocity of
+the fence is therefore known in terms of k. Angles are in radians and lengths in units of R; 0 < k < 1
+throughout.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from planar_pushing.certified.roots import increasing_root
 Integrand = Callable[[acb, bool], acb]
 #: Ends of the range of spin ratios that the quadrature covers.
 LEAST, MOST = arb(2) ** -20, 1 - arb(2) ** -20
-#: Parts of a span of k on which a condition is shown by balls.
+#: Maximum number of parts of a span of k on which balls show a condition.
 PARTS = 32
 
 
@@ -39,7 +40,7 @@ class _Profile(NamedTuple):
 
 
 def _profile(k: acb, analytic: bool) -> _Profile:
-    """The ring by Gauss's series, which stay narrow on wide balls."""
+    """The ring by Gauss's series, which remain narrow on wide balls."""
     m, half = k * k, acb(0.5)
     if analytic and m.imag.contains(0) and not m.real < 1:
         return _Profile(*[acb("nan")] * 4)
@@ -50,9 +51,9 @@ def _profile(k: acb, analytic: bool) -> _Profile:
 
 
 class Integral:
-    """An integral from a start to one end after the other; both are balls.
+    """An integral from a start to a sequence of ends, all of them balls.
 
-    It runs over exact places; how far these are from the ends counts by the integrand there.
+    It runs over exact places; their distance from the ends is bounded by the integrand there.
     """
 
     def __init__(self, integrand: Integrand, start: arb) -> None:
@@ -80,7 +81,7 @@ def _integral(integrand: Integrand, start: arb, end: arb) -> arb:
 
 
 def stick_angle(length: fmpq, k: arb) -> arb:
-    """Angle from the contact's velocity to the rod, below a quarter turn, where the contact sticks.
+    """Angle from the contact's velocity to the rod, below 90 degrees, if the contact sticks.
 
     In the axes of the rod the contact moves by ``(cos g, sin g + k l)`` with ``l sin g = H(k)``.
     """
@@ -89,12 +90,12 @@ def stick_angle(length: fmpq, k: arb) -> arb:
 
 
 def stick_spin(length: fmpq, angle: arb, width: arb) -> arb:
-    """Spin ratio at an angle from the contact's velocity to the rod; it increases with it."""
+    """Spin ratio at an angle from the contact's velocity to the rod; it increases with this angle."""
     return increasing_root(lambda k: stick_angle(length, k) - angle, LEAST, MOST, width)
 
 
 def stick_rates(length: fmpq) -> tuple[Integrand, Integrand]:
-    """Rates of the path of the fence, or the time at unit speed, and of its work by the spin ratio.
+    """Derivatives by the spin ratio of the path of the fence, or time at unit speed, and of its work.
 
     ``d path = d angle / omega``, where omega is ``k / size`` for a contact of unit speed. The work on a
     path is the energy that friction dissipates: ``(f + k t) / size``.
@@ -118,11 +119,11 @@ def stick_rates(length: fmpq) -> tuple[Integrand, Integrand]:
 
 
 def slide_rates(length: fmpq) -> tuple[Integrand, Integrand, Integrand]:
-    """Rates by ``q = 1 / |k|`` of a slip under a force along the fence, at a rod angle below 90 degrees.
+    """Derivatives by ``q = 1 / |k|`` for a slip under a force along the fence, rod angle below 90 degrees.
 
-    Of the path of the ring's center, which is the integral of ``d psi / k`` with
-    ``l sin psi = H(|k|) = 1 / H(q)``; of the energy that friction of the support dissipates; and of the
-    integral of the force over the height of the fence. By duality ``f(|k|) = t(q)``, ``t(|k|) = f(q)``.
+    They are those of the path of the ring's center, which is the integral of ``d psi / k`` with ``l sin
+    psi = H(|k|) = 1 / H(q)``; of the energy that support friction dissipates; and of the integral of
+    the force over the height of the fence. By duality ``f(|k|) = t(q)`` and ``t(|k|) = f(q)``.
     """
 
     def path_of(q: acb, now: _Profile, analytic: bool) -> acb:
@@ -145,7 +146,7 @@ def slide_rates(length: fmpq) -> tuple[Integrand, Integrand, Integrand]:
 
 
 def slide_spin(length: fmpq, sine: arb) -> arb:
-    """Inverse spin ratio 1 / |k| under a force along the fence, at a sine of the rod angle."""
+    """Inverse spin ratio 1 / |k| under a force along the fence, at a given sine of the rod angle."""
     wanted = 1 / (length * sine)
     return increasing_root(lambda q: arm(q) - wanted, LEAST, MOST)
 
@@ -156,9 +157,9 @@ def holds(condition: Callable[[arb], bool], low: arb, high: arb) -> None:
     Raises
     ------
     Undecided
-        Where a ball does not meet the condition.
+        If the condition remains undecided on a ball.
     """
     ends = [low.lower() + (high.upper() - low.lower()) * i / PARTS for i in range(PARTS + 1)]
     for a, b in pairwise(ends):
         if not condition(a.union(b)):
-            raise Undecided(f"the condition of the mode is open at k in {a.union(b)}")
+            raise Undecided(f"the condition of the mode is undecided at k in {a.union(b)}")

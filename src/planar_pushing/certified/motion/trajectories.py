@@ -1,7 +1,7 @@
 """Validated motion over time of a ring that sticks to the fence, or slips under infinite friction.
 
-Lengths are in units of R = 1, times exact. In a mode the motion is an integral over the spin ratio
-(`quadrature`); the instants that are asked for are roots of the time in it.
+Lengths are in units of R = 1, and times are exact. Within a mode the motion is an integral over the
+spin ratio (`quadrature`); the requested instants are roots of the time in it.
 """
 
 from __future__ import annotations
@@ -38,11 +38,11 @@ from planar_pushing.certified.motion.quadrature import (
 )
 
 UNIT_SPEED = "certified motion is that of a fence of unit speed"
-#: Relative width of the root that a piece of the motion starts from.
+#: Relative width of the root at which a piece of the motion starts.
 WIDTH = arb(2) ** -160
-#: A relative step of Newton's method below which the next one is a rounding error.
+#: Relative step of Newton's method after which the next one would be rounding error.
 CLOSE = arb(2) ** -100
-#: Steps of Newton's method to an instant; from the instant before some five are enough.
+#: Maximum number of Newton steps to an instant; from the previous instant about five suffice.
 STEPS = 20
 
 
@@ -50,7 +50,7 @@ def rod_length(file: File) -> fmpq:
     """Rod length of a scene that can be certified."""
     slider, (effect,) = file["slider"], file["effects"]
     if slider["radius"] != 1 or effect != {"type": "ring_friction", "weight": 1.0}:
-        raise Undecided("certified motion is that of a ring of unit radius and weight")
+        raise Undecided("certified motion requires a ring of unit radius and weight")
     return rational(slider["rod_length"])
 
 
@@ -65,7 +65,7 @@ def _unit_pieces(file: File) -> list[Piece]:
 def pulled(file: File, times: Sequence[fmpq]) -> list[Instant]:
     """Motion whose contact sticks, or breaks where the fence recedes and the policy is `separate`.
 
-    Every force is shown to lie in the friction cone, between the instants too.
+    Every force is shown to lie in the friction cone, also between the instants.
     """
     length, fence = rod_length(file), _unit_pieces(file)
     angle, work = arb.pi() * rational(file["slider"]["rod_angle"]) / 180, arb(0)
@@ -90,9 +90,9 @@ def pulled(file: File, times: Sequence[fmpq]) -> list[Instant]:
 
 
 def _left(file: File, last: Instant, fence: Sequence[Piece], time: fmpq) -> Instant:
-    """The slider at rest, the fence moving away in its last piece."""
+    """The slider at rest while the fence moves away in its last piece."""
     piece = fence[-1]
-    # Behind the first instant the contact is open, and separation alone is consistent.
+    # After the first instant the contact is open, and only separation is consistent.
     closed = time == piece.start
     count = len(ring_modes(file, rod_length(file), last.angle, piece.velocity)) if closed else 1
     return replace(
@@ -103,9 +103,9 @@ def _left(file: File, last: Instant, fence: Sequence[Piece], time: fmpq) -> Inst
 
 
 class _Stick:
-    """Sticking during a piece of the fence's motion, from a rod angle and a work on.
+    """Sticking during a piece of the fence's motion, from an initial rod angle and work.
 
-    The spin ratio rises with the time: instants are asked for in order.
+    The spin ratio increases with time; instants must be requested in order.
     """
 
     def __init__(
@@ -138,7 +138,7 @@ class _Stick:
         )  # fmt: skip
 
     def _spin(self, path: fmpq) -> arb:
-        """The spin ratio after a path of the fence: Newton's method, whose last step is proved."""
+        """Spin ratio after a path of the fence, by Newton's method; its last step is proved."""
         if path == 0:
             return self.start
         k = self.path.place
@@ -151,7 +151,7 @@ class _Stick:
         raise Undecided(f"no spin ratio after the path {path}")
 
     def _proved(self, near: arb, lack: arb) -> arb:
-        """How far the root is from the middle of a ball that holds it, by the mean value theorem."""
+        """Distance of the root from the middle of a ball that contains it, by the mean value theorem."""
         step = lack / self.path.rate(near)
         if not near.contains(near.mid() + step):
             raise Undecided(f"no enclosure of the spin ratio at {near}")
@@ -167,22 +167,22 @@ class _Stick:
 
 @precise
 def slipping(file: File, times: Sequence[fmpq]) -> list[Instant]:
-    """Slip to the right under infinite friction: the force is along the fence, to its left.
+    """Slip to the right under infinite friction: the force is along the fence, to the left.
 
-    The ring's center keeps its height, so ``l sin psi`` falls as the fence rises. The slip is shown to go
-    to the right, between the instants too.
+    The ring's center remains at its height, so that ``l sin psi`` decreases as the fence rises. The
+    slip is shown to be to the right, also between the instants.
     """
     length, piece = rod_length(file), only_piece(file)
     if piece.speed != 1:
         raise Undecided(UNIT_SPEED)
     if file["contact"] != {"law": "infinite_friction", "at_zero_normal": "free"}:
-        raise Undecided("certified slip is that of infinite friction")
+        raise Undecided("certified slip requires infinite friction")
     slide = _Slide(file, length, piece)
     return [slide.at(time) for time in times]
 
 
 class _Slide:
-    """Slip during a piece of the fence's motion; instants are asked for in order."""
+    """Slip during a piece of the fence's motion; instants must be requested in order."""
 
     def __init__(self, file: File, length: fmpq, piece: Piece) -> None:
         self.file, self.length, self.piece = file, length, piece

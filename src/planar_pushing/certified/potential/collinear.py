@@ -1,4 +1,4 @@
-"""Supports on one line: segments and points, which leave some motions open."""
+"""Supports on a line, made of segments and points, for which some motions are not unique."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from planar_pushing.certified.supports.pressure.pieces import Pieces, Place
 
 
 def line_ends(support: Pieces) -> tuple[Place, Place] | None:
-    """Ends of a support that is on one line; None of others and of a single point."""
+    """Ends of a support that lies on a line; None for other supports and for a single point."""
     if support.rings or support.discs or support.edges:
         return None
     places = [each.place for each in support.points]
@@ -22,7 +22,7 @@ def line_ends(support: Pieces) -> tuple[Place, Place] | None:
 
 
 def crossed(push: Push) -> tuple[Place, Place] | None:
-    """Ends of a support on one line that the force meets at a right angle."""
+    """Ends of a support on a line that the line of force crosses at a right angle."""
     ends = line_ends(push.support)
     if ends is None:
         return None
@@ -31,9 +31,9 @@ def crossed(push: Push) -> tuple[Place, Place] | None:
 
 
 def center_beyond(push: Push) -> Vector | None:
-    """Center of rotation of a contact that moves along t, where it is on the support's line at a corner.
+    """Center of rotation if the contact moves along t and the center is on the support's line at a corner.
 
-    It is the place across t from the contact, if that is not between the support's ends.
+    It is the point across t from the contact, provided that it is not between the ends of the support.
     """
     ends = line_ends(push.support)
     if ends is None:

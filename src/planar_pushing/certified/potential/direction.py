@@ -1,4 +1,4 @@
-"""Directions that are exact: by degrees, by radians, or along a rational vector."""
+"""Exact directions: by degrees, by radians, or along a rational vector."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def along(x: fmpq, y: fmpq) -> Direction:
 
 
 def relative(direction: Direction, rod: Direction) -> Direction:
-    """A direction of the fence's frame in the body frame of a rod; zeros are exact where they are known."""
+    """A direction of the fence's frame in the body frame of a rod; zeros are exact if they are known."""
 
     def ball() -> Vector:
         return turned(direction.ball(), rod.ball(), exact)
@@ -86,6 +86,6 @@ def returned(vector: Vector, rod: Vector) -> Vector:
 
 
 def exact_turned(vector: tuple[Exact, Exact], rod: tuple[Exact, Exact]) -> tuple[Exact, Exact]:
-    """The same of numbers of any kind."""
+    """The same rotation for numbers of any kind."""
     (x, y), (c, s) = vector, rod
     return x * c + y * s, y * c - x * s

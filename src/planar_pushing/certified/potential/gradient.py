@@ -1,7 +1,7 @@
 """Force and torque about the contact that sustain a motion, and their derivatives.
 
-A motion is the scale of a unit motion, of the contact along `t` and of the rotation `spin`: friction sees
-only the unit motion, the mass both. Body frame.
+A motion is a scale times a unit motion, which consists of the motion of the contact along `t` and the
+rotation `spin`. Friction depends only on the unit motion, inertia on both. Body frame.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from planar_pushing.certified.potential.resistance import Resistance
 from planar_pushing.certified.supports.pressure.moments import Moments, Vector, moments
 from planar_pushing.certified.supports.pressure.pieces import Pieces, Place
 
-#: Turn of a support's velocities below which those of a translation tell them to more digits.
+#: Angle between a support's velocities below which expansion about a translation gives more digits.
 NEARLY = 1e-3
 
 
 class Motion(NamedTuple):
     """A motion of the contact along t and a rotation, both times a scale.
 
-    Of balls of motions the center of rotation may be known better than by t and spin.
+    For balls of motions the center of rotation can be known more precisely than from t and spin.
     """
 
     t: Vector
@@ -37,7 +37,7 @@ class Motion(NamedTuple):
 class Response(NamedTuple):
     """Force at the contact, torque about it, and the feet whose own friction is left out.
 
-    These feet are in the ball of the center of rotation.
+    These feet lie in the ball of the center of rotation.
     """
 
     x: arb
@@ -47,7 +47,7 @@ class Response(NamedTuple):
 
 
 class Slopes(NamedTuple):
-    """Derivatives of the force by the contact's motion, of both by the rotation, and of the torque."""
+    """Derivatives of the force by contact motion and rotation, and of the torque by rotation."""
 
     xx: arb
     xy: arb
@@ -57,7 +57,7 @@ class Slopes(NamedTuple):
     ss: arb
 
     def felt(self) -> tuple[arb, arb, arb]:
-        """Derivatives xx, xy, yy of the force where the rotation leaves no torque."""
+        """Derivatives xx, xy, yy of the force if the rotation leaves no torque."""
         x, y = self.xs / self.ss, self.ys / self.ss
         return self.xx - self.xs * x, self.xy - self.xs * y, self.yy - self.ys * y
 
@@ -68,7 +68,7 @@ def response(total: Resistance, motion: Motion, foot: int = -1) -> Response:
     Raises
     ------
     Undecided
-        Where the balls leave them open.
+        If the balls do not bound them.
     """
     (x, y), spin, scale = motion[:3]
     if total.weight == 0:
@@ -87,14 +87,14 @@ def response(total: Resistance, motion: Motion, foot: int = -1) -> Response:
 
 
 def center(total: Resistance, motion: Motion) -> Vector:
-    """Center of rotation of a motion with rotation."""
+    """Center of rotation of a motion with nonzero rotation."""
     if motion.about is not None:
         return motion.about
     return -total.length - motion.t[1] / motion.spin, motion.t[0] / motion.spin
 
 
 def _about(total: Resistance, motion: Motion, foot: int) -> Response:
-    """Friction of a rotation: over wide balls, and about far centers, also by expansions."""
+    """Friction of a rotation; over wide balls, and about distant centers, also by expansions."""
     _, feet = _seen(total, motion, foot)
     if feet or (_is_narrow(motion) and _straightness(total, motion)[2] > NEARLY):
         return _by_moments(total, motion, foot)
@@ -124,7 +124,7 @@ def _by_moments(total: Resistance, motion: Motion, foot: int) -> Response:
 
 
 def _expanded(total: Resistance, motion: Motion) -> Response:
-    """Mean values from the middle of the ball of the center of rotation."""
+    """Friction by the mean value theorem about the middle of the ball of the center of rotation."""
     weight, sense = total.weight, 1 if motion.spin > 0 else -1
     c = center(total, motion)
     middle = c[0].mid(), c[1].mid()
@@ -147,7 +147,7 @@ def _common(balls: Iterable[arb]) -> arb:
 
 
 def _seen(total: Resistance, motion: Motion, foot: int) -> tuple[Vector, tuple[int, ...]]:
-    """Center of rotation, and the feet that it may be at."""
+    """Center of rotation, and the feet where it can be."""
     if foot >= 0:
         x, y = total.support.points[foot].place
         return (arb(x), arb(y)), (foot,)
@@ -162,7 +162,7 @@ def _overlap(c: Vector, place: Place) -> bool:
 
 @lru_cache(maxsize=256)
 def _without(support: Pieces, feet: tuple[int, ...]) -> Pieces:
-    """A support without some of its points, whose shares then add to less than 1."""
+    """A support without some of its points; the remaining shares sum to less than 1."""
     if not feet:
         return support
     points = tuple(each for i, each in enumerate(support.points) if i not in feet)
@@ -171,9 +171,9 @@ def _without(support: Pieces, feet: tuple[int, ...]) -> Pieces:
 
 
 def _straightness(total: Resistance, motion: Motion) -> tuple[arb, arb, arb]:
-    """Speed of the contact, reach of the support from it, and how far its points turn from t.
+    """Speed of the contact, reach of the support from it, and largest angle of its velocities from t.
 
-    A velocity v next to u has a direction within ``2 |v - u| / |u|`` of that of u.
+    The direction of a velocity v close to u differs by at most ``2 |v - u| / |u|`` from that of u.
     """
     (x, y), spin = motion.t, motion.spin
     speed, (p_x, p_y) = norm(x, y), total.pressure
@@ -182,7 +182,7 @@ def _straightness(total: Resistance, motion: Motion) -> tuple[arb, arb, arb]:
 
 
 def _nearly_straight(total: Resistance, motion: Motion) -> Response:
-    """Friction of a translation, and of rotations next to it: by the first derivatives there.
+    """Friction of a translation, and of motions close to it, by the first derivatives there.
 
     The second derivative of the direction of ``u + omega J r`` by omega is at most ``3 r^2 / speed^2``.
     """
@@ -205,7 +205,7 @@ def _nearly_straight(total: Resistance, motion: Motion) -> Response:
 
 
 def slopes(total: Resistance, motion: Motion, foot: int = -1) -> Slopes:
-    """Derivatives at a motion, times its scale; infinite or NaN where there are none."""
+    """Derivatives at a motion, times its scale; infinite or NaN where they do not exist."""
     own = Slopes(*[arb(0)] * 6)
     if total.weight != 0:
         straight = motion.spin.contains(0)
@@ -218,7 +218,7 @@ def slopes(total: Resistance, motion: Motion, foot: int = -1) -> Slopes:
 
 
 def _bent(total: Resistance, motion: Motion, foot: int) -> Slopes:
-    """Derivatives of the friction of a rotation, by the second derivatives of D at its center."""
+    """Derivatives of the friction of a rotation, from the second derivatives of D at its center."""
     c, feet = _seen(total, motion, foot)
     if feet and foot < 0:
         return Slopes(*[arb.nan()] * 6)
@@ -237,7 +237,7 @@ def _product(now: Moments, v: Vector) -> Vector:
 
 
 def _bent_straight(total: Resistance, motion: Motion) -> Slopes:
-    """The same next to a translation, where it is the mean of ``(n, t . r) (n, t . r)^T / speed``."""
+    """Derivatives near a translation, where they are the mean of ``(n, t . r) (n, t . r)^T / speed``."""
     (x, y), weight = motion.t, total.weight
     speed, reach, turn = _straightness(total, motion)
     least = speed - reach * abs(motion.spin).upper()
@@ -246,7 +246,7 @@ def _bent_straight(total: Resistance, motion: Motion) -> Slopes:
     t_x, t_y = x / speed, y / speed
     (p_x, p_y), (xx, xy, yy) = total.pressure, _second(total)
     own, across = t_x * p_x + t_y * p_y, t_x * t_x * xx + 2 * t_x * t_y * xy + t_y * t_y * yy
-    # How far a product of two factors turns, and how far 1 / speed is from that of the contact.
+    # Bounds on the change of a product of two factors, and on 1 / speed minus that of the contact.
     turned, slower = (2 + turn) * turn, reach * abs(motion.spin).upper() / (speed * least)
     off = arb(0, (turned / speed + (1 + turn) ** 2 * slower).upper())
     return Slopes(

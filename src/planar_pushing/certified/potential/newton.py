@@ -1,8 +1,9 @@
-"""The motion of least potential under a line of force, in floats of the working precision.
+"""The motion of minimal potential under a line of force, in floats of the working precision.
 
-Newton's method minimizes the potential over contact motions ``p e + s n``, n to the left of the direction e
-of the force, and rotations omega. The potential is convex, with a kink at the rotation about each foot,
-where a descent would stay; started below all of them, it never comes there. Nothing is proved here.
+Newton's method minimizes the potential over contact motions ``p e + s n``, with n to the left of the
+direction e of the force, and rotations omega. The potential is convex, with a kink at the rotation
+about each foot, where a descent would stall. The iteration starts below the potential of all kinks and
+thus never reaches one. Nothing is proved here.
 """
 
 from __future__ import annotations
@@ -16,22 +17,22 @@ from planar_pushing.certified.potential.gradient import Motion, response, slopes
 from planar_pushing.certified.potential.resistance import Resistance
 from planar_pushing.certified.supports.pressure.moments import Vector
 
-#: Newton steps at most, halvings of one, and of a step away from a foot.
+#: Maximum number of Newton steps, of halvings of a step, and of halvings of a step away from a foot.
 STEPS, HALVINGS, AWAY = 50, 60, 40
-#: Bits of rounding of a potential.
+#: Bits of a potential that rounding affects.
 LAST = 12
-#: Square of the radius of gyration that stands for a support in a first guess, in its extents.
+#: Squared radius of gyration that represents a support in the first guess, in units of its extent.
 ROUGH = fmpq(61, 100)
 
 
 class State(NamedTuple):
-    """Part of the contact's motion across the force, and rotation; without a radius."""
+    """Component of the contact's motion across the force, and rotation; without a radius."""
 
     s: arb
     spin: arb
 
     def after(self, step: State, part: arb) -> State:
-        """The state after a part of a step."""
+        """The state after a fraction of a step."""
         return State((self.s + part * step.s).mid(), (self.spin + part * step.spin).mid())
 
 
@@ -53,7 +54,7 @@ class Line(NamedTuple):
         return x * now.y - y * now.x, now.torque
 
     def potential(self, at: State) -> arb:
-        """The potential, infinite where the balls leave it open."""
+        """The potential, infinite if the balls do not bound it."""
         motion, total = self.motion(at), self.total
         (t_x, t_y), spin = motion.t, motion.spin
         (s_x, s_y), mass = total.first, total.mass
@@ -68,14 +69,14 @@ class Line(NamedTuple):
 
 
 def least(line: Line) -> State:
-    """The motion of least potential, to about the last step."""
+    """The motion of minimal potential, to about the size of the last step."""
     beside = (_beside(line, foot) for foot in range(len(line.total.support.points)))
     starts = [_guess(line), *(each for each in beside if each is not None)]
     at = min(starts, key=line.potential)
     here = line.potential(at)
     for _ in range(STEPS):
         step, fall = _step(line, at)
-        # A fall that rounding hides is that of the last step: the next would square its error.
+        # A decrease below the rounding error marks the last step: one more would only square its error.
         last, part = bool(fall < abs(here) * arb(2) ** (LAST - ctx.prec)), arb(1)
         for _ in range(HALVINGS):
             tried = at.after(step, part)
@@ -90,7 +91,7 @@ def least(line: Line) -> State:
 
 
 def _step(line: Line, at: State) -> tuple[State, arb]:
-    """Newton's step, and how fast the potential falls along it."""
+    """Newton's step, and the rate at which the potential decreases along it."""
     one, other = (each.mid() for each in line.excess(at))
     bend = slopes(line.total, line.motion(at))
     x, y = line.e
@@ -123,9 +124,10 @@ def _guess(line: Line) -> State:
 
 
 def _beside(line: Line, foot: int) -> State | None:
-    """The motion of least potential on the steepest descent from the rotation about a foot.
+    """The motion of minimal potential on the steepest descent from the rotation about a foot.
 
-    Its own velocity v costs the foot its share times |v|, and the rest of the effects falls by e . v.
+    A velocity v of the foot costs its share times |v|, and the potential of the other effects decreases
+    by e . v.
     """
     (t_x, t_y), (r_x, r_y) = line.e, line.total.foot(foot)
     arm = t_x * r_y - t_y * r_x
@@ -134,7 +136,7 @@ def _beside(line: Line, foot: int) -> State | None:
     power = line.power
     at = State((-power * (t_x * r_x + t_y * r_y) / arm).mid(), (power / arm).mid())
     one, other = line.excess(at, foot)
-    # v = s n + omega J r, so that e . n and e . J r are the slopes, and the way is along v = -e.
+    # v = s n + omega J r, so that e . n and e . J r are the slopes, and the descent is along v = -e.
     e_x, e_y = (r_x * one - t_x * other) / arm, (r_y * one - t_y * other) / arm
     step = State(-(r_x * e_x + r_y * e_y) / arm, (t_x * e_x + t_y * e_y) / arm)
     scale = abs(power).mid()

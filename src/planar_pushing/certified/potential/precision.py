@@ -9,19 +9,19 @@ from flint import ctx
 
 from planar_pushing.certified.balls import Exhausted, Undecided
 
-#: Precisions in bits that are tried in turn: for a decision, and for numbers that are stored.
+#: Precisions in bits that are tried in turn: for a decision, and for stored numbers.
 COARSE, FINE = (128, 256, 512), (320, 640, 1280)
 
 Found = TypeVar("Found")
 
 
 def decided(decide: Callable[[], Found], precisions: Sequence[int] = COARSE) -> Found:
-    """Decide at the first precision that suffices; everything is made anew at each.
+    """Decide at the first precision that suffices; everything is computed from scratch at each.
 
     Raises
     ------
     Undecided
-        Where a sign stays open at the last precision.
+        If a sign remains undecided at the last precision.
     """
     for precision in precisions[:-1]:
         try:

@@ -20,7 +20,7 @@ class Push:
     ----------
     support : Pieces
     length : fmpq
-        Of the rod, in the unit of the support's lengths.
+        Length of the rod, in the unit of the support's lengths.
     x, y : arb
         Unit vector t.
     exact : tuple, optional
@@ -35,11 +35,11 @@ class Push:
 
     @property
     def contact(self) -> Place:
-        """P."""
+        """The contact P."""
         return -self.length, fmpq(0)
 
     def arm(self, place: Vector) -> arb:
-        """Moment of a unit force about a place, with its sign changed: the sign of a rotation there."""
+        """Moment of a unit force about a place, with reversed sign: the sign of a rotation about it."""
         return self.x * place[1] - self.y * (place[0] + self.length)
 
     def reach(self, place: Vector) -> arb:
@@ -52,7 +52,7 @@ class Push:
         return sign(self.x * y - self.y * x, self._known(lambda t_x, t_y: t_x * y - t_y * x))
 
     def along(self, run: Place) -> int:
-        """Sign of an exact vector's part along the force."""
+        """Sign of the component of an exact vector along the force."""
         x, y = run
         return sign(self.x * x + self.y * y, self._known(lambda t_x, t_y: t_x * x + t_y * y))
 

@@ -1,6 +1,6 @@
 """A scene's effects, exact, and their sum about the contact: one friction, one mass, one load.
 
-Frames: the load of a scene is in the fence's frame, everything else in the body frame.
+The load of a scene is in the frame of the fence, everything else in the body frame.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ ORIGIN: Place = (fmpq(0), fmpq(0))
 
 @dataclass(frozen=True, slots=True)
 class Friction:
-    """Coulomb friction of a support, whose force in a translation is `weight`."""
+    """Coulomb friction of a support; the force in a translation is `weight`."""
 
     support: Pieces
     weight: fmpq
@@ -39,7 +39,7 @@ class Inertia:
 
 @dataclass(frozen=True, slots=True)
 class Viscous:
-    """Viscous friction of a support; its force in a translation is `coefficient` times the velocity."""
+    """Viscous friction of a support; the force in a translation is `coefficient` times the velocity."""
 
     support: Pieces
     coefficient: fmpq
@@ -47,7 +47,7 @@ class Viscous:
 
 @dataclass(frozen=True, slots=True)
 class Load:
-    """A force in the fence's frame at a place of the body, by default the mass center."""
+    """A force in the frame of the fence at a place of the body, by default the mass center."""
 
     force: Place
     place: Place | None = None
@@ -58,7 +58,7 @@ Effect = Friction | Inertia | Viscous | Load
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """A rod's length and direction from the fence, and the effects that resist the motion."""
+    """Rod length, rod direction relative to the fence, and the effects that resist the motion."""
 
     length: fmpq
     rod: Direction
@@ -74,12 +74,12 @@ class Resistance:
     length : fmpq
         The contact is at (-length, 0).
     rod : tuple of arb
-        Unit vector of the rod in the fence's frame.
+        Unit vector of the rod in the frame of the fence.
     support : Pieces
-        Without friction it has no pieces.
+        Has no pieces if there is no friction.
     weight : fmpq
     mass : fmpq
-        Of inertia, or the coefficient of viscous friction; likewise its moments.
+        Mass, or coefficient of viscous friction; the moments likewise.
     first : tuple of fmpq
         First moment of the mass about the contact.
     second : fmpq
@@ -99,7 +99,7 @@ class Resistance:
 
     @property
     def pressure(self) -> Place:
-        """Center of pressure from the contact."""
+        """Center of pressure relative to the contact."""
         x, y = self.support.center
         return x + self.length, y
 
@@ -108,17 +108,17 @@ class Resistance:
         return Push(self.support, self.length, *direction.ball(), direction.exact)
 
     def foot(self, i: int) -> Place:
-        """A point of the support from the contact."""
+        """A point of the support relative to the contact."""
         x, y = self.support.points[i].place
         return x + self.length, y
 
     @property
     def is_steady(self) -> bool:
-        """Whether multiples of a motion have one direction of the force: all effects are of one degree."""
+        """Whether multiples of a motion share one direction of the force: all effects are of one degree."""
         return all(each.is_zero() for each in self.load) and not (self.weight and self.mass)
 
     def is_even(self) -> bool:
-        """Whether the slider mirrors itself in the rod: force and motion across the rod are parallel."""
+        """Whether the slider is symmetric about the rod: force and motion across the rod are parallel."""
         even = not self.first[1] and self.load[0].is_zero() and self.load[2].is_zero()
         return bool(even and is_mirrored(self.support))
 
@@ -127,7 +127,7 @@ def resistance(scene: Scene) -> Resistance:
     """The sum of a scene's effects, at the precision in use."""
     support, weight = _friction(scene)
     masses = [(each.mass, each.center, each.gyration) for each in _inertias(scene)]
-    if not masses:  # an acceleration from rest meets no viscous force
+    if not masses:  # no viscous force acts on an acceleration from rest
         masses = [
             (each.coefficient, each.support.center, each.support.spread)
             for each in scene.effects
@@ -172,7 +172,7 @@ def _load(scene: Scene) -> tuple[arb, arb, arb]:
 
 
 def _loads(scene: Scene) -> Iterable[tuple[Place, Place]]:
-    """Forces other than zero and where they act."""
+    """Nonzero forces and their points of application."""
     center = _mass_center(scene)
     for each in scene.effects:
         if isinstance(each, Load) and any(each.force):

@@ -1,8 +1,9 @@
-"""The rotation that leaves no torque about the contact, and the force: sticking with any effects.
+"""The rotation without torque about the contact, and the force: sticking with any effects.
 
 At a given motion of the contact the torque increases with the rotation, so that a change of its sign
-proves the one root. A foot that lies across the motion from the contact lets the torque jump by twice the
-foot's share times its distance: the slider pivots where the torque left over is within that.
+proves that there is one root. At a foot that lies across the motion from the contact the torque jumps
+by twice the foot's share times its distance; the slider pivots about the foot if the remaining torque
+is smaller than the jump allows.
 """
 
 from __future__ import annotations
@@ -21,28 +22,28 @@ from planar_pushing.certified.supports.pressure.moments import Vector
 from planar_pushing.certified.supports.pressure.pieces import Place
 
 NOTHING = arb(0), arb(0)
-#: Doublings of a rotation that meets too little torque.
+#: Doublings of a rotation whose torque is too small.
 DOUBLINGS = 400
-#: Steps to a guess at most; bisection alone needs fewer.
+#: Maximum number of steps to a guess; bisection alone needs fewer.
 STEPS = 500
-#: Steps outward to the bounds of a root over balls, at first each twice as long as the one before.
+#: Steps outward to the bounds of a root over balls; each of the first is twice as long as the one before.
 BROADENINGS = 40
 
 
 @dataclass(frozen=True, slots=True)
 class Stuck:
-    """A motion that takes the contact along; body frame.
+    """A motion with a given motion of the contact, in the body frame.
 
     Attributes
     ----------
     spin : arb
         Rotation.
     force : tuple of arb
-        At the contact; of a pivot the middle of the interval of forces.
+        Force at the contact; for a pivot, the middle of the interval of forces.
     free : tuple of arb
-        Of a pivot half of the interval of forces, away from the contact; else zero.
+        For a pivot, half of the interval of forces, directed away from the contact; otherwise zero.
     pivot : int
-        Number of the support's point that is the center of rotation, -1 without one.
+        Index of the support's point that is the center of rotation, -1 if there is none.
     straight : bool
         Whether the force is along the contact's motion, exactly.
     """
@@ -55,25 +56,25 @@ class Stuck:
 
 
 def width(level: int = 0) -> arb:
-    """Relative width of a root's enclosure; wider by levels, as each sees the one below as rounding."""
+    """Relative width of a root's enclosure; wider by levels, as each treats the one below as rounding."""
     return arb(2) ** (-(5 - level) * ctx.prec // 8)
 
 
 def stick(total: Resistance, push: Push, size: fmpq | arb) -> Stuck:
-    """The motion of a contact that moves by `size` along the direction of `push`.
+    """The motion of a slider whose contact moves by `size` along the direction of `push`.
 
     Parameters
     ----------
     total : Resistance
     push : Push
-        Its direction is that of the motion; of `total`, by `total.push`.
+        The direction of the motion, from `total.push`.
     size : fmpq or arb
         Magnitude of the motion; 0 is the limit of small motions.
 
     Raises
     ------
     Undecided
-        Where a sign stays open, or a load turns the slider against any friction.
+        If a sign remains undecided, or a load rotates the slider against any friction.
     """
     size = arb(size)
     for i in range(len(total.support.points)):
@@ -94,7 +95,7 @@ def stick(total: Resistance, push: Push, size: fmpq | arb) -> Stuck:
 
 
 def _made_even(total: Resistance, push: Push, found: Stuck) -> Stuck:
-    """A sticking motion whose force is along the motion by symmetry, exactly."""
+    """A sticking motion whose force is exactly along the motion, by symmetry."""
     if not is_across(push) or not total.is_even():
         return found
     part = found.force[0] * push.x + found.force[1] * push.y
@@ -103,12 +104,12 @@ def _made_even(total: Resistance, push: Push, found: Stuck) -> Stuck:
 
 
 def is_across(push: Push) -> bool:
-    """Whether a direction is across the rod, exactly."""
+    """Whether a direction is exactly across the rod."""
     return push.along((fmpq(1), fmpq(0))) == 0
 
 
 def _is_straight(total: Resistance, push: Push, size: arb) -> bool:
-    """Whether a translation leaves no torque, exactly."""
+    """Whether a translation has exactly no torque."""
     if not total.load[2].is_zero() or not size.is_exact():
         return False
     scale, (x, y), (p_x, p_y) = size.fmpq(), total.first, total.pressure
@@ -117,7 +118,7 @@ def _is_straight(total: Resistance, push: Push, size: arb) -> bool:
 
 
 def _beyond(total: Resistance, push: Push) -> Stuck | None:
-    """A rotation about a place on the line of the support, beyond its ends; the force is across it."""
+    """A rotation about a point on the line of the support, beyond its ends; the force is across it."""
     if total.mass != 0 or not total.load[2].is_zero():
         return None
     c = collinear.center_beyond(push)
@@ -130,12 +131,12 @@ def _beyond(total: Resistance, push: Push) -> Stuck | None:
 
 
 def rotation(total: Resistance, t: Vector, scale: arb) -> arb:
-    """Rotation that leaves no torque, per scale, of a contact motion exact or a ball.
+    """Rotation without torque, per unit scale, for a contact motion that is exact or a ball.
 
     Raises
     ------
     Undecided
-        Where the friction of a foot leaves it open, or a load turns the slider against any friction.
+        If the friction of a foot does not determine it, or a load rotates the slider against any friction.
     """
     middle = _rotation(total, (t[0].mid(), t[1].mid()), scale.mid())
     return rotations(total, Motion(t, middle, scale))
@@ -156,11 +157,11 @@ def _rotation(total: Resistance, t: Vector, scale: arb) -> arb:
         if side * torque(side * high) > 0:
             return side * near_root(lambda s: side * torque(side * s), arb(0), high, width())
         high = 2 * high
-    raise Undecided("a load turns the slider against any friction")
+    raise Undecided("a load rotates the slider against any friction")
 
 
 def near_root(rising: Callable[[arb], arb], low: arb, high: arb, wide: arb) -> arb:
-    """A guess of the root of a rising function between places of opposite sign, by Illinois steps."""
+    """A guess of the root of an increasing function between places of opposite sign, by Illinois steps."""
     below, above, side = rising(low), rising(high), 0
     for step in range(STEPS):
         guess = (
@@ -181,7 +182,7 @@ def near_root(rising: Callable[[arb], arb], low: arb, high: arb, wide: arb) -> a
 
 
 def bounds(total: Resistance, motion: Motion) -> arb:
-    """Torque about the contact, with all that the feet next to the center of rotation may add."""
+    """Bounds of the torque about the contact, with any friction of the feet near the center of rotation."""
     now = response(total, motion)
     return now.torque + sum((_most(total, i) for i in now.feet), arb(0))
 
@@ -192,12 +193,12 @@ def _most(total: Resistance, i: int) -> arb:
 
 
 def rotations(total: Resistance, guess: Motion) -> arb:
-    """Bounds of the rotation over balls of contact motions, from a guess of them."""
+    """Bounds of the rotation over balls of contact motions, starting from a guess."""
     return rising_bounds(lambda spin: bounds(total, guess._replace(spin=spin)), guess.spin)
 
 
 def rising_bounds(rising: Callable[[arb], arb], guess: arb) -> arb:
-    """Bounds of the root of a rising function that is known as balls, from a guess of them."""
+    """Bounds of the root of an increasing function that is known as balls, starting from a guess."""
     step = (guess.rad() / 4 + abs(guess).upper() * arb(2) ** (8 - ctx.prec)).mid()
     below = _outward(lambda x: -rising(x), guess.lower(), -step)
     return below.union(_outward(rising, guess.upper(), step))
@@ -226,7 +227,7 @@ def _distance(place: Place) -> arb:
 
 
 def pivot(total: Resistance, t: Vector, scale: arb, i: int, spin: arb) -> Stuck | None:
-    """The rotation about a foot across the motion t of the contact; None where the foot slides."""
+    """The rotation about a foot across the motion t of the contact; None if the foot slides."""
     (x, y), share = total.foot(i), total.weight * total.support.points[i].share
     reach, rest = _distance((x, y)), response(total, Motion(t, spin, scale), i)
     part = -rest.torque / reach

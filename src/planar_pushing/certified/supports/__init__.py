@@ -1,1 +1,1 @@
-"""Any support pressure in ball arithmetic (`paper/manual/theory/any_support.md`)."""
+"""Any pressure of a support in ball arithmetic (`paper/manual/theory/any_support.md`)."""

@@ -1,1 +1,1 @@
-"""The commands that draw a scene, a motion, or a page in the browser."""
+"""The commands that draw a scene, animate a motion, or open a page in the browser."""

@@ -12,28 +12,28 @@ from planar_pushing.terms.errors import InvalidFile
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
-    about = "Turn the log of a simulation into an animated picture."
+    about = "Turn the log of a simulation into an animation."
     sub = command(commands, "animate", animated, about, "log.nc -o motion.gif --frames 50")
-    sub.add_argument("log", type=Path, metavar="LOG.nc", help="log that simulate wrote")
-    add_output(sub, "MOTION.gif", "picture to write; its name ends in .gif")
+    sub.add_argument("log", type=Path, metavar="LOG.nc", help="log written by simulate")
+    add_output(sub, "MOTION.gif", "output picture; its name ends in .gif")
     sub.add_argument(
         "--frames", type=int, default=75, metavar="NUMBER",
-        help="pictures, at even intervals of time, a whole number from 2 to 1000 (default: 75)",
+        help="number of frames, evenly spaced in time, a whole number from 2 to 1000 (default: 75)",
     )  # fmt: skip
     sub.add_argument(
         "--frames-per-second", type=float, default=25.0, metavar="NUMBER",
-        help="pictures shown in a second, a number in (0, 50] (default: 25)",
+        help="frames per second, a number in (0, 50] (default: 25)",
     )  # fmt: skip
 
 
 def animated(args: argparse.Namespace) -> dict[str, Any]:
-    """Draw the frames of the log into one file."""
+    """Draw the log as an animation in one file."""
     from planar_pushing.figures.animate import animate
     from planar_pushing.figures.timeline import plotted
     from planar_pushing.study.store import read_dataset
 
     if not args.log.exists():
-        raise InvalidFile(f"{args.log}: no such file; give the log that simulate wrote")
+        raise InvalidFile(f"{args.log}: no such file; give a log written by simulate")
     log = read_dataset(args.log)
     try:
         plotted(log)

@@ -21,25 +21,26 @@ if TYPE_CHECKING:
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
-    about = "Draw a pushing problem and one of its solutions, the one that sticks if there is one."
+    about = "Draw a pushing problem and one of its solutions, the sticking one if it exists."
     sub = command(commands, "draw", drawn, about, "scene.yaml --pusher-angle 170 -o scene.svg")
     add_scene(sub)
     add_push(sub, ranges=False)
     sub.add_argument(
         "--force-angle", type=float, metavar="DEGREES",
-        help="instead of --pusher-angle: direction of the force, whose motion the fence then follows; "
-        "degrees counter-clockwise from the fence, within the friction cone; for scenes with one effect",
+        help="direction of the contact force, instead of --pusher-angle; the fence then follows the "
+        "resulting motion; degrees counterclockwise from the fence, within the friction cone; for scenes "
+        "with one effect",
     )  # fmt: skip
     sub.add_argument(
         "--limit-curve", action="store_true",
-        help="show the limit curve around the contact too, heavier where the slider pivots; "
+        help="also show the limit curve around the contact, with a thicker line where the slider pivots; "
         "for scenes with one effect",
     )  # fmt: skip
-    add_output(sub, "FILE.svg|pdf|png", "picture to write; its name ends in .svg, .pdf or .png")
+    add_output(sub, "FILE.svg|pdf|png", "output picture; its name ends in .svg, .pdf or .png")
 
 
 def drawn(args: argparse.Namespace) -> dict[str, Any]:
-    """Draw the scene under the push given, or that of its file, or straight ahead."""
+    """Draw the scene under the given push, the push of its file, or a push straight ahead."""
     from math import radians
 
     from planar_pushing.figures.draw import SCENE, draw_on
@@ -63,7 +64,7 @@ def drawn(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def _finger(file: SceneFile, scene: Scene) -> dict[str, Any]:
-    """The side that a finger pushes, and its radius; nothing of a fence."""
+    """Side that a finger pushes and the finger's radius; empty for a fence."""
     from planar_pushing.terms.options import Shape
 
     section = file.simulate
@@ -84,22 +85,22 @@ def _push(args: argparse.Namespace, file: SceneFile, scene: Scene) -> tuple[floa
         angle = pusher_angle(scene, push)
     elif angle is None:
         angle = own.angle if own else 90.0
-    # The file gives a velocity; a scene with inertia is pushed from rest, by an acceleration.
+    # The file gives a velocity, but a scene with inertia is pushed from rest by an acceleration.
     speed = own.speed if own and own.speed and not scene.stores_energy else 1.0
     magnitude = args.pusher_magnitude or speed
     return float(angle), float(magnitude)
 
 
 def _require_force(scene: Scene, angle: float) -> None:
-    """Refuse a force that no push of the fence has for its solution."""
+    """Reject a force that is not a solution for any push."""
     from math import radians
 
     from planar_pushing.mechanics.cones import friction_cone, is_magnitude_open
 
     if is_magnitude_open(scene):
         raise InvalidValue(
-            "force_angle", angle, "a scene with one effect: with friction and inertia the force depends "
-            "on the fence's magnitude too", "give --pusher-angle and --pusher-magnitude",
+            "force_angle", angle, "a scene with one effect: with friction and inertia the force also "
+            "depends on the magnitude of the push", "give --pusher-angle and --pusher-magnitude",
         )  # fmt: skip
     cone = friction_cone(scene)
     if radians(angle) not in cone:

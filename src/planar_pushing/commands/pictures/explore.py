@@ -11,7 +11,7 @@ from planar_pushing.commands.words.arguments import Commands, command
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
-    about = "Open a scene in the browser, where the mouse moves push, rod, support and force."
+    about = "Open a scene in the browser, where you drag the push, rod, support and force."
     sub = command(commands, "explore", explored, about, "scene.yaml")
     sub.add_argument(
         "scene", type=Path, nargs="?", metavar="SCENE.yaml",
@@ -19,10 +19,10 @@ def add(commands: Commands) -> None:
     )  # fmt: skip
     sub.add_argument(
         "--port", type=int, default=0, metavar="NUMBER",
-        help="port of 127.0.0.1 that serves the page, a whole number to 65535 (default: a free port)",
+        help="port of 127.0.0.1 that serves the page, a whole number up to 65535 (default: a free port)",
     )  # fmt: skip
     sub.add_argument(
-        "--no-browser", action="store_true", help="print the address, and open no browser"
+        "--no-browser", action="store_true", help="print the address without opening a browser"
     )
 
 
@@ -37,6 +37,6 @@ def explored(args: argparse.Namespace) -> dict[str, Any]:
     from planar_pushing.explore.server import Explorer
 
     explorer = Explorer(file, args.port)
-    print(f"{explorer.url} shows the explorer; the button Close, or Ctrl-C, ends it", flush=True)
+    print(f"{explorer.url} shows the explorer; press its Close button or Ctrl-C to end", flush=True)
     explorer.run(not args.no_browser)
     return {"closed": explorer.url}

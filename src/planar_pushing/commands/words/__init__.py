@@ -1,1 +1,1 @@
-"""Arguments and printed text, which the commands share."""
+"""Arguments and printed text that the commands share."""

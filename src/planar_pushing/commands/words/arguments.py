@@ -11,22 +11,22 @@ from typing import Any, NoReturn
 
 from planar_pushing.terms.errors import require_number, require_positive
 
-#: What `add_subparsers` returns, for which argparse has no public name.
+#: Return type of `add_subparsers`, for which argparse has no public name.
 Commands = Any
-#: What a command does with its arguments: it returns what is printed.
+#: Function that runs a command with its arguments and returns the values to print.
 Action = Callable[[argparse.Namespace], dict[str, Any]]
 
 DIRECTION = (
-    "degrees counter-clockwise from the fence, any finite number; 90 is ahead, into the slider"
+    "degrees counterclockwise from the fence, any finite number; 90 is straight into the slider"
 )
 
 
 class Parser(argparse.ArgumentParser):
-    """A parser that says in one line what is wrong with the arguments."""
+    """A parser that reports an error in the arguments in one line."""
 
     def __init__(self, *args: Any, **options: Any) -> None:
         super().__init__(*args, **options)
-        # Words that begin like a negative number are values: of a range, -90:90:5.
+        # Words that begin like a negative number are values, such as the range -90:90:5.
         self._negative_number_matcher = re.compile(r"-\.?\d")
         self.register("type", float, _number)
         self.register("type", int, _whole_number)
@@ -49,12 +49,12 @@ def _whole_number(text: str) -> int:
         raise argparse.ArgumentTypeError(f"{text!r} given; allowed: a whole number") from None
 
 
-#: Most angles of a range: a minute of work.
+#: Maximum number of angles in a range: a minute of work.
 MOST_ANGLES = 100_000
 
 
 def angles(text: str) -> float | tuple[float, ...]:
-    """An angle, or the angles of START:STOP:STEP, STOP included where the steps meet it."""
+    """Parse an angle, or the angles of START:STOP:STEP, which include STOP if the steps reach it."""
     try:
         given = tuple(map(float, text.split(":")))
         if len(given) == 1:
@@ -65,7 +65,7 @@ def angles(text: str) -> float | tuple[float, ...]:
             raise ValueError
     except (ValueError, OverflowError, ZeroDivisionError):
         raise argparse.ArgumentTypeError(
-            f"{text!r} given; allowed: a number, or START:STOP:STEP with a step towards STOP and at most "
+            f"{text!r} given; allowed: a number, or START:STOP:STEP with a step toward STOP and at most "
             f"{MOST_ANGLES} angles"
         ) from None
     return tuple(start + i * step for i in range(count))
@@ -74,7 +74,7 @@ def angles(text: str) -> float | tuple[float, ...]:
 def command(
     commands: Commands, name: str, action: Action, about: str, example: str = ""
 ) -> argparse.ArgumentParser:
-    """Add a command, whose results are printed as text or as JSON, with an example of its use."""
+    """Add a command with an example; its results are printed as text or as JSON."""
     sub: argparse.ArgumentParser = commands.add_parser(
         name, help=about, description=about, allow_abbrev=False,
         epilog=f"example: planar-pushing {name} {example}".rstrip(),
@@ -87,34 +87,34 @@ def command(
 
 def add_scene(sub: argparse.ArgumentParser) -> None:
     """Add the path of a scene file."""
-    about = "scene file: the slider, the contact's law and what resists the motion"
+    about = "scene file: the slider, the contact law and the effects that resist its motion"
     sub.add_argument("scene", type=Path, metavar="SCENE.yaml", help=about)
 
 
 def add_output(sub: argparse.ArgumentParser, example: str, about: str) -> None:
-    """Add the path of the file that is written."""
+    """Add the path of the output file."""
     sub.add_argument("-o", "--output", type=Path, required=True, metavar=example, help=about)
 
 
 def add_push(sub: argparse.ArgumentParser, ranges: bool) -> None:
-    """Add the pusher's motion; its angle may be a range."""
+    """Add the pusher's motion, whose angle can be a range."""
     metavar = "DEGREES|START:STOP:STEP" if ranges else "DEGREES"
     default = "that of the scene file" if ranges else "that of the scene file, or 90"
-    size = "1, or with the file's angle that of the file" if ranges else "that of the file, or 1"
+    size = "that of the file if its angle is used, or 1" if ranges else "that of the file, or 1"
     sub.add_argument(
         "--pusher-angle", type=angles if ranges else float, metavar=metavar,
         help=f"direction of the fence's motion, {DIRECTION} (default: {default})"
-        + ("; of a range, with STOP, a table is printed" if ranges else ""),
+        + ("; a range, which includes STOP, prints a table" if ranges else ""),
     )  # fmt: skip
     sub.add_argument(
         "--pusher-magnitude", type=float, metavar="NUMBER",
-        help="magnitude of the fence's velocity, or with inertia of its acceleration from rest, in the "
-        f"scene's units, a finite number > 0 (default: {size})",
+        help="magnitude of the fence's velocity, or with inertia of its acceleration from rest; a finite "
+        f"number > 0 in the scene's units (default: {size})",
     )  # fmt: skip
 
 
 def check_push(args: argparse.Namespace) -> None:
-    """Refuse angles and magnitudes that the fence cannot have."""
+    """Reject angles and magnitudes that the fence cannot have."""
     for name in ("pusher_angle", "force_angle"):
         given = getattr(args, name, None)
         if given is not None and not isinstance(given, tuple):
@@ -122,4 +122,4 @@ def check_push(args: argparse.Namespace) -> None:
             require_number(name, given, math.isfinite, allowed, "give one angle")
     magnitude = getattr(args, "pusher_magnitude", None)
     if magnitude is not None:
-        require_positive("pusher_magnitude", magnitude, "turn the pusher around by its angle")
+        require_positive("pusher_magnitude", magnitude, "use the angle to reverse the pusher")

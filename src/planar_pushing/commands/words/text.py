@@ -1,4 +1,4 @@
-"""Results of commands as readable lines."""
+"""Text output of command results."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from collections.abc import Iterable
 from math import isfinite
 from typing import Any
 
-#: Parts of a vector below this, relative to the largest, are rounding errors.
+#: Components of a vector below this, relative to the largest, are rounding errors.
 ROUNDING = 1e-12
 
 
 def numbers(values: Iterable[Any]) -> list[float]:
-    """Plain numbers of a vector, without negative zeros."""
+    """Components of a vector as plain numbers, without negative zeros."""
     return [float(value) + 0.0 for value in values]
 
 
@@ -31,7 +31,7 @@ def text(value: Any, indent: int = 0) -> str:
 
 
 def _word(value: Any, least: float) -> str:
-    """Twelve digits of a number; a part of a vector that is a rounding error beside the others is 0."""
+    """Twelve digits of a number; 0 for a vector component that is only rounding error."""
     if value is None:
         return "none"
     return (

@@ -1,4 +1,4 @@
-"""The ledger file: an entry for each statement, its checks beneath it, and clear errors."""
+"""The ledger file: an entry for each statement, with its checks, and clear errors."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from planar_pushing.study.files.scenes import load_model
 from planar_pushing.terms.errors import InvalidFile, suggestion
 
 _KEBAB = frozenset("abcdefghijklmnopqrstuvwxyz0123456789-")
-#: Words that stand for the value of an argument.
+#: Words that an argument accepts as its value.
 _WORDS = {"effects": tuple(map(str, Effects)), "law": tuple(generic.LAWS)}
-#: Kinds of a check, with the names that each takes, and relations of a number to the claimed one.
+#: Kinds of a check, with the names that each accepts, and relations of a number to the claimed one.
 _OPTIONS: dict[str, dict[str, Any]] = {
     "check": CHECKS, "number": QUANTITIES, "modes": generic.MODES
 }  # fmt: skip
@@ -53,8 +53,8 @@ Values = dict[str, Annotated[Any, BeforeValidator(_value)]]
 class CheckEntry(FileModel):
     """A check of a statement: one by name, a number, or the modes of a push.
 
-    The arguments of a check are the numbers `claimed`, those of a number or a push are its place `at`. A
-    number is near (`within` an accuracy), equal to, above or below the claimed one.
+    The arguments of a check are the numbers in `claimed`; those of a number or a push are given in
+    `at`. A number is near (`within` an accuracy), equal to, above or below the claimed one.
     """
 
     name: Kebab | None = None
@@ -72,7 +72,7 @@ class CheckEntry(FileModel):
 
     @property
     def title(self) -> str:
-        """The name of the check, its own or that of its kind."""
+        """The name of the check, or else that of its kind."""
         return self.name or self.check or self.number or "modes"
 
     @property
@@ -95,7 +95,7 @@ class CheckEntry(FileModel):
 
 
 class Claim(FileModel):
-    """A statement, its checks, and the verdict that is expected."""
+    """A statement, its checks, and the expected verdict."""
 
     id: Kebab
     section: Literal["1", "2", "3", "3.1", "3.2", "4", "5"]
@@ -146,7 +146,7 @@ def _problems(ledger: Ledger) -> Iterator[str]:
 
 def _twice(name: str, seen: set[str], where: str) -> Iterator[str]:
     if name in seen:
-        yield f"{where}: {name!r} given twice; allowed: a name of its own; rename it"
+        yield f"{where}: {name!r} given twice; allowed: a unique name; rename it"
     seen.add(name)
 
 
@@ -175,13 +175,13 @@ def _of_check(entry: CheckEntry, where: str) -> Iterator[str]:
 
 
 def _of_kind(entry: CheckEntry, kind: str, where: str) -> Iterator[str]:
-    """Problems of the names of a check, a number or modes, and of the arguments."""
+    """Problems with the names of a check, a number or modes, and with the arguments."""
     given, options = getattr(entry, kind), _OPTIONS[kind]
     unknown = [
         name for name in ([given] if isinstance(given, str) else given) if name not in options
     ]
     for name in unknown:
-        remedy = suggestion(name, options, "name one that there is")
+        remedy = suggestion(name, options, "give an existing name")
         yield f"{where}.{kind}: {name!r} given; allowed: the {kind} of the package; {remedy}"
     if not unknown:
         function = generic.modes if kind == "modes" else options[given].function

@@ -1,6 +1,6 @@
 """The checks and the numbers that the ledger can name.
 
-The body of a function's docstring is the argument that the report prints, the proof of a check.
+The body of a function's docstring is the argument that the report prints: for a check, its proof.
 """
 
 from __future__ import annotations
@@ -20,16 +20,16 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """A function that returns evidence, the verdict where it holds, and how it argues."""
+    """A function that returns evidence, the verdict if it holds, and its argument."""
 
     function: Callable[..., Evidence]
     kind: Verdict
     how: str
 
     def run(self, **given: Any) -> Evidence:
-        """Evidence at the working precision, its verdict no stronger than the kind.
+        """Evidence at the working precision, with a verdict no stronger than the kind of the check.
 
-        A sign that balls do not settle makes the claim undecided, a number that does not exist refutes it.
+        If balls do not decide a sign, the claim is undecided; a number that does not exist refutes it.
         """
         try:
             return precise(self.function)(**given).at_most(self.kind)
@@ -41,7 +41,7 @@ class Check:
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """A function that encloses a number, or several and the place of this one, its unit, and how."""
+    """A function that encloses one number or several, the index of this one, its unit, and the argument."""
 
     function: Callable[..., Any]
     place: int | None
@@ -60,12 +60,12 @@ QUANTITIES: dict[str, Quantity] = {}
 
 
 def proof(function: Function) -> Function:
-    """Register a check that covers everything of which its statement speaks."""
+    """Register a check that covers everything that its statement is about."""
     return _registered(function, Verdict.PROVED)
 
 
 def sample(function: Function) -> Function:
-    """Register a check at points of a grid or of a random sample."""
+    """Register a check at the points of a grid or of a random sample."""
     return _registered(function, Verdict.SAMPLED)
 
 
@@ -75,7 +75,7 @@ def _registered(function: Function, kind: Verdict) -> Function:
 
 
 def quantity(unit: str | None = None, **units: str) -> Callable[[Function], Function]:
-    """Register a number by its unit, or the several that a function returns, in order, by name."""
+    """Register a number by its unit, or several numbers of one function, in order, by name."""
 
     def register(function: Function) -> Function:
         name, how = function.__name__, _how(function)
@@ -94,6 +94,6 @@ def _how(function: Callable[..., Any]) -> str:
 
 
 def arguments(function: Callable[..., Any]) -> dict[str, bool]:
-    """Names of a function's arguments, and whether it needs them."""
+    """Names of a function's arguments, and whether each is required."""
     listed = inspect.signature(function).parameters.items()
     return {name: each.default is each.empty for name, each in listed}

@@ -55,19 +55,19 @@ def judge(claim: Claim) -> Judged:
     Raises
     ------
     InvalidFile
-        Where a check is not defined for the numbers that it is given, as for a rod of infinite length.
+        If a check is not defined for the given numbers, for example a rod of infinite length.
     """
     return Judged(claim=claim, checks=tuple(judge_check(claim.id, each) for each in claim.checks))
 
 
 def judge_check(claim: str, entry: CheckEntry) -> Found:
-    """Run one check of the claim with this id; errors as in `judge`."""
+    """Run one check of the claim with this id; raises the errors of `judge`."""
     try:
         evidence = entry.resolved().run()
     except (ArithmeticError, ValueError) as error:
         raise InvalidFile(
-            f"{claim}.{entry.title}: {entry.claimed or entry.at} given; allowed: numbers for which it is "
-            f"defined ({error}); change them"
+            f"{claim}.{entry.title}: {entry.claimed or entry.at} given; allowed: numbers for which the "
+            f"check is defined ({error}); change them"
         ) from None
     return Found(entry=entry, evidence=evidence)
 
@@ -87,7 +87,7 @@ def json_text(judged: Iterable[Judged]) -> str:
 
 
 def csv_text(judged: Iterable[Judged]) -> str:
-    """The table as CSV, one line for each check, and for a claim that has none."""
+    """The table as CSV, with one line for each check and for each claim without checks."""
     rows = []
     for each in judged:
         listed = {key: _plain(value) for key, value in _claim(each).items()}
@@ -100,9 +100,9 @@ def csv_text(judged: Iterable[Judged]) -> str:
 
 
 def complaint(judged: Iterable[Judged]) -> str:
-    """Differences from the ledger's expectations; empty where there are none."""
+    """Differences from the ledger's expectations; empty if there are none."""
     wrong = [each for each in judged if each.verdict is not each.claim.expected]
-    head = [f"{len(wrong)} claims have another verdict than the ledger expects"] if wrong else []
+    head = [f"claims whose verdict is not the expected one: {len(wrong)}"] if wrong else []
     return "\n".join(head + [_difference(each) for each in wrong])
 
 
@@ -141,7 +141,7 @@ def _check(found: Found) -> Row:
 
 @precise
 def digits(ball: arb | None) -> tuple[str | None, float | None]:
-    """Correct digits of an enclosure, at most `DIGITS`, and a radius about them that holds it."""
+    """Correct digits of an enclosure, at most `DIGITS`, and a radius about them that contains it."""
     if ball is None or not ball.is_finite():
         return None, None
     text = ball.str(DIGITS, radius=False)
@@ -155,7 +155,7 @@ def digits(ball: arb | None) -> tuple[str | None, float | None]:
 
 @precise
 def below(ball: arb) -> float | None:
-    """Double below every number of the ball."""
+    """A double below every number of the ball."""
     return _rounded(ball.lower(), -math.inf) if ball.is_finite() else None
 
 
@@ -167,7 +167,7 @@ def _rounded(exact: arb, towards: float) -> float:
 
 
 def _plain(value: Any) -> Any:
-    """A value as a cell: a list of numbers as text, and no infinite number."""
+    """A value as a cell: a list of numbers becomes text, and an infinite number is left out."""
     if isinstance(value, tuple):
         return " ".join(map(str, value))
     return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -1,7 +1,7 @@
-"""Verdicts, the evidence for them, and how evidence follows from balls.
+"""Verdicts, the evidence for them, and the derivation of evidence from balls.
 
-A margin is the distance of an enclosure from the boundary of the claim, in the unit of the claim,
-positive where it supports the claim. A claim whose margin contains zero is undecided, never guessed.
+A margin is the distance of an enclosure from the boundary of the claim, in the unit of the claim, and
+positive if it supports the claim. A claim whose margin contains zero is undecided, never guessed.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ class Fails(ArithmeticError):
 
 
 class Verdict(StrEnum):
-    """Verdict on a claim, from the strongest to the weakest; of several the weakest decides."""
+    """Verdict on a claim, from the strongest to the weakest; the weakest of several decides."""
 
     PROVED = "proved"
     ENCLOSED = "enclosed"
@@ -41,7 +41,7 @@ def weakest(verdicts: Iterable[Verdict]) -> Verdict:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Evidence:
-    """Verdict and the numbers that it rests on.
+    """Verdict and the numbers that support it.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ class Evidence:
     claimed : float, optional
         The number that the claim gives for it.
     margin : arb, optional
-        Distance from the boundary of the claim, in `unit`, > 0 where it supports the claim.
+        Distance from the boundary of the claim, in `unit`, > 0 if it supports the claim.
     points : int, optional
         Points, boxes or identities that were evaluated.
     reason : str, optional
@@ -97,7 +97,7 @@ def inequality(
 
 
 def near(value: arb, claimed: float, within: float, unit: str = "1") -> Evidence:
-    """Evidence for a number to within the accuracy that it is given with."""
+    """Evidence for a number, to within the accuracy with which it is stated."""
     margin = arb(rational(within)) - abs(value - rational(claimed))
     return inequality(margin, value=value, unit=unit, claimed=claimed)
 
@@ -132,25 +132,25 @@ def identity(differences: Mapping[str, Identity]) -> Evidence:
 
 
 def facts(found: Mapping[str, bool], **numbers: Any) -> Evidence:
-    """Evidence for decided facts; each is named."""
+    """Evidence for decided facts, by name."""
     wrong = [name for name, holds in found.items() if not holds]
     return Evidence(
         verdict=Verdict.REFUTED if wrong else Verdict.PROVED,
         points=len(found),
-        reason=f"not so: {', '.join(wrong)}" if wrong else None,
+        reason=f"false: {', '.join(wrong)}" if wrong else None,
         **numbers,
     )
 
 
 def at_points(wrong: Sequence[str], points: int) -> Evidence:
-    """Evidence for a statement at each of some points; `wrong` names those where it fails."""
+    """Evidence for a statement at each of some points; `wrong` names the points where it fails."""
     verdict = Verdict.REFUTED if wrong else Verdict.SAMPLED
     reason = f"fails at {len(wrong)} points, first {wrong[0]}" if wrong else None
     return Evidence(verdict=verdict, points=points, reason=reason)
 
 
 def together(main: Evidence, *others: Evidence) -> Evidence:
-    """Evidence for several statements at once: the numbers of the first, the weakest verdict."""
+    """Evidence for several statements together: the numbers of the first, the weakest verdict."""
     every = (main, *others)
     verdict = weakest(each.verdict for each in every)
     points = sum(each.points or 0 for each in every)

@@ -1,7 +1,7 @@
-"""Only the effects that a scene calls for: in machine code, in the logs of motion over time, and in time.
+"""Cost of the effects that a scene lists: in machine code, in the logs of motion over time, and in time.
 
-The compiler makes machine code for each list of effects. Numba names the functions in it, and a log counts
-the evaluations of each effect that its scene lists.
+The compiler generates machine code for each list of effects. Numba names the functions in this code,
+and a log counts the evaluations of each effect that its scene lists.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from planar_pushing.terms.errors import PlanarPushingError
 from planar_pushing.terms.options import EFFECT_CLASSES, STUDIED, EffectKind, Method
 from planar_pushing.terms.quantities import EVALUATIONS
 
-#: Modules and packages that hold the formulas of each effect.
+#: Modules and packages that contain the formulas of each effect.
 FORMULAS = {
     EffectKind.SUPPORT_FRICTION: (
         "planar_pushing.mechanics.effects.ring",
@@ -45,17 +45,17 @@ FORMULAS = {
     ),
     EffectKind.INERTIA: ("planar_pushing.mechanics.effects.inertia",),
 }
-#: A push, and how long and in how many steps it is followed.
+#: A push, and the duration and the number of steps of its simulation.
 FRICTION_COEFFICIENT, PUSHER_ANGLE = 2.0, np.deg2rad(-10.0)
 DURATION, STEPS = 1.0, 100
 FORCE_ANGLES = np.deg2rad(np.arange(361.0))
-#: Of a scene, what is timed: the cone, a curve of 361 points, and every mode of one push.
+#: Timed operations on a scene: the cone, a curve of 361 points, and every mode of one push.
 OPERATIONS: dict[str, Callable[[Scene], object]] = {
     "motion_cone": motion_cone,
     "limit_curve": lambda scene: limit_curve(scene, FORCE_ANGLES),
     "solve": lambda scene: solve(scene, PUSHER_ANGLE),
 }
-#: Datasets of a study that are timed.
+#: Timed datasets of a study.
 TIMED = ("limit_curves", "motion_cones", "contact_modes")
 REPEATS = 7
 
@@ -70,13 +70,13 @@ def one_slider(study: StudyFile, effects: Any) -> Scene:
 
 
 def followed(scene: Scene, method: Method) -> xr.Dataset:
-    """Log of a scene that the fence moves, from rest."""
+    """Log of a scene that the fence moves from rest."""
     step = DURATION / STEPS if method is Method.TIME_STEPPING else None
     fence = Pusher(velocity=tuple(direction(PUSHER_ANGLE)))
     return simulate(scene, pusher=fence, duration=DURATION, method=method, step=step)
 
 
-#: By the names that the library gives to what it compiles.
+#: Compiled operations, by the names that the library gives them.
 COMPILED: dict[str, Callable[[Scene], object]] = {
     "solve": OPERATIONS["solve"],
     "motion_cone": motion_cone,
@@ -92,17 +92,17 @@ def evaluations(study: StudyFile) -> xr.Dataset:
     -------
     xarray.Dataset
         Over `effects`, the sets of effects that the study lists, and `effect`: `functions`, the number of
-        the effect's functions in the machine code of each `operation`, and `evaluations`, how often the
-        motion under the effect is evaluated in the log of each `integrator`; 0 where the log has no such
+        the effect's functions in the machine code of each `operation`, and `evaluations`, the number of
+        evaluations of the motion under the effect in the log of each `integrator`; 0 if the log has no such
         effect.
 
     Raises
     ------
     PlanarPushingError
-        Where nothing is compiled.
+        If nothing is compiled.
     """
     if numba.config.DISABLE_JIT:
-        raise PlanarPushingError("there is no machine code to look at; unset NUMBA_DISABLE_JIT")
+        raise PlanarPushingError("there is no machine code to inspect; unset NUMBA_DISABLE_JIT")
     scenes = [one_slider(study, effects) for effects in study.grid.effects]
     counted = [[functions(each, scene) for scene in scenes] for each in COMPILED]
     logged = [[_logged(followed(scene, method)) for scene in scenes] for method in Method]
@@ -128,7 +128,7 @@ def evaluations(study: StudyFile) -> xr.Dataset:
 
 
 def functions(operation: str, scene: Scene) -> list[int]:
-    """Number of the functions of each effect in the machine code of an operation on a scene."""
+    """Number of functions of each effect in the machine code of an operation on a scene."""
     COMPILED[operation](scene)
     (kernel,) = (resolve_name(path) for path, (name, _) in SLOW.items() if name == operation)
     wanted = _is_system_of if operation.startswith("simulate") else _are_kinds_of
@@ -141,9 +141,10 @@ def functions(operation: str, scene: Scene) -> list[int]:
 
 
 def linked(kernel: Any, signature: Any) -> set[str]:
-    """Names of the functions in the machine code of a kernel, mangled, without their types.
+    """Mangled names of the functions in the machine code of a kernel, without their types.
 
-    Numba keeps the names with code that it has read from its cache, and prints code that it has just made.
+    Numba keeps the names in code that it has read from its cache, and prints code that it has just
+    compiled.
     """
     kept = kernel.overloads[signature].referenced_envs
     text = " ".join(each.env_name for each in kept) if kept else kernel.inspect_llvm(signature)
@@ -155,12 +156,12 @@ def _mangled(module: str) -> str:
 
 
 def _are_kinds_of(scene: Scene, argument: Any) -> bool:
-    """Whether the first argument of a kernel of the mechanics is of a scene's kinds of effects."""
+    """Whether the first argument of a kernel of the mechanics matches the kinds of a scene's effects."""
     return bool(argument == numba.typeof(scene.kinds))
 
 
 def _is_system_of(scene: Scene, argument: Any) -> bool:
-    """Whether the first argument of a kernel of the simulations is of a scene's kind of system."""
+    """Whether the first argument of a kernel of the simulations matches the kind of a scene's system."""
     kinds = numba.typeof(kinds_of(scene)).types
     return argument.instance_class is KINDS[scene.stores_energy] and argument.types[:4] == kinds
 
@@ -172,10 +173,10 @@ def _logged(log: xr.Dataset) -> list[int]:
 
 
 def cases(study: StudyFile) -> Iterator[tuple[str, str, str, Callable[[], object]]]:
-    """Scene, operation, effects and call of everything that is timed.
+    """Scene, operation, effects and call of each timed case.
 
-    These are each operation on one slider with each set of effects and on the study's scenes, and, as scene
-    "grid", datasets with one rod angle and every tenth coefficient of friction and pusher angle.
+    These are each operation on one slider with each set of effects and on the study's scenes, and, as
+    scene "grid", datasets with one rod angle and every tenth coefficient of friction and pusher angle.
     """
     few: dict[str, Sequence[object]] = {"rod_angle": (study.slider.rod_angle,)}
     for axis in ("contact_friction_coefficient", "pusher_angle"):

@@ -1,4 +1,4 @@
-"""Edges of motion cones: ours, and by other inverses of the moment arm, Eqs. (7) and (10)-(12)."""
+"""Edges of motion cones, by our inverse of the moment arm, Eqs. (7) and (10)-(12), and by others."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.mechanics.wrench import ring_profile
 
-#: Cones whose edges are computed: every rod length with every coefficient of friction. With the last four
-#: lengths the edges' lines of force almost touch the ring.
+#: Cones whose edges are computed: every rod length with every coefficient of friction. For the last four
+#: lengths the edges' lines of force are almost tangent to the ring.
 NEAR_TANGENT = np.sqrt(2) * (1 + np.array([-1e-3, -1e-6, 1e-6, 1e-3]))
 ROD_LENGTHS = np.append(np.geomspace(0.2, 10, 14), NEAR_TANGENT)
 FRICTION_COEFFICIENTS = np.array([0.5, 2.0, np.inf])
@@ -39,14 +39,14 @@ def edges() -> tuple[Array, Array]:
 
 
 def ours(length: Array, angle: Array, setting: float) -> Ratios:
-    """Motion angles of the mechanics, whose inverse evaluates the ring's wrench once."""
+    """Motion angles from the mechanics, whose inverse evaluates the ring's wrench once."""
     slider = Slider(rod_length=length, rod_angle=ROD_ANGLE)
     scene = Scene(slider=slider, contact=InfiniteFriction(), effects=(RingFriction(),))
     return motion_angle(scene, angle), np.ones(angle.shape, dtype=int)
 
 
 def through(inverse: Inverse) -> Callable[[Array, Array, float], Ratios]:
-    """Motion angles by an inverse, from Eqs. (10)-(12) as the paper has them."""
+    """Motion angles from an inverse, by Eqs. (10)-(12) as in the paper."""
 
     def run(length: Array, angle: Array, setting: float) -> Ratios:
         lean, arm = ROD_ANGLE - angle, _arms(length, angle)
@@ -58,7 +58,7 @@ def through(inverse: Inverse) -> Callable[[Array, Array, float], Ratios]:
 
 
 def _arms(length: Array, angle: Array) -> Array:
-    """Moment arms, Eq. (10); next to a tangent to the ring the rounding error of the subtraction counts."""
+    """Moment arms, Eq. (10); near a tangent to the ring the rounding error of the subtraction matters."""
     lean = ROD_ANGLE - angle
     back = lean - ROD_ANGLE
     rounding = (ROD_ANGLE - (lean - back)) - (angle + back)
@@ -68,7 +68,7 @@ def _arms(length: Array, angle: Array) -> Array:
 
 
 def bracketed(arm: Array, tolerance: float) -> Ratios:
-    """`brentq` on adaptive quadrature, one arm after the other; evaluations of the integrand."""
+    """`brentq` with adaptive quadrature, one arm at a time; evaluations of the integrand."""
     found = [_bracketed(float(each), tolerance) for each in arm]
     return np.array([k for k, _ in found]), np.array([count for _, count in found])
 
@@ -82,7 +82,7 @@ def _bracketed(arm: float, tolerance: float) -> tuple[float, int]:
         evaluations += int(count[0])
         return float(torque[0] - arm * force[0])
 
-    # H(k) lies between k / 2 and 2 k; a coarse quadrature may move the ends of that.
+    # H(k) lies between k / 2 and 2 k; a coarse quadrature can shift these bounds.
     limits = {"xtol": 1e-300, "rtol": max(tolerance, 4 * EPS)}
     return float(brentq(excess, arm / 2.2, arm * 2.2, **limits)), evaluations
 
@@ -121,5 +121,5 @@ def linear(arms: Array, ratios: Array) -> Callable[[Array], Array]:
 
 
 def explicit(spin_ratio: Callable[[Array], Array]) -> Inverse:
-    """Spin ratios by the formula of a model; nothing is evaluated."""
+    """Spin ratios by the explicit formula of a model; nothing is evaluated."""
     return lambda arm, setting: (spin_ratio(arm), np.zeros(arm.shape, dtype=int))

@@ -1,4 +1,4 @@
-"""The table of methods that work-precision diagrams compare: friction wrench, and edges of motion cones."""
+"""The methods that work-precision diagrams compare: friction wrench, and edges of motion cones."""
 
 from __future__ import annotations
 
@@ -24,18 +24,18 @@ from planar_pushing.evidence.costs.quadrature import Wrenches
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.wrench import ring_profile
 
-#: Maps arguments of shape (n,) and, last, a setting to results and, last, to counts of evaluations.
+#: Maps arguments of shape (n,), followed by a setting, to results, followed by counts of evaluations.
 Run = Callable[..., tuple[Array, ...]]
 Profile = Callable[[Array], tuple[Array, Array]]
 NOTHING, INTEGRAND, WRENCH = "nothing", "integrand", "wrench"
-#: Setting of a formula, tolerances, points of rules, and entries of tables.
+#: Setting of a formula, tolerances, numbers of points of rules, and numbers of entries of tables.
 CLOSED = (0.0,)
 TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13)
 ROOTS = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14)
 POINTS, NODES = tuple(2.0 ** np.arange(2, 17)), tuple(2.0 ** np.arange(2, 10))
 ENTRIES = tuple(2.0 ** np.arange(4, 17, 2))
-#: Elements of a timed call of a method that costs nanoseconds each, alone and as edges of all cones; and
-#: elements times points for which a rule's integrand fits a cache.
+#: Number of elements in a timed call of a method that takes nanoseconds for each, alone and in units of the
+#: edges of all cones; and number of elements times points for which a rule's integrand fits into a cache.
 BATCH, IN_CACHE = 4096, 2**15
 COPIES = BATCH // edges()[0].size
 TINY = np.finfo(float).tiny
@@ -50,13 +50,14 @@ class Method(NamedTuple):
     settings : tuple of float
         Numbers of points or of entries, or tolerances, from coarse to fine; a single 0 for a formula.
     run : callable
-        For the wrench force and torque at spin ratios k >= 0, for a cone the motion angle, radians, from
-        rod length and force angle; last, the evaluations of each. All arguments but the setting and all
-        results are of shape (n,).
+        For the wrench, force and torque at spin ratios k >= 0; for a cone, the motion angle in radians from
+        rod length and force angle; in both cases followed by the evaluations of each. All arguments except
+        the setting and all results have shape (n,).
     counted : str
-        What is evaluated: "nothing", "integrand", or "wrench" for the wrench in closed form.
+        The function evaluated: "nothing", "integrand", or "wrench" for the wrench in closed form.
     batch : int
-        Results of a timed call, for a rule times its number of points; for cones, in units of all edges.
+        Number of results of a timed call; for a rule, times its number of points; for cones, in units of
+        all edges.
     """
 
     name: str
@@ -67,12 +68,12 @@ class Method(NamedTuple):
 
 
 def _formula(profile: Profile) -> Run:
-    """A wrench for any k >= 0 by a formula."""
+    """A wrench for any k >= 0 from a formula."""
     return lambda k, setting: (*profile(k), np.zeros(k.shape, dtype=int))
 
 
 def _dual(inner: Profile) -> Run:
-    """A wrench for any k >= 0 from a formula for k <= 1: force and torque change places."""
+    """A wrench for any k >= 0 from a formula for k <= 1: beyond, force and torque are exchanged."""
 
     def run(k: Array, setting: float) -> Wrenches:
         force, torque = inner(np.minimum(k, 1 / k))
@@ -109,7 +110,7 @@ def _quartic_ratio(arm: Array) -> Array:
     return models.fitted_quartic().spin_ratio(arm)
 
 
-#: By what they compute; our own first.
+#: Methods by the quantity that they compute; ours comes first.
 METHODS: dict[str, tuple[Method, ...]] = {
     "wrench": (
         Method("closed form", CLOSED, _formula(ring_profile), NOTHING, BATCH),

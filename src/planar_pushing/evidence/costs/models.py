@@ -1,8 +1,8 @@
-"""Two models of the limit surface that robotics uses in the ring's place: ellipsoid and convex quartic.
+"""Two models of the limit surface that robotics uses instead of the ring: ellipsoid and convex quartic.
 
 A model is a polynomial P of the wrench whose level set P = 1 approximates the limit surface; the motion
-is its gradient. Forces are in units of W, torques in units of W R. The ring is isotropic, so an even
-quartic has three coefficients, ``P = a |f|^4 + b |f|^2 t^2 + c t^4``.
+is its gradient. Forces are in units of W, torques in units of W R. The ring is isotropic, so that an
+even quartic has three coefficients, ``P = a |f|^4 + b |f|^2 t^2 + c t^4``.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ from planar_pushing.mechanics.effects import RingFriction
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.wrench import wrench
 
-#: Twists, uniform on the unit sphere of (v_x, v_y, R omega), that a fit or a mean runs over.
+#: Number of twists, uniform on the unit sphere of (v_x, v_y, R omega), in a fit or a mean.
 SAMPLES = 20000
 GOLDEN_ANGLE = np.pi * (3 - np.sqrt(5))
-#: Newton steps that settle the moment arm of a quartic, from one close to the ring's own.
+#: Newton steps that suffice for the moment arm of a quartic, starting close to that of the ring.
 STEPS = 8
 
 
@@ -33,7 +33,7 @@ class Quartic:
 
     @property
     def convex(self) -> bool:
-        """Whether the Hessian is nowhere negative."""
+        """Whether the Hessian is positive semidefinite everywhere."""
         return min(self.a, self.c) >= 0 and 0 <= self.b <= 6 * np.sqrt(self.a * self.c)
 
     def twist(self, wrench: Array) -> Array:
@@ -49,7 +49,7 @@ class Quartic:
         return arm * (self.b + 2 * self.c * square) / (2 * self.a + self.b * square)
 
     def profile(self, k: Array) -> tuple[Array, Array]:
-        """Force and torque on the model's surface whose gradient has the spin ratio k >= 0."""
+        """Force and torque on the model's surface at which the gradient has the spin ratio k >= 0."""
         arm, a, b, c = np.where(k > 1, 2 * k * k / (1 + k), k * (1 + k) / 2), self.a, self.b, self.c
         for _ in range(STEPS):
             value = ((2 * c * arm - b * k) * arm + b) * arm - 2 * a * k
@@ -60,13 +60,13 @@ class Quartic:
 
 
 def ellipsoid_profile(spin_ratio: Array) -> tuple[Array, Array]:
-    """Force and torque of the ellipsoid through the ring's largest force and torque, k >= 0."""
+    """Force and torque of the ellipsoid through the ring's maximum force and torque, k >= 0."""
     size = np.hypot(1.0, spin_ratio)
     return 1 / size, spin_ratio / size
 
 
 def sphere(count: int = SAMPLES) -> Array:
-    """Unit vectors spread evenly over the sphere along a spiral, shape (count, 3)."""
+    """Unit vectors spread uniformly over the sphere along a spiral, shape (count, 3)."""
     index = np.arange(count)
     height = 1 - (2 * index + 1) / count
     radius, around = np.sqrt(1 - height**2), index * GOLDEN_ANGLE
@@ -75,7 +75,7 @@ def sphere(count: int = SAMPLES) -> Array:
 
 @cache
 def fitted_quartic() -> Quartic:
-    """Quartic of least squares: P = 1 at the ring's wrenches under twists even on the sphere."""
+    """Quartic by least squares: P = 1 at the ring's wrenches under twists uniform on the sphere."""
     found = wrench(RingFriction(), sphere())
     square, torque = (found[..., :2] ** 2).sum(axis=-1), found[..., 2] ** 2
     terms = np.stack([square**2, square * torque, torque**2], axis=-1)
@@ -104,9 +104,9 @@ def direction_error(predicted: Array, twist: Array) -> Array:
 def rim_errors(points: int = 100) -> dict[str, float]:
     """Mean direction error of each model for a rim of point supports, degrees.
 
-    Twists are uniform on the unit sphere of (v_x, v_y, R omega); a model predicts the twist from the rim's
-    wrench. The ellipsoid has the rim's largest force and torque as its axes, so it predicts a twist along
-    the wrench.
+    Twists are uniform on the unit sphere of (v_x, v_y, R omega); a model predicts the twist from the
+    rim's wrench. The axes of the ellipsoid are the rim's maximum force and torque, so that it predicts
+    a twist along the wrench.
     """
     twist = sphere()
     felt = rim_wrench(twist, points)

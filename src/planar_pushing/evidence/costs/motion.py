@@ -1,4 +1,4 @@
-"""Cost of accuracy over time: both integrators against certified motion, slipping and pulling."""
+"""Cost of accuracy over time: both integrators compared with certified motion, for slipping and pulling."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import arguments
 from planar_pushing.terms.errors import InvalidFile
 
-#: Scene files, and what certifies their motion.
+#: Scene files, and the functions that certify their motion.
 SCENES: dict[str, tuple[str, Callable[..., list[Instant]]]] = {
     "slipping": ("workflow/scenes/figure_15.yaml", slipping),
     "pulling": ("workflow/scenes/figure_14a.yaml", pulled),
 }
-#: Methods, and the settings of their accuracy: a tolerance, or steps in a run.
+#: Methods, and the settings of their accuracy: a tolerance, or the number of steps in a run.
 SETTINGS = {
     "event-driven": tuple(10.0 ** -np.arange(4, 13, 2)),
     "time-stepping": (10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0),
@@ -36,7 +36,7 @@ ROWS = [(name, float(setting)) for name, settings in SETTINGS.items() for settin
 @cache
 @precise
 def reference(scene: str) -> tuple[float, float]:
-    """Certified rod angle at the end in degrees, in two parts whose sum it is."""
+    """Certified rod angle at the end in degrees, as the sum of two doubles."""
     path, certify = SCENES[scene]
     file = load_scene_file(path).model_dump()
     duration = fmpq(*float(file["simulate"]["duration"]).as_integer_ratio())
@@ -46,7 +46,7 @@ def reference(scene: str) -> tuple[float, float]:
 
 
 def run(scene: str, method: str, setting: float) -> Any:
-    """Log of a scene under a method: its ends alone."""
+    """Log of a scene by a method, with only its first and last instant."""
     built, given = _problem(scene)
     tolerance = {"rtol": setting} if method == "event-driven" else {}
     step = {"step": given["duration"] / setting} if method == "time-stepping" else {}
@@ -65,7 +65,7 @@ def _problem(scene: str) -> tuple[Scene, dict[str, Any]]:
 def motion_errors() -> xr.Dataset:
     """Error of the last rod angle and evaluations of the motion, over `point` and `scene`.
 
-    Each point is a setting of an integrator, as the coordinates along it say.
+    Each point is a setting of an integrator, given by the coordinates along it.
     """
     error, count = np.empty((2, len(ROWS), len(SCENES)))
     for i, row in enumerate(ROWS):

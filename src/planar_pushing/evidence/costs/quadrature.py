@@ -1,7 +1,7 @@
-"""The ring's integrals, Eqs. (2)-(3), by quadrature rules that know nothing of their closed form.
+"""The ring's integrals, Eqs. (2)-(3), by quadrature rules that do not use their closed form.
 
-The square of a point's speed is ``(1 - k)^2 + 4 k cos^2(theta / 2)``, which keeps its sign next to the
-ring. Each rule returns force, torque and evaluations of an integrand, all of shape (n,).
+The squared speed of a point is ``(1 - k)^2 + 4 k cos^2(theta / 2)``, which cannot become negative near
+the ring. Each rule returns force, torque and evaluations of an integrand, all of shape (n,).
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def _torque(theta: Any, k: Any, cos: Any = np.cos, sqrt: Any = np.sqrt) -> Any:
 def _weighted(k: Array, theta: Array, weight: Array) -> Wrenches:
     column, cosine = k[:, None], np.cos(theta)
     speed = _speed(theta, column, np.cos, np.sqrt)
-    # Not a matrix product: its threads would wait for one another, and its order of sums varies.
+    # Not a matrix product: its threads would wait for one another, and its order of summation varies.
     force = ((1 + column * cosine) / speed * weight).sum(axis=1)
     torque = ((column + cosine) / speed * weight).sum(axis=1)
     return force, torque, np.full(k.shape, 2 * theta.size)
@@ -60,7 +60,7 @@ def gauss_legendre(k: Array, points: float) -> Wrenches:
 
 
 def adaptive(k: Array, tolerance: float) -> Wrenches:
-    """`scipy.integrate.quad` on half the ring, one spin ratio after the other."""
+    """`scipy.integrate.quad` on half the ring, one spin ratio at a time."""
     rows = [_adaptive(float(each), tolerance) for each in k]
     force, torque, count = np.array(rows).T
     return force, torque, count.astype(int)

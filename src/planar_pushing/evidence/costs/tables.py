@@ -1,4 +1,4 @@
-"""The dataset `accuracy_errors`: errors and evaluations of every method, which repeat exactly."""
+"""The dataset `accuracy_errors`: errors and evaluations of every method, which are exactly repeatable."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def accuracy_errors() -> dict[str, xr.Dataset]:
 def wrench_errors() -> xr.Dataset:
     """Errors and evaluations of the methods for the wrench, over `point` and `spin_ratio`.
 
-    Each point is a setting of a method, as the coordinates along it say.
+    Each point is a setting of a method, given by the coordinates along it.
     """
     found = [method.run(SPIN_RATIOS, setting) for method, setting in rows("wrench")]
     exact = wrenches()
@@ -40,7 +40,7 @@ def wrench_errors() -> xr.Dataset:
 
 
 def cone_errors() -> xr.Dataset:
-    """Errors and evaluations of the methods for motion cones, over `point`, and the models' for a rim."""
+    """Errors and evaluations of the methods for motion cones, over `point`, and of the models for a rim."""
     found = [method.run(*edges(), setting) for method, setting in rows("cone")]
     exact = motion_angles()
     errors = [_angle_errors(exact, angles) for angles, _ in found]
@@ -84,7 +84,7 @@ def wrenches() -> list[tuple[arb, arb]]:
 
 @precise
 def motion_angles() -> list[arb]:
-    """Certified motion angle of each edge under friction, radians (Eq. 7), for the doubles given."""
+    """Certified motion angle of each edge under friction, radians (Eq. 7), for exactly these doubles."""
     given = zip(*edges(), strict=True)
     return [
         radians.motion_angle(arb(float(x)), arb(ROD_ANGLE), arb(float(y)), share=arb(0), rho=arb(1))
@@ -100,7 +100,7 @@ def _larger_error(exact: list[tuple[arb, arb]], force: Array, torque: Array) -> 
 
 @precise
 def relative_error(value: float, exact: arb) -> float:
-    """``|value - exact| / |exact|``, formed without rounding; infinite where `value` is not finite."""
+    """``|value - exact| / |exact|``, formed without rounding; infinite if `value` is not finite."""
     return abs(float((arb(float(value)) - exact) / exact)) if np.isfinite(value) else np.inf
 
 

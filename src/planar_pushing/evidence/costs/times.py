@@ -23,17 +23,18 @@ from planar_pushing.study.catalog import EVIDENCE
 from planar_pushing.study.describe import describe
 from planar_pushing.terms.quantities import COSTS
 
-#: Spin ratios at which the default build measures times: regular, next to the ring, on it, a spin.
+#: Spin ratios at which the default build measures times: regular, near the ring, on it, and a spin.
 TIMED = np.array([0.1, 1 - 1e-9, 1, 1e8])
-#: Rounds that are kept by `snakemake accuracy`, of motion, and in the default build, where one takes 0.1 s.
+#: Rounds in `snakemake accuracy`, in that of motion, and in the default build, where one takes 0.1 s.
 REPEATS, MOTION_REPEATS, ROUNDS = 9, 5, 15
 PACKAGES = ("planar-pushing", "numpy", "scipy", "h5py", "python-flint")
 
 
 def seconds(calls: Sequence[Callable[[], object]], repeats: int) -> Array:
-    """Durations of calls, taken in turns after a round that does not count, shape (calls, repeats).
+    """Durations of calls, taken in turn after a warm-up round, shape (calls, repeats).
 
-    A disturbance of the machine then falls on few repeats of every call, not on all of one.
+    A disturbance of the machine then affects few repeats of every call, and not all repeats of one
+    call.
     """
     taken = np.empty((repeats + 1, len(calls)))
     for each in taken:
@@ -45,12 +46,12 @@ def seconds(calls: Sequence[Callable[[], object]], repeats: int) -> Array:
 
 
 def accuracy_time(repeats: int = ROUNDS) -> xr.Dataset:
-    """Measure what the accuracy of the friction wrench costs in time, on this machine.
+    """Measure the time that the accuracy of the friction wrench takes on this machine.
 
     Parameters
     ----------
     repeats : int
-        Number of times that each method is timed, the methods in turns.
+        Number of times that each method is timed; the methods take turns.
 
     Returns
     -------
@@ -115,7 +116,7 @@ def stamped(measured: xr.Dataset) -> xr.Dataset:
 
 
 def machine() -> dict[str, str]:
-    """Processor, number of cores, operating system and versions; nothing that names the host."""
+    """Processor, number of cores, operating system and versions; no host name."""
     return {
         "processor": _processor(),
         "cores": str(os.cpu_count()),

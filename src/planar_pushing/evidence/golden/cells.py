@@ -1,7 +1,7 @@
 """Certified numbers of the paper's ring at one point of a grid: the variables of a dataset by name.
 
-Parameters and coordinates are plain values, taken as exact. A cell takes the plain values of its study and
-its coordinates, and gives balls, whole numbers or truth values, or lists of them.
+Parameters and coordinates are plain values, taken as exact. A cell is a function of the plain values of
+its study and of its coordinates; it returns balls, integers or booleans, or lists of them.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from planar_pushing.certified.setting import (
 
 #: Name of a variable: its value at a point.
 Record = dict[str, Any]
-#: Plain values of a study, or of the part of one that a dataset is built from.
+#: Plain values of a study, or of the part of one from which a dataset is built.
 Values = Mapping[str, Any]
 LAWS = {
     "infinite_friction_free": modes.INFINITE_FREE,
@@ -38,7 +38,7 @@ LAWS = {
 
 
 def slider(values: Values, length: float, angle: float | None = None) -> Slider:
-    """The ring of a study on a rod."""
+    """The ring of a study with a rod."""
     own = values["slider"]
     parameters = {**values.get("support_friction", {}), **values.get("inertia", {})}
     turned = own["rod_angle"] if angle is None else angle
@@ -46,7 +46,7 @@ def slider(values: Values, length: float, angle: float | None = None) -> Slider:
 
 
 def labelled_law(label: str) -> modes.Law:
-    """Law of a label along the axis contact."""
+    """Contact law of a label on the axis `contact`."""
     return LAWS[label] if label in LAWS else modes.coulomb(float(label.removeprefix("coulomb_")))
 
 
@@ -78,7 +78,7 @@ def limit_point(
 
 
 def motion_cone(values: Values, effects: str, length: float, angle: float, mu: float) -> Record:
-    """Friction cone, motion cone, and what follows from them."""
+    """Friction cone, motion cone, and the quantities derived from them."""
     own, resisting = slider(values, length, angle), Effects(effects)
     forces, motions = cones.friction_cone(mu), cones.motion_cone(own, resisting, mu)
     return {
@@ -129,7 +129,7 @@ def solutions(
     return columns(listed)
 
 
-#: Entries of a solution; `columns` turns them into lists along `solution`.
+#: Entries of a solution; `columns` converts them to lists along `solution`.
 ENTRIES = (
     "mode", "force", "force_end", "twist", "contact_motion", "spin_ratio", "center", "pivot",
     "continuum",
@@ -138,7 +138,7 @@ NONE, CONSISTENT, PIVOTS, CONTINUUM = range(4)
 
 
 def columns(listed: list[Record]) -> Record:
-    """The variables of a push, lists along `solution`, from its solutions."""
+    """Convert the solutions of a push to its variables, which are lists along `solution`."""
     status = CONSISTENT if listed else NONE
     if any(each["continuum"] for each in listed):
         status = CONTINUUM
@@ -150,7 +150,7 @@ def columns(listed: list[Record]) -> Record:
 
 
 def leave_out_centers(listed: list[Record]) -> None:
-    """Leave out the motion centers of sliders at rest, which have none."""
+    """Remove the motion centers of sliders at rest, which have none."""
     for each in listed:
         if all(part == 0 for part in each["twist"]):
             each["center"] = [arb.nan(), arb.nan()]
@@ -191,7 +191,7 @@ def solution(
 
 
 def center(own: Slider, size: Any, motion: Motion) -> list[arb]:
-    """Motion center relative to the contact; of a translation the limit k -> 0+ of a rotation."""
+    """Motion center relative to the contact; for a translation, the limit k -> 0+ of a rotation."""
     c, s = cosine_sine(own.rod_angle)
     place = [own.rod_length * size * c, own.rod_length * size * s]
     along, k = direction(motion.force_angle), motion.spin_ratio
@@ -203,7 +203,7 @@ def center(own: Slider, size: Any, motion: Motion) -> list[arb]:
 
 
 def acceleration_center(values: Values, length: float, force_angle: float, share: float) -> Record:
-    """Acceleration center, from the contact, and motion at a share of inertia."""
+    """Acceleration center relative to the contact, and motion, at a share of inertia."""
     own, force = slider(values, length), heading(rational(force_angle))
     return _center_at(values, own, force, share)
 
@@ -216,10 +216,11 @@ def _center_at(values: Values, own: Slider, force: Heading, share: float) -> Rec
 
 
 def region_ends(values: Values, length: float, angle: float, force_angle: float) -> Record:
-    """Ends of both regions of centers under one line of force, from the contact (Sec. 4).
+    """Ends of both regions of centers under one line of force, relative to the contact (Sec. 4).
 
-    Of the exact one: friction alone and inertia alone. Of the paper's bound: a line that misses the ring
-    has its centers inside it, one that meets it outside.
+    The ends of the exact region are friction alone and inertia alone. In the paper's bound, the centers
+    lie inside the ring for a line that misses the ring, and outside it for a line that crosses the
+    ring.
     """
     own, force = slider(values, length, angle), heading(rational(force_angle))
     exact = [_center_at(values, own, force, share) for share in (0.0, 1.0)]
@@ -239,7 +240,7 @@ def region_ends(values: Values, length: float, angle: float, force_angle: float)
 def _bound_end(
     values: Values, own: Slider, force: Heading, spin: arb, side: int
 ) -> tuple[arb, arb]:
-    """Center at a spin ratio; at infinity it lies on the side that the region goes on to."""
+    """Center at a spin ratio; at infinity it lies on the side toward which the region extends."""
     if spin.is_finite():
         x, y = line_of_force.motion_center(own, force, spin)
         flip = -1 if spin == 0 and side < 0 else 1
@@ -248,7 +249,7 @@ def _bound_end(
 
 
 def _from_contact(values: Values, own: Slider, place: tuple[arb, arb]) -> tuple[arb, arb]:
-    """Place relative to the contact of one relative to the ring center in units of R."""
+    """Place relative to the contact, from a place relative to the ring center in units of R."""
     c, s = cosine_sine(own.rod_angle)
     size = rational(values["slider"]["radius"])
     return (place[0] + own.rod_length * c) * size, (place[1] + own.rod_length * s) * size

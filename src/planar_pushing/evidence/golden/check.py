@@ -22,12 +22,12 @@ from planar_pushing.study.store import group_names, read_attributes, read_datase
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 
-#: Datasets on how this work computes, which are built with the paper's own datasets.
+#: Datasets about the computation itself, which are built together with the datasets of the paper.
 COUNTS = ("hard_cases", "accuracy_errors", "evaluations")
 
 
 def result_names(study: StudyFile) -> list[str]:
-    """Names of all results of a study that golden data hold, as `open_dataset` takes them."""
+    """Names of all results of a study that golden data contain, as accepted by `open_dataset`."""
     computed = [name for name in DATASETS if computes(study, name)]
     return [
         *computed,
@@ -45,17 +45,17 @@ def check_results(folder: Path, file: PathLike) -> list[Check]:
     folder : Path
         The results.
     file : path
-        The study: it says what they are to hold, and names the folder of golden data.
+        The study, which defines the contents of the results and names the folder of golden data.
 
     Returns
     -------
     list of Check
-        One for each variable; a result that cannot be read is a check that fails.
+        One for each variable; a result that cannot be read is a failed check.
 
     Raises
     ------
     InvalidFile
-        Where the study names no golden data, a golden file is missing or damaged, or the folder is not one
+        If the study names no golden data, a golden file is missing or damaged, or the folder is not one
         of results.
     """
     study = load_study(file)
@@ -78,7 +78,7 @@ def check_results(folder: Path, file: PathLike) -> list[Check]:
 def require_results(folder: Path) -> None:
     """Refuse a folder without datasets."""
     if not any(folder.glob("data/*.nc")):
-        place = "holds no datasets" if folder.is_dir() else "no such folder"
+        place = "contains no datasets" if folder.is_dir() else "no such folder"
         remedy = "build them with make, or with planar-pushing run STUDY.yaml"
         raise InvalidFile(f"{folder}: {place}; name the folder of the results, or {remedy}")
 
@@ -88,7 +88,7 @@ def _surplus(golden: Path, names: list[str]) -> Iterator[Check]:
     for folder in ("", f"{SIMULATIONS}/", f"{FIGURES}/"):
         for path in sorted((golden / folder).glob("*.nc")):
             if f"{folder}{path.stem}" not in names:
-                problem = "is golden, and no result of the study"
+                problem = "is a golden file, but not a result of the study"
                 yield Check(file=f"{folder}{path.stem}", problem=problem)
 
 

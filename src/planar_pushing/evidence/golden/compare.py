@@ -1,8 +1,8 @@
 """Comparison of results with golden data: values, coordinates, attributes and lists of variables.
 
-A golden file is the dataset with its certified values: of a variable `x` the midpoints of enclosures, with
-the exponents of their radii in `x_radius`. A computed value passes where it differs from the midpoint by no
-more than tolerance plus radius. Texts, whole numbers and truth values must be equal.
+A golden file is the dataset with its certified values: for a variable `x` the midpoints of the enclosures,
+with the exponents of their radii in `x_radius`. A computed value passes if it differs from the midpoint by
+no more than tolerance plus radius. Texts, integers and booleans must be equal.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ from planar_pushing.study.files.fields import FileModel, NonNegative
 from planar_pushing.study.files.scenes import load_model
 
 Floats = npt.NDArray[np.float64]
-#: Root attribute of a golden file that says how its numbers are known, a `Kind`.
+#: Root attribute of a golden file that states how its numbers are known, a `Kind`.
 KIND = "golden_kind"
-#: Attributes that are those of a golden file, or of the packages that a result was computed with.
+#: Attributes of a golden file itself, or of the packages with which a result was computed.
 ASIDE = (
     KIND, "golden_method", "golden_checked_by_integrals", "golden_versions", "golden_precision_bits",
     "versions",
@@ -42,14 +42,14 @@ class Kind(StrEnum):
     PLAIN = "compared with stored values"
 
 
-#: Variables that are enclosed at a place that a search found.
+#: Variables that are enclosed at a place found by a search.
 SEARCHED = ("worst_force_error", "worst_motion_error")
 
 
 class Tolerance(FileModel):
     """Largest difference from a golden value: units in the last place plus an amount in its unit.
 
-    The first are those of the largest component of a vector.
+    The units in the last place are those of the largest component of a vector.
     """
 
     ulp: NonNegative = 0.0
@@ -57,12 +57,12 @@ class Tolerance(FileModel):
 
 
 class TolerancesFile(FileModel):
-    """Tolerances of variables by dataset; `every` holds those that a dataset does not list itself."""
+    """Tolerances of variables by dataset; `every` contains those that a dataset does not list itself."""
 
     tolerances: dict[str, dict[str, Tolerance]] = Field(default_factory=dict)
 
     def of(self, file: str, variable: str) -> Tolerance:
-        """Tolerance of a variable; one that is not listed must agree exactly."""
+        """Tolerance of a variable; a variable that is not listed must agree exactly."""
         for name in (file, file.partition("/")[0], "every"):
             found = self.tolerances.get(name, {}).get(variable)
             if found:
@@ -78,23 +78,23 @@ def load_tolerances() -> TolerancesFile:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Check:
-    """Comparison of one variable, or the reason why there was none.
+    """Comparison of one variable, or the reason why it was not possible.
 
     Attributes
     ----------
     file, variable : str
-        The dataset, and the variable in it; empty where the dataset as a whole is compared.
+        The dataset, and the variable in it; empty if the dataset as a whole is compared.
     kind : Kind
         How the golden values are known.
     count, labels, failed : int
-        Finite numbers that were compared, further entries (infinite, NaN, texts, flags), and how many of
-        both differ by more than is allowed.
+        Number of finite numbers that were compared, of other entries (infinite, NaN, texts, flags), and of
+        those of both that differ by more than allowed.
     error, ulp, allowed : float
-        Of the worst value: its difference, the same in units in the last place, and what is allowed.
+        For the worst value: its difference, the same in units in the last place, and the allowed one.
     where : str
-        Coordinates and value of the worst, and the golden value.
+        Coordinates and value of the worst value, and the golden value.
     problem : str
-        Why the variable could not be compared; empty where it was.
+        Why the variable could not be compared; empty if it was.
     """
 
     file: str
@@ -119,7 +119,7 @@ class Check:
 
     @property
     def badness(self) -> float:
-        """Sorts checks: those that could not be made first, then by error against allowance."""
+        """Sort key: checks that could not be made come first, then by error relative to the allowance."""
         if self.problem:
             return np.inf
         return self.error / self.allowed if self.allowed else np.inf if self.error else 0.0
@@ -173,7 +173,7 @@ def _short(value: Any) -> str:
 
 
 def _unlike(found: xr.DataArray, wanted: xr.DataArray) -> str:
-    """The reason why a variable cannot be compared; empty where it can."""
+    """The reason why a variable cannot be compared; empty if it can."""
     if found.dims != wanted.dims:
         return f"has the dims {found.dims}, not {wanted.dims}"
     if found.shape != wanted.shape:
@@ -255,7 +255,7 @@ def judged(
 
 
 def _difference(computed: Floats, middle: Floats) -> Floats:
-    """Absolute difference; 0 where both are the same infinity, or both NaN."""
+    """Absolute difference; 0 if both are the same infinity, or both NaN."""
     same = (computed == middle) | (np.isnan(computed) & np.isnan(middle))
     with np.errstate(invalid="ignore"):
         gap = np.abs(np.asarray(computed, float) - middle)
@@ -268,7 +268,7 @@ def _place(badness: Floats) -> tuple[int, ...]:
 
 
 def _described(check: Check, computed: Any, middle: Any, badness: Floats, label: Any) -> Check:
-    """The check with its worst place."""
+    """The check, with its worst value and the place of this value."""
     if not badness.size or not badness.any():
         return check
     at = _place(badness)

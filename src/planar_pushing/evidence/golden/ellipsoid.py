@@ -1,7 +1,8 @@
-"""Errors of the ellipsoid in place of a support: means, and maxima where a search ends.
+"""Errors of the ellipsoid as a model of a support: means, and maxima at the end of a search.
 
-Means are over the motions that `fit_ellipsoid` names: spread over half a sphere of (v_x, v_y, a omega) by
-the golden angle. That no motion is worse than the one at which a maximum is enclosed rests on the search.
+Means are over the motions of `fit_ellipsoid`, which are spread over half a sphere of (v_x, v_y, a
+omega) by the golden angle. The statement that no motion is worse than the one at which a maximum is
+enclosed rests on the search.
 """
 
 from __future__ import annotations
@@ -20,14 +21,14 @@ Motion = tuple[arb, arb, arb]
 #: Names of the errors of force and of motion.
 KINDS = ("force", "motion")
 MOTIONS = 20_000
-#: Motions from which a maximum is searched, and the width of the search at first.
+#: Number of motions from which a maximum is searched, and initial width of the search.
 STARTS, WIDTH = 4, 0.02
-#: Bits in use.
+#: Working precision in bits.
 BITS = 96
 
 
 def errors(support: Pieces) -> dict[str, arb]:
-    """Worst and mean angles between the support and its ellipsoid, degrees."""
+    """Maximum and mean angles between the support and its ellipsoid, degrees."""
     with ctx.workprec(BITS):
         return _errors(support)
 
@@ -47,17 +48,17 @@ def _errors(support: Pieces) -> dict[str, arb]:
 
 
 def _spread(index: int) -> Motion:
-    """A motion of half a sphere, by the golden angle."""
+    """A motion from half a sphere, by the golden angle."""
     spin, turn = arb(2 * index + 1) / (2 * MOTIONS), index * arb.pi() * (3 - arb(5).sqrt())
     speed = (1 - spin * spin).sqrt()
     return speed * turn.cos(), speed * turn.sin(), spin
 
 
 def _angles(support: Pieces, constant: arb, motion: Motion) -> tuple[arb, arb]:
-    """Angles of force and of motion at a motion that turns counter-clockwise."""
+    """Errors of force and of motion for a motion that rotates counter-clockwise."""
     v_x, v_y, spin = motion
     (x, y), extent = support.center, support.extent
-    # An exact center, which takes a tenth of the time; the motion is that about it, to all digits in use.
+    # An exact center takes a tenth of the time; it changes the motion only by a rounding error.
     c = (x - extent * v_y / spin).mid(), (y + extent * v_x / spin).mid()
     now = moments(support, c)
     about = spin * (c[1] - y) / extent, spin * (x - c[0]) / extent, spin
@@ -82,7 +83,7 @@ def _angle(a: Motion, b: Motion) -> arb:
 
 
 def _climbed(support: Pieces, constant: arb, kind: int, start: int) -> arb:
-    """Error at the motion to which a search from a motion leads."""
+    """Error at the motion where a search from the given motion ends."""
     x, y, z = map(float, _spread(start))
     flat = math.hypot(x, y)
     one, other = (-y / flat, x / flat, 0.0), (-x * z / flat, -y * z / flat, flat)
@@ -99,7 +100,7 @@ def _climbed(support: Pieces, constant: arb, kind: int, start: int) -> arb:
 
 
 def _about_foot(support: Pieces, constant: arb, kind: int, foot: int) -> arb:
-    """Largest error of rotations about a foot, with full friction there in any direction."""
+    """Maximum error of rotations about a foot, with full friction there in any direction."""
     place, share = support.points[foot].place, support.points[foot].share
     x, y = (a - b for a, b in zip(place, support.center, strict=True))
     extent, c = support.extent, (arb(place[0]), arb(place[1]))
@@ -118,7 +119,7 @@ def _about_foot(support: Pieces, constant: arb, kind: int, foot: int) -> arb:
 
 
 def _largest(error: Callable[[Sequence[float]], arb], start: list[float], width: float) -> arb:
-    """Error at the place to which the method of Nelder and Mead leads from a start."""
+    """Error at the place where the Nelder-Mead method from the given start ends."""
     simplex = [
         start,
         *([c + width * (i == j) for j, c in enumerate(start)] for i in range(len(start))),

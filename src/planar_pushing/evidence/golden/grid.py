@@ -30,14 +30,14 @@ Arrays = dict[str, tuple[Any, Any]]
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """A function of one point, and the dimensions whose coordinates it takes."""
+    """A function of a point, and the dimensions whose coordinates it takes."""
 
     dims: tuple[str, ...]
     function: Callable[..., Record]
 
 
 ROD = ("support", "rod_length", "rod_angle", "friction_coefficient")
-#: The cells of each dataset; together they give all of its numbers.
+#: The cells of each dataset; together they provide all of its numbers.
 CELLS: Mapping[str, tuple[Cell, ...]] = {
     "limit_curves": (
         Cell(("effects", "rod_length", "rod_angle", "force_angle"), cells.limit_point),
@@ -71,12 +71,12 @@ CELLS: Mapping[str, tuple[Cell, ...]] = {
         Cell(("friction_coefficient",), cells.coefficients),
     ),
 }
-#: Points that a process takes at once.
+#: Number of points that a process takes at once.
 TAKEN = 400
 
 
 def use_integrals() -> None:
-    """Evaluate every support by its integrals, as printed, from now on."""
+    """Evaluate every support by its integrals as printed from now on."""
     ring.use(printed)
     moments.use(integrals.printed)
 
@@ -91,7 +91,7 @@ def evaluated(cell: Cell, values: Values, point: Point) -> Record | str:
 
 
 def _nested(value: Any) -> Any:
-    """Numbers as pairs of midpoint and exponent, in the lists in which they are."""
+    """Numbers as pairs of midpoint and exponent, in the same nested lists."""
     if isinstance(value, list):
         return [_nested(each) for each in value]
     return stored(value)
@@ -100,7 +100,7 @@ def _nested(value: Any) -> Any:
 def records(
     cell: Cell, values: Values, points: Sequence[Point], processes: int, second: bool = False
 ) -> Iterator[Record | str]:
-    """Records of points, in order; `second` evaluates all by the integrals as printed."""
+    """Records of points, in order; with `second`, all are evaluated by the integrals as printed."""
     with get_context("spawn").Pool(processes, use_integrals if second else None) as pool:
         step = max(1, min(TAKEN, len(points) // (4 * processes)))
         yield from pool.imap(partial(evaluated, cell, values), points, chunksize=step)
@@ -113,7 +113,7 @@ def points(dataset: xr.Dataset, dims: Iterable[str]) -> list[Point]:
 
 
 def certified(name: str, values: Values, template: xr.Dataset, processes: int) -> xr.Dataset:
-    """A dataset with the certified values in place of its own, and the exponents of their radii.
+    """A dataset with certified values instead of its own, and the exponents of their radii.
 
     Parameters
     ----------
@@ -121,12 +121,12 @@ def certified(name: str, values: Values, template: xr.Dataset, processes: int) -
     values : mapping
         Slice of the study.
     template : xarray.Dataset
-        The dataset as it is computed: its coordinates, texts and attributes stay.
+        The dataset as computed; its coordinates, texts and attributes are retained.
 
     Raises
     ------
     InvalidResult
-        Where a point is not decided, or a number of the dataset is certified by no cell.
+        If a point is undecided, or no cell certifies a number of the dataset.
     """
     arrays: Arrays = {}
     for cell in CELLS[name]:
@@ -147,9 +147,9 @@ def single(
     plain: Sequence[str] = (),
     check: bool = True,
 ) -> xr.Dataset:
-    """A dataset with the certified values of one record in place of its own; `plain` ones stay.
+    """A dataset with the certified values of one record instead of its own; `plain` ones are retained.
 
-    Without `check` the record is one of `evaluated`, and holds some of the numbers.
+    Without `check` the record is one of `evaluated`, and contains only some of the numbers.
     """
     arrays: Arrays = {}
     named = {key: _nested(each) for key, each in record.items()} if check else record
@@ -167,7 +167,7 @@ def kink(name: str, cell: Cell, point: Point, reason: str) -> str:
 
 
 def _place(arrays: Arrays, template: xr.Dataset, at: tuple[Any, ...], record: Record) -> None:
-    """Put the numbers of a point at their place."""
+    """Store the numbers of a point at their place."""
     for name, nested in record.items():
         if name not in arrays:
             like = template[name].values
@@ -185,8 +185,8 @@ def _place(arrays: Arrays, template: xr.Dataset, at: tuple[Any, ...], record: Re
 def _assembled(
     name: str, arrays: Arrays, template: xr.Dataset, plain: Sequence[str] | None = ()
 ) -> xr.Dataset:
-    """The template with the certified values; all of its numbers but `plain` ones are required."""
-    # Variables, which no index aligns: a certified time is not the stored one.
+    """The template with the certified values; all of its numbers except `plain` ones are required."""
+    # As variables, so that no index aligns them: a certified time differs from the stored one.
     variables = {str(each): variable.copy() for each, variable in template.variables.items()}
     for each, (middle, exponent) in arrays.items():
         dims, attrs = template[each].dims, template[each].attrs
@@ -200,14 +200,14 @@ def _assembled(
 
 
 def _empty(name: str, dtype: np.dtype[Any]) -> Any:
-    """The value of unused entries, such as those behind the last solution."""
+    """The value of unused entries, such as those after the last solution."""
     if dtype.kind == "f":
         return np.nan
     return -1 if name in ("mode", "pivot") else 0
 
 
 def _require_all(name: str, found: xr.Dataset, known: Sequence[str] = ()) -> None:
-    """Refuse a dataset with numbers that no cell certifies; coordinates on the grid are exact."""
+    """Refuse a dataset with numbers that no cell certifies; coordinates of the grid are exact."""
     for each, variable in found.variables.items():
         plain = variable.dtype.kind in "OU" or str(each) in found.dims or str(each).endswith(RADIUS)
         given = str(each) == "friction_coefficient" or each in known

@@ -1,4 +1,4 @@
-"""Certified points of any study: the check where there are no golden data."""
+"""Certified points of any study: the check if there are no golden data."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ SEED = 20_261_125
 
 @dataclass(slots=True)
 class Compared:
-    """Numbers of a variable at points: computed, midpoints, exponents, and the points."""
+    """Numbers of a variable at points: computed values, midpoints, exponents, and the points."""
 
     computed: list[Any] = field(default_factory=list)
     middle: list[Any] = field(default_factory=list)
@@ -41,7 +41,7 @@ def check_points(folder: Path, file: PathLike, number: int) -> tuple[list[Check]
     -------
     list of Check
     str
-        How many points were certified, and which were left open.
+        How many points were certified, and which are undecided.
     """
     study = load_study(file)
     require_results(folder)
@@ -55,14 +55,14 @@ def check_points(folder: Path, file: PathLike, number: int) -> tuple[list[Check]
         open_ones += skipped
     note = f"certified points, chosen at random: {', '.join(said)}"
     if open_ones:
-        note += f"; {len(open_ones)} more are left open, the first: {open_ones[0]}"
+        note += f"; {len(open_ones)} more are undecided, the first: {open_ones[0]}"
     return checks, note
 
 
 def _certified(
     name: str, values: Mapping[str, Any], result: xr.Dataset, number: int
 ) -> tuple[int, list[str], dict[str, Compared]]:
-    """Numbers of random points, by variable; how many points, and which are left open."""
+    """Numbers of random points, by variable; the number of points; and those that are undecided."""
     found: dict[str, Compared] = {}
     skipped = []
     chooser, taken = np.random.default_rng(SEED), 0
@@ -94,7 +94,7 @@ def _chosen(
 
 
 def _add(compared: Compared, computed: Any, nested: Any, where: str) -> None:
-    """Add the numbers of a point; places behind the last solution have none."""
+    """Add the numbers of a point; entries after the last solution have none."""
     pairs = np.array(nested, dtype=object)
     if not pairs.size:
         return

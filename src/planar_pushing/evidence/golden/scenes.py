@@ -26,7 +26,7 @@ from planar_pushing.evidence.golden.cells import (
 CONE_SAMPLES = 181
 SUPPORT_ANGLES = tuple(range(0, 360, 15))
 KINDS = {"ring_friction": "support_friction", "inertia": "inertia"}
-#: Variables of `columns` that a scene does not hold.
+#: Variables of `columns` that a scene does not contain.
 ELSEWHERE = ("solutions", "force_end", "pivot", "continuum", "consistent")
 
 
@@ -42,7 +42,7 @@ def slider_of(scene: Mapping[str, Any]) -> tuple[Slider, Effects]:
 
 
 def pusher_degrees(own: Slider, effects: Effects, push: Mapping[str, Any]) -> fmpq:
-    """Angle of the fence's motion: given, or the double nearest to the slider's own under a force angle."""
+    """Angle of the fence's motion: as given, or the double closest to the motion under a force."""
     if push["force_angle"] is None:
         return rational(push["pusher_angle"])
     share = fmpq(1, 2) if effects is Effects.BOTH else effects.shares[0]
@@ -51,7 +51,7 @@ def pusher_degrees(own: Slider, effects: Effects, push: Mapping[str, Any]) -> fm
 
 @precise
 def scene_values(values: Mapping[str, Any]) -> Record:
-    """Certified values of a scene under a push, the plain values `scene` and `push` of their files."""
+    """Certified values of a scene under a push, from the plain values `scene` and `push` of their files."""
     scene, push = values["scene"], values["push"]
     own, effects = slider_of(scene)
     law, size = law_of(scene), rational(scene["slider"]["radius"])
@@ -88,7 +88,7 @@ def scene_values(values: Mapping[str, Any]) -> Record:
 
 
 def _support(own: Slider, effects: Effects, twist: list[arb]) -> tuple[Any, Any]:
-    """Motion of points of the ring, and the friction on them where the support rubs."""
+    """Motion of points of the ring, and the friction on them if there is support friction."""
     weight = arb(0) if effects is Effects.INERTIA else own.weight / (2 * arb.pi())
     v_x, v_y, spin = twist
     points = [cosine_sine(fmpq(angle)) for angle in SUPPORT_ANGLES]
@@ -124,7 +124,7 @@ def _cones(own: Slider, effects: Effects, law: modes.Law, size: fmpq) -> Record:
 
 
 def _sample(forces: cones.Cone, mu: float, index: int) -> Heading:
-    """Force angle number `index` from the right to the left edge of the friction cone."""
+    """The force angle with this index, from the right to the left edge of the friction cone."""
     if math.isinf(mu):
         return heading(fmpq(180 * index, CONE_SAMPLES - 1))
     part = fmpq(index, CONE_SAMPLES - 1)

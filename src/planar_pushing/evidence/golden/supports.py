@@ -23,11 +23,11 @@ from planar_pushing.evidence.golden.cells import Record, Values, columns
 from planar_pushing.evidence.golden.ellipsoid import errors
 
 ONE = fmpq(1)
-#: Distance of a motion center at which it is that of a translation, to a double; and of one along an axis.
+#: Distance of a motion center, also along one axis, beyond which doubles cannot distinguish a translation.
 FAR = 10**15
-#: A ball of zero that is smaller is one of a number that vanishes by symmetry.
+#: A smaller ball that contains zero is that of a number that vanishes by symmetry.
 NOTHING = 1e-30
-#: Doubles take a load that exceeds a share by less than this part, squared, for one within the share.
+#: In doubles a load counts as within its share if its square exceeds that of the share by less than this.
 KINK = 1e-12
 
 
@@ -54,7 +54,7 @@ def _pusher(degrees: float) -> Direction:
 
 
 def wrench(values: Values, name: str, x: float, y: float) -> Record:
-    """Mean distance, and the wrench about the origin of a counter-clockwise rotation."""
+    """Mean distance, and the wrench about the origin for a counter-clockwise rotation."""
     c = arb(rational(x)), arb(rational(y))
     now = moments(support(values, name), c)
     return {
@@ -66,7 +66,7 @@ def wrench(values: Values, name: str, x: float, y: float) -> Record:
 
 
 def numbers(values: Values, name: str) -> Record:
-    """Numbers of a support as a whole, and the errors of the ellipsoid in its place, degrees."""
+    """Numbers of a support as a whole, and the errors of its ellipsoid, degrees."""
     own, zero = support(values, name), arb(0)
     x, y = (arb(each) for each in own.center)
     distance = moments(own, (x, y)).distance
@@ -82,7 +82,7 @@ def numbers(values: Values, name: str) -> Record:
 
 
 def cone(values: Values, name: str, length: float, angle: float, friction: float) -> Record:
-    """Edges of a motion cone, the feet about which they pivot, and what follows from them."""
+    """Edges of a motion cone, the feet about which they pivot, and the quantities derived from them."""
     rod = support(values, name), rational(length), rational(angle)
     _refuse_kinks(*rod, friction)
     right, left = (cone_edges.edge(*rod, friction, side) for side in (1, -1))
@@ -109,11 +109,11 @@ def solutions(
 
 @lru_cache(maxsize=1 << 12)
 def _refuse_kinks(own: Pieces, length: fmpq, angle: fmpq, friction: float) -> None:
-    """Refuse edges under which a foot would have to take more than its share by a rounding error."""
+    """Refuse edges under which a foot would carry more than its share by a rounding error."""
     for side, foot in product((1, -1), range(len(own.points))):
         load = cone_edges.pivot_load(own, length, angle, friction, side, foot)
         if load is not None and load > 1 and load < 1 + KINK:
-            raise Undecided("a foot takes its share to all digits")
+            raise Undecided("the load of a foot equals its share to all digits")
 
 
 def _entry(found: Solution, own: Pieces, length: float, angle: float, friction: float) -> Record:
@@ -139,12 +139,12 @@ def _vanishes(ball: arb) -> bool:
     if not ball.contains(0):
         return False
     if ball.abs_upper() > NOTHING:
-        raise Undecided(f"the sign of {ball} is open")
+        raise Undecided(f"the sign of {ball} is undecided")
     return True
 
 
 def _ratio(own: Pieces, v: Vector, spin: arb) -> arb:
-    """R omega / |v|; infinite about the slider's center."""
+    """R omega / |v|; infinite for a rotation about the slider's center."""
     if spin.is_zero():
         return arb(0)
     if all(map(_vanishes, v)):
@@ -153,7 +153,7 @@ def _ratio(own: Pieces, v: Vector, spin: arb) -> arb:
 
 
 def _center(motion: Vector, own: Vector, v: Vector, spin: arb) -> list[arb]:
-    """Motion center from the contact; of a translation the limit of slow rotations to the left."""
+    """Motion center from the contact; for a translation, the limit of slow rotations to the left."""
     if not spin.is_zero() and abs(spin) * FAR > norm(*v):
         return [-motion[1] / spin, motion[0] / spin]
     if all(each.is_zero() for each in v):  # a slider at rest has none
@@ -166,7 +166,7 @@ def _center(motion: Vector, own: Vector, v: Vector, spin: arb) -> list[arb]:
 
 
 def _ends(found: Solution, friction: float) -> tuple[list[arb], list[arb]]:
-    """Ends of the forces of a solution within the friction cone; of all but a stuck pivot the same."""
+    """Ends of the forces of a solution within the friction cone; equal except for a sticking pivot."""
     if found.pivot < 0 or found.mode is not Mode.STICK:
         return list(found.force), list(found.force)
     low, high = arb(-1), arb(1)

@@ -1,9 +1,9 @@
-"""Make the golden data of studies anew and print how they differ from the stored ones: `make golden`.
+"""Regenerate the golden data of studies and print the differences from the stored ones: `make golden`.
 
-The datasets of a results folder give the coordinates, texts and attributes; every number is computed on the
-certified route. A part of the grids is computed a second time, by the integrals as printed: data on which
-the two disagree are never stored. A run that finds or makes a difference ends with status 1, so that
-changed golden data are never green in the run that changed them.
+The datasets of a results folder provide the coordinates, texts and attributes; every number is computed
+on the certified route. A subset of the grids is computed a second time, by the integrals as printed;
+data on which the two routes disagree are never stored. A run that finds or stores a difference ends
+with status 1, so that changed golden data never pass in the run that changed them.
 """
 
 from __future__ import annotations
@@ -52,8 +52,8 @@ METHOD = {
     Kind.INTEGRATED: "a right-hand side of certified physics, integrated to 30 digits and not validated",
     Kind.PLAIN: "stored as computed",
 }
-#: Values kept of each axis for the second route: a rod of no length, a line of force tangent to the ring
-#: (k = 1), along and across the rod, the fence itself, mu = 0 and infinity, every law; centers off the
+#: Values of each axis for the second route: a rod of length zero; lines of force tangent to the ring
+#: (k = 1), along and across the rod, and along the fence; mu = 0 and infinity; every law; centers off the
 #: lines and rims of supports.
 SECOND: dict[str, tuple[Any, ...]] = {
     "rod_length": (0, 1, 2, 10),
@@ -70,13 +70,13 @@ SECOND: dict[str, tuple[Any, ...]] = {
     "center_x": (-1.5, -0.5, 0.5, 1.5),
     "center_y": (-1.5, -0.5, 0.5, 1.5),
 }  # fmt: skip
-#: The same for any support, whose integrals take longer, and the cells that are computed a second time.
+#: The same for any support, where integrals take longer, and the cells that are computed a second time.
 SUPPORTS = {
     "rod_length": (5,), "rod_angle": (45,), "friction_coefficient": (0.25,), "pusher_angle": (-45, 90),
 }  # fmt: skip
-#: An error below this many rounding errors is one, and may be as many times as large elsewhere.
+#: An error below this many rounding errors counts as rounding, and can be larger by this factor elsewhere.
 NOISE = 8.0
-#: The ellipsoid's means are over too many motions for the integrals.
+#: Cells without a second route: the means of the ellipsoid are over too many motions for the integrals.
 ONCE = ("numbers",)
 
 Groups = dict[str, xr.Dataset]
@@ -113,9 +113,9 @@ def _with_rounding(cases: xr.Dataset) -> xr.Dataset:
 
 
 def _with_noise(wrench: xr.Dataset) -> xr.Dataset:
-    """Errors of methods with a radius where rounding makes them: another processor rounds otherwise.
+    """Errors of methods, with a radius if they are rounding errors, which differ between processors.
 
-    Rounding the spin ratio's smaller part magnifies a rounding error by max(k, 1 / k).
+    Rounding of the smaller component of the spin ratio magnifies a rounding error by max(k, 1 / k).
     """
     k = wrench["spin_ratio"]
     rounding = NOISE * np.finfo(float).eps * np.maximum(k, 1 / k)
@@ -129,7 +129,7 @@ def _scene(study: StudyFile, name: str) -> dict[str, Any]:
 
 
 def _log(name: str, path: str, log: xr.Dataset) -> tuple[Kind, Groups]:
-    """The golden log of a simulation; counts of evaluations are stored as they are."""
+    """The golden log of a simulation; counts of evaluations are stored as computed."""
     found = log_values(load_scene_file(path).model_dump(), log["time"].values.tolist())
     record = {each: values for each, (_, values) in found.values.items()}
     kind = Kind.ENCLOSED if found.validated else Kind.INTEGRATED
@@ -139,14 +139,14 @@ def _log(name: str, path: str, log: xr.Dataset) -> tuple[Kind, Groups]:
 def second_route(
     name: str, values: Mapping[str, Any], first: xr.Dataset, processes: int
 ) -> tuple[int, list[str]]:
-    """How many numbers the integrals as printed enclose as well, and where they disagree."""
+    """Count the numbers that the integrals as printed also enclose, and find disagreements."""
     count, wrong = 0, []
     for cell in (each for each in CELLS[name] if each.function.__name__ not in ONCE):
         kept = _kept(cell, first)
         found = records(cell, values, [point for _, point in kept], processes, second=True)
         for (index, point), record in zip(kept, found, strict=True):
             if isinstance(record, str):
-                raise InvalidResult(f"{name}: {point}: the integrals decide nothing: {record}")
+                raise InvalidResult(f"{name}: {point}: undecided by the integrals: {record}")
             one = single(name, record, first.isel(index), check=False)
             for variable in record:
                 number, off = _disagreement(variable, one, first.isel(index))
@@ -156,7 +156,7 @@ def second_route(
 
 
 def _kept(cell: Cell, dataset: xr.Dataset) -> list[tuple[dict[str, int], Point]]:
-    """Indices and coordinates of the points of the second route."""
+    """Indices and coordinates of the points for the second route."""
     chosen = SECOND | (SUPPORTS if "support" in cell.dims else {})
     sizes = [dataset.sizes[dim] for dim in cell.dims]
     return [
@@ -167,7 +167,7 @@ def _kept(cell: Cell, dataset: xr.Dataset) -> list[tuple[dict[str, int], Point]]
 
 
 def _disagreement(name: str, one: xr.Dataset, other: xr.Dataset) -> tuple[int, bool]:
-    """Numbers with a radius, and whether enclosures of two routes are apart."""
+    """Numbers that have a radius, and where the enclosures of the two routes do not overlap."""
     exponents = [each[f"{name}{RADIUS}"].values for each in (one, other)]
     middles = [each[name].values.astype(float) for each in (one, other)]
     radius = [radii(each) for each in exponents]
@@ -176,14 +176,14 @@ def _disagreement(name: str, one: xr.Dataset, other: xr.Dataset) -> tuple[int, b
 
 
 def differences(name: str, new: Groups, path: Path) -> list[str]:
-    """How new golden data differ from the stored ones, beyond their own radii."""
+    """Differences between new golden data and the stored ones, beyond their own radii."""
     if not path.is_file():
         return [f"{name}: new"]
     stored = {
         group: read_dataset(path, group or None).load() for group in group_names(path) or [""]
     }
     if set(stored) != set(new):
-        return [f"{name}: other groups"]
+        return [f"{name}: different groups"]
     return [
         f"{name}{'/' if group else ''}{group}: {each}"
         for group in new
@@ -194,18 +194,18 @@ def differences(name: str, new: Groups, path: Path) -> list[str]:
 def _changed(new: xr.Dataset, stored: xr.Dataset) -> Iterator[str]:
     names = sorted(set(map(str, new.variables)) ^ set(map(str, stored.variables)))
     if names:
-        yield f"other variables: {', '.join(names)}"
+        yield f"different variables: {', '.join(names)}"
         return
     if _marks(new.attrs) != _marks(stored.attrs):
-        yield "other attributes"
+        yield "different attributes"
     for name in map(str, new.variables):
         if name.endswith(RADIUS):
             continue
         one, other = new[name], stored[name]
         if one.dims != other.dims or one.shape != other.shape:
-            yield f"{name} has other dimensions"
+            yield f"{name} has different dimensions"
         elif _marks(one.attrs) != _marks(other.attrs):
-            yield f"{name} has other attributes"
+            yield f"{name} has different attributes"
         elif f"{name}{RADIUS}" in new:
             radius = [radii(each[f"{name}{RADIUS}"].values) for each in (new, stored)]
             middles = [each.values.astype(float) for each in (one, other)]
@@ -221,11 +221,11 @@ def _marks(attrs: Mapping[str, Any]) -> dict[str, str]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Print the differences; store the new data if asked to; 1 where anything differs."""
+    """Print the differences, store the new data on request, and return 1 if anything differs."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--study", nargs="+", default=[PAPER_FILE, SLIDERS_FILE])
     parser.add_argument("--results", type=Path, default=Path("results"))
-    parser.add_argument("--golden", type=Path, help="folder in the place of the studies' own")
+    parser.add_argument("--golden", type=Path, help="folder instead of those of the studies")
     parser.add_argument("--only", nargs="+", help="names of results, such as limit_curves")
     parser.add_argument("--write", action="store_true", help="store the new golden data")
     args = parser.parse_args(arguments)
@@ -233,14 +233,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     changed = sum(_update(file, args) for file in args.study)
     print(f"{changed} differences, {time.perf_counter() - start:.0f} s")
     if changed and args.write:
-        print("stored; look at them, commit them, and run the check")
+        print("stored; inspect them, commit them, and run the check")
     elif changed:
         print("nothing was stored; --write stores the new golden data")
     return 1 if changed else 0
 
 
 def _update(file: str, args: argparse.Namespace) -> int:
-    """Make the golden data of a study, store them if asked to, and count the differences."""
+    """Regenerate the golden data of a study, store them on request, and count the differences."""
     study = load_study(file)
     golden = args.golden or Path(study.golden or "")
     folder = study_folder(study_name(file), args.results)

@@ -1,4 +1,4 @@
-"""The verdict of the check: as data, and as text that is rendered from them."""
+"""The verdict of the check: as data, and as text rendered from the data."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from planar_pushing.evidence.golden.compare import Check, Kind
 
 #: Whether all passed, counts of values by kind, and every check, worst first.
 Verdict = dict[str, Any]
-#: Results that are compared with nothing, and why.
+#: Results that are not compared, and why.
 ASIDE = {"accuracy_time": "times of one machine", "accuracy": "times", "effects": "times"}
 
 
 def verdict(checks: Iterable[Check], note: str = "") -> Verdict:
-    """Judge all checks; numbers that are infinite are null, as JSON has none.
+    """Judge all checks; infinite numbers become null, since JSON has none.
 
     `values` of a kind are finite numbers that were compared; `labels` are all other entries: infinite
     numbers, NaN, texts and flags.
@@ -58,7 +58,7 @@ def verdict_text(found: Verdict) -> str:
     lines = [
         "passed: every value agrees" if found["passed"] else failed,
         *counts,
-        f"  {found['labels']} further entries the same: infinite numbers, NaN, texts and flags",
+        f"  {found['labels']} other entries are equal: infinite numbers, NaN, texts and flags",
         *([found["note"]] if found["note"] else []),
     ]
     return "\n".join([*lines, "", *map(_line, found["checks"])]) + "\n"
@@ -75,7 +75,7 @@ def _line(check: Mapping[str, Any]) -> str:
 
 
 def _worst(check: Mapping[str, Any]) -> str:
-    """The worst difference, in units in the last place where that is a number, and where it is."""
+    """The worst difference, its value in units in the last place if that is a number, and its place."""
     error, allowed = (
         math.inf if check[key] is None else check[key] for key in ("error", "allowed")
     )

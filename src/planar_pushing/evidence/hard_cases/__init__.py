@@ -1,4 +1,4 @@
-"""Hard cases: where the numbers get hard, each with its reference, its error and its condition."""
+"""Hard cases: numerically difficult inputs, each with its reference, error and condition number."""
 
 from planar_pushing.terms.extras import require_extra
 

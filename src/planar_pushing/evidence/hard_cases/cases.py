@@ -1,14 +1,14 @@
-"""The table of hard cases: what is computed, for which inputs, and its certified reference.
+"""The table of hard cases: the quantity, its inputs, and its certified reference.
 
-A case belongs to a line of the list of hard places:
+Each case belongs to a line of the list of hard inputs:
 
 1. a center on the ring;
 2. a translation, and a rotation about the ring's center;
 3. short and long rods, radii of gyration far from the ring's, rods along fence and normal;
-4. no friction, friction without bound, and pushers next to the fence or a cone's edge;
-5. motions slow and fast, where the combined answer joins those of friction and of inertia;
+4. no friction, friction without bound, and pushers close to the fence or to a cone's edge;
+5. slow and fast motions, where the combined solution approaches those of friction and of inertia;
 6. rest, where the gradient of friction is a set, and the smallest motions around it;
-7. a normal motion of the contact that has two slips, which meet where there is none.
+7. a normal motion of the contact that has two slips, up to the point where they merge.
 """
 
 from __future__ import annotations
@@ -35,12 +35,12 @@ from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios, wrench
 
-#: What a case may ask for, with its unit.
+#: The quantities that a case can compute, with their units.
 QUANTITIES = {"force": "1", "torque": "1", "spin_ratio": "1", "motion_angle": "radian"}
 
 
 class Function(NamedTuple):
-    """A quantity on both routes: `compute` maps doubles to a double, `reference` balls to a ball."""
+    """A quantity on both routes: `compute` maps doubles to a double, `reference` maps balls to a ball."""
 
     quantity: str
     compute: Callable[..., float]
@@ -48,7 +48,7 @@ class Function(NamedTuple):
 
 
 class Case(NamedTuple):
-    """One number under test: a label of its own, its line, and the inputs, doubles taken as exact."""
+    """One number under test: its unique label, its line, and its inputs, doubles taken as exact."""
 
     label: str
     line: int
@@ -65,7 +65,7 @@ def make_scene(
     rho: float = 1.0,
     law: ContactLaw | None = None,
 ) -> Scene:
-    """Scene with W = m = R = 1: friction for a share of inertia of 0, inertia for 1, else both."""
+    """Scene with W = m = R = 1: friction for a share of inertia of 0, inertia for 1, otherwise both."""
     contact = law or (InfiniteFriction() if math.isinf(mu) else Coulomb(mu))
     friction, inertia = RingFriction(), Inertia(gyration_radius=rho)
     ends: dict[float, tuple[Effect, ...]] = {0.0: (friction,), 1.0: (inertia,)}
@@ -84,7 +84,7 @@ def cases() -> Iterator[Case]:
 FORCE = Function("force", lambda k: float(ring_profile(k)[0]), radians.force)
 TORQUE = Function("torque", lambda k: float(ring_profile(k)[1]), radians.torque)
 INVERSE = Function("spin_ratio", lambda h: float(ring_spin_ratios(h)), radians.friction_spin)
-#: Distances from 1, in both directions where they are doubles, and sizes towards 0 and infinity.
+#: Distances from 1, in both directions if they are doubles, and magnitudes toward 0 and infinity.
 GAPS = (0.0, 2.0**-53, 2.0**-52, 1e-12, 1e-9, 1e-6, 1e-3)
 SIZES = (5e-324, 1e-300, 1e-160, 1e-8, 1e-3, 0.5)
 
@@ -110,7 +110,7 @@ MOTION = Function("motion_angle", _motion_angle, radians.motion_angle)
 PSI = np.pi / 4
 KINDS = ((0.0, "friction"), (1.0, "inertia"))
 LENGTHS = (1e-8, 1.0, 1e4, 1e6)
-#: A force off the rod, and two nearly along it, where a long rod turns the motion fastest.
+#: A force off the rod, and two nearly along it, where the motion of a long rod changes fastest.
 FORCE_ANGLES = (0.2, PSI + 1e-6, float(np.nextafter(PSI, 9)))
 GYRATION_RADII = (1e-4, 1e-2, 1e2, 1e4)
 HALF_TURNS = (float(np.nextafter(np.pi / 2, 0)), float(np.nextafter(np.pi, 0)))
@@ -144,7 +144,7 @@ def _exact_edge(side: int, share: float, length: arb, psi: arb, mu: arb) -> arb:
 
 
 def _sticking(scene: Scene, pusher: float, magnitude: float = 1.0) -> float:
-    """Spin ratio of the stick of a push."""
+    """Spin ratio of the sticking motion under a push."""
     (stick,) = (each for each in solve(scene, pusher, magnitude) if each.mode is ContactMode.STICK)
     return float(stick.spin_ratio)
 
@@ -189,7 +189,7 @@ PUSHED = Function(
 )
 SHARES = (5e-324, 1e-300, 1e-16, 1e-8, 0.5, 1 - 1e-8, 1 - 2.0**-53)
 MAGNITUDES = (1e-12, 1e-8, 1.0, 1e8, 1e12)
-#: An arm of the ring's own radius: friction and inertia agree, with infinite slope of H.
+#: A moment arm equal to the ring's radius: friction and inertia agree, and H has an infinite slope.
 TANGENT = float(PSI - np.arcsin(0.5))
 
 
@@ -208,7 +208,7 @@ def _wrench(part: int, speed: float, spin: float) -> float:
     return float(wrench(RingFriction(), [speed, 0.0, spin])[part])
 
 
-#: At rest the subgradient nearest zero.
+#: At rest, the subgradient closest to zero.
 RESTING = (
     Function("force", partial(_wrench, 0),
              lambda v, spin: arb(0) if v == 0 else radians.force((spin / v).mid())),
@@ -236,13 +236,13 @@ def _rest() -> Iterator[Case]:
 
 #: The published example: l = 2, psi = 45 degrees, mu = 1.4, W = m = rho = R = 1, force on the right edge.
 LENGTH, COEFFICIENT = 2.0, 1.4
-#: Spin ratio at which n . u is least (at |f| = 1.42); towards that level the slips meet.
+#: Spin ratio at the minimum of n . u (at |f| = 1.42), and the minimum, at which the two slips merge.
 TURN, LEAST = 0.47159055, -0.04002960666599751
 LEVELS = (-1e-8, -1e-4, -0.01, -0.03, -0.04, LEAST * (1 - 1e-8), LEAST * (1 - 1e-13))
 
 
 def _slipping(branch: int, mu: float, level: float) -> float:
-    # Far to the right, so that every motion slips to the left.
+    # The pusher moves far to the right, so that every motion slips to the left.
     angle, magnitude = np.arctan2(level, 10.0), np.hypot(level, 10.0)
     found = solve(make_scene(LENGTH, PSI, mu=mu), angle, magnitude)
     slips = [each.spin_ratio for each in found if each.mode is ContactMode.SLIP_LEFT]

@@ -1,4 +1,4 @@
-"""The dataset of hard cases: each result in doubles against a reference of 40 digits."""
+"""The dataset of hard cases: each result in doubles compared with a reference of 40 digits."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from flint import arb, ctx
 from planar_pushing.evidence.hard_cases.cases import QUANTITIES, Case, cases
 from planar_pushing.study.describe import describe
 
-#: Working precision in bits, and the decimal digits of a reference that are stored.
+#: Working precision in bits, and the number of decimal digits of a reference that are stored.
 PRECISION, DIGITS = 320, 40
-#: Relative change of an input: half an ulp, what rounding the input does to it.
+#: Relative change of an input by rounding: half an ulp.
 CHANGE = arb(2) ** -53
 EPS = float(np.finfo(float).eps)
-#: From this condition number on, rounding the inputs alone costs six of the sixteen digits.
+#: At this condition number, rounding of the inputs alone causes a loss of six of the sixteen digits.
 ILL_CONDITIONED = 1e6
 
 
@@ -31,12 +31,12 @@ class Measure:
     reference : str
         40 digits.
     reference_high, reference_low : float
-        The same as the sum of two doubles.
+        The reference as the sum of two doubles.
     result : float
     error_ulp : float
-        In units in the last place of the reference.
+        Error in units in the last place of the reference.
     condition : float
-        Relative change of the reference per relative change of the inputs, summed over them.
+        Relative change of the reference per relative change of an input, summed over the inputs.
     """
 
     reference: str
@@ -48,7 +48,7 @@ class Measure:
 
     @property
     def bound(self) -> float:
-        """Relative error that rounding the inputs causes, whatever the algorithm."""
+        """Relative error due to rounding of the inputs, whatever the algorithm."""
         return self.condition * EPS
 
     @property
@@ -63,7 +63,7 @@ def measure(case: Case) -> Measure:
     Raises
     ------
     ArithmeticError
-        Where the reference is not known to the digits that are stored.
+        If the reference is not known to the number of digits that are stored.
     """
     with ctx.workprec(PRECISION):
         value = case.function.reference(*map(arb, case.inputs))

@@ -1,1 +1,1 @@
-"""Shared by several figures: numbers and captions, curves, frames, supports over rods, methods."""
+"""Code shared by several figures: numbers and captions, curves, frames, supports over rods, methods."""

@@ -1,4 +1,4 @@
-"""Limit curves of the paper's slider, and a cone of forces mapped through one to a cone of motions."""
+"""Limit curves of the paper's slider, and the map from a friction cone to a motion cone."""
 
 from __future__ import annotations
 
@@ -29,14 +29,14 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import Ring
 from planar_pushing.study.datasets.base import pushing
 
-#: Force angles of a limit curve, degrees: as close as a smooth line takes.
+#: Force angles of a limit curve, degrees, dense enough for a smooth line.
 ANGLES = np.linspace(0.0, 360.0, 361)
-#: Force angles of a mapping that are drawn between the edges of its cone, degrees.
+#: Force angles of a mapping, drawn between the edges of its cone, degrees.
 INSIDE = (45.0, 90.0)
 
 
 def forces(scene: Scene, angles: xr.DataArray) -> xr.Dataset:
-    """Limit curve at force angles in degrees: force, its components, and the motion in degrees."""
+    """Limit curve at force angles in degrees: force, components, and direction of motion in degrees."""
     phi = pushing(angles)
     curve = limit_curve(scene, phi)
     x, y = (phi.copy(data=each) for each in direction(phi.values).T)
@@ -53,9 +53,9 @@ def forces(scene: Scene, angles: xr.DataArray) -> xr.Dataset:
 
 
 def curves(grid: xr.Dataset, effects: str, lengths: tuple[float, ...]) -> xr.Dataset:
-    """Limit curves under some effects at the study's rod angle, one for each rod length.
+    """Limit curves for a set of effects at the study's rod angle, one for each rod length.
 
-    A line through the forces of the grid would have corners, so the curves are computed here.
+    The grid is too coarse for a smooth line, so the curves are computed here.
     """
     scene = scene_of(grid, effects, labelled("rod_length", lengths))
     found = forces(scene, labelled("force_angle", ANGLES))[["force_x", "force_y"]]
@@ -63,7 +63,7 @@ def curves(grid: xr.Dataset, effects: str, lengths: tuple[float, ...]) -> xr.Dat
 
 
 def cone_mapping(cones: xr.Dataset, effects: str, length: float, friction: float) -> xr.Dataset:
-    """Forces of a friction cone and the motions they map to: its edges, and angles inside it."""
+    """Forces at the edges of a friction cone and inside it, and the motions to which they map."""
     edges = cones.sel(
         effects=effects,
         rod_angle=rod_angle(cones),
@@ -95,10 +95,10 @@ def cone_mapping(cones: xr.Dataset, effects: str, length: float, friction: float
 def family(
     picture: Picture, data: xr.Dataset, place: float, side: str, bold: float | None = None
 ) -> None:
-    """Force curves of several rod lengths, each with its length at the angle `place`, degrees.
+    """Draw the force curves of several rod lengths, labeled with the length at the angle `place`, degrees.
 
-    The first, outermost one carries the symbol too, aligned to `side`; `bold` is the rod length of
-    a curve to draw heavier.
+    The label of the first, outermost curve includes the symbol and is aligned to `side`; `bold` is the rod
+    length of a curve to draw heavier.
     """
     for length in data.rod_length.values:
         curve = data.sel(rod_length=length)
@@ -115,9 +115,9 @@ def family(
 def mapping(
     figure: Any, data: xr.Dataset, middle: Picture, span: float, symbol: str, titles: Sequence[str]
 ) -> None:
-    """Three panels from the friction cone through the curve to the motion cone, numbered alike.
+    """Draw three panels from friction cone through curve to motion cone, with the same numbering.
 
-    `middle` holds the curves, drawn to a distance `span` from the origin; `symbol` names the motion.
+    `middle` contains the curves, drawn to a distance `span` from the origin; `symbol` names the motion.
     """
     first, last = (
         _cone_panel(data, name, data[f"mapped_{of}_angle"].values)
@@ -131,7 +131,7 @@ def mapping(
 
 
 def _cone_panel(data: xr.Dataset, name: str, angles: Array) -> tuple[Picture, Array, str, float]:
-    """Slider and fence with a cone at the contact, its edges' angles and the numbered arrows."""
+    """Panel with slider, fence, a cone at the contact, the angles of its edges, and numbered arrows."""
     picture, color = Picture(), FORCE if name == "f" else MOTION
     rod, ring = float(data.mapped_rod_length), float(data.radius)
     center, reach = rod * unit(float(data.rod_angle)), 0.62 * (rod + ring)
@@ -149,7 +149,7 @@ def _cone_panel(data: xr.Dataset, name: str, angles: Array) -> tuple[Picture, Ar
             reach * unit(edge), degrees(edge), color=color, size=NOTE,
             offset=(15.0 * float(x), 8.0 * float(y)),
         )  # fmt: skip
-    # Shorter than the rod, which one of them may cover.
+    # Shorter than the rod, because an arrow can cover it.
     length = min(0.76 * reach, 0.7 * max(rod, ring))
     draw = picture.force if name == "f" else picture.motion
     for index, angle in enumerate(angles):
@@ -158,7 +158,7 @@ def _cone_panel(data: xr.Dataset, name: str, angles: Array) -> tuple[Picture, Ar
 
 
 def _forces_on_curve(picture: Picture, data: xr.Dataset, span: float, symbol: str) -> None:
-    """Forces from the origin to the curve, and the motions normal to it there."""
+    """Add forces from the origin to the curve, and the motions normal to it there."""
     for turn, name in zip((0.0, np.pi / 2), ("$f_x$", "$f_y$"), strict=True):
         picture.axis((0, 0), turn, 1.25 * span, name)
     angle = np.deg2rad(data.mapped_force_angle.values)
@@ -172,7 +172,7 @@ def _forces_on_curve(picture: Picture, data: xr.Dataset, span: float, symbol: st
 
 
 def curve_picture(data: xr.Dataset) -> tuple[Picture, float]:
-    """Picture of one curve, and its farthest coordinate."""
+    """Picture of one curve, and its largest coordinate."""
     points = np.stack([data.force_x, data.force_y], axis=-1)
     picture = Picture()
     picture.line(points, DARK, order=3.0)

@@ -1,4 +1,4 @@
-"""Numbers that figures plot: variables with their units, axes of their own, and values for captions."""
+"""Numbers that figures plot: variables with units, separate axes, and values for captions."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.describe import parameters_of
 from planar_pushing.terms.quantities import DATASET, attributes, described
 
-#: Attributes of a source that say what it was computed for.
+#: Attributes of a source that describe its parameters.
 ORIGIN = ("scene", "parameters", "pusher")
-#: Symbols of quantities in captions, and the sign behind their values.
+#: Symbols of quantities in captions, and the sign after their values.
 SYMBOLS = {
     "rod_length": ("l", ""),
     "mapped_rod_length": ("l", ""),
@@ -34,26 +34,26 @@ SYMBOLS = {
 
 
 def labelled(name: str, values: Iterable[float]) -> xr.DataArray:
-    """Values along an axis of their own."""
+    """Values along a separate axis."""
     array = np.array(list(values), dtype=float)
     return xr.DataArray(array, dims=name, coords={name: array})
 
 
 def attributed(dataset: xr.Dataset) -> xr.Dataset:
-    """Give variables the units and the names that they have in the datasets of a study."""
+    """Give variables the units and names that they have in the datasets of a study."""
     for name in dataset.variables.keys() & DATASET.keys():
         dataset[name].attrs = attributes(DATASET, str(name))
     return dataset
 
 
 def named(dims: Iterable[str] | str, values: object, units: str, long_name: str) -> xr.Variable:
-    """Make a variable with its unit and name."""
+    """Make a variable with a unit and a name."""
     axes = dims if isinstance(dims, str) else tuple(dims)
     return xr.Variable(axes, np.asarray(values), described(units, long_name))
 
 
 def titled(dataset: xr.Dataset, title: str, sources: Sources) -> xr.Dataset:
-    """Give the plotted numbers a title, and the origin of the datasets that they come from."""
+    """Give the plotted numbers a title and the provenance of their datasets."""
     every = list(sources.values())
     origins = dict.fromkeys(str(each.attrs["source"]) for each in every)
     known = {key: each.attrs[key] for each in every for key in ORIGIN if key in each.attrs}
@@ -62,7 +62,7 @@ def titled(dataset: xr.Dataset, title: str, sources: Sources) -> xr.Dataset:
 
 
 def scene_of(dataset: xr.Dataset, effects: str, rod_length: float | xr.DataArray) -> Scene:
-    """The slider of a dataset over the grid on this rod, or these rods, under infinite friction."""
+    """Slider of a dataset over the grid with one or several rod lengths, under infinite friction."""
     part = parameters_of(dataset)
     return Scene(
         slider=part.ring(rod_length), contact=InfiniteFriction(), effects=part.effects(effects)
@@ -70,23 +70,23 @@ def scene_of(dataset: xr.Dataset, effects: str, rod_length: float | xr.DataArray
 
 
 def rod_angle(dataset: xr.Dataset) -> float:
-    """The study's rod angle, degrees; a dataset over other angles is cut there."""
+    """Rod angle of the study, degrees, at which a dataset over rod angles is cut."""
     return float(parameters_of(dataset).slider.rod_angle)
 
 
 def radius(dataset: xr.Dataset) -> xr.Variable:
-    """Radius of the ring that a dataset over the grid was computed for."""
+    """Radius of the ring for which a dataset over the grid was computed."""
     return named((), parameters_of(dataset).slider.radius, "length", "radius of the ring")
 
 
 def crosses(data: xr.Dataset, rod_length: float) -> bool:
-    """Whether a ring on a rod of a length reaches over the fence, which then passes above it."""
+    """Whether a ring on a rod of this length crosses the fence, which then passes above the ring."""
     height = float(rod_length) * np.sin(np.deg2rad(float(data["rod_angle"])))
     return bool(height < float(data["radius"]))
 
 
 def several(given: Any) -> tuple[float, ...]:
-    """Values of an entry, of which there may be one."""
+    """Values of an entry, which can be a single value."""
     return given if isinstance(given, tuple) else (given,)
 
 
@@ -94,7 +94,7 @@ def several(given: Any) -> tuple[float, ...]:
 
 
 def physics(data: xr.Dataset) -> dict[str, Any]:
-    """Quantities that a figure depends on: those of its sources, and its own variables."""
+    """Quantities on which a figure depends: those of its sources, and its own variables."""
     found: dict[str, Any] = {}
     for text in (data.attrs[key] for key in ORIGIN[:2] if key in data.attrs):
         given = json.loads(text)
@@ -115,7 +115,7 @@ def physics(data: xr.Dataset) -> dict[str, Any]:
 
 
 def values(data: xr.Dataset, *names: str) -> str:
-    """Values of quantities for a caption, as "l = 3, ψ = 45°"."""
+    """Values of quantities for a caption, such as "l = 3, ψ = 45°"."""
     found = physics(data)
     return ", ".join(
         f"{SYMBOLS[name][0]} = {_text(found[name], SYMBOLS[name][1])}" for name in names
@@ -128,14 +128,14 @@ def _text(given: Any, sign: str) -> str:
 
 
 def number(value: float, digits: int = 6) -> str:
-    """Number as text, infinity and minus included."""
+    """Number as text, with signs for infinity and minus."""
     if np.isinf(value):
         return "∞" if value > 0 else "−∞"
     return f"{value:.{digits}g}".replace("-", "−")
 
 
 def mathematical(value: float) -> str:
-    """Number as mathematical text of a label, infinity included."""
+    """Number as mathematical text of a label, with a sign for infinity."""
     return r"\infty" if np.isinf(value) else f"{value:g}"
 
 

@@ -1,4 +1,4 @@
-"""Frames of motions: a row for each motion, a frame for each instant, all to one scale."""
+"""Frames of motions: a row for each motion and a frame for each instant, all at one scale."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from planar_pushing.figures.scene import add_center_mark
 from planar_pushing.figures.timeline import rows
 from planar_pushing.mechanics.plane import Array
 
-#: Height of the title of a row, of the figure's.
+#: Height of a row title as a fraction of the figure's height.
 TITLE = 0.055
 
 
@@ -24,7 +24,7 @@ def add_frames(
     figure: Any, motions: Sequence[xr.Dataset], names: Sequence[str], count: int,
     rect: tuple[float, float, float, float],
 ) -> None:  # fmt: skip
-    """Draw frames in a part of a figure."""
+    """Draw frames in a region of a figure."""
     left, bottom, width, height = rect
     whole = [box(motion) for motion in motions]
     frame = np.array([np.min([b[0] for b in whole], axis=0), np.max([b[1] for b in whole], axis=0)])
@@ -41,7 +41,7 @@ def add_frames(
 
 
 def frame_picture(motion: xr.Dataset, row: int, frame: Array) -> Picture:
-    """Slider, pusher, force and motion center at an instant, and the path of the contact so far."""
+    """Picture of slider, pusher, force and motion center at an instant, and the contact's path so far."""
     picture = Picture()
     add_paths(picture, motion, frame, row)
     add_instant(picture, motion, row)

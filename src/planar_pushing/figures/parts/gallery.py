@@ -1,4 +1,4 @@
-"""Shared by the figures of sliders: the supports of a dataset, the ring beside them, and scenes."""
+"""Code shared by figures of sliders: supports of a dataset, the reference ring, and scenes."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ SECTION = "Ours, any slider"
 
 
 def supports(dataset: xr.Dataset) -> dict[str, Any]:
-    """The supports that a dataset describes, by name."""
+    """Supports described by a dataset, by name."""
     entry: TypeAdapter[Any] = TypeAdapter(SupportEntry)
     texts = dict(zip(dataset.support.values, dataset.description.values, strict=True))
     return {
@@ -36,19 +36,19 @@ def supports(dataset: xr.Dataset) -> dict[str, Any]:
 
 
 def ring_beside(found: dict[str, Any]) -> Ring:
-    """The paper's support, of the greatest extent of some supports: what they are compared with."""
+    """Reference ring, the paper's support, with the largest extent of the given supports."""
     return Ring(max(float(each.extent) for each in found.values()))
 
 
 def is_area(support: Any) -> bool:
-    """Whether a support presses on an area, not on points and lines alone."""
+    """Whether a support presses on an area, not only on points and lines."""
     if isinstance(support, Composite):
         return any(is_area(member) for _, member in support.members)
     return not isinstance(support, (Ring, Points, Segment))
 
 
 def families(found: dict[str, Any]) -> tuple[list[str], list[str]]:
-    """Names of the supports on areas, and of those on points and lines; the ring apart."""
+    """Names of the supports on areas, and of those on points and lines, without the ring."""
     ring = ring_beside(found)
     others = [name for name, support in found.items() if support != ring]
     areas = [name for name in others if is_area(found[name])]
@@ -56,7 +56,7 @@ def families(found: dict[str, Any]) -> tuple[list[str], list[str]]:
 
 
 def scene(found: dict[str, Any], length: Any, angle: Any, contact: ContactLaw) -> Scene:
-    """Supports on rods of these lengths and angles in degrees."""
+    """Scenes of supports with rods of these lengths and angles in degrees."""
     return Scene(
         slider=Slider(rod_length=length, rod_angle=np.deg2rad(angle)),
         contact=contact,
@@ -65,7 +65,7 @@ def scene(found: dict[str, Any], length: Any, angle: Any, contact: ContactLaw) -
 
 
 def limit_forces(scenes: Scene, angles: Array) -> tuple[Array, Array]:
-    """Limit curves at force angles in degrees: forces, shape (support, angle, xy), and their pivots."""
+    """Limit curves at force angles in degrees: forces, shape (support, angle, xy), and pivots."""
     phi = xr.DataArray(np.deg2rad(angles), dims="force_angle")
     curve = limit_curve(scenes, phi).transpose("support", "force_angle")
     pivot = sustaining(scenes, curve.motion_angle)[2].transpose("support", "force_angle")
@@ -73,7 +73,7 @@ def limit_forces(scenes: Scene, angles: Array) -> tuple[Array, Array]:
 
 
 def flat_parts(pivots: Array) -> list[tuple[int, slice]]:
-    """Number of the support point and place of every flat of a curve."""
+    """Number of the support point, and slice of the curve, for every flat."""
     starts = np.flatnonzero(np.diff(pivots, prepend=-2))
     ends = [*starts[1:], len(pivots)]
     return [
@@ -84,9 +84,9 @@ def flat_parts(pivots: Array) -> list[tuple[int, slice]]:
 
 
 def sustaining(scenes: Scene, motion: Any) -> tuple[xr.DataArray, xr.DataArray, xr.DataArray]:
-    """Least and greatest angle, from the motion's, of the forces that sustain a motion; and its pivot.
+    """Smallest and largest angle from a motion to the forces that sustain it, and its pivot.
 
-    The two angles differ where the slider pivots. A perfectly rough contact sticks in every motion.
+    The two angles differ if the slider pivots. A perfectly rough contact sticks in every motion.
     """
     angle = xr.DataArray(motion)
     heading = xr.DataArray(direction(angle.values), dims=(*angle.dims, "xy"))
@@ -104,7 +104,7 @@ def _between(heading: xr.DataArray, force: xr.DataArray) -> xr.DataArray:
 
 
 def described_supports(grid: xr.Dataset, rod: Settings) -> xr.Dataset:
-    """Variables of a figure that describe the supports, and the rod where it is no axis."""
+    """Variables of a figure that describe the supports, and the rod unless it is an axis."""
     data = grid[["extent"]]
     text = "rod length, from the contact to the slider's center"
     data["rod_length"] = named((), rod.rod_length, "length", text)

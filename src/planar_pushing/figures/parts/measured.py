@@ -1,4 +1,4 @@
-"""Numbers on measured pushes, from the file that the rule `pushes` writes."""
+"""Numbers on measured pushes from the file that the rule `pushes` writes."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from typing import Any
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.terms.errors import InvalidFile
 
-#: The numbers, in the project's folder, and the rule that writes them anew.
+#: File of the numbers in the project's folder, and the rule that rewrites it.
 PUSHES_FILE = "paper/measured_pushes.json"
-REMEDY = "write it anew with snakemake pushes --config data=FOLDER"
-#: Parts of the file.
+REMEDY = "write it again with snakemake pushes --config data=FOLDER"
+#: Required sections of the file.
 PARTS = ("three_feet", "patch", "polygons", "about_a_foot")
 
 
@@ -22,7 +22,7 @@ def read_pushes(path: PathLike) -> dict[str, Any]:
     Raises
     ------
     InvalidFile
-        Where the file is missing, is not JSON, or lacks a part.
+        If the file is missing, is not JSON, or lacks a section.
     """
     try:
         found = json.loads(Path(path).read_text(encoding="utf-8"))

@@ -1,4 +1,4 @@
-"""Work-precision diagrams: error against cost, a line for each method and a marker for each setting."""
+"""Work-precision diagrams: error against cost, with a line per method and a marker per setting."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from planar_pushing.figures.colors import DARK, FORCE, GRAY, MOTION
 from planar_pushing.figures.marks import NOTE
 from planar_pushing.mechanics.plane import Array
 
-#: Colors of the groups of methods: ours, other formulas, rules of quadrature and roots, and models.
+#: Colors of the groups of methods: ours, other formulas, quadrature and root-finding rules, and models.
 OURS, FORMULA, RULE = FORCE, MOTION, "#8F6400"
 _MODEL: dict[str, Any] = {"markersize": 5, "markerfacecolor": "white"}
 #: Marker and color of each method.
@@ -39,9 +39,9 @@ LOOKS: dict[str, dict[str, Any]] = {
     "convex quartic": {"marker": "d", "color": DARK, **_MODEL},
 }
 
-#: Where relative errors of zero, and NaN, are marked.
+#: Values at which relative errors of zero and NaN are marked.
 LIMITS = (1e-19, 1e4)
-#: Titles of the panels by spin ratio.
+#: Panel titles by spin ratio.
 TITLES = {
     1e-8: r"$k = 10^{-8}$, almost a translation",
     0.1: r"$k = 0.1$",
@@ -53,15 +53,15 @@ TITLES = {
     3.0: r"$k = 3$",
     1e8: r"$k = 10^{8}$, almost a spin in place",
 }
-#: Spin ratios of a row of panels: regular, next to the ring, on it, a spin.
+#: Spin ratios of a row of panels: regular, close to the ring, on the ring, a spin.
 SHOWN = (0.1, 1 - 1e-9, 1.0, 1e8)
 
-#: Factor by which the axis of errors reaches beyond its limits, so that marks there stay inside.
+#: Factor by which the error axis extends beyond its limits, to keep marks there inside.
 MARGIN = 6.0
 
 
 def best(times: xr.DataArray) -> Array:
-    """Least of the repeated times."""
+    """Shortest of the repeated times."""
     return np.asarray(times.min("repeat").values)
 
 
@@ -70,8 +70,8 @@ def row_of_panels(
 ) -> None:
     """Draw a panel for each spin ratio of `SHOWN`, with one legend.
 
-    `draw` draws the errors of one spin ratio and returns the costs, of shape (point,), at which the
-    markers stand; `costs` names them.
+    `draw` draws the errors for one spin ratio and returns the costs at the markers, shape (point,);
+    `costs` names the costs.
     """
     narrow = is_column(figure)
     axes = figure.subplots(*((2, 2) if narrow else (1, len(SHOWN))), sharey=True).ravel()
@@ -92,7 +92,7 @@ def row_of_panels(
 
 
 def mark_errors(ax: Axes, costs: Array, errors: Array) -> None:
-    """Mark the rounding of a double, the places of zero and of NaN, and each result of NaN."""
+    """Mark the rounding error of a double, the positions of zero and NaN, and each result of NaN."""
     ax.axhline(np.finfo(float).eps, color=GRAY, linewidth=0.6, linestyle=":")
     name_limits(ax, LIMITS)
     for row in np.flatnonzero(~np.isfinite(errors)):
@@ -101,16 +101,16 @@ def mark_errors(ax: Axes, costs: Array, errors: Array) -> None:
 
 
 def methods(data: xr.Dataset) -> list[str]:
-    """Methods in the order of the dataset."""
+    """Names of the methods in the order of the dataset."""
     return list(dict.fromkeys(map(str, data.method.values)))
 
 
 def work_precision(
     ax: Axes, names: Array, times: xr.DataArray, errors: Array, limits: tuple[float, float]
 ) -> None:
-    """Draw errors of shape (point,) against the times of shape (point, repeat).
+    """Draw errors of shape (point,) against times of shape (point, repeat).
 
-    A marker stands at the least time, and a hair leads to the median.
+    A marker is at the shortest time, and a hair extends to the median.
     """
     low, middle = best(times), np.asarray(times.median("repeat").values)
     shown = within(errors, limits)
@@ -122,19 +122,19 @@ def work_precision(
 
 
 def within(errors: Array, limits: tuple[float, float]) -> Array:
-    """Errors, with zero at the lower limit and NaN at the upper one."""
+    """Errors with zero at the lower limit and NaN at the upper limit."""
     return np.asarray(np.clip(np.nan_to_num(errors, nan=limits[1], posinf=limits[1]), *limits))
 
 
 def name_limits(ax: Axes, limits: tuple[float, float]) -> None:
-    """Name the places of zero and of NaN on the axis of relative errors."""
+    """Label the positions of zero and NaN on the axis of relative errors."""
     ticks = 10.0 ** np.arange(-16, 1, 4)
     names = [f"$10^{{{power}}}$" for power in range(-16, 1, 4)]
     ax.set_yticks([limits[0], *ticks, limits[1]], ["0", *names, "NaN"])
 
 
 def curves(ax: Axes, names: Array, x: Array, errors: Array, limits: tuple[float, float]) -> None:
-    """Draw errors against costs of shape (point,), a line for each method, both axes logarithmic."""
+    """Draw errors against costs of shape (point,), with a line per method and logarithmic axes."""
     shown = within(errors, limits)
     for name in dict.fromkeys(names):
         rows = np.flatnonzero(names == name)
@@ -147,13 +147,13 @@ def curves(ax: Axes, names: Array, x: Array, errors: Array, limits: tuple[float,
 
 
 def handles(names: list[str]) -> list[Line2D]:
-    """Entries of a legend."""
+    """Legend entries of methods."""
     options = {"markersize": 4.5, "linewidth": 0.9}
     return [Line2D([], [], label=name, **{**options, **LOOKS[name]}) for name in names]
 
 
 def count_text(value: float) -> str:
-    """Whole number with its thousands apart."""
+    """Whole number with separated thousands."""
     return f"{value:,.0f}".replace(",", "\N{THIN SPACE}")
 
 
@@ -171,7 +171,7 @@ def name_ends(
 ) -> None:
     """Write the first and the last setting of some methods beside their markers.
 
-    `named` holds, for each method, how a setting is written and the text's horizontal alignment.
+    `named` gives, for each method, the format of a setting and the horizontal alignment of the text.
     """
     for name, (words, side) in named.items():
         for row in np.flatnonzero(data.method.values == name)[[0, -1]]:
@@ -185,5 +185,5 @@ def name_ends(
 
 
 def note(ax: Axes, x: float, y: float, text: str, **options: Any) -> None:
-    """Write a small remark at data coordinates."""
+    """Write a small note at data coordinates."""
     ax.text(x, y, text, fontsize=NOTE, color=DARK, **options)

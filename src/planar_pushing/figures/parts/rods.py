@@ -1,4 +1,4 @@
-"""One number of every support over rod length and over rod angle: its values, and four panels of them."""
+"""A quantity of every support over rod length and over rod angle: its values, and four panels."""
 
 from __future__ import annotations
 
@@ -24,16 +24,16 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.datasets.base import words
 
-#: Rod lengths in units of the ring's radius, and rod angles in degrees, of the curves; rounded, for powers
-#: differ between processors.
+#: Rod lengths of the curves, in units of the ring's radius, and rod angles in degrees; rounded because
+#: powers differ between processors.
 LENGTHS = np.round(np.geomspace(0.1, 10.0, 121), 12)
-#: How far from an upright rod, where the curves are steep, the denser angles lie.
+#: Distances from an upright rod, where the curves are steep, at which the angles are denser.
 BESIDE = np.round(np.geomspace(1e-3, 5.0, 80), 9)
 ANGLES = np.unique([*np.linspace(1.0, 179.0, 357), *(90.0 - BESIDE), *(90.0 + BESIDE)])
 AXES = ("rod_length", "rod_angle")
-#: The line of the ring lies behind the others, and is wider.
+#: Style of the ring's line, which is behind the others and wider.
 BEHIND: dict[str, Any] = {"color": GRAY, "linewidth": 2.8, "alpha": 0.55}
-#: Dashes of the supports of a panel, beside their colors.
+#: Dashes of the supports of a panel, in addition to their colors.
 DASHES: tuple[Any, ...] = (
     "-", (0, (5, 1.5)), (0, (2, 1)), (0, (9, 1.5, 2, 1.5)), (0, (5, 1.5, 1, 1.5)), (0, (1, 1)),
 )  # fmt: skip
@@ -46,7 +46,7 @@ def over_rods(
     function: Callable[[Scene], xr.DataArray],
     long_name: str,
 ) -> xr.Dataset:
-    """A function of scenes for every support and for the ring, along each axis through the study's rod."""
+    """Values of a function of scenes for every support and the ring, along each axis at the study's rod."""
     data = described_supports(grid, rod).rename({name: f"cut_{name}" for name in AXES})
     found = supports(grid)
     ring = ring_beside(found)
@@ -70,7 +70,7 @@ def _axis(name: str, given: Array) -> xr.DataArray:
 
 
 class Part(NamedTuple):
-    """A panel: its axes, the axis that it shows, and its supports with color and dash."""
+    """A panel: its axes, the quantity on its horizontal axis, and its supports with color and dash."""
 
     ax: Any
     axis: str
@@ -80,10 +80,10 @@ class Part(NamedTuple):
 def panels(
     figure: Any, data: xr.Dataset, drawn: Callable[[xr.DataArray, str], Array]
 ) -> Iterator[Part]:
-    """Supports on areas above, on points and lines below; over rod length and over rod angle.
+    """Draw supports on areas above those on points and lines, over rod length and over rod angle.
 
-    `drawn` turns values into heights in the panel over an axis. In one column the panels stand below one
-    another.
+    `drawn` turns values into heights in the panel over an axis. In the one-column variant the panels are
+    stacked.
     """
     found = supports(data)
     colors, narrow = support_colors(found), is_column(figure)

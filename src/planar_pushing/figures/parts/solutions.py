@@ -1,4 +1,4 @@
-"""Figures of one solution of a scene: what they select, and how they are drawn to one scale."""
+"""Selection and drawing of figures of one solution of a scene, at a common scale."""
 
 from __future__ import annotations
 
@@ -23,22 +23,22 @@ from planar_pushing.figures.scene import (
 from planar_pushing.figures.sketch import Sketch
 from planar_pushing.figures.words import best_row
 
-#: Variables of a scene's dataset that its picture shows.
+#: Variables of a scene's dataset shown in its picture.
 PLOTTED = (
     "rod_length", "rod_angle", "radius", "ring_center", "friction_cone_right", "friction_cone_left",
     "motion_cone_right", "motion_cone_left", "pusher_angle", "pusher_magnitude", "pusher_motion", "outcome",
     "mode", "adhesive", "force", "contact_motion", "twist", "spin_ratio", "center", "effect",
 )  # fmt: skip
-#: Of friction around a ring, or of other supports.
+#: Variables of friction around a ring, or of other supports.
 MORE = ("support_force", "place_position", "place_force", "force_end", "pivot")
-#: Points of a unit of length in the figures that are compared.
+#: Points per unit of length in the figures to be compared.
 SCALE = 42.0
-#: What a caption tells of a quasi-static scene.
+#: Quantities of a quasi-static scene given in a caption.
 QUASI_STATIC = ("rod_length", "rod_angle", "friction_coefficient", "radius", "weight")
 
 
 def shown(sources: Sources, name: str) -> xr.Dataset:
-    """Select the solution to draw: the sticking one, else the first that moves, else the first."""
+    """Select the solution to draw: sticking, otherwise the first that moves, otherwise the first."""
     (scene,) = (each for key, each in sources.items() if key == f"scenes/{name}")
     more = [each for each in MORE if each in scene]
     return scene[[*PLOTTED, *more]].isel(solution=best_row(scene["mode"].values))
@@ -51,7 +51,7 @@ def angle_of(data: xr.Dataset, name: str) -> str:
 
 
 def balance(data: xr.Dataset) -> tuple[Sketch, Picture]:
-    """Sketch of the solution, and its picture without cones and friction."""
+    """Sketch of the solution and its picture, without cones and friction."""
     sketch, picture = Sketch.of_dataset(data), Picture()
     add_slider(picture, sketch)
     one = sketch.solution

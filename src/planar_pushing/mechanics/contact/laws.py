@@ -1,4 +1,4 @@
-"""Contact laws: the force angles that a contact transmits, and whether it slips at their edges."""
+"""Contact laws: the angles of the forces that a contact transmits, and whether it slips at their limits."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from planar_pushing.terms.options import AtZeroNormal
 
 @runtime_checkable
 class ContactLaw(Protocol):
-    """The forces that a contact transmits: an interval of angles, and the law at its edges."""
+    """The forces that a contact transmits: an interval of angles, and whether it slips at the edges."""
 
     @property
     def force_angles(self) -> AngleInterval:
-        """Angles of the forces that the fence can exert, radians."""
+        """Angles of the forces that the fence can exert, in radians."""
         ...
 
     @property
@@ -36,7 +36,7 @@ class Coulomb:
     Parameters
     ----------
     friction_coefficient : float or array
-        mu in [0, 1e9]. Infinite friction is a law of its own, `InfiniteFriction`.
+        mu in [0, 1e9]. For infinite friction use `InfiniteFriction`.
     """
 
     friction_coefficient: Number
@@ -57,13 +57,13 @@ class Coulomb:
 
 @dataclass(frozen=True, slots=True)
 class InfiniteFriction:
-    """Friction without bound (Secs. 3.2 and 5).
+    """Infinite friction (Secs. 3.2 and 5).
 
     Parameters
     ----------
     at_zero_normal : {"free", "none"}
-        The tangential force where the normal force is zero: "free" is the paper's definition 1,
-        under which the contact slips with f_n = 0; "none" is definition 2, under which it cannot.
+        Tangential force at zero normal force: any with "free", the paper's definition 1, under which the
+        contact can slip with f_n = 0; zero with "none", definition 2, under which it cannot.
     """
 
     at_zero_normal: AtZeroNormal | Literal["free", "none"] = "free"
@@ -88,7 +88,7 @@ class InfiniteFriction:
 
 @dataclass(frozen=True, slots=True)
 class PerfectlyRough:
-    """Kinematic no-slip (Sec. 5): any force, adhesive where it pulls on the slider."""
+    """Kinematic no-slip (Sec. 5): the contact transmits any force, also an adhesive one that pulls."""
 
     @property
     def force_angles(self) -> AngleInterval:
@@ -100,14 +100,14 @@ class PerfectlyRough:
 
 
 def friction_coefficient(law: ContactLaw) -> float:
-    """The coefficient of a law: its own, or infinite for the laws that have none."""
+    """The friction coefficient of a law; infinite for laws without one."""
     return float(getattr(law, "friction_coefficient", np.inf))
 
 
 class Law(NamedTuple):
-    """A contact law in numbers: the edges of its cone, and what happens at them.
+    """A contact law in numbers: the edges of its cone, and the behavior there.
 
-    `rough` laws transmit every force. In the public layer each entry is a number or an array.
+    A `rough` law transmits every force. In the public layer each entry is a number or an array.
     """
 
     right: Number
@@ -118,19 +118,19 @@ class Law(NamedTuple):
 
 
 def in_numbers(law: ContactLaw) -> Law:
-    """The law as the compiled core has it."""
+    """A law in the form of the compiled core."""
     cone = law.force_angles
     rough = np.ndim(cone.right) == 0 and cone.span > math.pi
     return Law(cone.right, cone.left, law.slips, cone.closed, rough)
 
 
 def is_law(law: object) -> bool:
-    """Whether an object, and not a class, is a contact law."""
+    """Whether an object is a contact law, and not a class of one."""
     return isinstance(law, ContactLaw) and not isinstance(law, type)
 
 
 def as_numbers(contact: Number) -> Law:
-    """A law, or an array of laws of any kinds, as the compiled core has it."""
+    """A law, or an array of laws of any kinds, in the form of the compiled core."""
     if not isinstance(contact, (list, tuple)) and not hasattr(contact, "ndim"):
         return in_numbers(contact)
     laws = np.asarray(contact, dtype=object)

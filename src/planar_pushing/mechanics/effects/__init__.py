@@ -1,4 +1,4 @@
-"""What resists or drives the motion: each effect is a convex potential of the slider's twist."""
+"""Effects, which resist or drive the motion: each is a convex potential of the slider's twist."""
 
 from planar_pushing.mechanics.effects import any_support, base, inertia, load, ring
 from planar_pushing.mechanics.effects.base import Effect

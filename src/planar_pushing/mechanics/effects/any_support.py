@@ -1,4 +1,4 @@
-"""Friction of any support pressure in the compiled core."""
+"""Friction of an arbitrary pressure distribution in the compiled core."""
 
 from __future__ import annotations
 
@@ -11,25 +11,25 @@ from planar_pushing.mechanics.supports.moments import moments_within
 from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS, Pressure
 from planar_pushing.mechanics.supports.pressure.table import Table, pressure_of
 
-#: A center of rotation further away than this, in the support's extents, acts like one there, but for its
-#: torque, which falls with the distance.
+#: A center of rotation farther away than this, in extents of the support, is moved to this distance; only
+#: the torque still decreases with the true distance.
 FARTHEST = 1e9
-#: From here on the force follows the motion of the center of pressure to what a slope needs.
+#: Beyond this distance the force is along the motion of the center of pressure, to the accuracy of a slope.
 FAR = 1e3
-#: Rounding error of a sum over pieces in units of that of its largest term, as of polygons (4e-15).
+#: Rounding error of a sum over pieces, in units of that of its largest term; measured on polygons (4e-15).
 TERMS = 8.0
 #: Degree of homogeneity.
 DEGREE = 1
 
 
 class Supports(NamedTuple):
-    """Pressures, of which a scene has one."""
+    """Table of pressures, one of which belongs to a scene."""
 
     table: Table
 
 
 class Support(NamedTuple):
-    """Friction of a pressure, which is in units of the support's extent in radii."""
+    """Friction of a pressure. The pressure is in units of the extent, and the extent in radii."""
 
     weight: float
     extent: float
@@ -86,7 +86,7 @@ def resistance(effect, x, y, spin, blur):
 
 @compiled
 def _spread_along(pressure, x, y):
-    """Mean square of the positions' parts in a direction: what a translation resists a rotation with."""
+    """Mean square of the positions along a direction: the stiffness of a translation to rotation."""
     xx, xy, yy = pressure.spread
     return xx * x * x + 2.0 * xy * x * y + yy * y * y
 

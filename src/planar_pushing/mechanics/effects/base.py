@@ -1,9 +1,8 @@
 """The interface of an effect: a convex potential of the twist, whose gradient is the wrench.
 
-Formulas have no dimensions: lengths are in the slider's radii, twists ``(x, y, spin)`` those of the body
-frame's origin in the body frame. A member of the family is a module: a named tuple of numbers, and compiled
-functions of it by the names below. Effects add, so a scene holds a tuple of those that it has, in any order
-and number.
+Formulas are dimensionless: lengths are in radii of the slider, and twists ``(x, y, spin)`` are those of the
+body frame's origin, in the body frame. Each effect is a module with a named tuple of numbers, and compiled
+functions of it with the names below. Effects add up, so a scene holds a tuple of any effects in any order.
 """
 
 from __future__ import annotations
@@ -13,12 +12,12 @@ from typing import Any, NamedTuple, Protocol
 
 from planar_pushing.mechanics.compiled import compiled, generic, generic_owning, owning
 
-#: Of each kind of effect, its module.
+#: Module of each kind of effect.
 KINDS: dict[type, Any] = {}
 
 
 class Effect(Protocol):
-    """Something that resists or drives the slider's motion, as users list it."""
+    """An effect that resists or drives the slider's motion, in the form in which users list it."""
 
     @property
     def degree(self) -> int:
@@ -32,16 +31,15 @@ class Resistance(NamedTuple):
     Attributes
     ----------
     f_x, f_y, torque : float
-        The wrench that sustains the twist; the friction of support points at the center of rotation is
-        left out.
+        The wrench that sustains the twist, without friction of support points at the center of rotation.
     xx, xy, yy, xs, ys, ss : float
         Second derivatives.
     most : float
-        The largest friction of the points at the center of rotation.
+        Maximum friction of the points at the center of rotation.
     point : int
         Number of the first of these points, -1 without one.
     gross : float
-        Magnitude of the terms of the force: its rounding error is a few units in the last place of this.
+        Magnitude of the terms of the force, whose rounding error is a few units in the last place of it.
     """
 
     f_x: float
@@ -74,7 +72,7 @@ def member(kind: type, name: str) -> Callable[..., Any]:
 
 
 def _summed(name: str, first: Callable[..., Any], both: Callable[..., Any]) -> Any:
-    """Choice of a member's function, or of the sum over a tuple of effects."""
+    """Selector of a member's function, or of the sum over a tuple of effects."""
 
     def choose(kind: Any) -> Callable[..., Any]:
         if isinstance(kind, tuple):
@@ -104,8 +102,8 @@ def _resistances(effects, x, y, spin, blur):
     )  # fmt: skip
 
 
-#: `Resistance` at a twist that is not rest, about the origin: effect or effects, x, y, spin, and the
-#: rounding error of x and y, within which points are at the center of rotation.
+#: `Resistance` at a nonzero twist, about the origin: effect or effects, x, y, spin, and the rounding error
+#: of x and y, within which points are at the center of rotation.
 resistance = generic(_summed("resistance", _resistance, _resistances))
 
 
@@ -120,14 +118,14 @@ def _moments(effects, speed, x, y):
     return Moment(one.mass + other.mass, one.x + other.x, one.y + other.y, one.whole + other.whole)
 
 
-#: `Moment` about (x, y) of the mass whose inertia an effect roughly equals at a speed, for first guesses:
+#: `Moment` about (x, y) of a mass that roughly matches an effect at a given speed, for first guesses:
 #: effect or effects, speed, x, y.
 moment = generic(_summed("moment", _moment, _moments))
 
 
 @compiled
 def moment_of(mass, gyration, x, y):
-    """Moments of a mass at (x, y) from a point, with the square of its radius of gyration."""
+    """Moments of a mass at (x, y) from a point; `gyration` is the square of its radius of gyration."""
     return Moment(mass, mass * x, mass * y, mass * (x * x + y * y + gyration))
 
 
@@ -171,7 +169,7 @@ def _pulls(effects):
     return a + d, b + e, c + f
 
 
-#: Wrench about the origin that acts on the slider whatever its motion: effect or effects.
+#: Wrench about the origin that acts on the slider at rest and in any motion: effect or effects.
 pull = generic(_summed("pull", _pull, _pulls))
 
 
@@ -185,7 +183,7 @@ def _energies(effects, x, y, spin):
     return energy(effects[0], x, y, spin) + energy(effects[1:], x, y, spin)
 
 
-#: Potential of degree 2 at a twist, of inertia the kinetic energy: effect or effects, x, y, spin.
+#: Potential of degree 2 at a twist, the kinetic energy for inertia: effect or effects, x, y, spin.
 energy = generic(_summed("energy", _energy, _energies))
 
 
@@ -199,8 +197,8 @@ def _scaled_all(effects, one, two):
     return (scaled(effects[0], one, two), *scaled(effects[1:], one, two))
 
 
-#: Effects whose forces are multiplied by a factor: the first where the potential has degree 1, the second
-#: where it has degree 2: effect or effects, and the factors.
+#: Effects with forces multiplied by the first factor if the potential has degree 1, and by the second if it
+#: has degree 2: effect or effects, and the factors.
 scaled = generic_owning(_summed("scaled", _scaled, _scaled_all))
 
 
@@ -220,7 +218,7 @@ def _make(kind: Any) -> Callable[..., Any]:
     return member(kind, "made")
 
 
-#: Effects of the kinds of a tuple with the numbers of a row, from a column on: kinds, row, column.
+#: Effects of the given kinds, with the numbers of a row starting at a column: kinds, row, column.
 made = generic_owning(_make)
 
 
@@ -234,34 +232,34 @@ def _count_all_fields(kinds):
     return count_fields(kinds[0]) + count_fields(kinds[1:])
 
 
-#: How many columns effects take: effect or effects.
+#: Number of columns of effects: effect or effects.
 count_fields = generic(_summed("count_fields", _count_fields, _count_all_fields))
 
 
 @compiled
 def no_points(effect):
-    """Members without support points have this as `count_points`."""
+    """`count_points` of members without support points."""
     return 0
 
 
 @compiled
 def no_place(effect, i):
-    """Members without support points have this as `place`."""
+    """`place` of members without support points."""
     return 0.0, 0.0
 
 
 @compiled
 def no_pull(effect):
-    """Members that exert nothing at rest have this as `pull`."""
+    """`pull` of members that exert nothing at rest."""
     return 0.0, 0.0, 0.0
 
 
 @compiled
 def no_energy(effect, x, y, spin):
-    """Members whose potential is not of degree 2 have this as `energy`."""
+    """`energy` of members with a potential of another degree than 2."""
     return 0.0
 
 
 def is_steady(kinds: tuple[Any, ...]) -> bool:
-    """Whether all potentials have one degree: the direction of a motion is then that of any multiple."""
+    """Whether all potentials have one degree, so that directions of motion do not depend on magnitudes."""
     return len({KINDS[kind].DEGREE for kind in kinds}) == 1

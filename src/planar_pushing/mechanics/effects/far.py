@@ -1,8 +1,9 @@
-"""Second derivatives of support friction where the slider nearly translates.
+"""Second derivatives of support friction for a slider that nearly translates.
 
-Where the center of rotation is far away, the sums of the second derivatives by the rotation cancel, and
-those of `resistance` serve Newton's method alone, with relative errors up to 1e-3. The wrench itself is
-exact and smooth there; its differences over small rotations give these derivatives to ten digits.
+If the center of rotation is far away, the sums for the second derivatives with respect to the rotation
+cancel. Those of `resistance` are good enough for Newton's method only, with relative errors up to 1e-3. The
+wrench itself is accurate and smooth there, and its differences over small rotations give these derivatives
+to ten digits.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.any_support import FAR, Support
 from planar_pushing.mechanics.effects.base import resistance
 
-#: Step of the rotation, in speeds per extent: the differences are of fourth order.
+#: Step of the rotation, in speeds per extent, of the fourth-order differences.
 STEP = 1e-3
 
 
@@ -26,7 +27,7 @@ def _none(effect, x, y, spin):
 
 @compiled
 def _turned(effect, w_x, w_y, rate):
-    """Force, and torque about the center of pressure, whose motion is (w_x, w_y); in extents."""
+    """Force, and torque about the center of pressure, which moves by (w_x, w_y); lengths in extents."""
     p_x, p_y = effect.pressure.center_x, effect.pressure.center_y
     x, y = w_x + rate * p_y, w_y - rate * p_x
     now = resistance(effect, x, y, rate / effect.extent, 0.0)
@@ -67,7 +68,7 @@ def _all(effects, x, y, spin):
 
 @generic
 def far_terms(kinds: Any) -> Callable[..., Any]:
-    """Corrections of xs, ys and ss of `resistance`: effect or effects, x, y, spin."""
+    """Corrections to xs, ys and ss of `resistance`: effect or effects, x, y, spin."""
     if isinstance(kinds, tuple):
         return _first if len(kinds) == 1 else _all
     return _of_support if kinds is Support else _none

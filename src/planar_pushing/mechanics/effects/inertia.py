@@ -35,7 +35,7 @@ class Inertia:
     Raises
     ------
     InvalidValue
-        Where a parameter is not a positive finite number, or the center not two finite ones.
+        If a parameter is not a positive finite number, or the center is not two finite numbers.
     """
 
     mass: Number = 1.0
@@ -52,7 +52,7 @@ class Inertia:
         object.__setattr__(self, "center", center)
 
     def moved(self, body: Frame, fence: Frame) -> Inertia:
-        """The same effect in the body frame, of numbers in an object's frame."""
+        """The same effect expressed in the body frame instead of the object's frame."""
         return replace(self, center=moved_place(self.center, body))
 
     @property
@@ -61,7 +61,7 @@ class Inertia:
 
 
 class Mass(NamedTuple):
-    """A mass in the compiled core: the square of its radius of gyration, and its center, body frame."""
+    """A mass in the compiled core, with its squared radius of gyration and its center in the body frame."""
 
     mass: float
     gyration: float

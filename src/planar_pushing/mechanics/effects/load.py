@@ -1,4 +1,4 @@
-"""A load in the plane: a tilted table, an object that gravity pulls."""
+"""A load in the plane: gravity on a tilted table, for instance."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ from planar_pushing.terms.errors import InvalidValue
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Load:
-    """A constant force at a point of the slider: potential ``-g . v`` of the point's velocity.
+    """A constant force at a point of the slider: potential ``-g . v``, with v the point's velocity.
 
     Parameters
     ----------
     force : (x, y), of floats or arrays
-        g, along and normal to the fence at time 0; it keeps its direction in the world.
+        g, along and normal to the fence at time 0; its direction in the world is constant.
     center : (x, y), of floats or arrays, optional
-        The point in the body frame; by default the center of mass, without inertia the slider's center.
+        The point in the body frame; by default the center of mass, or without inertia the slider's center.
 
     Raises
     ------
     InvalidValue
-        Where force or center are not two finite numbers.
+        If the force or the center is not two finite numbers.
     """
 
     force: tuple[Number, Number]
@@ -44,7 +44,7 @@ class Load:
             object.__setattr__(self, "center", _pair("center", self.center))
 
     def moved(self, body: Frame, fence: Frame) -> Load:
-        """The same effect along the fence's axes and in the body frame, of numbers in an object's frame."""
+        """The same effect, with force in the fence frame and center in the body frame."""
         x, y = fence.vector_in(self.force).tolist()
         center = None if self.center is None else moved_place(self.center, body)
         return replace(self, force=(x, y), center=center)
@@ -56,13 +56,13 @@ class Load:
 
 def _pair(name: str, given: Any) -> tuple[Number, Number]:
     if not isinstance(given, (tuple, list)) or len(given) != 2:
-        raise InvalidValue(name, given, "two finite numbers", "give its parts along x and y")
+        raise InvalidValue(name, given, "two finite numbers", "give its components along x and y")
     x, y = (required(f"load_{name}", each) for each in given)
     return x, y
 
 
 class Wrench(NamedTuple):
-    """A constant wrench about the origin, body frame."""
+    """A constant wrench about the origin, in the body frame."""
 
     x: float
     y: float

@@ -1,4 +1,4 @@
-"""Friction of the slider's own ring in the compiled core, by its closed form (Eqs. 2-3)."""
+"""Friction of the slider's own ring in the compiled core, in closed form (Eqs. 2-3)."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ class SupportFriction:
     Parameters
     ----------
     support : Support, or array of supports
-        Where the slider presses on the plane: `Ring`, `Points`, `Segment`, `Disc`, `Annulus`, `Polygon`,
+        Pressure of the slider on the plane: `Ring`, `Points`, `Segment`, `Disc`, `Annulus`, `Polygon`,
         `PressureMap` or `Composite`.
     weight : float or array
         W > 0: the slider's weight times the coefficient of support friction.
@@ -29,7 +29,7 @@ class SupportFriction:
     Raises
     ------
     InvalidValue
-        Where the weight is not a positive finite number, or something else than a support is given.
+        If the weight is not a positive finite number, or the support is of another type.
     """
 
     support: Any = field(default_factory=Ring)
@@ -46,7 +46,7 @@ class SupportFriction:
             )  # fmt: skip
 
     def moved(self, body: Frame, fence: Frame) -> SupportFriction:
-        """The same effect in the body frame, of numbers in an object's frame."""
+        """The same effect expressed in the body frame instead of the object's frame."""
         return replace(self, support=moved_support(self.support, body))
 
     @property
@@ -56,7 +56,7 @@ class SupportFriction:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RingFriction:
-    """Coulomb friction between the ring and the support, its pressure even around the ring.
+    """Coulomb friction between the ring and the plane, with uniform pressure around the ring.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ class RingFriction:
     Raises
     ------
     InvalidValue
-        Where the weight is not a positive finite number.
+        If the weight is not a positive finite number.
     """
 
     weight: Number = 1.0
@@ -76,7 +76,7 @@ class RingFriction:
 
     @property
     def support(self) -> Ring:
-        """The ring, of the slider's radius."""
+        """A ring with the slider's radius."""
         return Ring()
 
     @property
@@ -85,14 +85,14 @@ class RingFriction:
 
 
 def weight(mass: Number, support_friction: Number, gravity: Number = 9.80665) -> Number:
-    """W = mu_s m g: the force that slides an object over the table without turning it.
+    """W = mu_s m g: the force that slides an object over the table in pure translation.
 
     Parameters
     ----------
     mass : float or array
         m > 0, in kilograms.
     support_friction : float or array
-        mu_s > 0, the coefficient of friction between object and table.
+        mu_s > 0, the coefficient of friction between the object and the table.
     gravity : float or array
         g > 0, in meters per second squared; by default standard gravity.
 
@@ -104,7 +104,7 @@ def weight(mass: Number, support_friction: Number, gravity: Number = 9.80665) ->
     Raises
     ------
     InvalidValue
-        Where a number is not positive and finite.
+        If a number is not positive and finite.
     """
     found = required("mass", mass), required("support_friction", support_friction)
     return found[0] * found[1] * required("gravity", gravity)

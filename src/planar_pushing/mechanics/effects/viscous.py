@@ -13,22 +13,22 @@ from planar_pushing.terms.errors import InvalidValue
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Viscous:
-    """Friction in proportion to the speed of each support point: ``c <v^2> / 2`` over the support.
+    """Friction proportional to the speed of each support point: potential ``c <v^2> / 2`` (support mean).
 
-    It resists velocities: in a push from rest of a slider with inertia, whose velocity is zero, it is
-    absent.
+    It resists velocities. It is therefore absent in a push from rest of a slider with inertia, which has no
+    velocity yet.
 
     Parameters
     ----------
     support : Support
-        Where the slider rests on the plane.
+        Pressure of the slider on the plane.
     coefficient : float or array
-        c > 0: force over speed in a translation.
+        c > 0: force divided by speed in a translation.
 
     Raises
     ------
     InvalidValue
-        Where the coefficient is not a positive finite number, or something else than a support is given.
+        If the coefficient is not a positive finite number, or the support is of another type.
     """
 
     support: Any
@@ -45,7 +45,7 @@ class Viscous:
             )  # fmt: skip
 
     def moved(self, body: Frame, fence: Frame) -> Viscous:
-        """The same effect in the body frame, of numbers in an object's frame."""
+        """The same effect expressed in the body frame instead of the object's frame."""
         return replace(self, support=moved_support(self.support, body))
 
     @property

@@ -1,1 +1,1 @@
-"""Roots in brackets, and kernels mapped over arrays."""
+"""Bracketed roots, and kernels mapped over arrays."""

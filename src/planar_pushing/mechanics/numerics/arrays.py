@@ -1,7 +1,7 @@
 """From public arguments to compiled kernels and back: floats, numpy arrays and `xarray.DataArray`.
 
-A kernel is a compiled loop over the rows of an array, one row a scene. Arguments are broadcast (those with
-named dimensions by name, lazily where they are lazy), cut into blocks of rows, and mapped by threads.
+A kernel is a compiled loop over the rows of an array, one row per scene. Arguments are broadcast (by name
+if their dimensions are named, lazily if they are lazy), cut into blocks of rows, and mapped by threads.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ from planar_pushing.mechanics.status import FLAGS, flag_attributes
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.quantities import MECHANICS, attributes
 
-#: Rows of a block: a millisecond to a hundred of work, so that Ctrl-C is heard and threads cost little.
+#: Rows per block: 1 to 100 ms of work, so that Ctrl-C is noticed and threads cost little.
 BLOCK = 32768
-#: Cores that calls may use, where the caller has a say; otherwise all.
+#: Number of cores that calls may use, if the caller sets one; all by default.
 CORES: ContextVar[int] = ContextVar("CORES")
 
 
 class Output(NamedTuple):
-    """Name, dimensions behind the broadcast ones with their sizes, and type of a result."""
+    """Name of a result, its dimensions after the broadcast ones with their sizes, and its type."""
 
     name: str
     tail: tuple[tuple[str, int], ...] = ()
@@ -46,15 +46,15 @@ def mapped(
     ----------
     kernel : compiled function
     kinds : tuple
-        What its body is compiled for.
+        Kinds for which its body is compiled.
     columns : sequence of array_like
-        The columns of a row; broadcast against one another to shape S.
+        The columns of a row, broadcast together to shape S.
     outputs : sequence of Output
 
     Returns
     -------
     list of ndarray
-        One for each output, shape S + its tail.
+        One per output, shape S + its tail.
     """
     arrays = [np.asarray(column, dtype=float) for column in columns]
     shape = np.broadcast_shapes(*(array.shape for array in arrays))
@@ -72,19 +72,19 @@ def mapped(
 
     starts = range(0, size, BLOCK)
     if size:
-        block(0)  # which compiles where it must, before the threads do
+        block(0)  # compiles the kernel, if necessary, before the threads start
     if len(starts) > 1:
         in_threads(block, starts[1:])
     return [each.reshape(shape + tail) for each, tail in zip(found, tails, strict=True)]
 
 
 def _flat(array: Array, shape: tuple[int, ...]) -> Array:
-    """An array, broadcast to a shape and flat; a scalar is returned unchanged."""
+    """An array broadcast to a shape and flattened; a scalar is returned unchanged."""
     return np.broadcast_to(array, shape).reshape(-1) if array.ndim else array
 
 
 def in_threads(block: Callable[[int], None], starts: Sequence[int]) -> None:
-    """Call a function for each start on all cores; Ctrl-C ends it after the calls under way."""
+    """Call a function for each start on all cores; Ctrl-C takes effect when the current calls end."""
     cores = CORES.get(numba.config.NUMBA_NUM_THREADS)
     if cores == 1:
         for start in starts:
@@ -100,7 +100,7 @@ def in_threads(block: Callable[[int], None], starts: Sequence[int]) -> None:
 
 
 def is_labelled(value: object) -> bool:
-    """Whether a value is a DataArray; xarray is not imported to ask."""
+    """Whether a value is a DataArray, without importing xarray."""
     xarray = sys.modules.get("xarray")
     return xarray is not None and isinstance(value, xarray.DataArray)
 
@@ -110,12 +110,12 @@ def elementwise(
     arguments: Sequence[Any],
     outputs: Sequence[Output],
 ) -> list[Any]:
-    """Results of a function of arrays: floats of floats, arrays of arrays, DataArrays of DataArrays.
+    """Results of a function of arrays, of the type of the arguments: floats, arrays or DataArrays.
 
     Parameters
     ----------
     function : callable
-        Of arrays that broadcast, gives an array for each output, shape S + its tail.
+        Takes arrays that broadcast to shape S and returns one array per output, shape S + its tail.
     arguments : sequence of float, array_like or DataArray
     outputs : sequence of Output
     """
@@ -139,7 +139,7 @@ def elementwise(
 
 
 def _require_shapes(arguments: Sequence[Any]) -> None:
-    """Refuse arrays that do not broadcast against one another."""
+    """Refuse arrays that do not broadcast together."""
     shapes = list(map(np.shape, arguments))
     try:
         np.broadcast_shapes(*shapes)
@@ -147,19 +147,19 @@ def _require_shapes(arguments: Sequence[Any]) -> None:
         given = " and ".join(map(str, dict.fromkeys(each for each in shapes if each)))
         raise InvalidValue(
             "shapes", given, "arrays that broadcast against one another",
-            "give each an axis of its own, as in x[:, None], or label the axes: xarray.DataArray",
+            "give each its own axis, as in x[:, None], or label the axes with xarray.DataArray",
         ) from None  # fmt: skip
 
 
 def evaluated(
     kernel: Callable[..., None], kinds: Any, columns: Sequence[Any], outputs: Sequence[Output]
 ) -> list[Any]:
-    """Results of a kernel, as `mapped` calls it and `elementwise` returns them."""
+    """Results of a kernel that is called by `mapped`, in the types of `elementwise`."""
     return elementwise(lambda *given: mapped(kernel, kinds, given, outputs), columns, outputs)
 
 
 def named(name: str, value: Any) -> Any:
-    """A result with its name, units and flags where it is labelled."""
+    """A result, with its name, units and flags if it is labeled."""
     if not is_labelled(value):
         return value
     flags = flag_attributes(FLAGS[name]) if name in FLAGS else {}
@@ -167,7 +167,7 @@ def named(name: str, value: Any) -> Any:
 
 
 def same(one: Any, other: Any) -> Any:
-    """Whether two values of one dataclass hold the same numbers: one answer for whole arrays."""
+    """Whether two values of one dataclass hold the same numbers: a single answer, also for arrays."""
     if type(one) is not type(other):
         return NotImplemented
     pairs = ((getattr(one, field.name), getattr(other, field.name)) for field in fields(one))
@@ -175,5 +175,5 @@ def same(one: Any, other: Any) -> Any:
 
 
 def dataset(arrays: Sequence[Any]) -> Any:
-    """Named DataArrays of one call as a dataset; their coordinates are the same, so none is aligned."""
+    """Named DataArrays of one call as a dataset, without alignment because they share coordinates."""
     return arrays[0].to_dataset().assign({array.name: array.variable for array in arrays})

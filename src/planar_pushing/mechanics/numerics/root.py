@@ -1,4 +1,4 @@
-"""Roots and dips of functions of one number, ``function(arguments, x)``, in brackets."""
+"""Bracketed roots and minima of functions of one number, ``function(arguments, x)``."""
 
 from __future__ import annotations
 
@@ -7,32 +7,33 @@ from math import sqrt
 from planar_pushing.mechanics.compiled import compiled
 
 EPSILON = 2.220446049250313e-16
-#: Newton steps below this part of the root that shrink by more than this factor converge quadratically:
-#: the next one is the cube of this one over the square of the last, or the square of this one, where that
-#: is more: one step may be small by chance. Where the next one is below rounding, or a step is this small
-#: relative to the root, the iteration ends. Beside an infinite slope steps shrink slowly.
+#: Newton steps converge quadratically once they are below NEAR, relative to the root, and shrink by at
+#: least QUADRATIC. The next step is then estimated as the cube of this one over the square of the last, or,
+#: if larger, as the square of this one, because a single step can be small by chance. The iteration ends
+#: when the next step is below rounding or a step is below SETTLED. Near an infinite slope steps shrink
+#: slowly.
 NEAR, QUADRATIC, SETTLED = 0.1, 0.02, 1e-13
-#: Relative resolution of a root, some units in the last place.
+#: Relative resolution of a root, a few units in the last place.
 RESOLUTION = 1e-15
-#: More than bisection needs to come to zero through all the exponents.
+#: More steps than bisection takes to reach zero through all exponents.
 ITERATIONS = 2000
-#: Steps out to a bracket, each eight times the last.
+#: Maximum number of steps to a bracket, each eight times the last.
 DOUBLINGS = 60
-#: Golden section, and the number of sections for the least value of a dip: to 1e-7 of its width, where the
-#: value is known to 1e-14 of its depth.
+#: Golden section, and the number of sections for the minimum of a dip: they reduce its width to 1e-7, which
+#: gives the value to 1e-14 of its depth.
 SECTION, SECTIONS = (3.0 - sqrt(5.0)) / 2.0, 34
 
 
 @compiled
 def is_last(size, before):
-    """Whether only rounding is left after a Newton step of a relative size, and one before."""
+    """Whether only rounding error is left after a Newton step, given its relative size and the last one."""
     quadratic = before <= NEAR and size <= QUADRATIC * before and size * size <= EPSILON
     return size <= SETTLED or (quadratic and size**3 <= EPSILON * before**2)
 
 
 @compiled
 def _part(a, b, c, at_a, at_b, at_c):
-    """Part of the bracket from a to b where inverse quadratic interpolation has the root, or half."""
+    """Fraction of the bracket from a to b at which inverse quadratic interpolation has its root, or 1/2."""
     part = 0.5
     if c != b and at_c != at_a and at_c != at_b:
         place, height = (a - b) / (c - b), (at_a - at_b) / (at_c - at_b)
@@ -47,7 +48,7 @@ def root(function, arguments, low, high, at_low, at_high, resolution=RESOLUTION)
     """Root between two numbers at which the values have opposite signs.
 
     Chandrupatla's method (Advances in Engineering Software 28, 1997): inverse quadratic interpolation where
-    the function is smooth enough for it, bisection elsewhere.
+    the function is smooth enough, bisection elsewhere.
     """
     a, b, c = high, low, high
     at_a, at_b, at_c = at_high, at_low, at_high
@@ -70,9 +71,9 @@ def root(function, arguments, low, high, at_low, at_high, resolution=RESOLUTION)
 
 @compiled
 def dip(function, arguments, low, middle, high, at_middle, bound=0.0):
-    """A place in a dip where a function is below a bound, and the value there; the least one without any.
+    """A place in a dip where a function is below a bound, or else its minimum; and the value there.
 
-    Golden sections about the middle one of three places, at which the function is least.
+    Golden-section search about the middle of three places, where the function is smallest.
     """
     place, value = middle, at_middle
     for _ in range(SECTIONS):
@@ -91,7 +92,7 @@ def dip(function, arguments, low, middle, high, at_middle, bound=0.0):
 
 @compiled
 def increasing_root(function, arguments, start, step):
-    """Root of a function that increases, from a first guess and the size of a first step across it."""
+    """Root of an increasing function, from a first guess and the size of a first step across the root."""
     low, at_low = start, function(arguments, start)
     sense = -1.0 if at_low > 0.0 else 1.0
     for _ in range(DOUBLINGS):

@@ -1,1 +1,1 @@
-"""The effects as a function of the motion of the contact: the rotation is eliminated."""
+"""The effects as a function of the contact's motion, with the rotation eliminated."""

@@ -1,12 +1,12 @@
-"""The motion of a slider that nothing pushes: rest, or where loads take it.
+"""The motion of a slider without a pusher: rest, or a motion caused by loads.
 
-It is the minimum of the potential over all twists, which is strictly convex with inertia. The potential of
-friction has kinks: rest, and the rotations about each support point, along which the minimum is a closed
-form. Newton's method, with steps along which the potential falls, starts from the lowest of these and so
-meets none.
+It is the minimum of the total potential over all twists, which is strictly convex with inertia. The
+potential of friction has kinks: at rest, and at rotations about each support point, among which the minimum
+has a closed form. Newton's method with descent steps starts from the lowest of these and therefore meets no
+kink.
 
-Where no start is below rest, friction may hold the loads. Half of the square of friction's potential D,
-less the loads' power, has no kink at rest; it is least at the twist whose friction is in proportion to the
+If no start is below rest, friction may hold the loads. Half the square of friction's potential D, minus the
+power of the loads, has no kink at rest. Its minimum is at the twist whose friction is proportional to the
 loads.
 """
 
@@ -27,23 +27,23 @@ from planar_pushing.mechanics.effects.base import (
 )
 from planar_pushing.mechanics.numerics.root import EPSILON
 
-#: Newton steps at most, and trials along one.
+#: Maximum number of Newton steps, and of trials along one.
 STEPS, TRIALS = 60, 120
-#: A step ends where the slope of the potential is this part of that at its start, or where the place of the
-#: minimum is known to this part of the step.
+#: A step ends where the slope of the potential has fallen to this fraction of that at the start, or where
+#: the minimum is known to this fraction of the step.
 SLOPE, NARROW = 0.3, 1e-6
 #: Rounding error of a value, relative to the power of the loads.
 ROUNDING = 8.0 * EPSILON
-#: Momentum over load of a slider that friction holds.
+#: Largest ratio of momentum to load of a slider that counts as held by friction.
 SLOWEST = 1e-13
-#: Factor of a twist whose inertia counts for nothing beside friction.
+#: Factor of a twist that makes its inertia negligible relative to friction.
 SLOW = 1e-100
-#: Stiffness of a direction in which the square of D is flat, beside that of the others.
+#: Stiffness added to directions in which the square of D is flat, relative to the total stiffness.
 FLAT = 1e-13
 
 
 class Free(NamedTuple):
-    """Twist of the origin, body frame."""
+    """Twist of the origin, in the body frame."""
 
     x: float
     y: float
@@ -55,7 +55,7 @@ REST = Free(0.0, 0.0, 0.0)
 
 @compiled
 def free(effects):
-    """The twist at which effects exert no wrench; zero where friction holds the loads."""
+    """The twist without a net wrench of the effects; zero if friction holds the loads."""
     x, y, torque = pull(effects)
     load, mass = Free(x, y, torque), moment(effects, inf, 0.0, 0.0)
     if mass.mass == 0.0 or (x == 0.0 and y == 0.0 and torque == 0.0):
@@ -70,7 +70,7 @@ def free(effects):
 
 @compiled
 def _solved(xx, xy, yy, xs, ys, ss, wrench):
-    """The twist of a wrench by a positive matrix."""
+    """The twist that a positive-definite matrix maps to a wrench."""
     part, swing = xy / xx, xs / xx
     own, aside = yy - part * xy, ys - part * xs
     right, turn = wrench.y - part * wrench.x, aside / own
@@ -96,9 +96,9 @@ def _moved(at, step, part):
 
 @compiled
 def _local(effects, load, at, square):
-    """Value and derivatives of the potential, or of half of the square of D less the loads' power.
+    """Value and derivatives of the potential, or of half the square of D minus the power of the loads.
 
-    The derivatives are a `Resistance`, whose `most` is what a support point at rest takes of a force.
+    The derivatives are a `Resistance`; its `most` is the largest force that a support point at rest takes.
     """
     slow = SLOW if square else 1.0
     x, y, spin = slow * at.x, slow * at.y, slow * at.spin
@@ -121,7 +121,7 @@ def _local(effects, load, at, square):
 
 @compiled
 def _on_ray(effects, load, ray, square):
-    """The twist in the direction of a ray, or against it, that has the least value, and this value."""
+    """The twist of minimum value along a ray, in either sense, and this value."""
     power, size = _power(ray, load), _size(ray)
     x, y, spin = SLOW * ray.x, SLOW * ray.y, SLOW * ray.spin
     now = resistance(effects, x, y, spin, EPSILON * SLOW * size)
@@ -136,7 +136,7 @@ def _on_ray(effects, load, ray, square):
 
 @compiled
 def _lowest(effects, load, ray, square):
-    """The lowest twist in the direction of a ray or about a support point, and its value."""
+    """The twist of minimum value along a ray or about any support point, and this value."""
     found, least = _on_ray(effects, load, ray, square)
     for i in range(count_points(effects)):
         x, y = place(effects, i)
@@ -148,7 +148,7 @@ def _lowest(effects, load, ray, square):
 
 @compiled
 def _least(effects, load, at, square):
-    """The twist of the least value, from one that is not above any of those about a support point."""
+    """The twist of minimum value, from a start not above the minimum about any support point."""
     for _ in range(STEPS):
         value, now = _local(effects, load, at, square)
         if now.most > 0.0:
@@ -170,9 +170,9 @@ def _least(effects, load, at, square):
 
 @compiled
 def _descent(effects, load, at, step, value, slope, square):
-    """Part of a step at whose end the value is nearly least: the whole step where that will do."""
+    """Fraction of a step at which the value is nearly minimal; the whole step if it is good enough."""
     low, high, part = 0.0, inf, 1.0
-    if not slope < 0.0:  # by rounding
+    if not slope < 0.0:  # from rounding
         return part
     for _ in range(TRIALS):
         there = _moved(at, step, part)

@@ -1,13 +1,13 @@
-"""How a motion and its force respond to a change of the problem: the implicit function theorem.
+"""Response of a motion and its force to a change of the problem, by the implicit function theorem.
 
-At a solution the wrench of the effects balances the force, and the contact imposes a condition: the
-pusher's whole motion, its normal part and the direction of the force, or the force. A change of a parameter
-changes the terms of these equations at the same motion; the Hessian of the potential, with the rotation
-eliminated as in `psi`, gives the change of motion and force that restores them.
+At a solution the wrench of the effects balances the force, and the contact imposes a condition: on the full
+contact motion, on its normal component and the direction of the force, or on the force. A change of a
+parameter changes the terms of these equations at the same motion. The Hessian of the potential, with the
+rotation eliminated as in `psi`, gives the change of motion and force that restores the balance.
 
-While the slider pivots about a support point, the point's friction takes up each change of the balance
-across the point, so only the place of the point and the condition at the contact fix the motion. All is in
-the body frame; lengths are in radii.
+While the slider pivots about a support point, the friction of the point absorbs every change of the force
+balance there, so the motion is fixed by the position of the point and the condition at the contact alone.
+Everything is in the body frame, with lengths in radii.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from typing import NamedTuple
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import Resistance
 
-#: Conditions at the contact: it moves with the pusher, or has its normal part and a force along an edge;
-#: a force along a line, with a contact motion of constant magnitude; a given force; none.
+#: Conditions at the contact: it moves with the pusher; it has the pusher's normal motion and a force along
+#: an edge; a force along a line, with a contact motion of constant magnitude; a given force; none.
 STICK, SLIP, LINE, FORCE, FREE = range(5)
 #: Rounding error of a sum of second derivatives, relative to its terms.
 ROUNDING = 1e-14
@@ -36,11 +36,11 @@ class State(NamedTuple):
     u_x, u_y, spin : float
         Motion of the contact, and rotation.
     f_x, f_y, e_x, e_y : float
-        Force, and the unit vector of the edge or line along which it is.
+        Force, and the unit vector of its edge or line.
     m_x, m_y : float
         Direction in which the condition fixes the contact's motion: the pusher's normal, or the motion.
     r_x, r_y : float
-        The pivot from the contact.
+        Position of the pivot relative to the contact.
     """
 
     condition: int
@@ -61,8 +61,8 @@ class State(NamedTuple):
 class Cause(NamedTuple):
     """A change of the problem.
 
-    Of the pusher's motion, of a given force, of the angle of the edge, of the contact's position, and of
-    the wrench about the contact at the same rotation and motion of the contact.
+    Changes of the pusher's motion, a given force, the angle of the edge, the contact's position, and the
+    wrench about the contact at the same rotation and motion of the contact.
     """
 
     u_x: float
@@ -78,7 +78,7 @@ class Cause(NamedTuple):
 
 
 class Change(NamedTuple):
-    """The response: of the contact's motion, of the rotation, and of the force."""
+    """The response: changes of the contact's motion, the rotation, and the force."""
 
     u_x: float
     u_y: float
@@ -93,13 +93,13 @@ UNKNOWN = Change(nan, nan, nan, nan, nan)
 
 @compiled
 def cross(x, y, other_x, other_y):
-    """The part of the cross product of two vectors across the plane."""
+    """The cross product of two vectors of the plane, a scalar."""
     return x * other_y - y * other_x
 
 
 @compiled
 def _bend(now):
-    """Hessian of Psi, and derivatives of the rotation by the contact's motion."""
+    """Hessian of Psi, and derivatives of the rotation with respect to the contact's motion."""
     turn_x, turn_y = -now.xs / now.ss, -now.ys / now.ss
     xx, xy, yy = now.xx + turn_x * now.xs, now.xy + turn_x * now.ys, now.yy + turn_y * now.ys
     return xx, xy, yy, turn_x, turn_y
@@ -107,7 +107,7 @@ def _bend(now):
 
 @compiled
 def smooth(of, cause):
-    """The change of a motion that is no pivot; NaN where the equations are singular."""
+    """The change of a motion that is not a pivot; NaN if the equations are singular."""
     if not of.now.ss > 0.0:
         return UNKNOWN
     xx, xy, yy, turn_x, turn_y = _bend(of.now)
@@ -138,7 +138,7 @@ def smooth(of, cause):
 
 @compiled
 def pivoting(of, cause):
-    """The change of a pivot: the point rests, whatever the force, and the moments about it balance."""
+    """The change of a pivot: the point stays at rest, and the moments about it balance."""
     if of.condition == STICK:
         return _held(of, cause)
     now, r_x, r_y = of.now, of.r_x, of.r_y
@@ -172,9 +172,9 @@ def pivoting(of, cause):
 
 @compiled
 def _held(of, cause):
-    """The change of a motion that sticks and pivots, whose force is any of an interval.
+    """The change of a motion that sticks and pivots, with a force undetermined within an interval.
 
-    A change that moves the point along its line to the contact lets it slide one way or the other: NaN.
+    The change is NaN if it moves the point along its line to the contact: the point then starts to slide.
     """
     r_x, r_y = of.r_x, of.r_y
     square = r_x * r_x + r_y * r_y

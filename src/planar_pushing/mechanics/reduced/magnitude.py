@@ -1,7 +1,7 @@
-"""The motions under a force of one direction, over their magnitude.
+"""The motions under forces of one direction and any magnitude.
 
-Of effects of several degrees the direction of a motion turns as it grows. Its part along the line of force
-orders the motions: the force increases with it, as Psi is convex.
+With effects of several degrees, the direction of a motion changes with its magnitude. The motions are
+ordered by their component along the line of force: the force increases with it, because Psi is convex.
 """
 
 from __future__ import annotations
@@ -23,19 +23,19 @@ from planar_pushing.mechanics.reduced.psi import Contact
 from planar_pushing.mechanics.reduced.under import not_found, pushed, pushed_ends
 from planar_pushing.mechanics.supports.ring import ring_spin_ratio
 
-#: Magnitudes at which the angle of the contact's motion is evaluated, to either side of the one at which
-#: the effects are of one magnitude: hyperbolic sines, this far apart, are their logarithms.
+#: Number of magnitudes at which the angle of the contact's motion is evaluated, on either side of the one
+#: at which the effects have equal magnitudes. Their logarithms are hyperbolic sines of multiples of APART.
 NODES, APART = 32, 0.11
-#: Logarithm of a part along the line of force whose inertia counts for nothing beside friction.
+#: Logarithm of a component along the line of force at which inertia is negligible relative to friction.
 SLOWEST = -34.0
-#: Steps between the two neighbors of a node at which the angle is extreme.
+#: Number of steps between the two neighbors of a node with an extreme angle.
 FINER = 16
-#: Added to angles from the force, which makes them positive.
+#: Offset that makes angles from the force positive.
 POSITIVE = 2.0
 
 
 class Pull(NamedTuple):
-    """A line of force at the contact, and the value of a quantity that is sought."""
+    """A line of force at the contact, and the target value of a quantity."""
 
     effects: tuple[Any, ...]
     at: Contact
@@ -46,7 +46,7 @@ class Pull(NamedTuple):
 
 @compiled
 def moved_by(of, z):
-    """The motion whose part along the line of force has a logarithm."""
+    """The motion with a component exp(z) along the line of force."""
     return pushed(of.effects, of.at, of.e_x, of.e_y, exp(z))
 
 
@@ -70,7 +70,10 @@ def _energy(of, z):
 
 @generic
 def at_speed(kinds: Any) -> Callable[..., Any]:
-    """The motion under a line of force, of unit speed of the origin or any: effects, contact, e_x, e_y."""
+    """Motion under a line of force, with unit speed of the origin if the speed matters.
+
+    Arguments: effects, contact, e_x, e_y.
+    """
     return _any if is_steady(kinds) else _at_unit_speed
 
 
@@ -87,7 +90,7 @@ def _at_unit_speed(effects, at, e_x, e_y):
 
 @compiled
 def at_force(effects, at, e_x, e_y, size):
-    """The motion under a force of a size; not found where friction holds the slider."""
+    """The motion under a force of magnitude `size`; not found if friction holds the slider."""
     of = Pull(effects, at, e_x, e_y, size)
     if _force(of, SLOWEST) >= 0.0:
         return not_found(moved_by(of, SLOWEST))
@@ -96,7 +99,7 @@ def at_force(effects, at, e_x, e_y, size):
 
 @compiled
 def on_curve(effects, at, e_x, e_y):
-    """The motion of a force on the limit curve: with the energy of a unit translation, or any."""
+    """The motion at a force on the limit curve; with inertia, it has the energy of a unit translation."""
     goal = energy(effects, 1.0, 0.0, 0.0)
     if goal == 0.0:
         return pushed(effects, at, e_x, e_y, 1.0)
@@ -132,13 +135,13 @@ def turned(moved, force):
 
 @generic
 def direction_under(kinds: Any) -> Callable[..., Any]:
-    """Direction of the motion under a force, the origin at unit speed: effects, rod, contact, force."""
+    """Direction of the motion under a force, origin at unit speed: effects, rod, contact, force."""
     return _under_on_ring if kinds == (RingSupport,) else _under
 
 
 @compiled
 def direction_at(effects, at, force, size):
-    """Direction of the motion under a force of a size."""
+    """Direction of the motion under a force of magnitude `size`."""
     return turned(at_force(effects, at, force.along, -force.aside, size), force)
 
 
@@ -149,7 +152,7 @@ def _under(effects, own, at, force):
 
 @compiled
 def _under_on_ring(effects, own, at, force):
-    """By the closed inverse of Eq. (7): the force is along the center's motion."""
+    """Direction from the closed inverse of Eq. (7): the force is along the center's motion."""
     ratio = ring_spin_ratio(moment_arm(own, force))
     angle = contact_motion_angle(own, force, ratio)
     if abs(ratio) < inf:
@@ -158,7 +161,7 @@ def _under_on_ring(effects, own, at, force):
 
 
 class Angles(NamedTuple):
-    """Least and greatest angle of the contact's motion; whether it turns, pivots or is a continuum."""
+    """Minimum and maximum angle of the contact's motion; whether it pivots, is a continuum, was found."""
 
     least: float
     greatest: float
@@ -169,7 +172,7 @@ class Angles(NamedTuple):
 
 @generic_owning
 def angles_under(kinds: Any) -> Callable[..., Any]:
-    """`Angles` under a force in a direction, over all magnitudes: effects, rod, contact, force."""
+    """`Angles` under a force in one direction, over all magnitudes: effects, rod, contact, force."""
     if kinds == (RingSupport,):
         return _one_angle
     return _steady_angles if is_steady(kinds) else _all_angles
@@ -194,7 +197,7 @@ def _steady_angles(effects, own, at, force):
 def _all_angles(effects, own, at, force):
     slow = _steady_angles(scaled(effects, 1.0, 0.0), own, at, force)
     fast = _steady_angles(scaled(effects, 0.0, 1.0), own, at, force)
-    # Of the motions of a continuum, the slowest are the nearest to the fast ones.
+    # Of a continuum, the slow limit of the motions is the one nearest to the fast motions.
     near = min(max(slow.least, fast.least), slow.greatest)
     low, high = min(near, fast.least), max(near, fast.least)
     if not _turns_one_way(effects):
@@ -205,7 +208,7 @@ def _all_angles(effects, own, at, force):
 
 @generic
 def _turns_one_way(kinds: Any) -> Callable[..., Any]:
-    """Whether the contact's motion turns one way from slow to fast."""
+    """Whether the direction of the contact's motion is monotone from slow to fast."""
     return _is_isotropic if set(kinds) == {RingSupport, Mass} and len(kinds) == 2 else _unknown
 
 
@@ -251,7 +254,7 @@ def _node(i):
 
 @owning
 def _between(of):
-    """How far to the right and to the left of the force the contact moves at the most."""
+    """Maximum angles of the contact's motion to the right and to the left of the force."""
     aside = np.empty(2 * NODES + 1)
     for i in range(len(aside)):
         aside[i] = _right(of, _node(i)) - POSITIVE
@@ -260,7 +263,7 @@ def _between(of):
 
 @compiled
 def _least(function, of, asides):
-    """The least angle of all magnitudes: in the dips about nodes, and at the ends of level stretches."""
+    """The minimum angle over all magnitudes, searched in dips around nodes and at both ends."""
     found = min(asides[0], asides[-1])
     for i in range(1, len(asides) - 1):
         here, before, after = asides[i], asides[i - 1], asides[i + 1]
@@ -272,7 +275,7 @@ def _least(function, of, asides):
 
 @compiled
 def _deepest(function, of, low, high):
-    """The least value in a dip, which may be narrow beside a level stretch."""
+    """The minimum value in a dip, which can be narrow next to a plateau."""
     step = (high - low) / FINER
     least, place = inf, low
     for i in range(1, FINER):

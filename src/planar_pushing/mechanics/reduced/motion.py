@@ -1,4 +1,4 @@
-"""The contact, what the slider resists about it, and the reduced potential of one motion."""
+"""The contact, the slider's resistance about it, and the reduced potential at one motion."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.effects.base import Resistance, resistance
 from planar_pushing.mechanics.numerics.root import EPSILON
 
-#: Rounding error of a motion, relative to its parts.
+#: Rounding error of a motion, relative to its components.
 ROUNDING = 4.0 * EPSILON
-#: In place of the number of a support point: none.
+#: Number of a support point if there is none.
 NOWHERE = -1
 
 
 class Contact(NamedTuple):
     """Position of the contact in the body frame.
 
-    `reach` is its distance from the origin, and (a_x, a_y) the direction in which the origin moves by a
+    `reach` is its distance from the origin, and (a_x, a_y) the direction in which the origin moves in a
     rotation about the contact.
     """
 
@@ -37,19 +37,19 @@ class Psi(NamedTuple):
     v_x, v_y, spin : float
         Twist of the origin.
     f_x, f_y : float
-        Force at the contact; of a pivot the middle of its interval.
+        Force at the contact; for a pivot the midpoint of its interval.
     xx, xy, yy : float
-        Hessian of Psi; of a pivot that of the motion about the point.
+        Hessian of Psi; for a pivot that of the motion about the point.
     turn_x, turn_y : float
-        Derivatives of the rotation by the contact's motion.
+        Derivatives of the rotation with respect to the contact's motion.
     free_x, free_y : float
-        Half of a pivot's interval of forces, zero elsewhere.
+        Half of a pivot's interval of forces, otherwise zero.
     point : int
         Number of the support point about which the slider pivots, -1 without one.
     noise_x, noise_y : float
         Rounding errors of the force.
     found : bool
-        Whether the iteration has settled.
+        Whether the iteration has converged.
     """
 
     v_x: float
@@ -72,7 +72,7 @@ class Psi(NamedTuple):
 
 @compiled
 def contact_at(x, y):
-    """The contact at a position of the body frame."""
+    """The contact at a position in the body frame."""
     reach = sqrt(x * x + y * y)
     return (
         Contact(x, y, reach, y / reach, -x / reach) if reach > 0.0 else Contact(x, y, 0.0, 1.0, 0.0)
@@ -93,11 +93,11 @@ def about(effects, at, x, y, spin, blur):
 
 @compiled
 def settled(now, at, v_x, v_y, spin, step, x, y, size, found):
-    """Psi from what is felt one last Newton step before the root, of an unknown of this size."""
+    """Psi at a root, extrapolated by the last Newton step, for an unknown of magnitude `size`."""
     turn_x, turn_y = (-now.xs / now.ss, -now.ys / now.ss) if now.ss > 0.0 else (0.0, 0.0)
     xx, xy, yy = now.xx + turn_x * now.xs, now.xy + turn_x * now.ys, now.yy + turn_y * now.ys
     f_x, f_y = now.f_x + step * now.xs, now.f_y + step * now.ys
-    # The torque is known up to its parts' rounding, and so is the rotation, whose unknown is rounded too.
+    # The torque is known to the rounding of its terms, and the rotation to that and its own rounding.
     lever = (1.0 + at.reach) * (abs(at.a_x * f_x) + abs(at.a_y * f_y))
     noise_x = now.gross + abs(f_x) + abs(xx * x) + abs(xy * y)
     noise_y = now.gross + abs(f_y) + abs(xy * x) + abs(yy * y)

@@ -1,4 +1,4 @@
-"""Motions about a support point, or nearly, whose friction there the balance of torques determines."""
+"""Motions about a support point, or nearly, where the balance of torques determines its friction."""
 
 from __future__ import annotations
 
@@ -10,9 +10,10 @@ from planar_pushing.mechanics.reduced.motion import NOWHERE, ROUNDING, Psi, abou
 
 #: A support point slower than this, relative to the slider, barely moves.
 NEAR = 1e-5
-#: Smallest fraction of a share that can be resolved beside the rest of it: the root of a rounding error.
+#: Smallest fraction of a share that can be resolved next to the rest of it: the square root of a rounding
+#: error.
 SHORT = 1e-8
-#: A point that barely moves carries at most its share, but for this part of it.
+#: Relative tolerance by which the friction of a point that barely moves can exceed its share.
 BALANCED = 1e-9
 
 
@@ -33,10 +34,10 @@ def _nearest(effects, at, v_x, v_y, spin):
 
 @compiled
 def refined(effects, at, x, y, now, blur):
-    """Psi with the friction of a support point that barely moves from the balance of torques.
+    """Psi, with the friction of a support point that barely moves taken from the balance of torques.
 
-    It is not found where that point does not balance the torque, whose slope it makes so steep that any
-    step is small.
+    It is not found if that point does not balance the torque: near it the torque is so steep that any step
+    is small.
     """
     if count_points(effects) > 0:
         i, least, apart = _nearest(effects, at, now.v_x, now.v_y, now.spin)
@@ -50,7 +51,7 @@ def refined(effects, at, x, y, now, blur):
 
 @compiled
 def pivot_spin(effects, at, x, y, i):
-    """The rotation about a support point that moves along its line to the contact at most."""
+    """The rotation for which a support point moves at most along its line to the contact."""
     p_x, p_y = place(effects, i)
     r_x, r_y = p_x - at.x, p_y - at.y
     return (x * r_y - y * r_x) / (r_x * r_x + r_y * r_y)
@@ -58,12 +59,13 @@ def pivot_spin(effects, at, x, y, i):
 
 @compiled
 def about_point(effects, at, x, y, i, spin, blur):
-    """Psi of a rotation about a support point, or nearly: it carries the torque that the rest leaves.
+    """Psi of a rotation exactly or nearly about a support point, which balances the remaining torque.
 
-    Which way a point that barely moves does so is lost in the rounding of the twist. With the point at r
-    from the contact, the part of its friction across r follows from the torques, and the part along r from
-    its share, in the sense of its motion along r, ``u . r``. Where that is zero to rounding, or within this
-    `blur` of the motion's size, the slider pivots about it and the part along r is an interval.
+    The direction in which a point that barely moves does so is lost in the rounding of the twist. Let r be
+    the position of the point from the contact. The component of its friction across r follows from the
+    torques, and the component along r from its share, in the sense of its motion along r, ``u . r``. If
+    ``u . r`` is zero to rounding, or to within `blur` relative to the motion, the slider pivots about the
+    point, and the component along r has an interval of values.
     """
     p_x, p_y = place(effects, i)
     r_x, r_y = p_x - at.x, p_y - at.y
@@ -80,7 +82,8 @@ def about_point(effects, at, x, y, i, spin, blur):
     part = min(max(-now.torque / reach, -now.most), now.most)
     free = sqrt(now.most * now.most - part * part)
     f_x, f_y = now.f_x - part * r_y, now.f_y + part * r_x
-    # Its friction turns with its motion: across itself, along n, the less it moves the more.
+    # A change of the direction of motion changes the friction along n, across itself; more so if it is
+    # slow.
     slack, n_x, n_y, turns = 0.0, -r_y, r_x, reach
     slides = abs(aside) > rounding and free <= SHORT * now.most
     if ahead != 0.0 or slides:
@@ -98,7 +101,7 @@ def about_point(effects, at, x, y, i, spin, blur):
         -(slack * now.xs + turns * n_x) / whole,
         -(slack * now.ys + turns * n_y) / whole,
     )
-    # What rounding moves the part across r by, it moves the part along r by more where that is short.
+    # A rounding error of the component across r is amplified in the component along r if that is short.
     noise = 4.0 * ROUNDING * (abs(now.f_x) + abs(now.f_y) + now.most + abs(part))
     along = noise * abs(part) / max(free, SHORT * now.most)
     pivots = 0.0 if ahead != 0.0 or abs(aside) > rounding else 1.0

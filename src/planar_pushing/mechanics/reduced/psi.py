@@ -1,11 +1,11 @@
-"""The reduced potential of the contact's motion: its gradient and Hessian, by one root for the rotation.
+"""The reduced potential of the contact's motion: its gradient and Hessian, from one root for the rotation.
 
 With the rotation eliminated, ``Psi(u) = min over omega`` of the sum of the effects' potentials at the twist
-whose contact moves by `u` (Secs. 3 and 4). Psi is convex; its gradient is the force of the pusher, and the
-torque about the contact is zero by the minimum. All is in the body frame, lengths in radii.
+whose contact moves by `u` (Secs. 3 and 4). Psi is convex. Its gradient is the force of the pusher, and the
+torque about the contact is zero at the minimum. Everything is in the body frame, with lengths in radii.
 
-The torque increases with the rotation. Where the center of rotation is a support point it jumps by twice
-what that point's friction can take: a root within the jump is a pivot, and leaves an interval of forces.
+The torque increases with the rotation. At a center of rotation on a support point it jumps by twice the
+maximum torque of that point's friction. A root within the jump is a pivot, with an interval of forces.
 """
 
 from __future__ import annotations
@@ -35,12 +35,13 @@ from planar_pushing.mechanics.reduced.pivot import NEAR, about_point, pivot_spin
 
 __all__ = ["NOWHERE", "Contact", "Psi", "contact_at", "psi", "spin_guess"]
 
-#: Rounding error of a pivot's friction, relative to the share of the point: sums over some dozens of
+#: Rounding error of a pivot's friction, relative to the share of the point, for sums over some dozens of
 #: points.
 SHARE = 1e-13
-#: A point is across a motion within this part of its size, where another one is.
+#: Tolerance, relative to a motion, within which a point counts as across it if another point is exactly so.
 DIRECTION = 16.0 * EPSILON
-#: Steps to a rotation at most: bisection takes a bracket through 1e16 sizes to its last digit.
+#: Maximum number of steps to a rotation, enough for bisection over 16 orders of magnitude to the last
+#: digit.
 STEPS = 120
 
 
@@ -55,9 +56,9 @@ def spin_guess(effects, at, x, y):
 
 @compiled
 def _cut(effects, at, x, y, low, high, start):
-    """Where a bracket is cut: at the rotation about the point nearest to its middle, else in the middle.
+    """Place at which to cut a bracket: the rotation about the point nearest its middle, or the middle.
 
-    The torque of a point is steepest there. Rotations count from `start`.
+    The torque is steepest at rotations about a point. Rotations are relative to `start`.
     """
     middle, least = low + (high - low) / 2.0, (high - low) / 2.0
     found = middle
@@ -74,10 +75,10 @@ def _cut(effects, at, x, y, low, high, start):
 
 @compiled
 def turning(effects, at):
-    """The rotation about a contact at rest, and `Resistance` there; without any that at rest.
+    """The rotation about a contact at rest, and `Resistance` there, or at rest if the slider does not turn.
 
-    About a place that rests friction's torque is constant and that of inertia in proportion to the
-    rotation. Friction holds what loads it can.
+    About a fixed contact the torque of friction is constant, and that of inertia is proportional to the
+    rotation. The slider turns only if friction cannot hold the loads.
     """
     for sense in (1.0, -1.0):
         now = about(effects, at, sense * at.y, -sense * at.x, sense, 0.0)
@@ -92,10 +93,10 @@ def turning(effects, at):
 
 @compiled
 def _at_rest(effects, at):
-    """Psi of a contact at rest, where its gradient is a set: the force that takes friction least.
+    """Psi of a contact at rest, where the gradient is a set: the force that takes the least friction.
 
-    At rest that is the opposite of the loads, in a rotation the force without that of a point at the
-    contact.
+    For a slider at rest this force is the opposite of the loads; for one that rotates, it excludes the
+    friction of a point at the contact.
     """
     spin, now = turning(effects, at)
     return settled(now, at, spin * at.y, -spin * at.x, spin, 0.0, 0.0, 0.0, 0.0, spin == spin)
@@ -105,9 +106,10 @@ def _at_rest(effects, at):
 def psi(effects, at, x, y, guess, point, across):
     """Psi at a motion (x, y) of the contact, from a guess of the rotation.
 
-    Of a long rod the unknown is the origin's motion, which is small, and the rotation follows from it; of a
-    short one the rotation. A support point with a number is taken to be across the motion from the contact,
-    and then others to rounding; without, those that are `across` within this part of the motion's size.
+    For a long rod the unknown is the origin's motion, which is small, and the rotation follows from it; for
+    a short rod it is the rotation. If `point` is the number of a support point, that point is taken to lie
+    exactly across the motion from the contact, and others do to rounding; otherwise `across` is the
+    tolerance, relative to the motion.
     """
     if x == 0.0 and y == 0.0:
         return _at_rest(effects, at)
@@ -165,7 +167,7 @@ def psi(effects, at, x, y, guess, point, across):
 
 @compiled
 def _next(effects, at, x, y, low, high, start, q, scale):
-    """The next trial where Newton's method fails: beyond an open end of the bracket, or within it."""
+    """The next trial if Newton's method fails: beyond an open end of the bracket, or within it."""
     if low == -inf:
         return q - 8.0 * (abs(q) + scale)
     if high == inf:

@@ -1,7 +1,7 @@
-"""The slips under an edge of the friction cone: the roots of the force across it along the fence.
+"""The slips under an edge of the friction cone, as roots of the force across the edge.
 
-The motions of the contact have the pusher's normal part; s is their part along the fence, in the sense of
-the edge's force, from the slowest that this force can drive to the pusher's own.
+The motions of the contact share the pusher's normal component. The variable s is their component along the
+fence, in the sense of the edge's force, from the slowest motion that this force can drive to the pusher's.
 """
 
 from __future__ import annotations
@@ -24,28 +24,27 @@ from planar_pushing.mechanics.reduced.way import (
     node,
 )
 
-#: Width of a cell in asinh(s / normal part), and least number of cells.
+#: Width of a cell in asinh(s / normal component), and minimum number of cells.
 WIDTH, LEAST = 0.5, 3
-#: The slowest motion along the fence, of one unit: friction or inertia alone counts below it.
+#: The slowest motion along the fence, in units of the normal one; below it only friction or inertia counts.
 SLOWEST = exp(-32.0)
-#: Angle by which motions of a continuum differ at least.
+#: Minimum angle between the ends of a continuum.
 TURN = 1e-9
-#: Where a way is: at its start, outside of a continuum, inside of one.
+#: Position on a path: at its start, outside a continuum, inside one.
 REST, OUTSIDE, INSIDE = 0, 1, 2
 #: Slips closer than this, relative to their motion, are one.
 COINCIDENCE = 9e-13
-#: How often a dip is halved at most.
+#: Maximum number of times that a dip is halved.
 HALVINGS = 60
-#: Slips under one edge that are written down.
+#: Maximum number of slips under one edge.
 SLIPS = 8
-#: Entries of `found`: place, rotation, whether the slip is an end of a continuum, and about which point it
-#: is.
+#: Number of entries of a slip: place, rotation, whether it is an end of a continuum, number of its pivot.
 ENTRIES = 4
 
 
 @generic
 def _cells(kinds: Any) -> Callable[..., Any]:
-    """Number of cells between two places of a way: effects, unit, first, last."""
+    """Number of cells between two places of a path: effects, unit, first, last."""
     return _one_cell if is_steady(kinds) else _many_cells
 
 
@@ -61,21 +60,21 @@ def _many_cells(effects, unit, first, last):
 
 @compiled
 def slips_along(way, unit, first, last, found):
-    """Write down the roots from `first` to `last`, in this order.
+    """Write the roots from `first` to `last`, in this order.
 
     Parameters
     ----------
     way : Way
-        Along the fence; `unit` is the size of its normal part.
+        Along the fence; `unit` is the magnitude of its normal component.
     unit, first, last : float
     found : ndarray, shape (SLIPS, ENTRIES)
 
     Returns
     -------
     count : int
-        Number of slips, -1 where an iteration has not settled or there are too many.
+        Number of slips, -1 if an iteration has not converged or there are too many.
     flat : bool
-        Whether the last motions are a part of a continuum.
+        Whether the last motions belong to a continuum.
     """
     straight, unit = unit == 0.0, unit if unit > 0.0 else SLOWEST
     cells = _cells(way.effects, unit, first, last)
@@ -90,7 +89,7 @@ def slips_along(way, unit, first, last, found):
                 place, there = kink.s, node(way, kink.s, kink.spin, kink.point)
             else:
                 place, there = s, beside(way, here, s)
-            # The sign of a rounding error says nothing: the next place decides.
+            # The sign of a rounding error is meaningless, so the next place decides.
             if flat or not there.found or not _vanishes(there):
                 count, run = _between(way, unit, straight, flat, here, there, found, count, run)
                 if _steps_across(flat, here, there):
@@ -111,7 +110,7 @@ def _vanishes(at):
 
 @compiled
 def _steps_across(flat, here, kink):
-    """Whether the force steps across the edge at a kink, or up to it; a flat part counts for itself."""
+    """Whether the force jumps across the edge at a kink, or up to it; flat stretches count separately."""
     from_zero, to_zero = _is_zero(kink, kink.before), _is_zero(kink, kink.after)
     if flat:
         return kink.before * kink.after < 0.0 and not (from_zero or to_zero)
@@ -121,9 +120,9 @@ def _steps_across(flat, here, kink):
 
 @compiled
 def _write(unit, at, continuum, found, count):
-    """Write down a slip; the number of slips then, -1 where it is none or one too many.
+    """Write a slip and return the number of slips, -1 if it was not found or does not fit.
 
-    Two cells that meet at a kink may both find it.
+    Two cells that meet at a kink can both find the same slip.
     """
     if count > 0 and abs(at.s - found[count - 1, 0]) <= COINCIDENCE * (abs(at.s) + unit):
         return count
@@ -136,7 +135,7 @@ def _write(unit, at, continuum, found, count):
 
 @compiled
 def _between(way, unit, straight, flat, low, high, found, count, run):
-    """Write down the slips between two motions; their number then, and whether they end in a continuum."""
+    """Write the slips between two motions; return the number of slips, and the position on the path."""
     if count < 0 or not (low.found and high.found):
         return -1, run
     if _is_zero(low, low.after) or _is_zero(high, high.before):
@@ -154,10 +153,10 @@ def _between(way, unit, straight, flat, low, high, found, count, run):
 
 @generic
 def _may_be_flat(kinds: Any) -> Callable[..., Any]:
-    """Whether a part of a way may be a continuum: effects, whether it is along the fence, and where it is.
+    """Whether a stretch of a path can be a continuum: effects, whether it is along the fence, its position.
 
-    Of effects of one degree any part may be. Of others a part along the fence that begins at rest: beyond,
-    inertia adds to the force across the edge in proportion to the motion.
+    With effects of one degree any stretch can be. Otherwise only a stretch along the fence that begins at
+    rest can be: elsewhere inertia adds a force across the edge that is proportional to the motion.
     """
     return _always if is_steady(kinds) else _along_the_fence
 
@@ -174,9 +173,9 @@ def _along_the_fence(effects, straight, run):
 
 @compiled
 def _flat_end(way, straight, at, other):
-    """The end of a flat part that begins at a motion; that motion where it is nothing but a root.
+    """The end of a flat stretch that begins at a motion, or the motion itself if it is an isolated root.
 
-    Motions along the fence differ in size, all others in direction.
+    Motions along the fence differ in magnitude, all others in direction.
     """
     if not _is_zero(at, at.after if other.s > at.s else at.before):
         return at
@@ -191,7 +190,7 @@ def _flat_end(way, straight, at, other):
 
 @compiled
 def _touching(way, unit, straight, low, high, found, count, run):
-    """As `_between`, where the force is along the edge at an end: a root there, or a continuum."""
+    """As `_between`, if the force is along the edge at an end: a root, or a continuum."""
     first, last = _flat_end(way, straight, low, high), _flat_end(way, straight, high, low)
     starts, ends = first.s > low.s, last.s < high.s
     if _is_zero(low, low.after) and run != INSIDE and not (starts and run == REST):
@@ -211,10 +210,9 @@ def _touching(way, unit, straight, low, high, found, count, run):
 
 @compiled
 def _dip(way, low, high):
-    """A motion between two at which the sign is another; the lower one where there is none.
+    """A motion between two at which the sign differs, or the lower motion if there is none.
 
-    Halves of a dip are searched while both slopes point into it and the tangents at its sides meet beyond
-    zero.
+    The dip is halved while both slopes point into it and the tangents at its sides meet beyond zero.
     """
     first, sign = low, 1.0 if low.after > 0.0 else -1.0
     at_low, at_high = abs(low.after), abs(high.before)
@@ -237,7 +235,7 @@ def _dip(way, low, high):
 
 @compiled
 def _write_root(way, unit, low, high, found, count):
-    """Write down the slip between two motions of other signs; of a continuum both ends."""
+    """Write the slip between two motions of opposite signs, or both ends of a continuum."""
     start = low.s + min(max(_part(low, high), 0.05), 0.95) * (high.s - low.s)
     root = crossing(way, low, high, beside(way, low, start))
     if not (_may_be_flat(way.effects, False, OUTSIDE) and is_flat(way, root, abs(root.s) + unit)):
@@ -250,9 +248,9 @@ def _write_root(way, unit, low, high, found, count):
 
 @compiled
 def _part(low, high):
-    """Part of the way between two motions after which the inverse cubic through both is zero.
+    """Fraction of the path between two motions at which the inverse cubic through both is zero.
 
-    The secant where the force across the edge does not go one way.
+    The secant is used if the force across the edge is not monotone.
     """
     rise, width = high.before - low.after, high.s - low.s
     part = -low.after / rise

@@ -1,7 +1,8 @@
-"""The motion under a force: the one root of the force across its line, and what fixes its size.
+"""The motion under a line of force, as the only root of the force across the line.
 
-Along a way across the line of force Psi is convex, so the force across it increases, and there is one
-motion with a given part along the line. Of effects of one degree it is the direction of all others.
+Psi is convex along a path across the line of force. The force across the line therefore increases, and
+there is exactly one motion with a given component along the line. With effects of one degree, the motions
+for all components have the same direction.
 """
 
 from __future__ import annotations
@@ -25,7 +26,8 @@ from planar_pushing.mechanics.reduced.way import (
     node,
 )
 
-#: Newton steps of a root within the rounding of its motion, and their size relative to it.
+#: Number of Newton steps that polish a root within the rounding of its motion, and their largest size
+#: relative to the motion.
 POLISHES, POLISHED = 2, 1e-12
 
 
@@ -39,9 +41,9 @@ class Moved(NamedTuple):
     v_x, v_y, spin : float
         Twist of the origin.
     f_x, f_y : float
-        Force; of a pivot that is not settled the middle of its interval.
+        Force; for a pivot with an undetermined force, the midpoint of its interval.
     free_x, free_y : float
-        Half of that interval, else zero.
+        Half of that interval, otherwise zero.
     point : int
         Number of the support point about which the slider pivots, -1 without one.
     continuum : bool
@@ -49,7 +51,7 @@ class Moved(NamedTuple):
     noise_x, noise_y : float
         Rounding errors of the force.
     found : bool
-        Whether the iterations have settled.
+        Whether the iterations have converged.
     """
 
     u_x: float
@@ -88,7 +90,7 @@ def not_found(moved):
 
 @compiled
 def sticking(effects, at, x, y, guess):
-    """The motion of a contact that moves by (x, y), rounded, from a guess of the rotation."""
+    """The motion of a contact that moves by (x, y), to rounding, from a guess of the rotation."""
     now = psi(effects, at, x, y, guess, NOWHERE, ROUNDING)
     return Moved(
         x, y, now.v_x, now.v_y, now.spin, now.f_x, now.f_y, now.free_x, now.free_y,
@@ -98,9 +100,9 @@ def sticking(effects, at, x, y, guess):
 
 @compiled
 def _polished(way, s, spin, point):
-    """The motion of a root of a way, and the rotation, corrected by less than the rounding of the motion.
+    """The motion and rotation at a root of a path, corrected by less than the rounding of the motion.
 
-    The force on a long rod depends on the small parts of a motion, which the sum ``p + s d`` rounds away.
+    The force on a long rod depends on small components of a motion that the sum ``p + s d`` rounds away.
     """
     x, y = motion(way, s)
     for _ in range(POLISHES if point < 0 else 0):
@@ -116,7 +118,7 @@ def _polished(way, s, spin, point):
 
 @compiled
 def moved_at(way, s, spin, continuum, point):
-    """The motion of a root of a way, at a kink of its point, with its force taken to be along the edge."""
+    """The motion at a root of a path, or at the kink of a point, with its force along the edge."""
     x, y, spin = _polished(way, s, spin, point)
     now = psi(way.effects, way.at, x, y, spin, point, 0.0)
     part = 0.0
@@ -133,20 +135,20 @@ def moved_at(way, s, spin, continuum, point):
 
 @compiled
 def across_force(effects, at, e_x, e_y, along):
-    """The way of motions that have a given part along a line of force."""
+    """The path of motions with a given component along a line of force."""
     return Way(effects, at, e_x, e_y, along * e_x, along * e_y, -e_y, e_x)
 
 
 @compiled
 def _start(way, along):
-    """A first guess of the root: that of the mass that the effects roughly equal.
+    """A first guess of the root, that of a mass that roughly matches the effects.
 
-    Of motions against the force, or without a part along it, loads are the cause.
+    Motions against the force, or without a component along it, are caused by loads: their guess is zero.
     """
     if not along > 0.0:
         return 0.0
     m, x, y, whole = moment(way.effects, along, way.at.x, way.at.y)
-    # The force of a motion (u, spin) without torque is M u, and u its inverse times e but for a factor.
+    # The force of a motion (u, spin) without torque is M u, so u is M^-1 e up to a factor.
     u_x = (m - x * x / whole) * way.e_x - x * y / whole * way.e_y
     u_y = (m - y * y / whole) * way.e_y - x * y / whole * way.e_x
     across, ahead = way.e_x * u_y - way.e_y * u_x, way.e_x * u_x + way.e_y * u_y
@@ -161,7 +163,7 @@ def _root(way, along):
 
 @compiled
 def pushed(effects, at, e_x, e_y, along):
-    """The motion under a line of force that has a given part along it; of a continuum one inside."""
+    """The motion under a line of force with a given component along it; any motion of a continuum."""
     way = across_force(effects, at, e_x, e_y, along)
     root = _root(way, along)
     return moved_at(way, root.s, root.spin, False, root.point)
@@ -169,7 +171,7 @@ def pushed(effects, at, e_x, e_y, along):
 
 @compiled
 def pushed_ends(effects, at, e_x, e_y, along):
-    """The first and the last motion under a line of force that have a given part along it."""
+    """The first and the last motion under a line of force with a given component along it."""
     way = across_force(effects, at, e_x, e_y, along)
     root = _root(way, along)
     low, high = root, root
@@ -184,7 +186,7 @@ def pushed_ends(effects, at, e_x, e_y, along):
 
 @compiled
 def _end(way, root, sense):
-    """The end of a continuum about a root, in one sense."""
+    """The end of a continuum around a root, in one sense."""
     scale, inside = abs(root.s) + abs(way.p_x) + abs(way.p_y), root
     step = 1e-3 * scale
     while step < 1e20 * scale:

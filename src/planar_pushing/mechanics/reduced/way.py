@@ -1,13 +1,13 @@
-"""The force across an edge along a straight way of contact motions, and its roots.
+"""The force across an edge along a straight path of contact motions, and its roots.
 
-A way is ``u = p + s d``. With p along the pusher's normal motion and d along the fence its roots are the
-slips under an edge of the friction cone; with p along a line of force and d across it the one root is the
-motion under that force. Psi is convex: where p and d have no part across one another, or the effects have
-one degree, the force across the edge goes one way. Elsewhere it may dip.
+A path is ``u = p + s d``. If p is the pusher's normal motion and d is along the fence, its roots are the
+slips under an edge of the friction cone. If p is along a line of force and d across it, the only root is
+the motion under that force. Psi is convex. The force across the edge is therefore monotone in the second
+case, if p and d are parallel, or if the effects have one degree. Otherwise it can have a dip.
 
-Where the slider pivots about a support point, the force is an interval and the force across the edge jumps:
-a root within the jump is the pivot. By symmetry, or with a support on one line, the force across the edge
-may be zero over a whole part of a way, which rounding tells from a root: such a part is a continuum.
+If the slider pivots about a support point, the force is in an interval, and the force across the edge
+jumps: a root within the jump is the pivot. By symmetry, or with a support on one line, the force across the
+edge can vanish to rounding on a whole stretch of the path, unlike at a root: this stretch is a continuum.
 """
 
 from __future__ import annotations
@@ -20,15 +20,15 @@ from planar_pushing.mechanics.effects.base import count_points, place
 from planar_pushing.mechanics.numerics.root import EPSILON, is_last
 from planar_pushing.mechanics.reduced.psi import NOWHERE, Contact, psi, spin_guess
 
-#: A vector is across another within this part of their sizes.
+#: Vectors are perpendicular if their scalar product is below this, relative to their magnitudes.
 DIRECTION = 16.0 * EPSILON
-#: Steps to a root at most.
+#: Maximum number of steps to a root.
 STEPS = 200
-#: A step goes no further than this many sizes of a motion.
+#: Maximum length of a step, relative to the motion.
 FARTHEST = 8.0
 #: Forces are in units of the largest one: one this small has underflowed.
 UNDERFLOW = 1e-200
-#: Part of a motion over which a force that is constant to rounding is a continuum.
+#: Fraction of a motion over which a force must be constant, to rounding, for a continuum.
 FLAT = 1e-3
 
 
@@ -46,19 +46,19 @@ class Way(NamedTuple):
 
 
 class Node(NamedTuple):
-    """A motion of a way.
+    """A motion of a path.
 
     Attributes
     ----------
     s : float
     before, after : float
-        Force across the edge, ``e x f``, just before and after s; different at a pivot alone.
+        Force across the edge, ``e x f``, just before and after s; they differ only at a pivot.
     slope : float
-        Its derivative by s.
+        Derivative of this force with respect to s.
     noise : float
-        Its rounding error.
+        Rounding error of this force.
     spin, swing : float
-        Rotation, and its derivative by s.
+        Rotation, and its derivative with respect to s.
     point : int
         Number of the support point about which the slider pivots, -1 without one.
     found : bool
@@ -76,7 +76,7 @@ class Node(NamedTuple):
 
 
 class Kink(NamedTuple):
-    """Where the contact moves across the line to a support point, the rotation about it, and its number."""
+    """A motion of the contact across the line to a support point, the rotation about it, and its number."""
 
     s: float
     spin: float
@@ -91,7 +91,7 @@ def motion(way, s):
 
 @compiled
 def node(way, s, spin, point):
-    """The motion at s, from a guess of its rotation; at a kink, of its point."""
+    """The motion at s, from a guess of its rotation and, at a kink, the number of its point."""
     x, y = motion(way, s)
     return _node(way, s, psi(way.effects, way.at, x, y, spin, point, 0.0))
 
@@ -107,13 +107,13 @@ def _node(way, s, now):
         ahead = now.free_x * d_x + now.free_y * d_y
         size = (abs(now.free_x) + abs(now.free_y)) * (abs(d_x) + abs(d_y))
         if abs(ahead) > DIRECTION * size:
-            # As Psi is convex, the force along d steps up where s increases.
+            # Psi is convex, so the force along d jumps up as s increases.
             before, after = (
                 across - copysign(half, half * ahead),
                 across + copysign(half, half * ahead),
             )
         else:
-            # The whole way is across the line to the point, whose friction may take the force to the edge.
+            # The whole path is across the line to the point; its friction can bring the force to the edge.
             before = copysign(max(abs(across) - abs(half), 0.0), across)
             after, slope = before, 0.0
     noise = abs(e_x) * now.noise_y + abs(e_y) * now.noise_x + UNDERFLOW
@@ -122,20 +122,20 @@ def _node(way, s, now):
 
 @compiled
 def beside(way, near, s):
-    """The motion at s, from a near one."""
+    """The motion at s, from a nearby motion."""
     return node(way, s, near.spin + near.swing * (s - near.s), NOWHERE)
 
 
 @compiled
 def first_node(way, s):
-    """The motion at s, without another one."""
+    """The motion at s, without a nearby motion."""
     x, y = motion(way, s)
     return node(way, s, spin_guess(way.effects, way.at, x, y), NOWHERE)
 
 
 @compiled
 def kink_near(way, low, high, s):
-    """Of the kinks between two places the nearest to s; NaN where there is none."""
+    """The kink nearest to s between two places; NaN if there is none."""
     found, least, at = Kink(nan, nan, NOWHERE), inf, way.at
     for i in range(count_points(way.effects)):
         x, y = place(way.effects, i)
@@ -153,25 +153,25 @@ def kink_near(way, low, high, s):
 
 @compiled
 def is_flat(way, at, scale):
-    """Whether the force is along the edge about a motion, but for rounding."""
+    """Whether the force stays along the edge near a motion, to rounding."""
     small = max(abs(at.before), abs(at.after)) <= at.noise
     return small and abs(at.slope) * FLAT * scale <= at.noise
 
 
 @compiled
 def crossing(way, low, high, here):
-    """The root between two motions, of opposite signs, from a motion between them.
+    """The root between two motions of opposite signs, from a motion between them.
 
     Parameters
     ----------
     way : Way
     low, high, here : Node
-        `low` and `high` may be at infinity. A kink between them is a kink of the way.
+        `low` and `high` can be at infinity.
 
     Returns
     -------
     Node
-        Its `found` says whether the iteration has settled.
+        Its `found` is whether the iteration has converged.
     """
     sense, last = 1.0 if high.before > low.after else -1.0, inf
     part, least = abs(way.d_x) + abs(way.d_y), abs(way.p_x) + abs(way.p_y)
@@ -212,19 +212,19 @@ def crossing(way, low, high, here):
 
 @compiled
 def unsettled(at):
-    """A motion that is no root."""
+    """The same motion, marked as not converged."""
     return Node(at.s, at.before, at.after, at.slope, at.noise, at.spin, at.swing, at.point, False)
 
 
 @compiled
 def at_infinity(s, value):
-    """An end of an unbounded way."""
+    """An end of an unbounded path."""
     return Node(s, value, value, 0.0, 0.0, 0.0, 0.0, NOWHERE, True)
 
 
 @compiled
 def _middle(low, high, scale, least):
-    """Middle of a bracket; of one that spans sizes above the least, the middle of the sizes."""
+    """Midpoint of a bracket; the geometric mean if it spans several orders of magnitude."""
     if low == -inf:
         return high - FARTHEST * scale
     if high == inf:
@@ -239,7 +239,7 @@ def _middle(low, high, scale, least):
 
 @compiled
 def flat_end(way, inside, outside):
-    """The end of a flat part, between a motion in it and one that is not: to the last digits."""
+    """The end of a flat stretch, to the last digits, between a motion inside it and one outside."""
     for _ in range(STEPS):
         scale = abs(inside.s) + abs(outside.s)
         if abs(inside.s - outside.s) <= EPSILON * scale:

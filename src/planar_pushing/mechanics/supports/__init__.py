@@ -1,4 +1,4 @@
-"""Where the slider presses on the plane: one file a support."""
+"""Supports: the pressure of the slider on the plane, one file per kind of support."""
 
 from planar_pushing.mechanics.supports.annulus import Annulus
 from planar_pushing.mechanics.supports.composite import Composite
@@ -10,7 +10,7 @@ from planar_pushing.mechanics.supports.polygon import Polygon
 from planar_pushing.mechanics.supports.pressure_map import PressureMap
 from planar_pushing.mechanics.supports.segment import Segment
 
-#: Supports by the shape that scene files give them.
+#: Supports by their shape in scene files.
 SHAPES = {
     "annulus": Annulus,
     "composite": Composite,

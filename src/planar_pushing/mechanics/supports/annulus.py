@@ -1,4 +1,4 @@
-"""An even annulus: the rim of a cup."""
+"""A uniform annulus: the rim of a cup."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from planar_pushing.terms.errors import InvalidValue, require_positive
 
 @dataclass(frozen=True, slots=True)
 class Annulus(Pictured):
-    """Support between two circles about one center, its pressure even.
+    """Support between two concentric circles, with uniform pressure.
 
     Parameters
     ----------
@@ -28,13 +28,13 @@ class Annulus(Pictured):
     Raises
     ------
     InvalidValue
-        Where a radius is not positive, the inner is not the smaller, or the center is not a pair of
-        finite numbers.
+        If a radius is not positive, the inner one is not the smaller, or the center is not a pair of finite
+        numbers.
 
     Notes
     -----
-    A disc less a disc: the relative error is that of a disc times ``outer / (outer - inner)``. Use `Ring`
-    for a rim that is thinner than it is known.
+    The annulus is computed as the difference of two discs: its relative error is that of a disc times
+    ``outer / (outer - inner)``. Use `Ring` for a rim narrower than the uncertainty of its radius.
     """
 
     inner: float
@@ -62,7 +62,7 @@ class Annulus(Pictured):
         return self.outer
 
     def moved(self, frame: Frame) -> Annulus:
-        """The same annulus as another frame has it."""
+        """The same annulus expressed in another frame."""
         return replace(self, center=moved_place(self.center, frame))
 
     def pieces(self) -> Pieces:

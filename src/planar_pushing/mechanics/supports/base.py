@@ -1,4 +1,4 @@
-"""The interface of a support, and the checks of what users give."""
+"""The interface of a support, and checks of user input."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Position = tuple[float, float]
 
 @runtime_checkable
 class Support(Protocol):
-    """How a slider's weight presses on the plane: a unit pressure distribution in its body frame."""
+    """A unit pressure distribution of the slider on the plane, in its body frame."""
 
     @property
     def center_of_pressure(self) -> Position:
@@ -31,41 +31,41 @@ class Support(Protocol):
         ...
 
     def pieces(self) -> Pieces:
-        """The support's pieces, whose shares add to 1."""
+        """The support's pieces, whose shares add up to 1."""
         ...
 
 
 def moved_support(support: Any, frame: Frame) -> Any:
-    """A support as another frame has it.
+    """A support expressed in another frame.
 
     Raises
     ------
     InvalidValue
-        Where the support is of a kind of one's own that cannot be moved.
+        If the support is of a user-defined kind without a method `moved`.
     """
     if not hasattr(support, "moved"):
         raise InvalidValue(
             "support", support, "a support with a method moved(frame)",
-            "add it: it returns the support with its positions taken through frame.point_in",
+            "add one that returns the support with its positions transformed by frame.point_in",
         )  # fmt: skip
     return support.moved(frame)
 
 
 @lru_cache
 def is_kind(kind: type) -> bool:
-    """Whether the instances of a class are supports; an instance itself would compute its properties."""
+    """Whether the instances of a class are supports; testing an instance would compute its properties."""
     return all(hasattr(kind, name) for name in ("center_of_pressure", "extent", "pieces"))
 
 
 def array(
     name: str, given: object, shape: tuple[int | None, ...], allowed: str, remedy: str
 ) -> Array:
-    """Numbers of a shape, None for any length; all finite.
+    """Array of finite numbers of a given shape, in which None is any length.
 
     Raises
     ------
     InvalidValue
-        Where the shape is another, or something is not a finite number.
+        If the shape differs, or an entry is not a finite number.
     """
     try:
         numbers = np.array(given, dtype=float)
@@ -83,7 +83,7 @@ def array(
 def require_all(
     name: str, numbers: Array, allows: Callable[[Array], Any], allowed: str, remedy: str
 ) -> None:
-    """Refuse numbers that `allows` refuses; the message shows the first and its place."""
+    """Refuse numbers for which `allows` is false; the message shows the first one and its index."""
     right = allows(numbers)
     if not right.all():
         place = tuple(map(int, np.argwhere(~right)[0]))
@@ -104,7 +104,7 @@ def positions(name: str, given: object, remedy: str) -> tuple[Position, ...]:
 
 
 def weights(name: str, given: object, count: int, remedy: str) -> tuple[float, ...]:
-    """Positive weights, one for each member."""
+    """Positive weights, one per member."""
     found = array(name, given, (count,), f"{count} positive numbers", remedy)
     require_all(name, found, lambda x: x > 0, "a number > 0", "leave out what carries no weight")
     return tuple(found.tolist())

@@ -26,13 +26,12 @@ class Composite(Pictured):
     Parameters
     ----------
     members : sequence of (share, support)
-        What part of the weight each support carries, > 0, in any unit.
+        Each support with its share of the weight, > 0, in any unit.
 
     Raises
     ------
     InvalidValue
-        Where there is no member, a share is not positive, a member is not a support, or a ring has no
-        radius of its own.
+        If there is no member, a share is not positive, a member is not a support, or a ring has no radius.
     """
 
     members: Any
@@ -65,7 +64,7 @@ class Composite(Pictured):
         return extent(self.pieces())
 
     def moved(self, frame: Frame) -> Composite:
-        """The same supports as another frame has them."""
+        """The same supports expressed in another frame."""
         return Composite([(share, moved_support(each, frame)) for share, each in self.members])
 
     def pieces(self) -> Pieces:

@@ -1,4 +1,4 @@
-"""An even disc: the flat base of a can."""
+"""A uniform disc: the flat base of a can."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from planar_pushing.mechanics.supports.pressure.sums import added, turned
 from planar_pushing.mechanics.supports.ring import inner, polynomial
 from planar_pushing.terms.errors import require_positive
 
-#: From this distance on, in radii, the torque is a power series: the closed form cancels.
+#: Beyond this distance, in radii, the torque is a power series, because the closed form cancels.
 SERIES = 4.0
 #: ``2F1(1/2, 1/2; 3; y) / 4``, the torque times the distance, in powers of y = 1 / c^2, and ``-c^3`` times
-#: the torque's derivative by c; to 1e-17 below 1 / SERIES^2.
+#: the derivative of the torque with respect to c; accurate to 1e-17 for y below 1 / SERIES^2.
 TORQUE = tuple(
     (np.cumprod([1.0, *((j + 0.5) ** 2 / ((j + 3) * (j + 1)) for j in range(11))]) / 4).tolist()
 )
@@ -29,7 +29,7 @@ SLOPE = tuple((2 * j + 1) * each for j, each in enumerate(TORQUE))
 
 @dataclass(frozen=True, slots=True)
 class Disc(Pictured):
-    """Support on a disc, its pressure even.
+    """Support on a disc, with uniform pressure.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ class Disc(Pictured):
     Raises
     ------
     InvalidValue
-        Where the radius is not positive, or the center not a pair of finite numbers.
+        If the radius is not positive, or the center is not a pair of finite numbers.
     """
 
     radius: float
@@ -61,7 +61,7 @@ class Disc(Pictured):
         return self.radius
 
     def moved(self, frame: Frame) -> Disc:
-        """The same disc as another frame has it."""
+        """The same disc expressed in another frame."""
         return replace(self, center=moved_place(self.center, frame))
 
     def pieces(self) -> Pieces:
@@ -70,7 +70,7 @@ class Disc(Pictured):
 
 @inlined
 def of_discs(total, pressure, x, y):
-    """Totals, their torque about p, with the discs."""
+    """Add the discs to the totals, whose torque is about p."""
     rows, p_x, p_y = pressure.rows, pressure.center_x, pressure.center_y
     for i in range(pressure.starts[DISCS], pressure.starts[PLATES]):
         q_x, q_y, radius, share = rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3]
@@ -80,10 +80,10 @@ def of_discs(total, pressure, x, y):
 
 @compiled
 def disc(x, y, radius):
-    """The piece of an even disc.
+    """The piece of a uniform disc.
 
-    With f and t of the ring at the ratio of c and R: what is usually written in E and K, but without a
-    difference in D or G. The mean of 1 / rho, 2 f inside and 2 t outside, is the sum of the two curvatures.
+    The formulas use f and t of the ring at the ratio of c and R instead of E and K, so that D and G contain
+    no differences. The mean of 1 / rho, 2 f inside and 2 t outside, is the sum of the two curvatures.
     """
     c = sqrt(x * x + y * y) / radius
     distance, slope, torque, along, across = _inside(c) if c <= 1.0 else _outside(c)

@@ -1,4 +1,4 @@
-"""The ellipsoid that planners put in place of a support, and what it costs."""
+"""The ellipsoid that planners use in place of a support, and its error."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS, A
 from planar_pushing.mechanics.supports.pressure.table import extent_of
 from planar_pushing.terms.errors import InvalidValue
 
-#: Motions at which the ellipsoid is compared; means differ by less than 1e-4 from those at ten times more.
+#: Number of motions at which the ellipsoid is compared; ten times as many change the means by under 1e-4.
 MOTIONS = 20_000
-#: Turn between motions that follow each other, which spreads them evenly: the golden angle.
+#: Angle between successive motions, which spreads them evenly: the golden angle.
 GOLDEN = pi * (3.0 - sqrt(5.0))
-#: Motions from which, and directions in which, the maxima are searched; and the steps of a search, in
-#: radians: the first, which is the distance between motions, the last, and how many there are at most.
+#: Number of motions from which, and of directions in which, the maxima are searched; and the steps of a
+#: search, in radians: the first, which is the distance between motions, the last, and their maximum number.
 STARTS, DIRECTIONS = 12, 16
 FIRST, LAST, STEPS = 0.02, 1e-13, 400
-#: Distance at which a center of rotation is beside a foot, where friction is full, relative to the numbers
-#: that it is computed from.
+#: Distance of a center of rotation beside a foot, where the foot has full friction, relative to the numbers
+#: from which it is computed.
 BESIDE = 1e-12
-#: Least spin of a motion, the rest of which is a velocity of 1.
+#: Smallest spin of a motion with a velocity of 1.
 LEAST = 1e-9
 
 
@@ -40,18 +40,18 @@ class EllipsoidFit:
     center : pair of float
         Center of pressure, in the body frame, about which torques are taken.
     extent : float
-        Largest distance a of the support from it.
+        Largest distance a of the support from the center of pressure.
     integration_constant : float
-        c, the torque of spinning about the center of pressure over weight and extent.
+        c, the torque of spinning about the center of pressure divided by weight and extent.
     matrix : array, shape (3, 3)
-        M: wrenches (f_x, f_y, tau) that slide satisfy ``w . M w = 1``, per unit weight, and the motion
+        M: wrenches (f_x, f_y, tau) of sliding satisfy ``w . M w = 1``, per unit weight, and the motion
         (v_x, v_y, omega) is along M w. Diagonal: 1, 1, ``1 / (c a)^2``.
     worst_force_error, mean_force_error : float
         Angle in radians between the wrenches (f_x, f_y, tau / a) of the support and of the ellipsoid for
         the same motion.
     worst_motion_error, mean_motion_error : float
         Angle in radians between the motions (v_x, v_y, a omega) of the support and of the ellipsoid for the
-        same wrench, that which the support exerts in its motion.
+        same wrench, the one that sustains the motion of the support.
 
     Notes
     -----
@@ -72,7 +72,7 @@ class EllipsoidFit:
 
 
 def fit_ellipsoid(support: Support) -> EllipsoidFit:
-    """Ellipsoid with the support's friction in translation and in spinning about the center of pressure.
+    """Ellipsoid that matches a support in translation and in spinning about the center of pressure.
 
     Parameters
     ----------
@@ -81,17 +81,18 @@ def fit_ellipsoid(support: Support) -> EllipsoidFit:
     Returns
     -------
     EllipsoidFit
-        ``f_x^2 + f_y^2 + tau^2 / (c a)^2 = W^2``, and its errors against the support.
+        ``f_x^2 + f_y^2 + tau^2 / (c a)^2 = W^2`` with tau about the center of pressure, and its errors
+        relative to the support.
 
     Raises
     ------
     InvalidValue
-        Where something else than a support is given, or one of one point, which resists no rotation.
+        If the argument is not a support, or is a single point, which resists no rotation.
     """
     if not isinstance(support, Support):
         raise InvalidValue(
             "support", support, "a support, such as Disc or Polygon",
-            "of a scene give that of its friction, scene.friction[0].support",
+            "for a scene give the support of its friction, scene.friction[0].support",
         )  # fmt: skip
     extent = extent_of(support)
     pressure = assembled(support.pieces(), extent)
@@ -117,9 +118,9 @@ def fit_ellipsoid(support: Support) -> EllipsoidFit:
 
 
 def _spread(count: int) -> Array:
-    """Motions spread evenly over half a sphere, shape (count, 3).
+    """Motions spread evenly over a hemisphere, shape (count, 3).
 
-    The other half has the opposite motions and wrenches, and the same angles.
+    The other hemisphere has the opposite motions and wrenches, and the same angles.
     """
     index = np.arange(count)
     spin, turn = (index + 0.5) / count, index * GOLDEN
@@ -130,7 +131,7 @@ def _spread(count: int) -> Array:
 def _worst(
     error: Callable[[Array], Array], motions: Array, errors: Array, pressure: Pressure
 ) -> float:
-    """Maximum of an error: searched from the largest of `errors` at `motions`, and about every foot."""
+    """Maximum of an error, searched from the largest of `errors` at `motions` and around every foot."""
 
     def of_motion(given: Array) -> Array:
         whole = np.where(given[..., 2:] < 0.0, -given, given)
@@ -157,12 +158,12 @@ def _worst(
 def _climbed(
     value: Callable[[Array], Array], start: Array, step: float, directions: Array
 ) -> float:
-    """Largest value that steps from places reach; a step that leads no higher is halved.
+    """Largest value that a climb from each start reaches; a step without a gain is halved.
 
     Parameters
     ----------
     value : callable
-        Of arrays of places, shape (n, ..., d).
+        Function of arrays of places, shape (n, ..., d).
     start : ndarray, shape (n, d)
     step : float
     directions : ndarray, shape (m, d)
@@ -184,7 +185,7 @@ def _climbed(
 @kernel
 @compiled
 def _errors(pressure, constant, motions, force, motion):
-    """Angles between the support and the ellipsoid at motions that turn counter-clockwise."""
+    """Angles between the support and the ellipsoid at counter-clockwise motions."""
     square = constant * constant
     for i in range(len(motions)):
         v_x, v_y, spin = motions[i, 0], motions[i, 1], max(motions[i, 2], LEAST)
@@ -197,6 +198,6 @@ def _errors(pressure, constant, motions, force, motion):
 
 @compiled
 def _angle(a_x, a_y, a_z, b_x, b_y, b_z):
-    """Angle between two vectors of space, accurate where it is small."""
+    """Angle between two vectors in space, accurate also when it is small."""
     x, y, z = a_y * b_z - a_z * b_y, a_z * b_x - a_x * b_z, a_x * b_y - a_y * b_x
     return np.arctan2(sqrt(x * x + y * y + z * z), a_x * b_x + a_y * b_y + a_z * b_z)

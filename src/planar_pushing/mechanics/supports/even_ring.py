@@ -1,4 +1,4 @@
-"""An even ring, anywhere on the slider."""
+"""A uniform ring, anywhere on the slider."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ from planar_pushing.terms.errors import InvalidValue, require_positive
 
 @dataclass(frozen=True, slots=True)
 class Ring(Pictured):
-    """Support on a ring, its pressure even: the paper's, about the slider's center.
+    """Support on a ring, with uniform pressure; by default the paper's, about the slider's center.
 
     Parameters
     ----------
     radius : float, optional
-        Greater than 0; without one the ring has the slider's radius.
+        Greater than 0; by default the slider's radius.
     center : pair of float, optional
-        In the body frame; without one the slider's center.
+        In the body frame; by default the slider's center.
 
     Raises
     ------
     InvalidValue
-        Where the radius is not positive, or a ring with a center has none.
+        If the radius is not positive, or a center is given without a radius.
     """
 
     radius: float | None = None
@@ -48,7 +48,10 @@ class Ring(Pictured):
             center = position("center", self.center)
             if self.radius is None:
                 raise InvalidValue(
-                    "radius", None, "a radius beside the center", "give the radius, as in Ring(1.0)"
+                    "radius",
+                    None,
+                    "a radius if a center is given",
+                    "give the radius, as in Ring(1.0)",
                 )
             object.__setattr__(self, "center", None if center == (0.0, 0.0) else center)
 
@@ -58,11 +61,11 @@ class Ring(Pictured):
 
     @property
     def extent(self) -> float:
-        """The radius, and 1 where the slider gives it, which is then the unit of length."""
+        """The radius; without one, 1: the slider's radius is then the unit of length."""
         return 1.0 if self.radius is None else self.radius
 
     def moved(self, frame: Frame) -> Ring:
-        """The same ring as another frame has it."""
+        """The same ring expressed in another frame."""
         if self.radius is None:
             raise InvalidValue(
                 "radius", None, "a ring with a radius", "give the radius, as in Ring(1.0)"
@@ -75,7 +78,7 @@ class Ring(Pictured):
 
 @inlined
 def of_rings(total, pressure, x, y):
-    """Totals, their torque about p, with the rings."""
+    """Add the rings to the totals, whose torque is about p."""
     rows, p_x, p_y = pressure.rows, pressure.center_x, pressure.center_y
     for i in range(pressure.starts[RINGS], pressure.starts[DISCS]):
         q_x, q_y, radius, share = rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3]
@@ -85,7 +88,7 @@ def of_rings(total, pressure, x, y):
 
 @compiled
 def ring(x, y, radius):
-    """The piece of an even ring: Eqs. (2)-(3) at the spin ratio R / c."""
+    """The piece of a uniform ring: Eqs. (2)-(3) at the spin ratio R / c."""
     c = sqrt(x * x + y * y) / radius
     force, torque, slope = ring_wrench(c, 1.0)
     along = slope if c < 1.0 else slope / (c * c * c)

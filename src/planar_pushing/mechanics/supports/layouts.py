@@ -1,4 +1,4 @@
-"""Places of corners and feet in common layouts."""
+"""Positions of corners and feet in common layouts."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from planar_pushing.terms.errors import require_number, require_positive
 
 
 def placed_corners(places: Array, center: Any, angle: float) -> Array:
-    """Places turned about the origin by an angle in radians, and moved to a center."""
+    """Positions rotated about the origin by an angle in radians, then shifted to a center."""
     turn = require_number(
         "angle", angle, np.isfinite, "a finite number of radians", "give one angle"
     )
@@ -29,17 +29,17 @@ def rectangle_corners(width: float, height: float) -> Array:
 
 
 def regular_corners(count: int, radius: float) -> Array:
-    """Corners of a regular polygon about the origin, the first along x."""
+    """Corners of a regular polygon about the origin, the first on the x axis."""
     number = _count(count, 3)
     turns = 2 * np.pi * np.arange(number) / number
     return _radius(radius) * np.column_stack([np.cos(turns), np.sin(turns)])
 
 
 def disc_places(rings: int, radius: float) -> Array:
-    """Places on rings of 6, 12, 18, ... about one in the middle, each with the same area around it.
+    """Positions on rings of 6, 12, 18, ... around a central one, all with equal areas around them.
 
-    A place is at the root mean square radius of its ring's area, so that the second moment of the places is
-    about that of the disc.
+    Each ring has the root mean square radius of its area, so that the second moment of the positions is
+    close to that of the disc.
     """
     number = _count(rings, 1)
     edges = np.sqrt(

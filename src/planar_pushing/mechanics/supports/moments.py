@@ -1,4 +1,4 @@
-"""What friction needs of a pressure at a center of rotation (manual: theory, any support)."""
+"""Moments of a pressure that determine friction at a center of rotation (manual: theory, any support)."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ class Moments(NamedTuple):
     distance : float
         D, the mean of rho = |r - c|.
     unit_x, unit_y : float
-        G, the mean of (r - c) / rho; minus the gradient of D by c.
+        G, the mean of (r - c) / rho; minus the gradient of D with respect to c.
     torque : float
         T, about the center of pressure p of a slider that turns counter-clockwise: ``D + (c - p) . G``.
     xx, xy, yy : float
-        Second derivatives of D by c.
+        Second derivatives of D with respect to c.
     atom : int
-        Which of the record's atoms c is on, or -1. That atom has no direction: it counts in D, and as
-        zero in everything else.
+        Index of the record's atom at c, or -1. That atom has no direction: it counts in D, and as zero in
+        everything else.
     """
 
     distance: float
@@ -49,7 +49,8 @@ def moments(pressure, c_x, c_y):
     ----------
     pressure : Pressure
     c_x, c_y : float
-        In units of the slider's radius, up to 1e9 extents away; beyond, use the limit of a translation.
+        In units of the slider's radius, up to 1e9 extents away; beyond that, use the limit of a
+        translation.
 
     Returns
     -------
@@ -57,16 +58,16 @@ def moments(pressure, c_x, c_y):
 
     Notes
     -----
-    A slider that turns about c at omega meets the force ``sgn(omega) J G`` (J turns by +90 degrees: x, y to
-    -y, x) and the torque ``sgn(omega) T`` about the center of pressure, and its potential is |omega| D. In
-    the limit of a translation v the potential is |v|, the force v / |v|, and the torque zero.
+    A rotation about c at omega is sustained by the force ``sgn(omega) J G`` (J rotates by +90 degrees: x, y
+    to -y, x) and the torque ``sgn(omega) T`` about the center of pressure; its potential is |omega| D. In
+    the limit of a translation v, the potential is |v|, the force v / |v|, and the torque zero.
     """
     return moments_within(pressure, c_x, c_y, 0.0)
 
 
 @compiled
 def moments_within(pressure, c_x, c_y, blur):
-    """As `moments`; the center is known within `blur`, and is on the atoms that are no further away."""
+    """As `moments`, for a center known to within `blur`, which is on every atom within that distance."""
     total, atom = of_atoms(pressure, c_x, c_y, blur * blur)
     total = of_segments(total, pressure, c_x, c_y)
     total = of_rings(total, pressure, c_x, c_y)

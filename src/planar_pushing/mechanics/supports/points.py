@@ -34,14 +34,14 @@ class Points(Pictured):
     positions : sequence of pairs, or a mapping of names to pairs
         Points in the body frame. Points at the same place act as one.
     weights : sequence of float, optional
-        The load on each, > 0, in any unit; without them all carry the same.
+        Load on each point, > 0, in any unit; equal by default.
     names : sequence of str, optional
         A name for each point, which the command line prints for a pivot.
 
     Raises
     ------
     InvalidValue
-        Where there is no point, a number is not finite, or a weight is missing or not positive.
+        If there is no point, a number is not finite, or a weight is missing or not positive.
     """
 
     positions: Any
@@ -66,23 +66,23 @@ class Points(Pictured):
     def rectangle(
         cls, width: float, height: float, center: Any = (0.0, 0.0), angle: float = 0.0
     ) -> Points:
-        """Four equal feet at the corners of a rectangle, its width at an angle from x, radians."""
+        """Four equal feet at the corners of a rectangle whose width is at an angle from x, in radians."""
         return cls(placed_corners(rectangle_corners(width, height), center, angle))
 
     @classmethod
     def regular(
         cls, count: int, radius: float, center: Any = (0.0, 0.0), angle: float = 0.0
     ) -> Points:
-        """Equal feet at the corners of a regular polygon, the first at an angle from x, radians."""
+        """Equal feet at the corners of a regular polygon, the first at an angle from x, in radians."""
         return cls(placed_corners(regular_corners(count, radius), center, angle))
 
     @classmethod
     def disc(cls, rings: int, radius: float, center: Any = (0.0, 0.0)) -> Points:
-        """Equal feet spread evenly over a disc: one in the middle, and rings of 6, 12, 18, ... about it."""
+        """Equal feet spread evenly over a disc: one at the center and rings of 6, 12, 18, ... around it."""
         return cls(placed_corners(disc_places(rings, radius), center, 0.0))
 
     def moved(self, frame: Frame) -> Points:
-        """The same points as another frame has them."""
+        """The same points expressed in another frame."""
         return replace(self, positions=[moved_place(each, frame) for each in self.positions])
 
     @property
@@ -99,22 +99,22 @@ class Points(Pictured):
 
 
 def _names(given: Any, count: int) -> tuple[str, ...] | None:
-    """A name for each point, or none at all."""
+    """A name for each point, or None."""
     if given is None:
         return None
     names = tuple(given) if isinstance(given, (list, tuple)) else ()
     if len(names) != count or not all(isinstance(each, str) and each for each in names):
         raise InvalidValue("names", given, f"{count} names", "give a name for each point, or none")
     if len(set(names)) < count:
-        raise InvalidValue("names", given, "names that differ", "name each point once")
+        raise InvalidValue("names", given, "distinct names", "give each point its own name")
     return names
 
 
 @summing
 def of_atoms(pressure, x, y, blur):
-    """Sum over the atoms, its torque about p, and which is at (x, y), or -1; that one gives no force.
+    """Sum over the atoms, with the torque about p, and the atom at (x, y), or -1; it exerts no force.
 
-    `blur` is the square of the distance within which an atom is there.
+    `blur` is the square of the distance within which an atom counts as at (x, y).
     """
     rows, first, hit = pressure.rows, pressure.starts[ATOMS], -1
     distance, unit_x, unit_y, torque, xx, xy, yy = NOTHING
@@ -124,7 +124,7 @@ def of_atoms(pressure, x, y, blur):
         square = r_x * r_x + r_y * r_y
         apart = square > max(rows[i, 3], blur)
         hit = max(hit, -1 if apart else i - first)
-        # The square root and the division do not wait for one another.
+        # The square root and the division are independent, so the processor overlaps them.
         away, bend = sqrt(square), (1.0 if apart else 0.0) / (square if apart else 1.0)
         f_x, f_y = share * (away * bend) * r_x, share * (away * bend) * r_y
         distance += share * away

@@ -1,4 +1,4 @@
-"""An even polygon: the flat base of a box."""
+"""A uniform polygon: the flat base of a box."""
 
 from __future__ import annotations
 
@@ -23,24 +23,24 @@ from planar_pushing.mechanics.supports.pressure.record import EDGES, PLATES, Arr
 from planar_pushing.mechanics.supports.pressure.sums import added
 from planar_pushing.terms.errors import InvalidValue
 
-#: Least area over the square of the polygon's size; a smaller one is rounding.
+#: Smallest area, relative to the square of the polygon's size; a smaller one is rounding error.
 THINNEST = 1e-12
 
 
 @dataclass(frozen=True, slots=True)
 class Polygon(Pictured):
-    """Support on a simple polygon, its pressure even.
+    """Support on a simple polygon, with uniform pressure.
 
     Parameters
     ----------
     vertices : sequence of pairs, or an object with `coords` or `exterior`
-        At least three, in the body frame, in either direction of turning; the polygon need not be convex.
-        The first may stand at the end again, as in the rings of GeoJSON and shapely.
+        At least three, in the body frame, clockwise or counter-clockwise; the polygon need not be convex.
+        The first may be repeated at the end, as in the rings of GeoJSON and shapely.
 
     Raises
     ------
     InvalidValue
-        Where there are fewer than three vertices, a number is not finite, two edges cross or touch, or the
+        If there are fewer than three vertices, a number is not finite, two edges cross or touch, or the
         area is zero.
     """
 
@@ -54,18 +54,18 @@ class Polygon(Pictured):
     def rectangle(
         cls, width: float, height: float, center: Any = (0.0, 0.0), angle: float = 0.0
     ) -> Polygon:
-        """A rectangle about a center, its width at an angle from x, radians."""
+        """A rectangle about a center, whose width is at an angle from x, in radians."""
         return cls(placed_corners(rectangle_corners(width, height), center, angle))
 
     @classmethod
     def regular(
         cls, count: int, radius: float, center: Any = (0.0, 0.0), angle: float = 0.0
     ) -> Polygon:
-        """A regular polygon with `count` corners at a radius, the first at an angle from x, radians."""
+        """A regular polygon with `count` corners at a radius, the first at an angle from x, in radians."""
         return cls(placed_corners(regular_corners(count, radius), center, angle))
 
     def moved(self, frame: Frame) -> Polygon:
-        """The same polygon as another frame has it."""
+        """The same polygon expressed in another frame."""
         return Polygon([moved_place(each, frame) for each in self.vertices])
 
     @property
@@ -103,8 +103,8 @@ def simple_ring(name: str, given: Any) -> Array:
     Raises
     ------
     InvalidValue
-        Under this name, where there are fewer than three, a number is not finite, edges cross or touch, or
-        the area is zero.
+        Under this name, if there are fewer than three vertices, a number is not finite, edges cross or
+        touch, or the area is zero.
     """
     remedy = "give x and y of each vertex in order"
     ring = getattr(getattr(given, "exterior", given), "coords", getattr(given, "vertices", given))
@@ -120,7 +120,7 @@ def simple_ring(name: str, given: Any) -> Array:
 
 
 def _require_simple(name: str, vertices: Array) -> None:
-    """Refuse a polygon whose edges meet elsewhere than at their common vertices, or without area."""
+    """Refuse a polygon without area, or with edges that meet anywhere but at common vertices."""
     i, j = _crossing(vertices)
     if i >= 0:
         raise InvalidValue(
@@ -137,7 +137,7 @@ def _require_simple(name: str, vertices: Array) -> None:
 
 
 def _edges(vertices: Array, i: int, j: int) -> str:
-    """Two edges in a message: their numbers first, which a long message keeps."""
+    """Text for two edges, their numbers first because a long message is cut."""
     ends = [(vertices[each], vertices[(each + 1) % len(vertices)]) for each in (i, j)]
     one, other = (
         f"from ({start[0]:.4g}, {start[1]:.4g}) to ({end[0]:.4g}, {end[1]:.4g})"
@@ -149,7 +149,7 @@ def _edges(vertices: Array, i: int, j: int) -> str:
 @kernel
 @compiled
 def _crossing(vertices):
-    """Numbers of two edges that meet elsewhere than at a common vertex, -1 where there are none."""
+    """Numbers of two edges that meet anywhere but at a common vertex, or -1."""
     count = len(vertices)
     for i in range(count - 1):
         for j in range(i + 1, count):
@@ -167,7 +167,7 @@ def _crossing(vertices):
 
 @compiled
 def _side(start, end, point):
-    """On which side of a line a point is: 1 on the left, -1 on the right, 0 on it."""
+    """Side of a line on which a point is: 1 on the left, -1 on the right, 0 on the line."""
     along, across = end[0] - start[0], end[1] - start[1]
     left = along * (point[1] - start[1]) - across * (point[0] - start[0])
     return np.sign(left)
@@ -196,7 +196,7 @@ def _folds(first, corner, last):
 
 @inlined
 def of_plates(total, pressure, x, y):
-    """Totals, their torque about p, with the polygons and the cells of pressure maps."""
+    """Add the polygons and the cells of pressure maps to the totals, whose torque is about p."""
     rows, p_x, p_y = pressure.rows, pressure.center_x, pressure.center_y
     first = pressure.starts[PLATES]
     for i in range(first, pressure.starts[EDGES]):

@@ -1,4 +1,4 @@
-"""A pressure that was measured: even in each cell of a grid."""
+"""A measured pressure, uniform in each cell of a grid."""
 
 from __future__ import annotations
 
@@ -14,32 +14,32 @@ from planar_pushing.mechanics.supports.pressure.assembly import center, extent
 from planar_pushing.mechanics.supports.pressure.record import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue
 
-#: Cells along a side of the blocks that are evaluated together, each by one series from afar.
+#: Cells along a side of a block; a distant block is evaluated by one series.
 BLOCK = 4
-#: How far the square of a unit vector's length may be from 1: rounding of its two numbers.
+#: Largest deviation of the squared length of a unit vector from 1: rounding of its two components.
 UNIT = 1e-12
 
 
 @dataclass(frozen=True, slots=True)
 class PressureMap(Pictured):
-    """Support on a grid of rectangular cells, the pressure even in each.
+    """Support on a grid of rectangular cells, with uniform pressure in each.
 
     Parameters
     ----------
     x, y : sequence of float
-        Edges of the cells, increasing: one more than there are columns and rows.
+        Edges of the cells, increasing: one more than the columns and rows.
     pressure : array_like, shape (len(y) - 1, len(x) - 1)
         Pressure in each cell, >= 0 and not all zero, in any unit; ``pressure[j][i]`` is the cell from
         ``x[i]`` to ``x[i + 1]`` and from ``y[j]`` to ``y[j + 1]``.
     origin, axis : pair of float, optional
-        Where the origin of x and y is in the body frame, and the direction of x there; without them x and y
+        Position of the origin of x and y in the body frame, and direction of x there; by default x and y
         are those of the body frame.
 
     Raises
     ------
     InvalidValue
-        Where edges do not increase, a number is not finite, the map does not fit its axes, a pressure is
-        negative, or all are zero.
+        If edges do not increase, a number is not finite, the map does not fit its axes, a pressure is
+        negative, or all pressures are zero.
     """
 
     x: Any
@@ -86,7 +86,7 @@ class PressureMap(Pictured):
         return Frame(self.origin or (0.0, 0.0), self.axis or (1.0, 0.0))
 
     def moved(self, frame: Frame) -> PressureMap:
-        """The same map as another frame has it."""
+        """The same map expressed in another frame."""
         own = self.frame
         x, y = frame.vector_in(own.axis).tolist()
         return replace(self, origin=moved_place(own.origin, frame), axis=(x + 0.0, y + 0.0))
@@ -111,13 +111,13 @@ class PressureMap(Pictured):
 
 
 def _require_unit(axis: Position) -> None:
-    """Refuse a direction that is no unit vector."""
+    """Refuse a direction that is not a unit vector."""
     if abs(axis[0] ** 2 + axis[1] ** 2 - 1.0) > UNIT:
         raise InvalidValue("axis", axis, "a unit vector", "divide it by its length")
 
 
 def _turned(plate: Array, frame: Frame) -> Array:
-    """Edges of a frame, out of it."""
+    """Edges transformed from a frame to its parent frame."""
     ends = frame.point_out(plate[:, :4].reshape(-1, 2)).reshape(-1, 4)
     return np.column_stack([ends, plate[:, 4]])
 
@@ -132,7 +132,7 @@ def _edges(name: str, given: object) -> Array:
 
 
 def _block(x: Array, y: Array, cells: Array) -> Array:
-    """Lines of a grid across which the pressure steps, from (x, y) to (x, y), and the step."""
+    """Lines of a grid across which the pressure jumps: x and y of both ends, and the jump."""
     upward = -np.diff(cells, axis=1, prepend=0, append=0)
     across = np.diff(cells, axis=0, prepend=0, append=0)
     j, i = np.nonzero(upward)

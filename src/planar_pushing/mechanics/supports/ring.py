@@ -1,4 +1,4 @@
-r"""Friction of a ring whose pressure is even: force, torque and their slope in closed form (Eqs. 2-3).
+r"""Friction of a ring with uniform pressure: force, torque and their slope in closed form (Eqs. 2-3).
 
 With ``m = k^2``, ``x = 1 - m`` and the complete elliptic integrals K, E of parameter m, inside the ring::
 
@@ -6,9 +6,9 @@ With ``m = k^2``, ``x = 1 - m`` and the complete elliptic integrals K, E of para
     t(k) = (2/pi) (E - x K) / k        torque, in units of W R
     t'(k) = (2/pi) (K - E) / m         and f' = -k t'
 
-and outside the ring is self-dual: ``f(k) = t(1/|k|)``, ``t(k) = sign(k) f(1/|k|)``. Far from the ring a
+and outside, by self-duality, ``f(k) = t(1/|k|)`` and ``t(k) = sign(k) f(1/|k|)``. Far from the ring a
 Landen step, m -> q^2 with ``q = (1 - k') / (1 + k')`` and ``k' = sqrt(x)``, gives E and K as two power
-series in q^2 whose leading terms cancel on paper. Next to the ring E and K are series in x and
+series in q^2, whose leading terms are canceled analytically. Near the ring E and K are series in x and
 ``log x`` (DLMF 19.12).
 """
 
@@ -18,12 +18,12 @@ from math import log, pi, sqrt
 
 from planar_pushing.mechanics.compiled import compiled, fused
 
-#: From this spin ratio on the series in x and log x are used, below it those of the Landen step.
+#: Above this spin ratio the series in x and log x are used, below it those of the Landen step.
 NEAR_RING = 0.9
-#: Chebyshev interpolants of the series on the range where each is used, in powers of its variable, their
-#: part in the result good to 1e-16; a test computes them anew in 60 digits. In y = q^2: ``(Q - 1) / y``
-#: and ``(Q - P) / y^2`` with P = 2F1(-1/2, -1/2; 1; y), E's series (Gauss-Kummer), and
-#: Q = 2F1(1/2, 1/2; 1; y), K's.
+#: Chebyshev interpolants of the series on the range where each is used, in powers of its variable. Their
+#: contribution to the result is accurate to 1e-16; a test recomputes them with 60 digits. In y = q^2:
+#: ``(Q - 1) / y`` and ``(Q - P) / y^2`` with P = 2F1(-1/2, -1/2; 1; y), the series of E (Gauss-Kummer), and
+#: Q = 2F1(1/2, 1/2; 1; y), that of K.
 FIRST = (
     0.25000000000000006, 0.14062499999994713, 0.09765625001365902, 0.07476806503340462,
     0.060562204329880964, 0.050886909305350364, 0.0439177652053106, 0.03810616153039507,
@@ -55,11 +55,13 @@ TORQUE_REST = (
     -0.0016242979642924528, -0.0009004133240894815, -0.0005468326506166093, -0.0003826524849336343,
     -0.00015523762071687332, -0.0003810325862280515,
 )  # fmt: skip
-#: Complement of k^2 on the ring, where K is infinite and its part in the wrench is zero; and its logarithm
-#: where it is a rounding error, which bounds the slope: a Newton step from the ring is not zero.
+#: Smallest complement x of k^2, used on the ring, where K is infinite but contributes nothing to the
+#: wrench; and ``-log(x) / 2`` for x of rounding size, which bounds the slope so that a Newton step from the
+#: ring is not zero.
 LEAST, STEEPEST = 1e-300, 18.0
-#: First guess of the inverse, least squares to 2e-6: below NEAR_ARM = H(NEAR_RING) ``k / (2 h)`` in powers
-#: of h^2, above it ``(1 - k) / (1 - h)`` in powers of ``1 - h`` (rows) and of ``1 / (3 - log(1 - h))``.
+#: First guess of the inverse, fitted to 2e-6 by least squares: below NEAR_ARM = H(NEAR_RING), ``k / (2 h)``
+#: in powers of h^2; above it, ``(1 - k) / (1 - h)`` in powers of ``1 - h`` (rows) and of
+#: ``1 / (3 - log(1 - h))``.
 NEAR_ARM = 0.7
 FAR_GUESS = (
     0.999999760385, -1.49988611473, 3.7410008829, -11.1557958789, 33.9655182731, -91.5921831635,
@@ -71,13 +73,13 @@ NEAR_GUESS = (
     (-1.89847635, 5.78040765),
     (-1.29486139, 2.40357923),
 )
-#: Below this moment arm the spin ratio is twice the arm to the last place.
+#: Below this moment arm the spin ratio is twice the arm to the last digit.
 SMALL = 1e-9
 
 
 @fused
 def polynomial(coefficients, x):
-    """Value of a polynomial, its even and odd parts side by side: half as many dependent steps."""
+    """Value of a polynomial; even and odd powers are summed in parallel, which halves the latency."""
     square, i = x * x, len(coefficients) - 1
     one, other = coefficients[i], coefficients[i - 1]
     while i >= 3:
@@ -94,7 +96,7 @@ def _far(m, x):
     """`curves` for m below NEAR_RING squared.
 
     ``f = (1 + k') / 2 P``, ``t / k = B = ((1 - q/2) Q - q/2 (Q - P) / q^2) / (1 + k')``, and
-    ``t' = 2 Q / (1 + k') - B``. What is added to the leading terms is small, and so is its rounding.
+    ``t' = 2 Q / (1 + k') - B``. The corrections to the leading terms are small, and so is their rounding.
     """
     ends = 1.0 + sqrt(x)
     half = m / (2.0 * ends * ends)  # q / 2
@@ -107,12 +109,13 @@ def _far(m, x):
 
 @compiled
 def _near(m, x):
-    """`curves` for m from NEAR_RING squared to 1, where t' is that beside the ring, not infinite."""
+    """`curves` for m from NEAR_RING squared to 1, where t' is its finite value beside the ring."""
     half_log = -log(x) / 2
     first = half_log * polynomial(FORCE_LOG, x) + polynomial(FORCE_REST, x)
     second = half_log * polynomial(TORQUE_LOG, x) + polynomial(TORQUE_REST, x)
     force, part = 1.0 + x * first, 2 / pi / m
-    slope = first - second - force  # K - E; 1 / x would carry the rounding of force and torque
+    # K - E; a division by x would amplify the rounding of force and torque.
+    slope = first - second - force
     slope -= max(half_log - STEEPEST, 0.0)
     return 2 / pi * force, part * (1.0 + x * second), part * slope
 
@@ -133,7 +136,7 @@ def inner(small, large):
 
 @compiled
 def ring_wrench(speed, spin):
-    """Force along the motion, torque, and their slope over the ratio <= 1 of the two speeds; Eqs. (2)-(3).
+    """Force along the motion, torque, and slope over the ratio <= 1 of the two speeds (Eqs. 2-3).
 
     Parameters
     ----------
@@ -154,7 +157,7 @@ def ring_wrench(speed, spin):
 
 @compiled
 def ring_response(speed, spin):
-    """Force and torque as `ring_wrench`, and the derivatives vv, vs = sv and ss of the potential."""
+    """Force and torque as in `ring_wrench`, and the derivatives vv, vs = sv and ss of the potential."""
     force, torque, slope = ring_wrench(speed, spin)
     if abs(spin) <= speed:
         k, ss = spin / speed, slope / speed
@@ -165,7 +168,7 @@ def ring_response(speed, spin):
 
 @compiled
 def _guess(arm):
-    """Spin ratio to 2e-6, and next to the ring its distance from 1 to 6e-6."""
+    """Spin ratio to 2e-6; near the ring, its distance from 1 to 6e-6."""
     if arm < NEAR_ARM:
         return 2.0 * arm * polynomial(FAR_GUESS, arm * arm)
     short = 1.0 - arm
@@ -191,7 +194,7 @@ def _inner_spin_ratio(arm):
 
 @compiled
 def ring_spin_ratio(arm):
-    """Spin ratio k under a force of this moment arm, in radii: the inverse of ``H = t / f`` (Eq. 7)."""
+    """Spin ratio k under a force with this moment arm in radii: the inverse of ``H = t / f`` (Eq. 7)."""
     size = abs(arm)
     k = _inner_spin_ratio(size) if size <= 1.0 else 1.0 / _inner_spin_ratio(1.0 / size)
     return k if arm >= 0.0 else -k

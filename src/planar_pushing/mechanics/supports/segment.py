@@ -1,4 +1,4 @@
-"""An even line of pressure: the edge of a box that stands tilted, a blade."""
+"""A uniform line of pressure: the edge of a tilted box, a blade."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from planar_pushing.mechanics.supports.pressure.sums import added
 from planar_pushing.mechanics.supports.ring import polynomial
 from planar_pushing.terms.errors import InvalidValue
 
-#: Below this ratio of the line's length to the sum of its ends' distances, the torque is a power series.
+#: Below this ratio of the length to the sum of the distances of the ends, the torque is a power series.
 SHORT = 0.1
 #: ``(z / (1 - z^2) - atanh z) / z^3`` in powers of z^2, to 1e-17 below SHORT.
 TORQUE = tuple((2 * k + 2) / (2 * k + 3) for k in range(9))
@@ -31,7 +31,7 @@ TORQUE = tuple((2 * k + 2) / (2 * k + 3) for k in range(9))
 
 @dataclass(frozen=True, slots=True)
 class Segment(Pictured):
-    """Support on a straight line, its pressure even.
+    """Support on a straight line, with uniform pressure.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ class Segment(Pictured):
     Raises
     ------
     InvalidValue
-        Where an end is not a pair of finite numbers, or both are the same.
+        If an end is not a pair of finite numbers, or both ends coincide.
     """
 
     start: Any
@@ -65,7 +65,7 @@ class Segment(Pictured):
         return extent(self.pieces())
 
     def moved(self, frame: Frame) -> Segment:
-        """The same line as another frame has it."""
+        """The same line expressed in another frame."""
         return Segment(moved_place(self.start, frame), moved_place(self.end, frame))
 
     def pieces(self) -> Pieces:
@@ -74,7 +74,7 @@ class Segment(Pictured):
 
 @inlined
 def of_segments(total, pressure, x, y):
-    """Totals, their torque about p, with the segments."""
+    """Add the segments to the totals, whose torque is about p."""
     rows, p_x, p_y = pressure.rows, pressure.center_x, pressure.center_y
     for i in range(pressure.starts[SEGMENTS], pressure.starts[RINGS]):
         q_x, q_y, t_x = rows[i, 0], rows[i, 1], rows[i, 2]
@@ -87,7 +87,7 @@ def of_segments(total, pressure, x, y):
 
 @compiled
 def segment(s, h, half):
-    """The piece of a segment whose middle is at (s, h) along and across it, in these two directions."""
+    """The piece of a segment with its midpoint at (s, h), in coordinates along and across it."""
     one, other = ends(s, h, half)
     both = one + other
     inverse = mean_inverse(s, h, half, one, other)
@@ -99,7 +99,7 @@ def segment(s, h, half):
 
 @compiled
 def _torque(s, h, half, both, inverse):
-    """``h^2 (z / (1 - z^2) - atanh z) / l`` with z = l / (rho1 + rho2), about the middle."""
+    """``h^2 (z / (1 - z^2) - atanh z) / l`` with z = l / (rho1 + rho2), about the midpoint."""
     z, x = 2.0 * half / both, abs(s)
     if z < SHORT:
         return h * (h / both) * (z * z) * polynomial(TORQUE, z * z)
@@ -118,7 +118,7 @@ def _bend(s, h, half, one, other):
 
 @compiled
 def _placed(local, t_x, t_y):
-    """A piece from the directions of a segment to those of the body; the normal is (t_y, -t_x)."""
+    """Rotate a piece from the axes of a segment to those of the body; the normal is (t_y, -t_x)."""
     distance, t, n, torque, tt, tn, nn = local
     xx = tt * t_x * t_x + 2.0 * tn * t_x * t_y + nn * t_y * t_y
     xy = (tt - nn) * t_x * t_y + tn * (t_y * t_y - t_x * t_x)

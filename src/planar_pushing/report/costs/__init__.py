@@ -1,1 +1,1 @@
-"""Numbers and tables of what accuracy costs: errors, hard cases, effects, and times."""
+"""Numbers and tables on the cost of accuracy: errors, hard cases, effects and times."""

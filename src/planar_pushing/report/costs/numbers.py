@@ -10,19 +10,19 @@ import numpy.typing as npt
 import xarray as xr
 
 EPS = float(np.finfo(float).eps)
-#: Errors of at most this many units in the last place count as rounding.
+#: Errors up to this number of units in the last place count as rounding errors.
 FEW_ULP = 4
-#: Place of the hard cases in which two slips meet.
+#: Number of the hard cases in which two slipping solutions meet.
 PAINLEVE = 7
 
 
 def part(data: xr.Dataset, axis: str, holds: npt.NDArray[np.bool_]) -> xr.Dataset:
-    """Rows of an axis without coordinates for which something holds."""
+    """Rows along an axis without coordinates that satisfy a condition."""
     return data.isel({axis: np.flatnonzero(holds)})
 
 
 def method(data: xr.Dataset, name: str) -> xr.Dataset:
-    """Rows of one method, a row for each setting."""
+    """Rows of one method, one for each setting."""
     return part(data, "point", data.method.values == name)
 
 
@@ -32,7 +32,7 @@ def worst_error(wrench: xr.Dataset, name: str) -> float:
 
 
 def worst_error_in(wrench: xr.Dataset, unit: float, name: str) -> float:
-    """Largest relative error over the spin ratios in a unit of it, at the best setting."""
+    """Largest relative error over the spin ratios, in a given unit, at the best setting."""
     return worst_error(wrench, name) / unit
 
 
@@ -87,7 +87,7 @@ def well_cases(cases: xr.Dataset) -> float:
 
 
 def accurate_cases(cases: xr.Dataset) -> float:
-    """Number of well-conditioned cases that are right to a few units in the last place."""
+    """Number of well-conditioned cases that are accurate to a few units in the last place."""
     return float((well(cases).error_ulp <= FEW_ULP).sum())
 
 
@@ -103,7 +103,7 @@ def condition_there(cases: xr.Dataset) -> float:
 
 
 def largest_error_elsewhere(cases: xr.Dataset) -> float:
-    """Largest error of the well-conditioned cases apart from slips that meet."""
+    """Largest error of the well-conditioned cases except slips that meet."""
     fine = well(cases)
     return float(fine.error_ulp.values[fine.line.values != PAINLEVE].max())
 
@@ -134,11 +134,11 @@ def single_codes(counts: xr.Dataset) -> float:
 
 
 def listed(counts: xr.Dataset, variable: str) -> float:
-    """Count of the effect that is listed, over the computations with one effect."""
+    """Count for the listed effect, over the computations with one effect."""
     alone = single(counts)[variable]
     return float(alone.where(alone.effects == alone.effect).sum())
 
 
 def absent(counts: xr.Dataset) -> float:
-    """Functions of the effect that is not listed, over the computations with one effect."""
+    """Functions of the unlisted effect, over the computations with one effect."""
     return float(single(counts).functions.sum()) - listed(counts, "functions")

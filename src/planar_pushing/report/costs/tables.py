@@ -1,4 +1,4 @@
-"""The tables of the parts on accuracy, hard cases and effects, as CSV."""
+"""CSV tables on accuracy, hard cases and effects."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from planar_pushing.report.costs.numbers import FEW_ULP, ill, method, part, well
 from planar_pushing.report.quantities import significant
 from planar_pushing.report.results import EFFECTS, FRICTION, INERTIA, Results
 
-#: A spin ratio this near to one is written as its distance from it.
+#: A spin ratio this close to one is written as one plus or minus a difference.
 CLOSE = 0.01
-#: The hard places by their number.
+#: Names of the kinds of hard cases, by number.
 PLACES = {
-    1: "centre on the ring",
+    1: "center on the ring",
     2: "translation and rotation",
     3: "lengths and proportions",
     4: "friction none to infinite",
@@ -24,7 +24,7 @@ PLACES = {
     6: "at rest",
     7: "slips that merge (Painlev\u00e9)",
 }
-#: What is counted of each effect, by variable, axis and label.
+#: Names of the counts for each effect, by variable, axis and label.
 COUNTED = {
     ("functions", "operation", "motion_cone"): "functions, motion cone",
     ("functions", "operation", "solve"): "functions, one push",
@@ -33,7 +33,7 @@ COUNTED = {
     ("evaluations", "integrator", "event-driven"): "evaluations, motion by events",
     ("evaluations", "integrator", "time-stepping"): "evaluations, motion by steps",
 }
-#: What is timed, by scene and operation.
+#: Names of the timed computations, by scene and operation.
 COMPUTED = {
     ("one slider", "motion_cone"): "motion cone",
     ("one slider", "limit_curve"): "limit curve",
@@ -45,7 +45,7 @@ COMPUTED = {
 
 
 def spin_ratio_text(value: float) -> str:
-    """Shortest text of a spin ratio: a power of ten, or how far it is from one where that is little."""
+    """Shortest text of a spin ratio: a power of ten, or its difference from one if that is small."""
     if abs(np.log10(value)) > 4:
         return f"{value:.0e}"
     apart = value - 1
@@ -59,7 +59,7 @@ def _methods(data: xr.Dataset) -> list[str]:
 
 
 def _setting(value: float) -> str:
-    """Setting of a method: nothing, a count, or a tolerance."""
+    """Text of a method's setting: empty, a count, or a tolerance."""
     if value == 0:
         return "\u2013"
     return f"{value:.0f}" if value >= 1 else f"{value:.0e}"
@@ -74,7 +74,7 @@ def _ulp(value: float) -> str:
 
 
 def wrench_text(results: Results) -> str:
-    """Table of the methods for the wrench at the setting whose worst error is least."""
+    """Table of the methods for the wrench, at the setting with the smallest worst-case error."""
     wrench = results.dataset("accuracy_errors/wrench")
     rows = []
     for name in _methods(wrench):
@@ -95,7 +95,7 @@ def wrench_text(results: Results) -> str:
 
 
 def cone_text(results: Results) -> str:
-    """Table of the methods for motion cones at their most accurate setting."""
+    """Table of the methods for motion cones, at their most accurate setting."""
     cone = results.dataset("accuracy_errors/cone")
     rows = []
     for name in _methods(cone):
@@ -113,7 +113,7 @@ def cone_text(results: Results) -> str:
 
 
 def places_text(results: Results) -> str:
-    """Table of the hard cases by place; errors of the well-conditioned ones alone."""
+    """Table of the hard cases by kind; errors are those of the well-conditioned cases only."""
     cases = results.dataset("hard_cases")
     rows = []
     for line, name in PLACES.items():
@@ -132,7 +132,7 @@ def places_text(results: Results) -> str:
 
 
 def case_text(name: str) -> str:
-    """Name of a case as prose has it: four significant digits, thousands apart."""
+    """Name of a case for prose: four significant digits, with thousands separators."""
     found = re.sub(r"\d+(?:\.\d+)?(?:e[+-]\d+)?", lambda each: _short(float(each[0])), name)
     return found.replace(" . ", " \u00b7 ")
 
@@ -143,7 +143,7 @@ def _short(value: float) -> str:
 
 
 def ill_text(results: Results) -> str:
-    """Table of the ill-conditioned cases, and the digits that rounding the inputs leaves of each."""
+    """Table of the ill-conditioned cases, with the digits that survive rounding of the inputs."""
     cases = ill(results.dataset("hard_cases"))
     found = zip(
         cases.case.values.tolist(),
@@ -166,7 +166,7 @@ def ill_text(results: Results) -> str:
 
 
 def evaluations_text(results: Results) -> str:
-    """Table of functions in machine code and of evaluations in logs, by the effects that are listed."""
+    """Table of compiled functions and of evaluations in simulations, by listed effects."""
     counts = results.dataset("evaluations")
     rows = []
     for (variable, axis, label), name in COUNTED.items():
@@ -179,7 +179,7 @@ def evaluations_text(results: Results) -> str:
     return csv_text(rows)
 
 
-#: The tables by name of their file.
+#: The tables by file name.
 COST_TABLES = {
     "accuracy_wrench": wrench_text,
     "accuracy_cone": cone_text,

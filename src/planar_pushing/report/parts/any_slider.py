@@ -1,4 +1,4 @@
-"""The numbers of the part on any slider, from the ledger."""
+"""The numbers of the part on any slider, from the ledger of claims."""
 
 from __future__ import annotations
 
@@ -6,17 +6,17 @@ from planar_pushing.report.quantities import Numbers, Quantity, claimed
 
 
 def _constant(support: str, digits: int = 4) -> Quantity:
-    """Make the integration constant of a support, in units of its weight and extent."""
+    """Integration constant of a support, in units of its weight and extent."""
     return claimed("integration-constants", support, digits=digits)
 
 
 def _points(check: str) -> Quantity:
-    """Make the number of supports and contacts at which the library was checked."""
+    """Number of supports and contacts for which the library was checked."""
     return claimed("library-on-random-supports", check, field="points", digits=0)
 
 
 def _of_l(check: str) -> Quantity:
-    """Make an angle of the L."""
+    """Angle for the L-shaped support."""
     return claimed("shape-of-an-l", check, digits=1, unit="degree")
 
 

@@ -1,4 +1,4 @@
-"""The numbers of the parts on accuracy, hard cases and effects; those of `TIMES` differ from run to run."""
+"""The numbers of the parts on accuracy, hard cases and effects; those of `TIMES` vary from run to run."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from planar_pushing.report.quantities import Numbers, Quantity, computed, magnit
 
 WRENCH, CONE = "accuracy_errors/wrench", "accuracy_errors/cone"
 TIME, HARD, COUNTS = "accuracy_time", "hard_cases", "evaluations"
-#: Spin ratios that the prose speaks about: next to a translation, to the ring, on it, next to a spin.
+#: Spin ratios in the prose: near a translation, near the ring, on the ring, and near a pure rotation.
 NEAR, SPIN = 1 - 1e-9, 1e8
 
 

@@ -1,6 +1,8 @@
-"""The numbers of the part on evidence: the golden check and the claims, some of their values included."""
+"""The numbers of the part on evidence: the golden check, the claims, and some of their values."""
 
 from __future__ import annotations
+
+from collections.abc import Collection
 
 from planar_pushing.evidence.claims.verdicts import Verdict
 from planar_pushing.report.quantities import Numbers, Quantity, claimed, counted
@@ -12,7 +14,7 @@ from planar_pushing.report.verdict import (
     verdict_word,
 )
 
-#: Verdicts that the ledger can expect.
+#: Verdicts that the ledger can specify.
 VERDICTS = [verdict for verdict in Verdict if verdict is not Verdict.UNDECIDED]
 
 
@@ -29,8 +31,22 @@ GOLDEN: Numbers = {
     "golden-precision": mark_count("golden_precision_bits", min),
 }
 
+
+def _of_the_paper(what: str, verdicts: Collection[Verdict]) -> Quantity:
+    """Number of statements of the paper with one of these verdicts."""
+    return counted(
+        f"statements of the paper, {what}",
+        lambda claim: int(claim["origin"] == "paper" and claim["verdict"] in verdicts),
+    )
+
+
 CLAIMS: Numbers = {
     "claims": counted("claims", lambda claim: 1),
+    "claims-paper": _of_the_paper("all", VERDICTS),
+    "claims-paper-hold": _of_the_paper(
+        "that hold", (Verdict.PROVED, Verdict.ENCLOSED, Verdict.SAMPLED)
+    ),
+    "claims-paper-open": _of_the_paper("open", (Verdict.NOT_REPRODUCIBLE,)),
     "claims-ours": counted("claims of ours", lambda claim: int(claim["origin"] == "ours")),
     "claims-checks": counted("checks", lambda claim: len(claim["checks"])),
     **{f"claims-{verdict.replace(' ', '-')}": _verdicts(verdict) for verdict in VERDICTS},

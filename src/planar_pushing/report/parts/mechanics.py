@@ -1,4 +1,4 @@
-"""The numbers of the parts on the mechanics, section by section of the paper."""
+"""The numbers of the parts on mechanics, by section of the paper."""
 
 from __future__ import annotations
 
@@ -7,24 +7,20 @@ import math
 from planar_pushing.mechanics.contact import Outcome
 from planar_pushing.report.derived import (
     ROD_ANGLE,
-    cone_span,
     conservative_excess,
     ellipse_deviation,
     furthest_pull,
-    inconsistent_definition_2,
-    least_pulling,
     motion_direction,
     outcomes,
     pushes,
     slip_share,
-    slipping_pulls,
     solutions,
     sticking_pulls,
 )
 from planar_pushing.report.quantities import Numbers, Quantity, computed, picked
-from planar_pushing.report.results import FRICTION, INERTIA, Results
+from planar_pushing.report.results import FRICTION, INERTIA
 
-#: A contact under which slow pulling exists and fast pulling does not.
+#: A contact law for which slow pulling is possible but fast pulling is not.
 SLOW = "coulomb_1.4"
 
 
@@ -42,13 +38,13 @@ def _cone(prefix: str, effects: str, rod_length: float, mu: float) -> Numbers:
 
 
 def _force(effects: str, rod_length: float, force_angle: float, digits: int = 4) -> Quantity:
-    """Size of a force on a limit curve."""
+    """Magnitude of a force on a limit curve."""
     at = _at(effects, rod_length) | {"force_angle": force_angle}
     return picked("limit_curves", "force", at, digits=digits, unit="force")
 
 
 def _scene(number: str, prefix: str, digits: int = 0) -> Numbers:
-    """Rod length and pusher angle of a figure's scene, the angle with so many digits."""
+    """Rod length and pusher angle of a figure's scene, with the given number of digits of the angle."""
     name = f"scenes/figure_{number}"
     return {
         f"{prefix}-rod-length": picked(name, "rod_length", digits=0, unit="length"),
@@ -57,13 +53,13 @@ def _scene(number: str, prefix: str, digits: int = 0) -> Numbers:
 
 
 def _spin_ratio(number: str) -> Quantity:
-    """Spin ratio of the sticking solution of a pulling scene, its second."""
+    """Spin ratio of the sticking solution, the second one, of a pulling scene."""
     name = f"scenes/figure_{number}"
     return picked(name, "spin_ratio", {"solution": 1}, digits=3, unit="1")
 
 
 def _map(number: str, prefix: str) -> Numbers:
-    """Rod length and coefficient of friction of the map that a figure shows."""
+    """Rod length and friction coefficient of the map in a figure."""
     name = f"figures/figure_{number}"
     return {
         f"{prefix}-rod-length": picked(name, "mapped_rod_length", digits=0, unit="length"),
@@ -72,16 +68,12 @@ def _map(number: str, prefix: str) -> Numbers:
 
 
 def _axis(dataset: str, axis: str, value: float, digits: int = 0) -> Quantity:
-    """A value of an axis."""
+    """A value on an axis."""
     return picked(dataset, axis, {axis: value}, digits=digits, unit="1")
 
 
-def _figures(results: Results) -> float:
-    return float(len(list((results.folder / "figures" / "data").glob("figure_*.nc"))))
-
-
 def _bounds() -> Numbers:
-    """Edges of the exact and of the conservative acceleration cone, and how far they are apart."""
+    """Edges of the exact and the conservative acceleration cones, and their differences."""
     at = {"rod_length": 5.0}
     edges = {
         f"{kind}-cone-{side}": picked("acceleration_centers", f"{kind}_cone_{side}", at)
@@ -99,7 +91,6 @@ def _bounds() -> Numbers:
 
 SETTING: Numbers = {
     "rod-angle": picked("scenes/figure_03", "rod_angle", digits=0),
-    "figures": Quantity(read=_figures, digits=0, unit="1", source="figures/data: files"),
 }
 
 QUASI_STATIC: Numbers = {
@@ -109,7 +100,6 @@ QUASI_STATIC: Numbers = {
     "pulling-spin-ratio": _spin_ratio("03"),
     "limit-rod-length": _axis("limit_curves", "rod_length", 2.0),
     "long-rod-length": _axis("limit_curves", "rod_length", 10.0),
-    "force-along-rod": _force(FRICTION, 2.0, ROD_ANGLE, digits=2),
     "force-across-rod": _force(FRICTION, 2.0, ROD_ANGLE + 90),
     "force-across-long-rod": _force(FRICTION, 10.0, ROD_ANGLE + 90),
     "ellipse-deviation": computed("limit_curves", ellipse_deviation, 2.0, digits=1, unit="percent"),
@@ -118,11 +108,9 @@ QUASI_STATIC: Numbers = {
     ),
     **_map("06", "cone"),
     **_cone("velocity-cone", FRICTION, 2.0, 2.0),
-    "least-friction-pulling": computed("motion_cones", least_pulling, FRICTION, 2.0, digits=1),
 }
 
 INFINITE_FRICTION: Numbers = {
-    "infinite-cone-span": computed("motion_cones", cone_span, digits=3, unit="degree"),
     **_cone("infinite-cone", FRICTION, 5.0, math.inf),
     **_scene("08", "slip"),
     "slip-motion-angle": computed("scenes/figure_08", motion_direction, digits=1, unit="degree"),
@@ -130,7 +118,6 @@ INFINITE_FRICTION: Numbers = {
 }
 
 DYNAMIC: Numbers = {
-    "least-friction-dynamic": computed("motion_cones", least_pulling, INERTIA, 2.0, digits=1),
     **_cone("acceleration-cone", INERTIA, 2.0, 2.0),
     **_cone("infinite-acceleration-cone", INERTIA, 2.0, math.inf),
     **_scene("09a", "dynamic-pulling"),
@@ -152,9 +139,7 @@ MODES: Numbers = {
     "unique-pushes": computed("contact_modes", outcomes, Outcome.UNIQUE),
     "ambiguous-pushes": computed("contact_modes", outcomes, Outcome.AMBIGUOUS),
     "inconsistent-pushes": computed("contact_modes", outcomes, Outcome.INCONSISTENT),
-    "inconsistent-definition": computed("contact_modes", inconsistent_definition_2),
     "sticking-pulls": computed("contact_modes", sticking_pulls),
-    "slipping-pulls": computed("contact_modes", slipping_pulls),
     "mode-rod-length": _axis("contact_modes", "rod_length", 2.0),
     "first-without-solution": picked(
         "motion_cones",

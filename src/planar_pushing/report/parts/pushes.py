@@ -8,7 +8,7 @@ from typing import Any
 from planar_pushing.report.quantities import Numbers, Quantity
 from planar_pushing.report.results import Results
 
-#: Parts of the file, and the comparisons in them, by the names that keys have.
+#: Sections of the file and comparisons in them, by their names in keys.
 GROUPS = {
     "feet": ("three_feet", "comparison"),
     "face": ("patch", "comparison"),
@@ -32,7 +32,7 @@ def _read(
 
 
 def _at(*path: str, digits: int = 0, unit: str = "1", factor: float = 1.0) -> Quantity:
-    """A number of the file at a path of keys, times a factor."""
+    """A number in the file at a path of keys, multiplied by a factor."""
 
     def compute(found: dict[str, Any]) -> float:
         node: Any = found
@@ -44,7 +44,7 @@ def _at(*path: str, digits: int = 0, unit: str = "1", factor: float = 1.0) -> Qu
 
 
 def _median(group: str, quantity: str, model: str) -> Quantity:
-    """Median error of a model, degrees or mm."""
+    """Median error of a model, in degrees or mm."""
     part, key = GROUPS[group]
     unit = "mm" if quantity == "pose" else "degree"
     return _at(part, key, quantity, model, "median", digits=1, unit=unit)
@@ -73,12 +73,12 @@ def _medians(group: str, quantity: str, *models: str) -> Numbers:
 
 
 def _sides(found: dict[str, Any]) -> int:
-    """Pushes of polygons that touch a side first."""
+    """Number of polygon pushes that first touch a side."""
     return int(found["polygons"]["pushes"] - found["polygons"]["corner_pushes"])
 
 
 def _better(found: dict[str, Any]) -> int:
-    """Objects whose poses an identified pressure predicts better than the fitted ellipsoid does."""
+    """Number of objects with poses predicted better by the identified pressure than by the ellipsoid."""
     return sum(each[IDENTIFIED] < each[FITTED] for each in found["polygons"]["objects"].values())
 
 

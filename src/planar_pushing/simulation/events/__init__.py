@@ -1,1 +1,1 @@
-"""The event-driven integrator: from event to event, with a choice of mode at each."""
+"""The event-driven integrator: integration from event to event, with a choice of mode at each event."""

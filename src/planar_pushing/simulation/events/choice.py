@@ -1,4 +1,4 @@
-"""The choice of a mode: which ones hold at an instant, and which of them the policy takes."""
+"""The choice of a mode: the consistent modes at an instant, and the one that the policy prefers."""
 
 from __future__ import annotations
 
@@ -7,18 +7,18 @@ from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.fence import span
 from planar_pushing.simulation.systems import base, equations
 
-#: A margin this near to zero is judged by where it goes from there.
+#: A margin this close to zero is judged by its trend.
 NEAR = 1e-10
-#: How far ahead that is looked, as a part of the time in which the fence moves by one length.
+#: Time over which the trend is evaluated, as a fraction of the time in which the fence moves by one length.
 AHEAD = 1e-5
 TREND = 1e-12
-#: In place of a contact mode where there is none.
+#: Placeholder where there is no contact mode.
 NO_KIND = -1
 
 
 @compiled
 def holds(system, mode, time, state, run):
-    """Whether the margins of a mode are positive, or zero and not about to fall."""
+    """Whether the margins of a mode are positive, or zero and not decreasing."""
     now, later, trial = run.guards[at.NOW], run.guards[at.LATER], run.vectors[at.TRIAL]
     equations.guards(system, mode, time, state, now)
     near = False
@@ -44,7 +44,7 @@ def holds(system, mode, time, state, run):
 
 @inlined
 def choose(system, run, policy, excluded):
-    """Take a consistent mode by the policy, `excluded` apart; whether there is one."""
+    """Choose a consistent mode other than `excluded` by the policy; return whether there is one."""
     state, before = run.vectors[at.STATE], run.kind
     run.count = base.modes(
         system, span(system.fence, run.span), run.time, state, run.kinds[:], run.feet[:],
@@ -66,7 +66,7 @@ def choose(system, run, policy, excluded):
 
 @compiled
 def solutions_now(system, run, time, state):
-    """How many modes hold at an instant within a step of the chosen one: one where the contact is open."""
+    """Number of consistent modes at an instant within a step; one if the contact is open."""
     count = 1
     if base.clearance(system, state) > base.SLACK:
         return count

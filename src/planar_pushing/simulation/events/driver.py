@@ -1,8 +1,8 @@
-"""The driver: from event to event, and a choice of mode at each.
+"""The driver: integration from event to event, with a choice of mode at each event.
 
-A mode is integrated until one of its guards says that it ends; then the modes whose conditions hold are
-enumerated and the policy takes one. The driver knows nothing of the equations. It works in phases, so that
-it can hand on its rows, and go on, at any time.
+A mode is integrated until one of its guards signals its end. Then the consistent modes are enumerated and
+the policy chooses one. The driver is independent of the equations. It works in phases, so that it can
+return rows and continue at any time.
 """
 
 from __future__ import annotations
@@ -18,17 +18,17 @@ from planar_pushing.simulation.systems import base
 from planar_pushing.simulation.systems.shapes.base import room
 from planar_pushing.simulation.systems.written import write
 
-#: What comes next: a span of the fence's motion, a step, the samples within it, a choice, a row, nothing.
+#: Next phase: enter a span of the fence's motion, step, sample within the step, choose, log a row, or end.
 ENTERS, STEPS, SAMPLES, CHANGES, LOGS, ENDED = range(6)
-#: Phases until the driver returns in any case, so that an interrupt is heard.
+#: Maximum number of phases before the driver returns, so that Python can handle an interrupt.
 PHASES_AT_ONCE = 5_000
-#: Events of one run, and events in a row between which no time passes, before it is given up.
+#: Maximum number of events of a run, and of successive events between which no time passes.
 MOST_EVENTS, MOST_AT_ONCE = 100_000, 25
-#: Part of the duration that counts as no time.
+#: Fraction of the duration that counts as no time.
 NO_TIME = 1e-12
-#: Steps after which a run has to have gone on, by this part of the duration.
+#: Number of steps in which a run must advance by at least this fraction of the duration.
 PATIENCE, LEAST_PROGRESS = 5000, 1e-6
-#: Part of the tolerance that one step may use, since the errors of steps add up; and the least one.
+#: Fraction of the tolerance allowed for one step, since the errors of steps add up; and its minimum.
 STEP_PART, LEAST = 0.02, 2.3e-14
 GOES_ON, INCONSISTENT, LAY_DOWN = int(Stop.NO), int(Stop.INCONSISTENT), int(Stop.LIES)
 MET, SIDE_ENDED = int(Stop.PENETRATES), int(Stop.END_OF_SIDE)
@@ -38,7 +38,7 @@ SINGULAR, TOO_MANY, NO_PROGRESS = int(Stop.SINGULAR), int(Stop.EVENTS), int(Stop
 @kernel
 @compiled
 def begin(system, run):
-    """Put a run at its beginning; `run.vectors[STATE]` is the state there."""
+    """Initialize a run; `run.vectors[STATE]` holds the initial state."""
     run.time, run.last_size, run.phase, run.span, run.sample = 0.0, 0.0, ENTERS, 0, 0
     run.chosen, run.count, run.kind, run.solutions = -1, 0, choice.NO_KIND, 0
     run.stopped, run.events, run.at_once, run.changes = GOES_ON, 0, 0, 0
@@ -50,7 +50,7 @@ def begin(system, run):
 @kernel
 @compiled
 def advance(system, task, run, rows):
-    """Go on with a run until its rows are full, it has ended, or many steps are done; the rows written."""
+    """Continue a run until its rows are full, it ends, or many steps are done; return the row count."""
     count = 0
     for _ in range(PHASES_AT_ONCE):
         if run.phase == ENDED or count == len(rows):
@@ -70,12 +70,12 @@ def advance(system, task, run, rows):
 
 @inlined
 def _log(system, task, run, row):
-    """Write down where the run is; one row."""
+    """Log the current instant of the run in one row."""
     state, solutions = run.vectors[at.STATE], run.solutions
-    if run.chosen >= 0:  # the choice may have been made long before
+    if run.chosen >= 0:  # the mode may have been chosen long before
         solutions = choice.solutions_now(system, run, run.time, state)
     _row(system, run, run.time, state, solutions, row)
-    # Samples of that time count as done.
+    # Samples at this time are done.
     while run.sample < len(task.times) and task.times[run.sample] <= run.time:
         run.sample += 1
     row.event, run.cause = max(run.cause, watch.NOTHING), watch.NOTHING
@@ -85,7 +85,7 @@ def _log(system, task, run, row):
 
 @inlined
 def _sample(system, task, run, row):
-    """Write down the next sample within a step, or go on where there is none; how many rows that is."""
+    """Log the next sample within a step, or continue if there is none; return the number of rows."""
     if run.sample < len(task.times) and task.times[run.sample] < run.event:
         mode, time = at.candidate(system, run, run.chosen), task.times[run.sample]
         state = run.vectors[at.PASSING]
@@ -104,7 +104,7 @@ def _sample(system, task, run, row):
 
 @compiled
 def _row(system, run, time, state, solutions, row):
-    """Write down an instant."""
+    """Store an instant in a row."""
     mode = at.candidate(system, run, run.chosen)
     row.time, row.solutions, row.stopped = time, solutions, run.stopped
     row.pusher[0], row.pusher[1] = displacement(system.fence, mode.during, time)
@@ -115,7 +115,7 @@ def _row(system, run, time, state, solutions, row):
 
 @inlined
 def _policy(system, run):
-    """The policy that holds in the span of the run."""
+    """Policy for the current span of the run."""
     return system.fence[run.span].policy
 
 
@@ -126,7 +126,7 @@ def _stop(run, reason):
 
 @inlined
 def _enter(system, run):
-    """Take up the motion of a span of the fence, or end where there is none."""
+    """Enter the next span of the fence's motion, or end the run if there is none."""
     run.phase = LOGS
     if run.span < len(system.fence):
         reason = base.enter(system, run.span, run.vectors[at.STATE], run.kind, _policy(system, run))
@@ -149,7 +149,7 @@ def _change(system, run):
 
 @compiled
 def _begin_mode(system, run, excluded):
-    """Choose a mode and begin it, or stop where none is consistent."""
+    """Choose a mode and begin it, or stop if none is consistent."""
     run.phase = LOGS
     if choice.choose(system, run, _policy(system, run), excluded):
         run.before = run.time
@@ -161,7 +161,7 @@ def _begin_mode(system, run, excluded):
 
 @inlined
 def _step(system, task, run):
-    """Take one step, and look for an event in it."""
+    """Take one step, and search it for an event."""
     mode = at.candidate(system, run, run.chosen)
     if not _gets_on(system, run):
         _stop(run, NO_PROGRESS)
@@ -174,7 +174,7 @@ def _step(system, task, run):
 
 @inlined
 def _gets_on(system, run):
-    """Whether the steps since the last look have taken the run further."""
+    """Whether the run has advanced since the last check."""
     run.steps += 1
     if run.steps % PATIENCE != 0:
         return True
@@ -184,7 +184,7 @@ def _gets_on(system, run):
 
 @inlined
 def _move_on(system, run):
-    """Go to the end of a step."""
+    """Advance to the end of a step."""
     step.move_on(run)
     base.remember(
         system,
@@ -200,7 +200,7 @@ def _move_on(system, run):
 
 @compiled
 def _count(system, run, during):
-    """Count what ended a mode, and say what comes next."""
+    """Count the event that ended a mode, and set the next phase."""
     run.events += 1
     passed = run.time - run.before > NO_TIME * system.fence[len(system.fence) - 1].end
     run.at_once = 0 if passed else run.at_once + 1
@@ -211,13 +211,13 @@ def _count(system, run, during):
 
 @compiled
 def _parts(system, cause, along):
-    """Whether an event ends the contact for good: a finger leaves its side, or passes beside it."""
+    """Whether an event ends the contact permanently: a finger leaves its side, or passes beside it."""
     return cause == base.END_OF_SIDE or (cause == base.TOUCHES and room(system.shape, along) < 0.0)
 
 
 @inlined
 def _happen(system, run):
-    """Go to an event, and to the state just after it."""
+    """Advance to an event and apply its change of state."""
     mode, state = at.candidate(system, run, run.chosen), run.vectors[at.STATE]
     interpolate(system, mode, run, run.event, run.vectors[at.PASSING])
     copy(state, run.vectors[at.PASSING])

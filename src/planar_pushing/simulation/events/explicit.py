@@ -12,14 +12,14 @@ from planar_pushing.simulation.systems import equations
 
 #: Order of the error of a step.
 ORDER = 8.0
-#: Stage about the middle of a step, with a state near that of the motion, and its part of the step.
+#: Stage near the middle of a step, with a state close to the motion, and its position in the step.
 MIDDLE = 9
 PART = float(C[MIDDLE])
 
 
 @compiled
 def _sum(weights, count, slopes, found):
-    """Write down a weighted sum of slopes."""
+    """Store a weighted sum of slopes in `found`."""
     for k in range(len(found)):
         total = 0.0
         for j in range(count):
@@ -29,9 +29,9 @@ def _sum(weights, count, slopes, found):
 
 @inlined
 def clock(run, part):
-    """Time at a part of a step, and its rate.
+    """Time at a fraction of a step, and its rate.
 
-    Beside a pivot the square root of the distance from it runs evenly, which smooths the motion there.
+    Near a pivot time, the square root of the distance to it advances uniformly, which smooths the motion.
     """
     if run.side == 0.0:
         return run.time + part * (run.until - run.time), run.until - run.time
@@ -42,7 +42,7 @@ def clock(run, part):
 
 @inlined
 def _part(run, time):
-    """The part of a step that is done at a time."""
+    """Fraction of a step completed at a time."""
     if run.side == 0.0:
         return (time - run.time) / (run.until - run.time)
     start, end = sqrt(abs(run.time - run.pivot)), sqrt(abs(run.until - run.pivot))
@@ -51,7 +51,7 @@ def _part(run, time):
 
 @compiled
 def _stage(system, mode, run, i):
-    """Change of the state at the rate in a stage of the step, and the guards about the middle."""
+    """Compute the change of state of a stage, and the guards at the middle stage."""
     slopes, state, trial = (
         run.vectors[at.SLOPES : at.DENSE],
         run.vectors[at.STATE],
@@ -71,9 +71,9 @@ def _stage(system, mode, run, i):
 
 @compiled
 def attempt(system, mode, run, rtol):
-    """Try a step; the estimate of its error in units of the tolerance (Sec. II.10).
+    """Try a step; return the estimate of its error in units of the tolerance (Sec. II.10).
 
-    Guards are written down about its middle and at its end.
+    The guards near its middle and at its end are stored.
     """
     slopes, trial = run.vectors[at.SLOPES : at.DENSE], run.vectors[at.TRIAL]
     state, reached, scales = run.vectors[at.STATE], run.vectors[at.REACHED], run.vectors[at.SCALES]
@@ -99,7 +99,7 @@ def attempt(system, mode, run, rtol):
 
 @compiled
 def _prepare(system, mode, run):
-    """Coefficients of the dense output, and the stages that only it takes."""
+    """Compute the coefficients of the dense output, and the additional stages that it needs."""
     for i in range(STEP + 1, STAGES):
         _stage(system, mode, run, i)
     slopes, dense = run.vectors[at.SLOPES : at.DENSE], run.vectors[at.DENSE :]

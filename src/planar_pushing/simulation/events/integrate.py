@@ -16,20 +16,20 @@ from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import Stop, in_units, reason, records, row_type
 from planar_pushing.simulation.systems.setup import NUMBERS, put, row_of, size_of, system_of
 
-#: Rows handed on at once.
+#: Maximum number of rows returned at once.
 BATCH = 256
-#: Equal parts into which the time between two instants is cut to find one of them more narrowly.
+#: Number of equal parts into which the time between two instants is divided to narrow a bracket.
 PARTS = 65
 
 
 class EventDriven:
-    """One run; iterating over it hands on its rows, and goes on where it was interrupted.
+    """One run; iteration yields its rows and resumes after an interrupt.
 
     Parameters
     ----------
     problem : Problem
     times : array_like
-        Increasing, within the duration; the rows hold these times and every event.
+        Increasing times within the duration; the rows contain these times and all events.
     """
 
     def __init__(self, problem: Problem, times: npt.ArrayLike) -> None:
@@ -52,13 +52,13 @@ class EventDriven:
 
     @staticmethod
     def between(low: float, high: float) -> Array:
-        """Finer instants strictly between two, the last double before the end among them."""
+        """Finer instants strictly between two, including the last double before the end."""
         inner = np.append(np.linspace(low, high, PARTS + 1), np.nextafter(high, low))
         return np.unique(inner[(inner > low) & (inner < high)])
 
     @property
     def stopped(self) -> str:
-        """Why the run ended before its time; empty otherwise."""
+        """Reason why the run ended early; empty otherwise."""
         run = self.run
         match Stop(run.stopped):
             case Stop.SINGULAR:

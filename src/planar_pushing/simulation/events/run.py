@@ -1,4 +1,4 @@
-"""One run of the event-driven integrator: what it is asked for, and where it is."""
+"""One run of the event-driven integrator: its task and its current state."""
 
 from __future__ import annotations
 
@@ -14,25 +14,25 @@ from planar_pushing.simulation.events.tableau import STAGES
 from planar_pushing.simulation.fence import span
 from planar_pushing.simulation.systems import base
 
-#: Parts of a step at which the guards are evaluated where an event may lie in it.
+#: Fractions of a step at which the guards are evaluated if it may contain an event.
 NODES = (0.25, 0.5, 0.75, 1.0)
 
 
 class Task(NamedTuple):
-    """The task of a run: a relative tolerance, and samples at these times."""
+    """Task of a run: a relative tolerance, and the times of the samples."""
 
     rtol: float
     times: Array
 
 
-#: Vectors of a run, each with the entries of the state: the state, that at the end of the step, two on
-#: which functions work, typical sizes; rates at the start and at the end of a step; changes in its stages,
-#: and coefficients of the dense output.
+#: Vectors of a run, each with the entries of the state: the state, the state at the end of the step, two
+#: work vectors, typical magnitudes, rates at the start and at the end of a step, changes in its stages, and
+#: coefficients of the dense output.
 STATE, REACHED, TRIAL, PASSING, SCALES, FIRST, LAST, SLOPES = range(8)
 DENSE = SLOPES + STAGES
 VECTORS = DENSE + 7
-#: Guards of a run by cause: their signs, zero until a guard was away from zero; values at the start of the
-#: step and at its nodes, about its middle, and two sets on which functions work.
+#: Guards of a run by cause: their signs, zero until a guard has been nonzero; their values at the start of
+#: the step, at its nodes, at its end and near its middle; and two work sets.
 SIGNS, VALUES = range(2)
 END = VALUES + len(NODES)
 ABOUT, NOW, LATER = range(END + 1, END + 4)
@@ -40,13 +40,14 @@ ABOUT, NOW, LATER = range(END + 1, END + 4)
 
 @cache
 def run_type(entries: int) -> np.dtype[Any]:
-    """A run whose state has so many entries.
+    """Data type of a run with the given number of state entries.
 
-    `phase` of `driver`; `time` of the state, `until` at the end of the step that is examined, and `event`
-    in it, with its `cause`; `before` when the mode was chosen; `planned` size of the next step, `prepared`
-    where the dense output of this one is known; `pivot` is a time at which the motion is not smooth, and
-    `side` 1 behind it, -1 before it and 0 where there is none. `chosen` of the `count` modes that might be,
-    -1 where none is consistent.
+    `phase` is that of `driver`. `time` is the time of the state, `until` the end of the current step,
+    `event` the time of an event in it, and `cause` its cause. `before` is the time when the mode was
+    chosen. `planned` is the size of the next step, and `prepared` says whether the dense output of this
+    step is known. `pivot` is a time at which the motion is not smooth; `side` is 1 after it, -1 before it,
+    and 0 if there is none. `chosen` is the index of the chosen one of the `count` candidate modes, -1 if
+    none is consistent.
     """
     return np.dtype(
         [
@@ -67,7 +68,7 @@ def run_type(entries: int) -> np.dtype[Any]:
 
 @compiled
 def candidate(system, run, index):
-    """One of the modes that might be, or the state without a contact force where there is none."""
+    """Candidate mode of this index, or the mode without a contact force for a negative index."""
     during = span(system.fence, min(run.span, len(system.fence) - 1))
     if index < 0:
         return base.Mode(0, -1, False, 0.0, 0.0, 0.0, during)

@@ -1,4 +1,4 @@
-"""Sizes of steps: the first one of a mode, and the next one by the error of the last."""
+"""Step sizes: the first one of a mode, and the next one based on the error of the last."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.systems import equations
 
-#: Limits of the change of a step's size, and the part of it that is taken.
+#: Safety factor, and limits for the change of the step size.
 SAFETY, SHRINK, GROW = 0.9, 0.1, 10.0
-#: Most by which the change of the last size is taken to go on, and by which the first size of a mode is
-#: above the last one before it: the motion is as hard behind a singularity as it was beside it.
+#: Maximum factor by which a trend of the step size is extrapolated, and by which the first step of a mode
+#: exceeds the last step before it, since the motion after a singularity is as hard as before it.
 TREND = 2.0
-#: So many of the usual first size give a step whose error is about the tolerance.
+#: The usual first size, multiplied by this factor, gives a step with an error near the tolerance.
 CAUTIOUS = 4.0
 
 
 @compiled
 def norm(vector, start, end, rtol, scales):
-    """Root mean square of a vector in units of the tolerance."""
+    """Root mean square of a vector, in units of the tolerance."""
     total = 0.0
     for i in range(len(vector)):
         part = vector[i] / (rtol * (scales[i] + max(abs(start[i]), abs(end[i]))))
@@ -31,13 +31,13 @@ def norm(vector, start, end, rtol, scales):
 
 @inlined
 def least_size(time):
-    """Size below which rounding of the time matters."""
+    """Step size below which rounding of the time matters."""
     return 10.0 * (np.nextafter(time, inf) - time)
 
 
 @inlined
 def first_size(system, mode, run, end, rtol, order):
-    """Size of the first step of a mode; its first slope is known (Hairer and Wanner I, Sec. II.4)."""
+    """Size of the first step of a mode with a known first slope (Hairer and Wanner I, Sec. II.4)."""
     state, trial, scales = run.vectors[at.STATE], run.vectors[at.TRIAL], run.vectors[at.SCALES]
     slope, other = run.vectors[at.FIRST], run.vectors[at.PASSING]
     state_size = norm(state, state, state, rtol, scales)
@@ -57,10 +57,10 @@ def first_size(system, mode, run, end, rtol, order):
 
 @inlined
 def next_size(run, size, error, order):
-    """Size of the step after one with an error below 1; sizes that change steadily go on to do so.
+    """Size of the step after one with an error below 1; a steady change of the size continues.
 
-    Gustafsson's prediction (Hairer and Wanner II, Sec. IV.8): beside a singularity sizes fall, and rise
-    behind it, by a factor a step.
+    Gustafsson's prediction (Hairer and Wanner II, Sec. IV.8): near a singularity, step sizes decrease
+    before it and increase after it by a constant factor per step.
     """
     if error == 0.0:
         return GROW * size
@@ -73,9 +73,9 @@ def next_size(run, size, error, order):
 
 @inlined
 def smaller_size(size, error, tried, failed, order):
-    """Size of the next trial after an error above 1, and after that of a larger size that was tried.
+    """Size of the next trial after an error above 1, given also the error of a larger size, if tried.
 
-    The two tell the order of the error, which is low where the motion is not smooth.
+    The two errors give the order of the error, which is low where the motion is not smooth.
     """
     if tried > size and failed > error:
         order = min(max(log(failed / error) / log(tried / size), 1.0), order)

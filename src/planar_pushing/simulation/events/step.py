@@ -1,4 +1,4 @@
-"""A step of the event-driven integrator: sizes are tried until the error is small."""
+"""A step of the event-driven integrator, with the size reduced until the error is small."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ from planar_pushing.simulation.events import explicit, sizes, watch
 from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.systems import base, equations
 
-#: Above this error, in units of the tolerance, a step that was tried says nothing.
+#: Above this error, in units of the tolerance, a trial step gives no information.
 WILD = 1e5
 
 
 @inlined
 def begin(run):
-    """Forget the steps before, but for a kink, behind which the motion is not smooth."""
+    """Forget the previous steps, except a kink, after which the motion is not smooth."""
     run.fresh = True
     run.pivot, run.side = run.time, 1.0 if run.cause == base.KINK else 0.0
 
 
 @inlined
 def _first_slope(system, mode, run, end, rtol):
-    """Slope at the start of a step, and the size of a first one."""
+    """Compute the slope at the start of a step, and the size of a first step."""
     if run.fresh:
         equations.rates(system, mode, run.time, run.vectors[at.STATE], run.vectors[at.FIRST])
         run.planned = sizes.first_size(system, mode, run, end, rtol, explicit.ORDER)
@@ -32,7 +32,7 @@ def _first_slope(system, mode, run, end, rtol):
 
 @inlined
 def take(system, mode, run, end, rtol):
-    """Go on by one step; False where no step is small enough."""
+    """Take one step; return False if no step is small enough."""
     if run.side < 0.0 and run.time >= run.pivot:
         run.side = 1.0
     _first_slope(system, mode, run, end, rtol)
@@ -57,6 +57,6 @@ def take(system, mode, run, end, rtol):
 
 @inlined
 def move_on(run):
-    """Go to the end of a step."""
+    """Advance to the end of a step."""
     run.time = run.until
     copy(run.vectors[at.STATE], run.vectors[at.REACHED])

@@ -1,7 +1,7 @@
 """Coefficients of DOP853, from SciPy (Hairer, Norsett and Wanner I, Sec. II.10).
 
-Twelve stages and the derivative at the end of the step give the result of order 8 and two estimates of its
-error; three more stages give a dense output of order 7.
+Twelve stages and the derivative at the end of the step give a result of order 8 and two estimates of its
+error. Three more stages give dense output of order 7.
 """
 
 from __future__ import annotations
@@ -9,11 +9,11 @@ from __future__ import annotations
 import numpy as np
 from scipy.integrate import DOP853
 
-#: Stages of a step, the derivative at its end, and the stages of the dense output.
+#: Number of stages of a step, and number including the derivative at its end and the dense output.
 STEP, STAGES = 12, 16
 #: Times of the stages in a step.
 C = np.array([*DOP853.C, 1.0, *DOP853.C_EXTRA])
-#: Weights of the stages before it in each stage; row 12 is the result of the step.
+#: Weights of the previous stages in each stage; row 12 is the result of the step.
 A = np.zeros((STAGES, STAGES))
 A[:STEP, :STEP] = DOP853.A
 A[STEP, :STEP] = DOP853.B

@@ -1,4 +1,4 @@
-"""Where a mode ends: its guards followed along the dense output of each step."""
+"""Event location: the guards of a mode are followed along the dense output of each step."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.events.explicit import PART, interpolate
 from planar_pushing.simulation.systems import base, equations
 
-#: Halvings that look for the moment in which a margin that starts at zero is positive.
+#: Maximum number of halvings in the search for a time at which a margin that starts at zero is positive.
 HALVINGS = 20
-#: A margin that a parabola has fall below this part of itself may vanish between the nodes.
+#: A margin may vanish between the nodes if its parabola falls below this fraction of the smallest value.
 DIP = 0.2
-#: A pivot is sought to some parts in this of a step, and put so far behind the kink that the step to it
-#: holds the kink as an event; what is not smooth there changes the motion by less than 1e-12.
+#: Accuracy of a pivot time as a fraction of the step, and its distance after the kink, so that the step to
+#: it contains the kink as an event. The nonsmooth remainder changes the motion by less than 1e-12.
 BEHIND = 1e-5
-#: What a step holds, besides the cause of an event.
+#: Results of the search of a step other than the cause of an event.
 NOTHING, MISJUDGED = -1, -2
 
 
 class Guarded(NamedTuple):
-    """A guard over the time of a step."""
+    """A guard as a function of the time within a step."""
 
     system: Any
     mode: base.Mode
@@ -34,7 +34,7 @@ class Guarded(NamedTuple):
 
 @compiled
 def _value(of, time):
-    """A guard at a time of the step, positive before its event."""
+    """Value of a guard at a time of the step, positive before its event."""
     run, trial, found = of.run, of.run.vectors[at.TRIAL], of.run.guards[at.NOW]
     interpolate(of.system, of.mode, run, time, trial)
     equations.guards(of.system, of.mode, time, trial, found)
@@ -43,7 +43,7 @@ def _value(of, time):
 
 @inlined
 def start_watch(system, mode, run):
-    """Look at the guards at the start of a mode."""
+    """Evaluate the guards at the start of a mode."""
     equations.guards(system, mode, run.time, run.vectors[at.STATE], run.guards[at.VALUES])
     for cause in range(base.CAUSES):
         run.guards[at.SIGNS, cause] = _sign(cause, run.guards[at.VALUES, cause])
@@ -51,7 +51,7 @@ def start_watch(system, mode, run):
 
 @compiled
 def _sign(cause, value):
-    """Sign of a watch that is away from zero; of a margin 1 where it is positive; 0 until then."""
+    """Sign of a watch that is not near zero; for a margin, 1 if it is positive; 0 otherwise."""
     if value > base.SLACK:
         return 1.0
     return -1.0 if base.WATCHES[cause] and value < -base.SLACK else 0.0
@@ -59,9 +59,9 @@ def _sign(cause, value):
 
 @inlined
 def first_event(system, mode, run):
-    """Write down the first event of a step; its cause, `NOTHING`, or `MISJUDGED`.
+    """Store the first event of a step; return its cause, `NOTHING`, or `MISJUDGED`.
 
-    A mode is misjudged where a margin is negative from its start on.
+    A mode is misjudged if a margin is negative from its start.
     """
     run.event, found = run.until, NOTHING
     if _may_end(run):
@@ -72,7 +72,7 @@ def first_event(system, mode, run):
 
 @inlined
 def look_for_pivot(system, mode, run):
-    """Where the motion is not smooth within a step that was tried, steps are graded towards that time."""
+    """Find a time at which the motion is not smooth in a trial step, and grade the steps toward it."""
     sign, end = run.guards[at.SIGNS, base.KINK], run.guards[at.END]
     if sign * end[base.KINK] < -base.SLACK:
         equation, slack = Guarded(system, mode, run, base.KINK), BEHIND * (run.until - run.time)
@@ -84,7 +84,7 @@ def look_for_pivot(system, mode, run):
 
 @inlined
 def _may_end(run):
-    """Whether an event may lie in a step, by its guards at the ends and about the middle."""
+    """Whether a step may contain an event, judged by its guards at the ends and near the middle."""
     for cause in range(base.CAUSES):
         sign, end = run.guards[at.SIGNS, cause], run.guards[at.END, cause]
         middle = run.guards[at.ABOUT, cause]
@@ -99,7 +99,7 @@ def _may_end(run):
 
 @compiled
 def _dips(a, b, c, part):
-    """Whether the parabola through values at 0, a part, and 1 falls to a fifth of the least of them."""
+    """Whether the parabola through values at 0, `part` and 1 falls below a fifth of the smallest value."""
     bend = ((c - a) - (b - a) / part) / (1.0 - part)
     slope = (c - a) - bend
     return 0.0 < -slope < 2.0 * bend and a - slope * slope / (4.0 * bend) < DIP * min(a, b, c)
@@ -107,7 +107,7 @@ def _dips(a, b, c, part):
 
 @compiled
 def _search(system, mode, run):
-    """As `first_event`, by the guards at the nodes of the dense output."""
+    """As `first_event`, using the guards at the nodes of the dense output."""
     for j in range(len(at.NODES) - 1):
         interpolate(system, mode, run, _node(run, j + 1), run.vectors[at.TRIAL])
         equations.guards(
@@ -128,7 +128,7 @@ def _search(system, mode, run):
 
 @inlined
 def _node(run, j):
-    """Time of a node, where 0 is the start of the step."""
+    """Time of a node; node 0 is the start of the step."""
     if j == len(at.NODES):
         return run.until
     return run.time + (at.NODES[j - 1] * (run.until - run.time) if j else 0.0)
@@ -136,7 +136,7 @@ def _node(run, j):
 
 @compiled
 def _event(of):
-    """Time of the first event of one cause in a step, infinite where there is none, -1 where misjudged."""
+    """Time of the first event of one cause in a step, infinite if there is none, -1 if misjudged."""
     run, cause, watched = of.run, of.cause, base.WATCHES[of.cause]
     for j in range(1, len(at.NODES) + 1):
         low, high, sign = _node(run, j - 1), _node(run, j), run.guards[at.SIGNS, cause]
@@ -153,7 +153,7 @@ def _event(of):
 
 @inlined
 def _rise(of, start, end):
-    """A moment after `start` in which a margin that began at zero is positive, -1 where there is none."""
+    """A time after `start` at which a margin that began at zero is positive, -1 if there is none."""
     part = 1.0
     for _ in range(1, HALVINGS):
         part /= 2.0
@@ -166,7 +166,7 @@ def _rise(of, start, end):
 
 @inlined
 def _dip(of):
-    """Time at which a margin vanishes between nodes at which it is positive, infinite where it does not."""
+    """Time at which a margin vanishes between nodes at which it is positive, infinite if it does not."""
     run = of.run
     for j in range(1, len(at.NODES)):
         a, b = run.guards[at.VALUES + j - 1, of.cause], run.guards[at.VALUES + j, of.cause]
@@ -181,13 +181,13 @@ def _dip(of):
 
 @compiled
 def _within(of, low, high):
-    """As `_crossing`, between times at which the guard is not known."""
+    """As `_crossing`, between times at which the guard has not been evaluated."""
     return _crossing(of, low, high, _value(of, low), _value(of, high))
 
 
 @compiled
 def _crossing(of, low, high, at_low, at_high):
-    """Time at which a guard vanishes between two times; where it jumps, beyond the jump."""
+    """Time at which a guard vanishes between two times; if it jumps, a time after the jump."""
     if at_low <= 0.0:
         return low
     time = root(_value, of, low, high, at_low, at_high, RESOLUTION)

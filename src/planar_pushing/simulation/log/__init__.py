@@ -1,1 +1,1 @@
-"""The log of a simulation: its rows, its variables, and logs that are streamed to a file."""
+"""The log of a simulation: its variables, and streaming to a file."""

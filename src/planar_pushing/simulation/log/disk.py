@@ -1,7 +1,7 @@
-"""A file on disk for HDF5, whose failed writes are reported in Python.
+"""A file on disk for HDF5 that reports failed writes in Python.
 
-HDF5 cannot give up a file that it cannot write, as on a full disk: it prints errors while objects are
-destroyed, and crashes when the process ends. Here it never sees the failure; `check` raises it.
+If HDF5 cannot write a file, for example on a full disk, it prints errors while objects are destroyed and
+crashes when the process ends. Here HDF5 never sees the failure; `check` raises it.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ PathLike = str | os.PathLike[str]
 
 
 class Disk(io.FileIO):
-    """A new file without a buffer of its own, which keeps the first failure to write."""
+    """A new unbuffered file that stores its first write error."""
 
     def __init__(self, path: PathLike) -> None:
         super().__init__(path, "w+")
@@ -43,19 +43,19 @@ class Disk(io.FileIO):
             return size or 0
 
     def check(self) -> None:
-        """Raise what has failed so far."""
+        """Raise the stored error, if any."""
         if self.failure:
             raise self.failure
 
 
 @contextmanager
 def new_file(path: PathLike) -> Iterator[Disk]:
-    """A new file at `path`, in a folder that is made; removed again where it cannot be written.
+    """Open a new file at `path`, whose folder is created; remove the file if it cannot be written.
 
     Raises
     ------
     InvalidFile
-        Where the file cannot be written.
+        If the file cannot be written.
     """
     target = Path(path)
     try:
@@ -67,7 +67,7 @@ def new_file(path: PathLike) -> Iterator[Disk]:
         with disk:
             yield disk
         disk.check()
-    except Exception:  # whatever HDF5 makes of a file that lacks what was not written
+    except Exception:  # HDF5 can fail in any way on an incomplete file
         if disk.failure is None:
             raise
         target.unlink()

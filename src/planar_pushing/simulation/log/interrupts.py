@@ -1,4 +1,4 @@
-"""Ctrl-C, held back while a file is written."""
+"""Defer Ctrl-C while a file is written."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from typing import Any
 
 @contextmanager
 def undisturbed() -> Iterator[None]:
-    """Let Ctrl-C come after the block: HDF5 crashes where the Python file that it writes raises."""
-    if threading.current_thread() is not threading.main_thread():  # which alone hears signals
+    """Defer Ctrl-C until after the block, since HDF5 crashes if the Python file that it writes raises."""
+    if threading.current_thread() is not threading.main_thread():  # only it receives signals
         yield
         return
     held: list[Any] = []

@@ -1,7 +1,7 @@
 """A log that grows on disk: each batch of records is appended and flushed.
 
-A log is not written beside its place and moved there when complete, as datasets are: a run that is killed
-leaves what it has logged so far, with the attribute `finished` at 0.
+Unlike a dataset, a log is not written to a temporary file that is moved into place when complete. A killed
+run therefore leaves its log up to that time, with the attribute `finished` equal to 0.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ from planar_pushing.simulation.log.disk import Disk, PathLike, new_file
 from planar_pushing.simulation.log.interrupts import undisturbed
 from planar_pushing.simulation.problem import Problem
 
-#: Instants in a chunk of the file.
+#: Number of instants in a chunk of the file.
 CHUNK = 256
 
 
 class Stream:
-    """An open log; `append` writes a batch and flushes it."""
+    """An open log; `append` writes a batch of rows and flushes it."""
 
     def __init__(self, file: h5netcdf.File, hdf: h5py.File, disk: Disk, problem: Problem) -> None:
         self.file, self.hdf, self.disk, self.length, self.problem = file, hdf, disk, 0, problem
@@ -36,13 +36,13 @@ class Stream:
             for name, value in log.arrays(rows, self.problem).items():
                 stored = value.view("i1") if value.dtype == bool else value
                 self.file.variables[name][start : self.length] = stored
-            # What netCDF adds goes to the file, and the file to the disk.
+            # Flush netCDF to HDF5, and HDF5 to the disk.
             self.file.flush()
             self.hdf.flush()
         self.disk.check()
 
     def end(self, stopped: str, time: float) -> None:
-        """Note that the run has ended, when, and why before its time."""
+        """Store that the run has ended, the time, and the reason for an early end."""
         with undisturbed():
             self.file.attrs.update(log.ending(stopped, time))
 
@@ -54,12 +54,12 @@ def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]
     Raises
     ------
     InvalidFile
-        Where the file cannot be written.
+        If the file cannot be written.
     """
     with ExitStack() as files:
         with undisturbed():
             disk = files.enter_context(new_file(path))
-            # netCDF readers want the order of creation kept.
+            # netCDF readers require the creation order.
             hdf = files.enter_context(h5py.File(disk, "w", track_order=True))
             file = files.enter_context(h5netcdf.File(hdf, "r+"))
             _define(file, problem, method)
@@ -83,7 +83,7 @@ def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
         label.attrs.update(log.described(table, name, units))
     for name, (dims, dtype) in log.variables(problem).items():
         chunks = CHUNK, *(len(coordinates[dim]) for dim in dims)
-        # netCDF has no truth values: xarray stores them as bytes with this attribute, and so do we.
+        # netCDF has no booleans; xarray stores them as bytes with this attribute, and so do we.
         stored, truth = ("i1", {"dtype": "bool"}) if dtype == "?" else (dtype, {})
         created = file.create_variable(name, ("time", *dims), stored, chunks=chunks)
         created.attrs.update(log.described(table, name, units) | truth)

@@ -1,4 +1,4 @@
-"""The log of a simulation as arrays: its variables, and the attributes that say where it comes from."""
+"""The log of a simulation as arrays: its variables, and attributes that describe its origin."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from planar_pushing.terms import quantities
 from planar_pushing.terms.options import EffectKind, Event, Shape
 from planar_pushing.terms.units import Units, with_units
 
-#: Dimensions after time, and type, of the variables of the log.
+#: Dimensions after time, and types, of the variables of the log.
 VARIABLES: dict[str, tuple[tuple[str, ...], str]] = {
     "position": (("xy",), "f8"),
     "rod_angle": ((), "f8"),
@@ -44,19 +44,19 @@ VARIABLES: dict[str, tuple[tuple[str, ...], str]] = {
     "kinetic_energy": ((), "f8"),
     "evaluations": (("effect",), "i8"),
 }
-#: And under a finger.
+#: Additional variables for a finger.
 FINGER: dict[str, tuple[tuple[str, ...], str]] = {
     "contact_position": ((), "f8"),
     "parted": ((), "?"),
 }
-#: And of an object whose pose in the world is given.
+#: Additional variables for an object with a given pose in the world.
 PLACED: dict[str, tuple[tuple[str, ...], str]] = {
     "object_pose": (("pose",), "f8"),
     "pusher_position": (("xy",), "f8"),
 }
-#: And of a slider with loads.
+#: Additional variables for a slider with loads.
 LOADED: dict[str, tuple[tuple[str, ...], str]] = {"load_work": ((), "f8")}
-#: Names of the numbers of flags, in logs and in batches.
+#: Names and numbers of flags, in logs and in batches.
 FLAGS: dict[str, Mapping[str, int]] = {
     "mode": {"NONE": NO_MODE, **RESULTS["mode"]},
     "outcome": RESULTS["outcome"],
@@ -66,14 +66,14 @@ FLAGS: dict[str, Mapping[str, int]] = {
 
 
 def variables(problem: Problem) -> dict[str, tuple[tuple[str, ...], str]]:
-    """Dimensions after time, and type, of the variables of a problem's log."""
+    """Dimensions after time, and types, of the variables of a problem's log."""
     finger = FINGER if problem.shape == Shape.FINGER else {}
     placed = {} if problem.object_pose is None else PLACED
     return VARIABLES | finger | (LOADED if problem.scene.loads else {}) | placed
 
 
 def arrays(rows: Any, problem: Problem) -> dict[str, Any]:
-    """The variables of the log, and `time`, from rows in the units of the scene; angles in degrees."""
+    """Variables of the log, and `time`, from rows in the units of the scene; angles in degrees."""
     force, scene = rows["force"], problem.scene
     own = {
         "rod_angle": np.rad2deg(rows["rod_angle"]),
@@ -90,12 +90,12 @@ def arrays(rows: Any, problem: Problem) -> dict[str, Any]:
 
 
 def _placed(rows: Any, problem: Problem) -> dict[str, Any]:
-    """Poses of the object and places of the pusher in the world."""
+    """Poses of the object and positions of the pusher in the world."""
     if problem.world is None:
         return {}
     return {
         "object_pose": problem.world.object_pose(rows["position"], rows["rod_angle"]),
-        # The center of a finger is its radius below the contact at time 0.
+        # At time 0 the center of a finger is one radius below the contact.
         "pusher_position": problem.world.fence.point_out(
             rows["pusher"] - (0.0, problem.pusher.radius)
         ),
@@ -103,7 +103,7 @@ def _placed(rows: Any, problem: Problem) -> dict[str, Any]:
 
 
 def _pressure(rows: Any, problem: Problem) -> Any:
-    """Normal part of the pusher's force; the normal of a finger's side turns with the slider."""
+    """Normal component of the pusher's force; the normal of a finger's side rotates with the slider."""
     if problem.shape == Shape.FENCE:
         return rows["force"][:, 1]
     turned = rows["rod_angle"] - problem.scene.slider.rod_angle
@@ -111,7 +111,7 @@ def _pressure(rows: Any, problem: Problem) -> Any:
 
 
 def _dissipated(energies: Any, scene: Scene) -> Any:
-    """Energy that each effect dissipates, zero of those that dissipate none; shape (rows, effects)."""
+    """Energy dissipated by each effect, zero for nondissipative ones; shape (rows, effects)."""
     found = np.zeros((len(energies), len(scene.effects)))
     for i, index in enumerate(order_of(scene)):
         if index >= 0:
@@ -138,7 +138,7 @@ def coordinates(problem: Problem) -> dict[str, list[str]]:
 
 
 def table_of(shape: Shape) -> quantities.Quantities:
-    """Units and long names in the log of a motion under a pusher of this shape."""
+    """Units and long names in the log for a pusher of this shape."""
     return quantities.FINGER if shape == Shape.FINGER else quantities.LOG
 
 
@@ -179,12 +179,12 @@ def attributes(problem: Problem, method: str) -> dict[str, Any]:
 
 
 def ending(stopped: str, time: float) -> dict[str, Any]:
-    """Attributes of the log that the end of the run settles."""
+    """Attributes of the log that are known at the end of the run."""
     return {"finished": 1, "stopped": stopped, "stopped_time": time}
 
 
 def dataset(problem: Problem, method: str, rows: Any, stopped: str) -> xr.Dataset:
-    """The log in memory of a run that has ended, and why before its time."""
+    """The log in memory of a run that has ended, with the reason for an early end."""
     values, table = arrays(rows, problem), table_of(problem.shape)
     given, units = {"time": values["time"]} | coordinates(problem), problem.scene.units
     coords = {name: (name, each, described(table, name, units)) for name, each in given.items()}

@@ -1,1 +1,1 @@
-"""The time-stepping integrator: one incremental problem a step."""
+"""The time-stepping integrator: one incremental problem per step."""

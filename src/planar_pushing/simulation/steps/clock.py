@@ -1,4 +1,4 @@
-"""A run of the time-stepping integrator: where it is."""
+"""The current state of a run of the time-stepping integrator."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from planar_pushing.simulation.systems.shapes import base as shapes
 
 @cache
 def clock_type(entries: int) -> np.dtype[Any]:
-    """A run whose state has so many entries, of which those of inertia are not used.
+    """Data type of a run with the given number of state entries; those for inertia are not used.
 
-    Its time and the end of the step; `mark` and `step` count the intervals between the times that are
-    recorded, from `start` on, and the steps in one; position of the pusher, and its displacement in the
-    step; twist, and mean force and pivot of the last step; work of the loads, and energy lost at the
-    contact. Displacement, twist and force are along the axes of the world; trials, each a twist, a force
-    and a pivot, along those of the contact's frame.
+    The fields include the time and the end of the step, the position of the pusher and its displacement in
+    the step, the twist, the mean force and pivot of the last step, the work of the loads, and the energy
+    dissipated at the contact. `mark` counts the intervals between recorded times, which begin at `start`,
+    and `step` counts the steps in an interval. Displacement, twist and force are along the axes of the
+    world. Trials, each with a twist, a force and a pivot, are along the axes of the contact frame.
     """
     return np.dtype(
         [
@@ -37,5 +37,5 @@ def clock_type(entries: int) -> np.dtype[Any]:
 
 @compiled
 def seen(system, run, vector):
-    """A vector of the world in the contact's frame."""
+    """Transform a vector from the world to the contact frame."""
     return shapes.seen(system.shape, run.state[base.ANGLE], vector[0], vector[1])

@@ -1,15 +1,17 @@
 """The driver of the time-stepping integrator: steps of order 1, without events.
 
 A step of length h minimizes ``|v+ - v|_M^2 / 2 + h D(v+)`` over the twist v+ at its end, subject to the
-contact: it is the push from rest whose motion is a velocity, with inertia ``M / h`` about the twist before.
-A step sees the rod angle of its start, and the contact's frame there. The contact's normal motion is at
-least ``w_n - gap / h``, so that the gap never closes past zero; a contact mode takes it for equal.
+contact. This is the problem of a push from rest, with a velocity as the motion and inertia ``M / h`` about
+the previous twist. A step uses the rod angle and the contact frame at its start. The contact's normal
+motion is at least ``w_n - gap / h``, so that the gap never becomes negative; with a contact force it is
+equal.
 
-While the contact lasts, the contact point itself is moved by its own motion and the slider's center follows
-from the rod: a stick is then a stick and the gap is closed to rounding, whatever the step. A finger of
-finite radius also rolls along the side. In flight the slider's center is moved; over a fence the contact's
-path is then above its tangent, so the step's condition on the gap keeps the true gap open as well. Over a
-finger a flight may end below zero by the square of a step; the next step lifts it.
+During contact, the contact point is advanced by its own motion and the slider's center follows from the
+rod. A sticking contact therefore does not drift, and the gap is zero to rounding error for any step. A
+finger of finite radius also rolls along the side. In flight, the slider's center is advanced. Over a fence,
+the contact's path is then above its tangent, so the step's condition on the gap also keeps the true gap
+nonnegative. Over a finger, the gap can become negative in flight by the order of the squared step; the next
+step corrects it.
 """
 
 from __future__ import annotations
@@ -32,18 +34,19 @@ from planar_pushing.simulation.systems.shapes import base as shapes
 from planar_pushing.simulation.systems.written import put
 from planar_pushing.terms.options import Event
 
-#: A gap that is this small in radii is closed.
+#: A gap below this value, in radii, is closed.
 CLOSED = 1e-12
-#: A pusher that has left a finger's side for good is this many speeds away.
+#: After a finger has left the side permanently, the pusher recedes at this multiple of the typical speed.
 FARTHEST = 1e3
-#: Steps until the driver returns in any case, so that an interrupt is heard, and rows that a step writes.
+#: Maximum number of steps before the driver returns, so that Python can handle an interrupt, and maximum
+#: number of rows per step.
 STEPS_AT_ONCE, ROOM = 20_000, 2
 INCONSISTENT, LIES, NO_EVENT = int(Stop.INCONSISTENT), int(Stop.LIES), int(Event.NONE)
 PENETRATES, END_OF_SIDE = int(Stop.PENETRATES), int(Stop.END_OF_SIDE)
 
 
 class Plan(NamedTuple):
-    """Intervals of a run: ends, steps in each, and pieces of the fence in which they begin."""
+    """Intervals of a run: their ends, numbers of steps, and the pieces of the fence in which they begin."""
 
     ends: Array
     counts: Array
@@ -52,14 +55,14 @@ class Plan(NamedTuple):
 
 @compiled
 def ended(plan, run):
-    """Whether a run has nothing more to do."""
+    """Whether a run has ended."""
     return run.stopped != 0 or run.mark == len(plan.ends)
 
 
 @kernel
 @compiled
 def advance(system, plan, run, rows):
-    """Go on with a run until its rows are full, it has ended, or many steps are done; the rows written."""
+    """Continue a run until its rows are full, it ends, or many steps are done; return the row count."""
     count = 0
     for _ in range(STEPS_AT_ONCE):
         if ended(plan, run) or count + ROOM > len(rows):
@@ -77,9 +80,9 @@ def advance(system, plan, run, rows):
 
 @compiled
 def _choose(system, plan, run):
-    """Take the step that the policy takes, of several in one mode the first.
+    """Choose a trial of the step by the policy, the first one if several have the same mode.
 
-    Returns whether the mode, or the number of trials, changes.
+    Returns whether the mode or the number of trials has changed.
     """
     part = (run.step + 1) / plan.counts[run.mark]
     run.until = run.start + (plan.ends[run.mark] - run.start) * part
@@ -106,7 +109,7 @@ def _choose(system, plan, run):
 
 @inlined
 def _try(system, run):
-    """Write down the trials of the step; their number."""
+    """Store the trials of the step; return their number."""
     h, now = run.until - run.time, base.pose(system, run.state)
     gap = base.clearance(system, run.state)
     (v_x, v_y), (x, y) = seen(system, run, run.twist), seen(system, run, run.way)
@@ -132,7 +135,7 @@ def _try(system, run):
 
 @inlined
 def _kept(run, found, count, unit, far):
-    """Write down the solutions as trials, in the scene's units; of a contact that is open, the flight."""
+    """Store the solutions as trials, in the scene's units; for an open contact, only the flight."""
     for i in range(count):
         run.kinds[i] = found[i].mode
         for k in range(3):
@@ -146,7 +149,7 @@ def _kept(run, found, count, unit, far):
 
 @inlined
 def _move(system, run):
-    """Take the slider and the pusher to the end of the step."""
+    """Advance the slider and the pusher to the end of the step."""
     h, state, now = run.until - run.time, run.state, base.pose(system, run.state)
     (v_x, v_y, spin), (way_x, way_y) = run.trials[0, :3], seen(system, run, run.way)
     if run.kind == base.SEPARATE:
@@ -171,7 +174,7 @@ def _move(system, run):
 
 @inlined
 def _turn(system, run, v_x, v_y, spin):
-    """Turn the slider; inertia carries on the motion of the center of mass."""
+    """Rotate the slider; with inertia, the motion of the center of mass is preserved."""
     body, angle = system.body, run.state[base.ANGLE]
     turned = angle + (run.until - run.time) * spin
     x, y = to_contact(frame_of(angle), body.center[0], body.center[1])
@@ -183,7 +186,7 @@ def _turn(system, run, v_x, v_y, spin):
 
 @inlined
 def _part(system, run):
-    """End the contact at the end of a finger's side; stop there, and on a fence, by the outline."""
+    """End the contact at the end of a finger's side; with an outline, stop there or at a fence."""
     state = run.state
     if state[base.GAP] <= CLOSED and shapes.room(system.shape, state[base.ALONG]) < 0.0:
         if len(system.room.corners) > 0:
@@ -198,7 +201,7 @@ def _part(system, run):
 
 @inlined
 def _count(plan, run):
-    """Count the step, and its interval where it was the last of it."""
+    """Count the step, and its interval if it was the last step in it."""
     run.step += 1
     if run.step == plan.counts[run.mark]:
         run.start, run.step, run.mark = plan.ends[run.mark], 0, run.mark + 1
@@ -206,7 +209,7 @@ def _count(plan, run):
 
 @compiled
 def _log(system, run, rows, count):
-    """Write down where the run is; the last row of an instant replaces those before."""
+    """Log the current instant; the last row for an instant replaces previous ones."""
     if count > 0 and rows[count - 1].time == run.time:
         count -= 1
     row = rows[count]

@@ -1,4 +1,4 @@
-"""The energies of a step: work of pusher and loads, and what effects and contact dissipate."""
+"""The energies of a step: work of pusher and loads, and dissipation by effects and contact."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from planar_pushing.simulation.systems.written import potential
 
 @inlined
 def account(system, run):
-    """Enter the energies of the step.
+    """Add the energies of the step.
 
-    Effects dissipate the power at the end of the step. What is left of the work belongs to the contact; in
-    flight it is the scheme's own loss, which goes to friction.
+    Effects dissipate the power at the end of the step. The rest of the work is attributed to the contact;
+    in flight it is the numerical dissipation, which is attributed to friction.
     """
     (v_x, v_y, spin), now = run.trials[0, :3], base.pose(system, run.state)
     h, (x, y) = run.until - run.time, seen(system, run, run.twist)
@@ -35,7 +35,7 @@ def account(system, run):
 
 @compiled
 def settle(system, run):
-    """Enter the work of the loads in the step; in flight what is left of all goes to the first effect."""
+    """Add the work of the loads in the step; in flight, the rest of the energy goes to the first effect."""
     x, y = _center(system, run)
     now = potential(system, run.state, x, y)
     run.state[base.LOST] += now - run.pulled

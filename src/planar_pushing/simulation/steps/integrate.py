@@ -17,32 +17,31 @@ from planar_pushing.simulation.systems import setup
 from planar_pushing.terms.errors import InvalidValue, require_positive
 from planar_pushing.terms.options import MOST_STEPS
 
-#: Steps of a run whose step is not given.
+#: Default number of steps of a run.
 STEPS = 1000
-#: Rows handed on at once.
+#: Maximum number of rows returned at once.
 BATCH = 256
-#: Times closer than this part of the time that has passed are one time.
+#: Times that differ by less than this fraction of the elapsed time are treated as equal.
 APART = 1e-12
 
 
 class TimeStepping:
-    """One run by steps of equal length between the times to be recorded; iterating hands on its rows.
+    """One run with steps of equal length between recorded times; iteration yields its rows.
 
     Parameters
     ----------
     problem : Problem
-        Its tolerance has no part in this method.
+        Problem to solve; its tolerance is not used.
     times : array_like
-        Increasing, within the duration. The rows hold these and every change of mode or of their number.
+        Increasing times within the duration. The rows contain these times and every change of the mode or
+        of the number of consistent modes.
     step : float, optional
-        Greatest length of a step, > 0; a thousandth of the duration by default. The error is
-        proportional to it.
+        Maximum length of a step, > 0, by default 1/1000 of the duration. The error is proportional to it.
 
-    Notes
-    -----
-    `force` is the mean over the step that ends or, at a change of mode, starts there. The work of
-    the fence equals the change of kinetic energy plus what is dissipated, to rounding; the scheme's
-    own loss, of the order of the step, counts as the contact's, or as friction's in flight.
+    Notes ----- `force` is the mean over the step that ends at the instant or, at a change of mode, starts
+    there. The work of the fence equals the change of kinetic energy plus the dissipated energy, to rounding
+    error. The numerical dissipation, of the order of the step, is attributed to the contact or, in flight,
+    to friction.
     """
 
     def __init__(self, problem: Problem, times: npt.ArrayLike, step: float | None = None) -> None:
@@ -73,7 +72,7 @@ class TimeStepping:
                 yield in_units(rows[:count], self.radius)
 
     def between(self, low: float, high: float) -> Array:
-        """The ends of the steps strictly between two instants."""
+        """Ends of the steps strictly between two instants."""
         ends, counts = self.plan.ends, self.plan.counts
         starts = np.concatenate([[0.0], ends[:-1]])
         met = np.flatnonzero((ends > low) & (starts < high))
@@ -86,12 +85,12 @@ class TimeStepping:
 
     @property
     def stopped(self) -> str:
-        """Why the run ended before its time; empty otherwise."""
+        """Reason why the run ended early; empty otherwise."""
         return reason(self.run.stopped)
 
 
 def _plan(fence: Any, wanted: Array, size: float) -> Plan:
-    """Intervals between the times wanted and the jumps of the fence, cut into equal steps."""
+    """Intervals between recorded times and jumps of the fence, divided into equal steps."""
     ends, counts, pieces = [], [], []
     for piece in np.unique(fence["first"]):
         start, end = fence["start"][piece], fence["end"][fence["last"][piece] - 1]

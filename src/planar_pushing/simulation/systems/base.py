@@ -1,7 +1,7 @@
 """The parts of a simulation: a system, its state, and modes that last while margins are positive.
 
-A system is a named tuple of a kind of its own. Where systems differ the functions choose by that kind, so
-that what a scene does not list is not compiled into its integrators.
+Each kind of system is a separate named tuple. Functions that differ between systems are selected by this
+kind, so that an integrator contains no code for effects that its scene does not list.
 """
 
 from __future__ import annotations
@@ -26,29 +26,32 @@ from planar_pushing.simulation.systems.frame import (
 from planar_pushing.simulation.systems.shapes import base as shapes
 from planar_pushing.terms.options import Event
 
-#: Entries of the state: position of the contact relative to the pusher, rod angle, slip accumulated, energy
-#: dissipated at the contact, and work of the fence. A system with inertia adds the velocity of the contact
-#: over the fence and the rotation. The last entries are the energies that each effect dissipates.
+#: Entries of the state: position of the contact relative to the pusher, rod angle, accumulated slip, energy
+#: dissipated at the contact, and work of the pusher. A system with inertia adds the velocity of the contact
+#: relative to the pusher and the angular velocity. The last entries are the energies dissipated by each
+#: effect.
 ALONG, GAP, ANGLE, SLIP, LOST, WORK, OVER, RISE, SPIN = range(9)
-#: Entries of the state without and with inertia, before those of the effects.
+#: Number of entries of the state without and with inertia, before those of the effects.
 STILL, MOVING = OVER, SPIN + 1
-#: What the slider does: the contact modes, of which `SEPARATE` is a flight, and rests clear of the fence,
-#: on it, and on it under a force of the fence.
+#: Kinds of modes: the contact modes, of which `SEPARATE` is a flight; and rest clear of the fence, on the
+#: fence without a force, and on the fence with a force.
 SEPARATE, STICK = int(ContactMode.SEPARATE), int(ContactMode.STICK)
 SLIP_RIGHT, SLIP_LEFT = int(ContactMode.SLIP_RIGHT), int(ContactMode.SLIP_LEFT)
 CLEAR, HELD, PROPPED = 4, 5, 6
-#: The contact modes that the policies prefer, in the order of `Policy`; none, and the mode so far.
+#: Contact modes that the policies prefer, in the order of `Policy`, with markers for none and the current
+#: one.
 NONE, SO_FAR = -1, -2
 PREFERRED = NONE, SEPARATE, SO_FAR, STICK, SLIP_RIGHT, SLIP_LEFT
 
-#: A margin (dimensionless) this far below zero ends a mode; rounding stays above it.
+#: A dimensionless margin this far below zero ends a mode; rounding errors are smaller.
 SLACK = 1e-11
-#: The fence pushes a slider at rest from this fraction of the typical speed on.
+#: The fence pushes a slider at rest above this fraction of the typical speed.
 PUSHES = 2e-10
 #: Below this fraction of the typical speed friction holds the slider.
 AT_REST = 1e-9
 
-#: Why a mode ends, or why the modes are enumerated anew (`Event`); of two at once the first counts.
+#: Reasons why a mode ends or the modes are enumerated again (`Event`); of simultaneous ones, the first
+#: counts.
 CAUSES = len(Event) - 1
 LEAVES_CONE, SLIP_ENDS = int(Event.LEAVES_CONE), int(Event.SLIP_ENDS)
 FORCE_ENDS, TOUCHES, STARTS = int(Event.FORCE_ENDS), int(Event.TOUCHES), int(Event.STARTS)
@@ -56,15 +59,15 @@ HINGE_YIELDS, LIES, LIFTS = int(Event.HINGE_YIELDS), int(Event.LIES), int(Event.
 STOPS, ARRIVES, KINK = int(Event.STOPS), int(Event.ARRIVES), int(Event.KINK)
 TURNS, TURNS_ALONG = int(Event.TURNS), int(Event.TURNS_ALONG)
 END_OF_SIDE, PENETRATES = int(Event.END_OF_SIDE), int(Event.PENETRATES)
-#: Some are watches: their change of sign is an event. The others are margins, positive while a mode lasts.
+#: Watches, whose change of sign is an event. The others are margins, which are positive while a mode lasts.
 WATCHED = LIFTS, STOPS, ARRIVES, KINK, TURNS, TURNS_ALONG, END_OF_SIDE
 WATCHES = tuple(cause in WATCHED for cause in range(CAUSES))
 
-#: Constants of a scene: l / R; edges of the friction cone and their angles, and what the law allows there;
-#: friction in a translation, mass and moment m (rho / R)^2, zero where there is no such effect; center of
-#: mass in the body frame; loads; typical speed and force, to which slacks are relative; initial gap; the
-#: slider's radius in tolerances of its outline. And what changes: how often the motion was evaluated, and
-#: whether the contact has ended for good.
+#: Constants of a scene: l / R; edges of the friction cone, their angles, and whether the law allows slip
+#: and forces on the edges; friction in a translation, mass, and moment m (rho / R)^2, zero without such an
+#: effect; center of mass in the body frame; loads; typical speed and force, to which slacks are relative;
+#: initial gap; and the slider's radius in tolerances of its outline. Variables: the number of evaluations
+#: of the motion, and whether the contact has ended permanently.
 BODY = np.dtype(
     [
         ("length", "f8"), ("right", "f8", (2,)), ("left", "f8", (2,)), ("right_angle", "f8"),
@@ -78,7 +81,7 @@ BODY = np.dtype(
 
 
 class Room(NamedTuple):
-    """Arrays on which functions work, and the corners of the outline in tolerances, none without one."""
+    """Work arrays, and the corners of the outline in units of its tolerance, empty without an outline."""
 
     scratch: Any
     solutions: Any
@@ -93,8 +96,8 @@ class Room(NamedTuple):
 class QuasiStatic(NamedTuple):
     """The system of a scene without inertia; `body` is a record of `BODY`.
 
-    `effects` are friction and viscous friction, `friction` and `films` the one and the other, and `loads` a
-    wrench where the scene has loads. `fence` is the motion of the pusher, whose kind is that of `shape`.
+    `effects` contains `friction` and `films`, which is viscous friction. `loads` contains a wrench if the
+    scene has loads. `fence` is the motion of the pusher, and `shape` its shape.
     """
 
     effects: tuple[Any, ...]
@@ -121,19 +124,19 @@ class Inertial(NamedTuple):
 
 
 class Mode(NamedTuple):
-    """One way in which the slider moves on, during a span of the fence.
+    """A possible continuation of the motion during a span of the fence.
 
     Attributes
     ----------
     kind : int
         A contact mode, `CLEAR`, `HELD` or `PROPPED`.
     foot : int
-        Number of the support point at the center of rotation, -1 without one.
+        Number of the support point at the center of rotation, -1 if there is none.
     hinged : bool
-        Whether friction holds that point like a hinge.
+        Whether friction holds this point like a hinge.
     x, y, spin : float
-        Acceleration with which the slider starts from rest, zero otherwise; the force of a slider that is
-        propped; the contact's motion along the fence in a slip of a scene without inertia.
+        Acceleration of a slider that starts from rest, or the force in the mode `PROPPED`, or the contact's
+        motion along the fence in a slip without inertia; otherwise zero.
     during : Span
     """
 
@@ -146,66 +149,66 @@ class Mode(NamedTuple):
     during: Span
 
 
-#: Of each kind of system, the module of its equations, with the functions below; the first argument of all
-#: is the system.
+#: Module of the equations of each kind of system, with the functions below; their first argument is the
+#: system.
 SYSTEMS: dict[type, Any] = {}
-#: Change the state where the fence takes up the motion of a span: index of the span, state, contact mode,
-#: policy. Returns 0, or the `Stop` that says why there is no such state.
+#: Change the state when the fence starts the motion of a span: index of the span, state, contact mode,
+#: policy. Returns 0, or the `Stop` that says why there is no consistent state.
 enter = by_kind(SYSTEMS, "enter")
-#: Write down the modes that may be: span, time, state, kinds, feet, hinged, starts. Their number.
+#: Store the candidate modes: span, time, state, kinds, feet, hinged, starts. Returns their number.
 modes = by_kind(SYSTEMS, "modes")
 #: Change the state just after an event: cause, mode, time, state, policy. Returns the time and a `Stop`.
 after = by_kind(SYSTEMS, "after")
 #: The `Motion` at an instant: mode, time, state.
 motion = by_kind(SYSTEMS, "motion")
-#: Note the slip of a step that was taken in its mode: time, state, mode, start of the mode.
+#: Store the slip of a completed step in its mode: time, state, mode, start of the mode.
 remember = by_kind(SYSTEMS, "remember")
-#: Write down what ends a contact: mode, state, motion, found.
+#: Store the margins and watches that end a contact: mode, state, motion, found.
 guard_contact = by_kind(SYSTEMS, "guard_contact")
 
 
 @compiled
 def pose(system, state):
-    """The slider as the contact sees it."""
+    """Pose of the slider in the contact frame."""
     angle = shapes.frame_angle(system.shape, state[ANGLE])
     return pose_in(system, frame_of(angle), state)
 
 
 @compiled
 def pose_in(system, frame, state):
-    """As `pose`, of a frame that is known."""
+    """As `pose`, for a known frame."""
     return shapes.pose(system.shape, system.body, frame, state[ALONG], state[GAP])
 
 
 @compiled
 def velocity(system, during, time, state):
-    """Velocity of the pusher in the contact's frame."""
+    """Velocity of the pusher in the contact frame."""
     x, y = fence.velocity(system.fence, during, time)
     return shapes.seen(system.shape, state[ANGLE], x, y)
 
 
 @compiled
 def acceleration(system, during, time, state):
-    """Acceleration of the pusher along the axes of the contact's frame."""
+    """Acceleration of the pusher along the axes of the contact frame."""
     x, y = fence.acceleration(system.fence, during, time)
     return shapes.seen(system.shape, state[ANGLE], x, y)
 
 
 @compiled
 def clearance(system, state):
-    """Height of the contact over the pusher, infinite where the contact has ended for good."""
+    """Height of the contact above the pusher, infinite if the contact has ended permanently."""
     return shapes.clearance(system.shape, system.body, state[GAP])
 
 
 @compiled
 def height(system, state):
-    """Height of the outline over the fence in its tolerances, plus one; NaN without an outline."""
+    """Height of the outline above the fence in units of its tolerance, plus one; NaN without an outline."""
     return shapes.height(system.shape, system.body, system.room.corners, state[ANGLE], state[GAP])
 
 
 @compiled
 def initial(system, angle, gap, twist, state):
-    """Write down the state at time 0."""
+    """Store the state at time 0."""
     state[:] = 0.0
     state[GAP], state[ANGLE] = gap, angle
     if len(state) >= MOVING + len(system.effects):
@@ -216,7 +219,7 @@ def initial(system, angle, gap, twist, state):
 
 @compiled
 def scales(system, found):
-    """Write down typical magnitudes of the state, for the tolerance near zero."""
+    """Store typical magnitudes of the state, for the tolerance near zero."""
     length = max(1.0, system.body.length)
     found[:] = system.body.force * length
     found[:LOST] = length
@@ -227,7 +230,7 @@ def scales(system, found):
 
 @compiled
 def center_velocity(system, during, time, state):
-    """Velocity of the slider's center, where the twist is part of the state."""
+    """Velocity of the slider's center, for systems with the twist in the state."""
     fence_x, fence_y = velocity(system, during, time, state)
     now = pose(system, state)
     return center_motion(now, fence_x + state[OVER], fence_y + state[RISE], state[SPIN])
@@ -235,7 +238,7 @@ def center_velocity(system, during, time, state):
 
 @compiled
 def pace(system, during, time):
-    """Time in which the motion takes the slider about one length, or friction stops it."""
+    """Time in which the slider moves about one length, or friction stops it."""
     body, (x, y) = system.body, fence.velocity(system.fence, during, time)
     speed = body.speed if body.mass > 0.0 else sqrt(x * x + y * y)
     along = max(1.0, body.length) / speed if speed > 0.0 else inf
@@ -244,7 +247,7 @@ def pace(system, during, time):
 
 @compiled
 def contact_mode(kind):
-    """The contact mode of what the slider does."""
+    """Contact mode for a kind of mode."""
     if kind == PROPPED:
         return STICK
     return kind if kind < CLEAR else SEPARATE
@@ -252,7 +255,7 @@ def contact_mode(kind):
 
 @compiled
 def rank(policy, previous, kind):
-    """Rank of a contact mode in the order in which a policy takes the modes."""
+    """Rank of a contact mode in the order of preference of a policy."""
     preferred = PREFERRED[policy]
     if kind == (previous if preferred == SO_FAR else preferred):
         return SEPARATE
@@ -261,7 +264,7 @@ def rank(policy, previous, kind):
 
 @compiled
 def is_slow(system, v_x, v_y, spin):
-    """Whether friction holds a slider at a twist."""
+    """Whether a twist is so slow that friction holds the slider."""
     return size_of(v_x, v_y, spin) <= AT_REST * system.body.speed
 
 

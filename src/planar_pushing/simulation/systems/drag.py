@@ -1,6 +1,6 @@
-"""What resists and pulls a slider that moves: friction, viscous friction, loads; and what each dissipates.
+"""Forces on a moving slider: friction, viscous friction and loads; and the power that they dissipate.
 
-Twists and wrenches are of the slider's center, in the body frame. A tuple of effects may be empty.
+Twists and wrenches are at the slider's center, in the body frame. A tuple of effects can be empty.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from planar_pushing.mechanics.reduced.motion import ROUNDING
 
 @generic_owning
 def effects_of(kinds: Any) -> Callable[..., Any]:
-    """Effects of kinds with the numbers of a row from a column on: kinds, row, column."""
+    """Create effects of given kinds from a row, starting at a column. Arguments: kinds, row, column."""
     return _effects_of if kinds else _no_effects
 
 
@@ -43,7 +43,7 @@ def _no_effects(kinds, row, i):
 
 @generic
 def columns_of(kinds: Any) -> Callable[..., Any]:
-    """Number of columns of kinds in a row."""
+    """Number of columns in a row for given kinds."""
     return _columns_of if kinds else _no_columns
 
 
@@ -59,7 +59,7 @@ def _no_columns(kinds):
 
 @generic
 def drag(kinds: Any) -> Callable[..., Any]:
-    """`Resistance` to a twist, zero at rest, without points at the center: effects, x, y, spin."""
+    """`Resistance` to a twist, 0 at rest, without points at the center. Arguments: effects, x, y, spin."""
     return _drag if kinds else _no_drag
 
 
@@ -77,7 +77,7 @@ def _drag(effects, x, y, spin):
 
 @generic
 def powers(kinds: Any) -> Callable[..., Any]:
-    """Write down the power that each effect dissipates: effects, x, y, spin, sum, found, first index."""
+    """Store the power dissipated by each effect. Arguments: effects, x, y, spin, total, found, index."""
     return (_no_powers, _last_power)[len(kinds)] if len(kinds) < 2 else _powers
 
 
@@ -100,7 +100,7 @@ def _powers(effects, x, y, spin, total, found, i):
 
 @compiled
 def load_at(body, angle):
-    """Wrench of the loads at a rod angle: they keep their direction in the world."""
+    """Wrench of the loads at a rod angle; their direction in the world is constant."""
     (x, y, cross, dot), turn = body.load, angle - body.start_angle
     c, s = cos(turn), sin(turn)
     return Wrench(x * c + y * s, y * c - x * s, cross * c - dot * s)
@@ -108,14 +108,14 @@ def load_at(body, angle):
 
 @compiled
 def load_work(body, angle, x, y):
-    """Work of the loads since time 0, at a displacement of the center along the first body axes."""
+    """Work of the loads since time 0, for a displacement of the center along the initial body axes."""
     (g_x, g_y, cross, dot), turn = body.load, angle - body.start_angle
     return g_x * x + g_y * y + dot * (cos(turn) - 1.0) + cross * sin(turn)
 
 
 @generic
 def with_loads(kinds: Any) -> Callable[..., Any]:
-    """Effects, and the wrench of the loads, if any, at an angle: loads, effects, body, angle."""
+    """Effects and the wrench of the loads, if any, at an angle. Arguments: loads, effects, body, angle."""
     return _with_loads if kinds else _without_loads
 
 
@@ -131,7 +131,7 @@ def _with_loads(loads, effects, body, angle):
 
 @generic
 def scaled_films(kinds: Any) -> Callable[..., Any]:
-    """Viscous friction whose forces are multiplied by a factor: films, factor."""
+    """Viscous friction with forces multiplied by a factor. Arguments: films, factor."""
     return _scaled_films if kinds else _no_films
 
 
@@ -148,7 +148,7 @@ def _scaled_films(films, factor):
 
 @generic
 def slowest_foot(kinds: Any) -> Callable[..., Any]:
-    """Number of the slowest support point under a twist, -1 without points, and its speed."""
+    """Number and speed of the slowest support point under a twist; the number is -1 without points."""
     return _slowest_foot if kinds else _no_foot
 
 
@@ -171,7 +171,7 @@ def _slowest_foot(effects, x, y, spin):
 
 @generic
 def foot_at(kinds: Any) -> Callable[..., Any]:
-    """Position of a support point, body frame: effects, its number."""
+    """Position of a support point in the body frame. Arguments: effects, its number."""
     return _place if kinds else _no_place
 
 
@@ -187,9 +187,10 @@ def _no_place(effects, i):
 
 @generic
 def kink(kinds: Any) -> Callable[..., Any]:
-    """Watch of the kinks of a contact's motion: effects, motion, whether it slips.
+    """Watch for kinks of a contact's motion. Arguments: effects, motion, whether it slips.
 
-    On a ring the center of rotation crosses the ring; with support points a pivot begins or ends in a slip.
+    For a ring, the center of rotation crosses the ring; with support points, a pivot begins or ends in a
+    slip.
     """
     if RingSupport in kinds:
         return _kink_on_ring
@@ -212,5 +213,5 @@ def _kink_at_points(effects, now, slips):
 def _kink_on_ring(effects, now, slips):
     total = abs(now.spin) + now.speed
     part = (abs(now.spin) - now.speed) / total if total > 0.0 else 0.0
-    # As even in time as the moment arm, of which the spin ratio is a function like x / log(x) there.
+    # As smooth in time as the moment arm; near the ring, the spin ratio behaves like x / log(x) of the arm.
     return part * (2.0 - log(abs(part))) if part != 0.0 else 0.0

@@ -1,4 +1,4 @@
-"""The equations of a system in a mode: the derivative of its state, and what ends the mode."""
+"""The equations of a system in a mode: the derivative of its state, and the guards of the mode."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from planar_pushing.simulation.systems.shapes import base as shapes
 
 @compiled
 def rates(system, mode, time, state, found):
-    """Write down the derivative of the state."""
+    """Store the derivative of the state."""
     _rates(system, mode, state, base.motion(system, mode, time, state), found)
 
 
 @compiled
 def guards(system, mode, time, state, found):
-    """Write down margins and watches by cause, NaN where there is none."""
+    """Store margins and watches by cause, NaN for causes without one."""
     _guards(system, mode, state, base.motion(system, mode, time, state), found)
 
 
 @compiled
 def rates_and_guards(system, mode, time, state, found, guarded):
-    """Write down both, of one motion."""
+    """Store the derivative and the guards, with one evaluation of the motion."""
     now = base.motion(system, mode, time, state)
     _rates(system, mode, state, now, found)
     _guards(system, mode, state, now, guarded)
@@ -35,7 +35,7 @@ def rates_and_guards(system, mode, time, state, found, guarded):
 def _rates(system, mode, state, now, found):
     found[base.ALONG] = shapes.travel(system.shape, now.slip, now.spin)
     found[base.GAP], found[base.ANGLE] = now.rise, now.spin
-    # The contact does not slip while the slider rests or flies over the fence.
+    # The contact does not slip while the slider rests or is in flight.
     found[base.SLIP] = now.slip if base.contact_mode(mode.kind) != base.SEPARATE else 0.0
     found[base.LOST] = -now.f_x * now.slip - now.f_y * now.rise
     found[base.WORK] = now.f_x * now.fence_x + now.f_y * now.fence_y

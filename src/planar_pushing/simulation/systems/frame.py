@@ -1,4 +1,4 @@
-"""The contact's frame, whose +y is the normal there, and in it the body frame, whose x is along the rod."""
+"""The contact frame, with +y along the normal at the contact, and the body frame, with x along the rod."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from planar_pushing.mechanics.reduced.psi import Contact
 
 
 class Pose(NamedTuple):
-    """The slider as the contact sees it.
+    """Pose of the slider in the contact frame.
 
     Attributes
     ----------
     frame : Rod
-        Direction of body x in the contact's frame, of unit length.
+        Unit vector along body x in the contact frame.
     at : Contact
-        The contact in the body frame.
+        Contact in the body frame.
     x, y : float
-        From the contact to the slider's center.
+        Vector from the contact to the slider's center.
     arm_x, arm_y : float
-        From the contact to the center of mass.
+        Vector from the contact to the center of mass.
     """
 
     frame: Rod
@@ -34,12 +34,12 @@ class Pose(NamedTuple):
 
 
 class Motion(NamedTuple):
-    """The motion at an instant, along the axes of the contact's frame.
+    """The motion at an instant, along the axes of the contact frame.
 
     Attributes
     ----------
     slip, rise : float
-        Velocity of the contact over the fence.
+        Velocity of the contact relative to the fence.
     fence_x, fence_y : float
         Velocity of the fence.
     v_x, v_y, spin, speed : float
@@ -47,16 +47,16 @@ class Motion(NamedTuple):
     f_x, f_y : float
         Force of the fence on the slider.
     rubbed : float
-        Power that friction on the support dissipates.
+        Power dissipated by support friction.
     a_x, a_y, turn : float
-        Accelerations of the contact over the fence and of the rotation, zero without inertia.
+        Acceleration of the contact relative to the fence, and angular acceleration; zero without inertia.
     lift : float
-        Normal acceleration of the contact without the force; without inertia, its normal velocity in a slip
-        of unit magnitude.
+        Normal acceleration of the contact without the contact force; without inertia, its normal velocity
+        in a slip of unit magnitude.
     pivot : int
         Number of the support point about which the slider pivots, -1 without one.
     hold : float
-        Margin of the friction that holds a hinge, 1 without a hinge.
+        Margin of the friction force that holds a hinge, 1 without a hinge.
     """
 
     slip: float
@@ -80,7 +80,7 @@ class Motion(NamedTuple):
 
 @compiled
 def at_rest(x, y, a_x, a_y, f_x, f_y):
-    """The motion of a slider at rest over a fence with a velocity and an acceleration."""
+    """Motion of a slider at rest relative to a fence with a velocity and an acceleration."""
     return Motion(
         -x, -y, x, y, 0.0, 0.0, 0.0, 0.0, f_x, f_y, 0.0, -a_x, -a_y, 0.0, 0.0, -1, 1.0
     )  # fmt: skip
@@ -88,25 +88,25 @@ def at_rest(x, y, a_x, a_y, f_x, f_y):
 
 @compiled
 def frame_of(angle):
-    """The direction of body x at an angle."""
+    """Direction of body x at an angle."""
     return Rod(1.0, angle, cos(angle), sin(angle))
 
 
 @compiled
 def to_body(frame, x, y):
-    """A vector of the contact's frame in the body frame."""
+    """Transform a vector from the contact frame to the body frame."""
     return x * frame.x + y * frame.y, y * frame.x - x * frame.y
 
 
 @compiled
 def to_contact(frame, x, y):
-    """A vector of the body frame in the contact's frame."""
+    """Transform a vector from the body frame to the contact frame."""
     return x * frame.x - y * frame.y, x * frame.y + y * frame.x
 
 
 @compiled
 def pose_at(frame, at, center):
-    """The pose of a slider whose contact is at a position of the body frame."""
+    """Pose of a slider with the contact at a position in the body frame."""
     x, y = to_contact(frame, -at.x, -at.y)
     arm_x, arm_y = to_contact(frame, center[0] - at.x, center[1] - at.y)
     return Pose(frame, at, x, y, arm_x, arm_y)
@@ -120,18 +120,18 @@ def contact_motion(now, v_x, v_y, spin):
 
 @compiled
 def center_motion(now, u_x, u_y, spin):
-    """Motion of the slider's center under a motion of the contact and a rotation."""
+    """Motion of the slider's center for a motion of the contact and a rotation."""
     return u_x - spin * now.y, u_y + spin * now.x
 
 
 @compiled
 def size_of(v_x, v_y, spin):
-    """Speed of the slider's center and of the rotation together."""
+    """Magnitude of a twist: combined speed of the slider's center and of the rotation."""
     return sqrt(v_x * v_x + v_y * v_y) + abs(spin)
 
 
 @compiled
 def kinetic_energy(body, now, v_x, v_y, spin):
-    """Kinetic energy of a slider whose center moves by (v_x, v_y)."""
+    """Kinetic energy of a slider; its center has the velocity (v_x, v_y)."""
     v_x, v_y = v_x - spin * (now.arm_y - now.y), v_y + spin * (now.arm_x - now.x)
     return (body.mass * (v_x * v_x + v_y * v_y) + body.moment * spin * spin) / 2

@@ -11,7 +11,7 @@ from planar_pushing.simulation.systems.shapes.base import relative
 
 @compiled
 def hinged_motion(system, now, kind, q_x, q_y, free, velocity, fence):
-    """Accelerations about a hinge, in flight or in a slip, and the forces that they take.
+    """Accelerations about a hinge, in flight or in a slip, and the forces required.
 
     Parameters
     ----------
@@ -20,9 +20,9 @@ def hinged_motion(system, now, kind, q_x, q_y, free, velocity, fence):
     kind : int
         Contact mode.
     q_x, q_y : float
-        From the center of mass to the hinge.
+        Vector from the center of mass to the hinge.
     free : (a_x, a_y, turn)
-        Accelerations of the center of mass and of the rotation without hinge and contact.
+        Acceleration of the center of mass and angular acceleration without hinge and contact.
     velocity : (slip, rise, spin)
     fence : (a_x, a_y)
         Acceleration of the fence.
@@ -32,15 +32,15 @@ def hinged_motion(system, now, kind, q_x, q_y, free, velocity, fence):
     f_x, f_y : float
         Force of the fence.
     a_x, a_y, turn : float
-        Accelerations of the contact over the fence, and of the rotation.
+        Acceleration of the contact relative to the fence, and angular acceleration.
     lift : float
-        Normal acceleration of the contact without the force.
+        Normal acceleration of the contact without the contact force.
     p_x, p_y : float
         Force of the hinge.
     """
     body, (a_x, a_y, turn), (slip, rise, spin) = system.body, free, velocity
     whole, square = body.moment + body.mass * (q_x * q_x + q_y * q_y), spin * spin
-    # From the hinge to the contact.
+    # Vector from the hinge to the contact.
     d_x, d_y = -(now.arm_x + q_x), -(now.arm_y + q_y)
     torque = body.moment * turn - body.mass * (q_x * a_y - q_y * a_x)
     open_turn = torque / whole
@@ -53,7 +53,7 @@ def hinged_motion(system, now, kind, q_x, q_y, free, velocity, fence):
         size = (whole * turn - torque) / lever if lever != 0.0 else 0.0
         f_x, f_y = size * e_x, size * e_y
         a_along, a_normal = _at(system, slip, rise, spin, turn, d_x, d_y, fence)[0], 0.0
-    # The center of mass turns about the hinge.
+    # The center of mass rotates about the hinge.
     c_x, c_y = turn * q_y + square * q_x, -turn * q_x + square * q_y
     p_x, p_y = body.mass * (c_x - a_x) - f_x, body.mass * (c_y - a_y) - f_y
     return f_x, f_y, a_along, a_normal, turn, lift, p_x, p_y
@@ -61,25 +61,26 @@ def hinged_motion(system, now, kind, q_x, q_y, free, velocity, fence):
 
 @compiled
 def passing_friction(system, now, q_x, q_y, free, held, velocity, share):
-    """Friction at a support point through which the center of rotation passes while the contact sticks.
+    """Friction at a support point when the center of rotation passes it while the contact sticks.
 
-    Along the line to the contact, the contact's motion takes the point from one side to the other, and its
-    friction jumps. The part across is what leaves the point there, as long as it is less than the share.
+    The contact determines the point's velocity along the line between them. This velocity changes sign, and
+    the friction along the line jumps. The friction across the line keeps the center of rotation on the line
+    as long as it is less than the share.
 
     Parameters
     ----------
     system : Inertial
     now : Pose
     q_x, q_y : float
-        From the center of mass to the point.
+        Vector from the center of mass to the point.
     free : (a_x, a_y, turn)
-        Accelerations of the center of mass and of the rotation without point and contact.
+        Acceleration of the center of mass and angular acceleration without point and contact.
     held : (a_x, a_y)
         Acceleration of the slider's point at the contact.
     velocity : (w_x, w_y)
-        Of the point.
+        Velocity of the point.
     share : float
-        Its largest friction.
+        Maximum friction force at the point.
     """
     body, (a_x, a_y, turn), (w_x, w_y) = system.body, free, velocity
     d_x, d_y = now.arm_x + q_x, now.arm_y + q_y
@@ -100,7 +101,7 @@ def passing_friction(system, now, q_x, q_y, free, held, velocity, share):
 
 @compiled
 def _at(system, slip, rise, spin, turn, d_x, d_y, fence):
-    """Acceleration over the fence of a contact at (d_x, d_y) from the hinge."""
+    """Acceleration, relative to the fence, of a contact at (d_x, d_y) from the hinge."""
     square = spin * spin
     a_x, a_y = -turn * d_y - square * d_x, turn * d_x - square * d_y
     return relative(system.shape, spin, slip, rise, a_x - fence[0], a_y - fence[1])

@@ -1,9 +1,9 @@
-"""Inertia, with or without friction of the support: the twist is part of the state.
+"""Equations with inertia, with or without support friction: the twist is part of the state.
 
-It is kept as the velocity of the contact over the fence and the rotation, so that a contact that sticks has
-no relative velocity at all, and one that slips no normal one. The contact force follows from the mode, and
-the accelerations follow from the force. While the slider pivots about a support point, the twist is that of
-the rotation about it.
+The twist is stored as the velocity of the contact relative to the fence and the angular velocity. A
+sticking contact then has exactly zero relative velocity, and a slipping one exactly zero normal velocity.
+The contact force follows from the mode, and the accelerations follow from the force. While the slider
+pivots about a support point, its twist is that of the rotation about this point.
 """
 
 from __future__ import annotations
@@ -26,20 +26,20 @@ from planar_pushing.simulation.systems.frame import (
 from planar_pushing.simulation.systems.hinge import hinged_motion, passing_friction
 from planar_pushing.simulation.systems.shapes.base import pinned, relative, seen
 
-#: Fraction of the typical force below which a force has no direction of its own.
+#: Fraction of the typical force below which the direction of a force is undefined.
 NO_FORCE = 1e-9
-#: The slider rests below this fraction of the typical speed; what is left is finished in closed form.
+#: Fraction of the typical speed below which a motion is completed to rest in closed form.
 STOPPED = 2e-9
-#: Below this fraction of the typical speed a slider that starts has no direction but the impending one.
+#: Fraction of the typical speed below which a starting slider has the impending direction of motion.
 NO_DIRECTION = 1e-13
-#: A support point slower than this fraction of the slider's speed has arrived at the center of motion; one
-#: that leaves it has left above the second; and one below the third may be a pivot.
+#: Speeds of a support point, relative to the slider's: below the first, the point has arrived at the center
+#: of rotation; above the second, it has left it; below the third, it can be a pivot.
 ARRIVED, LEFT, NEAR = 1e-10, 1e-5, 1e-9
 
 
 @inlined
 def enter(system, index, state, kind, policy):
-    """A jump of the fence's velocity is an impact on what it touches."""
+    """Apply a jump of the fence's velocity, which is an impact on a slider in contact."""
     during = span(system.fence, index)
     now_x, now_y = velocity(system.fence, during, during.start)
     before_x, before_y = 0.0, 0.0
@@ -77,7 +77,7 @@ def modes(system, during, time, state, kinds, feet, hinged, starts):
 
 @inlined
 def _in_motion(system, during, time, state, most, kinds, feet, hinged):
-    """Modes of a slider that moves, of the first contact modes."""
+    """Candidates among the first `most` contact modes for a moving slider."""
     body, slip, count = system.body, state[base.OVER], 0
     near = _near_foot(system, during, time, state)
     for kind in range(most):
@@ -99,7 +99,7 @@ def _in_motion(system, during, time, state, most, kinds, feet, hinged):
 
 @compiled
 def _near_foot(system, during, time, state):
-    """The support point at the center of rotation, -1 without one."""
+    """Number of the support point at the center of rotation, -1 if there is none."""
     now, spin = base.pose(system, state), state[base.SPIN]
     v_x, v_y = base.center_velocity(system, during, time, state)
     foot, ratio = _slowest(system, now, v_x, v_y, spin)
@@ -108,7 +108,7 @@ def _near_foot(system, during, time, state):
 
 @compiled
 def _slowest(system, now, v_x, v_y, spin):
-    """The slowest support point, and its speed relative to the slider's."""
+    """Number of the slowest support point, and its speed relative to the slider's."""
     x, y = to_body(now.frame, v_x, v_y)
     foot, speed = slowest_foot(system.friction, x, y, spin)
     return foot, speed / max(size_of(v_x, v_y, spin), NO_DIRECTION * system.body.speed)
@@ -153,7 +153,7 @@ def motion(system, mode, time, state):
         foot = foot if ratio < LEFT else -1
     t_x, t_y, turns = v_x, v_y, foot >= 0
     if turns:
-        # About the support point, exactly.
+        # Rotation exactly about the support point.
         p_x, p_y = foot_at(system.friction, foot)
         foot_x, foot_y = to_contact(now.frame, p_x, p_y)
         t_x, t_y = spin * foot_y, -spin * foot_x
@@ -188,7 +188,7 @@ def motion(system, mode, time, state):
         carried = sqrt(p_x * p_x + p_y * p_y)
         hold = (found.most - carried) / (found.most + carried)
         if not mode.hinged:
-            # Friction at a point that begins to move is all of its share, along the force that held it.
+            # At a point that begins to move, friction equals its full share, along the force that held it.
             part = found.most / carried if carried > 0.0 else 0.0
             p_x, p_y = part * p_x, part * p_y
             a_x, a_y = a_x + p_x / body.mass, a_y + p_y / body.mass
@@ -217,7 +217,7 @@ def remember(system, time, state, mode, start):
 
 @compiled
 def _direction(system, mode, now, v_x, v_y, spin):
-    """The twist, body frame, against which friction acts: from rest it is the impending one."""
+    """Twist, in the body frame, that friction opposes; from rest, it is the impending twist."""
     impending = mode.x != 0.0 or mode.y != 0.0 or mode.spin != 0.0
     if impending and size_of(v_x, v_y, spin) <= NO_DIRECTION * system.body.speed:
         x, y = to_body(now.frame, mode.x, mode.y)
@@ -228,7 +228,7 @@ def _direction(system, mode, now, v_x, v_y, spin):
 
 @compiled
 def _at_contact(now, a_x, a_y, turn, spin):
-    """Acceleration of the contact, of that of the center of mass."""
+    """Acceleration of the contact from that of the center of mass."""
     pull = spin * spin
     return a_x + turn * now.arm_y + pull * now.arm_x, a_y - turn * now.arm_x + pull * now.arm_y
 

@@ -1,6 +1,6 @@
-"""No inertia: the pusher's velocity and the rod angle determine the twist (Sec. 3).
+"""Equations without inertia: the pusher's velocity and the rod angle determine the twist (Sec. 3).
 
-The state needs no twist, and the contact stays on the fence because the gap is part of the state.
+The state contains no twist. It contains the gap, so that the contact stays exactly on the fence.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from planar_pushing.simulation.systems.drag import kink, with_loads
 from planar_pushing.simulation.systems.frame import Motion, at_rest, to_body, to_contact
 from planar_pushing.simulation.systems.shapes.base import steady
 
-#: Slips are sought from a little before the stick, up to this many normal motions along the fence.
+#: Range of the search for slips along the fence, in normal motions: margin before the stick, and maximum.
 BEFORE, FARTHEST = 1e-3, 1e3
 
 
@@ -50,7 +50,7 @@ def modes(system, during, time, state, kinds, feet, hinged, starts):
 
 @compiled
 def with_kinds(system):
-    """Effects and loads, by whose kinds functions choose."""
+    """Effects and loads, whose kinds select functions."""
     return (*system.effects, *system.loads)
 
 
@@ -92,13 +92,13 @@ def motion(system, mode, time, state):
 
 
 def _is_plain(kinds: tuple[Any, ...]) -> bool:
-    """Whether there is friction alone: the direction of a motion is then that of its force."""
+    """Whether there is only friction, so that the direction of the force determines that of the motion."""
     return all(KINDS[kind].DEGREE == 1 for kind in kinds) and Wrench not in kinds
 
 
 @generic
 def candidates(kinds: Any) -> Callable[..., Any]:
-    """Write down slips that may be: kinds, system, state, mode, velocity of the fence, kinds, starts."""
+    """Store candidate slips. Arguments: kinds, system, state, mode, fence velocity, kinds, starts."""
     return _one if _is_plain(kinds) else _several
 
 
@@ -110,10 +110,10 @@ def _one(given, system, state, kind, x, y, kinds, starts, count):
 
 @compiled
 def _several(given, system, state, kind, x, y, kinds, starts, count):
-    """As `candidates`, where the force depends on the speed: one for each slip under the edge."""
+    """As `candidates`, for forces that depend on the speed: one candidate for each slip under the edge."""
     side, now, scratch = contact.side_of(kind), base.pose(system, state), system.room.scratch
     effects = with_loads(system.loads, system.effects, system.body, state[base.ANGLE])
-    # In the sense of the slip, s is the contact's motion along the fence.
+    # The parameter s is the contact's motion along the fence, in the direction of the slip.
     way, unit = _along(system, effects, now, kind, y, side), max(abs(y), abs(x))
     first = side * x - BEFORE * unit
     found, _ = slips_along(way, abs(y), first, first + FARTHEST * unit, scratch)
@@ -126,7 +126,7 @@ def _several(given, system, state, kind, x, y, kinds, starts, count):
 
 @compiled
 def _along(system, effects, now, kind, y, side):
-    """The way of contact motions along the fence under an edge's force."""
+    """Line of contact motions along the fence, with the force on an edge of the friction cone."""
     edge = toward(now.frame, contact.edge_of(system.body, kind)[2])
     n_x, n_y = to_body(now.frame, 0.0, y)
     t_x, t_y = to_body(now.frame, side, 0.0)
@@ -135,16 +135,16 @@ def _along(system, effects, now, kind, y, side):
 
 @generic
 def slipping(kinds: Any) -> Callable[..., Any]:
-    """A slip, the factor of its motion, and a number that is positive while the slip lasts.
+    """A slip, the scale factor of its motion, and a number that is positive while the slip lasts.
 
-    Parameters are kinds, system, effects, pose, mode, and velocity of the fence.
+    Arguments: kinds, system, effects, pose, mode, and velocity of the fence.
     """
     return _scaled if _is_plain(kinds) else _nearest
 
 
 @compiled
 def _scaled(given, system, effects, now, mode, fence_x, fence_y):
-    """The slip of unit magnitude, and its part normal to the fence."""
+    """Slip of unit magnitude, its scale factor, and its component normal to the fence."""
     edge = toward(now.frame, contact.edge_of(system.body, mode.kind)[2])
     moved = pushed(effects, now.at, edge.along, -edge.aside, 1.0)
     lift = to_contact(now.frame, moved.u_x, moved.u_y)[1]
@@ -153,7 +153,7 @@ def _scaled(given, system, effects, now, mode, fence_x, fence_y):
 
 @compiled
 def _nearest(given, system, effects, now, mode, fence_x, fence_y):
-    """The slip next to the one with which the mode, or its last step, began, and the force on it."""
+    """Slip closest to the one at the start of the mode or of its last step, and its force."""
     way = _along(system, effects, now, mode.kind, fence_y, 1.0)
     here = first_node(way, mode.x)
     sense = copysign(1.0, here.slope)
@@ -192,7 +192,7 @@ def guard_contact(system, mode, state, now, found):
     if kind == base.STICK:
         rests = now.f_x == 0.0 and now.f_y == 0.0
         left = contact.margin(system.body, now.f_x, now.f_y, 0.0)
-        # The force of a pivot is any of an interval: what follows decides.
+        # The force of a pivot can be any in an interval, so the trend of the margin decides.
         found[base.LEAVES_CONE] = -1.0 if rests else 0.0 if now.pivot >= 0 else left
     elif contact.side_of(kind) != 0.0:
         _guard_slip(system, mode, now, speed, found)
@@ -212,14 +212,14 @@ def _guard_slip(system, mode, now, speed, found):
     found[base.SLIP_ENDS], found[base.FORCE_ENDS] = -1.0, -1.0
     if speed > 0.0:
         found[base.SLIP_ENDS] = contact.side_of(mode.kind) * now.slip / (speed + abs(now.slip))
-        # A fence that keeps moving along itself moves nothing by slip.
+        # A slipping contact transmits no motion from a fence that only moves along its own line.
         if now.fence_y != 0.0 or not mode.during.constant:
             found[base.FORCE_ENDS] = force_margin(with_kinds(system), system, now, speed)
 
 
 @generic
 def force_margin(kinds: Any) -> Callable[..., Any]:
-    """Margin of the force of a slip, which pushes: kinds, system, motion, speed of the fence."""
+    """Margin for the force of a slip to be a push. Arguments: kinds, system, motion, fence speed."""
     return _margin_of_lift if _is_plain(kinds) else _margin_of_force
 
 

@@ -1,4 +1,4 @@
-"""Starts from rest, and stops, of a slider with inertia that friction of the support can hold."""
+"""Starts from rest, and stops, of a slider with inertia and support friction."""
 
 from __future__ import annotations
 
@@ -21,27 +21,28 @@ from planar_pushing.simulation.systems.frame import (
 )
 from planar_pushing.simulation.systems.shapes.base import frame_angle
 
-#: A fence slower than this fraction of the typical speed, and hardly accelerated, does not move.
+#: A fence slower than this fraction of the typical speed, with little acceleration, is at rest.
 STILL = 1e-10
-#: A fence that slips along below a slider is as fast as this many of its normal accelerations.
+#: Tangential acceleration, in units of the normal one, that represents a fence already slipping at a
+#: contact.
 FAST = 1e6
 
 
 @generic
 def starting(kinds: Any) -> Callable[..., Any]:
-    """Write down every mode in which a slider at rest on the fence may start: friction, as `base.modes`."""
+    """Store all modes in which a slider at rest on the fence can start. Arguments as in `base.modes`."""
     return _starting if kinds else _never
 
 
 @compiled
 def _never(friction, system, during, time, state, kinds, feet, hinged, starts):
-    """Nothing holds a slider without friction."""
+    """No modes, since a slider without friction is never held at rest."""
     return 0
 
 
 @compiled
 def _driven(system, state, size):
-    """Effects of a start from rest, accelerations in units of a magnitude."""
+    """Effects of a start from rest, with accelerations in units of a magnitude."""
     body = system.body
     ratio = body.moment / body.mass
     mass = Mass(size * body.mass, ratio, body.center[0], body.center[1])
@@ -51,14 +52,14 @@ def _driven(system, state, size):
 
 @compiled
 def _exact_pose(system, state):
-    """The pose, exact where body x is at a quarter turn."""
+    """Pose of the slider, exact if body x is at 90 degrees."""
     angle = frame_angle(system.shape, state[base.ANGLE])
     return base.pose_in(system, rod(1.0, angle), state)
 
 
 @compiled
 def clear(system, state, kinds, feet, hinged, starts):
-    """The mode of a slider at rest above the fence: friction holds it, or loads set it in motion."""
+    """Mode of a slider at rest above the fence: friction holds it, or loads set it in motion."""
     size = system.body.force / system.body.mass
     rest = free(_driven(system, state, size))
     kinds[0] = base.CLEAR
@@ -81,7 +82,7 @@ def _starting(friction, system, during, time, state, kinds, feet, hinged, starts
     x, y = turn_x, turn_y
     slides = abs(slip) > base.AT_REST * body.speed
     if slides:
-        # The fence already slips along below the slider: only its normal motion counts.
+        # The fence already slips at the contact, so only its normal motion matters.
         x = -FAST * abs(turn_y) if slip > 0.0 else FAST * abs(turn_y)
         size = sqrt(x * x + y * y)
     if not moves:
@@ -116,17 +117,17 @@ def _starting(friction, system, during, time, state, kinds, feet, hinged, starts
 
 @compiled
 def _goes_on(mode, slip):
-    """Whether a start has the sense of a slip, or no force."""
+    """Whether a start has the same direction of slip, or no contact force."""
     return mode == base.SEPARATE or contact.side_of(mode) * slip > 0.0
 
 
 @inlined
 def _setting_off(system, during, time, state):
-    """Acceleration of the fence, and whether it moves at all."""
+    """Acceleration of the fence, and whether the fence moves."""
     turn_x, turn_y = base.acceleration(system, during, time, state)
     w_x, w_y = base.velocity(system, during, time, state)
     size = sqrt(turn_x * turn_x + turn_y * turn_y)
-    # A fence given as a function leaves some rounding where it is still.
+    # A fence at rest that is given as a function can have rounding errors in its velocity.
     least = STILL * system.body.speed
     if sqrt(w_x * w_x + w_y * w_y) > least:
         return turn_x, turn_y, size > 0.0
@@ -136,7 +137,7 @@ def _setting_off(system, during, time, state):
 
 @inlined
 def set_off(system, mode, time, state, policy):
-    """Let a slider at rest keep up with a fence that has just begun to push it; 0, or a `Stop`."""
+    """Set a slider at rest in motion with a fence that starts to push it; return 0 or a `Stop`."""
     state[base.GAP] = 0.0
     during, room = mode.during, system.room
     kinds, feet, hinged, starts = room.kinds, room.feet, room.hinged, room.starts
@@ -157,9 +158,10 @@ def set_off(system, mode, time, state, policy):
 
 @inlined
 def stopped(system, mode, time, state):
-    """Finish a motion that dies out: speeds fall in proportion to the time that is left; the time then.
+    """Complete a motion that comes to rest; return the time at rest.
 
-    The energy then falls with its square, and everything moves on at half its present rate.
+    Speeds decrease in proportion to the remaining time, and the energy with its square, so that everything
+    changes at half its present rate on average.
     """
     during, body, found = mode.during, system.body, system.room.rates
     equations.rates(system, mode, time, state, found)
@@ -182,7 +184,7 @@ def stopped(system, mode, time, state):
     for entry in range(len(state)):
         if entry < base.OVER or entry >= base.MOVING:
             state[entry] += found[entry] * half
-    # The fence itself moves on at its own speed.
+    # The fence continues at its own speed.
     state[base.ALONG] -= fence_x * half
     state[base.GAP] -= fence_y * half
     if (

@@ -1,4 +1,4 @@
-"""Systems and their states from rows of numbers: a scene's, or one of an array of scenes."""
+"""Creation of systems and states from rows of numbers, one for each scene."""
 
 from __future__ import annotations
 
@@ -25,17 +25,17 @@ from planar_pushing.simulation.systems.shapes import fence as fences
 from planar_pushing.simulation.systems.shapes import finger
 from planar_pushing.terms.options import Shape
 
-#: Numbers of a row behind those of the effects; twist, gap, ends of the side and radius of the finger in
-#: radii of the slider, and that radius in tolerances of the outline.
+#: Numbers in a row after those of the effects. They include twist, gap, ends of the side and finger radius
+#: in units of the slider's radius, and the slider's radius in tolerances of the outline.
 WEIGHT, MASS, GYRATION, MASS_X, MASS_Y, LOAD_X, LOAD_Y, CROSS, DOT = range(9)
 LENGTH, ANGLE, RIGHT, LEFT, SLIPS_AT, CLOSED, ROUGH, V_X, V_Y, SPIN, GAP = range(9, 20)
 START, END, FINE, FINGER = range(20, 24)
 NUMBERS = FINGER + 1
-#: Systems by whether they have inertia.
+#: Kinds of systems, by whether they have inertia.
 KINDS = {False: base.QuasiStatic, True: base.Inertial}
 base.SYSTEMS.update({base.QuasiStatic: quasi_static, base.Inertial: inertial})
 shapes.SHAPES.update({fences.Fence: fences, finger.Finger: finger})
-#: The pusher, without the numbers of a scene.
+#: Prototypes of the pushers, without the numbers of a scene.
 PUSHERS = {
     Shape.FENCE: fences.Fence(),
     Shape.FINGER: finger.Finger(1.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0),
@@ -43,7 +43,7 @@ PUSHERS = {
 
 
 class Kinds(NamedTuple):
-    """Kinds of the effects that resist a motion, of friction, of viscous friction, and of loads."""
+    """Kinds of the resisting effects, of friction, of viscous friction, and of loads."""
 
     effects: tuple[Any, ...]
     friction: tuple[Any, ...]
@@ -52,7 +52,7 @@ class Kinds(NamedTuple):
 
 
 def resisting(scene: Scene) -> list[Entry]:
-    """Friction, and behind it viscous friction, as the core has them."""
+    """Friction followed by viscous friction, in the form of the core."""
     return entries(scene.friction, scene) + entries(scene.viscous, scene)
 
 
@@ -69,7 +69,7 @@ def kinds_of(scene: Scene) -> Kinds:
 
 
 def order_of(scene: Scene) -> list[int]:
-    """Of each effect of a scene its index among those that resist a motion, -1 for the others."""
+    """Index of each effect of a scene among the resisting effects, -1 for the others."""
     resist = [*_in_order(scene.friction, scene), *scene.viscous]
     return [next((i for i, e in enumerate(resist) if e is each), -1) for each in scene.effects]
 
@@ -81,10 +81,11 @@ def _in_order(friction: list[Any], scene: Scene) -> list[Any]:
 
 
 def columns(scene: Scene, twist: Any, gap: Any, finger_radius: Any) -> list[Any]:
-    """The numbers of a scene, or arrays of them, its initial state, and the radius of the finger.
+    """Numbers of one or many scenes, their initial states, and the radius of the finger.
 
-    The core has lengths in radii, so its mass is the scene's times the radius, as are coefficients of
-    viscous friction; without friction the weight is zero, and without inertia the mass.
+    The core has lengths in units of the radius. Its masses and viscous friction coefficients are therefore
+    those of the scene multiplied by the radius. The weight is zero without friction, and the mass is zero
+    without inertia.
     """
     slider, (mass, gyration) = scene.slider, scene.inertia
     radius, (v_x, v_y, omega) = slider.radius, twist
@@ -103,19 +104,19 @@ def columns(scene: Scene, twist: Any, gap: Any, finger_radius: Any) -> list[Any]
 
 
 def _fineness(slider: Slider) -> Any:
-    """The radius in tolerances of the outline, 0 without one."""
+    """Radius in units of the outline's tolerance, 0 without an outline."""
     return 0.0 if slider.outline is None else slider.radius / tolerance(slider.outline)
 
 
 def corners_of(slider: Slider) -> Array:
-    """The corners of the outline in its tolerances, shape (corners, 2); none without an outline."""
+    """Corners of the outline in units of its tolerance, shape (corners, 2); empty without an outline."""
     if slider.outline is None:
         return np.empty((0, 2))
     return np.array(slider.outline) / tolerance(slider.outline)
 
 
 def _loads(scene: Scene) -> list[Any]:
-    """Force of the loads in the first body frame, and cross and dot products with their points."""
+    """Force of the loads in the initial body frame, and its cross and dot products with their points."""
     c, s = np.cos(scene.slider.rod_angle), np.sin(scene.slider.rod_angle)
     whole = [0.0, 0.0, 0.0, 0.0]
     for load in scene.loads:
@@ -131,12 +132,12 @@ def _loads(scene: Scene) -> list[Any]:
 @kernel
 @compiled
 def fill(row, fence, body):
-    """Write down the constants of a scene, from the numbers behind those of the effects."""
+    """Store the constants of a scene, from the numbers after those of the effects."""
     own = max(sqrt(row[V_X] * row[V_X] + row[V_Y] * row[V_Y]), abs(row[SPIN]))
     load = sqrt(row[LOAD_X] * row[LOAD_X] + row[LOAD_Y] * row[LOAD_Y])
     speed = max(own, typical_speed(fence))
     if speed == 0.0 and load > 0.0 and row[MASS] > 0.0:
-        # That which the load gives the slider within a length.
+        # Speed that the load gives the slider within one length.
         speed = sqrt(load / row[MASS])
     body.speed = speed if speed > 0.0 else 1.0
     body.length, body.weight, body.mass = row[LENGTH], row[WEIGHT], row[MASS]
@@ -160,19 +161,19 @@ def fill(row, fence, body):
 @kernel
 @compiled
 def put(system, row, state):
-    """Write down the state at time 0."""
+    """Store the state at time 0."""
     base.initial(system, row[ANGLE], row[GAP], row[V_X:GAP], state)
 
 
 @kernel
 @compiled
 def shape_of(shape, row):
-    """The pusher of the scene of a row."""
+    """Pusher of the scene of a row."""
     return shapes.made(shape, row[LENGTH], row[ANGLE], row[START], row[END], row[FINGER])
 
 
 def new_room(scene: Scene) -> base.Room:
-    """Arrays on which the functions of a scene's system work, and the corners of its outline."""
+    """Work arrays of a scene's system, and the corners of its outline."""
     return base.Room(
         np.empty((SLIPS, ENTRIES)), np.empty(MOST, SOLUTION), np.zeros(MOST, np.int64),
         np.zeros(MOST, np.int64), np.zeros(MOST, np.int64), np.zeros((MOST, 3)), np.zeros(size_of(scene)),
@@ -181,20 +182,20 @@ def new_room(scene: Scene) -> base.Room:
 
 
 def size_of(scene: Scene) -> int:
-    """Entries of the state of a scene's system."""
+    """Number of entries of the state of a scene's system."""
     return (base.MOVING if scene.stores_energy else base.STILL) + len(resisting(scene))
 
 
 @owning
 def parts_of(kinds, row):
-    """Effects that resist a motion, friction alone, and viscous friction alone."""
+    """Resisting effects, and separately friction and viscous friction."""
     friction = effects_of(kinds.friction, row, 0)
     films = effects_of(kinds.films, row, columns_of(kinds.friction))
     return (*friction, *films), friction, films
 
 
 def system_of(problem: Problem, row: Array, fence: Any) -> Any:
-    """The system of one scene, from its row and its fence."""
+    """System of one scene, from its row and its fence."""
     body, scene = records(base.BODY, 1)[0], problem.scene
     kinds, numbers = kinds_of(scene), row[-NUMBERS:]
     fill(numbers, fence, body)
@@ -207,6 +208,6 @@ def system_of(problem: Problem, row: Array, fence: Any) -> Any:
 
 
 def row_of(problem: Problem) -> Array:
-    """The row of a problem of one scene."""
+    """Row of a problem with one scene."""
     given = problem.twist, problem.gap, problem.pusher.radius
     return np.array([float(each) for each in columns(problem.scene, *given)])

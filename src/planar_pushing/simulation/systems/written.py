@@ -1,4 +1,4 @@
-"""The row of an instant: position, twist, force and energies, along the axes of the world."""
+"""Rows of the log: position, twist, force and energies at an instant, along the axes of the world."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from planar_pushing.simulation.systems.shapes import base as shapes
 
 @compiled
 def put(system, state, v_x, v_y, spin, row):
-    """Write down the state, position, twist, spin ratio and energies; the pusher is in the row already."""
+    """Store state, position, twist, spin ratio and energies in a row that already contains the pusher."""
     shape, angle, now = system.shape, state[base.ANGLE], base.pose(system, state)
     row.rod_angle, row.slip, row.gap = angle, state[base.SLIP], state[base.GAP]
     row.work, row.contact_dissipated = state[base.WORK], state[base.LOST]
@@ -35,7 +35,7 @@ def put(system, state, v_x, v_y, spin, row):
 
 @compiled
 def potential(system, state, x, y):
-    """Work of the loads since time 0 where the slider's center is at (x, y) of the world."""
+    """Work of the loads since time 0 if the slider's center is at (x, y) in the world."""
     body = system.body
     c, s = cos(body.start_angle), sin(body.start_angle)
     d_x, d_y = x - body.length * c, y - body.length * s
@@ -44,7 +44,7 @@ def potential(system, state, x, y):
 
 @compiled
 def write(system, mode, time, state, row):
-    """Write down an instant of a mode: as `put`, and the force."""
+    """Store an instant of a mode: all quantities of `put`, and the force."""
     now = base.motion(system, mode, time, state)
     put(system, state, now.v_x, now.v_y, now.spin, row)
     row.pivot = now.pivot

@@ -1,1 +1,1 @@
-"""Builders of the datasets: one module each, with a function `build`."""
+"""Builders of the datasets: one module per dataset, with a function `build`."""

@@ -15,7 +15,7 @@ from planar_pushing.terms.options import EffectSet
 
 
 def build(part: Part) -> xr.Dataset:
-    """Build the dataset of a part of a study; centers are relative to the contact."""
+    """Build the dataset for part of a study; centers are relative to the contact."""
     scene = Scene(
         slider=part.ring(axis(part, "rod_length")),
         contact=InfiniteFriction(),

@@ -1,4 +1,4 @@
-"""Axes as labelled arrays, effects and supports along them, and angles."""
+"""Axes as labeled arrays, effects and supports along them, and angles."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from planar_pushing.study.files.study_model import Part, contact_law
 
 
 def axis(part: Part, name: str) -> xr.DataArray:
-    """An axis of the grid, with its own values as coordinate."""
+    """An axis of the grid, with its values as the coordinate."""
     values = list(part.grid[name])
     return xr.DataArray(values, dims=name, coords={name: values}, name=name)
 
 
 def objects(name: str, labels: Iterable[Any], values: Iterable[Any]) -> xr.DataArray:
-    """Objects along an axis with these labels, such as contact laws or supports."""
+    """Objects along a labeled axis, such as contact laws or supports."""
     listed = list(values)
     array = np.empty(len(listed), dtype=object)
     array[:] = listed
@@ -31,7 +31,7 @@ def objects(name: str, labels: Iterable[Any], values: Iterable[Any]) -> xr.DataA
 
 
 def friction_axis(part: Part) -> xr.DataArray:
-    """The laws of the grid's coefficients of friction."""
+    """Contact laws for the grid's friction coefficients."""
     coefficients = part.grid["friction_coefficient"]
     return objects("friction_coefficient", coefficients, map(contact_law, coefficients))
 
@@ -42,7 +42,7 @@ def support_axis(supports: Mapping[str, Any]) -> xr.DataArray:
 
 
 def supported(part: Part, contact: xr.DataArray | ContactLaw) -> Scene:
-    """Every support of the grid on every rod, with this law or these laws; the weight is 1."""
+    """Scene with every support and rod of the grid under one or more contact laws; the weight is 1."""
     slider = Slider(
         rod_length=axis(part, "rod_length"), rod_angle=np.deg2rad(axis(part, "rod_angle"))
     )
@@ -51,19 +51,19 @@ def supported(part: Part, contact: xr.DataArray | ContactLaw) -> Scene:
 
 
 def over_effects(part: Part, build: Callable[[tuple[Any, ...]], xr.Dataset]) -> xr.Dataset:
-    """The datasets of the grid's sets of effects, along the axis `effects`."""
+    """Combine the datasets for the grid's sets of effects along the axis `effects`."""
     names = list(part.grid["effects"])
     found = [build(part.effects(name)) for name in names]
     return xr.concat(found, xr.Variable("effects", names))
 
 
 def pushing(degrees: xr.DataArray) -> xr.DataArray:
-    """Angles in radians, labelled in degrees."""
+    """Angles in radians, labeled in degrees."""
     return degrees.copy(data=np.deg2rad(degrees.values))
 
 
 def friction_angle(coefficients: npt.ArrayLike) -> npt.NDArray[np.float64]:
-    """Angles of friction in degrees: finite where the coefficient is infinite, NaN without one."""
+    """Friction angles in degrees; 90 for an infinite coefficient, NaN for a NaN coefficient."""
     angles: npt.NDArray[np.float64] = np.arctan(np.asarray(coefficients, dtype=float))
     return np.degrees(angles)
 

@@ -16,12 +16,12 @@ from planar_pushing.study.datasets.base import axis, pushing
 from planar_pushing.study.files.study_model import Part
 from planar_pushing.terms.options import EffectKind, EffectSet
 
-#: Ends of both regions along a line of force; a region is what its ends sweep over the force angles.
+#: Ends of both regions along a line of force; the segment between them sweeps over the region.
 BOUND_ENDS = ("inner", "outer")
 EXACT_ENDS = (str(EffectKind.SUPPORT_FRICTION), str(EffectKind.INERTIA))
 
 
-# Compiled functions have no types.
+# Compiled functions carry no type annotations.
 _spin_ratios: Any = conservative_spin_ratios
 _center: Any = motion_center
 _rod: Any = rod
@@ -30,18 +30,18 @@ _rod: Any = rod
 def _bound(length: float, angle: float, force_angle: float) -> Array:
     """Ends of the paper's bound for one line of force, in radii from the contact, shape (end, xy)."""
     arm = length * np.sin(angle - force_angle)  # Eq. (10)
-    # The sine's rounding must not push a line that touches the ring to either side of it.
+    # Rounding of the sine must not move a line that is tangent to the ring inside or outside.
     if abs(abs(arm) - 1.0) <= RESOLUTION * max(length, 1.0):
         arm = np.copysign(1.0, arm)
     outer, inner = _spin_ratios(arm)
     own, along = _rod(length, angle), direction(force_angle)
     ends = np.array([_center(own, *along, ratio) for ratio in (inner, outer)])
-    # A translation has its center at either end of a line; a region goes on to the one it approaches.
+    # The center of a translation is at both ends of a line; choose the end that the region approaches.
     return np.where(np.isinf(ends) & (arm < 0), -ends, ends)
 
 
 def build(part: Part) -> xr.Dataset:
-    """Build the dataset of a part of a study: ends of both regions along every line of force."""
+    """Build the dataset for part of a study: ends of both regions along every line of force."""
     slider = part.ring(axis(part, "rod_length"), axis(part, "rod_angle"))
     scene = Scene(slider=slider, contact=InfiniteFriction(), effects=part.effects(EffectSet.BOTH))
     phi = pushing(axis(part, "force_angle"))

@@ -14,26 +14,26 @@ from planar_pushing.mechanics.solve import SOLUTIONS, solve
 from planar_pushing.study.datasets.base import axis, friction_angle, objects, over_effects, pushing
 from planar_pushing.study.files.study_model import Part, labelled_law
 
-#: Places along `solution`, as many for every set of effects; and entries behind the last solution, where
-#: numbers are NaN.
+#: Entries along `solution`, the same number for every set of effects; and the values of entries after the
+#: last solution, where numbers are NaN.
 PLACES = np.arange(max(SOLUTIONS.values()))
 FILL = {"mode": -1, "pivot": -1, "consistent": False, "continuum": False}
 
 
 def coefficient(law: ContactLaw) -> float:
-    """Coefficient of friction of a law; perfect roughness is none of friction, and has NaN."""
+    """Friction coefficient of a law; NaN for perfect roughness, which is not a friction law."""
     return np.nan if isinstance(law, PerfectlyRough) else friction_coefficient(law)
 
 
 def kind(law: ContactLaw) -> str:
-    """Type of a law, as in scene files."""
+    """Name of a law in scene files."""
     if isinstance(law, Coulomb):
         return "coulomb"
     return "perfectly_rough" if isinstance(law, PerfectlyRough) else "infinite_friction"
 
 
 def build(part: Part) -> xr.Dataset:
-    """Build the dataset of a part of a study: `solve` of labelled arrays."""
+    """Build the dataset for part of a study by `solve` on labeled arrays."""
     labels = part.grid["contact"]
     laws = list(map(labelled_law, labels))
     slider = part.ring(axis(part, "rod_length"))

@@ -16,7 +16,7 @@ from planar_pushing.study.files.study_model import Part
 
 
 def build(part: Part) -> xr.Dataset:
-    """Build the dataset of a part of a study."""
+    """Build the dataset for part of a study."""
     slider = part.ring(axis(part, "rod_length"), axis(part, "rod_angle"))
     phi = pushing(axis(part, "force_angle"))
     heading = xr.DataArray(direction(phi.values), dims=("force_angle", "xy"))

@@ -1,4 +1,4 @@
-"""A few places that stand for a support where its friction is shown, spread over all of it."""
+"""Sample places, spread over a support, at which its friction is shown."""
 
 from __future__ import annotations
 
@@ -7,22 +7,22 @@ import numpy as np
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.supports.pressure.record import Pieces
 
-#: How many places stand for a ring, for a segment, and about how many for all areas together, where each
-#: carries the whole weight; parts of it have fewer, down to the least number.
+#: Number of places of a ring and of a segment, and approximate number of all areas together, if it carries
+#: the whole weight; one that carries a fraction has fewer, down to the minimum.
 RING, SEGMENT, AREA, LEAST = 24, 9, 24, 4
-#: Cells along a side of the grid that measures how much of its box an area fills.
+#: Cells per side of the grid that estimates the fraction of its bounding box that an area fills.
 MEASURED = 40
 
 
 def places(pieces: Pieces) -> Array:
-    """Places in the body frame and their shares of the weight, shape (n, 3); support points come first."""
+    """Places in the body frame and their fractions of the weight, shape (n, 3); support points first."""
     rings = [_around(*each) for each in pieces.rings]
     segments = [_along(*each) for each in pieces.segments]
     return np.concatenate([pieces.atoms, *rings, *segments, _spread(pieces)])
 
 
 def _count(whole: int, share: float) -> int:
-    """Number of places for a part of the weight."""
+    """Number of places for a fraction of the weight."""
     return max(LEAST, round(whole * share))
 
 
@@ -34,7 +34,7 @@ def _around(x: float, y: float, radius: float, share: float) -> Array:
 
 
 def _along(x: float, y: float, end_x: float, end_y: float, share: float) -> Array:
-    """Middles of equal parts of a segment."""
+    """Midpoints of equal parts of a segment."""
     count = _count(SEGMENT, share)
     part = (np.arange(count) + 0.5) / count
     along = np.stack([x + part * (end_x - x), y + part * (end_y - y)], axis=1)
@@ -42,7 +42,7 @@ def _along(x: float, y: float, end_x: float, end_y: float, share: float) -> Arra
 
 
 def _spread(pieces: Pieces) -> Array:
-    """Middles of about square cells that cover the areas, with the pressure there as share."""
+    """Midpoints of nearly square cells that cover the areas, weighted by the pressure there."""
     middles, radii = pieces.discs[:, :2], pieces.discs[:, 2:3]
     ends = [each[:, :4].reshape(-1, 2) for each in pieces.plates]
     corners = np.concatenate([middles - radii, middles + radii, *ends])
@@ -60,14 +60,14 @@ def _spread(pieces: Pieces) -> Array:
 
 
 def _middles(low: Array, high: Array, columns: int, rows: int) -> Array:
-    """Middles of the cells of a grid over a box, shape (n, 2)."""
+    """Midpoints of the cells of a grid over a box, shape (n, 2)."""
     x = low[0] + (np.arange(columns) + 0.5) * (high[0] - low[0]) / columns
     y = low[1] + (np.arange(rows) + 0.5) * (high[1] - low[1]) / rows
     return np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
 
 
 def pressure_at(pieces: Pieces, points: Array) -> Array:
-    """Pressure of the areas at points of shape (n, 2); zero, not rounding, where there is none."""
+    """Pressure of the areas at points of shape (n, 2); exactly zero outside them."""
     total, largest = np.zeros(len(points)), np.zeros(len(points))
     for x, y, radius, share in pieces.discs:
         inside = np.hypot(points[:, 0] - x, points[:, 1] - y) < radius
@@ -80,7 +80,7 @@ def pressure_at(pieces: Pieces, points: Array) -> Array:
 
 
 def _between(edges: Array, points: Array) -> Array:
-    """Pressure between the edges of a plate: its steps across all edges on the right of a point."""
+    """Pressure within a plate: the sum of its steps across all edges to the right of a point."""
     x, y = points[:, 0, None], points[:, 1, None]
     start_x, start_y, end_x, end_y, step = edges.T
     upward = (start_y <= y) & (y < end_y)

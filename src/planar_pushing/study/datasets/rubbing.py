@@ -1,4 +1,4 @@
-"""How the support of a pushed slider moves over the plane, and the friction that it meets there."""
+"""Motion of the support of a pushed slider over the plane, and the friction on it."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from planar_pushing.mechanics.supports import Ring
 from planar_pushing.study.datasets.places import places
 
 RING_ANGLES = np.arange(0.0, 360.0, 15.0)
-#: A place that is slower than this, in units of the fastest, is where the slider turns about.
+#: A place slower than this, relative to the fastest place, is at the center of rotation.
 STILL = 1e-12
 
 
 def support_of(scene: Scene) -> Any:
-    """The support of a scene with its own sizes; without one the ring of the slider's radius."""
+    """Support of a scene with its dimensions; without one, the ring of the slider's radius."""
     resting = [
         each.support for each in (*scene.friction, *scene.effects) if hasattr(each, "support")
     ]
@@ -26,7 +26,7 @@ def support_of(scene: Scene) -> Any:
 
 
 def ring_friction(scene: Scene, twists: Array) -> dict[str, Any]:
-    """Motion of points of the ring and, where it rubs, the friction of the support on them."""
+    """Motion of points of the ring and the friction force on them, which is zero without friction."""
     outward = scene.slider.radius * direction(np.deg2rad(RING_ANGLES))
     motion = _motion(outward, twists)
     dims = ("solution", "support_angle", "xy")
@@ -37,7 +37,7 @@ def ring_friction(scene: Scene, twists: Array) -> dict[str, Any]:
 
 
 def place_friction(scene: Scene, twists: Array) -> dict[str, Any]:
-    """The same for any support: places that stand for it, and the friction of what each stands for."""
+    """As `ring_friction`, for any support: sample places and the friction force that each represents."""
     slider = scene.slider
     rows = places(support_of(scene).pieces())
     x, y = direction(slider.rod_angle)
@@ -53,18 +53,18 @@ def place_friction(scene: Scene, twists: Array) -> dict[str, Any]:
 
 
 def _weight(scene: Scene) -> float:
-    """Force of friction in a translation."""
+    """Friction force in a translation."""
     return float(sum(each.weight for each in scene.friction))
 
 
 def _motion(arm: Array, twists: Array) -> Array:
-    """Motion of points at arms from the slider's center."""
+    """Velocities of points at given positions relative to the slider's center."""
     turned = np.stack([-arm[:, 1], arm[:, 0]], axis=-1)
     return np.asarray(twists[:, None, :2] + twists[:, None, 2:] * turned)
 
 
 def _heading(motion: Array, still: float) -> Array:
-    """Directions of motions; zero for those that are slower than the fastest times `still`."""
+    """Unit vectors along motions; zero for motions slower than `still` times the fastest."""
     speed = np.linalg.norm(motion, axis=-1, keepdims=True)
     moves = speed > still * speed.max(axis=1, keepdims=True, initial=0.0)
     return np.asarray(np.divide(motion, speed, out=np.zeros_like(motion), where=moves))

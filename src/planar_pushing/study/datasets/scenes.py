@@ -1,4 +1,4 @@
-"""Scenes of the figures: everything that a picture of one pushing problem shows (Secs. 3 and 4)."""
+"""Scenes of the figures: all data for a picture of one pushing problem (Secs. 3 and 4)."""
 
 from __future__ import annotations
 
@@ -32,9 +32,9 @@ CONE_SAMPLES = 181
 
 
 def pusher_angle(scene: Scene, push: PushEntry) -> float:
-    """Angle of the fence's motion, degrees: given, or the slider's own under a force angle.
+    """Angle of the fence's motion in degrees: the given one, or that of the contact under a force angle.
 
-    With friction and inertia the slider's motion is that of equal shares.
+    With friction and inertia, each effect takes an equal share of the force.
     """
     if push.force_angle is None:
         return float(push.pusher_angle or 0.0)
@@ -60,7 +60,7 @@ def _solutions(solutions: Solutions, pusher: Array) -> dict[str, Any]:
 
 
 def _pivots(solutions: Solutions) -> dict[str, Any]:
-    """About which support point each solution pivots, and the other end of the forces of a pivot."""
+    """Support point about which each solution pivots, and the other end of the force range of a pivot."""
     ends = np.reshape([each.force_end for each in solutions], (-1, 2))
     return {
         "force_end": (("solution", "xy"), ends),
@@ -69,7 +69,7 @@ def _pivots(solutions: Solutions) -> dict[str, Any]:
 
 
 def _kinds(scene: Scene) -> dict[str, tuple[Any, ...]]:
-    """The effects of each kind that resist a push from rest, by its name."""
+    """Effects that resist a push from rest, grouped by the name of their kind."""
     absent = {EffectKind.LOAD} | ({EffectKind.VISCOUS} if scene.stores_energy else set())
     found = {
         kind: tuple(each for each in scene.effects if EFFECT_CLASSES[type(each).__name__] == kind)
@@ -80,7 +80,7 @@ def _kinds(scene: Scene) -> dict[str, tuple[Any, ...]]:
 
 
 def _cones(scene: Scene) -> dict[str, Any]:
-    """Friction cone and motion cone, and the motions under each effect along the friction cone."""
+    """Friction cone, motion cone, and the motions under each effect along the friction cone."""
     forces, motions = friction_cone(scene), motion_cone(scene)
     phi = np.linspace(forces.right, forces.left, CONE_SAMPLES)
     alone = [replace(scene, effects=kind) for kind in _kinds(scene).values()]

@@ -15,16 +15,16 @@ EDGES = ["right", "left"]
 
 
 def pivots(part: Part, angle: xr.DataArray) -> xr.DataArray:
-    """Number of the support point that a contact which moves at an angle, in radians, turns about.
+    """Number of the support point about which the slider pivots if its contact moves at an angle, radians.
 
-    Of a perfectly rough contact every motion is a stick.
+    The contact is perfectly rough, so that it sticks for every motion.
     """
     pivot: xr.DataArray = solve(supported(part, PerfectlyRough()), angle).pivot
     return pivot.max("solution").astype(np.int16)
 
 
 def build(part: Part) -> xr.Dataset:
-    """Build the dataset of a part of a study."""
+    """Build the dataset for part of a study."""
     scene = supported(part, friction_axis(part))
     cone = motion_cone(scene)
     both: list[xr.DataArray] = [cone.right, cone.left]

@@ -16,7 +16,7 @@ from planar_pushing.study.files.study_model import Part
 
 
 def build(part: Part) -> xr.Dataset:
-    """Build the dataset of a part of a study: `solve` of labelled arrays."""
+    """Build the dataset for part of a study by `solve` on labeled arrays."""
     angles: xr.DataArray = pushing(axis(part, "pusher_angle"))
     found = solve(supported(part, friction_axis(part)), angles)
     angle = friction_angle(part.grid["friction_coefficient"])

@@ -1,4 +1,4 @@
-"""Wrench of each support over centers of rotation, and the ellipsoid that planners put in its place."""
+"""Wrench of each support over centers of rotation, and the ellipsoid by which planners approximate it."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from planar_pushing.study.files.study_model import Part
 
 OVER_CENTERS = ("support", "center_x", "center_y")
 TWIST, WRENCH = ["v_x", "v_y", "omega"], ["f_x", "f_y", "tau"]
-#: Errors of the ellipsoid, which are angles.
+#: Angular errors of the ellipsoid.
 ERRORS = ("worst_force_error", "mean_force_error", "worst_motion_error", "mean_motion_error")
 
 
 def rotations(part: Part) -> Array:
-    """Twists of unit rotation, counter-clockwise, about every center of the grid, shape S + (3,)."""
+    """Twists of unit counterclockwise rotation about every center of the grid, shape S + (3,)."""
     x, y = np.meshgrid(part.grid["center_x"], part.grid["center_y"], indexing="ij")
     return np.stack([y, -x, np.ones_like(x)], axis=-1)
 
@@ -54,7 +54,7 @@ def _ellipsoids(fits: list[EllipsoidFit]) -> dict[str, Any]:
 
 
 def build(part: Part) -> xr.Dataset:
-    """Build the dataset of a part of a study; the weight is 1."""
+    """Build the dataset for part of a study; the weight is 1."""
     supports = list(part.gallery().values())
     entries = [entry.model_dump(exclude_none=True) for entry in part.supports.values()]
     return xr.Dataset(

@@ -1,1 +1,1 @@
-"""Scene and study files: their models, and how they are read and written."""
+"""Scene and study files: their models, and functions that read and write them."""

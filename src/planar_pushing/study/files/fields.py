@@ -1,4 +1,4 @@
-"""Field types of scene and study files: each names what it allows, for errors and for the schema."""
+"""Field types of scene and study files; each states its allowed values, for errors and the schema."""
 
 from __future__ import annotations
 
@@ -35,12 +35,12 @@ from planar_pushing.terms.options import (
 
 
 def refuse(allowed: str) -> PydanticCustomError:
-    """Error of a value that is not what `allowed` says."""
+    """Error for a value that is not as `allowed` describes."""
     return PydanticCustomError("not_allowed", "{allowed}", {"allowed": allowed})
 
 
 class FileModel(BaseModel):
-    """A part of a file: frozen, and with no key that it does not know."""
+    """Section of a file; it is frozen and rejects unknown keys."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -72,7 +72,7 @@ def _name(given: object) -> object:
     return given
 
 
-#: A name that becomes a part of file names.
+#: A name that becomes part of file names.
 Name = Annotated[str, BeforeValidator(_name)]
 
 
@@ -98,10 +98,10 @@ def _truth(given: object) -> object:
     return given
 
 
-#: A truth value, not a word for one.
+#: A boolean, not a word such as "yes".
 Truth = Annotated[bool, BeforeValidator(_truth)]
 
-#: Path of a file or a folder that a study names, relative to the study's file.
+#: Path of a file or a folder in a study, relative to the study file.
 FilePath = Annotated[str, BeforeValidator(_file_path)]
 
 
@@ -119,7 +119,7 @@ def _number(given: object, allows: Callable[[float], bool], allowed: str) -> flo
 
 
 def number(allowed: str, allows: Callable[[float], bool], **schema: Any) -> Any:
-    """Type of a number of which `allows` holds, described by `allowed`."""
+    """Type of a number that satisfies `allows`, described by `allowed`."""
     return Annotated[
         float,
         BeforeValidator(lambda given: _number(given, allows, allowed)),
@@ -128,7 +128,7 @@ def number(allowed: str, allows: Callable[[float], bool], **schema: Any) -> Any:
 
 
 def choice(options: type[StrEnum]) -> Any:
-    """Type of a text that is one of these options."""
+    """Type of a text that must be one of these options."""
     return Literal.__getitem__(tuple(map(str, options)))
 
 
@@ -136,7 +136,7 @@ def choice(options: type[StrEnum]) -> Any:
 CornerCount = number(
     "a whole number >= 3", lambda x: x >= 3 and x == int(x), type="integer", minimum=3
 )
-#: Numbers that count things.
+#: Counting numbers.
 COUNT = "an integer >= 1"
 
 
@@ -145,12 +145,12 @@ def _counts(given: float) -> bool:
 
 
 def spelled(options: type[StrEnum]) -> Any:
-    """As `choice`, of options of which the error of an unknown one suggests one."""
+    """As `choice`, but the error for an unknown option suggests a similar one."""
     return named(tuple(map(str, options)))
 
 
 def named(names: tuple[str, ...]) -> Any:
-    """Type of a text that is one of these names, of which the error of an unknown one suggests one."""
+    """Type of a text that must be one of these names; the error for an unknown name suggests one."""
     context = {"allowed": " or ".join(map(repr, names)), "names": names}
 
     def known(given: object) -> object:
@@ -169,7 +169,7 @@ def _side(given: object) -> object:
 
 
 def _number_of(given: object) -> float:
-    """A number, which JSON has as a text where it is infinite; NaN for what is none."""
+    """Convert to a number; JSON stores infinity as text. NaN if it is not a number."""
     number = (
         {"inf": math.inf, "-inf": -math.inf}.get(given, given) if isinstance(given, str) else given
     )
@@ -178,7 +178,7 @@ def _number_of(given: object) -> float:
 
 
 END = {"anyOf": [{"type": "number"}, {"enum": ["inf", "-inf"]}]}
-#: Ends of a side, from the contact along it.
+#: Ends of a side, measured along it from the contact.
 Side = Annotated[
     tuple[float, float],
     BeforeValidator(_side),
@@ -187,7 +187,7 @@ Side = Annotated[
     ),
 ]
 
-#: Most numbers on an axis.
+#: Maximum number of values on an axis.
 MOST = 10**5
 AXIS = (
     "a list of increasing numbers, or {start, stop, step} with a step > 0 that divides the range, "
@@ -225,7 +225,7 @@ def _increasing(values: tuple[float, ...]) -> tuple[float, ...]:
 
 
 def _steps(start: float, stop: float, step: float) -> list[float]:
-    """Values from `start` to `stop` with both ends, free of accumulated rounding."""
+    """Values from `start` to `stop`, including both, without accumulated rounding errors."""
     if step <= 0 or stop < start:
         return []
     if (stop - start) / step > MOST:
@@ -237,7 +237,7 @@ def _steps(start: float, stop: float, step: float) -> list[float]:
 
 
 def axis(item: Any) -> Any:
-    """Type of a grid axis: a list of numbers of type `item` and of ranges, or a range."""
+    """Type of a grid axis: a range, or a list of ranges and numbers of type `item`."""
     numbers = item.__metadata__[-1].json_schema
     span = {"type": "object", "additionalProperties": False, "required": ["start", "stop", "step"]}
     span["properties"] = {
@@ -280,7 +280,7 @@ FrictionCoefficient = number(
     anyOf=[{"type": "number", "minimum": 0}, {"const": "inf"}],
 )  # fmt: skip
 FiniteFrictionCoefficient = number(
-    "a finite number >= 0; infinite friction is a law of its own, law: infinite_friction",
+    "a finite number >= 0; infinite friction is a separate law, law: infinite_friction",
     lambda x: 0 <= x < math.inf, type="number", minimum=0,
 )  # fmt: skip
 

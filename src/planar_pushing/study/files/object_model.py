@@ -1,4 +1,4 @@
-"""Content of an object file: a scene whose supports and contact are in the object's own frame."""
+"""Content of an object file: a scene with its supports and contact in the object's frame."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ from planar_pushing.terms.errors import InvalidValue
 
 #: Types of effects that have a support.
 RESTING = ("support_friction", "viscous")
-#: Keys of a file that hold what `scene_at` refuses.
+#: Keys of a file for the parameters that `scene_at` can reject.
 PLACES = {"point": "object.contact.", "normal": "object.contact.", "outline": "object."}
 
 
 class FootEntry(FileModel):
-    """A foot in the object's frame, its load in any unit, and its name."""
+    """A foot in the object's frame, with its load in any unit and its name."""
 
     position: Point
     weight: Positive = 1.0
@@ -37,9 +37,9 @@ class FootEntry(FileModel):
 
 
 class PlaceEntry(FileModel):
-    """Where the object is pushed, and the normal of the pusher there, into the object.
+    """Contact point on the object, and the normal there, which points into the object.
 
-    With an outline the normal may be left out where the contact is not at a corner.
+    With an outline, the normal can be omitted unless the contact is at a corner.
     """
 
     point: Point
@@ -47,9 +47,9 @@ class PlaceEntry(FileModel):
 
 
 class ObjectEntry(FileModel):
-    """An object in its own frame: its outline, its feet, and its contact.
+    """An object in its own frame: its outline, its feet and its contact.
 
-    Effects without a support have the feet, or else the whole outline with an even pressure.
+    Effects without a support act on the feet or, without feet, on the whole outline with uniform pressure.
     """
 
     outline: Points | None = None
@@ -58,7 +58,7 @@ class ObjectEntry(FileModel):
 
 
 class ObjectFile(FileModel):
-    """A scene of an object in a frame of its own; it becomes a scene file where it is read."""
+    """A scene with an object in its own frame; it is converted to a scene file when it is read."""
 
     title: Text = ""
     object: ObjectEntry
@@ -70,7 +70,7 @@ class ObjectFile(FileModel):
     @model_validator(mode="before")
     @classmethod
     def _rests(cls, given: Any) -> Any:
-        """Give effects without a support that of the object."""
+        """Give the object's support to effects without one."""
         own = _support(given["object"]) if isinstance(given, dict) and "object" in given else None
         effects = given.get("effects") if isinstance(given, dict) else None
         if own is None or not isinstance(effects, list):
@@ -116,7 +116,7 @@ class ObjectFile(FileModel):
 
 
 def _support(given: Any) -> dict[str, Any] | None:
-    """The entry of an object's support, where it has feet or an outline."""
+    """Entry of an object's support, if it has feet or an outline."""
     found = given if isinstance(given, dict) else {}
     feet, outline = found.get("feet"), found.get("outline")
     if isinstance(feet, list) and feet and all(isinstance(each, dict) for each in feet):

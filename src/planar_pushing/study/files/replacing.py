@@ -1,4 +1,4 @@
-"""Files that are written whole or not at all."""
+"""Files that are written completely or not at all."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ PathLike = str | os.PathLike[str]
 
 @contextmanager
 def replacing(path: PathLike) -> Iterator[Path]:
-    """Path to write to that takes the place of `path` only once it is complete.
+    """Temporary path to write to, which replaces `path` once it is complete.
 
-    Its name is always the same, so that what a killed run leaves behind the next one replaces.
+    Its name is always the same, so the next run overwrites the leftovers of a killed one.
     """
     target = Path(path)
     temporary = target.with_name(f".{target.name}.part")
@@ -33,6 +33,6 @@ def replacing(path: PathLike) -> Iterator[Path]:
 
 
 def _forget(path: Path) -> None:
-    """Remove a file that may not be there, nor its folder be one."""
+    """Remove a file; ignore a missing file or folder."""
     with suppress(OSError):
         path.unlink(missing_ok=True)

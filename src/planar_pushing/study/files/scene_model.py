@@ -47,11 +47,11 @@ from planar_pushing.terms.units import Units
 
 
 class SliderEntry(FileModel):
-    """The slider and its rod; lengths in any one unit, the angle in degrees.
+    """The slider and its rod; lengths in one common unit, the angle in degrees.
 
-    Without a radius it is the support's largest distance from its center of pressure, 1 for a ring. `side`
-    holds the ends of the flat side that a finger pushes, along it from the contact; it has none by default.
-    `outline` holds the slider's corners in the body frame.
+    The default radius is the support's largest distance from its center of pressure, or 1 for a ring.
+    `side` holds the ends of the flat side that a finger pushes, measured along it from the contact; without
+    it, the side has no ends. `outline` holds the slider's corners in the body frame.
     """
 
     rod_length: NonNegative
@@ -77,7 +77,7 @@ class SliderEntry(FileModel):
 
 
 class PlacementEntry(FileModel):
-    """The contact and the inward normal there in the object's own frame."""
+    """The contact and the inward normal there, in the object's frame."""
 
     point: Point
     normal: Point
@@ -108,7 +108,7 @@ class CoulombEntry(FileModel):
 
 
 class InfiniteFrictionEntry(FileModel):
-    """Infinite friction; at zero normal force the tangential force is free, or there is none."""
+    """Infinite friction; at zero normal force the tangential force is free or zero."""
 
     law: Literal["infinite_friction"]
     at_zero_normal: AtZeroNormalName = AtZeroNormal.FREE.value
@@ -127,7 +127,7 @@ class PerfectlyRoughEntry(FileModel):
 
 
 class RingFrictionEntry(FileModel):
-    """Support friction of the ring: weight is W, the weight times the coefficient of friction."""
+    """Support friction of the ring; `weight` is W, the weight times the support friction coefficient."""
 
     type: Literal["ring_friction"]
     weight: Positive = 1.0
@@ -137,7 +137,7 @@ class RingFrictionEntry(FileModel):
 
 
 class SupportFrictionEntry(FileModel):
-    """Friction of any support; weight is W, the weight times the coefficient of support friction."""
+    """Friction of any support; `weight` is W, the weight times the support friction coefficient."""
 
     type: Literal["support_friction"]
     weight: Positive = 1.0
@@ -160,7 +160,7 @@ class InertiaEntry(FileModel):
 
 
 class ViscousEntry(FileModel):
-    """Viscous friction of a support; coefficient is the force over the speed in a translation."""
+    """Viscous friction of a support; `coefficient` is force divided by speed in a translation."""
 
     type: Literal["viscous"]
     coefficient: Positive = 1.0
@@ -171,9 +171,9 @@ class ViscousEntry(FileModel):
 
 
 class LoadEntry(FileModel):
-    """A force along and normal to the fence, constant in the world, at a point of the body frame.
+    """A constant force in the world, given along and normal to the fence, at a point of the body frame.
 
-    Without a center it acts at the center of mass, without inertia at the slider's center.
+    By default it acts at the center of mass or, without inertia, at the slider's center.
     """
 
     type: Literal["load"]
@@ -194,9 +194,9 @@ EffectEntry = Annotated[
 
 
 class SceneFile(FileModel):
-    """A scene: the slider, the law of its contact with the fence, and what resists its motion.
+    """A scene: the slider, the contact law, and the effects that resist the motion.
 
-    `simulate` says how the fence moves over time, where the scene is one to be simulated.
+    The optional section `simulate` describes the motion of the fence over time.
     """
 
     title: Text = ""
@@ -212,9 +212,9 @@ class SceneFile(FileModel):
     )
 
     def build(self) -> Scene:
-        """The scene, its push the velocity with which the pusher starts.
+        """The scene; its push is the initial velocity of the pusher.
 
-        A slider with inertia is pushed from rest by an acceleration, of which a file says no magnitude: 1.
+        A slider with inertia is pushed from rest by an acceleration of magnitude 1; files give none.
         """
         scene, pieces = self._scene(), self.pieces
         if not pieces:
@@ -224,7 +224,7 @@ class SceneFile(FileModel):
 
     @property
     def pieces(self) -> tuple[PieceEntry, ...]:
-        """Velocities of the pusher over time, angles from the fence; none without a section `simulate`."""
+        """Velocities of the pusher over time, with angles from the fence; empty without `simulate`."""
         given = self.simulate
         if given is None or given.object_pose is None or given.pusher_frame == PusherFrame.FENCE:
             return () if given is None else given.pieces
@@ -246,7 +246,7 @@ class SceneFile(FileModel):
 
 
 def require_inertia(given: SimulateEntry | None, info: ValidationInfo) -> SimulateEntry | None:
-    """A section `simulate` whose twist needs inertia among the effects."""
+    """Require inertia among the effects if the section `simulate` has an initial twist."""
     inert = EffectKind.INERTIA in {EFFECT_TYPES[each.type] for each in info.data.get("effects", ())}
     if given and given.initial_twist and not inert:
         raise refuse("initial_twist with inertia among the effects only")

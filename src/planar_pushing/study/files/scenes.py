@@ -1,4 +1,4 @@
-"""Read and write scene and study files, with one clear error for what is wrong in them."""
+"""Read and write scene and study files; report errors in a file in clear one-line messages."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path,
 
 Model = TypeVar("Model", bound=FileModel)
 
-#: Keys that only one kind of file has.
+#: Keys that identify the kind of file.
 KINDS = {"contact": "a scene file", "grid": "a study file"}
 
 
@@ -31,13 +31,13 @@ def load_scene(path: PathLike) -> Scene:
     Raises
     ------
     InvalidFile
-        Naming the file, the key, the value, what is allowed and what to do.
+        If the file is invalid; the message names the file, key, value, allowed values and remedy.
     """
     return load_scene_file(path).build()
 
 
 def load_scene_file(path: PathLike) -> SceneFile:
-    """Read a scene file, or an object file as one, with its title; errors as in `load_scene`."""
+    """Read a scene file or an object file as a scene file; errors as in `load_scene`."""
     content = read_yaml(Path(require_path("path", path)))
     if isinstance(content, dict) and "object" in content:
         return load_model(path, ObjectFile).scene_file()
@@ -47,12 +47,12 @@ def load_scene_file(path: PathLike) -> SceneFile:
 def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
     """Write a scene file that `load_scene` reads back as the same scene.
 
-    A rod angle is stored in degrees, so that it comes back within one unit in the last place.
+    The rod angle is stored in degrees and can therefore change by one unit in the last place.
 
     Raises
     ------
     InvalidValue
-        Where the scene has a law or an effect that scene files have no name for.
+        If the scene has a law or an effect that scene files cannot represent.
     """
     if not isinstance(title, str):
         raise InvalidValue("title", title, "text", "name the scene")
@@ -61,17 +61,17 @@ def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
 
 
 def save_scene_file(file: SceneFile, path: PathLike) -> None:
-    """Write a scene file that `load_scene_file` reads back as the same, its simulation included."""
+    """Write a scene file, including its simulation, that `load_scene_file` reads back unchanged."""
     _write(file.model_dump(mode="json", exclude_none=True), path)
 
 
 def save_object_file(content: dict[str, Any], path: PathLike) -> None:
-    """Write the content of an object file, which `load_scene` reads, as it is.
+    """Write the content of an object file unchanged; `load_scene` can read the file.
 
     Raises
     ------
     InvalidFile
-        Where it makes no scene, or the file cannot be written.
+        If the content is not a valid scene or the file cannot be written.
     """
     try:
         ObjectFile.model_validate(content)
@@ -81,7 +81,7 @@ def save_object_file(content: dict[str, Any], path: PathLike) -> None:
 
 
 def _write(content: dict[str, Any], path: PathLike) -> None:
-    """Write plain values as YAML, a vector in a line."""
+    """Write plain values as YAML, with each vector on one line."""
     with replacing(path) as temporary, temporary.open("w", encoding="utf-8") as stream:
         writer = YAML(typ="safe", pure=True)
         writer.sort_base_mapping_type_on_output = False  # type: ignore[assignment]
@@ -104,7 +104,7 @@ def load_model(path: PathLike, model: type[Model]) -> Model:
 
 
 def _key(location: tuple[int | str, ...]) -> str:
-    """Location as written in the file: without the tags that tell laws, effects and policies apart."""
+    """Location as written in the file, without the tags that distinguish laws, effects and policies."""
     key, previous = "", None
     for index, part in enumerate(location):
         tag = previous in ("contact", "support", "on_ambiguity") or (
@@ -120,13 +120,13 @@ def _key(location: tuple[int | str, ...]) -> str:
 
 
 def _other_kind(given: dict[object, object], known: list[str]) -> str:
-    """What to do with a file that has unknown keys at its top: give another where it is of another kind."""
+    """Remedy for unknown top-level keys: another file if this one is of another kind."""
     kinds = [kind for key, kind in KINDS.items() if key in given and key not in known]
     return f"this is {kinds[0]}; give a file with these keys" if kinds else "remove the key"
 
 
 def explain(path: Path, error: ErrorDetails) -> str:
-    """One line: file, key, value, what is allowed, what to do."""
+    """One-line message with the file, key, value, allowed values and remedy."""
     key, given, context = _key(error["loc"]), error["input"], error.get("ctx", {})
     allowed, remedy = error["msg"], "change the value"
     match error["type"]:

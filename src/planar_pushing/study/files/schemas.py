@@ -12,7 +12,7 @@ from planar_pushing.study.files.object_model import ObjectFile
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.study_model import StudyFile
 
-#: A scene file is one in the body frame, or in the frame of an object.
+#: A scene file is either in the body frame or in the frame of an object.
 SCHEMAS: dict[str, TypeAdapter[Any]] = {
     "scene": TypeAdapter(SceneFile | ObjectFile),
     "study": TypeAdapter(StudyFile),

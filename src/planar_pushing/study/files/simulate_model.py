@@ -1,4 +1,4 @@
-"""What the section `simulate` of a scene file holds: the fence's motion over time, and how to follow it."""
+"""Content of the section `simulate` of a scene file: the pusher's motion and the simulation settings."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from planar_pushing.terms.options import Method, Policy, PusherFrame, Shape
 
 
 class PieceEntry(FileModel):
-    """The fence's velocity from a time on; the angle in degrees."""
+    """The fence's velocity from a start time; the angle in degrees."""
 
     time: NonNegative
     angle: Degrees
@@ -39,14 +39,14 @@ class PieceEntry(FileModel):
 
 
 class PolicyEntry(FileModel):
-    """What decides between contact modes from a time on."""
+    """Policy that chooses between contact modes from a start time."""
 
     time: NonNegative
     policy: PolicyName
 
 
 class WaypointEntry(FileModel):
-    """A place of the pusher and its time."""
+    """Position of the pusher at a time."""
 
     time: NonNegative
     x: FiniteNumber
@@ -54,14 +54,14 @@ class WaypointEntry(FileModel):
 
 
 def _leg(here: WaypointEntry, there: WaypointEntry) -> PieceEntry:
-    """The velocity from one place to the next."""
+    """Velocity from one waypoint to the next."""
     x, y = there.x - here.x, there.y - here.y
     speed = math.hypot(x, y) / (there.time - here.time)
     return PieceEntry(time=here.time, angle=math.degrees(math.atan2(y, x)), speed=speed)
 
 
 class PoseEntry(FileModel):
-    """Pose of the object's frame in the world at time 0, the angle in degrees."""
+    """Pose of the object's frame in the world at time 0; the angle in degrees."""
 
     x: FiniteNumber
     y: FiniteNumber
@@ -69,7 +69,7 @@ class PoseEntry(FileModel):
 
 
 class UntilEntry(FileModel):
-    """What stops the run: an event, a contact mode, or the first goal that is reached; degrees."""
+    """Stopping condition: an event, a contact mode, or the first goal reached; angles in degrees."""
 
     event: EventName | None = None
     mode: ModeName | None = None
@@ -85,7 +85,7 @@ class UntilEntry(FileModel):
 
     @property
     def goals(self) -> dict[str, float]:
-        """The goals that are given, angles in radians."""
+        """The given goals; angles in radians."""
         rotation = None if self.rotation is None else math.radians(self.rotation)
         goals = {
             "rotation": rotation,
@@ -96,14 +96,14 @@ class UntilEntry(FileModel):
 
 
 class TwistEntry(FileModel):
-    """Velocity of the slider's center, and rotation in degrees per time."""
+    """Velocity of the slider's center, and angular velocity in degrees per time."""
 
     v_x: FiniteNumber = 0.0
     v_y: FiniteNumber = 0.0
     omega: FiniteNumber = 0.0
 
 
-#: A policy, or policies over time.
+#: One policy, or policies over time.
 PolicyEntries = Annotated[
     Annotated[PolicyName, Tag("one")]
     | Annotated[tuple[PolicyEntry, ...], NotEmpty, Tag("several")],
@@ -112,7 +112,7 @@ PolicyEntries = Annotated[
 
 
 class SimulateEntry(FileModel):
-    """A motion of the fence or the finger, constant or in pieces, and how the slider is followed."""
+    """Motion of the fence or the finger, constant or in pieces, and settings of the simulation."""
 
     pusher_angle: Degrees | None = None
     pusher_speed: NonNegative | None = None
@@ -138,7 +138,7 @@ class SimulateEntry(FileModel):
             raise refuse("exactly one of pusher_angle, pusher and waypoints")
         if self.pusher_angle is None and self.pusher_speed is not None:
             raise refuse(
-                "pusher_speed with pusher_angle only; the pieces of pusher hold a speed each"
+                "pusher_speed with pusher_angle only; each piece of pusher has its own speed"
             )
         if self.pusher_radius and self.pusher_shape != Shape.FINGER:
             raise refuse("pusher_radius with pusher_shape finger only; a fence is a line")
@@ -160,7 +160,7 @@ class SimulateEntry(FileModel):
 
     @property
     def pieces(self) -> tuple[PieceEntry, ...]:
-        """The pusher's motion as pieces, of which a constant one has one; waypoints are at rest at last."""
+        """Pieces of the pusher's motion, one if it is constant; it rests after the last waypoint."""
         if self.pusher is not None:
             return self.pusher
         if self.waypoints is not None:
@@ -171,7 +171,7 @@ class SimulateEntry(FileModel):
 
     @property
     def policies(self) -> tuple[PolicyEntry, ...]:
-        """What decides between contact modes as pieces, of which a policy alone has one."""
+        """Policies that choose between contact modes, one for each piece of time."""
         if isinstance(self.on_ambiguity, tuple):
             return self.on_ambiguity
         return (PolicyEntry(time=0.0, policy=self.on_ambiguity),)

@@ -51,7 +51,7 @@ def _named(given: object) -> object:
 
 
 class SliderEntry(FileModel):
-    """The radius of the paper's ring, and the rod where a dataset or a figure has no axis for it."""
+    """Radius of the paper's ring, and the rod of datasets and figures that have no axis for it."""
 
     radius: Positive = 1.0
     rod_angle: RodAngle
@@ -69,7 +69,7 @@ class FrictionParameters(FileModel):
 
 
 class InertiaParameters(FileModel):
-    """Parameters of the inertia."""
+    """Parameters of inertia."""
 
     mass: Positive
     gyration_radius: Positive
@@ -80,9 +80,9 @@ class InertiaParameters(FileModel):
 
 
 class Grid(FileModel):
-    """The axes of the datasets; angles in degrees, centers of rotation in the body frame.
+    """Axes of the datasets; angles in degrees, centers of rotation in the body frame.
 
-    A dataset whose axes are not all given is not computed.
+    A dataset is computed only if all of its axes are given.
     """
 
     effects: Annotated[tuple[EffectsName, ...], NotEmpty] = ()
@@ -99,9 +99,9 @@ class Grid(FileModel):
 
 
 class PushEntry(FileModel):
-    """A scene of the study and the fence's motion: its angle, or the force angle it sustains.
+    """A scene of the study, and the angle of the fence's motion or of the force that this motion causes.
 
-    With friction and inertia the force angle is that of equal shares.
+    With friction and inertia, a force angle assumes that each effect takes an equal share of the force.
     """
 
     file: FilePath
@@ -117,7 +117,7 @@ class PushEntry(FileModel):
 
 
 class FigureEntry(FileModel):
-    """Values that a figure takes from the grid."""
+    """Values of a figure that must be in the grid."""
 
     rod_length: NonNegative | tuple[NonNegative, ...] | None = None
     mapped_rod_length: NonNegative | None = None
@@ -125,7 +125,7 @@ class FigureEntry(FileModel):
     pusher_magnitude: Positive | None = None
 
     def grid_values(self, grid: Grid) -> Iterator[tuple[str, Values, Values]]:
-        """Key, given values and allowed values of what the figure takes from the grid."""
+        """Key, given values and allowed values of each quantity that the figure takes from the grid."""
         for key, given in self:
             if given is not None:
                 allowed = getattr(grid, key.removeprefix("mapped_"))
@@ -144,16 +144,16 @@ class Parameters(FileModel):
 
     @property
     def parts(self) -> dict[str, FrictionParameters | InertiaParameters]:
-        """Parameters of the effects that the study lists, by name."""
+        """Parameters of the study's effects, by name."""
         known = {str(kind): getattr(self, kind) for kind in STUDIED}
         return {name: part for name, part in known.items() if part is not None}
 
     def effects(self, name: EffectsName) -> tuple[Effect, ...]:
-        """Build the effects that a value of the effects axis stands for."""
+        """Build the effects for a value of the effects axis."""
         return tuple(self.parts[part].effect() for part in name.split("+"))
 
     def ring(self, rod_length: Number, rod_angle: Number = None) -> Slider:
-        """Build the paper's ring on this rod, or these rods; the angle in degrees."""
+        """Build the paper's ring on one or more rods; the angle in degrees."""
         return Slider(
             rod_length=rod_length,
             rod_angle=np.deg2rad(self.slider.rod_angle if rod_angle is None else rod_angle),
@@ -166,18 +166,18 @@ class Parameters(FileModel):
 
 
 class Part(Parameters):
-    """A part of a study: the parameters and the values along axes that a dataset is computed from."""
+    """Part of a study: the parameters and axis values from which a dataset is computed."""
 
     grid: dict[str, tuple[Any, ...]]
 
 
 class StudyFile(Parameters):
-    """The grid of every dataset, the scenes, and the values that the paper leaves open.
+    """The grid of every dataset, the scenes, and values that the paper does not specify.
 
-    `supports` are an axis of the datasets whose names begin with `support`. `simulations` names the scene
-    files with a section `simulate` that are followed over time. `chunks` gives the most values along
-    dimensions of a dataset that one job computes; `gather` says whether its chunks become one file. Paths
-    are relative to the study's file.
+    `supports` is an axis of the datasets whose names begin with `support`. `simulations` names the scene
+    files to simulate, each with a section `simulate`. `chunks` gives the maximum number of values along
+    dimensions of a dataset that one job computes; `gather` says whether the chunks are combined into one
+    file. Paths are relative to the study file.
     """
 
     title: Text
@@ -200,18 +200,18 @@ class StudyFile(Parameters):
         return values
 
 
-#: Laws of the labels along `contact` that name no coefficient.
+#: Laws for the labels along `contact` that have no coefficient.
 LAWS: dict[str, ContactLaw] = dict(
     zip(CONTACT_LAWS, (InfiniteFriction(), InfiniteFriction("none"), PerfectlyRough()), strict=True)
 )
 
 
 def contact_law(friction_coefficient: float) -> ContactLaw:
-    """Law of a value of the axis friction_coefficient."""
+    """Law for a value of the axis friction_coefficient."""
     finite = math.isfinite(friction_coefficient)
     return Coulomb(friction_coefficient) if finite else InfiniteFriction()
 
 
 def labelled_law(label: str) -> ContactLaw:
-    """Law of a label along the axis contact."""
+    """Law for a label along the axis contact."""
     return LAWS[label] if label in LAWS else Coulomb(float(label.removeprefix("coulomb_")))

@@ -1,4 +1,4 @@
-"""What a scene file says of the support: its shape, and what that shape is made from."""
+"""Entries of the support in a scene file: its shape and the parameters of the shape."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ Numbers = Annotated[tuple[float, ...], NotEmpty]
 
 
 class Entry(FileModel):
-    """A support that is made from its keys."""
+    """A support that is built from its keys."""
 
     shape: str
 
@@ -44,7 +44,7 @@ class Entry(FileModel):
         Raises
         ------
         InvalidValue
-            Where the keys make none.
+            If the keys do not define a valid support.
         """
         keys = [name for name in type(self).model_fields if name != "shape"]
         return SHAPES[self.shape](**{name: getattr(self, name) for name in keys})
@@ -59,7 +59,7 @@ class Entry(FileModel):
 
 
 class RingSupport(Entry):
-    """An even ring, of the slider's radius and about its center unless it says others."""
+    """A uniform ring, by default with the slider's radius and center."""
 
     shape: Literal["ring"]
     radius: Positive | None = None
@@ -67,7 +67,7 @@ class RingSupport(Entry):
 
 
 class PointsSupport(Entry):
-    """Support points, the load on each, equal by default, and their names."""
+    """Support points, with their loads, which are equal by default, and their names."""
 
     shape: Literal["points"]
     positions: Points
@@ -76,7 +76,7 @@ class PointsSupport(Entry):
 
 
 class SegmentSupport(Entry):
-    """An even straight line."""
+    """A uniform straight line."""
 
     shape: Literal["segment"]
     start: Point
@@ -84,7 +84,7 @@ class SegmentSupport(Entry):
 
 
 class DiscSupport(Entry):
-    """An even disc."""
+    """A uniform disc."""
 
     shape: Literal["disc"]
     radius: Positive
@@ -92,7 +92,7 @@ class DiscSupport(Entry):
 
 
 class AnnulusSupport(Entry):
-    """An even disc with a hole."""
+    """A uniform disc with a hole."""
 
     shape: Literal["annulus"]
     inner: Positive
@@ -101,14 +101,14 @@ class AnnulusSupport(Entry):
 
 
 class PolygonSupport(Entry):
-    """An even polygon, by its corners in order."""
+    """A uniform polygon, with its corners in order."""
 
     shape: Literal["polygon"]
     vertices: Points
 
 
 class RectangleSupport(Entry):
-    """An even rectangle about a center, its width at an angle from x in degrees."""
+    """A uniform rectangle about a center; its width is at an angle from x, in degrees."""
 
     shape: Literal["rectangle"]
     width: Positive
@@ -121,7 +121,7 @@ class RectangleSupport(Entry):
 
 
 class RegularPolygonSupport(Entry):
-    """An even regular polygon about a center, its first corner at an angle from x in degrees."""
+    """A uniform regular polygon about a center; its first corner is at an angle from x, in degrees."""
 
     shape: Literal["regular_polygon"]
     count: CornerCount
@@ -134,7 +134,7 @@ class RegularPolygonSupport(Entry):
 
 
 class PressureMapSupport(Entry):
-    """Cells between the lines x and y, each with its pressure; rows along y.
+    """Grid of cells bounded by the coordinates x and y, each with a pressure; rows are along y.
 
     `origin` and `axis` are the origin of x and y and the direction of x in the body frame.
     """
@@ -148,14 +148,14 @@ class PressureMapSupport(Entry):
 
 
 class MemberEntry(FileModel):
-    """A part of a composite support, and its share of the weight."""
+    """Part of a composite support, and its fraction of the weight."""
 
     share: Positive
     support: SupportEntry
 
 
 class CompositeSupport(Entry):
-    """Several supports together."""
+    """A combination of several supports."""
 
     shape: Literal["composite"]
     members: Annotated[tuple[MemberEntry, ...], NotEmpty]
@@ -181,7 +181,7 @@ SupportEntry = Annotated[
 
 
 def is_point(support: Any) -> bool:
-    """Whether a support is one point, which resists no rotation."""
+    """Whether a support is a single point, which does not resist rotation."""
     try:
         extent_of(support)
     except InvalidValue:
@@ -191,11 +191,11 @@ def is_point(support: Any) -> bool:
 
 def _larger(given: Any) -> Any:
     if is_point(given.build()):
-        raise refuse("a support that is larger than a point, which resists no rotation")
+        raise refuse("a support with more than one point, since a single point resists no rotation")
     return given
 
 
-#: A support of its own; a member of a composite may be a point.
+#: A whole support; a member of a composite can be a point.
 WholeSupport = Annotated[SupportEntry, AfterValidator(_larger)]
 MemberEntry.model_rebuild()
 CompositeSupport.model_rebuild()

@@ -1,4 +1,4 @@
-"""YAML files as plain values: small ones, without aliases, tags and values longer than a line or two."""
+"""YAML files as plain values; only small files without aliases and tags are read."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from ruamel.yaml.events import AliasEvent
 
 from planar_pushing.terms.errors import InvalidFile
 
-#: Most bytes of a file.
+#: Maximum size of a file, in bytes.
 BYTES = 2**18
-#: Most characters of a value in a message.
+#: Maximum number of characters of a value in a message.
 LINE = 120
 
 
 class _Plain(Composer):
-    """Builds values from text; an alias can stand for more than a memory holds."""
+    """Composer that rejects aliases, which can expand to more than fits in memory."""
 
     def compose_node(self, parent: Any, index: Any) -> Any:
         if self.parser.check_event(AliasEvent):
@@ -30,7 +30,7 @@ class _Plain(Composer):
 
 
 def shown(given: object) -> str:
-    """A value in a message: at most a line of it."""
+    """Text of a value in a message, shortened to one line."""
     text = repr(given)
     return text if len(text) <= LINE else f"{text[: LINE - 3]}..."
 
@@ -41,7 +41,7 @@ def read_yaml(path: Path) -> Any:
     Raises
     ------
     InvalidFile
-        Where the file cannot be read, is too large, is not YAML, or has aliases or tags.
+        If the file cannot be read, is too large, is not YAML, or has aliases or tags.
     """
     text = _text(path)
     loader = YAML(typ="safe", pure=True)
@@ -49,13 +49,13 @@ def read_yaml(path: Path) -> Any:
     try:
         return loader.load(text)
     except YAMLError as error:
-        raise InvalidFile(f"{path}: not YAML: {_where(error)}; mend the line") from None
+        raise InvalidFile(f"{path}: not YAML: {_where(error)}; correct the line") from None
     except (ValueError, TypeError, LookupError, ArithmeticError, AttributeError) as error:
-        # The parser fails so at a date, an escape or a key that cannot be.
+        # The parser fails in this way at an invalid date, escape or key.
         reason = re.split("[\n;]", str(error))[0][:LINE]
-        raise InvalidFile(f"{path}: not YAML: {reason}; mend the value") from None
+        raise InvalidFile(f"{path}: not YAML: {reason}; correct the value") from None
     except RecursionError:
-        raise InvalidFile(f"{path}: not YAML: nested too deep; write it out plainly") from None
+        raise InvalidFile(f"{path}: not YAML: nested too deeply; reduce the nesting") from None
 
 
 def _text(path: Path) -> str:
@@ -64,7 +64,7 @@ def _text(path: Path) -> str:
             content = stream.read(BYTES + 1)
         if len(content) > BYTES:
             allowed = f"files of at most {BYTES} bytes"
-            raise InvalidFile(f"{path}: is larger; allowed: {allowed}; name another file")
+            raise InvalidFile(f"{path}: is too large; allowed: {allowed}; choose another file")
         return content.decode("utf-8")
     except FileNotFoundError:
         raise InvalidFile(f"{path}: no such file; give the path of a YAML file") from None

@@ -1,1 +1,1 @@
-"""What the workflow's jobs share: their logs, the sources they depend on, and locks of killed runs."""
+"""Shared code of the workflow's jobs: logs, and digests of the sources on which they depend."""

@@ -1,7 +1,8 @@
-"""The code that a job of the workflow runs: its change makes the job's results stale.
+"""Digests of the code that a workflow job runs; a change of the code makes the job's results outdated.
 
-Snakemake follows a script, not what it imports. Each job has a digest of the packages that it runs among
-its parameters, and of its own module where it is one of a family: a line of a figure redraws it alone.
+Snakemake tracks a script but not its imports. Therefore each job has among its parameters a digest of the
+packages that it runs. If its module is one of a family, such as the figures, the digest includes only this
+member, so that a change to one figure redraws that figure alone.
 """
 
 from __future__ import annotations
@@ -15,8 +16,8 @@ import planar_pushing
 from planar_pushing.study.catalog import DATASETS
 
 ROOT = Path(planar_pushing.__path__[0])
-#: What scene files of objects run, and what every job runs: the terms, the mechanics and the study without
-#: its datasets.
+#: Modules that scene files of objects need, and packages that every job runs: the terms, the mechanics and
+#: the study without its datasets.
 OBJECTS = ("objects.__init__", "objects.many", "objects.scene_at")
 LIBRARY = ("terms", "mechanics", *OBJECTS, "study")
 EVIDENCE = ("evidence.jobs", "evidence.writing")
@@ -36,11 +37,11 @@ PACKAGES = {
 
 
 def builder(dataset: str) -> str:
-    """Module that builds a dataset."""
+    """Name of the module that builds a dataset."""
     return f"study.datasets.{DATASETS[dataset].module}"
 
 
-#: Modules of which a job runs those that it names: builders of datasets, and figures.
+#: Members of families, which a job runs only if it names them: builders of datasets, and figures.
 BUILDERS = frozenset(map(builder, DATASETS))
 DRAWINGS = frozenset(
     f"figures.{path.stem}"
@@ -52,7 +53,7 @@ MEMBERS = BUILDERS | DRAWINGS
 
 @cache
 def code_of(job: str, *members: str) -> str:
-    """Digest of the packages that a kind of job runs, and of the members of families that it names."""
+    """Digest of the packages that a kind of job runs and of the family members that it names."""
     whole = hashlib.sha256()
     for file in sorted({file for part in (*PACKAGES[job], *members) for file in files(part)}):
         whole.update(f"{file.relative_to(ROOT)}\0".encode() + file.read_bytes())
@@ -60,7 +61,7 @@ def code_of(job: str, *members: str) -> str:
 
 
 def files(part: str) -> Iterator[Path]:
-    """Files of a package, without the members of families in it, or of a module."""
+    """Files of a module, or of a package without the family members in it."""
     place = ROOT.joinpath(*part.split("."))
     if not place.is_dir():
         yield place.with_suffix(".py")

@@ -1,4 +1,4 @@
-"""What the workflow's jobs and the Makefile's commands share: a log, and errors without a traceback."""
+"""Logs and error messages without tracebacks for the workflow's jobs and the Makefile's commands."""
 
 from __future__ import annotations
 
@@ -16,19 +16,20 @@ from pathlib import Path
 from planar_pushing.terms.errors import PlanarPushingError
 
 PACKAGE = "planar_pushing"
-#: Lines of a log that are shown of a job that failed.
+#: Number of log lines to show for a failed job.
 TAIL = 12
 
 
 @contextmanager
 def job_log(path: str) -> Iterator[logging.Logger]:
-    """Log a job to `path`: an error with its traceback, one of ours as its message.
+    """Log a job to `path`: our own errors by their message, others with a traceback.
 
-    It is for a process of its own, which imports what it needs inside: a failing import is logged too.
-    A job that was started again while its first process still runs, as on a cluster, waits for it.
+    The job must run in a separate process and import its modules inside this context, so that failed
+    imports are also logged. If a job is started again while its first process is still running, which can
+    happen on a cluster, it waits for that process.
     """
     with open(path, "a", encoding="utf-8") as lock:  # noqa: PTH123 - held open
-        with suppress(OSError):  # a cluster's file system may know no locks
+        with suppress(OSError):  # a cluster's file system may not support locks
             fcntl.flock(lock, fcntl.LOCK_EX)
         yield from _logged(path)
 
@@ -56,17 +57,17 @@ def _logged(path: str) -> Iterator[logging.Logger]:
 
 
 def failure_text(rule: str, message: str, logs: Sequence[str]) -> str:
-    """What is said of a job that failed: its name, the last lines of its log, and what to do."""
+    """Message for a failed job: its name, the last lines of its logs, and the remedy."""
     lines = [f"FAILED: {rule}" + (f" ({message})" if message else "")]
     for log in logs:
         path = Path(log)
         said = path.read_text(encoding="utf-8").splitlines() if path.is_file() else ["no such file"]
-        lines += [f"  the end of {log}:", *(f"    {line}" for line in said[-TAIL:])]
-    return "\n".join([*lines, "  mend what it says, and run make again: it goes on from here"])
+        lines += [f"  end of {log}:", *(f"    {line}" for line in said[-TAIL:])]
+    return "\n".join([*lines, "  fix the error and run make again; it continues from here"])
 
 
 def run_command(main: Callable[[], int]) -> int:
-    """Run a command of the Makefile; 2 with one message where an input is wrong."""
+    """Run a command of the Makefile; print a message and return 2 if an input is invalid."""
     try:
         return main()
     except PlanarPushingError as error:

@@ -53,7 +53,7 @@ POINTS = [POINT, FEET, pp.Composite([(1, POINT)]), pp.Composite([(0.7, FEET), (0
 def test_a_single_point_is_no_support_of_a_scene(support, radius):
     slider = pp.Slider(rod_length=1.0, rod_angle=1.0, radius=radius)
     with pytest.raises(
-        pp.InvalidValue, match="allowed: a support that is larger than a point; a point"
+        pp.InvalidValue, match="allowed: a support with more than one point; a point"
     ):
         _ = pp.Scene(
             slider=slider, contact=pp.Coulomb(1.0), effects=(pp.SupportFriction(support=support),)

@@ -1,1 +1,1 @@
-"""Integrals over a support's pressure, in ball arithmetic."""
+"""Integrals over the pressure of a support, in ball arithmetic."""

@@ -1,4 +1,4 @@
-"""Rings and even discs: D, its slope, and its curvatures along and across the radius."""
+"""Rings and uniform discs: D, its slope, and its curvatures along and across the radius."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from flint import acb, arb, ctx, fmpq
 from planar_pushing.certified import ring as friction
 
 Radial = tuple[arb, arb, arb, arb]
-#: Distances, in radii, between which a disc is evaluated by K and E, and beyond which by series.
+#: Distances, in radii, between which a disc is evaluated by K and E; elsewhere it is evaluated by series.
 NEAR = fmpq(1, 2), fmpq(2)
 
 
@@ -31,7 +31,7 @@ def _rise(k: arb) -> arb:
 
 
 def disc(distance: arb, radius: fmpq) -> Radial:
-    """An even disc at a distance from its center."""
+    """A uniform disc at a distance from its center."""
     c = distance / radius
     if c.is_zero():
         return arb(radius) * 2 / 3, arb(0), 1 / arb(radius), 1 / arb(radius)
@@ -53,7 +53,7 @@ def _inside(c: arb) -> tuple[arb, arb, arb]:
 
 
 def _outside(c: arb) -> tuple[arb, arb, arb]:
-    """D, |G| and its slope, by power series in its inverse."""
+    """D, |G| and its slope, by power series in the inverse distance."""
     y, half = 1 / (c * c), fmpq(1, 2)
     slope, rise = _series(-half, half, 2, y), -_series(half, 3 * half, 3, y) / 8
     return c * _series(-half, -half, 2, y), slope, -2 * rise * y / c
@@ -66,8 +66,9 @@ def _series(a: fmpq, b: fmpq, c: int, z: arb) -> arb:
 def _at_rim(c: arb) -> tuple[arb, arb, arb]:
     """D, |G| and the mean of 1 / rho, by elliptic integrals.
 
-    On the rim K is infinite, but its factors vanish: the limits are exact. D and |G| increase with the
-    distance and the mean of 1 / rho falls, so that the ends of a ball across the rim enclose them.
+    On the rim K is infinite, but its factors vanish, and the limits are exact. D and |G| increase with
+    the distance and the mean of 1 / rho decreases, so that the ends of a ball across the rim enclose
+    them.
     """
     if not c.is_exact() and (c * c).contains(1):
         with ctx.workprec(3 * ctx.prec):  # separates the ends from the rim

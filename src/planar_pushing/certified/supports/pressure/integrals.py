@@ -1,7 +1,8 @@
-"""Moments of a support by their defining integrals, rigorously: `acb.integral`.
+"""Moments of a support by their defining integrals, rigorously, with `acb.integral`.
 
-It shares nothing with the closed forms. An even plate is integrated in polar coordinates about the center
-of rotation: along the radius its integrands are powers, and ``R^2 dtheta`` is ``r' x dr'`` on its border.
+This route shares nothing with the closed forms. A uniform plate is integrated in polar coordinates
+about the center of rotation: along the radius the integrands are powers, and ``R^2 dtheta`` is ``r' x
+dr'`` on its border.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ Vector = tuple[arb, arb]
 Means = tuple[arb, arb, arb]
 #: r' at a parameter of a curve.
 Curve = Callable[[acb], tuple[acb, acb]]
-#: Area swept about the center of rotation, twice, per parameter; 1 for means along the curve.
+#: Twice the area swept about the center of rotation, per parameter; 1 for means along the curve.
 Swept = Callable[[acb, acb], acb]
 
 
@@ -27,7 +28,7 @@ def printed(support: Pieces, c: Vector) -> Means:
     Raises
     ------
     Undecided
-        Where the center is on a line or a rim of the support.
+        If the center is on a line or a rim of the support.
     """
     total = [arb(0)] * 3
     for part in _parts(support, c):
@@ -109,7 +110,7 @@ def _scaled(found: Means, factors: tuple[arb, arb]) -> Means:
 
 
 def _integrals(curve: Curve, start: int, end: arb, swept: Swept) -> Means:
-    """Integrals of rho and of r' / rho times what is swept, from `start * end` to `end`."""
+    """Integrals of rho and of r' / rho times the swept area, from `start * end` to `end`."""
 
     def integrand(part: int) -> Callable[[acb, bool], acb]:
         def value(w: acb, analytic: bool) -> acb:

@@ -1,4 +1,4 @@
-"""Segments and edges of plates: integrals of rho along a line, and what follows from them."""
+"""Segments and edges of plates: integrals of rho along a line, and the moments derived from them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Part = tuple[arb, arb, arb, arb, arb, arb]
 
 
 class Seen(NamedTuple):
-    """A line seen from a center of rotation.
+    """A line relative to a center of rotation.
 
     Attributes
     ----------
@@ -46,13 +46,13 @@ class Seen(NamedTuple):
 
 
 def seen(line: Line, c: Vector) -> Seen:
-    """A line seen from a center of rotation, exact or a ball."""
+    """A line relative to a center of rotation, exact or a ball."""
     d_x, d_y = map(arb, line.along)
     length = (d_x * d_x + d_y * d_y).sqrt()
     ends = [(x - c[0], y - c[1]) for x, y in (line.start, line.end)]
     s_1, s_2 = ((x * d_x + y * d_y) / length for x, y in ends)
     rho_1, rho_2 = (norm(x, y) for x, y in ends)
-    # The product of exact places is exact, so that a center on the line is seen to be on it.
+    # The product of exact places is exact, so that a center on the line is recognized as such.
     h = (ends[0][0] * d_y - ends[0][1] * d_x) / length
     log = _log(length, (s_1, s_2), (rho_1, rho_2), h)
     return Seen(length, d_x / length, d_y / length, (s_1, s_2), h, (rho_1, rho_2), log)
@@ -65,7 +65,7 @@ def _log(length: arb, s: Vector, rho: Vector, h: arb) -> arb:
     sigma = rho[0] + rho[1]
     between = s[0] < 0 < s[1]
     parts = 1 / (rho[0] + abs(s[0])) + 1 / (rho[1] + abs(s[1]))
-    if 2 * length < sigma:  # far away, where the logarithm is that of nearly one
+    if 2 * length < sigma:  # far away, where the argument of the logarithm is close to one
         return 2 * h * (length / sigma).atanh()
     if not h * h > 0:
         return _next_to_line(abs(h).upper(), (sigma + length) / parts)
@@ -76,8 +76,8 @@ def _log(length: arb, s: Vector, rho: Vector, h: arb) -> arb:
 def _next_to_line(size: arb, scale: arb) -> arb:
     """Bounds of h L for |h| <= size.
 
-    As ``sigma - l`` is at least ``h^2`` times the parts above, |h L| is at most ``|h| log(scale / h^2)``,
-    which increases up to ``sqrt(scale) / e``.
+    As ``sigma - l`` is at least ``h^2`` times the `parts` in `_log`, |h L| is at most ``|h| log(scale /
+    h^2)``, which increases up to ``sqrt(scale) / e``.
     """
     bound = scale.upper()
     if not (bound.is_finite() and size * size * 8 < scale.lower()):
@@ -87,7 +87,7 @@ def _next_to_line(size: arb, scale: arb) -> arb:
 
 
 def segment(line: Line, c: Vector) -> Part:
-    """The piece of a segment; it has no second derivatives between its ends."""
+    """The contribution of a segment; it has no second derivatives between its ends."""
     at = seen(line, c)
     rate = line.share / at.length
     (s_1, s_2), (rho_1, rho_2), h = at.s, at.rho, at.h
@@ -105,14 +105,14 @@ def segment(line: Line, c: Vector) -> Part:
 
 
 def _inverse(at: Seen) -> arb:
-    """Integral of 1 / rho along a line, infinite where it holds the center."""
+    """Integral of 1 / rho along a line, infinite if the line contains the center."""
     if not at.h.is_zero():
         return at.log / at.h
     return arb.pos_inf() if at.s[0] < 0 < at.s[1] else abs((at.rho[1] / at.rho[0]).log())
 
 
 def _placed(at: Seen, local: tuple[arb, arb, arb]) -> tuple[arb, arb, arb]:
-    """Second derivatives from tangent and normal to x and y."""
+    """Second derivatives, from tangent and normal to x and y."""
     tt, tn, nn = local
     x, y = at.t_x, at.t_y
     return (
@@ -123,7 +123,7 @@ def _placed(at: Seen, local: tuple[arb, arb, arb]) -> tuple[arb, arb, arb]:
 
 
 def edge(line: Line, c: Vector) -> Part:
-    """The piece of an edge, whose share is the pressure on its left."""
+    """The contribution of an edge, where the share is that of the pressure on its left."""
     at, rate = seen(line, c), line.share
     n_x, n_y, whole, along = at.t_y, -at.t_x, at.whole, at.rho[1] - at.rho[0]
     bend_x, bend_y = at.log * n_x + along * at.t_x, at.log * n_y + along * at.t_y

@@ -1,4 +1,4 @@
-"""Whether a support is its own mirror image in the rod."""
+"""Whether a support is symmetric about the rod."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from planar_pushing.certified.supports.pressure.pieces import Pieces, Place
 
 
 def is_mirrored(support: Pieces) -> bool:
-    """Whether a support is its own mirror image in the x axis."""
+    """Whether a support equals its mirror image in the x axis."""
     return _loads(support) == _loads(support, flip=-1)
 
 
 def _loads(support: Pieces, flip: int = 1) -> dict[tuple[Any, ...], fmpq]:
     """Shares by the kinds and places of the pieces, with y times `flip`.
 
-    An edge counts in the direction in which it has the pressure on its left: a mirror turns it round.
+    An edge counts in the direction that has the pressure on its left; a reflection reverses it.
     """
 
     def at(place: Place) -> tuple[str, str]:

@@ -1,7 +1,7 @@
 """Mean distance, mean unit vector, torque and second derivatives of a support, enclosed.
 
-With r' = r - c from a center of rotation c and rho = |r'|: D is the mean of rho, G that of r' / rho, and
-the second derivatives of D by c those of ``(1 - r' r'^T / rho^2) / rho``.
+With r' = r - c from a center of rotation c, and rho = |r'|, D is the mean of rho, G is the mean of r' /
+rho, and the second derivatives of D by c are the mean of ``(1 - r' r'^T / rho^2) / rho``.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from planar_pushing.certified.supports.pressure.pieces import Circle, Pieces, Po
 Vector = tuple[arb, arb]
 #: D, G_x, G_y, and the second derivatives xx, xy, yy of one piece.
 Part = tuple[arb, arb, arb, arb, arb, arb]
-#: Evaluates D and G at an exact center of rotation; a process has the closed forms until `use`.
+#: Evaluates D and G at an exact center of rotation; a process uses the closed forms until `use`.
 Route = Callable[[Pieces, Vector], tuple[arb, arb, arb]]
 _route: Route | None = None
 
@@ -33,9 +33,9 @@ class Moments(NamedTuple):
     distance : arb
         D.
     x, y : arb
-        G. A point at the center counts as zero here and in the second derivatives.
+        G. A point at the center contributes zero here and to the second derivatives.
     xx, xy, yy : arb
-        Second derivatives of D by the center; infinite or NaN where D has none.
+        Second derivatives of D by the center; infinite or NaN where they do not exist.
     """
 
     distance: arb
@@ -46,7 +46,7 @@ class Moments(NamedTuple):
     yy: arb
 
     def torque(self, c: Vector, about: tuple[arb | fmpq, arb | fmpq]) -> arb:
-        """Torque about a place, of a slider that turns counter-clockwise: ``D + (c - place) . G``."""
+        """Torque about a place, for counter-clockwise rotation: ``D + (c - place) . G``."""
         return self.distance + (c[0] - about[0]) * self.x + (c[1] - about[1]) * self.y
 
 
@@ -56,7 +56,7 @@ def moments(support: Pieces, c: Vector) -> Moments:
     Raises
     ------
     Undecided
-        Where a ball leaves D or G open: next to a point of the support, or to a rim.
+        If a ball does not bound D or G: next to a point of the support, or to a rim.
     """
     total = [arb(0)] * 6
     for part in _parts(support, c):
@@ -70,7 +70,7 @@ def moments(support: Pieces, c: Vector) -> Moments:
 
 
 def _by(route: Route, support: Pieces, c: Vector, known: Moments) -> Moments:
-    """D and G by a route at the middle of a ball, and by the derivatives over it where it has them."""
+    """D and G by a route at the middle of a ball, and over the ball by their derivatives if they exist."""
     middle = c[0].mid(), c[1].mid()
     distance, x, y = route(support, middle)
     d_x, d_y = c[0] - middle[0], c[1] - middle[1]
@@ -84,7 +84,7 @@ def _by(route: Route, support: Pieces, c: Vector, known: Moments) -> Moments:
 
 
 def use(route: Route) -> None:
-    """Evaluate D and G at exact centers by this route from now on: call it before anything else."""
+    """Evaluate D and G at exact centers by this route from now on; call it first in a process."""
     global _route
     _route = lru_cache(maxsize=16)(
         route

@@ -1,7 +1,7 @@
 """A support as exact pieces: points, lines, rings, discs, and plates bounded by lines.
 
-The entries are those of a scene file as plain values. Doubles are taken as exact, so that shares, areas
-and the center of pressure are rational.
+The entries are plain values of a scene file. Doubles are taken as exact, so that shares, areas and the
+center of pressure are rational.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class Point:
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A directed line with a share: of a segment, or the pressure on its left of an edge of plates."""
+    """A directed line with a share: of a segment, or of the pressure on the left of an edge of plates."""
 
     start: Place
     end: Place
@@ -38,7 +38,7 @@ class Line:
 
     @property
     def along(self) -> Place:
-        """From the start to the end."""
+        """Vector from the start to the end."""
         return self.end[0] - self.start[0], self.end[1] - self.start[1]
 
 
@@ -53,7 +53,7 @@ class Circle:
 
 @dataclass(frozen=True)
 class Pieces:
-    """Pieces whose shares add to 1."""
+    """Pieces whose shares sum to 1."""
 
     points: tuple[Point, ...] = ()
     segments: tuple[Line, ...] = ()
@@ -62,7 +62,7 @@ class Pieces:
     edges: tuple[Line, ...] = ()
 
     def __hash__(self) -> int:
-        # The hash of every number takes longer than much of what is looked up by it.
+        # Hashing every number would take longer than many of the cached computations.
         members = self.points, self.segments, self.rings, self.discs, self.edges
         return hash(tuple(map(len, members)))
 
@@ -138,7 +138,7 @@ def _circle_square(circle: Circle, part: int) -> tuple[fmpq, fmpq, fmpq]:
 
 
 def pieces(entry: Entry) -> Pieces:
-    """Pieces of a support's entry in a scene file."""
+    """Pieces of a support from its entry in a scene file."""
     return SHAPES[entry["shape"]](entry)
 
 
@@ -205,19 +205,19 @@ def _pressure_map(entry: Entry) -> Pieces:
 
 
 def _out_of(frame: tuple[Place, Place], place: Place) -> Place:
-    """A place of a map in the body frame; its axis counts as exact, so it may stretch the map by an ulp."""
+    """A place of a map in the body frame; its axis counts as exact and can stretch the map by an ulp."""
     (x, y), (a, b) = frame
     return x + place[0] * a - place[1] * b, y + place[1] * a + place[0] * b
 
 
 def _step(steps: dict[tuple[Place, Place], fmpq], a: Place, b: Place, pressure: fmpq) -> None:
-    """Add the pressure on the left of an edge; that of its other cell counts against it."""
+    """Add the pressure on the left of an edge; the pressure of the cell on its right is subtracted."""
     ends, sign = ((a, b), 1) if a < b else ((b, a), -1)
     steps[ends] = steps.get(ends, fmpq(0)) + sign * pressure
 
 
 def _even(edges: Iterable[Line]) -> tuple[Line, ...]:
-    """Edges of plates that together carry 1."""
+    """Edges of plates that together carry a load of 1."""
     edges = list(edges)
     load = sum((_wedge(each)[0] for each in edges), fmpq(0))
     return tuple(Line(each.start, each.end, each.share / load) for each in edges)
@@ -231,7 +231,7 @@ def _composite(entry: Entry) -> Pieces:
 
 
 def together(members: Iterable[tuple[Pieces, fmpq]]) -> Pieces:
-    """Supports that carry shares of one load."""
+    """Combine supports that carry shares of one load."""
     parts = [_shared(each, share) for each, share in members]
     return Pieces(
         points=_merged([point for each in parts for point in each.points]),
@@ -243,7 +243,7 @@ def together(members: Iterable[tuple[Pieces, fmpq]]) -> Pieces:
 
 
 def _shared(whole: Pieces, share: fmpq) -> Pieces:
-    """Pieces that together carry a share."""
+    """Pieces that together carry a given share."""
     return Pieces(
         points=tuple(Point(each.place, each.share * share) for each in whole.points),
         segments=tuple(Line(each.start, each.end, each.share * share) for each in whole.segments),
@@ -254,14 +254,14 @@ def _shared(whole: Pieces, share: fmpq) -> Pieces:
 
 
 def _merged(points: Sequence[Point]) -> tuple[Point, ...]:
-    """Points of which those at one place are one."""
+    """Points, with those at the same place merged."""
     loads: dict[Place, fmpq] = {}
     for each in points:
         loads[each.place] = loads.get(each.place, fmpq(0)) + each.share
     return tuple(Point(place, load) for place, load in loads.items())
 
 
-#: What makes the pieces of each shape.
+#: Makes the pieces of each shape.
 SHAPES: dict[str, Callable[[Entry], Pieces]] = {
     "points": _points,
     "segment": _segment,

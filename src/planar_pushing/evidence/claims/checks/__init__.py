@@ -1,4 +1,4 @@
-"""The checks that share no code with the mechanics, by theme; importing the package registers them all."""
+"""The checks that share no code with the mechanics, by topic; importing the package registers them all."""
 
 from planar_pushing.evidence.claims.checks import any_support as any_support
 from planar_pushing.evidence.claims.checks import cones as cones

@@ -1,9 +1,10 @@
-"""Secs. 3, 3.1 and 3.2 for any slider: a statement on each of its points holds for their sum.
+"""Secs. 3, 3.1 and 3.2 for any slider: a statement about each of its points holds for their sum.
 
-In a motion whose contact has the velocity u, and the rotation k, a point at r from the contact slides at
-v = u + k J r (J turns by +90 degrees). Friction takes the force v / |v| per unit weight there, and inertia
-m v at the mass center: each force is a positive multiple of its v. The forces add up to that of the pusher,
-and their torques about the contact, with m rho^2 k of inertia, to zero.
+In a motion with the contact velocity u and the rotation k, a point at r from the contact slides at v =
+u + k J r, where J rotates by +90 degrees. Friction at this point requires the force v / |v| per unit
+weight, and inertia the force m v at the mass center; each force is a positive multiple of its v. The
+forces sum to the force of the pusher. Their torques about the contact, together with m rho^2 k of
+inertia, sum to zero.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from planar_pushing.evidence.claims.verdicts import Evidence, facts, identity, t
 
 Vector = tuple[ids.Polynomial, ids.Polynomial]
 
-#: Velocity of the contact, a point of the slider, and how the point slides.
+#: Velocity of the contact, position of a point of the slider, and velocity of this point.
 CONTACT = (ids.a, ids.b)
 POINT = (ids.l * ids.p, ids.l * ids.q)
 SLIDE = (ids.a - ids.k * POINT[1], ids.b + ids.k * POINT[0])
@@ -25,10 +26,13 @@ SLIDE = (ids.a - ids.k * POINT[1], ids.b + ids.k * POINT[0])
 def power_of_any_support() -> Evidence:
     """The power f . v_s is the sum of p |v|.
 
-    A point at r from the contact, which moves with u while the slider rotates at k, slides at v = u + k
-    J r. Then v . v = u . v + k (r x v), an identity. The support's friction is p v / |v| at each point,
-    and these forces add up to f without torque about the contact: summed, f . u is the sum of p |v|,
-    which is positive. So the motion stays within 90 degrees of the force.
+    Let the contact move at u while the slider rotates at k. A point of the support at r from the
+    contact slides at v = u + k J r, where J rotates by 90 degrees, and v . v = u . v + k (r x v), an
+    identity. The friction of a point with the load p is p v / |v|, or any force of magnitude up to p if
+    v = 0. These forces sum to f, and their torques about the contact sum to zero. Summing the powers
+    over the support gives f . u as the sum of p |v|, which is positive unless a single point carries
+    the whole load and is the center of rotation. The motion therefore lies within 90 degrees of the
+    force.
     """
     rest = ids.dot(SLIDE, SLIDE) - ids.dot(SLIDE, CONTACT) - ids.k * ids.cross(POINT, SLIDE)
     return identity({"the power of a point": rest})
@@ -36,13 +40,16 @@ def power_of_any_support() -> Evidence:
 
 @proof
 def motion_never_turns_back() -> Evidence:
-    """The motions of two forces on the limit curve turn as the forces do, or not at all.
+    """As the force rotates, the motion rotates in the same sense or not at all.
 
-    Take two forces on the limit curve with their motions, and at each point of the support the
-    directions e_1, e_2 and speeds s_1, s_2 of the two slides. (e_1 - e_2) . (s_1 e_1 - s_2 e_2) = (s_1
-    + s_2) (1 - e_1 . e_2) is not negative, an identity. Summed over the support, with no torque about
-    the contact, the product of the differences of force and motion is not negative: the motion turns as
-    the force does, or not at all.
+    Consider two forces f_1, f_2 on the limit curve with their motions u_1, u_2, and at each point of
+    the support the directions e_1, e_2 and the speeds s_1, s_2 of its two slides. Then (e_1 - e_2) .
+    (s_1 e_1 - s_2 e_2) = (s_1 + s_2) (1 - e_1 . e_2), an identity, is not negative. Summed over the
+    support, where the torque about the contact vanishes, this gives (f_1 - f_2) . (u_1 - u_2) >= 0.
+    Friction does not depend on the speed, so that each motion can be scaled separately; hence (f_1 -
+    f_2) . u_1 >= 0 and (f_2 - f_1) . u_2 >= 0. The limit curve is therefore convex, with the motion as
+    its outward normal. It encloses the origin, since f . u > 0, and as the force rotates, the outward
+    normal rotates in the same sense or not at all.
     """
     # e_1, e_2 are (x, y) and (p, q); s_1, s_2 are e and t.
     forces = (ids.x - ids.p, ids.y - ids.q)
@@ -53,25 +60,25 @@ def motion_never_turns_back() -> Evidence:
 
 @proof
 def opposite_edges() -> Evidence:
-    """The motions of the forces at 0 and at 180 degrees are opposite.
+    """The motions under the forces at 0 and at 180 degrees are opposite.
 
-    The slide v = u + k J r of each point changes its sign with the motion, an identity, and the
-    friction with it. So the limit curve is symmetric about the origin, and the motions of the forces at
-    0 and at 180 degrees are opposite.
+    If a motion is reversed, the slide v = u + k J r of each point changes its sign, an identity, and
+    the friction changes its sign as well. The limit curve is therefore symmetric about the origin, and
+    the motions under the force at 180 degrees are opposite to those under the force at 0 degrees.
     """
     back = {"a": -ids.a, "b": -ids.b, "k": -ids.k}
     return identity(
-        {f"part {i}": each + ids.replaced(each, **back) for i, each in enumerate(SLIDE)}
+        {f"component {i}": each + ids.replaced(each, **back) for i, each in enumerate(SLIDE)}
     )
 
 
 @proof
 def symmetric_about_rod() -> Evidence:
-    """The limit curve of a mirrored support is symmetric about the rod.
+    """The limit curve of a mirror-symmetric support is symmetric about the rod.
 
-    In the mirror image about the rod each point slides in the mirror image of its direction, an
-    identity. A support that is its own image has therefore the same force at equal angles on the two
-    sides of the rod.
+    If a motion is reflected in the line of the rod, the mirror image of each point slides in the
+    reflected direction, an identity. For a support that equals its own mirror image, the forces at
+    equal angles on the two sides of the rod therefore have the same magnitude.
     """
     image = {"a": -ids.a, "k": -ids.k, "p": -ids.p}
     along, across = (ids.replaced(each, **image) for each in SLIDE)
@@ -80,12 +87,13 @@ def symmetric_about_rod() -> Evidence:
 
 @proof
 def largest_through_center_of_pressure() -> Evidence:
-    """The force is at most W, and W along the line through the center of pressure alone.
+    """The force is at most W, and equals W only along the line through the center of pressure.
 
-    |p e_1 + q e_2|^2 = (p + q)^2 - 2 p q (1 - e_1 . e_2) for two loads p, q that slide along e_1, e_2,
-    an identity. So the force is at most W, and equal to it only where all points slide in one direction
-    e. It then acts along e through the center of pressure, and, since it also acts at the contact,
-    along the line through both. A translation along this line has that force.
+    For two loads p, q that slide along e_1, e_2, |p e_1 + q e_2|^2 = (p + q)^2 - 2 p q (1 - e_1 . e_2),
+    an identity. The force is therefore at most W, with equality only if the friction of all points has
+    one direction e. In this case the resultant acts along e through the center of pressure; since it
+    also acts at the contact, it acts along the line through both points. Conversely, a translation
+    along this line requires the force W.
     """
     # e_1, e_2 are (x, y) and (p, q); the loads are e and t.
     force = ids.e * ids.x + ids.t * ids.p, ids.e * ids.y + ids.t * ids.q
@@ -95,13 +103,16 @@ def largest_through_center_of_pressure() -> Evidence:
 
 @proof
 def normal_push_sticks() -> Evidence:
-    """Slip by `a` under the force (-1, 0) or (1, 0) against it works -|a|: no slider allows it.
+    """Slip by `a` against the force (-1, 0) or (1, 0) has the power -|a|: no slider allows it.
 
-    The power f . u is positive in every motion, under friction on any support but a single point, under
-    inertia, and under both: v . v = u . v + k (r x v) at each point of the support and at the mass
-    center, an identity. Let the pusher move along the normal. In a slip the force is along the fence
-    and against the slip, and f . u = -|f| |slip| < 0, which is impossible. The motion that sticks is
-    the pusher's, along the normal, so that its force has a positive normal part, which infinite
+    The power f . u is positive in every motion, with friction on any support beyond a single point,
+    with inertia, or with both: v . v = u . v + k (r x v) at each point of the support and at the mass
+    center, an identity, so that f . u is the sum of p |v| over the support, m |v|^2 of the mass center,
+    and m rho^2 k^2. Let the pusher move along the normal. The contact cannot separate, since the pusher
+    approaches. In a slip, the force is along the fence and opposes the slip u_x of the contact; then f
+    . u = -|f| |u_x| < 0, which is impossible. If the contact sticks, u is the motion of the pusher. The
+    rotation for which the convex potential of the effects is minimal at this u leaves no torque about
+    the contact, and the positive power implies a positive normal component of the force, which infinite
     friction transmits.
     """
     work = {
@@ -115,8 +126,8 @@ def normal_push_sticks() -> Evidence:
 def _one_motion() -> Evidence:
     """Evidence that two motions (u_x, +-u_y, k) under one force slide every point along the normal.
 
-    Under one force the two slides of a point are parallel; their cross product is 2 u_y times the part
-    along the fence.
+    Under one force the two slides of a point are parallel; their cross product is 2 u_y times the
+    component along the fence.
     """
     other = ids.replaced(SLIDE[0], b=-ids.b), ids.replaced(SLIDE[1], b=-ids.b)
     return identity({"the slides": ids.cross(other, SLIDE) - 2 * ids.b * SLIDE[0]})
@@ -124,13 +135,17 @@ def _one_motion() -> Evidence:
 
 @proof
 def aligned_where_symmetric() -> Evidence:
-    """The rod along the normal and a mirrored support: n . v_s = 0 under a force along the fence.
+    """The rod along the normal and a mirror-symmetric support: n . v_s = 0 under a force along the fence.
 
-    Mirror image and reversal give one force along the fence from two motions, (u_x, u_y, k) and (u_x,
-    -u_y, k), both by identities at each point. By convexity each point has one friction in both, so
-    that its two slides are parallel; their cross product is 2 u_y times the slide along the fence, an
-    identity. Either u_y = 0, or all friction is along the normal, and the force is not along the fence.
-    So both edges of the cone of infinite friction are along the fence.
+    Let the rod lie along the normal and the support be symmetric about it. If the motion (u_x, u_y, k)
+    requires a force along the fence, its mirror image, reversed, is (u_x, -u_y, k) and requires the
+    same force, by identities at each point. Since the difference of the two forces vanishes, so does
+    each term of the sum over the support, (s_1 + s_2) (1 - e_1 . e_2), and each point has the same
+    friction in both motions. Its two slides are thus parallel; their cross product is 2 u_y times the
+    slide along the fence, an identity. Either u_y = 0, or every slide is along the normal. In the
+    second case no point is at rest in both motions, so that all friction is along the normal, and the
+    force is not along the fence. Therefore u_y = 0, and both edges of the cone of infinite friction are
+    along the fence.
     """
     return together(symmetric_about_rod(), opposite_edges(), _one_motion())
 
@@ -138,8 +153,8 @@ def aligned_where_symmetric() -> Evidence:
 def _no_other_edge() -> Evidence:
     """Evidence that a force on the left edge does no positive work on a motion to the right and away.
 
-    The force is f (-t, 1), t the coefficient of friction, or (-f, 0); the motion is (a, -b), all
-    positive.
+    The force is f (-t, 1), where t is the coefficient of friction, or (-f, 0); the motion is (a, -b),
+    with all variables positive.
     """
     motion = (ids.a, -ids.b)
     edges = {"Coulomb": (-ids.t * ids.f, ids.f), "infinite friction": (-ids.f, 0 * ids.f)}
@@ -153,31 +168,34 @@ def _no_other_edge() -> Evidence:
 
 @proof
 def pull_has_a_slip() -> Evidence:
-    """Where a retreating fence sticks, a slip is consistent too.
+    """If a retreating fence sticks, a slip is consistent too.
 
-    Let w, w_y < 0, stick under a force inside of the friction cone; f . w > 0 then requires f_x w_x >
-    0, say w_x > 0. Move the contact's motion u from w to (0, w_y). Its force changes continuously, or
-    through connected sets where a point of the support is the center of rotation, and f . u > 0
-    throughout, so that f_y < 0 at the end: the force leaves the cone at some u_x in (0, w_x]. It leaves
-    through the right edge, since on the left one every term of f . u is negative. This motion has the
-    pusher's normal part and lags behind it under the force of the right edge: a slip to the left, or
-    the stick itself where the stick also admits that force. The power is positive by v . v = u . v + k
-    (r x v) at each point of the support and at the mass center.
+    Let the contact stick to a fence that moves at w, with w_y < 0, and let each force of this motion be
+    inside the friction cone. For such a force f . w > 0, f_y >= 0 and w_y < 0, so that f_x w_x > 0; let
+    w_x > 0 without loss of generality. Vary the motion u of the contact from w to (0, w_y). Its force
+    changes continuously, or through connected sets if a point of the support is the center of rotation,
+    and f . u > 0 throughout. At the end this requires f_y < 0; hence the force leaves the cone at some
+    u_x in (0, w_x). It leaves through the right edge, since on the left edge no term of f . u is
+    positive. The motion at this u_x has the normal component of w and lags behind the fence under the
+    force of the right edge: it is a slip to the left. The power is positive because
+    v . v = u . v + k (r x v) at each point of the support and at the mass center, an identity.
     """
     return together(power_of_any_support(), _no_other_edge())
 
 
 @proof
 def pulls_where_it_slips() -> Evidence:
-    """Under definition 1 a slider can be pulled exactly if it can slip in a push.
+    """Under definition 1 a slider can be pulled if and only if it can slip in a push.
 
-    A slip in a push has a force along the fence, and u_y > 0. The reversed motion has the reversed
-    force, by identities at each point: it is along the fence, so that it belongs to the closed cone,
-    and the motion is a pull that sticks. Conversely, let a pull stick. If its force has f_y > 0, the
-    path of motions from w to (0, w_y) crosses a force along the fence, as in the entry pull-has-a-slip;
-    otherwise its own force is along the fence. Either way a force along the fence moves the contact
-    with u_y < 0. The reversed motion has u_y > 0, and is a slip in a push by a pusher with this normal
-    part that is ahead of it. Under definition 2 no force is along the fence, and nothing slips.
+    In a slip during a push the force is along the fence, and u_y > 0. The reversed motion requires the
+    reversed force, by identities at each point. This force is along the fence as well and belongs to
+    the closed cone, so that the reversed motion is a pull that sticks. Conversely, let the contact
+    stick in a pull at w. If its force has f_y > 0, some motion between w and (0, w_y) requires a force
+    along the fence, as in the entry pull-has-a-slip; otherwise the force of the pull is itself along
+    the fence. In both cases a force along the fence moves the contact with u_y < 0. The reversed motion
+    has u_y > 0. It is the slip of a push with the same normal component whose pusher moves faster along
+    the fence than the contact, in the direction of the force. Under definition 2 no force is along the
+    fence, and nothing slips.
     """
     laws = {
         "definition 1 slips": INFINITE_FREE.slips,
@@ -187,20 +205,20 @@ def pulls_where_it_slips() -> Evidence:
 
 
 def _slide(place: Vector, center: Vector) -> Vector:
-    """Velocity of a place while the slider rotates at k about a center."""
+    """Velocity of a point while the slider rotates at k about a center."""
     return -ids.k * (place[1] - center[1]), ids.k * (place[0] - center[0])
 
 
 @proof
 def corner_of_a_line() -> Evidence:
-    """Slides about a center on the line beyond its ends; here a is d, b is c, and y is the point's.
+    """Slides about a center on the line beyond its ends; here a is d, b is c, and y is that of the point.
 
-    The contact is the origin and the line runs from (d, -b) to (d, b). About a center (d, c) with |c| >
-    b each point (d, y) of the line slides along the fence, at k (c - y), which has one sign for all of
-    them: the force is W along the fence, through the middle of the line, at the level of the contact.
-    The contact moves along (c, -d) or (-c, d). So one force allows all directions within atan(d / b) of
-    the fence, and the cone of infinite friction, whose edges are such forces, spans 180 degrees and
-    twice this angle.
+    Let the contact be the origin, and let the line of pressure run from (d, -b) to (d, b). During a
+    rotation about a center (d, c) with |c| > b, each point (d, y) of the line slides along the fence at
+    k (c - y), which has the same sign for all of them. The force is therefore W along the fence and
+    passes through the middle of the line, at the level of the contact. The contact moves along (c, -d)
+    or (-c, d). Thus one force allows all directions within atan(d / b) of the fence, and the cone of
+    infinite friction, whose edges are such forces, spans 180 degrees plus twice this angle.
     """
     center = (ids.a, ids.b)
     slide, contact = _slide((ids.a, ids.y), center), _slide((0 * ids.a, 0 * ids.a), center)
@@ -217,12 +235,18 @@ def corner_of_a_line() -> Evidence:
 def center_within_bound() -> Evidence:
     """A center at c > a has c d <= a^2, so that d <= a gives c <= a^2 / d, and d > a gives c <= a.
 
-    Let the center of rotation be at c > a from the center of pressure, in the direction of x, and a
-    point of the support at r <= a from the center of pressure and rho from that of rotation. The bound
-    c d <= a^2 says that the mean of (a^2 (c - x) - c (r^2 - c x)) / rho is not negative. With e = a^2 -
-    r^2 and s^2 = a^2 + c^2 each term less (c^2 - a^2) x / s is a positive multiple of c e s (s + rho) +
-    (c^2 - a^2) x (2 c x + e), by identities; this is not negative, as |x| <= a and c s^2 > (c^2 - a^2)
-    a, a polynomial in a and c - a without negative terms. The mean of x is zero.
+    For c <= a both statements hold, since a <= a^2 / d if d <= a. Let the center of rotation lie at c >
+    a from the center of pressure, in the direction of x, and a point of the support at r <= a from the
+    center of pressure and rho from the center of rotation. Per unit weight, the torque T about the
+    center of pressure is the mean of (r^2 - c x) / rho, and the force is at least its component across
+    x, the mean of (c - x) / rho. For a unit rotation T is the mean of v . (v - w) / |v|, where w, the
+    velocity of the center of pressure, is the mean of v. The mean of |v| is at least |w|; hence T >= 0.
+    Since d is the ratio of torque and force, the bound c d <= a^2 follows if the mean of (a^2 (c - x) -
+    c (r^2 - c x)) / rho is not negative. With e = a^2 - r^2 and s^2 = a^2 + c^2, each term less (c^2 -
+    a^2) x / s is a positive multiple of c e s (s + rho) + (c^2 - a^2) x (2 c x + e), by identities.
+    This is not negative, because |x| <= a and c s^2 > (c^2 - a^2) a; the difference of the last two is
+    a polynomial in a and c - a without negative terms. The mean of x is zero, which proves the bound.
+    It gives c <= a^2 / d for d <= a and excludes c > a for d > a.
     """
     c, a, x, e, s, rho = ids.c, ids.a, ids.x, ids.e, ids.t, ids.k  # f: c - a
     excess = c**2 - a**2

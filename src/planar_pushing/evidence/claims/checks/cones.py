@@ -26,12 +26,12 @@ from planar_pushing.evidence.claims.verdicts import (
 
 @proof
 def nonnegative_work(above: float) -> Evidence:
-    """The work f . v_s >= 0, and |theta_s - phi| < 90 degrees.
+    """The power f . v_s >= 0, and |theta_s - phi| < 90 degrees.
 
-    For a unit force and a unit speed of the center f . v_s = 1 + k h, an identity, and k and h have one
-    sign: on boxes that cover [0, 1] the value 1 + k h has the lower bound 1, and duality extends this
-    to k > 1. The cosine of the angle between force and velocity is therefore positive, for every l and
-    psi.
+    For a unit force and a unit speed of the center f . v_s = 1 + k h, an identity, and k and h have the
+    same sign: on boxes that cover [0, 1] the value 1 + k h has the lower bound 1, and duality extends
+    this to k > 1. The cosine of the angle between force and velocity is therefore positive, for every l
+    and psi.
     """
     floor = positive(lambda a, b: lemmas.least_work(a, b) - rational(above))
     return together(floor, lemmas.work(), lemmas.positive_work())
@@ -39,11 +39,12 @@ def nonnegative_work(above: float) -> Evidence:
 
 @proof
 def motion_turns_with_force(above: float) -> Evidence:
-    """theta_s rises with phi.
+    """theta_s increases with phi.
 
-    |v_s|^2 d theta_s / d phi = 1 + k h + l^2 cos^2(psi - phi) / H', an identity. On boxes that cover
-    [0, 1] 1 + k h is at least 1 and the slope H' of the moment arm is positive; duality extends both to
-    k > 1. So theta_s rises with phi, for every l and psi.
+    For a unit speed of the center |v_s|^2 d theta_s / d phi = 1 + k h + l^2 cos^2(psi - phi) / H', an
+    identity. On boxes that cover [0, 1], 1 + k h is at least 1 and the derivative H' of the moment arm
+    is positive; duality extends both to k > 1. Therefore theta_s increases with phi, for every l and
+    psi.
     """
     floor = positive(lambda a, b: lemmas.least_work(a, b) - rational(above))
     return together(floor, lemmas.rising_arm(), lemmas.turning())
@@ -51,23 +52,23 @@ def motion_turns_with_force(above: float) -> Evidence:
 
 @proof
 def acceleration_turns_with_force() -> Evidence:
-    """The angle of a_s rises with phi, and f . a_s > 0.
+    """The angle of a_s increases with phi, and f . a_s > 0.
 
-    Under inertia alone k = h R / rho^2, by Eq. (10). With it |a_s|^2 d theta / d phi = 1 + (l / rho)^2
-    and f . a_s = 1 + (h / rho)^2 for a unit force on a unit mass, both identities and both at least 1,
-    for every l, psi and rho.
+    Under inertia alone the spin ratio is k = h R / rho^2, by Eq. (10). For a unit force on a unit mass,
+    |a_s|^2 d theta / d phi = 1 + (l / rho)^2 and f . a_s = 1 + (h / rho)^2. Both are identities, and
+    both values are at least 1, for every l, psi and rho.
     """
     return lemmas.inertial_turning()
 
 
 @proof
 def left_force_pushes() -> Evidence:
-    """The normal velocity is positive where the line of force passes on the left; here b is -k.
+    """The normal velocity is positive if the line of force passes the center on the left; here b is -k.
 
-    A force into the slider that passes the center on the left has h < 0, and so k < 0: t / k is at
-    least 1/2 on boxes of [0, 1], and t rises beyond. The normal velocity of the contact is sin(phi) - k
-    l cos(psi), the sum of a term that is not negative and one that is positive, for every l > 0 and psi
-    < 90 degrees.
+    A force into the slider that passes the center on the left has h < 0, and hence k < 0, a clockwise
+    rotation: t / k is at least 1/2 on boxes that cover [0, 1], and t increases beyond. The normal
+    velocity of the contact is sin(phi) - k l cos(psi) per unit speed of the center. Its first term is
+    not negative and its second is positive, for every l > 0 and psi < 90 degrees.
     """
     normal = ids.replaced(ids.MOTION[1], k=-ids.b)
     found = {"no negative term": all(term > 0 for term in normal.coeffs())}
@@ -75,23 +76,25 @@ def left_force_pushes() -> Evidence:
 
 
 def _lag() -> Evidence:
-    """Identity: for motions u and w with one normal part b, u x w = b (u_x - w_x)."""
+    """Identity: for motions u and w with the same normal component b, u x w = b (u_x - w_x)."""
     crossed = ids.cross((ids.a, ids.b), (ids.t, ids.b)) - ids.b * (ids.a - ids.t)
     return identity({"u x w": crossed})
 
 
 @proof
 def sticks_inside_slips_outside() -> Evidence:
-    """Sec. 3.2: an approaching pusher sticks inside of the cone and slips outside of it.
+    """Sec. 3.2: an approaching pusher sticks inside the cone and slips outside it.
 
-    With one effect the direction of motion rises with the force angle and stays within 90 degrees of
-    it, so that the friction cone maps one to one to the motion cone. Let the pusher approach, w_y > 0:
-    separation is impossible. If w is in the cone, one force sticks. If u, on the left edge, has the
-    normal part of w, then u x w = w_y (u_x - w_x), an identity: under this force the contact slips to
-    the right, as the law requires, exactly if w is beyond the left edge; likewise on the right. So the
-    contact sticks inside of the cone, slips beyond an edge under the force of that edge, and no other
-    mode is consistent, for every l and psi, every coefficient of friction, and infinite friction by
-    definition 1.
+    With one effect the direction of the motion increases with the force angle and stays within 90
+    degrees of it, so that the friction cone maps one-to-one onto the motion cone. Let the pusher
+    approach with the motion w, w_y > 0; the contact then cannot separate. It sticks if and only if w is
+    in the motion cone, under one force. A slip to the right requires the force of the left edge and the
+    motion u on the left edge of the motion cone, scaled to the normal component of w, with u_x > w_x.
+    Since u x w = w_y (u_x - w_x), an identity, this holds if and only if w lies beyond the left edge; a
+    left edge without a positive normal component is at 180 degrees or more, and no w lies beyond it.
+    The same argument applies to the right edge. Therefore the contact sticks inside the cone, slips
+    outside it under the force of the nearer edge, and no other mode is consistent, for every l and psi,
+    every coefficient of friction, and infinite friction by definition 1.
     """
     return together(
         lemmas.positive_work(),
@@ -104,14 +107,14 @@ def sticks_inside_slips_outside() -> Evidence:
 
 @proof
 def infinite_cone_spans() -> Evidence:
-    """Turning the force by 180 degrees turns the motion by 180 degrees.
+    """A rotation of the force by 180 degrees rotates the motion by 180 degrees.
 
-    The moment arm and the motion of the contact change their signs with the force, and k with them, by
-    identities for every l and psi. So the forces along the fence, at 0 and at 180 degrees, have
-    opposite motions.
+    If the force is reversed, its moment arm and with it k change their signs, and so does the motion of
+    the contact, by identities for every l and psi. The forces along the fence, at 0 and at 180 degrees,
+    therefore have opposite motions.
     """
     sums = {
-        f"part {i} of the motion": part + ids.replaced(part, x=-ids.x, y=-ids.y, k=-ids.k)
+        f"component {i} of the motion": part + ids.replaced(part, x=-ids.x, y=-ids.y, k=-ids.k)
         for i, part in enumerate(ids.MOTION)
     }
     sums["the arm"] = ids.ARM + ids.replaced(ids.ARM, x=-ids.x, y=-ids.y)
@@ -122,11 +125,11 @@ def infinite_cone_spans() -> Evidence:
 def every_rod_pulls_and_slips() -> Evidence:
     """Normal motions under the forces at 0 and at 180 degrees.
 
-    Under a force along the fence h = l sin(psi) at 0 degrees and -l sin(psi) at 180 degrees, and n .
-    v_s = -k l cos(psi), both identities. Since t / k is at least 1/2 on boxes of [0, 1] and t rises
-    beyond, k has the sign of h: for 0 < psi < 90 degrees and l > 0 the right edge of the velocity cone
-    is below the fence, where the pusher retreats, and the left edge is above it, where the pusher
-    approaches.
+    Under a force along the fence the moment arm h is l sin(psi) at 0 degrees and -l sin(psi) at 180
+    degrees, and n . v_s = -k l cos(psi) per unit speed of the center, both identities. Since t / k is
+    at least 1/2 on boxes that cover [0, 1] and t increases beyond, k has the sign of h. Therefore, for
+    0 < psi < 90 degrees and l > 0, the right edge of the velocity cone lies below the fence, where the
+    pusher retreats, and the left edge above it, where the pusher approaches.
     """
     found = {}
     for way in (1, -1):
@@ -142,21 +145,21 @@ def every_rod_pulls_and_slips() -> Evidence:
 def aligned_without_rod() -> Evidence:
     """With l = 0 the motion is along the force.
 
-    With l = 0 the contact is the ring's center, which moves along the force. Motion and force have one
-    direction, an identity, and the two cones are the same.
+    With l = 0 the contact is the ring's center, which moves along the force. Motion and force have the
+    same direction, an identity, and the two cones are equal.
     """
     motion = tuple(ids.replaced(each, l=0 * ids.ONE) for each in ids.MOTION)
     return identity({"v_s x f": ids.cross((motion[0], motion[1]), (ids.x, ids.y))})
 
 
 def _edges(effects: Effects, rod_length: float, mu: float, side: int) -> list[arb]:
-    """Angles of the motions at an edge under each effect alone; those under both lie between."""
+    """Angles of the motions at an edge under each effect alone; those under both lie between them."""
     slider, force = Slider.of(rod_length), edge(mu, side)
     return [motion_angle(slider, force, share) for share in effects.shares]
 
 
 def _beyond_left_edge(rod_length: float, pusher_angle: float, effects: str) -> Evidence:
-    """Evidence that a pusher angle is beyond every sticking motion, and the left edge approaches."""
+    """Evidence that a pusher angle is beyond every sticking motion, and that the left edge approaches."""
     lefts = _edges(Effects(effects), rod_length, math.inf, -1)
     rights = _edges(Effects(effects), rod_length, math.inf, 1)
     pusher = rational(pusher_angle)
@@ -171,23 +174,25 @@ def _beyond_left_edge(rod_length: float, pusher_angle: float, effects: str) -> E
 def slips_beyond_edge(rod_length: float, pusher_angle: float, effects: str) -> Evidence:
     """From this pusher angle to below 180 degrees slip to the right is the only mode, definition 1.
 
-    The pusher's direction is beyond the left edge of the cone of each effect, which a change of sign
-    encloses; a motion under both effects lies between the two pure ones at any magnitude. So no force
-    into the slider sticks, and the contact cannot break since the pusher approaches. Under the force at
-    180 degrees, the left edge, the normal motion takes every positive value as the force grows; the
-    motion with the pusher's normal part lags behind the pusher, and the slip to the right is
-    consistent. The right edge is below the pusher's direction too, so that a slip to the left is not.
+    The direction of the pusher lies beyond the left edge of the cone of each effect, enclosed by a
+    change of sign; under both effects every motion lies between the two pure ones, at any magnitude.
+    Therefore no force into the slider sticks, and the contact cannot separate, since the pusher
+    approaches. Under the force at 180 degrees, on the left edge, the normal motion takes every positive
+    value as the force grows. The motion with the normal component of the pusher lags behind the pusher,
+    so that slip to the right is consistent. Its direction is also to the left of the right edge, so
+    that slip to the left is not consistent.
     """
     return _beyond_left_edge(rod_length, pusher_angle, effects)
 
 
 @proof
 def no_solution_beyond_edge(rod_length: float, pusher_angle: float, effects: str) -> Evidence:
-    """From this pusher angle to below 180 degrees nothing is consistent under definition 2.
+    """From this pusher angle to below 180 degrees no mode is consistent, definition 2.
 
-    The pusher's direction is beyond the left edge of the cone of each effect, which a change of sign
-    encloses, so that no force into the slider sticks, at any magnitude. The contact cannot break since
-    the pusher approaches, and there is no force along the fence under which it could slip.
+    The direction of the pusher lies beyond the left edge of the cone of each effect, enclosed by a
+    change of sign, so that no force into the slider sticks, at any magnitude. The contact cannot
+    separate, since the pusher approaches, and no transmitted force is along the fence, as slip would
+    require.
     """
     return _beyond_left_edge(rod_length, pusher_angle, effects)
 
@@ -196,12 +201,13 @@ def no_solution_beyond_edge(rod_length: float, pusher_angle: float, effects: str
 def both_effects_lie_between() -> Evidence:
     """The exact cone of the ring with both effects is the hull of the two pure cones.
 
-    At one force angle the balance of torque of both effects is a positive combination of t - h f and
-    (rho / R)^2 k - h, which rise through zero at the spin ratios of friction and of inertia: its root
-    lies between them, and takes every value between as the magnitude grows from zero. The cross product
-    of u and du/dk is -l cos(psi - phi), an identity, whatever k: the direction of motion is monotone in
-    k. So at each force angle it lies between the two pure ones, which rise with the force angle, and
-    the edges of the pure cones bound it.
+    At a given force angle the balance of torque of both effects is a positive combination of t - h f
+    and (rho / R)^2 k - h, which change their signs from negative to positive at the spin ratios of
+    friction and of inertia. Its root lies between these two and takes every value between them as the
+    magnitude of the acceleration grows from zero. The cross product of u and du/dk is -l cos(psi -
+    phi), an identity, for any k; the direction of the motion is therefore monotone in k. Hence at each
+    force angle it lies between the two pure motions. Both of these rotate with the force, so that the
+    edges of the pure cones bound the cone of both effects.
     """
     rate = ids.l * ids.q, -ids.l * ids.p  # of the motion with k
     turning = ids.cross(ids.MOTION, rate) + ids.l * ids.LEAN
@@ -215,12 +221,12 @@ def both_effects_lie_between() -> Evidence:
 
 @proof
 def slow_pulls_fast_does_not(rod_length: float, above: float, below: float) -> Evidence:
-    """Between two coefficients the velocity cone reaches below the fence, the acceleration cone not.
+    """Between two coefficients the velocity cone extends below the fence, the acceleration cone does not.
 
-    The right edge of a motion cone falls as the coefficient rises, since the direction of motion rises
-    with the force angle. At the smallest coefficient the velocity cone already reaches below the fence,
-    and at the largest the acceleration cone does not yet, by enclosures of both edges: the ends decide
-    for every coefficient between.
+    The right edge of a motion cone decreases as the coefficient of friction increases, because the
+    direction of motion increases with the force angle. At the smallest coefficient the velocity cone
+    already extends below the fence, and at the largest the acceleration cone does not, by enclosures of
+    both edges. The two ends therefore decide for every coefficient between them.
     """
     (velocity,) = _edges(Effects.FRICTION, rod_length, above, 1)
     (acceleration,) = _edges(Effects.INERTIA, rod_length, below, 1)
@@ -233,9 +239,9 @@ def slow_pulls_fast_does_not(rod_length: float, above: float, below: float) -> E
 def open_cone_inside_closed() -> Evidence:
     """The two laws have one friction cone, closed and open, and the open one does not slip.
 
-    The forces of definition 2, at angles in the open interval (0, 180) degrees, are among those of
-    definition 1, in the closed interval. A motion for which no force of the closed interval balances
-    has none in the open one, for every slider and every effect.
+    The forces of definition 2, at angles in the open interval from 0 to 180 degrees, are among those of
+    definition 1, in the closed interval. A motion that no force of the closed interval balances is not
+    balanced by one of the open interval either, for every slider and every effect.
     """
     first, second = INFINITE_FREE, INFINITE_NONE
     return facts(

@@ -38,7 +38,7 @@ _PRINTED = (
 
 
 def _rod_end(gyration_radius: float) -> tuple[ids.Polynomial, ids.Polynomial]:
-    """a_s = a_c + alpha x r with r from the center to the contact."""
+    """a_s = a_c + alpha x r, with r from the center to the contact."""
     alpha = _TORQUE / rational(gyration_radius) ** 2
     return _FORCE[0] + alpha * ids.l * ids.q, _FORCE[1] - alpha * ids.l * ids.p
 
@@ -47,11 +47,11 @@ def _rod_end(gyration_radius: float) -> tuple[ids.Polynomial, ids.Polynomial]:
 def equations_of_motion(mass: float, gyration_radius: float) -> Evidence:
     """Eqs. (8)-(12).
 
-    All mass of the ring is at the distance 1 from its center, which is therefore the radius of
-    gyration. Newton's law for a unit mass gives Eqs. (8) and (9), and with the moment of the force
-    about the center Eq. (10). The acceleration of the rod's end is that of the center plus alpha_c
-    times the lever, rotated by 90 degrees: Eqs. (11) and (12). The five are polynomial identities in
-    the force and in the sines and cosines of phi and psi.
+    All mass of the ring is at the distance 1 from its center, which is therefore its radius of
+    gyration. Newton's law for a unit mass gives Eqs. (8) and (9), and the moment of the force about the
+    center gives Eq. (10). The acceleration of the rod's end is that of the center plus alpha_c times
+    the vector from the center to the end, rotated by 90 degrees: Eqs. (11) and (12). All five are
+    polynomial identities in the force and in the sines and cosines of phi and psi.
     """
     size, rho = rational(mass), rational(gyration_radius)
     printed = _FORCE[0] * ids.l * ids.q - _FORCE[1] * ids.l * ids.p
@@ -78,10 +78,10 @@ def _coefficients(rod_length: float) -> tuple[tuple[arb, arb], tuple[ids.Polynom
 
 @proof
 def pulling_condition(rod_length: float, normal: float, tangential: float) -> Evidence:
-    """Eq. (13), and the form below it.
+    """Eq. (13), and its form for psi = 45 degrees.
 
     The left side of Eq. (13) is a_sy of Eq. (12), an identity for every l, psi and force. At psi = 45
-    degrees and l = 2 its coefficients are 3 and 2, in exact arithmetic of cos(45 degrees).
+    degrees and l = 2 its coefficients are 3 and 2, in exact arithmetic with cos(45 degrees).
     """
     balls, exact = _coefficients(rod_length)
     coefficients = [
@@ -94,11 +94,12 @@ def pulling_condition(rod_length: float, normal: float, tangential: float) -> Ev
 
 @proof
 def inertia_threshold(rod_length: float, threshold: float) -> Evidence:
-    """The coefficient beyond which the fence pulls under inertia, exactly.
+    """The coefficient above which the fence pulls under inertia, exactly.
 
-    Under the force of the right edge, f_x = mu f_y, Eq. (13) is linear in mu with a negative slope, and
-    its left side vanishes at the threshold, in exact arithmetic of cos(45 degrees). The enclosed edges
-    of the acceleration cone agree: no pulling at the threshold, and pulling just above it.
+    Under the force of the right edge, f_x = mu f_y, the left side of Eq. (13) is linear in mu with a
+    negative slope and vanishes at the threshold, in exact arithmetic with cos(45 degrees). The enclosed
+    edges of the acceleration cone agree: pulling is impossible at the threshold and possible just above
+    it.
     """
     (normal, tangential), exact = _coefficients(rod_length)
     mu, slider = rational(threshold), Slider.of(rod_length)
@@ -114,12 +115,12 @@ def inertia_threshold(rod_length: float, threshold: float) -> Evidence:
 
 @proof
 def rod_on_a_wall(numerator: float, denominator: float) -> Evidence:
-    """Eq. (13) of a uniform rod has the critical coefficient numerator / denominator.
+    """Eq. (13) for a uniform rod has the critical coefficient numerator / denominator.
 
-    A uniform rod held at its end has (l / rho)^2 = 3. With c = cos(psi) and s = sin(psi) the condition
+    A uniform rod held at its end has (l / rho)^2 = 3. With c = cos(psi) and s = sin(psi), the condition
     of Eq. (13) reads 1 + 3 c^2 - 3 mu s c < 0. At mu = 4/3 the left side is the square (s - 2 c)^2, an
-    identity, which vanishes at tan(psi) = 2 alone. A smaller mu leaves the left side positive for every
-    psi, a larger one makes it negative at tan(psi) = 2.
+    identity, which vanishes only at tan(psi) = 2. For a smaller mu the left side is positive for every
+    psi; for a larger mu it is negative at tan(psi) = 2.
     """
     critical = rational(numerator) / rational(denominator)
     square = (ids.s - 2 * ids.c) ** 2
@@ -134,19 +135,19 @@ def rod_on_a_wall(numerator: float, denominator: float) -> Evidence:
 
 @proof
 def centers_on_a_line(rod_length: float, distance: float) -> Evidence:
-    """Fig. 9: under inertia every center has the part rho^2 / l along the rod; rho = R = 1.
+    """Fig. 9: under inertia every center has the component rho^2 / l along the rod; rho = R = 1.
 
-    The center is at -1 / k on the x' axis, with k = h R / rho^2. Its coordinate along the rod, from the
-    ring's center, is rho^2 / l for every force angle, an identity: the centers are on one line
-    perpendicular to the rod, the force dual of the contact.
+    The center is at -1 / k on the x' axis, with k = h R / rho^2. Its coordinate along the rod, measured
+    from the ring's center away from the contact, is rho^2 / l for every force angle, an identity. The
+    centers therefore lie on a line perpendicular to the rod, the force dual of the contact.
     """
     along = ids.l * ids.dot((ids.y, -ids.x), (ids.p, ids.q)) + ids.ARM  # times -1 / k, k = h
     place = equal(1 / arb(rational(rod_length)), distance, unit="R")
-    return together(place, identity({"the part along the rod": ids.normal(along)}))
+    return together(place, identity({"the component along the rod": ids.normal(along)}))
 
 
 def _forward() -> Evidence:
-    """F > 0: at least 2 / pi on [0, 1], and f(k) = t(1 / k) >= 1 / (2 k) beyond."""
+    """Evidence for F > 0: at least 2 / pi on [0, 1], and f(k) = t(1 / k) >= 1 / (2 k) beyond."""
     return together(
         boxes.positive(lambda _, high: ring.profile(high)[0]), boxes.positive(boxes.turn)
     )
@@ -156,11 +157,11 @@ def _forward() -> Evidence:
 def lines_of_force() -> Evidence:
     """Facts 1-3.
 
-    The integrand of Eq. (1) is odd, so that friction acts along y', and the inertial force is along the
-    acceleration of the ring's center, along y' too; the acceleration center is on x'. f is at least 2 /
-    pi on boxes of [0, 1], and k f(k) = t(q) / q >= 1/2 beyond, with q = 1 / k, by duality: friction
-    opposes the motion of the center for every k, as inertia does since m > 0. Both act along y' in one
-    sense, and so does their sum.
+    The integrand of Eq. (1) is odd, so that friction acts along y'. The inertial force is along the
+    acceleration of the ring's center, and hence along y' too; the acceleration center is on x'. The
+    force f is at least 2 / pi on boxes that cover [0, 1], and beyond, k f(k) = t(q) / q >= 1/2 with q =
+    1 / k, by duality: friction opposes the motion of the center for every k, as inertia does since m >
+    0. The two forces have the same direction along y', and so does their sum.
     """
     return together(lemmas.no_sideways_force(), _forward())
 
@@ -169,8 +170,9 @@ def lines_of_force() -> Evidence:
 def lines_opposite_center() -> Evidence:
     """Fact 4.
 
-    The center is at -1 / k on x'; the line of friction is at H(k) and that of inertia at k (rho = R =
-    1). Both have the sign of k, since t / k is at least 1/2 on boxes of [0, 1] and t rises beyond.
+    The center is at -1 / k on x'; the line of friction is at H(k) and that of inertia at k, with rho =
+    R = 1. Both have the sign of k, since t / k is at least 1/2 on boxes that cover [0, 1] and t
+    increases beyond.
     """
     return together(lemmas.same_sense(), _forward())
 
@@ -185,9 +187,10 @@ def _tangent(arm: float = 1.0) -> Evidence:
 def line_and_center(moment_arm: float) -> Evidence:
     """Facts 5-7: H - 1 has the sign of k - 1.
 
-    The integrands of Eqs. (2) and (3) agree at k = 1, so that H(1) = 1: the line is tangent to the
-    ring. H rises, with a positive slope on boxes of [0, 1] and by duality beyond, so that H - 1 has the
-    sign of k - 1. For inertia h = k, with rho = R = 1.
+    Let k > 0; the case k < 0 is its mirror image. The integrands of Eqs. (2) and (3) agree at k = 1, so
+    that H(1) = 1: the line is tangent to the ring. H increases, with a positive derivative on boxes
+    that cover [0, 1] and by duality beyond, so that H - 1 has the sign of k - 1. For inertia h = k,
+    with rho = R = 1.
     """
     return together(_tangent(moment_arm), lemmas.rising_arm())
 
@@ -196,9 +199,11 @@ def line_and_center(moment_arm: float) -> Evidence:
 def cases_by_line_of_force() -> Evidence:
     """Cases 1-7: center inside, on, outside the ring or at infinity; here b is h.
 
-    With the share a of inertia the balance of torque is (1 - a) (t - h f) + a (k - h), and rises with
-    k. At k = 1 it is (1 - h) ((1 - a) f + a), an identity, and at k = 0 it is -h: so k - 1 has the sign
-    of h - 1, and k that of h, for every share a in [0, 1].
+    Let h >= 0; the case h < 0 is its mirror image. With the share sigma of inertia, between 0 and 1,
+    the balance of torque is (1 - sigma) (t - h f) + sigma (k - h), with rho = R = 1. It is negative for
+    k < 0, where both terms are, and increases for k >= 0. At k = 0 it is -h, and at k = 1 it is (1 - h)
+    ((1 - sigma) f + sigma), both identities. Therefore the root k has the sign of h, and k - 1 has the
+    sign of h - 1, for every sigma.
     """
     rest = 1 - ids.a
     on_ring = rest * (ids.f - ids.b * ids.f) + ids.a * (1 - ids.b)
@@ -212,12 +217,12 @@ def cases_by_line_of_force() -> Evidence:
 
 @proof
 def center_on_ring_pulls(rod_length: float) -> Evidence:
-    """Fig. 11: k = 1 under the tangent on the right, for every share.
+    """Fig. 11: k = 1 under the tangent on the right, for every share of inertia.
 
-    At k = 1, where f = t, friction and inertia have one line of force, the tangent, whatever their
+    At k = 1, where f = t, friction and inertia have the same line of force, the tangent, whatever their
     magnitudes. For the tangent on the right phi = psi - asin(1 / l), and n . a_s = sin(phi) - l
-    cos(psi) per acceleration of the center; for l = 5 and psi = 45 degrees it is negative, by balls,
-    while the force points into the slider.
+    cos(psi) per unit acceleration of the center. For l = 5 and psi = 45 degrees this is negative, by
+    ball arithmetic, while the force points into the slider.
     """
     length = arb(rational(rod_length))
     tilt = in_degrees((1 / length).asin())

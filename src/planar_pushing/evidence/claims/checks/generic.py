@@ -28,8 +28,8 @@ LAWS = {
 #: Contact modes by name.
 MODES = {mode.name.lower().replace("_", "-"): mode for mode in Mode}
 MODES_HOW = (
-    "The conditions of each mode are decided by signs of balls, and by exact arithmetic where a ball "
-    "contains zero."
+    "The conditions of each mode are decided by the signs of quantities that are enclosed in ball "
+    "arithmetic, and by exact arithmetic where an enclosure contains zero."
 )
 
 
@@ -55,7 +55,7 @@ def modes(
     effects: str = str(Effects.FRICTION),
     magnitude: float = 1.0,
 ) -> Evidence:
-    """Evidence that these modes, each as often as it is named, are all that is consistent."""
+    """Evidence that these modes, each as often as it is listed, are exactly the consistent ones."""
     slider, contact = Slider.of(rod_length), _law(law)
     found = contact_modes(slider, Effects(effects), contact, magnitude, pusher_angle)
     count = {mode: len(motions) for mode, motions in found.items() if motions}

@@ -35,7 +35,7 @@ _START = arb(2) ** -20
 
 @quantity(right="degree", left="degree", half_angle="degree")
 def friction_cone(friction_coefficient: float) -> tuple[arb, arb, arb]:
-    """The edges are the directions (mu, 1) and (-mu, 1), or those of the fence."""
+    """The edges are the directions (mu, 1) and (-mu, 1), or those of the fence for infinite friction."""
     cone = cones.friction_cone(friction_coefficient)
     return cone.right, cone.left, (cone.left - cone.right) / 2
 
@@ -50,7 +50,8 @@ def motion_cone(
     """Edges of a motion cone.
 
     An edge is the direction of motion under the force of an edge of the friction cone, with the spin
-    ratio enclosed by a change of sign; with both effects it is the outer one of the two pure cones.
+    ratio enclosed by a change of sign. With both effects it is the outer one of the edges of the two
+    pure cones.
     """
     slider = Slider.of(rod_length, rod_angle)
     cone = cones.motion_cone(slider, Effects(effects), friction_coefficient)
@@ -59,25 +60,25 @@ def motion_cone(
 
 @quantity(right="degree", left="degree", right_gap="degree", left_gap="degree")
 def bound_of_the_cases(rod_length: float) -> tuple[arb, arb, arb, arb]:
-    """Fig. 12: the cone that the seven cases allow under infinite friction, and its distance.
+    """Fig. 12: the cone that the seven cases allow under infinite friction, and its gaps to the exact cone.
 
-    Between two neighboring tangents of the ring the spin ratio lies in [0, 1] or in [1, inf], and the
-    direction of motion is monotone in the force angle and in the spin ratio: the ends of these sectors
-    give the bound. A gap is the distance from an edge of the bound to that of the exact cone, inside of
-    it.
+    Between two neighboring tangents of the ring the spin ratio lies in [0, 1] or in [1, inf]. The
+    direction of motion is monotone in the force angle and in the spin ratio, so that the ends of these
+    sectors give the bound. A gap is the angle from an edge of the bound inward to the edge of the exact
+    cone.
     """
     slider = Slider.of(rod_length)
     bound = cones.conservative_cone(slider)
     exact = cones.motion_cone(slider, Effects.BOTH, math.inf)
     gaps = exact.right - bound.right, bound.left - exact.left
     if not all(gap > 0 for gap in gaps):
-        raise Fails("the bound does not hold the exact cone")
+        raise Fails("the bound does not contain the exact cone")
     return bound.right, bound.left, *gaps
 
 
 @quantity("R")
 def moment_arm(rod_length: float, force_angle: float) -> arb:
-    """The moment arm is l sin(psi - phi), positive on the right of the center."""
+    """The moment arm is l sin(psi - phi), positive if the line of force passes the center on the right."""
     slider = Slider.of(rod_length)
     return slider.rod_length * lean(slider, heading(force_angle))[1]
 
@@ -86,8 +87,8 @@ def moment_arm(rod_length: float, force_angle: float) -> arb:
 def motion(rod_length: float, force_angle: float) -> tuple[arb, arb]:
     """Motion under a force and support friction.
 
-    The spin ratio is enclosed by a change of sign in the balance of torque; the motion of the contact
-    follows from it.
+    The spin ratio is enclosed by a change of sign in the balance of torque; it determines the motion of
+    the contact.
     """
     slider, force = Slider.of(rod_length), heading(force_angle)
     return spin_ratio(slider, force, FRICTION), motion_angle(slider, force, FRICTION)
@@ -98,8 +99,9 @@ def pulling_offset(rod_length: float) -> arb:
     """Offset on the right of the center beyond which the contact moves away, psi = 45 degrees.
 
     The normal velocity of the contact, sin(phi) - k l cos(psi), vanishes at one force angle, since
-    theta_s rises with phi; a change of sign encloses its moment arm. Closer to the center the contact
-    moves into the slider, farther from it away from the slider.
+    theta_s increases with phi; a change of sign encloses the moment arm of this force. If the line of
+    force passes closer to the center, the contact moves into the slider; if it passes farther away, the
+    contact moves away from the slider.
     """
     length, (cosine, sine) = rational(rod_length), cosine_sine(fmpq(45))
 
@@ -116,8 +118,9 @@ def pulling_offset(rod_length: float) -> arb:
 def pulling_coefficient(rod_length: float) -> arb:
     """Coefficient beyond which support friction lets the fence pull, psi = 45 degrees.
 
-    Under the right edge n . v_s is (1 - k l sqrt(1 + mu^2) / sqrt(2)) / sqrt(1 + mu^2) and vanishes at
-    one coefficient, since the spin ratio rises with mu; a change of sign encloses it.
+    Under the force of the right edge n . v_s is (1 - k l sqrt(1 + mu^2) / sqrt(2)) / sqrt(1 + mu^2) per
+    unit speed of the center. It vanishes at one coefficient, since the spin ratio increases with mu; a
+    change of sign encloses this coefficient.
     """
     length, half = rational(rod_length), arb(2).rsqrt()
 
@@ -131,19 +134,19 @@ def pulling_coefficient(rod_length: float) -> arb:
 
 @quantity("1")
 def ellipse_shortfall(rod_length: float) -> arb:
-    """Largest radial distance inside of the ellipse with the same extrema, as a part of its radius.
+    """Largest radial distance inside the ellipse with the same extrema, as a fraction of its radius.
 
-    The radius of the curve over that of the ellipse is sqrt(f^2 + e t^2), with one e for each l, and 1
-    at both ends of the spin ratios. Its slope has the sign of e H / k - 1, which rises, since t / k
-    rises and f falls on [0, 1], and dually beyond: the largest distance is at the one root, enclosed by
-    a change of sign.
+    The ratio of the radius of the curve to that of the ellipse is sqrt(f^2 + e t^2), with a constant e
+    for each l, and equals 1 at both ends of the range of spin ratios. Its derivative has the sign of e
+    H / k - 1, which increases with k, since t / k increases and f decreases on [0, 1], and by duality
+    beyond. The largest distance is therefore at the only root, which a change of sign encloses.
     """
     length = arb(rational(rod_length))
     end = spin_of_arm(length, fmpq(1), FRICTION)
     squeeze = (1 / ring.profile(end)[0] ** 2 - 1) / length**2
 
     def place(size: arb) -> arb:
-        """Spin ratio at which the slope vanishes, for an exact e; it falls with e."""
+        """Spin ratio at which the slope vanishes, for an exact e; it decreases with e."""
 
         def steepness(k: arb) -> arb:
             force, torque = ring.profile(k)
@@ -158,13 +161,13 @@ def ellipse_shortfall(rod_length: float) -> arb:
 
 @quantity("degree")
 def rough_force_angle(rod_length: float, pusher_angle: float) -> arb:
-    """The force of the motion that follows the pusher, enclosed by a change of sign in the torque."""
+    """The force angle of the motion that follows the pusher, enclosed by a change of sign in the torque."""
     return _force_angles(rod_length, pusher_angle, PERFECTLY_ROUGH, Mode.STICK)
 
 
 @quantity("degree")
 def slip_force_angle(rod_length: float, pusher_angle: float) -> arb:
-    """The force of the one slip to the right under definition 1, an exact edge of the closed cone."""
+    """The force angle of the only slip to the right under definition 1: exactly an edge of the cone."""
     return _force_angles(rod_length, pusher_angle, INFINITE_FREE, Mode.SLIP_RIGHT)
 
 
@@ -178,11 +181,11 @@ def _force_angles(rod_length: float, pusher_angle: float, law: Law, mode: Mode) 
 
 @quantity(least="W/m", force="W", return_force="W")
 def normal_motion_dip(rod_length: float, friction_coefficient: float) -> tuple[arb, arb, arb]:
-    """Least n . u under the right edge with both effects, the force there, and the force at its zero.
+    """Minimum of n . u under the right edge with both effects, the force there, and the force at its zero.
 
-    The spin ratios between those of friction and of inertia are covered by parts on which balls show
-    that n . u is monotone in the spin ratio, and by one gap, narrower than 1e-12 of k, that holds
-    the minimum.
+    The spin ratios between those of friction and of inertia are covered by intervals on which ball
+    arithmetic shows that n . u is monotone in the spin ratio, and by one gap, narrower than 1e-12 of k,
+    that contains the minimum.
     """
     motions, parts = cover(Slider.of(rod_length), friction_coefficient, 1)
     gaps = [part.low.union(part.high) for part in parts if part.rise == 0]
@@ -199,6 +202,6 @@ def normal_motion_dip(rod_length: float, friction_coefficient: float) -> tuple[a
 
 @quantity("a^2")
 def offset_times_center_distance(spin_ratio: float) -> arb:
-    """By duality the offset of a ring is H(k) = f(1 / k) / t(1 / k), the distance of the center 1 / k."""
+    """The offset is H(k) = f(1 / k) / t(1 / k), by duality, and the center is at the distance 1 / k."""
     force, torque = ring.profile(1 / arb(rational(spin_ratio)))
     return force / torque / rational(spin_ratio)

@@ -1,4 +1,4 @@
-"""Eqs. (1)-(7): friction of the ring, the force in the fence's frame, the balance of torque."""
+"""Eqs. (1)-(7): friction of the ring, force in the frame of the fence, balance of torque."""
 
 from __future__ import annotations
 
@@ -26,12 +26,13 @@ _POINT = (-ids.k * ids.s, 1 + ids.k * ids.c)
 def friction_integrals(cross_term: float) -> Evidence:
     """Eqs. (1)-(3) from the velocity of each point; `cross_term` is the factor 2 in the radicand.
 
-    With k = omega / v, R = 1, the ring's point at the angle theta moves at v (-k sin(theta), 1 + k
-    cos(theta)) in the primed frame, and its friction is the unit vector along this velocity. The y'
-    part of the unit vector and its moment about the center are the integrands of Eqs. (2) and (3); the
-    radicand is the square of the speed over v. The integrand along x' is odd about theta = pi, so that
-    Eq. (1) follows. All are identities of polynomials in sin(theta) and cos(theta), reduced to normal
-    form.
+    In the primed frame the center of the ring moves at v along y'. With k = omega / v and R = 1, the
+    point at the angle theta moves at v (-k sin(theta), 1 + k cos(theta)). The friction force per unit
+    weight that it exerts on the support is the unit vector along this velocity. The y' component of
+    this vector and its moment about the center are the integrands of Eqs. (2) and (3); their radicand
+    is the squared speed over v^2. The x' component is odd about theta = pi, so that its integral over
+    the ring vanishes, which is Eq. (1). All steps are polynomial identities in sin(theta) and
+    cos(theta), verified by reduction to normal form.
     """
     printed = 1 + ids.k**2 + rational(cross_term) * ids.k * ids.c
     moment = ids.cross((ids.c, ids.s), _POINT)
@@ -49,10 +50,13 @@ def friction_integrals(cross_term: float) -> Evidence:
 def closed_forms() -> Evidence:
     """Eqs. (2)-(3) as complete elliptic integrals.
 
-    For 0 < k < 1 both pairs solve f' = -k t', t' = (f - k t) / (1 - k^2) - t / k: the integrals because
-    the two sides of each equation differ by a derivative around the ring, the elliptic forms by the
-    derivatives of E and K (DLMF 19.4). Solutions that stay finite at k = 0 are multiples of one
-    another, and f(0) = 1 for both. For k > 1 the integrand of Eq. (2) at 1 / k is that of Eq. (3) at k.
+    For 0 < k < 1 both pairs of functions satisfy f' = -k t' and t' = (f - k t) / (1 - k^2) - t / k. For
+    the integrals, the integrands of the two sides of the first equation are equal, and those of the
+    second differ by a derivative with respect to theta, whose integral around the ring vanishes. For
+    the elliptic forms, both equations follow from the derivatives of E and K (DLMF 19.4). The solutions
+    that remain finite at k = 0 are multiples of one another, and f(0) = 1 for both pairs; hence they
+    agree. For k > 1, f(k) = t(1 / k) and t(k) = f(1 / k), because the integrand of Eq. (2) at 1 / k is
+    that of Eq. (3) at k.
     """
     start = 2 / arb.pi() * acb(0).elliptic_e().real
     return together(
@@ -66,10 +70,10 @@ def closed_forms() -> Evidence:
 
 @sample
 def closed_forms_on_grid(least_ratio: float, greatest_ratio: float, count: float) -> Evidence:
-    """Distance of the closed forms, and of Eq. (1) from zero, from the integrals as printed.
+    """Difference between the closed forms and the integrals as printed, and of Eq. (1) from zero.
 
-    At spin ratios that are spaced evenly in their logarithm, rigorous quadrature of Eqs. (1)-(3) as
-    printed agrees with the closed forms to 1e-25, and Eq. (1) vanishes to 1e-25.
+    At spin ratios spaced evenly on a logarithmic scale, rigorous quadrature of Eqs. (2)-(3) as printed
+    agrees with the closed forms to within 1e-25, and the integral of Eq. (1) is zero to within 1e-25.
     """
     low, high, steps = arb(rational(least_ratio)), arb(rational(greatest_ratio)), int(count) - 1
     grid = [(low * (high / low) ** (arb(i) / steps)).mid() for i in range(steps + 1)]
@@ -84,7 +88,7 @@ def closed_forms_on_grid(least_ratio: float, greatest_ratio: float, count: float
 
 
 def _turned(force: tuple[ids.Polynomial, ids.Polynomial]) -> tuple[ids.Polynomial, ids.Polynomial]:
-    """A vector of the primed frame in the fence's, x' at phi - 90 degrees."""
+    """Rotate a vector from the primed frame to the frame of the fence; x' is at phi - 90 degrees."""
     return force[0] * ids.y + force[1] * ids.x, -force[0] * ids.x + force[1] * ids.y
 
 
@@ -92,10 +96,11 @@ def _turned(force: tuple[ids.Polynomial, ids.Polynomial]) -> tuple[ids.Polynomia
 def fence_frame(rod_angle: float) -> Evidence:
     """Eqs. (4)-(6).
 
-    The x' axis is the direction of the force rotated by -90 degrees, so that a force f_y' along y' has
-    the components f_y' cos(phi) and f_y' sin(phi) along and across the fence. Moving it from the ring's
-    center to the contact adds its moment l f_y' sin(phi - psi), where psi is 45 degrees. These are
-    identities of polynomials in the sines and cosines of phi and psi.
+    The x' axis is the direction of the force rotated by -90 degrees. A force f_y' along y' therefore
+    has the components f_y' cos(phi) along the fence and f_y' sin(phi) across it. The torque about the
+    contact is the torque about the ring's center plus the moment l f_y' sin(phi - psi) of the force at
+    the center; psi is 45 degrees in the paper. These are polynomial identities in the sines and cosines
+    of phi and psi.
     """
     along, across = _turned((0 * ids.f, ids.f))
     moved = ids.cross((ids.l * ids.p, ids.l * ids.q), (ids.f * ids.x, ids.f * ids.y))
@@ -114,11 +119,12 @@ def fence_frame(rod_angle: float) -> Evidence:
 def unique_center() -> Evidence:
     """Eq. (7) has one root; the center is at -1 / k on x'.
 
-    The integrands give f' = -k t' and t' > 0 for every k > 0. On boxes that cover [0, 1] the slope of H
-    = t / f has a positive lower bound, and duality, H(1 / k) = 1 / H(k), extends this to k > 1: H rises
-    from 0 to infinity. Eq. (7) is H(k) = l sin(psi - phi), R = 1, and has therefore one root k for each
-    force angle and rod length. In the motion with this k the point at -v / omega on the x' axis is at
-    rest.
+    Differentiation of the integrands gives f' = -k t' and t' > 0 for k > 0. The moment arm H = t / f
+    thus has the derivative H' = t' (f + k t) / f^2, which has a positive lower bound on boxes that
+    cover [0, 1]. By duality, H(1 / k) = 1 / H(k), H also increases for k > 1; it increases from 0 to
+    infinity and is odd in k. With R = 1, Eq. (7) reads H(k) = l sin(psi - phi) and therefore has
+    exactly one root k for each force angle and rod length. In this motion the point at -1 / k = -v /
+    omega on the x' axis is at rest; for k = 0 the slider translates, and this point is at infinity.
     """
     at_rest = ids.k + ids.k * -ids.ONE  # 1 + k x', times k, at x' = -1 / k
     return together(lemmas.rising_arm(), identity({"the velocity of the center": at_rest}))
@@ -126,11 +132,11 @@ def unique_center() -> Evidence:
 
 @proof
 def rotation_sense(sign: float) -> Evidence:
-    """Below Eq. (7): `sign` times tau_0' has the sign of omega.
+    """The sign printed below Eq. (7): `sign` times tau_0' has the sign of omega.
 
-    With omega counter-clockwise, as in Eqs. (2)-(3), t / k is at least 1/2 on [0, 1], by its lower
-    bound on boxes, and t rises beyond. So tau_0' has the sign of omega for every spin ratio, and
-    -tau_0' for none.
+    Let omega be counter-clockwise, as in Eqs. (2)-(3). On boxes that cover [0, 1] the ratio t / k is at
+    least 1/2, and t increases for k > 1; t is odd in k. Therefore tau_0' has the sign of omega for
+    every spin ratio, and -tau_0' has the opposite sign.
     """
     way = rational(sign)
     return together(boxes.positive(lambda a, b: way * boxes.turn(a, b)), lemmas.rates())
@@ -138,10 +144,11 @@ def rotation_sense(sign: float) -> Evidence:
 
 @proof
 def self_duality(force: float, within: float) -> Evidence:
-    """Identity f(1 / k) = t(k) for k > 0, and both at k = 1.
+    """Identity f(1 / k) = t(k) for k > 0, and both values at k = 1.
 
-    The integrand of Eq. (2) at 1 / k is that of Eq. (3) at k, exactly, so that f(1 / k) = t(k). At k =
-    1 both integrands are |cos(theta / 2)|, whose mean is 2 / pi.
+    The integrand of Eq. (2) at 1 / k equals that of Eq. (3) at k, identically in theta; hence f(1 / k)
+    = t(k). The maxima of f and t are 1. At k = 1, where the center is on the ring, both integrands are
+    |cos(theta / 2)|, whose mean over the ring is 2 / pi.
     """
     half = 2 * ids.c**2 - 1  # cos(theta) by c = cos(theta / 2)
     top, bottom = (

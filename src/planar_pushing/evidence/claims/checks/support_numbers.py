@@ -23,12 +23,12 @@ from planar_pushing.evidence.claims.verdicts import Fails
 #: Share of a foot of a regular tripod.
 _FOOT = fmpq(1, 3)
 RING = pieces({"shape": "ring", "radius": 1.0})
-#: Degrees from the rod in which the chord of the limit curve bounds the force of the L, and a turn from the
-#: force to the motion that counts as none.
+#: Degrees from the rod within which the chord of the limit curve bounds the force of the L, and degrees
+#: between force and motion below which the two count as parallel.
 _GAP, _FLAT = fmpq(1, 2), 2.0**-20
-#: Part of a turn that a step takes.
+#: Length of a step, as a fraction of the angle between force and motion.
 _STRIDE = 0.9
-#: An L of two equal legs about its center of pressure, which no line along or across a leg mirrors.
+#: An L of two equal legs about its center of pressure, not symmetric about any line along or across a leg.
 L_CORNERS = ((-5, -5), (7, -5), (7, 1), (1, 1), (1, 7), (-5, 7))
 L_SHAPE = pieces({"shape": "polygon", "vertices": L_CORNERS})
 
@@ -41,10 +41,11 @@ def _tripod() -> tuple[arb, arb]:
 
 @quantity(nearest="a", farthest="a")
 def tripod_offset() -> tuple[arb, arb]:
-    """Offsets of a push across a foot's radius that turn a tripod about that foot.
+    """Offsets of a push across a foot's radius that rotate a tripod about that foot.
 
-    A push F at the offset d has the torque F (1 + d) about the foot, which the two other feet take by
-    sliding about it; the foot takes the rest of F, at most its share, with equality at both ends.
+    A push F at the offset d has the torque F (1 + d) about the foot, which balances the friction of the
+    two other feet as they slide about it. The foot carries the rest of F, at most its share of W, with
+    equality at both ends of the interval.
     """
     force, torque = _tripod()
     return torque / (force + _FOOT) - 1, torque / (force - _FOOT) - 1
@@ -52,11 +53,11 @@ def tripod_offset() -> tuple[arb, arb]:
 
 @quantity("degree")
 def tripod_span(rod_length: float) -> arb:
-    """Force angles that turn a tripod about the foot on the rod's line.
+    """Interval of force angles that rotate a tripod about the foot on the rod's line.
 
     The component of the force across the rod balances the torque of the two feet that slide about the
-    third; the component along the rod is free until the force of the third foot is its share, at both
-    ends.
+    third. The component along the rod is free until the force of the third foot reaches its share of W,
+    at both ends of the interval.
     """
     force, torque = _tripod()
     across = torque / (rational(rod_length) + 1)
@@ -66,18 +67,19 @@ def tripod_span(rod_length: float) -> arb:
 
 @quantity("degree")
 def line_corner_span(distance: float, half_length: float) -> arb:
-    """180 degrees and twice the angle atan(d / b) of the contact's motion about an end of the line."""
+    """The span is 180 degrees plus twice atan(d / b), the angle of a motion about an end of the line."""
     half = arb.atan2(arb(rational(distance)), arb(rational(half_length)))
     return 180 + 2 * in_degrees(half)
 
 
 @quantity("W")
 def foot_ahead_margin(distance: float, share: float, aside: float, beyond: float) -> arb:
-    """Share of a foot straight ahead less the force that it takes as the pivot of a force along the fence.
+    """Share of a foot straight ahead less its force as the pivot under a force along the fence.
 
-    About the foot the contact moves along the fence. The other feet, of equal shares, at (aside,
-    beyond) and (-2 aside, -beyond) from it, slide about it; the force along the fence balances their
-    torque about it, and the foot takes the rest of the force, less than its share.
+    In a rotation about the foot the contact moves along the fence. The other feet, of equal shares, at
+    (aside, beyond) and (-2 aside, -beyond) from it, slide about it. The force along the fence balances
+    their torque about the foot, and the foot carries the rest of the force, which is less than its
+    share.
     """
     own, x, y = rational(share), rational(aside), rational(beyond)
     rest, places = (1 - own) / 2, [(x, y), (-2 * x, -y)]
@@ -90,7 +92,7 @@ def foot_ahead_margin(distance: float, share: float, aside: float, beyond: float
 
 @quantity("1")
 def constant_of_rectangle(aspect: float) -> arb:
-    """The mean distance from the center, by triangles over the edges, over the half diagonal."""
+    """The mean distance from the center, by triangles on the edges, divided by half the diagonal."""
     long, short = arb(rational(aspect)), arb(1)
     diagonal = (long**2 + short**2).sqrt()
     first, second = (
@@ -102,7 +104,7 @@ def constant_of_rectangle(aspect: float) -> arb:
 
 @quantity("1")
 def constant_of_annulus(hole: float) -> arb:
-    """The mean distance is 2/3 (1 + q + q^2) / (1 + q) of the outer radius, q the ratio of the radii."""
+    """The mean distance is 2/3 (1 + q + q^2) / (1 + q) outer radii, where q is the ratio of the radii."""
     part = rational(hole)
     return arb(fmpq(2, 3) * (1 + part + part**2) / (1 + part))
 
@@ -121,7 +123,7 @@ def _turned(total: Resistance, turn: fmpq, power: fmpq) -> tuple[Moved, arb]:
 
 
 def _l_shape(rod_length: float, rod_angle: float = 90.0) -> Resistance:
-    """Friction of the L, with a rod whose length is the double next to this part of the L's extent."""
+    """Friction of the L, with a rod length that is a multiple of the L's extent, rounded to a double."""
     length = rational(float(rational(rod_length) * L_SHAPE.extent))
     return _scene(length, rod_angle, Friction(L_SHAPE, fmpq(1)))
 
@@ -130,8 +132,8 @@ def _l_shape(rod_length: float, rod_angle: float = 90.0) -> Resistance:
 def l_cone_right(rod_length: float, rod_angle: float) -> arb:
     """Right edge of the cone of the L under infinite friction.
 
-    The motion under the force along the fence is enclosed in ball arithmetic on the closed forms of the
-    polygon's edges, with the rod's length, a multiple of the extent, rounded to a double.
+    The motion under the force along the fence is enclosed in ball arithmetic with the closed forms of
+    the polygon's edges; the length of the rod, a multiple of the extent, is rounded to a double.
     """
     return _turned(_l_shape(rod_length, rod_angle), -rational(rod_angle), fmpq(1))[1]
 
@@ -140,8 +142,8 @@ def l_cone_right(rod_length: float, rod_angle: float) -> arb:
 def l_force_difference(rod_length: float, turn: float) -> arb:
     """Force of the L to the right of its rod less that to the left, at an angle from the rod.
 
-    The two forces are enclosed in ball arithmetic on the closed forms of the polygon's edges, with the
-    rod's length, a multiple of the extent, rounded to a double.
+    The two forces are enclosed in ball arithmetic with the closed forms of the polygon's edges; the
+    length of the rod, a multiple of the extent, is rounded to a double.
     """
     total, angle = _l_shape(rod_length), rational(turn)
     right, left = (_turned(total, side * angle, fmpq(1))[0].force for side in (-1, 1))
@@ -150,13 +152,13 @@ def l_force_difference(rod_length: float, turn: float) -> arb:
 
 @quantity("degree")
 def l_least_force_off(rod_length: float) -> arb:
-    """Angle from across the rod to the least force of the L.
+    """Angle between the minimal force of the L and the direction across the rod.
 
-    The magnitude of the force falls with its angle where the motion is ahead of the force, and rises
-    where it is behind. The motion never turns back, so that its enclosure at one angle decides up to
-    the next: steps from the direction of the rod and from the opposite one cover 180 degrees, but for a
-    small interval around the least force and for half a degree about the rod, where the convex curve
-    lies outside of its chord.
+    The magnitude of the force decreases with the force angle where the motion leads the force, and
+    increases where the motion lags. The motion never rotates backward, so that its enclosure at one
+    angle decides the sign up to the next angle. Steps from the direction of the rod and from the
+    opposite one cover 180 degrees, except for a small interval that contains the minimal force and for
+    half a degree about the rod, where the convex curve lies outside its chord.
     """
     total, ends = _l_shape(rod_length), (_GAP, 180 - _GAP)
     low, high = (_marched(total, end, way) for end, way in zip(ends, (1, -1), strict=True))
@@ -168,7 +170,7 @@ def l_least_force_off(rod_length: float) -> arb:
 
 
 def _marched(total: Resistance, start: fmpq, way: int) -> fmpq:
-    """The last angle up to which the force is known to fall, seen from the start."""
+    """The last angle up to which the force is known to decrease, measured from the start."""
     while (step := way * _turned(total, start, fmpq(1))[1]) > _FLAT:
         start += way * rational(_STRIDE * float(step.lower()))
     return start
@@ -179,10 +181,10 @@ def motion_with_mass_aside(
     rod_length: float, rod_angle: float, gyration_radius: float, mass_along: float,
     mass_across: float, force_angle: float, effects: str, power: float = 1.0,
 ) -> arb:  # fmt: skip
-    """Direction of the contact's motion with the mass center along and across the rod from the ring's.
+    """Direction of the contact's motion with the mass center off the ring's, along and across the rod.
 
-    The motion under a force of this direction e is enclosed in ball arithmetic as the root of the force
-    across e, among motions u of one product e . u, in W / m.
+    The motion u under a force of the direction e is enclosed in ball arithmetic: among the motions with
+    a given component e . u, in W / m, it is the root of the force across e.
     """
     place = rational(mass_along), rational(mass_across)
     own: dict[Effects, list[Effect]] = {

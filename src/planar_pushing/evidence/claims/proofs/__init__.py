@@ -1,1 +1,1 @@
-"""Identities, lemmas and interval arguments from which the checks are composed."""
+"""Identities, lemmas and interval arguments of which the checks are composed."""

@@ -1,8 +1,8 @@
 """Statements about every spin ratio of an interval, by subdivision into boxes, and the ring on a box.
 
-A box is an interval [low, high] with exact ends. A function of a box returns a ball that encloses, or
-bounds from below, its values on the box. On [0, 1] the power series in k of t, of t / k and of
-(1 - f) / k^2 have positive coefficients: all three rise, and the ends of a box enclose them. Duality,
+A box is an interval [low, high] with exact ends. A function of a box returns a ball that encloses its
+values on the box or bounds them from below. On [0, 1] the power series in k of t, of t / k and of (1 -
+f) / k^2 have positive coefficients: all three increase, and the ends of a box enclose them. Duality,
 f(k) = t(1 / k), extends a statement to k > 1.
 """
 
@@ -18,13 +18,13 @@ from planar_pushing.evidence.claims.verdicts import Evidence, Verdict
 
 OnBox = Callable[[arb, arb], arb]
 
-#: Boxes after which a statement counts as out of reach.
+#: Maximum number of boxes; a statement that needs more remains undecided.
 _MOST = 2000
 
 
 @dataclass(frozen=True, slots=True)
 class Cover:
-    """Boxes that cover the interval, the least value on them, and a point of failure if any."""
+    """Boxes that cover the interval, the smallest value on them, and a point of failure if there is one."""
 
     least: arb
     boxes: int
@@ -39,7 +39,7 @@ class Cover:
             reason = f"fails at {self.failure.str(12, radius=False)}"
         elif self.open:
             verdict = Verdict.UNDECIDED
-            reason = f"open after {self.boxes} boxes"
+            reason = f"undecided after {self.boxes} boxes"
         return Evidence(
             verdict=verdict,
             value=self.least,
@@ -86,11 +86,11 @@ def loss(low: arb, high: arb) -> arb:
 
 
 def slope(low: arb, high: arb) -> arb:
-    """Lower bound of t', which rises from 1/2."""
+    """Lower bound of t', which increases from 1/2."""
     return arb(fmpq(1, 2)) if low == 0 else ring.slope(low) if low < 1 else arb.pos_inf()
 
 
 def arm_slope(low: arb, high: arb) -> arb:
-    """Lower bound of the slope of the moment arm H = t / f, ``H' = t' (f + k t) / f^2``."""
+    """Lower bound of the derivative of the moment arm H = t / f, ``H' = t' (f + k t) / f^2``."""
     (falling, rising), (last, _) = ring.profile(low), ring.profile(high)
     return slope(low, high) * (last + low * rising) / falling**2

@@ -1,7 +1,8 @@
 """Polynomial identities of the ring and of the rod, decided exactly.
 
-A direction is a pair of variables whose squares add up to 1. The relations have different leading
-variables, so dividing by them leaves the normal form: zero exactly where the identity holds.
+A direction is a pair of variables whose squares sum to 1. The relations have different leading
+variables, so that the remainder of division by them is a normal form: it is zero exactly where the
+identity holds.
 """
 
 from __future__ import annotations
@@ -15,14 +16,14 @@ Polynomial = Any  # fmpq_mpoly
 _RING = fmpq_mpoly_ctx.get(
     ("s", "c", "y", "x", "q", "p", "k", "l", "f", "t", "e", "a", "b"), Ordering.lex
 )
-#: s, c: sine and cosine of the place on the ring; y, x: of the force angle phi; q, p: of the rod
+#: s, c: sine and cosine of the angle theta on the ring; y, x: of the force angle phi; q, p: of the rod
 #: angle psi. k, l: spin ratio and rod length, R = 1. f, t: force and torque. e, a, b: as stated.
 s, c, y, x, q, p, k, l, f, t, e, a, b = _RING.gens()  # noqa: E741
 
 ONE = _RING.constant(1)
 
 #: Moment arm of the line of force, Eq. (10); cosine of the angle from the rod to the force; motion of
-#: the contact per speed of the center.
+#: the contact per unit speed of the center.
 ARM = l * (q * x - p * y)
 LEAN = p * x + q * y
 MOTION = (x + k * l * q, y - k * l * p)
@@ -38,7 +39,7 @@ def normal(polynomial: Polynomial) -> Polynomial:
 
 
 def replaced(polynomial: Polynomial, **values: Polynomial) -> Polynomial:
-    """Put other polynomials in the place of variables."""
+    """Substitute other polynomials for variables."""
     given = dict(zip(_RING.names(), _RING.gens(), strict=True)) | values
     return polynomial.compose(*given.values())
 
@@ -51,5 +52,5 @@ def dot(first: tuple[Polynomial, Polynomial], second: tuple[Polynomial, Polynomi
 def cross(
     first: tuple[Polynomial, Polynomial], second: tuple[Polynomial, Polynomial]
 ) -> Polynomial:
-    """Vector product in the plane."""
+    """Cross product in the plane."""
     return first[0] * second[1] - first[1] * second[0]

@@ -1,4 +1,4 @@
-"""Lemmas on the ring, each with its evidence; for every rod and every force angle."""
+"""Lemmas on the ring, each with its evidence, for every rod and every force angle."""
 
 from __future__ import annotations
 
@@ -63,8 +63,8 @@ def _reversed(polynomial: ids.Polynomial, power: int) -> ids.Polynomial:
 def torque_rate() -> Evidence:
     """Evidence for ``t' = (f - k t) / (1 - k^2) - t / k``, from the integrands, 0 < k < 1.
 
-    The right side is the mean of -cos / (k speed); it is t', the mean of sin^2 / speed^3, since their
-    difference is the derivative of sin / (k speed) around the ring.
+    The right side is the mean of -cos / (k speed). It equals t', the mean of sin^2 / speed^3, because
+    their difference is the derivative of sin / (k speed) around the ring.
     """
 
     def around(polynomial: ids.Polynomial) -> ids.Polynomial:
@@ -83,14 +83,14 @@ def torque_rate() -> Evidence:
 
 
 def elliptic_rates() -> Evidence:
-    """Evidence that E and (E - (1 - k^2) K) / k have the rates of f and of t.
+    """Evidence that E and (E - (1 - k^2) K) / k satisfy the equations of f and t.
 
-    The derivatives of K = b and E = a are those of DLMF 19.4.1-2: ``k a' = a - b`` and
-    ``k (1 - k^2) b' = a - (1 - k^2) b``.
+    The derivatives of K = b and E = a are those of DLMF 19.4.1-2: ``k a' = a - b`` and ``k (1 - k^2) b'
+    = a - (1 - k^2) b``.
     """
     rest = 1 - ids.k**2
     torque = ids.a - rest * ids.b  # times k
-    rate = (ids.a - ids.b) + 2 * ids.k**2 * ids.b - (ids.a - rest * ids.b)  # of it, times k
+    rate = (ids.a - ids.b) + 2 * ids.k**2 * ids.b - (ids.a - rest * ids.b)  # (k t)', times k
     steep = rate - torque  # t', times k^2
     return identity(
         {
@@ -103,22 +103,22 @@ def elliptic_rates() -> Evidence:
 
 
 def rising_torque() -> Evidence:
-    """Evidence for t' > 0, and with it t > 0 and a falling f, at every k > 0."""
+    """Evidence for t' > 0, and hence for t > 0 and a decreasing f, at every k > 0."""
     return together(positive(boxes.slope), rates())
 
 
 def rising_arm() -> Evidence:
-    """Evidence that H = t / f rises from 0 to infinity: on [0, 1] by boxes, beyond by duality."""
+    """Evidence that H = t / f increases from 0 to infinity: on [0, 1] by boxes, beyond by duality."""
     return together(positive(boxes.arm_slope), rates(), duality())
 
 
 def same_sense() -> Evidence:
-    """Evidence that k and the moment arm have one sign: least t / k on [0, 1], t rises beyond."""
+    """Evidence that k and the moment arm have the same sign: t / k > 0 on [0, 1], t increases beyond."""
     return together(positive(boxes.turn), rates())
 
 
 def least_work(low: arb, high: arb) -> arb:
-    """Lower bound of 1 + k h on a box: k h = k t / f >= 0 there, and so beyond by duality."""
+    """Lower bound of 1 + k h on a box: k h = k t / f >= 0 there, and beyond by duality."""
     return 1 + low**2 * boxes.turn(low, low) / ring.profile(low)[0]
 
 
@@ -129,7 +129,7 @@ def work() -> Evidence:
 
 
 def positive_work() -> Evidence:
-    """Evidence for f . u > 0, whatever the share of inertia: k h >= 0 for each."""
+    """Evidence for f . u > 0, for any share of inertia: k h >= 0 under each effect."""
     return together(positive(least_work), work(), same_sense())
 
 
@@ -137,15 +137,15 @@ def turning() -> Evidence:
     """Evidence for u x du/dphi = 1 + k h - e l cos(psi - phi), with e = dk/dphi."""
     rate = -ids.y + ids.e * ids.l * ids.q, ids.x - ids.e * ids.l * ids.p
     rest = 1 + ids.k * ids.ARM - ids.e * ids.l * ids.LEAN
-    return identity({"the turning": ids.normal(ids.cross(ids.MOTION, rate) - rest)})
+    return identity({"u x du/dphi": ids.normal(ids.cross(ids.MOTION, rate) - rest)})
 
 
 def inertial_turning() -> Evidence:
     """Evidence for u x du/dphi = 1 + e l^2 and f . u = 1 + e h^2 under inertia, e = (R / rho)^2."""
     spin = ids.e * ids.ARM
     motion = tuple(ids.replaced(each, k=spin) for each in ids.MOTION)
-    rate = ids.e * ids.l * -ids.LEAN  # of the spin ratio with phi
+    rate = ids.e * ids.l * -ids.LEAN  # derivative of the spin ratio by phi
     turned = -ids.y + rate * ids.l * ids.q, ids.x - rate * ids.l * ids.p
     turning = ids.cross((motion[0], motion[1]), turned) - 1 - ids.e * ids.l**2
     work = ids.dot((ids.x, ids.y), (motion[0], motion[1])) - 1 - ids.e * ids.ARM**2
-    return identity({"the turning": ids.normal(turning), "f . u": ids.normal(work)})
+    return identity({"u x du/dphi": ids.normal(turning), "f . u": ids.normal(work)})

@@ -1,4 +1,4 @@
-"""Statements on every push, by the library on random supports that are touched at random places."""
+"""Statements about every push, tested by the library on random supports with random contacts."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ Truth = npt.NDArray[np.bool_]
 
 
 def everywhere(holds: Truth) -> Evidence:
-    """Evidence for a statement on each support and each place where it is touched."""
+    """Evidence for a statement on each support and at each of its contacts."""
     wrong = [f"support {i}, contact {j}" for i, j in np.argwhere(~holds)]
     return at_points(wrong, holds.size)
 
@@ -39,7 +39,7 @@ def _scenes(supports: float, contacts: float) -> Scene:
 
 
 def _only(scenes: Scene, pusher_angle: Any, modes: Any) -> Truth:
-    """Where one solution is consistent, of the given mode."""
+    """Whether exactly one solution is consistent, and of the given mode."""
     found = solve(scenes, pusher_angle)
     return np.asarray((found.solutions == 1) & (found.mode[..., 0] == modes))
 
@@ -55,10 +55,10 @@ def normal_push_on_random_supports(supports: float, contacts: float) -> Evidence
 
 @sample
 def slip_outside_cone_on_random_supports(supports: float, contacts: float) -> Evidence:
-    """A push in a random direction sticks within the cone, and slips towards it beyond.
+    """A push in a random direction sticks inside the cone and slips toward it outside.
 
-    The library's cone and its contact modes, two routes of it, agree on one random direction of each
-    push.
+    The cone and the contact modes, which the library computes independently of each other, agree on one
+    random direction for each contact.
     """
     scenes = _scenes(supports, contacts)
     cone = motion_cone(scenes)
@@ -70,9 +70,9 @@ def slip_outside_cone_on_random_supports(supports: float, contacts: float) -> Ev
 
 @sample
 def cones_of_random_supports(supports: float, contacts: float) -> Evidence:
-    """The cone spans 180 degrees and holds the normal; it reaches away where it leaves out pushes.
+    """The cone spans 180 degrees, contains the normal, and allows pulls where it excludes pushes.
 
-    The library computes each edge of the cone by its own line of force, in double precision.
+    The library computes each edge of the cone from its own line of force, in double precision.
     """
     scenes = _scenes(supports, contacts)
     cone = motion_cone(scenes)
@@ -85,8 +85,8 @@ def pulls_of_random_supports(supports: float, contacts: float) -> Evidence:
     """Where a retreating pusher sticks, separation and a slip are consistent too.
 
     The library solves for every contact mode of a pusher that retreats midway between the edge of the
-    cone and the fence, in double precision; a cone that is tilted by less than 1e-9 rad counts as
-    aligned.
+    cone and the fence, in double precision. A cone that is tilted by less than 1e-9 rad counts as not
+    tilted.
     """
     scenes = _scenes(supports, contacts)
     cone = motion_cone(scenes)
@@ -100,7 +100,7 @@ def pulls_of_random_supports(supports: float, contacts: float) -> Evidence:
 
 @sample
 def centers_of_random_supports(supports: float, contacts: float) -> Evidence:
-    """The center is within a^2 / d where the line of force meets the disc of radius a, else within a.
+    """The center is within a^2 / d if the line of force crosses the disc of radius a, otherwise within a.
 
     The library computes the center of rotation under a random line of force, in double precision.
     """
@@ -117,7 +117,7 @@ def centers_of_random_supports(supports: float, contacts: float) -> Evidence:
 
 
 def _center_of_pressure(scenes: Scene, members: Any) -> Array:
-    """Center of pressure from the slider's center, in the directions of the fence."""
+    """Center of pressure relative to the slider's center, in the frame of the fence."""
     places = np.array([[each.center_of_pressure] for each in members[:, 0]])
     x, y = direction(scenes.slider.rod_angle), direction(scenes.slider.rod_angle + np.pi / 2)
     return np.asarray(places[..., :1] * x + places[..., 1:] * y)

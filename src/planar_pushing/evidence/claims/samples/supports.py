@@ -1,4 +1,4 @@
-"""Random supports, touched at random places, on which the library is checked; the same in every run."""
+"""Random supports with random contacts on which the library is checked; the same in every run."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from planar_pushing.mechanics.supports.base import Support
 from planar_pushing.mechanics.supports.pressure.table import extents_of
 
 SEED = 1995
-#: Rods: decades of their length over the support's extent, and their angles.
+#: Ranges of the rods: decimal logarithm of the length over the support's extent, and angle in radians.
 DECADES, ROD_ANGLES = (-1.0, 1.0), (0.05, np.pi - 0.05)
 
 Random = np.random.Generator
@@ -25,7 +25,7 @@ Random = np.random.Generator
 
 @cache
 def random_supports(count: int) -> Any:
-    """Points, segments, polygons, and mixtures of them, with one more axis for the rods."""
+    """Points, segments, polygons, and mixtures of them, with a second axis for the contacts."""
     random = np.random.default_rng(SEED)
     kinds = [_points] * 5 + [_segment] * 2 + [_polygon] + [_mixture] * 2
     found = np.empty((count, 1), dtype=object)
@@ -34,7 +34,7 @@ def random_supports(count: int) -> Any:
 
 
 def random_scenes(supports: Any, contacts: int) -> Scene:
-    """Each support touched at random places, from random sides, under infinite friction."""
+    """Each support with random contacts, under infinite friction."""
     random, shape = np.random.default_rng(SEED), (len(supports), contacts)
     lengths, angles = 10 ** random.uniform(*DECADES, shape), random.uniform(*ROD_ANGLES, shape)
     slider = Slider(rod_length=extent(supports) * lengths, rod_angle=angles)
@@ -57,7 +57,7 @@ def _segment(random: Random) -> Segment:
 
 
 def _polygon(random: Random) -> Polygon:
-    """Vertices around a place at random distances: simple, and seldom convex."""
+    """Vertices around a point at random distances: simple, and rarely convex."""
     count = int(random.integers(3, 8))
     turn = 2 * np.pi * np.arange(count) / count
     corners = np.column_stack([np.cos(turn), np.sin(turn)])

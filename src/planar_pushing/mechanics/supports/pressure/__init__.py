@@ -1,1 +1,1 @@
-"""The pressure of a support as the compiled core has it, and its pieces."""
+"""Pressure of a support in the compiled core, and its pieces."""

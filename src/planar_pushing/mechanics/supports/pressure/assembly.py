@@ -1,4 +1,4 @@
-"""From the pieces of supports, one or many, to centers, extents, and the rows of the compiled core."""
+"""Centers, extents, and rows of the compiled core, from the pieces of one or many supports."""
 
 from __future__ import annotations
 
@@ -22,22 +22,22 @@ from planar_pushing.mechanics.supports.pressure.record import (
 )
 from planar_pushing.mechanics.supports.pressure.spread import spreads
 
-#: A center of rotation this close to an atom, over the size of the numbers it was computed from, is on it.
+#: A center of rotation closer to an atom than this, relative to the numbers in its computation, is on it.
 ROUNDING = 1e-15
 
 
 class Gathered(NamedTuple):
-    """Pieces of several supports, those of a kind behind one another.
+    """Pieces of several supports, grouped by kind.
 
     Attributes
     ----------
     rows, owners : list of ndarray
-        By kind: rows as in `Pieces`, those of the plates their center, extent and share; and the number of
-        the support that each is of.
+        For each kind: rows as in `Pieces`, with center, extent and share for plates; and the number of the
+        support to which each row belongs.
     first : ndarray of int, shape (plates + 1,)
-        Where the edges of each plate begin, and the number of all.
+        Index at which the edges of each plate begin, then the total number of edges.
     centers, extents, spreads : ndarray
-        Of the supports: centers of pressure, largest distances of the support from them, second moments.
+        Of the supports: centers of pressure, largest distances from them, second moments.
     """
 
     rows: list[Array]
@@ -49,14 +49,14 @@ class Gathered(NamedTuple):
 
 
 def shared(pieces: Pieces, share: float) -> Pieces:
-    """Pieces that together carry a share."""
+    """Pieces with their shares multiplied by a share."""
     atoms, segments, rings, discs = (_scaled(each, share) for each in pieces[:4])
     plates = tuple(_scaled(each, share) for each in pieces.plates)
     return Pieces(atoms, segments, rings, discs, plates)
 
 
 def _scaled(rows: Array, share: float) -> Array:
-    """Rows with their last column times a share."""
+    """Rows with their last column multiplied by a share."""
     return np.column_stack([rows[:, :-1], rows[:, -1] * share])
 
 
@@ -85,7 +85,7 @@ def gathered(supports: Sequence[Pieces]) -> Gathered:
 
 
 def _places(edges: Array, lengths: Any, first: Any) -> Array:
-    """Center of pressure, largest distance from it and share of plates, from triangles over their edges."""
+    """Center of pressure, largest distance from it, and share of plates, by triangles over their edges."""
     if not len(first):
         return np.empty((0, 4))
     ends = edges[:, :2]
@@ -148,7 +148,7 @@ def extent(pieces: Pieces) -> float:
 
 
 def assembled(pieces: Pieces, radius: float) -> Pressure:
-    """The record of the compiled core, in units of the slider's radius."""
+    """`Pressure` of pieces, in units of the slider's radius."""
     found = gathered([pieces])
     starts, rows, multipoles = stacked(found, np.array([radius]))
     (x, y), size = found.centers[0] / radius, found.extents[0] / radius
@@ -158,9 +158,9 @@ def assembled(pieces: Pieces, radius: float) -> Pressure:
 
 
 def stacked(found: Gathered, radii: Array) -> tuple[Any, Array, Array]:
-    """Starts, shape (supports, 7), rows and multipoles of supports, each in units of a radius.
+    """Starts, shape (supports, 7), rows and multipoles of supports, each in units of its own radius.
 
-    The starts are those of `Pressure`, and the number of the support's first multipoles.
+    The starts are those of `Pressure`, followed by the number of the support's first multipoles.
     """
     kinds, owners = _scaled_rows(found, radii)
     count = len(radii)
@@ -170,7 +170,7 @@ def stacked(found: Gathered, radii: Array) -> tuple[Any, Array, Array]:
     starts = (counts.cumsum() - counts.ravel()).reshape(counts.shape)
     series = counts[:, PLATES].cumsum() - counts[:, PLATES]
     rows = np.ascontiguousarray(rows[order])
-    # The edges of all supports are in the order of the plates, and so are these two.
+    # The edges of all supports follow the order of the plates, and so do these two arrays.
     lengths, owner = np.diff(found.first), owners[PLATES]
     inside = found.first[:-1] - (counts[:, EDGES].cumsum() - counts[:, EDGES])[owner]
     begin = starts[owner, EDGES] + inside
@@ -180,7 +180,7 @@ def stacked(found: Gathered, radii: Array) -> tuple[Any, Array, Array]:
 
 
 def _scaled_rows(found: Gathered, radii: Array) -> tuple[list[Array], list[Any]]:
-    """Rows of each kind, but for the edges of the plates, in units of the radii; and their owners."""
+    """Rows of each kind in units of the radii, and their owners; rows of plates lack their edge numbers."""
     owners, unit = list(found.owners), [radii[owner, None] for owner in found.owners]
     atoms, segments, rings, discs, plates, edges = found.rows
     atoms, owners[ATOMS] = _atoms(found, atoms[:, :2] / unit[ATOMS], radii)
@@ -200,7 +200,7 @@ def _scaled_rows(found: Gathered, radii: Array) -> tuple[list[Array], list[Any]]
 
 
 def _atoms(found: Gathered, places: Array, radii: Array) -> tuple[Array, Any]:
-    """Atoms in their order, those of a support at the same place one; and their owners."""
+    """Atoms in their order, and their owners; atoms of one support at the same place are merged."""
     owner: Any = found.owners[ATOMS]
     shares: Any = found.rows[ATOMS][:, 2]
     keys = np.column_stack([owner, places])
@@ -214,7 +214,7 @@ def _atoms(found: Gathered, places: Array, radii: Array) -> tuple[Array, Any]:
 
 
 def _lines(start: Array, end: Array) -> Array:
-    """Middle, unit tangent and half the length of lines."""
+    """Midpoint, unit tangent and half length of lines."""
     along = end - start
     length = np.hypot(along[:, 0], along[:, 1])
     return np.column_stack([(start + end) / 2, along / length[:, None], length / 2])

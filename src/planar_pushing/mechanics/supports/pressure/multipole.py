@@ -1,15 +1,15 @@
-r"""Distance to a plate from afar, in powers of the plate's size over the distance.
+r"""Mean distance to a distant plate, in powers of the plate's size divided by the distance.
 
-With positions z in the complex plane from the plate's center of pressure, in units of its radius, and zeta
-the radius over the center of rotation c likewise,
+Let z be positions in the complex plane relative to the plate's center of pressure, in units of its radius,
+and zeta the radius divided by the center of rotation c, relative to the same point. Then
 
     |r - c| = |c| |1 - z zeta| = |c| sum of a_j a_k (z zeta)^j conj(z zeta)^k
 
-with the coefficients of ``sqrt(1 - z) = sum of a_j z^j``. The mean over the plate needs its moments
+with the coefficients of ``sqrt(1 - z) = sum of a_j z^j``. The mean over the plate follows from its moments
 ``M_jk``, the means of z^j conj(z)^k. D, the torque and all derivatives are sums of the same terms with
 factors of n = j + k and m = j - k, so nothing cancels: the torque starts at n = 2. Terms are stored for
-m = 0, 1, ... and in each for k = 0, 1, ...; those of one m are passed over where all are rounding, as in a
-plate that looks the same after a half or a quarter turn.
+m = 0, 1, ... and, for each m, for k = 0, 1, ...; an m whose terms are all rounding errors is skipped, as in
+a plate that is symmetric under rotation by 180 or 90 degrees.
 """
 
 from __future__ import annotations
@@ -24,24 +24,24 @@ from planar_pushing.mechanics.numerics.arrays import in_threads
 from planar_pushing.mechanics.numerics.root import EPSILON
 from planar_pushing.mechanics.supports.pressure.record import Array
 
-#: Highest power n, enough for 1e-16 from `FAR` of `plate` on.
+#: Highest power n, enough for 1e-16 beyond `FAR` of `plate`.
 ORDER = 52
 TERMS = sum((ORDER - m) // 2 + 1 for m in range(ORDER + 1))
-#: Rows of a plate: its terms, and of each m whether they count.
+#: Rows of a plate: its terms, and for each m whether they count.
 ROWS = TERMS + ORDER + 1
-#: Terms of power n count while ``n log(|c| / radius)`` is below this; those of polygons with many kinds of
-#: corners are measured to be below 1e-16 from there on.
+#: Terms of power n count while ``n log(|c| / radius)`` is below this. Beyond it they were below 1e-16 in
+#: measurements on polygons with many kinds of corners.
 DIGITS = 28.0
 #: Coefficients of sqrt(1 - z).
 ROOT = tuple(np.cumprod([1.0] + [(2 * j - 3) / (2 * j) for j in range(1, ORDER + 1)]).tolist())
 
 
-#: Plates of a block: some milliseconds of work.
+#: Plates per block: a few milliseconds of work.
 BLOCK = 512
 
 
 def of_all(rows: Array, plates: Any) -> Array:
-    """Terms of all plates, which are some of the rows of a record; shape (plates, ROWS, 2)."""
+    """Terms of all plates, given the rows of a record that hold them; shape (plates, ROWS, 2)."""
     found = np.zeros((len(plates), ROWS, 2))
 
     def block(start: int) -> None:
@@ -64,7 +64,7 @@ def _expand(rows, plates, found):
 
 @owning
 def multipoles(edges, radius, found):
-    """Write down the terms of a plate, real and imaginary, where zeros are; shape (ROWS, 2)."""
+    """Write the terms of a plate, real and imaginary, into an array of zeros of shape (ROWS, 2)."""
     sums = np.zeros((ORDER + 1, ORDER // 2 + 1), dtype=np.complex128)
     for i in range(len(edges)):
         x, y, t_x = edges[i, 0], edges[i, 1], edges[i, 2]
@@ -77,13 +77,13 @@ def multipoles(edges, radius, found):
 
 @owning
 def _add_edge(sums, start, end, area):
-    """Add an edge's part of the moments, over the triangle of the edge and the center.
+    """Add an edge's contribution to the moments, over the triangle of the edge and the center.
 
     The means of z^j conj(z)^k over the edge follow from those of lower powers by integration by parts.
     """
     means, power, square = np.empty_like(sums), _powers(end), _powers(end * end.conjugate())
     for n in range(ORDER + 1):
-        # Complex numbers are divided by a real one slowly.
+        # Division of a complex by a real number is slow.
         part, whole = 1.0 / (n + 1.0), area / (n + 2.0)
         for k in range(n // 2 + 1):
             m = n - 2 * k
@@ -116,7 +116,7 @@ def _terms(sums, found):
             factor = ROOT[m + k] * ROOT[k] / whole * (2.0 if m > 0 else 1.0)
             found[place, 0] = factor * sums[m, k].real
             found[place, 1] = factor * sums[m, k].imag
-            # The second term is the torque's largest.
+            # The second term is the largest in the torque.
             size = max(abs(found[place, 0]), abs(found[place, 1]))
             if size > EPSILON * abs(found[1, 0]):
                 found[TERMS + m, 0] = 1.0
@@ -129,7 +129,7 @@ def far(multipoles, i, x, y, radius):
     distance = sqrt(x * x + y * y)
     ratio, u_x, u_y = radius / distance, x / distance, y / distance
     one, n1, bend, m_i, mn_i, turn = _sums(multipoles, i, ratio, u_x, -u_y)
-    # grad D = (c / |c|) (sum of (1 - n) + i m), and twice the same for the second derivatives.
+    # grad D = (c / |c|) (sum of (1 - n) + i m); applied twice, it gives the second derivatives.
     g_x, g_y = one - n1, m_i
     mean = (bend - 2.0 * n1 + one - turn) / (2.0 * distance)
     p, q = (bend + turn - one) / (2.0 * distance), -mn_i / distance
@@ -141,7 +141,7 @@ def far(multipoles, i, x, y, radius):
 
 @summing
 def _sums(multipoles, i, ratio, cosine, sine):
-    """Sums of the terms' real parts times 1, n, n^2; imaginary times m, m n; and real times m^2."""
+    """Sums of the terms' real parts times 1, n and n^2, imaginary parts times m and m n, real times m^2."""
     order = min(ORDER, int(DIGITS / -log(ratio)) + 2)
     y, re, im, start = ratio * ratio, 1.0, 0.0, 0
     one, first, second, slide, shear, turn = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
@@ -162,7 +162,7 @@ def _sums(multipoles, i, ratio, cosine, sine):
 
 @summing
 def _row(multipoles, i, start, m, count, y):
-    """Sums over k at one m, times 1, n and n^2, real and imaginary: polynomials in y and derivatives."""
+    """Real and imaginary sums over k at one m, times 1, n and n^2: polynomials in y and derivatives."""
     a, b, first_a, first_b, second_a, second_b = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for k in range(count):
         place = start + count - 1 - k

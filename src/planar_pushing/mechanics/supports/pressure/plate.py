@@ -1,8 +1,8 @@
-"""An area whose pressure is even between straight edges: a polygon, or cells of a pressure map.
+"""An area with uniform pressure between straight edges: a polygon, or cells of a pressure map.
 
-By the divergence theorem the means over the area are sums over the edges of the mean distance along each,
-times the step of the pressure across it (manual: theory, any support). From afar the sums cancel, and
-multipoles take over.
+By the divergence theorem, the means over the area are sums over the edges of the mean distance along each
+edge times the jump of the pressure across it (manual: theory, any support). Far from the area these sums
+cancel, and multipoles are used instead.
 """
 
 from __future__ import annotations
@@ -10,13 +10,13 @@ from __future__ import annotations
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.supports.pressure.edges import ends, mean_distance, mean_inverse
 
-#: From this distance on, in radii of the plate, `multipole.far` is used.
+#: Beyond this distance, in radii of the plate, `multipole.far` is used.
 FAR = 1.7
 
 
 @compiled
 def near(edges, begin, stop, x, y):
-    """The piece of a plate, edges `begin` to `stop`, for a center of rotation (x, y) from its center."""
+    """The piece of a plate with edges `begin` to `stop`; (x, y) is relative to the plate's center."""
     distance, g_x, g_y, xx, xy, yy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for i in range(begin, stop):
         m_x, m_y, t_x = edges[i, 0], edges[i, 1], edges[i, 2]
@@ -34,7 +34,7 @@ def near(edges, begin, stop, x, y):
 
 @compiled
 def _edge(s, h, half):
-    """Mean distance of an edge, h, and the means of r' / rho along and across it."""
+    """Mean distance to an edge, h, and the means of r' / rho along and across it."""
     one, other = ends(s, h, half)
     both = one + other
     inverse = mean_inverse(s, h, half, one, other)

@@ -1,4 +1,4 @@
-"""The one record of a pressure distribution, whatever its pieces."""
+"""The common record of all pressure distributions."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ import numpy.typing as npt
 Array = npt.NDArray[np.float64]
 
 
-#: Kinds of rows of a record, in their order.
+#: Kinds of rows of a record, in order.
 ATOMS, SEGMENTS, RINGS, DISCS, PLATES, EDGES = range(6)
 #: Columns of a row.
 COLUMNS = 6
 
 
 class Pressure(NamedTuple):
-    """Unit pressure in the compiled core: pieces whose shares add to 1, in the body frame.
+    """Unit pressure in the compiled core: pieces in the body frame whose shares add up to 1.
 
-    Lengths are in units of the slider's radius. All pieces are rows of one array, since each array that a
-    function takes costs it time. Rows that are shorter than others end in zeros.
+    Lengths are in units of the slider's radius. All pieces are rows of one array, because each array
+    argument costs a function time. Shorter rows are padded with zeros.
 
     Parameters
     ----------
@@ -29,22 +29,22 @@ class Pressure(NamedTuple):
     extent : float
         Largest distance of the support from the center of pressure.
     spread : tuple of float
-        Means of x x, x y and y y from the center of pressure.
+        Means of x x, x y and y y relative to the center of pressure.
     starts : tuple of int
-        Rows in which the pieces of each kind begin: `ATOMS` to `EDGES`.
+        First row of each kind of piece, `ATOMS` to `EDGES`, and the number of rows.
     series : int
         Number of the first plate's multipoles.
     rows : array, shape (n, COLUMNS)
         Atoms are points: x, y, share, and the square of the distance below which a center of rotation is
         on the point. No two are at the same place.
-        Segments are even lines: x and y of the middle, unit tangent, half the length, share.
-        Rings and discs are even: x and y of the center, radius, share. A hole has a negative share.
-        Plates are areas whose pressure is even between edges: x and y of the center of pressure, largest
+        Segments are uniform lines: x and y of the midpoint, unit tangent, half length, share.
+        Rings and discs are uniform: x and y of the center, radius, share. A hole has a negative share.
+        Plates are areas with uniform pressure between edges: x and y of the center of pressure, largest
         distance of an edge from it, share, and the rows in which its edges begin and end.
-        Edges of the plates: x and y of the middle from the plate's center, unit tangent, half the length,
-        and the pressure on the left of the tangent less that on the right, per unit share.
+        Edges of the plates: x and y of the midpoint from the plate's center, unit tangent, half length, and
+        the pressure on the left of the tangent minus that on the right, per unit share.
     multipoles : array, shape (m, ROWS, 2)
-        Moments of the plates as `far` of `multipole` reads them.
+        Moments of the plates, in the form that `multipole.far` reads.
     """
 
     center_x: float
@@ -69,7 +69,7 @@ class Pieces(NamedTuple):
     rings, discs : array, shape (n, 4)
         x and y of the center, radius, share.
     plates : tuple of arrays, shape (m, 5)
-        Edges of each plate: x and y of both ends, and the pressure on the left less that on the right.
+        Edges of each plate: x and y of both ends, and the pressure on the left minus that on the right.
     """
 
     atoms: Array = np.empty((0, 3))

@@ -1,4 +1,4 @@
-"""Second moments of supports: how far their pressure is spread about its center."""
+"""Second moments of supports: the spread of their pressure about its center."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from planar_pushing.mechanics.supports.pressure.record import (
     Array,
 )
 
-#: Of each kind of piece, the columns in which its ends, or its one place, begin.
+#: For each kind of piece, the columns in which its two ends, or its one position, begin.
 ENDS = ((ATOMS, 0, 0), (SEGMENTS, 0, 2), (RINGS, 0, 0), (DISCS, 0, 0), (EDGES, 0, 2))
-#: Of round pieces, the mean square of a coordinate from their center over the square of the radius.
+#: For round pieces, the mean square of a coordinate from their center divided by the squared radius.
 ROUND = {RINGS: 1 / 2, DISCS: 1 / 4}
 
 
@@ -31,14 +31,14 @@ def spreads(rows: list[Array], owners: list[Any], centers: Array) -> Array:
         if kind in ROUND:
             means[:, [0, 2]] += ROUND[kind] * pieces[:, 2:3] ** 2
         if kind == EDGES:
-            # Of the triangle from the center to the edge, with its part of the plate's share.
+            # Moments of the triangle from the center to the edge, weighted by its share of the pressure.
             share = share * (start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0]) / 4
         np.add.at(found, owners[kind], share[:, None] * means)
     return found
 
 
 def _along(start: Array, end: Array) -> Array:
-    """Means of x x, x y and y y over even lines."""
+    """Means of x x, x y and y y over uniform lines."""
     (a, b), (c, d) = start.T, end.T
     xx, yy = (a * a + a * c + c * c) / 3, (b * b + b * d + d * d) / 3
     return np.column_stack([xx, (2 * a * b + a * d + b * c + 2 * c * d) / 6, yy])

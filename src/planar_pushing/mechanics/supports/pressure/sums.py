@@ -1,8 +1,8 @@
-"""Sums over pieces: what a piece gives about its own center, carried to the support's.
+"""Sums over pieces: moments of a piece about its own center, transferred to the support's center.
 
-A piece is a tuple ``D, G_x, G_y, T, D_xx, D_xy, D_yy`` per unit share, for a center of rotation (x, y) from
-its own center of pressure: mean distance, mean unit vector away from the center of rotation, torque about
-the piece's own center of pressure, and the second derivatives of D.
+A piece is a tuple ``D, G_x, G_y, T, D_xx, D_xy, D_yy`` per unit share, for a center of rotation (x, y)
+relative to its own center of pressure: mean distance, mean unit vector away from the center of rotation,
+torque about the piece's own center of pressure, and second derivatives of D.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ NOTHING = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 @compiled
 def added(total, share, piece, arm_x, arm_y):
-    """Totals with a piece whose center is at `arm` from the point that the total torque is about."""
+    """Add a piece to the totals; `arm` is its center relative to the point of the total torque."""
     distance, unit_x, unit_y, torque, xx, xy, yy = piece
     return (
         total[0] + share * distance,
@@ -31,9 +31,9 @@ def added(total, share, piece, arm_x, arm_y):
 
 @compiled
 def turned(x, y, distance, slope, torque, along, across):
-    """A piece symmetric about its center, from D and its derivatives in the distance of (x, y).
+    """A piece symmetric about its center, from D and its derivatives along the radius to (x, y).
 
-    `along` is the second derivative of D by the distance, `across` the slope over the distance.
+    `along` is the second radial derivative of D, and `across` the first one divided by the distance.
     """
     far = sqrt(x * x + y * y)
     u_x, u_y = (x / far, y / far) if far > 0.0 else (0.0, 0.0)

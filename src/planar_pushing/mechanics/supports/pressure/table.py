@@ -1,4 +1,4 @@
-"""The pressures of several supports in one table, of which the compiled core takes one by its number."""
+"""The pressures of several supports in one table, from which the compiled core picks one by number."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from planar_pushing.terms.errors import InvalidValue
 
 #: Rounding error of a center of pressure, relative to its coordinates.
 ROUNDING = 1e-14
-#: So many supports are few, and what was found of so many tuples of them is kept.
+#: Maximum number of supports in a small tuple, and number of small tuples whose results are cached.
 FEW, KEPT = 1000, 16
 Found = TypeVar("Found")
 
 
 class Table(NamedTuple):
-    """Pressures one behind the other, each in units of its own extent.
+    """Pressures stored one after the other, each in units of its own extent.
 
     Attributes
     ----------
@@ -30,9 +30,9 @@ class Table(NamedTuple):
     spreads : ndarray, shape (n, 3)
         As `spread` in `Pressure`.
     starts : ndarray of int, shape (n, 7)
-        Where the pieces of each support begin, as in `Pressure`, and the number of its first multipoles.
+        First rows of the pieces of each support, as in `Pressure`, and number of its first multipoles.
     rows, multipoles : ndarray
-        As in `Pressure`, of all supports.
+        As in `Pressure`, for all supports.
     """
 
     centers: Array
@@ -43,7 +43,7 @@ class Table(NamedTuple):
 
 
 def kept(function: Callable[[tuple[Any, ...]], Found]) -> Callable[[Iterable[Any]], Found]:
-    """Keep what a function finds of supports; of many, which may take gigabytes, what it found last."""
+    """Cache a function of supports; for many supports, which can take gigabytes, the last result only."""
     few, many = lru_cache(KEPT)(function), lru_cache(1)(function)
 
     @wraps(function)
@@ -60,25 +60,25 @@ def extents_of(supports: Iterable[Any]) -> Array:
     Raises
     ------
     InvalidValue
-        Where a support is one point, which resists no rotation.
+        If a support is a single point, which resists no rotation.
     """
     return _gathered(supports).extents
 
 
 def extent_of(support: Any) -> float:
-    """As `extents_of`, of one support."""
+    """As `extents_of`, for one support."""
     return float(extents_of([support])[0])
 
 
 @kept
 def _gathered(supports: tuple[Any, ...]) -> Gathered:
-    """The pieces of supports, none of which is one point."""
+    """The pieces of supports, none of which may be a single point."""
     found = gathered([support.pieces() for support in supports])
-    # Weights that round move the center of pressure of one point by some units in the last place.
+    # Rounding of the weights moves the center of pressure of a single point by a few ulp.
     points = np.flatnonzero(found.extents <= ROUNDING * np.abs(found.centers).sum(axis=1))
     if len(points):
         raise InvalidValue(
-            "support", supports[points[0]], "a support that is larger than a point",
+            "support", supports[points[0]], "a support with more than one point",
             "a point resists no rotation: its force is opposite to its motion",
         )  # fmt: skip
     return found
@@ -86,7 +86,7 @@ def _gathered(supports: tuple[Any, ...]) -> Gathered:
 
 @kept
 def table_of(supports: tuple[Any, ...]) -> Table:
-    """The table of supports."""
+    """`Table` of supports."""
     found = _gathered(supports)
     starts, rows, multipoles = stacked(found, found.extents)
     size = found.extents[:, None]
@@ -95,7 +95,7 @@ def table_of(supports: tuple[Any, ...]) -> Table:
 
 @owning
 def pressure_of(table, i):
-    """One of the pressures."""
+    """The i-th pressure of a table."""
     x, y, at = table.centers[i, 0], table.centers[i, 1], table.starts[i]
     spread = table.spreads[i, 0], table.spreads[i, 1], table.spreads[i, 2]
     starts = at[0], at[1], at[2], at[3], at[4], at[5]

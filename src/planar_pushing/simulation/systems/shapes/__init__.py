@@ -1,1 +1,1 @@
-"""What pushes: a fence, which meets a point of the slider, or a finger, which meets a flat side."""
+"""Shapes of pushers: a fence touches a point of the slider, and a finger touches a flat side."""

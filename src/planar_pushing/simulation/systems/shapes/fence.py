@@ -1,4 +1,4 @@
-"""A fence: a line that stays parallel to x, against the rod's free end. Its frame is the world's."""
+"""A fence: a line that stays parallel to x and touches the rod's free end. Its frame is the world's."""
 
 from __future__ import annotations
 

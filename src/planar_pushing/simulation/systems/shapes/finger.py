@@ -1,10 +1,10 @@
-"""A finger: a disc that does not rotate, or a point, against a flat side of the slider.
+"""A finger: a disc that does not rotate, or a point, that touches a flat side of the slider.
 
-Its frame is fixed to the side and turns with the slider. In it body x keeps its direction, and the contact,
-which is the finger's point nearest to the side, travels along the side. The finger's center is a radius r
-below it. With w the velocity of the slider's point there over the finger, the contact travels along the
-side at ``-(w_x + r spin)``, also where it sticks, and w changes with the accelerations a of that point and
-a_F of the finger: ``dw/dt = a - a_F - 2 spin x w - spin x (r spin, 0)``.
+The contact frame is fixed to the side and rotates with the slider. In this frame, the direction of body x
+is constant. The contact, which is the finger's point nearest to the side, travels along the side. The
+finger's center is one radius r below it. Let w be the velocity of the slider's contact point relative to
+the finger. The contact, even if it sticks, travels along the side at ``-(w_x + r spin)``. With the
+accelerations a of this point and a_F of the finger, ``dw/dt = a - a_F - 2 spin x w - spin x (r spin, 0)``.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from planar_pushing.simulation.systems.frame import pose_at
 
 
 class Finger(NamedTuple):
-    """Length, angle and direction of the rod at time 0; ends of the side, from the contact then; radius."""
+    """Length, angle and direction of the rod at time 0, ends of the side from the contact, and radius."""
 
     length: float
     angle: float
@@ -79,7 +79,7 @@ def center(shape, angle, now, along, gap, x, y):
     x_there, y_there = shown(shape, angle, now.x, now.y)
     turn = angle - shape.angle
     half = sin(turn / 2.0)
-    # From the finger's center the contact turns with the side.
+    # Seen from the finger's center, the contact rotates with the side.
     x, y = x - shape.radius * sin(turn), y - 2.0 * shape.radius * half * half
     return x + x_there, y + y_there
 
@@ -90,7 +90,7 @@ def flown(shape, now, along, gap, x, y, way_x, way_y, turn):
     x, y = now.x + x - way_x, now.y + y - way_y
     along, across = c * x + s * y, c * y - s * x
     half = sin(turn / 2.0)
-    # The side turns about the finger's center, and the contact is again a radius above that.
+    # The side rotates about the finger's center, and the contact is again one radius above the center.
     along, across = along + shape.radius * s, across - 2.0 * shape.radius * half * half
     return along - shape.length * shape.x, across - shape.length * shape.y
 

@@ -1,4 +1,4 @@
-"""Figure 21: pressures identified from measured pushes, against the true feet."""
+"""Pressures identified from measured pushes, compared with the true feet."""
 
 from __future__ import annotations
 
@@ -22,29 +22,29 @@ FIGURE = Figure(
     size=(PAGE, 4.9),
     column=(COLUMN, 5.6),
 )
-#: Colors of what is true and of what was identified, as in the comparison of models.
+#: Colors of true and of identified quantities, as in the comparison of models.
 TRUE, FOUND = LOOKS["exact"].color, LOOKS["identified"].color
-#: Radius of the whole weight, of the outline's extent; and the fraction that the key shows.
+#: Radius of a disc for the whole weight, relative to the outline's extent; fraction shown in the key.
 WHOLE, KEY = 0.13, 0.25
-#: Side of the frame with the enlarged centers, of the outline's extent, and how much it enlarges at most.
+#: Side of the frame of the enlarged centers, relative to the outline's extent; largest enlargement.
 FRAME, LARGEST = 0.36, 5.0
-#: Length of the bar that gives the scale, mm; height of a line of the key and room around, points.
+#: Length of the scale bar, mm; line height of the key and padding around it, points.
 BAR, LINE, PAD = 50.0, 18.0, 4.0
-#: Where the entries of the key begin, in widths of the figure.
+#: Starts of the key's entries, as fractions of the figure's width.
 PAGE_STARTS, COLUMN_STARTS = (0.0, 0.225, 0.475, 0.665), (0.0, 0.46)
 #: Points of the unit circle.
 CIRCLE = direction(np.linspace(0.0, 2 * np.pi, 49))
-#: Letters of the panels.
+#: Panel letters.
 LETTERS = "abcdefghij"
 
 
 def logs(data: dict[str, Any]) -> dict[str, dict[str, Any]]:
-    """The logs of the triangle on feet and on its face, by name."""
+    """Logs of the triangle on three feet and on its face, by name."""
     return {**data["three_feet"]["logs"], **data["patch"]["logs"]}
 
 
 def reference(log: dict[str, Any]) -> Array:
-    """True center of pressure; of a slider without feet the centroid of its face."""
+    """True center of pressure; the centroid of the face for a slider without feet."""
     if log["true_feet"] is None:
         return np.array(Polygon(log["outline"]).center_of_pressure)
     feet = np.array(log["true_feet"])
@@ -55,16 +55,16 @@ def caption(data: dict[str, Any]) -> str:
     """Caption of the figure."""
     parts = "; ".join(_told(data))
     return (
-        "Pressures identified from measured pushes. Rings are the true feet, discs the identified points; "
-        "their areas are fractions of the weight. A cross is the true center of pressure, or the centroid "
-        "of the face where there are no feet; a dot is the identified center. The frames show both "
-        f"{enlargement(data):g} times as large, with 90 percent intervals of the identified center along "
-        f"both axes. {parts}."
+        "Pressures identified from measured pushes. Rings are the true feet and discs the identified "
+        "points, with areas proportional to their fractions of the weight. A cross is the true center of "
+        "pressure, or the centroid of the face if there are no feet; a dot is the identified center. The "
+        f"frames enlarge both centers {enlargement(data):g} times and show 90 percent intervals of the "
+        f"identified center along both axes. {parts}."
     )
 
 
 def _told(data: dict[str, Any]) -> Iterator[str]:
-    """Each panel in words."""
+    """One phrase for each panel."""
     for letter, log in zip(LETTERS, logs(data).values(), strict=False):
         apart = float(np.hypot(*(log["center_of_pressure"] - reference(log))))
         places = [f"({x:g}, {y:g})" for x, y, _ in log["true_feet"] or ()]
@@ -79,7 +79,7 @@ def _told(data: dict[str, Any]) -> Iterator[str]:
 
 
 def draw(figure: Any, data: dict[str, Any]) -> None:
-    """Draw a panel for each log, and a key to the marks below them."""
+    """Draw a panel for each log and, below the panels, a key to the marks."""
     found, zoom = list(logs(data).values()), enlargement(data)
     columns, lines = (2, 3) if is_column(figure) else (len(found), 1)
     wide = 72 * figure.get_figwidth()
@@ -101,12 +101,12 @@ def _extent(log: dict[str, Any]) -> float:
 
 
 def _box(log: dict[str, Any]) -> Array:
-    """Corners of what a panel shows: the outline with room for rings at its edge."""
+    """Corners of the area that a panel shows: the outline with room for rings at its edge."""
     return corners([log["outline"]], 0.06 * _extent(log))
 
 
 def _picture(log: dict[str, Any], letter: str, zoom: float) -> Picture:
-    """Outline, feet, identified points, and the centers of pressure."""
+    """Picture of a log: outline, feet, identified points, and centers of pressure."""
     picture, outline = Picture(), np.array(log["outline"])
     picture.area(outline, color="#F4F4F4")
     picture.line(np.vstack([outline, outline[:1]]), GRAY, width=0.8)
@@ -125,13 +125,13 @@ def _picture(log: dict[str, Any], letter: str, zoom: float) -> Picture:
 
 
 def _window(log: dict[str, Any]) -> Array:
-    """Corners of the frame in which the centers are enlarged, in the upper right corner of a panel."""
+    """Corners of the frame with the enlarged centers, at the upper right of a panel."""
     high = np.max(log["outline"], axis=0) - 0.01 * _extent(log)
     return np.array([high - FRAME * _extent(log), high])
 
 
 def enlargement(data: dict[str, Any]) -> float:
-    """Factor by which all centers, with their intervals, fit into a frame."""
+    """Enlargement at which all centers and their intervals fit into a frame."""
     return min(LARGEST, *(float(np.floor(_fitting(log))) for log in logs(data).values()))
 
 
@@ -142,7 +142,7 @@ def _fitting(log: dict[str, Any]) -> float:
 
 
 def _add_enlarged(picture: Picture, log: dict[str, Any], zoom: float) -> None:
-    """The centers of pressure, enlarged about the middle between them, in a frame."""
+    """Add the centers of pressure in a frame, enlarged about their midpoint."""
     low, high = window = _window(log)
     picture.line([low, (high[0], low[1]), high, (low[0], high[1]), low], LIGHT, width=0.6)
     true, found = reference(log), np.array(log["center_of_pressure"])
@@ -165,30 +165,30 @@ def _bounds(log: dict[str, Any]) -> Array:
 
 
 def add_disc(picture: Picture, place: Any, radius: float) -> None:
-    """Disc of an identified point."""
+    """Add the disc of an identified point."""
     rim = np.asarray(place) + radius * CIRCLE
     picture.area(rim, color=tint(FOUND, 0.45), order=1.0)
     picture.line(rim, FOUND, width=0.6, order=1.1)
 
 
 def add_ring(picture: Picture, place: Any, radius: float) -> None:
-    """Ring of a true foot."""
+    """Add the ring of a true foot."""
     rim = np.asarray(place) + radius * CIRCLE
     picture.line(rim, TRUE, width=1.5, order=LINES + 0.5)
 
 
 def add_true(picture: Picture, place: Any) -> None:
-    """Center of the true pressure."""
+    """Add the cross of the true center of pressure."""
     picture.dot(place, 6.0, "#FFFFFF", edge=TRUE, width=0.8, shape="pressure", order=LINES + 1.4)
 
 
 def add_found(picture: Picture, place: Any) -> None:
-    """Center of the identified pressure."""
+    """Add the dot of the identified center of pressure."""
     picture.dot(place, 2.6, FOUND, order=LINES + 1.6)
 
 
 def _key(lines: int, wide: float, whole: float, scale: float) -> Picture:
-    """Marks and their names in so many lines of a width, all in points; `scale` is points per mm."""
+    """Key of marks and names in a number of lines of a width in points; `scale` is points per mm."""
     names = ("true foot, 25% of the weight", "identified point, 25% of the weight",
              "true center of pressure", "identified center, 90% intervals")  # fmt: skip
     starts = PAGE_STARTS if lines == 1 else COLUMN_STARTS

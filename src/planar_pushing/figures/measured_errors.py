@@ -1,4 +1,4 @@
-"""Figure 22: errors of models of friction on measured pushes."""
+"""Errors of friction models on measured pushes."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ COLUMNS = 3
 
 
 class Group(NamedTuple):
-    """A group of pushes: its part of the file, its comparison there, its name, and a remark on it."""
+    """A group of pushes: its section of the file, its comparison there, its name, and a remark."""
 
     part: str
     key: str
@@ -46,7 +46,7 @@ class Group(NamedTuple):
     remark: str = ""
 
 
-#: The rows of the page.
+#: Groups by rows of panels.
 GROUPS = (
     (Group("three_feet", "comparison", "three feet"),),
     (Group("patch", "comparison", "whole face"),),
@@ -66,18 +66,18 @@ def caption(data: dict[str, Any]) -> str:
     """Caption of the figure."""
     feet, face, every = (data[name]["pushes"] for name in ("three_feet", "patch", "polygons"))
     return (
-        "Errors of models of friction on the half of the pushes to which they are not fitted. A marker is "
-        "the median, a thick line its 95 percent interval, and a thin line ends at the 90th percentile. "
-        "Behind it stands the ratio of the median to that of the ellipsoid fitted to the same pushes, with "
-        "its 95 percent interval. Circles are pressures with exact mechanics, hollow diamonds are "
-        f"ellipsoids. A triangle on three feet ({feet} pushes) and on its whole face ({face}), and "
-        f"polygons that are pushed at a side ({every - data['polygons']['corner_pushes']}), or at a side "
-        f"or a corner ({every})."
+        "Errors of friction models on measured pushes; each half of the pushes is predicted by models "
+        "fitted to the other half. A marker is the median, a thick line its 95 percent interval, and a "
+        "thin line ends at the 90th percentile. To the right is the ratio of the median to that of the "
+        "ellipsoid fitted to the same pushes, with its 95 percent interval. Circles are pressures with "
+        "exact mechanics, and hollow diamonds are ellipsoids. The object is a triangle on three feet "
+        f"({feet} pushes) or on its whole face ({face}), or a polygon pushed at a side "
+        f"({every - data['polygons']['corner_pushes']}), or at a side or a corner ({every})."
     )
 
 
 def parts(data: dict[str, Any]) -> list[list[Part]]:
-    """The panels by rows of the page."""
+    """Panels by rows."""
     return [[part for group in row for part in _parts(data, group)] for row in GROUPS]
 
 
@@ -87,7 +87,7 @@ def _parts(data: dict[str, Any], group: Group) -> list[Part]:
 
 
 def statistics(comparison: Mapping[str, Mapping[str, Any]], unit: str) -> xr.Dataset:
-    """A comparison of the file as `compare` returns it, with models in the order of `LOOKS`."""
+    """A comparison in the file as a dataset like that of `compare`, with models in the order of `LOOKS`."""
     quantities, models = list(comparison), _in_order(comparison.values())
     found: dict[str, Any] = {}
     for name, rest in STATISTICS.items():
@@ -105,7 +105,7 @@ def statistics(comparison: Mapping[str, Mapping[str, Any]], unit: str) -> xr.Dat
 
 
 def _in_order(given: Iterable[Mapping[str, Any]]) -> list[str]:
-    """Models that some quantity has, those with a look of their own first."""
+    """Models with a value of some quantity, first those with an entry in `LOOKS`."""
     every = dict.fromkeys(name for each in given for name in each)
     return [name for name in LOOKS if name in every] + [name for name in every if name not in LOOKS]
 
@@ -132,7 +132,7 @@ def draw(figure: Any, data: dict[str, Any]) -> None:
 
 
 def _lows(heights: list[float], whole: float) -> Iterator[float]:
-    """Lower edge of the axes of each row, inches from below."""
+    """Lower edge of the axes of each row, inches from the bottom."""
     top = whole
     for high in heights:
         top -= AROUND + high
