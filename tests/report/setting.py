@@ -78,13 +78,13 @@ def claim(name: str, *checks: dict[str, object], **values: object) -> dict[str, 
 
 def check(name: str, **values: object) -> dict[str, object]:
     """A check of a claim."""
-    return NOTHING | {"name": name, "verdict": "proved", "how": "An argument with psi."} | values
+    return NOTHING | {"name": name, "verdict": "proved", "how": "An argument with $psi$."} | values
 
 
 def claims() -> list[dict[str, object]]:
     """One claim of each verdict, and one of ours."""
     marked = [
-        claim(f"claim-{i}", verdict=verdict, statement=f"Statement number {i} on mu and f_x.")
+        claim(f"claim-{i}", verdict=verdict, statement=f"Statement number {i} on $mu$ and $f_x$.")
         for i, verdict in enumerate(VERDICTS)
     ]
     edge = {"verdict": "enclosed", "how": "A change of sign."}

@@ -148,13 +148,13 @@ def test_the_title_is_not_that_of_the_paper(pdf):
 def test_claims_tables_and_deviations_are_in_the_text(text):
     for part in (
         "claim-0",
-        "some edge: -20.125°",
+        "Some edge: -20.125°",
         "other edge: 1.5",
         "Sec. 3.1: friction cones",
         "Eqs. (12), (13), Fig. 5",
     ):
         assert part in text
-    for part in ("not reproducible", "refuted", "The sign is the other one.", "own: 1.375"):
+    for part in ("not reproducible", "refuted", "The sign is the other one.", "Own: 1.375"):
         assert part in text
     assert text.count("A change of sign.") == 1  # of two checks that argue alike
     assert "0.875" not in text  # the margin of a proof is no number of its statement
