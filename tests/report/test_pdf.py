@@ -43,7 +43,9 @@ def marked(setting, file, source):
     """Names of the numbers of a file whose marks the PDF does not show, once they are written."""
     before = text_of(compiled(source, setting.root))
     numbers = setting.numbers(file)
-    marks = {key: f"-{1000 + 7 * i}.{100 + i}" for i, key in enumerate(numbers)}
+    sections = [path.read_text(encoding="utf-8") for path in source.parent.glob("sections/*.typ")]
+    words = re.findall(r"#word\(\"([\w-]+)\"\)", "".join(sections))  # counts, which show no digits
+    marks = {key: f"-{1000 + 7 * i}.{100 + i}" for i, key in enumerate(numbers) if key not in words}
     for key, mark in marks.items():
         assert mark not in before
         numbers[key]["text"] = mark
