@@ -1,4 +1,4 @@
-"""The manual: Sphinx reads the pages of this folder and the docstrings, offline."""
+"""Sphinx configuration of the manual, which is built offline from this folder and the docstrings."""
 
 import atexit
 import os
@@ -14,13 +14,13 @@ from planar_pushing.figures.style import STYLE_SHEET
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "extensions"))
 
-# Kernels run this Python, talk on loopback, and keep what they write in a folder that ends with the build.
+# Kernels run this Python, communicate over loopback, and write to a folder that is removed after the build.
 KERNELS = tempfile.mkdtemp(prefix="kernels_")
 atexit.register(shutil.rmtree, KERNELS, ignore_errors=True)
 for folder in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR"):
     os.environ[folder] = KERNELS
 os.environ.pop("JUPYTER_PATH", None)
-# Their plots are in the figures' style, as vectors whose bytes are the same on every run.
+# Their plots use the style of the figures and are vector graphics that are identical in every build.
 os.environ["MATPLOTLIBRC"] = str(STYLE_SHEET)
 profile = Path(KERNELS, "profile_default", "ipython_kernel_config.py")
 profile.parent.mkdir()
@@ -37,19 +37,20 @@ extensions = [
     "sphinx-mathjax-offline",
     "command_reference",
     "docstrings",
+    "figure_gallery",
     "results_in_text",
 ]
 source_suffix = {".md": "myst-nb"}
 exclude_patterns = ["examples/**"]
-#: The folder that the pipeline fills, from this one.
+#: The results of the pipeline, relative to this folder.
 results_folder = "../../results"
 
 nitpicky = True
-# Names of parameters and of what other packages define, which have no page here.
+# Parameters, and names from other packages, have no page here.
 nitpick_ignore_regex = [("py:.*", r"(?!planar_pushing).*")]
 default_role = "py:obj"
-smartquotes = False  # they would make dashes of the options of the command line
-autodoc_typehints = "none"  # the docstrings name the types in words
+smartquotes = False  # would turn the hyphens of command-line options into dashes
+autodoc_typehints = "none"  # the docstrings describe the types in words
 autodoc_member_order = "bysource"
 numpydoc_show_class_members = False
 add_module_names = False
@@ -68,7 +69,7 @@ html_static_path = ["_static"]
 html_css_files = ["manual.css"]
 html_copy_source = False
 html_show_copyright = False
-#: The colour of motions, and the same hue on a dark page.
+#: The color of motions, and the same hue for dark pages.
 LINKS = {"light": MOTION, "dark": "#56B4E9"}
 BRAND = ("color-brand-primary", "color-brand-content", "color-brand-visited", "color-api-name")
 html_theme_options = {

@@ -44,7 +44,7 @@ def test_points_of_results_of_ones_own_are_certified(run, away):
 
 
 @pytest.mark.parametrize(("arguments", "said"), [
-    ([], "results: holds results of tiny alone; give the file of a study with --study"),
+    ([], "results: holds results of tiny only; give the file of a study with --study"),
     (["nowhere"], "nowhere: no such folder; name the folder of the results, or build them with "),
     (["nowhere", "--study", "tiny.yaml"], "nowhere: no such folder; name the folder of the results"),
     (["empty"], "workflow/config/paper.yaml: no such file; go to the project's folder, or give the "),
@@ -69,4 +69,4 @@ def test_a_copy_of_the_papers_study_is_checked_wherever_it_is(refused, away):
 def test_the_papers_study_is_found_beside_the_package(refused, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("mine").mkdir()
-    refused(["check", "mine"], "mine: holds no datasets; name the folder of the results, or build ")
+    refused(["check", "mine"], "mine: contains no datasets; name the folder of the results, or build ")

@@ -4,7 +4,10 @@ import os
 import subprocess
 import sys
 
+import matplotlib as mpl
 import pytest
+
+from planar_pushing.figures.style import paper_style
 
 PROGRAM = """
 import os
@@ -40,3 +43,10 @@ def test_a_command_draws_from_a_notebook(tmp_path):
         capture_output=True,
     )  # fmt: skip
     assert (tmp_path / "scene.svg").stat().st_size > 1000
+
+
+def test_the_interactive_mode_that_a_backend_turns_on_outlives_the_style():
+    with mpl.rc_context():
+        with paper_style():
+            mpl.interactive(True)
+        assert mpl.is_interactive()

@@ -81,6 +81,9 @@ def pages_as_html(root):
     set_up(root)
     _link(root, *BESIDE)
     shutil.copy("results/README.md", root / "results")
+    (root / "results/paper.pdf").touch()
+    for name in ("impact", "pulling_with_inertia"):
+        (root / f"results/figures/simulation_{name}.svg").write_text(PICTURE, encoding="utf-8")
     for page in PAGES:
         for name in re.findall(
             r"results/([\w/]+\.(?:svg|png|txt))", page.read_text(encoding="utf-8")

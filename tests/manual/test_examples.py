@@ -74,7 +74,7 @@ def test_five_pushes_tell_the_loads_and_make_the_better_plan(printed):
 def test_the_measurements_of_the_example_are_those_that_its_table_says():
     table = np.loadtxt(EXAMPLES / "own_pushes.csv", delimiter=",", comments="#", skiprows=4)
     text = (EXAMPLES / "own_pushes.csv").read_text(encoding="utf-8")
-    assert text.startswith("# Example numbers, not a measurement")
+    assert text.startswith("# Example numbers, not measurements")
     np.testing.assert_allclose(table, simulated_measurements(), atol=0.0101, rtol=0)
 
 

@@ -135,6 +135,25 @@ def test_kernels_run_this_python_on_loopback_and_need_no_home(tmp_path, monkeypa
     assert f"{sys.executable} on 127.0.0.1" in (tmp_path / "html/index.html").read_text()
 
 
+PLOTS = """
+```{code-cell} ipython3
+import matplotlib.pyplot as plt
+import planar_pushing as pp
+friction = (pp.RingFriction(),)
+pp.draw(pp.Scene(slider=pp.Slider(rod_length=2, rod_angle=1), contact=pp.Coulomb(1), effects=friction));
+```
+
+```{code-cell} ipython3
+plt.plot([1, 2]);
+```
+"""
+
+
+def test_every_cell_shows_its_plot(tmp_path):
+    build_manual(short_manual(tmp_path, NOTEBOOK + PLOTS), tmp_path / "html")
+    assert (tmp_path / "html/index.html").read_text(encoding="utf-8").count("<img") == 2
+
+
 READ = """# Title
 
 {number}`values` and {number}`edge`.

@@ -1,6 +1,7 @@
 """The cells of the tutorial run in their order, and find what its text says."""
 
 import re
+from code import InteractiveConsole
 from pathlib import Path
 
 import matplotlib
@@ -13,6 +14,8 @@ TEXT = Path("paper/manual/tutorial.md").read_text(encoding="utf-8")
 CELL = re.compile(
     r"^```\{code-cell\} ipython3\n((?::[^\n]*\n)*)(.*?)^```$", re.MULTILINE | re.DOTALL
 )
+#: Lines that fit on a screen.
+SCREEN = 25
 
 
 @pytest.fixture(scope="module")
@@ -26,6 +29,20 @@ def names():
             exec(compile(code, "tutorial.md", "exec"), found)
         found["plt"].close("all")
     return found
+
+
+def test_the_visible_cells_run_when_they_are_pasted_into_python(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    console = InteractiveConsole()
+    with matplotlib.rc_context():
+        matplotlib.use("agg")
+        for options, code in CELL.findall(TEXT):
+            for line in [*code.splitlines(), ""] if "remove-cell" not in options else ():
+                console.push(line)
+            printed = capsys.readouterr()
+            assert not printed.err, code
+            assert len(printed.out.splitlines()) <= SCREEN, code
+        console.locals["plt"].close("all")
 
 
 def test_a_push_along_the_normal_sticks(names):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from dataclasses import dataclass
 from pathlib import Path
@@ -78,13 +79,19 @@ def claim(name: str, *checks: dict[str, object], **values: object) -> dict[str, 
 
 def check(name: str, **values: object) -> dict[str, object]:
     """A check of a claim."""
-    return NOTHING | {"name": name, "verdict": "proved", "how": "An argument with psi."} | values
+    return NOTHING | {"name": name, "verdict": "proved", "how": "An argument with $psi$."} | values
+
+
+def cited() -> list[str]:
+    """Entries of the ledger to which the sections refer."""
+    text = "".join(path.read_text(encoding="utf-8") for path in PAPER.glob("sections/*.typ"))
+    return sorted(set(re.findall(r"#(?:claim|proposition)\(\"([\w-]+)\"", text)))
 
 
 def claims() -> list[dict[str, object]]:
-    """One claim of each verdict, and one of ours."""
+    """One claim of each verdict, one of ours, and those that the report cites."""
     marked = [
-        claim(f"claim-{i}", verdict=verdict, statement=f"Statement number {i} on mu and f_x.")
+        claim(f"claim-{i}", verdict=verdict, statement=f"Statement number {i} on $mu$ and $f_x$.")
         for i, verdict in enumerate(VERDICTS)
     ]
     edge = {"verdict": "enclosed", "how": "A change of sign."}
@@ -95,7 +102,7 @@ def claims() -> list[dict[str, object]]:
     marked[0] |= {"section": "3.1", "checks": [shown, alike, sampled, unsaid]}
     marked[-1] |= {"reason": "The sign is the other one.", "equations": [12, 13], "figures": [5]}
     ours = check("own", value="1.375", unit="1", claimed=1.375, how="Another argument.")
-    return [*marked, claim("claim-ours", ours, origin="ours")]
+    return [*marked, claim("claim-ours", ours, origin="ours"), *map(claim, cited())]
 
 
 def captioned(name: str) -> str:

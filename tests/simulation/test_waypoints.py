@@ -61,7 +61,7 @@ def test_waypoints_are_pieces_of_constant_velocity():
         ({"waypoints": [(0, 0, 0), (1, 2, 3)]}, "allowed: at least two"),
         ({"waypoints": [(0, (0, 0)), (1, (0, np.nan))]}, "allowed: at least two"),
         ({"waypoints": [(0, (0, 0)), (1e-200, (0, 1))]}, "velocity"),
-        ({"waypoints": WAYPOINTS, "velocity": (0, 1)}, "velocity: (0, 1) given; allowed: none beside"),
+        ({"waypoints": WAYPOINTS, "velocity": (0, 1)}, "velocity: (0, 1) given; allowed: none with"),
         ({}, "velocity: None given; allowed: (v_x, v_y)"),
     ],
     ids=str,

@@ -174,6 +174,7 @@ rule manual_pages:
     input:
         rules.report_tables.input,
         rules.report_tables.output,
+        rules.paper_pdf.output,
         "results/README.md",
         [
             str(path)

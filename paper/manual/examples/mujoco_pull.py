@@ -1,4 +1,4 @@
-"""The pull of Fig. 3 in MuJoCo: the fence moves away, and the slider follows or stays."""
+"""The pull of Fig. 3 in MuJoCo: the fence retreats, and the slider follows or stays at rest."""
 
 import mujoco
 import numpy as np
@@ -6,30 +6,30 @@ import numpy as np
 import planar_pushing as pp
 
 LENGTH, SPEED, ANGLES = 3.0, 0.03, (-5, -10, -15, -20, -25)
-#: Times at which the fence begins to turn from 45 degrees, and moves at its final angle; and of the end.
+#: Times at which the fence direction leaves 45 degrees, reaches its final angle, and of the end.
 BEGIN, TURNED, END = 0.1 / SPEED, 0.3 / SPEED, 0.8 / SPEED
 
 
 def slider(rod_angle):
-    """The ring with its rod, whose tip is the contact."""
+    """The ring with its rod; the tip of the rod is the contact."""
     turn = np.deg2rad(np.arange(-160, 161, 20))
     ring = np.column_stack([np.cos(turn), np.sin(turn)])
     return pp.Slider(rod_length=LENGTH, rod_angle=rod_angle, outline=[(-LENGTH, 0.0), *ring])
 
 
 def scene(rod_angle, *effects):
-    """The slider at a rod angle under effects, its friction on the fence 2."""
+    """The slider at a rod angle under effects, with a coefficient of friction of 2 at the fence."""
     return pp.Scene(slider=slider(rod_angle), contact=pp.Coulomb(2.0), effects=effects)
 
 
 def fence(time, first, last):
-    """Velocity of the fence: its speed grows for four units of time, its angle changes later."""
+    """Velocity of the fence: its speed increases for four units of time, then its angle changes."""
     angle = np.deg2rad(np.interp(time, [BEGIN, TURNED], [first, last]))
     return SPEED * min(1.0, time / 4.0) * np.array([np.cos(angle), np.sin(angle)])
 
 
 def run(first, last, **options):
-    """Displacement of the slider and its twist at the end, in MuJoCo."""
+    """Displacement of the slider and its final twist in MuJoCo."""
     text = pp.to_mjcf(scene(np.pi / 4, pp.RingFriction(), pp.Inertia()), **options)
     model = mujoco.MjModel.from_xml_string(text)
     data = mujoco.MjData(model)
@@ -40,7 +40,7 @@ def run(first, last, **options):
 
 
 def consistent(rod_angle, angle):
-    """Twists of all consistent modes by their names, for a fence of unit speed."""
+    """Twists of all consistent modes by name, for unit speed of the fence."""
     found = pp.solve(scene(rod_angle, pp.RingFriction()), np.deg2rad(angle))
     return {each.mode.name.lower(): each.twist for each in found}
 

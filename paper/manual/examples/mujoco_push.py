@@ -1,4 +1,4 @@
-"""A box that a finger pushes, in MuJoCo and by `simulate`."""
+"""A finger pushes a box, in MuJoCo and with `simulate`."""
 
 import mujoco
 import numpy as np
@@ -7,12 +7,12 @@ import planar_pushing as pp
 
 BOX = pp.Polygon.rectangle(0.3, 0.2)
 FEET = pp.Points([(0.12, 0.0), (-0.1, 0.08), (-0.1, -0.08)], [0.4, 0.3, 0.3])
-#: The finger's velocity in m/s, the time in which it gets it, and the end of the push.
+#: Velocity of the finger in m/s, time in which it reaches this velocity, and end of the push, in s.
 VELOCITY, START, END = np.array([0.002, 0.01]), 0.4, 4.0
 
 
 def box(support):
-    """1.2 kg on a table with a coefficient of 0.3, touched at a long side with one of 0.5; SI units."""
+    """A box of 1.2 kg, friction 0.3 with the table, 0.5 with the finger at a long side; SI units."""
     friction = pp.SupportFriction(support=support, weight=pp.weight(1.2, 0.3))
     inertia = pp.Inertia(mass=1.2, gyration_radius=0.104)
     return pp.scene_at(
@@ -21,7 +21,7 @@ def box(support):
 
 
 def in_mujoco(scene):
-    """Displacement of the slider's center and its turn."""
+    """Displacement of the slider's center, and its rotation."""
     model = mujoco.MjModel.from_xml_string(pp.to_mjcf(scene, pusher="finger"))
     data = mujoco.MjData(model)
     while data.time < END:
@@ -31,7 +31,7 @@ def in_mujoco(scene):
 
 
 def by_simulate(scene):
-    """The same: half the time of the start is enough for its path at full speed."""
+    """The same in `simulate`: at full speed the finger covers the start-up distance in half the time."""
     finger = pp.Pusher(velocity=tuple(VELOCITY), shape="finger")
     log = pp.simulate(scene, pusher=finger, duration=END - START / 2, samples=2)
     first, last = log.isel(time=0), log.isel(time=-1)

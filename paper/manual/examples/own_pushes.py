@@ -1,7 +1,7 @@
-"""From five pushes of one's own to a scene and a plan: a box on three feet whose loads are not known.
+"""From five measured pushes to a scene and a plan, for a box on three feet with unknown loads.
 
-A camera sees the box and the finger before and after each push; a sensor measures the mean force. With an
-argument, `python own_pushes.py box.yaml`, the scene is written to this file.
+A camera measures the poses of box and finger before and after each push, and a sensor the mean force.
+`python own_pushes.py box.yaml` also writes the scene to this file.
 """
 
 import sys
@@ -18,12 +18,12 @@ FINGER, NOISE = 5.0, (0.3, 0.2, 0.03)  # radius; standard deviations in mm, degr
 GOAL = np.array(
     [-10.0, 60.0, 20.0]
 )  # displacement of the box in its frame, and rotation in degrees
-# The example's numbers are simulated. This is the box that they are from; no plan knows it.
+# The measurements are simulated with this box. The plans do not use it.
 TRUE = (pp.SupportFriction(support=pp.Points(FEET, [1, 2, 3]), weight=4.0),)
 
 
 def measured():
-    """The pushes of the table as a dataset."""
+    """The pushes in the table, as a dataset."""
     table = pd.read_csv(MEASURED, comment="#")
     before, after, start, end, force = (
         table.filter(regex=f"_{name}$").to_numpy()
@@ -37,20 +37,20 @@ def measured():
 
 
 def twist_to(x, y, degrees):
-    """The constant twist that displaces and turns the box so in one second."""
+    """The constant twist that moves and rotates the box by these amounts in one second."""
     half = np.deg2rad(degrees) / 2
     factor = half / np.tan(half)
     return np.array([factor * x + half * y, factor * y - half * x, 2 * half])
 
 
 def scene_of(push, friction, law):
-    """The box under a push."""
+    """The scene of a push on the box."""
     units = pp.Units(length="mm")
     return pp.scene_at(push.point, effects=friction, contact=law, outline=BOX, units=units)
 
 
 def executed(push, law):
-    """Pose of the box after its finger has followed the arc of the plan."""
+    """Pose of the box after the finger has followed the planned arc."""
     start, turn = complex(*push.velocity), np.deg2rad(GOAL[2])
 
     def velocity(t):
@@ -64,7 +64,7 @@ def executed(push, law):
 
 
 def print_support(found):
-    """The numbers that the pushes determine, with intervals of 90 percent."""
+    """Print the estimates with their 90 percent intervals."""
     numbers = {name: found.intervals[name] for name in ("weight", "contact_friction")}
     for name, (low, high) in numbers.items():
         print(f"{name:16}  {getattr(found, name):5.3f}  {low:5.3f} to {high:5.3f}")
@@ -79,7 +79,7 @@ if __name__ == "__main__":
     law = pp.Coulomb(found.contact_friction)
     for name, support in {"three feet": found.support, "even base": BOX}.items():
         friction = (pp.SupportFriction(support=support, weight=found.weight),)
-        push, *_ = pp.pushes_for(friction, twist_to(*GOAL), BOX)  # the least friction first
+        push, *_ = pp.pushes_for(friction, twist_to(*GOAL), BOX)  # smallest friction first
         x, y, turn = executed(push, law) - GOAL
         told = f"push at {push.point[0]:4.1f}, needs friction {push.friction_coefficient:5.3f}"
         print(f"{name:10}  {told}, misses by {np.hypot(x, y):4.1f} mm, {abs(turn):4.1f} degrees")

@@ -1,4 +1,4 @@
-"""The directive `command-reference`: every command with its options, from the parser itself."""
+"""The directive `command-reference`: every command with its options, read from the parser."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from sphinx.util.docutils import SphinxDirective
 
 from planar_pushing.commands import parser
 
-#: Columns of a line of usage.
+#: Width of a usage line, in characters.
 WIDTH = 84
-#: Arguments of every command, which the page names once.
+#: Arguments that all commands share; the page describes them once.
 SHARED = ("help", "json")
 
 
 def commands() -> dict[str, argparse.ArgumentParser]:
-    """The parser of each command, in the order of the command line's help."""
+    """Parser of each command, in the order of the help text."""
     # argparse has no public list of a parser's arguments.
     every = (action.choices for action in parser()._actions)
     return next(choices for choices in every if isinstance(choices, dict))
 
 
 def arguments(command: argparse.ArgumentParser) -> Iterator[tuple[str, str]]:
-    """Each argument of a command as it is typed, and its help; positional arguments come first."""
+    """Each argument of a command as it is typed, with its help; positional arguments first."""
     formatter = argparse.HelpFormatter(command.prog)
     own = (action for action in command._actions if action.dest not in SHARED)
     for action in sorted(own, key=lambda action: bool(action.option_strings)):
@@ -33,7 +33,7 @@ def arguments(command: argparse.ArgumentParser) -> Iterator[tuple[str, str]]:
 
 
 def usage(command: argparse.ArgumentParser) -> str:
-    """The line of usage, folded at the same column on every terminal."""
+    """Usage line, wrapped at the same width on every terminal."""
     formatter = argparse.HelpFormatter(command.prog, width=WIDTH)
     groups = command._mutually_exclusive_groups
     formatter.add_usage(command.usage, command._actions, groups, prefix="")
@@ -74,6 +74,6 @@ class CommandReference(SphinxDirective):
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
-    """Make the directive known."""
+    """Register the directive."""
     app.add_directive("command-reference", CommandReference)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

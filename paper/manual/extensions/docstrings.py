@@ -1,4 +1,4 @@
-"""What docstrings write for a Python prompt, as reStructuredText."""
+"""Convert docstrings, which are written for a Python prompt, to reStructuredText."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from sphinx.application import Sphinx
 def keep_magnitudes(
     app: Sphinx, kind: str, name: str, value: object, options: object, lines: list[str]
 ) -> None:
-    """Keep |f|, the magnitude of a force, from being read as a substitution."""
+    """Escape |f|, the magnitude of a force, which would otherwise be read as a substitution."""
     lines[:] = [re.sub(r"\|(\w+)\|", r"\\|\1\\|", line) for line in lines]
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
-    """Read docstrings before numpydoc does."""
+    """Process docstrings before numpydoc does."""
     app.connect("autodoc-process-docstring", keep_magnitudes, priority=400)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

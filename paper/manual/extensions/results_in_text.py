@@ -1,4 +1,4 @@
-"""The role `number` and the directive `results-table`: numbers and tables that the pipeline wrote."""
+"""The role `number` and the directive `results-table`: numbers and tables from the results."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from sphinx.application import Sphinx
 from sphinx.config import Config
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
-#: Files of numbers by key: those of the report, and those that `snakemake accuracy` measures.
+#: Files of numbers by key: those of the report, and those measured by `snakemake accuracy`.
 NUMBERS = ("numbers.json", "accuracy_numbers.json")
-#: How the names of tables begin that `snakemake accuracy` alone writes.
+#: Prefix of the tables that only `snakemake accuracy` writes.
 MEASURED = "times_"
-#: What stands behind a number of each unit; other units stand in the prose.
+#: Symbols appended to numbers with these units; the text names all other units.
 MARKS = {"degree": "°", "percent": " %"}
-#: A number with an exponent, and the digits of exponents.
+#: A number with an exponent, and the superscript digits.
 POWER = re.compile(r"\b([\d.]+)e([+-]\d+)\b")
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def tables(app_config: Config, source_folder: Path) -> Path:
-    """Folder of the tables that the pipeline wrote."""
+    """Folder of the tables in the results."""
     return (source_folder / app_config.results_folder / "tables").resolve()
 
 
 def written(text: str) -> str:
-    """A number as prose has it: a true minus sign, a power of ten, thousands apart."""
+    """A number formatted for text: a minus sign, powers of ten, and separated thousands."""
     if text.isdigit() and len(text) > 4:
         return f"{int(text):,}".replace(",", "\u202f")
     return POWER.sub(_power, text).replace("-", "\u2212")
@@ -42,7 +42,7 @@ def _power(found: re.Match[str]) -> str:
 
 
 class Number(SphinxRole):
-    """A number by its key in the pipeline's tables of numbers."""
+    """A number, by its key in the files of numbers."""
 
     def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
         folder = tables(self.config, self.env.srcdir)
@@ -57,12 +57,12 @@ class Number(SphinxRole):
 
 
 class ResultsTable(SphinxDirective):
-    """A table of the pipeline; the directive's content in the place of times that were not measured."""
+    """A table from the results, or the directive's content if its times were not measured."""
 
     required_arguments = 1
     final_argument_whitespace = False
     has_content = True
-    option_spec = {"caption": directives.unchanged_required}  # noqa: RUF012 - docutils' own way
+    option_spec = {"caption": directives.unchanged_required}  # noqa: RUF012 - as docutils declares it
 
     def run(self) -> list[nodes.Node]:
         path = tables(self.config, self.env.srcdir) / self.arguments[0]
@@ -91,7 +91,7 @@ def _row(cells: list[str]) -> nodes.row:
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
-    """Make the role and the directive known."""
+    """Register the role and the directive."""
     app.add_config_value("results_folder", "results", "env", types=frozenset({str}))
     app.add_role("number", Number())
     app.add_directive("results-table", ResultsTable)

@@ -31,8 +31,8 @@ TICKS = 10.0 ** np.arange(-7, -2, 2)
 def caption(data: xr.Dataset) -> str:
     """Caption of the figure."""
     return (
-        "Error of the friction wrench against the time for one wrench, for the methods, settings "
-        "and spin ratios of the previous figure. A marker is at the shortest time of repeated runs, "
+        "Error of the friction wrench against the time for one wrench, for the methods, settings, "
+        "and spin ratios of the figure on evaluations. A marker is at the shortest time of repeated runs, "
         "and a hair extends to their median; methods that take arrays are timed on arrays. Other "
         "machines and other runs give other times. Dotted: rounding error of a double."
     )

@@ -138,7 +138,7 @@ def _ratios(ax: Axes, one: xr.Dataset) -> None:
         text = f"{ratio:.2f} ({low[row]:.2f}\N{EN DASH}{high[row]:.2f})" if sure else f"{ratio:.2f}"
         ax.annotate(text, (1.04, row), xycoords=("axes fraction", "data"), fontsize=NOTE - 0.5,
                     color=DARK, va="center", annotation_clip=False)  # fmt: skip
-    ax.annotate("ratio", (1.04, 0.0), (0, -4.5), xycoords="axes fraction", textcoords="offset points",
+    ax.annotate("ratio", (1.04, 0.0), (12, -4.5), xycoords="axes fraction", textcoords="offset points",
                 fontsize=NOTE - 0.5, color=GRAY, va="top", annotation_clip=False)  # fmt: skip
 
 

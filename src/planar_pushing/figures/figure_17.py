@@ -95,8 +95,9 @@ def _remarks(data: xr.Dataset) -> Iterator[str]:
     names = [words(str(name)) for name in data.support.values if _jump(data, name)]
     if names:
         yield (
-            f" For the {' and the '.join(names)}, this happens only at 90° (dot): at other "
-            "angles the motion along the fence is a pivot, and the curve ends at the open circle."
+            f" For the {' and the '.join(names)}, this happens only at 90° (dot): at "
+            "angles close to it the motion along the fence is a pivot, and the curve ends at the open "
+            "circle."
         )
     if "quadruped" in data.support.values:
         yield " The quadruped's curve jumps where a foot is directly above the contact."

@@ -64,9 +64,10 @@ def caption(data: xr.Dataset) -> str:
     return (
         "Slip with infinite friction: the fraction of push directions between 0° and 180° that "
         "slip, for supports on areas (a, b) and on points and lines (c, d), over the rod length "
-        f"(a, c; ψ = {angle}°) and the rod angle (b, d; l = {length}). The motion cone spans 180 "
-        "degrees for every support; the fraction is its tilt from the friction cone divided by 180 "
-        "degrees. Dots are from the motion cones of the dataset; gray is a ring of the same extent, "
+        f"(a, c; ψ = {angle}°) and the rod angle (b, d; l = {length}). Where the force along "
+        "the fence has one motion, the motion cone spans 180 degrees, and the fraction is its tilt from "
+        "the friction cone divided by 180 degrees. Dots are from the motion cones of the dataset; gray "
+        "is a ring of the same extent, "
         f"of radius {number(float(data.ring_extent))} (μ = ∞)."
     )
 

@@ -16,3 +16,6 @@ def paper_style() -> Iterator[None]:
     """Context for drawing and saving with only matplotlib's defaults and the style sheet."""
     with matplotlib.style.context(["default", str(STYLE_SHEET)]):
         yield
+        interactive = matplotlib.is_interactive()
+    # The first figure of a notebook loads its backend, which turns this on for all later figures.
+    matplotlib.interactive(interactive)

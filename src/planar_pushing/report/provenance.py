@@ -17,6 +17,8 @@ from planar_pushing.study.study_file import load_study
 PACKAGES = (
     "numpy",
     "scipy",
+    "numba",
+    "clarabel",
     "xarray",
     "h5netcdf",
     "h5py",

@@ -1,6 +1,7 @@
 """The checks and the numbers that the ledger can name.
 
-The body of a function's docstring is the argument that the report prints: for a check, its proof.
+The body of a function's docstring is the argument that the report prints: for a check, its proof. Its
+formulas are between dollar signs, in the syntax of Typst, with vectors in bold; @id refers to an entry.
 """
 
 from __future__ import annotations

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -23,6 +24,17 @@ COLUMNS = (
 )
 #: Correct digits of an enclosure that the table prints.
 DIGITS = 20
+#: Marks of Typst in a formula, and how plain text writes them.
+_PLAIN = {
+    r"\b(?:thin |bold\(([^()]*)\))": r"\1",
+    r'"': "",
+    r"_\((\S+?)(?: (\S+))?\)": r"_\1\2",
+    r"\babs\(((?:[^()]|\([^()]*\))*)\)": r"|\1|",
+    r" dot ": " . ",
+    r" times ": " x ",
+    r"\bdif ": "d ",
+    r"\boo\b": "inf",
+}
 
 Row = dict[str, Any]
 
@@ -93,10 +105,18 @@ def csv_text(judged: Iterable[Judged]) -> str:
         listed = {key: _plain(value) for key, value in _claim(each).items()}
         checks = [_check(found) for found in each.checks] or [dict.fromkeys(COLUMNS)]
         rows += [
-            listed | {f"check_{key}" if key in listed else key: one[key] for key in COLUMNS}
+            listed | {f"check_{key}" if key in listed else key: _plain(one[key]) for key in COLUMNS}
             for one in checks
         ]
     return writing.csv_text(rows)
+
+
+def plain(text: str) -> str:
+    """A text of the ledger without the marks of its formulas and of its references to entries."""
+    parts = re.sub(r"@(?=[a-z])", "", text).split("$")
+    for mark, written in _PLAIN.items():
+        parts[1::2] = [re.sub(mark, written, part) for part in parts[1::2]]
+    return "".join(parts)
 
 
 def complaint(judged: Iterable[Judged]) -> str:
@@ -170,4 +190,6 @@ def _plain(value: Any) -> Any:
     """A value as a cell: a list of numbers becomes text, and an infinite number is left out."""
     if isinstance(value, tuple):
         return " ".join(map(str, value))
+    if isinstance(value, str):
+        return plain(value)
     return None if isinstance(value, float) and not math.isfinite(value) else value

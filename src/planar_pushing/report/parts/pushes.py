@@ -94,12 +94,15 @@ MEASURED: Numbers = {
     **_medians("feet", "pose", "known_feet", "known_feet_ellipsoid", FITTED),
     "pushes-near-foot": _at("about_a_foot", "pushes"),
     "pushes-foot-distance": _at("about_a_foot", "distance", unit="mm"),
+    "pushes-load-set-tolerance": _at("about_a_foot", "tolerance", unit="percent", factor=100.0),
     "pushes-in-load-set": _at("about_a_foot", "in_load_set", unit="percent", factor=100.0),
     "pushes-random-in-load-set": _at(
         "about_a_foot", "of_random_pushes", unit="percent", factor=100.0
     ),
     **_ratio("feet", "motion"),
     **_ratio("face", "motion"),
+    **_ratio("feet", "wrench"),
+    **_ratio("face", "wrench"),
     **_ratio("sides", "pose"),
     **_ratio("corners", "pose"),
     "pushes-objects-better": _read(_better, "objects: identified below fitted_ellipsoid"),

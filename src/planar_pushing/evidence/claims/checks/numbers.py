@@ -35,7 +35,10 @@ _START = arb(2) ** -20
 
 @quantity(right="degree", left="degree", half_angle="degree")
 def friction_cone(friction_coefficient: float) -> tuple[arb, arb, arb]:
-    """The edges are the directions (mu, 1) and (-mu, 1), or those of the fence for infinite friction."""
+    """Edges and half-angle of the friction cone.
+
+    The edges are the directions $(mu, 1)$ and $(-mu, 1)$, or those of the fence for infinite friction.
+    """
     cone = cones.friction_cone(friction_coefficient)
     return cone.right, cone.left, (cone.left - cone.right) / 2
 
@@ -62,7 +65,7 @@ def motion_cone(
 def bound_of_the_cases(rod_length: float) -> tuple[arb, arb, arb, arb]:
     """Fig. 12: the cone that the seven cases allow under infinite friction, and its gaps to the exact cone.
 
-    Between two neighboring tangents of the ring the spin ratio lies in [0, 1] or in [1, inf]. The
+    Between two neighboring tangents of the ring $abs(k)$ lies in $[0, 1]$ or in $[1, oo]$. The
     direction of motion is monotone in the force angle and in the spin ratio, so that the ends of these
     sectors give the bound. A gap is the angle from an edge of the bound inward to the edge of the exact
     cone.
@@ -78,7 +81,10 @@ def bound_of_the_cases(rod_length: float) -> tuple[arb, arb, arb, arb]:
 
 @quantity("R")
 def moment_arm(rod_length: float, force_angle: float) -> arb:
-    """The moment arm is l sin(psi - phi), positive if the line of force passes the center on the right."""
+    """Moment arm of a force at the contact.
+
+    The moment arm is $l sin(psi - phi)$, positive if the line of force passes the center on the right.
+    """
     slider = Slider.of(rod_length)
     return slider.rod_length * lean(slider, heading(force_angle))[1]
 
@@ -98,10 +104,10 @@ def motion(rod_length: float, force_angle: float) -> tuple[arb, arb]:
 def pulling_offset(rod_length: float) -> arb:
     """Offset on the right of the center beyond which the contact moves away, psi = 45 degrees.
 
-    The normal velocity of the contact, sin(phi) - k l cos(psi), vanishes at one force angle, since
-    theta_s increases with phi; a change of sign encloses the moment arm of this force. If the line of
-    force passes closer to the center, the contact moves into the slider; if it passes farther away, the
-    contact moves away from the slider.
+    The normal velocity of the contact, $sin phi - k l cos psi$, vanishes at one force angle, since
+    $theta_s$ increases with $phi$; a change of sign encloses the moment arm of this force. If the line
+    of force passes closer to the center, the contact moves into the slider; if it passes farther away,
+    the contact moves away from the slider.
     """
     length, (cosine, sine) = rational(rod_length), cosine_sine(fmpq(45))
 
@@ -118,9 +124,9 @@ def pulling_offset(rod_length: float) -> arb:
 def pulling_coefficient(rod_length: float) -> arb:
     """Coefficient beyond which support friction lets the fence pull, psi = 45 degrees.
 
-    Under the force of the right edge n . v_s is (1 - k l sqrt(1 + mu^2) / sqrt(2)) / sqrt(1 + mu^2) per
-    unit speed of the center. It vanishes at one coefficient, since the spin ratio increases with mu; a
-    change of sign encloses this coefficient.
+    Under the force of the right edge, $bold(n) dot bold(v)_s = 1 / sqrt(1 + mu^2) - k l / sqrt(2)$ per
+    unit speed of the center. This vanishes at one coefficient, since the spin ratio increases with
+    $mu$; a change of sign encloses this coefficient.
     """
     length, half = rational(rod_length), arb(2).rsqrt()
 
@@ -136,10 +142,11 @@ def pulling_coefficient(rod_length: float) -> arb:
 def ellipse_shortfall(rod_length: float) -> arb:
     """Largest radial distance inside the ellipse with the same extrema, as a fraction of its radius.
 
-    The ratio of the radius of the curve to that of the ellipse is sqrt(f^2 + e t^2), with a constant e
-    for each l, and equals 1 at both ends of the range of spin ratios. Its derivative has the sign of e
-    H / k - 1, which increases with k, since t / k increases and f decreases on [0, 1], and by duality
-    beyond. The largest distance is therefore at the only root, which a change of sign encloses.
+    The ratio of the radius of the curve to that of the ellipse is $sqrt(f^2 + e t^2)$, with a constant
+    $e$ for each $l$, and equals 1 at both ends of the range of spin ratios. Its derivative has the sign
+    of $e H / k - 1$, which increases with $k$, since $t / k$ increases and $f$ decreases on $[0, 1]$,
+    and by duality for $k > 1$. The largest distance is therefore at the only root, which a change of
+    sign encloses.
     """
     length = arb(rational(rod_length))
     end = spin_of_arm(length, fmpq(1), FRICTION)
@@ -184,8 +191,8 @@ def normal_motion_dip(rod_length: float, friction_coefficient: float) -> tuple[a
     """Minimum of n . u under the right edge with both effects, the force there, and the force at its zero.
 
     The spin ratios between those of friction and of inertia are covered by intervals on which ball
-    arithmetic shows that n . u is monotone in the spin ratio, and by one gap, narrower than 1e-12 of k,
-    that contains the minimum.
+    arithmetic shows that $bold(n) dot bold(u)$ is monotone in the spin ratio, and by one gap, narrower
+    than $10^(-12)$, that contains the minimum.
     """
     motions, parts = cover(Slider.of(rod_length), friction_coefficient, 1)
     gaps = [part.low.union(part.high) for part in parts if part.rise == 0]
@@ -202,6 +209,9 @@ def normal_motion_dip(rod_length: float, friction_coefficient: float) -> tuple[a
 
 @quantity("a^2")
 def offset_times_center_distance(spin_ratio: float) -> arb:
-    """The offset is H(k) = f(1 / k) / t(1 / k), by duality, and the center is at the distance 1 / k."""
+    """Product of the offset of a line of force and the distance of the center.
+
+    The offset is $H(k) = f(1 / k) / t(1 / k)$, by duality, and the center is at the distance $1 / k$.
+    """
     force, torque = ring.profile(1 / arb(rational(spin_ratio)))
     return force / torque / rational(spin_ratio)

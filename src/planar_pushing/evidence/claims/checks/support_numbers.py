@@ -43,9 +43,9 @@ def _tripod() -> tuple[arb, arb]:
 def tripod_offset() -> tuple[arb, arb]:
     """Offsets of a push across a foot's radius that rotate a tripod about that foot.
 
-    A push F at the offset d has the torque F (1 + d) about the foot, which balances the friction of the
-    two other feet as they slide about it. The foot carries the rest of F, at most its share of W, with
-    equality at both ends of the interval.
+    A push $F$ at the offset $d$ has the torque $(1 + d) F$ about the foot, which balances the friction
+    of the two other feet as they slide about it. The foot carries the rest of $F$, at most its share of
+    $W$, with equality at both ends of the interval.
     """
     force, torque = _tripod()
     return torque / (force + _FOOT) - 1, torque / (force - _FOOT) - 1
@@ -56,8 +56,8 @@ def tripod_span(rod_length: float) -> arb:
     """Interval of force angles that rotate a tripod about the foot on the rod's line.
 
     The component of the force across the rod balances the torque of the two feet that slide about the
-    third. The component along the rod is free until the force of the third foot reaches its share of W,
-    at both ends of the interval.
+    third. The component along the rod is free until the force of the third foot reaches its share of
+    $W$, at both ends of the interval.
     """
     force, torque = _tripod()
     across = torque / (rational(rod_length) + 1)
@@ -67,7 +67,11 @@ def tripod_span(rod_length: float) -> arb:
 
 @quantity("degree")
 def line_corner_span(distance: float, half_length: float) -> arb:
-    """The span is 180 degrees plus twice atan(d / b), the angle of a motion about an end of the line."""
+    """Span of the cone of a line across the fence under infinite friction.
+
+    The span is 180 degrees plus twice $arctan(d / b)$, the angle between the fence and the motion of
+    the contact about an end of the line.
+    """
     half = arb.atan2(arb(rational(distance)), arb(rational(half_length)))
     return 180 + 2 * in_degrees(half)
 
@@ -76,10 +80,9 @@ def line_corner_span(distance: float, half_length: float) -> arb:
 def foot_ahead_margin(distance: float, share: float, aside: float, beyond: float) -> arb:
     """Share of a foot straight ahead less its force as the pivot under a force along the fence.
 
-    In a rotation about the foot the contact moves along the fence. The other feet, of equal shares, at
-    (aside, beyond) and (-2 aside, -beyond) from it, slide about it. The force along the fence balances
-    their torque about the foot, and the foot carries the rest of the force, which is less than its
-    share.
+    In a rotation about the foot the contact moves along the fence. The other feet, of equal shares, lie
+    at $(x, y)$ and $(-2 x, -y)$ from it and slide about it. The force along the fence balances their
+    torque about the foot, and the foot carries the rest of the force, which is less than its share.
     """
     own, x, y = rational(share), rational(aside), rational(beyond)
     rest, places = (1 - own) / 2, [(x, y), (-2 * x, -y)]
@@ -104,7 +107,11 @@ def constant_of_rectangle(aspect: float) -> arb:
 
 @quantity("1")
 def constant_of_annulus(hole: float) -> arb:
-    """The mean distance is 2/3 (1 + q + q^2) / (1 + q) outer radii, where q is the ratio of the radii."""
+    """Integration constant of an annulus.
+
+    The mean distance from the center is $(2 / 3) (1 + q + q^2) / (1 + q)$ outer radii, where $q$ is the
+    ratio of the radii.
+    """
     part = rational(hole)
     return arb(fmpq(2, 3) * (1 + part + part**2) / (1 + part))
 
@@ -183,8 +190,9 @@ def motion_with_mass_aside(
 ) -> arb:  # fmt: skip
     """Direction of the contact's motion with the mass center off the ring's, along and across the rod.
 
-    The motion u under a force of the direction e is enclosed in ball arithmetic: among the motions with
-    a given component e . u, in W / m, it is the root of the force across e.
+    The motion $bold(u)$ under a force of the direction $bold(e)$ is enclosed in ball arithmetic. Among
+    the motions with a given component $bold(e) dot bold(u)$, in $W / m$, it is the one that requires no
+    force across $bold(e)$.
     """
     place = rational(mass_along), rational(mass_across)
     own: dict[Effects, list[Effect]] = {

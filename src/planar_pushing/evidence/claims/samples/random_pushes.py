@@ -85,8 +85,8 @@ def pulls_of_random_supports(supports: float, contacts: float) -> Evidence:
     """Where a retreating pusher sticks, separation and a slip are consistent too.
 
     The library solves for every contact mode of a pusher that retreats midway between the edge of the
-    cone and the fence, in double precision. A cone that is tilted by less than 1e-9 rad counts as not
-    tilted.
+    cone and the fence, in double precision. A cone that is tilted by less than $10^(-9)$ rad counts as
+    not tilted.
     """
     scenes = _scenes(supports, contacts)
     cone = motion_cone(scenes)

@@ -1,0 +1,138 @@
+"""The directive `figure-gallery`: every figure with its caption, its code and the command that draws it."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxDirective
+
+from planar_pushing.figures.figure import entry
+from planar_pushing.figures.studies import OURS
+from planar_pushing.study.files.scenes import load_scene_file
+from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
+from planar_pushing.study.study_file import load_study
+
+#: A symbol with an index in a caption, such as v_p.
+INDEXED = re.compile(r"\b([a-z])_([a-z])\b")
+#: Titles of the groups in their order.
+PAPER, BEYOND, SUPPORTS, METHODS, MOTIONS = (
+    "Figures of the paper",
+    "Contact modes and motion over time",
+    "Any support",
+    "Numerical accuracy and measured pushes",
+    "Other simulations",
+)
+MODULES = "src/planar_pushing/figures"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shown:
+    """A figure of the gallery. `file` is its picture in the results, and `code` a path in the project."""
+
+    group: str
+    name: str
+    file: str
+    title: str
+    caption: str
+    code: str
+    language: str = "python"
+
+
+def figures(project: Path, results: Path) -> Iterator[Shown]:
+    """The figures in the table of captions, in its order."""
+    table = json.loads((results / "tables/figures.json").read_text(encoding="utf-8"))
+    supports = load_study(project / SLIDERS_FILE).figures
+    for name, values in table.items():
+        about, number = entry(name), values.get("number") or int(name.rpartition("_")[2])
+        if name in OURS:
+            group = METHODS
+        elif name in supports:
+            group = SUPPORTS
+        else:
+            group = PAPER if about.promise else BEYOND
+        yield Shown(
+            group=group, name=name, file=values["file"], title=f"Figure {number}. {about.title}",
+            caption=values["caption"], code=f"{MODULES}/{name}.py",
+        )  # fmt: skip
+
+
+def simulations(project: Path) -> Iterator[Shown]:
+    """The simulations that no figure shows, with their scene files."""
+    for folder, file in (("", PAPER_FILE), ("studies/sliders/", SLIDERS_FILE)):
+        study = load_study(project / file)
+        read = {source for name in study.figures for source in entry(name).reads}
+        for name, scene in study.simulations.items():
+            if f"simulations/{name}" not in read:
+                yield Shown(
+                    group=MOTIONS, name=f"simulation_{name}",
+                    title=name.replace("_", " ").capitalize(),
+                    file=f"{folder}figures/simulation_{name}",
+                    caption=f"{load_scene_file(scene).title}.",
+                    code=str(Path(scene).relative_to(project)), language="yaml",
+                )  # fmt: skip
+
+
+def gallery(project: Path, results: Path) -> list[Shown]:
+    """All figures of the paper's study and of the study of supports."""
+    return [*figures(project, results), *simulations(project)]
+
+
+def _text(caption: str) -> list[nodes.Node]:
+    """A caption with its symbols in italics, their indices lowered, and equations on one line."""
+    found: list[nodes.Node] = []
+    caption = caption.replace(" = ", "\u00a0=\u00a0")
+    end = 0
+    for match in INDEXED.finditer(caption):
+        found += [
+            nodes.Text(caption[end : match.start()]),
+            nodes.emphasis("", match[1]),
+            nodes.subscript("", match[2]),
+        ]
+        end = match.end()
+    return [*found, nodes.Text(caption[end:])]
+
+
+def _block(text: str, language: str) -> nodes.literal_block:
+    return nodes.literal_block(text, text, language=language)
+
+
+def _titled(title: str, name: str) -> nodes.section:
+    return nodes.section("", nodes.title("", title), ids=[nodes.make_id(name)])
+
+
+class FigureGallery(SphinxDirective):
+    """A section for each group, and in it one for each figure."""
+
+    def run(self) -> list[nodes.Node]:
+        project = self.env.srcdir.parents[1]
+        results = (self.env.srcdir / self.config.results_folder).resolve()
+        groups: dict[str, nodes.section] = {}
+        for each in gallery(project, results):
+            group = groups.setdefault(each.group, _titled(each.group, each.group))
+            group += self._section(each, project)
+        return list(groups.values())
+
+    def _section(self, shown: Shown, project: Path) -> nodes.section:
+        self.env.note_dependency(project / shown.code)
+        image = nodes.image(uri=f"{self.config.results_folder}/{shown.file}.svg", alt=shown.title)
+        code = (project / shown.code).read_text(encoding="utf-8").rstrip()
+        section = _titled(shown.title, shown.name)
+        section += nodes.figure("", image, nodes.caption("", "", *_text(shown.caption)))
+        section += _block(f"$ snakemake results/{shown.file}.svg", "console")
+        summary = f"<details><summary><code>{shown.code}</code></summary>"
+        section += nodes.raw("", summary, format="html")
+        section += _block(code, shown.language)
+        section += nodes.raw("", "</details>", format="html")
+        return section
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    """Register the directive."""
+    app.add_directive("figure-gallery", FigureGallery)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
