@@ -69,4 +69,6 @@ def test_a_copy_of_the_papers_study_is_checked_wherever_it_is(refused, away):
 def test_the_papers_study_is_found_beside_the_package(refused, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("mine").mkdir()
-    refused(["check", "mine"], "mine: contains no datasets; name the folder of the results, or build ")
+    refused(
+        ["check", "mine"], "mine: contains no datasets; name the folder of the results, or build "
+    )

@@ -171,8 +171,14 @@ def test_time_stepping_locates_no_events():
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({}, "Until: None given; allowed: rotation, distance, pusher_distance; give at least one of them"),
-        ({"rotation": 0}, "rotation: 0 given; allowed: a finite number > 0; give a positive number"),
+        (
+            {},
+            "Until: None given; allowed: rotation, distance, pusher_distance; give at least one of them",
+        ),
+        (
+            {"rotation": 0},
+            "rotation: 0 given; allowed: a finite number > 0; give a positive number",
+        ),
         ({"distance": -1.0}, "distance: -1.0 given"),
         ({"pusher_distance": np.inf}, "pusher_distance: inf given"),
         ({"rotation": "1"}, "rotation: '1' given"),
