@@ -86,5 +86,7 @@ def measured_pushes():
             "objects": {"abs_rect1": {"identified": 1.5, "fitted_ellipsoid": 2.0},
                         "abs_hex": {"identified": 2.5, "fitted_ellipsoid": 2.0}},
         },
-        "about_a_foot": {"distance": 5.0, "pushes": 60, "in_load_set": 0.75, "of_random_pushes": 0.25},
+        "about_a_foot": {
+            "distance": 5.0, "tolerance": 0.2, "pushes": 60, "in_load_set": 0.75, "of_random_pushes": 0.25,
+        },
     }  # fmt: skip
