@@ -36,8 +36,8 @@ The pipeline generates everything in this folder except this page:
 - `paper.pdf` is the report, and `accuracy.pdf` its supplement on computing times.
 - `manual/` is the manual, and `report.html` Snakemake's report.
 - `logs/` and `benchmarks/` hold a file for each job.
-- `studies/NAME/` holds the same for a study other than the paper's, and in `chunks/` the parts from which its
-  datasets are assembled; `studies/sliders/` belongs to the study of sliders.
+- `studies/NAME/` holds the same for a study other than the paper's, and in `chunks/` the parts from which
+  its datasets are assembled; `studies/sliders/` belongs to the study of sliders.
 
 `make dictionary` writes this page from the attributes of the datasets.
 
