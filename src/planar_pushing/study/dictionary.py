@@ -33,20 +33,20 @@ The pipeline generates everything in this folder except this page:
 - `data/` holds the datasets.
 - `figures/` holds the figures, and `figures/data/` the numbers that they plot.
 - `tables/` holds the golden verdict and the tables of the report.
-- `paper.pdf` is the report, and `accuracy.pdf` its supplement on time.
+- `paper.pdf` is the report, and `accuracy.pdf` its supplement on computing times.
 - `manual/` is the manual, and `report.html` Snakemake's report.
 - `logs/` and `benchmarks/` hold a file for each job.
-- `studies/NAME/` holds the same for a study other than the paper's, with the chunks of its datasets in
-  `chunks/`; `studies/sliders/` belongs to the study of sliders.
+- `studies/NAME/` holds the same for a study other than the paper's, and in `chunks/` the parts from which
+  its datasets are assembled; `studies/sliders/` belongs to the study of sliders.
 
 `make dictionary` writes this page from the attributes of the datasets.
 
 The datasets are netCDF4 files that follow the CF conventions. `planar_pushing.open_dataset("motion_cones")`
 opens a dataset with xarray, `open_dataset(name, study="NAME")` opens one of another study, and
-`planar-pushing query` prints part of a dataset. The attributes `study` and `study_digest` give the name of
-the study and the digest of the values from which the dataset is computed.
-Angles are in degrees, counterclockwise from the fence. NaN marks values that do not exist. Infinite
-coordinates are those of the motion center of a translation. Booleans are stored as bytes and read back as
+`planar-pushing query` prints part of a dataset. The attributes `study` and `study_digest` are the name of
+the study and a hash of the values from which the dataset is computed.
+Angles are in degrees, counterclockwise from the fence. NaN marks values that do not exist. The center of
+rotation of a translation has infinite coordinates. Booleans are stored as bytes and read back as
 `bool`.
 """
 

@@ -111,7 +111,7 @@ def centers_of_random_supports(supports: float, contacts: float) -> Evidence:
     arm = middle + scenes.slider.rod_length[..., None] * direction(scenes.slider.rod_angle)
     size, along = extent(members), direction(force)
     offset = np.abs(arm[..., 0] * along[..., 1] - arm[..., 1] * along[..., 0])
-    centers = motion_centers(scenes, force, origin=Origin.RING_CENTER)
+    centers = motion_centers(scenes, force, origin=Origin.SLIDER_CENTER)
     apart = np.linalg.norm(centers - middle, axis=-1)
     return everywhere(apart <= np.maximum(size**2 / offset, size) * (1 + ROUNDING))
 
