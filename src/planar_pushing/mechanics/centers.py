@@ -40,7 +40,6 @@ class Origin(StrEnum):
 
     CONTACT = "contact"
     SLIDER_CENTER = "slider-center"
-    RING_CENTER = SLIDER_CENTER
 
 
 #: The enum, or its value.
