@@ -286,11 +286,11 @@ def test_verdict_by_dataset(results):
 def test_provenance_names_versions_and_no_folder(results):
     text = provenance_text(results, "workflow/config/paper.yaml", "abc of 2026-01-02, clean")
     rows = dict(csv.reader(io.StringIO(text)))
-    assert rows["numpy"] == np.__version__
+    assert f"numpy {np.__version__}" in rows["packages"].split(", ")
     assert rows["Python"] == platform.python_version()
     assert rows["commit"] == "abc of 2026-01-02, clean"
     assert rows["license"] == "MIT"
-    assert rows["FLINT, golden data"]
+    assert "FLINT" in rows["golden data"]
     assert rows["study"] == "workflow/config/paper.yaml"
     assert str(Path.cwd()) not in text
 

@@ -56,9 +56,6 @@ def provenance_text(results: Results, study: PathLike, state: str) -> str:
         ("platform", f"{platform.system()}, {platform.machine()}"),
         ("Python", platform.python_version()),
     ]
-    rows += [(name, version(name)) for name in PACKAGES]
-    marks = results.golden_marks()[0]
-    for each in marks["golden_versions"].split(", "):
-        name, number = each.split(" ")
-        rows.append((f"{name}, golden data", number))
+    rows.append(("packages", ", ".join(f"{name} {version(name)}" for name in PACKAGES)))
+    rows.append(("golden data", results.golden_marks()[0]["golden_versions"]))
     return csv_text([{"what": name, "value": value} for name, value in rows])
