@@ -18,7 +18,7 @@ pp.Scene(slider=scene.slider, contact=laws, effects=scene.effects)
 pp.Scene(slider=scene.slider, contact=xr.DataArray(laws, dims="law"), effects=scene.effects)
 pp.InfiniteFriction("none")
 floats = np.linspace(0.0, 1.0, 3)
-labelled = xr.DataArray(floats, dims="push")
+labeled = xr.DataArray(floats, dims="push")
 
 reveal_type(pp.solve(scene, 1))  # Solutions
 reveal_type(pp.solve(scene, np.float64(1.0)))  # Solutions
@@ -28,9 +28,9 @@ reveal_type(pp.solve(scene, floats))  # SolutionArrays
 reveal_type(pp.solve(scene, np.array([1.0])))  # SolutionArrays
 reveal_type(pp.solve(scene, [0.1, 1.0], 2.0))  # SolutionArrays
 reveal_type(pp.solve(scene, 1.0, floats))  # SolutionArrays
-reveal_type(pp.solve(scene, labelled))  # Dataset
-reveal_type(pp.solve(scene, 1.0, labelled))  # Dataset
-reveal_type(pp.solve(scene, labelled, floats))  # Dataset
+reveal_type(pp.solve(scene, labeled))  # Dataset
+reveal_type(pp.solve(scene, 1.0, labeled))  # Dataset
+reveal_type(pp.solve(scene, labeled, floats))  # Dataset
 
 found = pp.solve(scene, 1.0)
 reveal_type(found[0])  # Solution
@@ -47,16 +47,16 @@ reveal_type(pp.motion_angle(scene, floats, 0.5))  # Array
 reveal_type(pp.motion_angle(scene, 1.0, [0.0, 0.5]))  # Array
 reveal_type(pp.spin_ratio(scene, 1.0, force_ratio=2.0))  # float
 reveal_type(pp.spin_ratio(scene, 1.0, force_ratio=floats))  # Array
-reveal_type(pp.spin_ratio(scene, labelled, 0.5))  # DataArray
-reveal_type(pp.spin_ratio(scene, floats, labelled))  # DataArray
-reveal_type(pp.spin_ratio(scene, 1.0, force_ratio=labelled))  # DataArray
+reveal_type(pp.spin_ratio(scene, labeled, 0.5))  # DataArray
+reveal_type(pp.spin_ratio(scene, floats, labeled))  # DataArray
+reveal_type(pp.spin_ratio(scene, 1.0, force_ratio=labeled))  # DataArray
 reveal_type(pp.motion_centers(scene, 1.0, 0.5))  # Array
 reveal_type(pp.motion_centers(scene, 1.0, 0.5, "slider-center"))  # Array
-reveal_type(pp.motion_centers(scene, labelled, 0.5))  # DataArray
-reveal_type(pp.motion_centers(scene, 1.0, labelled))  # DataArray
+reveal_type(pp.motion_centers(scene, labeled, 0.5))  # DataArray
+reveal_type(pp.motion_centers(scene, 1.0, labeled))  # DataArray
 reveal_type(pp.limit_curve(scene, 1.0))  # LimitCurve
 reveal_type(pp.limit_curve(scene, floats))  # LimitCurve
-reveal_type(pp.limit_curve(scene, labelled))  # Dataset
+reveal_type(pp.limit_curve(scene, labeled))  # Dataset
 
 reveal_type(pp.motion_cone(scene))  # AngleInterval
 reveal_type(pp.friction_cone(scene))  # AngleInterval

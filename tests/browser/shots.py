@@ -6,7 +6,7 @@ import os
 import numpy as np
 from PIL import Image
 
-#: Difference of a colour that counts, of 255, and the part of a picture that may have it: letters of
+#: Difference of a color that counts, of 255, and the part of a picture that may have it: letters of
 #: another font take about one part in a hundred.
 COLOR, PART = 48, 0.02
 #: With this variable set, stored screenshots are written anew.

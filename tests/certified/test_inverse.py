@@ -29,7 +29,7 @@ def test_mixed_roots_lie_between_the_pure_ones(share, arm):
 
 
 @pytest.mark.parametrize("share", [FRICTION, HALF, INERTIA])
-def test_the_inverse_is_odd_and_vanishes_at_the_centre(share):
+def test_the_inverse_is_odd_and_vanishes_at_the_center(share):
     arm, gyration = arb(1.75), fmpq(9, 4)
     assert spin_of_arm(arb(0), gyration, share) == 0
     found = spin_of_arm(-arm, gyration, share) + spin_of_arm(arm, gyration, share)

@@ -38,7 +38,7 @@ def names(solutions):
 
 
 def numbers(solutions):
-    """Every number in the solutions but the centres, which are infinite for a translation."""
+    """Every number in the solutions but the centers, which are infinite for a translation."""
     return np.array(
         [[*s.force, *s.contact_motion, *s.twist, s.spin_ratio] for s in solutions], dtype=float
     )

@@ -1,7 +1,7 @@
 """Friction of every support, straight from its formulas, for arrays of twists.
 
 Nothing of the package is used but the fields of its public dataclasses. An even piece of pressure has a
-closed form about a centre of rotation that is near it; farther away, where the closed forms cancel, and
+closed form about a center of rotation that is near it; farther away, where the closed forms cancel, and
 for translations, a Gauss rule over the piece has no cancellation and converges to rounding.
 """
 
@@ -15,7 +15,7 @@ from scipy.special import ellipe, ellipkm1, hyp2f1
 
 import planar_pushing as pp
 
-#: From this many extents on, between the centre of rotation and a piece, the Gauss rule stands.
+#: From this many extents on, between the center of rotation and a piece, the Gauss rule stands.
 FAR = 3.0
 LEGENDRE = np.polynomial.legendre.leggauss(10)
 NODES, WEIGHTS = (LEGENDRE[0] + 1) / 2, LEGENDRE[1] / 2
@@ -52,14 +52,14 @@ class Pressure:
 
     @property
     def center(self):
-        """Centre of pressure."""
+        """Center of pressure."""
         return self.atoms[:, 2] @ self.atoms[:, :2] + sum(
             (each.share * each.center for each in self.areas), np.zeros(2)
         )
 
     @property
     def extent(self):
-        """Largest distance from the centre of pressure, to a few percent for areas."""
+        """Largest distance from the center of pressure, to a few percent for areas."""
         places = [self.atoms[:, :2], *(each.rule[:, :2] for each in self.areas)]
         return float(np.hypot(*(np.concatenate(places) - self.center).T).max())
 
@@ -124,7 +124,7 @@ def _disc(share, radius, center):
 
 
 def _round(c, radius, center, form):
-    """G and torque about the origin from |G| and the torque about the centre of a round piece."""
+    """G and torque about the origin from |G| and the torque about the center of a round piece."""
     away = (c - center) / radius
     distance = np.hypot(*away.T)
     pull, torque = form(distance)

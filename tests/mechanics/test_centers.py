@@ -1,4 +1,4 @@
-"""Motion centres, and the paper's bound on the motion."""
+"""Motion centers, and the paper's bound on the motion."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def test_conservative_cone_contains_the_exact_one(mu, length, psi):
 
 @EVERY_EFFECT
 def test_centers_are_where_nothing_moves(effects):
-    """At the signed distance -R/k along x' from the ring centre, in the unit of the lengths."""
+    """At the signed distance -R/k along x' from the ring center, in the unit of the lengths."""
     scene = make_scene(3.0, effects=effects, radius=0.5)
     share = 0.3 if effects == BOTH else None
     for phi in (0.2, 1.4, 2.5):

@@ -465,7 +465,7 @@ def test_without_the_option_there_are_none_and_solutions_with_them_are_equal():
     assert pp.solve(scene, 1.0, derivatives=True)[0] == pp.solve(scene, 1.0, derivatives=True)[0]
 
 
-def test_derivatives_of_labelled_problems_are_refused():
+def test_derivatives_of_labeled_problems_are_refused():
     angles = xr.DataArray([0.1, 0.2], dims="angle")
     with pytest.raises(
         pp.InvalidValue, match="False if an argument is a DataArray; give numpy arrays"

@@ -13,14 +13,14 @@ from mechanics.builders import BOTH, PSI, make_scene
 from planar_pushing.mechanics.entries import PACKAGES, plain, scene_entry, to_json, versions
 
 
-class Colour(StrEnum):
+class Color(StrEnum):
     """An option."""
 
     RED = "red"
 
 
 def test_json_has_words_for_infinities_and_keys_in_order():
-    value = {"b": (1.0, float("inf")), "a": [-float("inf"), None, Colour.RED], 3: {"x": True}}
+    value = {"b": (1.0, float("inf")), "a": [-float("inf"), None, Color.RED], 3: {"x": True}}
     assert to_json(value) == ('{"3": {"x": true}, "a": ["-inf", null, "red"], "b": [1.0, "inf"]}')
     assert plain(np.float64(2.5)) == 2.5
 

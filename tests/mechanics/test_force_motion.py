@@ -199,7 +199,7 @@ def friction_weight(j):
     return [2.0, 3.0][j]
 
 
-def test_labelled_problems_give_a_dataset():
+def test_labeled_problems_give_a_dataset():
     angle = xr.DataArray(ANGLES, dims="force_angle", coords={"force_angle": ANGLES})
     found = pp.motion_of_force(make_scene(2.0), angle)
     assert found["twist"].dims == ("force_angle", "twist_component")

@@ -25,7 +25,7 @@ def refused(name, call):
 
 
 def test_sliders_that_cannot_be_are_refused():
-    """They once took formulas to their limits: rods of 1e15 radii, masses within 1e-60 of the centre."""
+    """They once took formulas to their limits: rods of 1e15 radii, masses within 1e-60 of the center."""
     rod = pp.Slider(rod_length=1985701788925619.8, rod_angle=1e-12)
     for effect in (pp.RingFriction(), pp.Inertia()):
         refused(

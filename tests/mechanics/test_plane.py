@@ -37,7 +37,7 @@ def test_direction_elsewhere():
 
 
 def test_moment_arm_sign():
-    """A force right of the ring centre turns the slider counterclockwise."""
+    """A force right of the ring center turns the slider counterclockwise."""
     assert moment_arm(OWN, toward(OWN, 0.0)) == pytest.approx(np.sqrt(2))
     assert moment_arm(OWN, toward(OWN, np.pi / 2)) == pytest.approx(-np.sqrt(2))
     assert moment_arm(OWN, toward(OWN, PSI)) == 0
@@ -70,7 +70,7 @@ def test_parts_along_a_rod_are_those_of_the_exact_angles(psi, turn):
         assert abs(seen.aside / mp.sin(lean) - 1) <= 1e-15
 
 
-def test_contact_moves_with_the_centre_and_around_it():
+def test_contact_moves_with_the_center_and_around_it():
     """``u = (v_x + omega l sin psi, v_y - omega l cos psi)``."""
     found = contact_motion(OWN, 0.3, -0.2, 0.7)
     expected = 0.3 + 0.7 * 2 * np.sin(PSI), -0.2 - 0.7 * 2 * np.cos(PSI)

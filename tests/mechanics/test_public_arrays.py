@@ -143,16 +143,16 @@ def test_arrays_that_do_not_broadcast_are_refused(call):
     assert "xarray.DataArray" in caught.value.remedy
 
 
-def labelled(parameter, dim, values=None):
+def labeled(parameter, dim, values=None):
     return xr.DataArray(VALUES[parameter] if values is None else values, dims=dim)
 
 
 @pytest.mark.parametrize("name", UNITS)
 def test_dataarrays_are_broadcast_by_name_and_have_units(name):
     given = {
-        **BASE, "rod_length": labelled("rod_length", "length"),
-        "friction_coefficient": labelled("friction_coefficient", "mu", VALUES["mass"][:2]),
-        "force_angle": labelled("force_angle", "phi"),
+        **BASE, "rod_length": labeled("rod_length", "length"),
+        "friction_coefficient": labeled("friction_coefficient", "mu", VALUES["mass"][:2]),
+        "force_angle": labeled("force_angle", "phi"),
     }  # fmt: skip
     found = call(name, given)
     plain = {
@@ -174,8 +174,8 @@ def test_dataarrays_are_broadcast_by_name_and_have_units(name):
 
 
 @pytest.mark.parametrize("name", CONES)
-def test_a_labelled_cone_is_a_dataset(name):
-    found = call(name, {**BASE, "friction_coefficient": labelled("friction_coefficient", "mu")})
+def test_a_labeled_cone_is_a_dataset(name):
+    found = call(name, {**BASE, "friction_coefficient": labeled("friction_coefficient", "mu")})
     plain = call(name, {**BASE, "friction_coefficient": VALUES["friction_coefficient"]})
     status = {"status"} if name == "motion_cone" else set()
     assert set(found.data_vars) == {"right", "left", "closed"} | status
@@ -186,8 +186,8 @@ def test_a_labelled_cone_is_a_dataset(name):
 
 
 @pytest.mark.parametrize("name", FLAGS)
-def test_a_labelled_flag_has_a_name_and_a_unit(name):
-    found = call(name, {**BASE, "rod_length": labelled("rod_length", "length")})
+def test_a_labeled_flag_has_a_name_and_a_unit(name):
+    found = call(name, {**BASE, "rod_length": labeled("rod_length", "length")})
     assert found.dims == ("length",)
     assert found.attrs["units"] == "1"
     assert np.array_equal(found, call(name, {**BASE, "rod_length": VALUES["rod_length"]}))
@@ -200,8 +200,8 @@ def test_coordinates_are_kept():
     assert found.name == "motion_angle"
 
 
-def test_a_labelled_limit_curve_is_a_dataset():
-    length = labelled("rod_length", "length")
+def test_a_labeled_limit_curve_is_a_dataset():
+    length = labeled("rod_length", "length")
     found = pp.limit_curve(make_scene(length), xr.DataArray([0.1, 0.2], dims="phi"))
     assert isinstance(found, xr.Dataset)
     units = {name: unit_of(found[name].attrs) for name in found.data_vars}
@@ -220,9 +220,9 @@ def test_a_labelled_limit_curve_is_a_dataset():
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_lazy_arrays_stay_lazy_and_equal_the_eager_ones(name):
     eager = {
-        **BASE, "rod_length": labelled("rod_length", "length"), "weight": labelled("weight", "w"),
-        "force_angle": labelled("force_angle", "phi"),
-        "friction_coefficient": labelled("friction_coefficient", "length"),
+        **BASE, "rod_length": labeled("rod_length", "length"), "weight": labeled("weight", "w"),
+        "force_angle": labeled("force_angle", "phi"),
+        "friction_coefficient": labeled("friction_coefficient", "length"),
     }  # fmt: skip
     lazy = {
         key: each.chunk({each.dims[0]: 2}) if isinstance(each, xr.DataArray) else each

@@ -179,19 +179,19 @@ def test_a_mask_picks_problems(arrays):
     assert len(arrays) == 2
 
 
-def test_arrays_become_the_dataset_of_labelled_arrays():
+def test_arrays_become_the_dataset_of_labeled_arrays():
     angles = np.deg2rad([[-90.0, -10.0], [20.0, 90.0]])
     scene = make_scene(2.0, 2.0)
-    labelled = pp.solve(scene, xr.DataArray(angles, dims=["row", "push"]))
-    xr.testing.assert_identical(pp.solve(scene, angles).to_dataset(["row", "push"]), labelled)
+    labeled = pp.solve(scene, xr.DataArray(angles, dims=["row", "push"]))
+    xr.testing.assert_identical(pp.solve(scene, angles).to_dataset(["row", "push"]), labeled)
     assert pp.solve(scene, angles).to_dataset().mode.dims == ("dim_0", "dim_1", "solution")
     for name, members in (
         ("mode", pp.ContactMode), ("outcome", pp.Outcome), ("status", pp.Status),
     ):  # fmt: skip
-        attrs = labelled[name].attrs
+        attrs = labeled[name].attrs
         assert attrs["flag_meanings"].split() == [each.name for each in members]
         assert attrs["flag_values"].tolist() == list(members)
-        assert attrs["flag_values"].dtype == labelled[name].dtype
+        assert attrs["flag_values"].dtype == labeled[name].dtype
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""The enumeration of contact modes, elementwise and one at a time; cones and centres around it."""
+"""The enumeration of contact modes, elementwise and one at a time; cones and centers around it."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def test_solutions_are_an_iterable_of_known_length():
 
 
 @EVERY_EFFECT
-def test_a_slider_at_rest_has_no_centre_and_no_spin(effects):
+def test_a_slider_at_rest_has_no_center_and_no_spin(effects):
     (separate,) = pp.solve(make_scene(2.0, 2.0, effects), np.deg2rad(-90))
     still = [pp.solve(make_scene(2.0, 2.0, effects), angle, 0.0) for angle in (-1.0, 0.0, 1.0)]
     for each in (separate, *(one for found in still for one in found)):
@@ -46,7 +46,7 @@ def test_a_slider_at_rest_has_no_centre_and_no_spin(effects):
     assert separate.mode is pp.ContactMode.SEPARATE
 
 
-def test_a_slider_that_separates_under_a_load_moves_and_has_a_centre():
+def test_a_slider_that_separates_under_a_load_moves_and_has_a_center():
     effects = (
         pp.RingFriction(weight=0.5),
         pp.Inertia(),

@@ -123,7 +123,7 @@ def test_the_force_of_a_translation_is_the_weight_and_the_mass():
         assert stick.spin_ratio == 0
 
 
-def test_a_long_rod_turns_about_the_ring_centre():
+def test_a_long_rod_turns_about_the_ring_center():
     """Pushed across itself: h = 2 k outside the ring, and k has the sense of the spin."""
     for angle, sign in ((0.0, 1.0), (np.pi, -1.0)):
         (_, stick) = pp.solve(make_scene(1e6, pp.PerfectlyRough(), psi=np.pi / 2), angle)
@@ -132,7 +132,7 @@ def test_a_long_rod_turns_about_the_ring_centre():
         assert stick.center == pytest.approx([0.0, 1e6], abs=1e-3)
 
 
-def test_labelled_solutions_are_a_dataset_with_units():
+def test_labeled_solutions_are_a_dataset_with_units():
     length = xr.DataArray([0.5, 2.0], dims="length", coords={"length": ["short", "long"]})
     angle = xr.DataArray([-0.2, 1.0, 2.9], dims="push")
     found = pp.solve(make_scene(length, 2.0), angle)
@@ -173,7 +173,7 @@ def test_lazy_solutions_stay_lazy_and_equal_the_eager_ones(effects):
         xr.testing.assert_identical(found.compute(), call("solve", eager, effects))
 
 
-def test_an_array_of_labelled_laws():
+def test_an_array_of_labeled_laws():
     laws = [pp.Coulomb(0.3), pp.InfiniteFriction()]
     contact = xr.DataArray(np.array(laws, dtype=object), dims="law", coords={"law": ["mu", "inf"]})
     slider = pp.Slider(rod_length=2.0, rod_angle=0.8)

@@ -19,7 +19,7 @@ from mechanics.problems import cross, problem_of, size_of, turned, unit
 
 SEPARATE, STICK, SLIP_RIGHT, SLIP_LEFT = (int(mode) for mode in pp.ContactMode)
 TOLERANCE = 1e-9
-#: A foot slower than this, relative to the slider, is at the centre of rotation.
+#: A foot slower than this, relative to the slider, is at the center of rotation.
 AT_REST = 1e-9
 #: Rounding of a twist relative to its speed: it turns the friction of a foot that barely moves.
 ROUNDING = 1e-14
@@ -54,7 +54,7 @@ def speed_of(problem, twist):
 def imbalance(problem, twist, force, rounding=ROUNDING):
     """Residual of force and torque over what rounding of the twist explains; right where at most 1.
 
-    Parameters are in the fence's frame. The foot that is nearest to the centre of rotation carries what is
+    Parameters are in the fence's frame. The foot that is nearest to the center of rotation carries what is
     left, up to its share where it is at rest, and otherwise up to the rounding of its direction. Without
     `rounding` even a foot that barely moves has to leave no torque about the contact, as exact forces do.
     """

@@ -278,7 +278,7 @@ class TestManyContacts:
             own = pp.scene_at(place, **given).to_object(twists[i], "twist")
             assert many.to_object(twists, "twist")[i] == pytest.approx(own)
 
-    def test_labelled_contacts(self):
+    def test_labeled_contacts(self):
         xr = pytest.importorskip("xarray")
         places = xr.DataArray(self.PLACES, dims=("place", "xy"), coords={"place": list("abcd")})
         scenes = pp.scene_at(
@@ -322,7 +322,7 @@ class TestUnits:
             (0.5, -1), (0, 1), effects=effects, contact=pp.Coulomb(1.0), units=pp.Units(length="mm")
         )
 
-    def test_labelled_results_have_the_units_of_the_scene(self):
+    def test_labeled_results_have_the_units_of_the_scene(self):
         xr = pytest.importorskip("xarray")
         angles = xr.DataArray([1.0, 1.5], dims="push")
         found = pp.solve(self.scene(), angles)

@@ -13,7 +13,7 @@ from planar_pushing.mechanics.plane import direction
 
 
 def wrench_line(effect, center, spin):
-    """Force, and signed distance of its line from the ring centre, for a motion about `center`."""
+    """Force, and signed distance of its line from the ring center, for a motion about `center`."""
     velocity = spin * np.array([center[1], -center[0]])  # omega x (0 - center)
     wrench = pp.wrench(effect, [*velocity, spin])
     return wrench[:2], wrench[2] / np.hypot(*wrench[:2]), velocity
@@ -81,7 +81,7 @@ def test_slip_is_the_only_solution_outside_the_cone_of_figure_9b():
 @pytest.mark.parametrize("gyration_radius", [0.5, 1.0, 2.0])
 @pytest.mark.parametrize("mu", [2.0, np.inf])
 def test_acceleration_centers_lie_on_one_line(mu, gyration_radius):
-    """Sec. 4, Fig. 9: the force dual of the contact, rho^2 / l behind the ring centre."""
+    """Sec. 4, Fig. 9: the force dual of the contact, rho^2 / l behind the ring center."""
     scene = make_scene(2.0, mu, [pp.Inertia(gyration_radius=gyration_radius)])
     cone = pp.friction_cone(scene)
     phi = np.linspace(cone.right, cone.left, 51)
@@ -185,7 +185,7 @@ class TestSevenGeometricFacts:
 
 
 def test_fact_4_fourth_case_force_through_the_center_translates():
-    """Sec. 4, the fourth case: the acceleration centre is at infinity."""
+    """Sec. 4, the fourth case: the acceleration center is at infinity."""
     scene = make_scene(5.0, np.inf, BOTH)
     assert np.all(pp.spin_ratio(scene, PSI, np.linspace(0, 1, 5)) == 0)
     assert np.all(np.isinf(pp.motion_centers(scene, PSI, 0.5)))

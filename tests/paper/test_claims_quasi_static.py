@@ -31,7 +31,7 @@ def test_pushing_figure_2_is_unique():
 
 
 def test_force_on_the_other_side_of_the_center_turns_the_other_way():
-    """Sec. 3, Figs. 2-3: a force closely right or left of the ring centre."""
+    """Sec. 3, Figs. 2-3: a force closely right or left of the ring center."""
     scene = make_scene(2.0)
     below, above = pp.spin_ratio(scene, [PSI - 0.05, PSI + 0.05])
     assert below > 0 > above

@@ -15,13 +15,13 @@ FORCES = [(1.0, 0.0), (0.3, 1.1), (-0.7, 0.4), (0.0, -2.0)]
 
 
 def ring_wrench(phi, k, weight=1.0):
-    """Wrench of the ring for a unit centre velocity along phi."""
+    """Wrench of the ring for a unit center velocity along phi."""
     twist = np.array([np.cos(phi), np.sin(phi), k])
     return pp.wrench(pp.RingFriction(weight=weight), twist)
 
 
 def inertia_twist(fx, fy, length, psi):
-    """Initial acceleration of the centre from the force that sustains it."""
+    """Initial acceleration of the center from the force that sustains it."""
     phi = np.arctan2(fy, fx)
     k = float(pp.spin_ratio(make_scene(length, effects=INERTIA, psi=psi), phi))
     size = np.hypot(fx, fy)
@@ -71,7 +71,7 @@ def test_eq_05_force_across_the_fence(phi):
 
 @pytest.mark.parametrize("phi", [0.1, 0.4, 2.0, -1.3])
 def test_eq_06_torque_about_the_contact(phi):
-    """Eq. (6): moving the wrench from the ring centre to the contact."""
+    """Eq. (6): moving the wrench from the ring center to the contact."""
     k, length = 0.5, 2.0
     expected = reference.eq_06_torque_about_contact(
         reference.eq_02_force(k), reference.eq_03_torque(k), length, phi, PSI
@@ -93,7 +93,7 @@ def test_eq_07_spin_ratio_balances_the_torque(length, phi):
 
 
 def test_eq_07_sign_and_center():
-    """Below Eq. (7): the velocity centre lies at -v / omega along x'."""
+    """Below Eq. (7): the velocity center lies at -v / omega along x'."""
     scene, phi = make_scene(2.0), 0.2
     k = float(pp.spin_ratio(scene, phi))
     x_axis = np.array([np.cos(phi - np.pi / 2), np.sin(phi - np.pi / 2)])

@@ -53,6 +53,6 @@ def test_both_effects_join_the_outer_edges():
 
 
 def test_force_on_the_ring_center_line_has_the_ring_constants():
-    """f(1) = t(1) = 2 / pi, where the tangent force has the centre on the ring."""
+    """f(1) = t(1) = 2 / pi, where the tangent force has the center on the ring."""
     curve = pp.limit_curve(make_scene(5.0), PSI - np.arcsin(1 / 5))
     assert curve.magnitude == pytest.approx(2 / np.pi, rel=1e-13, abs=0)

@@ -40,7 +40,7 @@ class Pushed:
         return tangent, np.array([-tangent[1], tangent[0]]), np.array([[c, -s], [s, c]])
 
     def friction(self, body, v, omega):
-        """Force on the support that sustains a motion, and its torque about the slider's centre."""
+        """Force on the support that sustains a motion, and its torque about the slider's center."""
         places = self.points @ body.T
         moves = v + omega * np.stack([-places[:, 1], places[:, 0]], axis=-1)
         forces = self.weights[:, None] * moves / np.hypot(*moves.T)[:, None]
@@ -53,7 +53,7 @@ class Pushed:
         return normal - self.sense * self.mu * tangent
 
     def quasi_static(self, t, state):
-        """Rates of (x, y, angle) of the slider's centre; friction balances the finger's force."""
+        """Rates of (x, y, angle) of the slider's center; friction balances the finger's force."""
         place, w = self.finger(t)
         tangent, normal, body = self.axes(state[2])
         r, e = state[:2] - (place + self.radius * normal), self.edge(tangent, normal)
@@ -84,7 +84,7 @@ class Pushed:
         return np.array([*(w + omega * np.array([-r[1], r[0]])), omega])
 
     def dynamic(self, t, state):
-        """Rates of place, angle, velocity and rotation of the centre of mass."""
+        """Rates of place, angle, velocity and rotation of the center of mass."""
         place, w = self.finger(t)
         angle, v, omega = state[2], state[3:5], state[5]
         tangent, normal, body = self.axes(angle)
@@ -96,11 +96,11 @@ class Pushed:
         moment = self.mass * self.gyration**2
 
         def lifts(size):
-            """Second derivative of n . (c - F), for the centre of mass c."""
+            """Second derivative of n . (c - F), for the center of mass c."""
             a = (size * e - f) / self.mass
             turn = (drag - size * (arm[0] * e[1] - arm[1] * e[0])) / moment
             own = -turn * (tangent @ r) - omega**2 * (normal @ r) - 2 * omega * (tangent @ (v - w))
-            # The side is not at rest in the body frame of the centre of mass: its distance is.
+            # The side is not at rest in the body frame of the center of mass: its distance is.
             return own + normal @ (a - self.rate), a, turn
 
         one, other = lifts(0.0)[0], lifts(1.0)[0]
@@ -130,13 +130,13 @@ class Pushed:
             time = brentq(lambda t: self.along(t, found.sol(t)) - until, 0, duration, xtol=1e-13)
         return time, found.sol(time), self.along(time, found.sol(time))
 
-    def centre(self, state):
-        """Place of the slider's centre."""
+    def center(self, state):
+        """Place of the slider's center."""
         return state[:2] - (self.axes(state[2])[2] @ self.center if self.mass else 0.0)
 
     def along(self, t, state):
         """Where the finger is on the side, from the contact at time 0."""
         tangent = self.axes(state[2])[0]
         return float(
-            tangent @ (self.finger(t)[0] - self.centre(state)) + self.rod * math.cos(self.psi)
+            tangent @ (self.finger(t)[0] - self.center(state)) + self.rod * math.cos(self.psi)
         )

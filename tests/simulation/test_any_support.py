@@ -1,4 +1,4 @@
-"""Motion over time of any support and any centre of mass: against the ring, and by its energy."""
+"""Motion over time of any support and any center of mass: against the ring, and by its energy."""
 
 import sys
 

@@ -243,7 +243,7 @@ def test_one_scene_is_a_batch_of_one(shape):
     assert same(found.isel(scene=0), last(scene, pusher, duration=0.5))
 
 
-def test_labelled_arrays_are_broadcast_by_name():
+def test_labeled_arrays_are_broadcast_by_name():
     length = xr.DataArray([1.0, 2.0], dims="length", coords={"length": [1.0, 2.0]})
     mu = xr.DataArray([0.2, 0.5, 1.0], dims="law", coords={"law": list("abc")})
     along, duration = length.copy(data=[0.3, -0.1]), mu.copy(data=[0.2, 0.4, 0.3])
@@ -267,7 +267,7 @@ def test_labelled_arrays_are_broadcast_by_name():
         assert here.velocity.values.tolist() == [along[i], 1.0]
 
 
-def test_labelled_laws_and_gaps():
+def test_labeled_laws_and_gaps():
     laws = xr.DataArray(np.array(LAWS), dims="law")
     gap = xr.DataArray([0.0, 0.1], dims="height")
     found = pp.simulate_batch(make_scene(2.0, laws), AHEAD, duration=0.4, gap=gap)
@@ -277,7 +277,7 @@ def test_labelled_laws_and_gaps():
         assert same(found.isel(law=i, height=j), one)
 
 
-def test_loose_arrays_beside_labelled_ones_are_refused():
+def test_loose_arrays_beside_labeled_ones_are_refused():
     length = xr.DataArray([1.0, 2.0], dims="length")
     with pytest.raises(
         pp.InvalidValue, match=r"shapes: .*also give this array as an xarray\.DataArray"
@@ -394,7 +394,7 @@ def test_velocities_in_pieces_may_be_arrays(shape):
 
 
 def test_a_piece_may_be_one_velocity_for_all():
-    """Beside pieces of labelled arrays; a piece at rest, say."""
+    """Beside pieces of labeled arrays; a piece at rest, say."""
     speed = xr.DataArray([0.5, 1.0], dims="speed")
     along = xr.DataArray([-0.1, 0.0, 0.1], dims="along", coords={"along": [-0.1, 0.0, 0.1]})
     pusher = pp.Pusher(velocity=[(0, (0.0, speed)), (0.2, (along, speed)), (0.5, (0.0, 0.0))])

@@ -105,7 +105,7 @@ def test_no_field_of_a_record_hides_behind_an_attribute(dtype):
 
 
 def test_steps_are_graded_towards_a_kink_and_away_from_it():
-    """The motion centre crosses the ring, where the rates are no smoother than x / log x."""
+    """The motion center crosses the ring, where the rates are no smoother than x / log x."""
     scene = make_scene(1.5, np.inf, psi=np.deg2rad(80))
     log = run(scene, heading(10), 3, samples=2)
     k = np.abs(log.spin_ratio.values)

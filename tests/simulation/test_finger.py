@@ -9,7 +9,7 @@ from simulation.straight import Pushed
 
 POINTS, SHARES = [(1, 0), (-0.5, np.sqrt(0.75)), (-0.4, -np.sqrt(0.75))], [0.2, 0.5, 0.3]
 TRIPOD = pp.SupportFriction(support=pp.Points(POINTS, SHARES))
-#: The ring as points: the sum converges faster than any power while the motion centre is off the ring.
+#: The ring as points: the sum converges faster than any power while the motion center is off the ring.
 RIM = [(np.cos(angle), np.sin(angle)) for angle in 2 * np.pi * np.arange(400) / 400]
 HEAVY, ASIDE = (pp.Inertia(mass=0.7, gyration_radius=0.9, center=c) for c in ((0, 0), (0.2, 0.1)))
 FRICTION = {"ring": (pp.RingFriction(),), "tripod": (TRIPOD,)}
@@ -107,7 +107,7 @@ def test_a_slip_along_the_side_is_that_of_scipy(name, rate):
     assert (log.mode == pp.ContactMode.SLIP_LEFT).all()
     reference = straight(EFFECTS[name], start, slope)
     _, state, along = reference.follow(0.7, log.twist.values[0])
-    assert final(log, "position") == pytest.approx(reference.centre(state), abs=1e-9)
+    assert final(log, "position") == pytest.approx(reference.center(state), abs=1e-9)
     assert final(log, "rod_angle") == pytest.approx(np.rad2deg(state[2]), abs=1e-8)
     assert final(log, "contact_position") == pytest.approx(along, abs=1e-9)
     assert log.contact_position.values == pytest.approx(-log.slip.values, abs=1e-14)

@@ -98,7 +98,7 @@ def test_spin_ratio_tends_to_where_friction_and_inertia_agree():
     assert distance[-1] < 1e-2
 
 
-def test_ring_whose_mass_lies_on_it_ends_with_its_motion_centre_on_it():
+def test_ring_whose_mass_lies_on_it_ends_with_its_motion_center_on_it():
     log = flight((0.3, 0, 2), 6, samples=4001)
     ratio = log.spin_ratio.values[log.kinetic_energy.values > 1e-10]
     assert ratio[-1] == pytest.approx(1, abs=1e-5)
@@ -202,7 +202,7 @@ def test_grazing_contact():
 
 
 def test_infinite_friction_with_inertia_keeps_the_closed_form_of_the_rod_angle():
-    """A force along the fence lifts nothing, so the centre's height stays what the impact left."""
+    """A force along the fence lifts nothing, so the center's height stays what the impact left."""
     log = check(run(make_scene(5, np.inf, BOTH), heading(165), 3))
     sine = math.sin(math.pi / 4) - 3 * math.sin(math.radians(165)) / 5
     assert final(log, "rod_angle") == pytest.approx(math.degrees(math.asin(sine)), abs=1e-9)

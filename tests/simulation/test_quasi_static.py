@@ -45,7 +45,7 @@ def inner_spin_ratio(arm):
 
 
 def test_slip_under_infinite_friction_in_closed_form():
-    """Force along -x: the centre keeps its height, so l sin psi falls as the fence rises."""
+    """Force along -x: the center keeps its height, so l sin psi falls as the fence rises."""
     length, duration = 5, 3
     w_x, w_y = heading(165)
     log = run(make_scene(length, np.inf), (w_x, w_y), duration)
@@ -164,7 +164,7 @@ def test_large_friction_tends_to_infinite_friction_like_its_inverse():
     assert errors[0] / errors[1] == pytest.approx(100, rel=1e-2)
 
 
-def test_motion_centre_crosses_the_ring():
+def test_motion_center_crosses_the_ring():
     scene = make_scene(1.5, np.inf, psi=np.deg2rad(80))
     logs = [check(run(scene, heading(10), 3, rtol=rtol)) for rtol in (1e-8, 1e-11)]
     k = np.abs(logs[1].spin_ratio.values)

@@ -36,7 +36,7 @@ def test_every_declaration_has_a_builder_and_words_for_its_names(name):
     assert {*entry.dims, *entry.inner, *entry.variables} - {"solution"} <= set(known)
 
 
-def test_contact_laws_are_labelled_by_their_coefficients():
+def test_contact_laws_are_labeled_by_their_coefficients():
     found = contact_labels((1.4, 1.4000001, 2.0))
     assert found == ["coulomb_1.4", "coulomb_1.4000001", "coulomb_2", *CONTACT_LAWS]
 

@@ -1,4 +1,4 @@
-"""Regions of acceleration centres: the exact set lies in the paper's bound, line by line."""
+"""Regions of acceleration centers: the exact set lies in the paper's bound, line by line."""
 
 import numpy as np
 import pytest
@@ -8,7 +8,7 @@ import planar_pushing as pp
 
 @pytest.fixture
 def regions(results):
-    """Distances along the line of centres from the ring centre, signed, of the ends of both regions."""
+    """Distances along the line of centers from the ring center, signed, of the ends of both regions."""
     found = pp.open_dataset("center_regions", results)
     psi, phi = np.deg2rad(found.rod_angle), np.deg2rad(found.force_angle)
     arm = found.rod_length * np.sin(psi - phi)
@@ -34,7 +34,7 @@ def test_axes_are_those_of_the_grid(results):
 
 
 def test_the_paper_cases(regions):
-    """Outside the ring the centre is in it, on a tangent on it, else beyond it, opposite the line."""
+    """Outside the ring the center is in it, on a tangent on it, else beyond it, opposite the line."""
     _, arm, bound, _ = regions
     inner, outer = (abs(bound.sel(bound_end=end)) for end in ("inner", "outer"))
     cases = ((abs(arm) > 1 + 1e-9, 0, 1), (abs(abs(arm) - 1) < 1e-9, 1, 1))

@@ -7,7 +7,7 @@ import xarray as xr
 import planar_pushing as pp
 from planar_pushing.study.build import build_dataset
 from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.files.study_model import labelled_law
+from planar_pushing.study.files.study_model import labeled_law
 from planar_pushing.study.slices import study_slice
 from planar_pushing.study.store import group_names
 from planar_pushing.study.study_file import load_study
@@ -102,7 +102,7 @@ def test_modes_are_the_solutions_of_solve(results, effects, contact):
     kinds = {"support_friction": pp.RingFriction(), "inertia": pp.Inertia()}
     slider = pp.Slider(rod_length=2, rod_angle=np.pi / 4)
     listed = tuple(kinds[each] for each in effects.split("+"))
-    scene = pp.Scene(slider=slider, contact=labelled_law(contact), effects=listed)
+    scene = pp.Scene(slider=slider, contact=labeled_law(contact), effects=listed)
     for angle in (-165, -15, 0, 15, 90, 165, 180):
         found, one = pp.solve(scene, np.deg2rad(angle)), here.sel(pusher_angle=angle)
         assert int(one.outcome) == found.outcome

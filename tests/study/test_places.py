@@ -9,7 +9,7 @@ from planar_pushing.study.datasets.places import places, pressure_at
 
 
 @pytest.mark.parametrize("name", SUPPORTS)
-def test_places_share_the_weight_about_the_centre_of_pressure(name):
+def test_places_share_the_weight_about_the_center_of_pressure(name):
     support, _ = SUPPORTS[name]
     found = places(support.pieces())
     assert 3 <= len(found) <= 60

@@ -37,7 +37,7 @@ def test_a_scene_is_a_scene(function, given):
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("given", [None, "", "centre", 0, ["contact"]], ids=repr)
+@pytest.mark.parametrize("given", [None, "", "center", 0, ["contact"]], ids=repr)
 def test_origin_of_centers(given):
     check(
         lambda: pp.motion_centers(make_scene(1.0), 1.0, origin=given), "origin", given,

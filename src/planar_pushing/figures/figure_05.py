@@ -13,7 +13,7 @@ from planar_pushing.figures.figure import COLUMN, FRICTION, STATICS, Figure, Set
 from planar_pushing.figures.marks import NOTE, Picture, Sheet, unit
 from planar_pushing.figures.parts.curves import curves, family, forces
 from planar_pushing.figures.parts.data import (
-    labelled,
+    labeled,
     named,
     rod_angle,
     scene_of,
@@ -43,7 +43,7 @@ def select(sources: Sources, settings: Settings) -> xr.Dataset:
     grid = sources["limit_curves"]
     psi = rod_angle(grid)
     data = curves(grid, "support_friction", several(settings.rod_length))
-    angles = labelled("force_angle", (psi + np.array(PARALLEL)) % 360)
+    angles = labeled("force_angle", (psi + np.array(PARALLEL)) % 360)
     special = forces(scene_of(grid, "support_friction", data.rod_length), angles)
     special = special.rename(force_angle="parallel_angle")
     data["parallel_force"], data["parallel_motion_angle"] = special.force, special.motion_angle

@@ -17,7 +17,7 @@ from planar_pushing.figures.marks import AREAS, NOTE, Picture, arc, corners, uni
 from planar_pushing.figures.parts.data import (
     attributed,
     degrees,
-    labelled,
+    labeled,
     named,
     scene_of,
     titled,
@@ -87,7 +87,7 @@ def exact_centers(grid: xr.Dataset, rod_length: float) -> xr.Dataset:
     The force angles of the grid are too coarse for smooth curves, so the boundaries are computed here.
     Force angles with a center at infinity (a translation) are omitted.
     """
-    angle, share = labelled("force_angle", ANGLES), labelled("inertia_share", (0.0, 1.0))
+    angle, share = labeled("force_angle", ANGLES), labeled("inertia_share", (0.0, 1.0))
     scene = scene_of(grid, EffectSet.BOTH, rod_length)
     phi: xr.DataArray = pushing(angle)
     center = motion_centers(scene, phi, share).transpose("force_angle", ...)

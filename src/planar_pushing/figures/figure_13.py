@@ -17,7 +17,7 @@ from planar_pushing.figures.figure import COLUMN, PAGE, Figure, Settings, Source
 from planar_pushing.figures.marks import NOTE
 from planar_pushing.figures.parts.data import (
     attributed,
-    labelled,
+    labeled,
     mathematical,
     named,
     rod_angle,
@@ -31,7 +31,7 @@ from planar_pushing.mechanics.solve import solve
 from planar_pushing.study.catalog import contact_labels
 from planar_pushing.study.datasets.base import friction_angle, objects, pushing
 from planar_pushing.study.describe import parameters_of
-from planar_pushing.study.files.study_model import labelled_law
+from planar_pushing.study.files.study_model import labeled_law
 
 FIGURE = Figure(
     title="Contact modes over friction and the direction of the push",
@@ -134,8 +134,8 @@ def maps(grid: xr.Dataset, rod_length: float, magnitude: float) -> xr.Dataset:
     """Sets of modes and force angles of sticking for each set of effects, on a separate grid."""
     part, names = parameters_of(grid), list(grid.effects.values)
     labels = contact_labels(COEFFICIENTS)
-    laws = objects("contact", labels, map(labelled_law, labels))
-    angle = pushing(labelled("pusher_angle", ANGLES))
+    laws = objects("contact", labels, map(labeled_law, labels))
+    angle = pushing(labeled("pusher_angle", ANGLES))
     found = [
         solve(
             Scene(slider=part.ring(rod_length), contact=laws, effects=part.effects(name)),

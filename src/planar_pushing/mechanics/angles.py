@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.numerics.arrays import dataset, is_labelled, named, same
+from planar_pushing.mechanics.numerics.arrays import dataset, is_labeled, named, same
 from planar_pushing.mechanics.numerics.root import EPSILON
 from planar_pushing.mechanics.status import Status
 from planar_pushing.terms.domain import Number, is_lazy, required
@@ -98,9 +98,9 @@ def interval(
     right: Number, left: Number, closed: Number, status: Number = int(Status.CONSISTENT)
 ) -> Any:
     """Angle interval; for labeled edges, a dataset with the variables `right`, `left` and `closed`."""
-    if not (is_labelled(right) or is_labelled(left)):
+    if not (is_labeled(right) or is_labeled(left)):
         return AngleInterval(right, left, closed, status)
     edges = {"right": right, "left": left, "closed": closed * (right == right)}
-    if is_labelled(status):
+    if is_labeled(status):
         edges["status"] = status
     return dataset([named(name, edge.drop_attrs()) for name, edge in edges.items()])

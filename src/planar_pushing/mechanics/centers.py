@@ -16,7 +16,7 @@ from planar_pushing.mechanics.cones import (
     unit_columns,
 )
 from planar_pushing.mechanics.effects.base import count_fields
-from planar_pushing.mechanics.numerics.arrays import Output, evaluated, is_labelled
+from planar_pushing.mechanics.numerics.arrays import Output, evaluated, is_labeled
 from planar_pushing.mechanics.plane import (
     Array,
     center_from,
@@ -131,7 +131,7 @@ def motion_centers(
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
     reach = scene.slider.length_ratio if origin == Origin.CONTACT else 0.0
     found = evaluated(_centers, scene.kinds, [*columns, scene.slider.radius, reach], CENTER)[0]
-    return named_units(found, scene.units) if is_labelled(found) else found
+    return named_units(found, scene.units) if is_labeled(found) else found
 
 
 @compiled

@@ -10,7 +10,7 @@ from typing import Any, Self
 import numpy as np
 
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.numerics.arrays import is_labelled, same
+from planar_pushing.mechanics.numerics.arrays import is_labeled, same
 from planar_pushing.mechanics.parameters import (
     Motions,
     Response,
@@ -146,9 +146,9 @@ class ForceDerivatives(_Common):
     force_by_ratio: Array
 
 
-def require_unlabelled(given: Sequence[Any]) -> None:
+def require_unlabeled(given: Sequence[Any]) -> None:
     """Refuse derivatives if an argument is a DataArray."""
-    if any(map(is_labelled, given)):
+    if any(map(is_labeled, given)):
         raise InvalidValue(
             "derivatives", True, "False if an argument is a DataArray",
             "give numpy arrays, for instance each argument's values",

@@ -14,9 +14,9 @@ from planar_pushing.mechanics.compiled import compiled, generic, kernel, owning
 from planar_pushing.mechanics.cones import is_magnitude_open, under_force, unit_columns
 from planar_pushing.mechanics.contact import Status
 from planar_pushing.mechanics.core import Entry
-from planar_pushing.mechanics.derivatives import ForceDerivatives, require_unlabelled
+from planar_pushing.mechanics.derivatives import ForceDerivatives, require_unlabeled
 from planar_pushing.mechanics.effects.base import KINDS, count_fields, is_steady
-from planar_pushing.mechanics.numerics.arrays import Output, dataset, evaluated, is_labelled, same
+from planar_pushing.mechanics.numerics.arrays import Output, dataset, evaluated, is_labeled, same
 from planar_pushing.mechanics.parameters import (
     Motions,
     Response,
@@ -188,9 +188,9 @@ def motion_of_force(
     columns, rod = unit_columns(scene)
     given = [*columns, *rod, angle, np.divide(ratio, 2), *_units(scene), scene.slider.radius]
     if derivatives:
-        require_unlabelled(given)
+        require_unlabeled(given)
     results = evaluated(_motions, scene.kinds, given, OUTPUTS)
-    if is_labelled(results[0]):
+    if is_labeled(results[0]):
         labels = {"xy": ["x", "y"], "twist_component": ["v_x", "v_y", "omega"]}
         found = dataset(results).assign_coords(labels)
         return named_units(found, scene.units, inertia=scene.stores_energy)

@@ -17,7 +17,7 @@ import numpy as np
 from planar_pushing.mechanics.compiled import kernel, owning
 from planar_pushing.mechanics.cones import CONSISTENT, PIVOTS, UNSOLVED, under_force
 from planar_pushing.mechanics.held import require_held
-from planar_pushing.mechanics.numerics.arrays import Output, dataset, evaluated, is_labelled, same
+from planar_pushing.mechanics.numerics.arrays import Output, dataset, evaluated, is_labeled, same
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.reduced.magnitude import on_curve, turned
 from planar_pushing.mechanics.scene import Scene, required_scene
@@ -108,6 +108,6 @@ def limit_curve(scene: Scene, force_angle: Number) -> Any:
     slider = scene.slider
     columns = [*scene.numbers, slider.length_ratio, slider.rod_angle, angle, 0.0]
     found = evaluated(_curve, scene.kinds, columns, OUTPUTS)
-    if is_labelled(found[0]):
+    if is_labeled(found[0]):
         return named_units(dataset(found[1:]), scene.units, inertia=scene.stores_energy)
     return LimitCurve(**dict(zip(LimitCurve.__slots__, found, strict=True)))

@@ -15,7 +15,7 @@ from planar_pushing.mechanics.contact import Status
 from planar_pushing.mechanics.contact.laws import Law
 from planar_pushing.mechanics.core import Entry
 from planar_pushing.mechanics.derivatives import (
-    require_unlabelled,
+    require_unlabeled,
     solution_derivatives,
 )
 from planar_pushing.mechanics.effects.base import count_fields, made
@@ -24,7 +24,7 @@ from planar_pushing.mechanics.modes import MOST, SOLUTION, Push, contact_modes
 from planar_pushing.mechanics.numerics.arrays import (
     Output,
     elementwise,
-    is_labelled,
+    is_labeled,
     mapped,
 )
 from planar_pushing.mechanics.plane import motion_center, rod, toward
@@ -308,10 +308,10 @@ def solve(
     columns = [each for entry in entries for each in entry.columns]
     given, results = [*columns, *body, *scene.law, *push], outputs(is_steady(entries))
     if derivatives:
-        require_unlabelled(given)
+        require_unlabeled(given)
     found = elementwise(lambda *each: solve_arrays(entries, *each), given, results)
     by_name = {output.name: each for output, each in zip(results, found, strict=True)}
-    if is_labelled(found[0]):
+    if is_labeled(found[0]):
         return named_units(as_dataset(by_name), scene.units, inertia=scene.stores_energy)
     by = solution_derivatives(scene, given, by_name) if derivatives else None
     if np.ndim(found[0]):

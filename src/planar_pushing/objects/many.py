@@ -10,7 +10,7 @@ import numpy as np
 
 from planar_pushing.mechanics.effects import Viscous
 from planar_pushing.mechanics.frames import Placement
-from planar_pushing.mechanics.numerics.arrays import is_labelled
+from planar_pushing.mechanics.numerics.arrays import is_labeled
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.terms.errors import InvalidValue
 
@@ -44,7 +44,7 @@ def scenes_at(points: Any, normals: Any, make: Callable[[Any, Any], Scene]) -> S
         found = np.empty(len(scenes), dtype=object)
         found[:] = values
         plain = found if not isinstance(values[0], (int, float)) else found.astype(float)
-        return _labelled(plain.reshape(shape), points)
+        return _labeled(plain.reshape(shape), points)
 
     def pair(values: Any) -> tuple[Any, Any]:
         return array([each[0] for each in values]), array([each[1] for each in values])
@@ -84,9 +84,9 @@ def _stacked(effects: list[Any], array: Callable[..., Any], pair: Callable[..., 
     return replace(effects[0], **found)
 
 
-def _labelled(values: Any, points: Any) -> Any:
+def _labeled(values: Any, points: Any) -> Any:
     """Values over the dimensions of labeled points."""
-    if not is_labelled(points):
+    if not is_labeled(points):
         return values
     import xarray as xr
 

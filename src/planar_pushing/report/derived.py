@@ -18,7 +18,7 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.report.results import BOTH, FRICTION
 from planar_pushing.study.describe import parameters_of
-from planar_pushing.study.files.study_model import labelled_law
+from planar_pushing.study.files.study_model import labeled_law
 from planar_pushing.terms.options import EffectSet
 
 ROD_ANGLE = 45.0
@@ -82,7 +82,7 @@ def furthest_pull(modes: xr.Dataset, contact: str, magnitude: float) -> float:
     At this angle, the force of a perfectly rough contact, which sticks for every motion, is on the right
     edge of the friction cone.
     """
-    edge = labelled_law(contact).force_angles.right
+    edge = labeled_law(contact).force_angles.right
     scene = _scene(modes, BOTH, 2.0, PerfectlyRough())
 
     def inside(angle: float) -> float:

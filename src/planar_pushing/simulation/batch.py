@@ -10,7 +10,7 @@ import numpy.typing as npt
 import xarray as xr
 
 from planar_pushing.mechanics.contact.laws import friction_coefficient
-from planar_pushing.mechanics.numerics.arrays import is_labelled
+from planar_pushing.mechanics.numerics.arrays import is_labeled
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.simulation.blocks import Fences, Scenes, run_scenes
@@ -139,14 +139,14 @@ def _broadcast(
     given: list[Any],
 ) -> tuple[list[Array], tuple[str, ...], tuple[int, ...], dict[str, Any]]:
     """Flat arrays, and the dimensions, shape and coordinates of the given values."""
-    if any(map(is_labelled, given)):
-        loose = [each for each in given if np.ndim(each) and not is_labelled(each)]
+    if any(map(is_labeled, given)):
+        loose = [each for each in given if np.ndim(each) and not is_labeled(each)]
         if loose:
             raise InvalidValue(
                 "shapes", np.shape(loose[0]), "labeled arrays, or arrays of one shape",
                 "also give this array as an xarray.DataArray",
             )  # fmt: skip
-        every = xr.broadcast(*(each if is_labelled(each) else xr.DataArray(each) for each in given))
+        every = xr.broadcast(*(each if is_labeled(each) else xr.DataArray(each) for each in given))
         dims = tuple(map(str, every[0].dims))
         arrays, own = [each.values for each in every], dict(every[0].coords)
     else:
@@ -242,12 +242,12 @@ def _coefficients(law: Any) -> Any:
 
 def _like(contact: Any, mu: list[float]) -> Any:
     array = np.reshape(mu, np.shape(contact))
-    return contact.copy(data=array) if is_labelled(contact) else array
+    return contact.copy(data=array) if is_labeled(contact) else array
 
 
 def _over(value: Any, given: Given) -> Any:
     """Expand a number or an array to the dimensions of the scenes."""
-    if is_labelled(value):
+    if is_labeled(value):
         value = value.broadcast_like(xr.DataArray(np.zeros(given.shape), dims=given.dims))
         value = value.transpose(*given.dims).values
     return given.dims, np.array(np.broadcast_to(np.asarray(value, float), given.shape))

@@ -1,4 +1,4 @@
-"""Supports of every kind as scene files say them, and centres of rotation inside, near and far."""
+"""Supports of every kind as scene files say them, and centers of rotation inside, near and far."""
 
 SQUARE = {"shape": "polygon", "vertices": [(-1, -1), (1, -1), (1, 1), (-1, 1)]}
 TRIPOD = {

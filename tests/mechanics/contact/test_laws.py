@@ -31,8 +31,8 @@ def test_an_array_of_laws_in_numbers():
     found = as_numbers(laws)
     for i, law in enumerate(laws.ravel()):
         assert tuple(column.ravel()[i] for column in found) == as_numbers(law)
-    labelled = as_numbers(xr.DataArray(laws, dims=("one", "other")))
-    for column, expected in zip(labelled, found, strict=True):
+    labeled = as_numbers(xr.DataArray(laws, dims=("one", "other")))
+    for column, expected in zip(labeled, found, strict=True):
         assert column.dims == ("one", "other")
         assert np.array_equal(column.values, expected)
 

@@ -78,7 +78,7 @@ def test_elementwise_gives_what_it_is_given():
     assert np.array_equal(elementwise(doubled, [np.ones(2)], outputs)[0], [2.0, 2.0])
     (found,) = elementwise(doubled, [xr.DataArray([1.0], dims="a")], outputs)
     assert found.attrs == {"units": "1", "long_name": "spin ratio R omega / v"}
-    assert not arrays.is_labelled(np.ones(2))
+    assert not arrays.is_labeled(np.ones(2))
 
 
 @pytest.mark.parametrize("block", [1, 7, 64])

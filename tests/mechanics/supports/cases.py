@@ -1,4 +1,4 @@
-"""Supports of every kind, and centres of rotation where they are hard."""
+"""Supports of every kind, and centers of rotation where they are hard."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def turned(angle):
 
 
 def special_places(support):
-    """Atoms, ends, vertices, places on edges and on their lines, rims and centres."""
+    """Atoms, ends, vertices, places on edges and on their lines, rims and centers."""
     pieces = support.pieces()
     found = [np.array(support.center_of_pressure), *pieces.atoms[:, :2]]
     for rows in (pieces.segments, *pieces.plates):

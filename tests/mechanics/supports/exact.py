@@ -1,6 +1,6 @@
 """Moments of supports in 50 digits, straight from their closed forms: mean distance, unit vector, torque.
 
-Each takes a centre of rotation in the body frame and gives D, G_x, G_y and the torque about the origin; the
+Each takes a center of rotation in the body frame and gives D, G_x, G_y and the torque about the origin; the
 closed forms cancel far away, which the digits pay for.
 """
 
@@ -23,7 +23,7 @@ DIGITS = 50
 
 
 def exact_moments(support, c):
-    """D, G_x, G_y and the torque about the centre of pressure."""
+    """D, G_x, G_y and the torque about the center of pressure."""
     with mp.workdps(DIGITS):
         x, y = mpf(c[0]), mpf(c[1])
         d, g_x, g_y = about(support, x, y)
@@ -47,7 +47,7 @@ def about(support, x, y):
 
 @singledispatch
 def load(support):
-    """Centre of pressure, and a weight where members of a whole are compared."""
+    """Center of pressure, and a weight where members of a whole are compared."""
     raise TypeError(support)
 
 
@@ -146,7 +146,7 @@ def _(support: PressureMap):
 
 
 def radial(center, x, y, law):
-    """A support that is symmetric about a centre, from D and its slope at a distance."""
+    """A support that is symmetric about a center, from D and its slope at a distance."""
     r_x, r_y = mpf(center[0]) - x, mpf(center[1]) - y
     c = mp.sqrt(r_x**2 + r_y**2)
     d, slope = law(c)

@@ -1,6 +1,6 @@
 """Supports as many points, by quadrature rules alone: lines and areas by Gauss, circles by even points.
 
-Exact to rounding for a centre of rotation that is not next to the support.
+Exact to rounding for a center of rotation that is not next to the support.
 """
 
 from __future__ import annotations

@@ -69,7 +69,7 @@ def test_closed_forms_are_the_integrals(name):
         assert max(abs(a - b) for a, b in zip(found, exact, strict=True)) < 1e-12
 
 
-def test_the_torque_is_that_of_unit_forces_about_the_centre_of_pressure():
+def test_the_torque_is_that_of_unit_forces_about_the_center_of_pressure():
     support, _ = SUPPORTS["points"]
     for c in CENTERS:
         whole, torque, moment = mpf(0), mpf(0), [mpf(0), mpf(0)]

@@ -77,7 +77,7 @@ def test_calls_neither_keep_nor_drop_references_to_the_arrays_of_a_support(more)
     assert [sys.getrefcount(array) for array in arrays] == before
 
 
-def test_labelled_supports_keep_their_names():
+def test_labeled_supports_keep_their_names():
     members = np.array([BOX, TRIPOD, pp.Ring(1.0), None], dtype=object)[:-1]
     supports = xr.DataArray(members, dims="support", coords={"support": ["box", "tripod", "ring"]})
     angle = xr.DataArray([1.0, 2.0], dims="pusher_angle")
@@ -99,14 +99,14 @@ def test_what_is_no_support_is_refused(support):
 
 
 @pytest.mark.parametrize("support", [BOX, pp.Ring(2.0)], ids=["box", "other ring"])
-def test_a_push_through_the_centres_of_mass_and_of_pressure_translates(support):
-    """A force along the rod meets the centres of both, so that nothing turns."""
+def test_a_push_through_the_centers_of_mass_and_of_pressure_translates(support):
+    """A force along the rod meets the centers of both, so that nothing turns."""
     mass = pp.Inertia(mass=2.0, gyration_radius=0.5, center=(0.4, 0.0))
     slider = pp.Slider(rod_length=3.0, rod_angle=0.8, radius=1.0)
     each = pp.Scene(
         slider=slider, contact=pp.PerfectlyRough(),
         effects=(pp.SupportFriction(support=support, weight=1.0), mass),
     )  # fmt: skip
-    (stick,) = pp.solve(each, 0.8, 5.0)  # along the rod, through both centres
+    (stick,) = pp.solve(each, 0.8, 5.0)  # along the rod, through both centers
     assert stick.twist[2] == pytest.approx(0.0, abs=1e-12)
     assert np.hypot(*stick.force) == pytest.approx(1.0 + 2.0 * 5.0, rel=1e-12, abs=0)

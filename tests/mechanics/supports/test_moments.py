@@ -17,7 +17,7 @@ from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.points import Points
 from planar_pushing.mechanics.supports.pressure.assembly import assembled
 
-#: Centre of rotation, D, G_x, G_y and the torque, from numerical integrals.
+#: Center of rotation, D, G_x, G_y and the torque, from numerical integrals.
 PUBLISHED = [
     (
         SQUARE,

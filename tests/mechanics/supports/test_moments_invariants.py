@@ -95,7 +95,7 @@ def test_the_mean_distance_is_convex_and_the_unit_vector_its_slope(support, a, b
 
 @given(supports, centers)
 def test_bounds(support, c):
-    """|G| <= 1, D between the distance to the centre of pressure and that plus the extent, T >= 0."""
+    """|G| <= 1, D between the distance to the center of pressure and that plus the extent, T >= 0."""
     found, middle = at(support, c), support.center_of_pressure
     distance = np.hypot(c[0] - middle[0], c[1] - middle[1])
     assert np.hypot(*found[1:3]) <= 1 + 1e-14

@@ -11,7 +11,7 @@ from mechanics.supports.quadrature import sampled
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.pressure.assembly import assembled
 
-#: Centres of rotation away from the supports, in reaches: the narrow ones on their long sides' axis.
+#: Centers of rotation away from the supports, in reaches: the narrow ones on their long sides' axis.
 PLACES = [(3.0, 0.4), (2.2, -2.6), (-9.0, 30.0)]
 
 
@@ -45,7 +45,7 @@ def test_moments_are_sums_over_points(name, place):
 @pytest.mark.parametrize("twist", [(1.0, 0.2, 0.05), (-0.3, 2.0, -0.2), (0.0, -1.0, 0.0)], ids=str)
 @pytest.mark.parametrize("name", SUPPORTS)
 def test_wrench_and_potential_are_sums_over_points(name, twist):
-    """Coulomb friction at each point, about the slider's centre; per unit of the support's reach."""
+    """Coulomb friction at each point, about the slider's center; per unit of the support's reach."""
     support, _ = SUPPORTS[name]
     v_x, v_y, spin = np.array(twist) / (1, 1, support.extent)
     places, shares = sampled(support)

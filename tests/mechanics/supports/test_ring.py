@@ -28,7 +28,7 @@ longer = pytest.mark.skipif(
 )
 
 
-def neighbours(center, count):
+def neighbors(center, count):
     return center * (1 + np.arange(-count, count + 1) * EPS)
 
 
@@ -36,8 +36,8 @@ def neighbours(center, count):
 INNER = np.minimum(
     np.concatenate(
         [
-            neighbours(NEAR_RING, 12),
-            neighbours(1.0, 12)[:13],
+            neighbors(NEAR_RING, 12),
+            neighbors(1.0, 12)[:13],
             1 - 10 ** RANDOM.uniform(-16, -1, 60),
             10 ** RANDOM.uniform(-150, 0, 60),
             RANDOM.uniform(0, 1, 200),
@@ -46,14 +46,14 @@ INNER = np.minimum(
     ),
     1.0,
 )
-ADVERSARIAL = np.concatenate([INNER, 1 / INNER, neighbours(1.0, 12), [1e160, 1e300]])
+ADVERSARIAL = np.concatenate([INNER, 1 / INNER, neighbors(1.0, 12), [1e160, 1e300]])
 #: Moment arms likewise, in (0, 1].
 ARMS = np.minimum(
     np.concatenate(
         [
-            neighbours(NEAR_ARM, 6),
-            neighbours(SMALL, 6),
-            neighbours(1.0, 6)[:7],
+            neighbors(NEAR_ARM, 6),
+            neighbors(SMALL, 6),
+            neighbors(1.0, 6)[:7],
             1 - 10 ** RANDOM.uniform(-16, -1, 40),
             10 ** RANDOM.uniform(-12, 0, 40),
             RANDOM.uniform(0, 1, 100),

@@ -1,4 +1,4 @@
-"""Public values of supports: centre and extent, what they keep of what is given, and what they refuse."""
+"""Public values of supports: center and extent, what they keep of what is given, and what they refuse."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from planar_pushing.mechanics.supports.pressure_map import PressureMap
 from planar_pushing.mechanics.supports.segment import Segment
 from planar_pushing.terms.errors import InvalidValue
 
-#: Of each support its centre of pressure and its extent.
+#: Of each support its center of pressure and its extent.
 SHAPES = [
     (Ring(), (0, 0), 1),
     (Ring(2), (0, 0), 2),

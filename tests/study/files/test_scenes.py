@@ -129,8 +129,8 @@ def message(tmp_path, text):
         ("rod_length", "rod_lenght",
          "slider.rod_lenght: 5 given; allowed: the keys rod_length, rod_angle, radius, side, outline; "
          "did you mean rod_length?"),
-        ("title", "colour",
-         "colour: 'A scene' given; allowed: the keys title, slider, contact, effects, simulate, "
+        ("title", "color",
+         "color: 'A scene' given; allowed: the keys title, slider, contact, effects, simulate, "
          "placement, units; remove the key"),
         ("rod_length: 5, ", "",
          "slider.rod_length: missing; allowed: a value for this key; add it"),

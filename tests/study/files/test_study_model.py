@@ -5,7 +5,7 @@ import pytest
 
 from planar_pushing import Coulomb, InfiniteFriction, PerfectlyRough
 from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.files.study_model import Grid, StudyFile, labelled_law
+from planar_pushing.study.files.study_model import Grid, StudyFile, labeled_law
 from planar_pushing.study.slices import computes
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
@@ -28,7 +28,7 @@ def test_the_study_of_the_paper_holds_the_grid_of_the_paper():
 def test_the_study_of_the_paper_has_eighteen_laws():
     laws = load_study("workflow/config/paper.yaml").values("contact")
     assert len(laws) == 18
-    assert list(map(labelled_law, laws[-4:])) == [
+    assert list(map(labeled_law, laws[-4:])) == [
         Coulomb(100.0), InfiniteFriction(), InfiniteFriction("none"), PerfectlyRough(),
     ]  # fmt: skip
 

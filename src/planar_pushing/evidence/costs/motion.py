@@ -13,7 +13,7 @@ from flint import fmpq
 from planar_pushing.certified.balls import in_degrees, precise
 from planar_pushing.certified.motion.instants import Instant
 from planar_pushing.certified.motion.trajectories import pulled, slipping
-from planar_pushing.evidence.costs.tables import labelled
+from planar_pushing.evidence.costs.tables import labeled
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.study.files.scenes import load_scene_file
@@ -74,7 +74,7 @@ def motion_errors() -> xr.Dataset:
             error[i, j] = abs((float(log.rod_angle[-1]) - high) - low)
             count[i, j] = float(log.evaluations[-1].sum())
     names, settings = map(list, zip(*ROWS, strict=True))
-    return labelled(
+    return labeled(
         {
             "motion_error": (("point", "scene"), error),
             "evaluations": (("point", "scene"), count),

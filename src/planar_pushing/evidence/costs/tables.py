@@ -36,7 +36,7 @@ def wrench_errors() -> xr.Dataset:
         "evaluations": (("point", "spin_ratio"), [each[2] for each in found]),
     }
     coords = points("wrench") | {"spin_ratio": SPIN_RATIOS}
-    return labelled(variables, coords, "Friction wrench")
+    return labeled(variables, coords, "Friction wrench")
 
 
 def cone_errors() -> xr.Dataset:
@@ -51,7 +51,7 @@ def cone_errors() -> xr.Dataset:
         "evaluations": ("point", [float(count.mean()) for _, count in found]),
         "rim_error": ("model", list(rim.values())),
     }
-    return labelled(variables, points("cone") | {"model": list(rim)}, "Motion cone")
+    return labeled(variables, points("cone") | {"model": list(rim)}, "Motion cone")
 
 
 def points(quantity: str) -> dict[str, Any]:
@@ -64,7 +64,7 @@ def points(quantity: str) -> dict[str, Any]:
     }
 
 
-def labelled(variables: dict[str, Any], coords: dict[str, Any], title: str) -> xr.Dataset:
+def labeled(variables: dict[str, Any], coords: dict[str, Any], title: str) -> xr.Dataset:
     """Make a dataset in which every variable has its unit and name."""
     return described(xr.Dataset(variables, coords=coords, attrs={"title": title}))
 

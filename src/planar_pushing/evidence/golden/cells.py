@@ -45,7 +45,7 @@ def slider(values: Values, length: float, angle: float | None = None) -> Slider:
     return Slider.of(length, turned, radius=own["radius"], **parameters)
 
 
-def labelled_law(label: str) -> modes.Law:
+def labeled_law(label: str) -> modes.Law:
     """Contact law of a label on the axis `contact`."""
     return LAWS[label] if label in LAWS else modes.coulomb(float(label.removeprefix("coulomb_")))
 
@@ -95,7 +95,7 @@ def motion_cone(values: Values, effects: str, length: float, angle: float, mu: f
 
 def contact_laws(values: Values, label: str) -> Record:
     """Angle of friction of a contact law."""
-    law = labelled_law(label)
+    law = labeled_law(label)
     return {
         "friction_angle": friction_angle(math.nan if law.adhesive else law.friction_coefficient)
     }
@@ -110,7 +110,7 @@ def solutions(
     values: Values, effects: str, contact: str, length: float, magnitude: float, pusher_angle: float
 ) -> Record:
     """Every consistent solution of a push."""
-    own, resisting, law = slider(values, length), Effects(effects), labelled_law(contact)
+    own, resisting, law = slider(values, length), Effects(effects), labeled_law(contact)
     found = modes.contact_modes(own, resisting, law, magnitude, pusher_angle)
     continuum = modes.is_continuum(own, resisting, law, pusher_angle)
     pusher = heading(pusher_angle)

@@ -118,7 +118,7 @@ def _golden_groups(path: Path) -> dict[str, xr.Dataset]:
             group: read_dataset(path, group or None).load() for group in group_names(path) or [""]
         }
     except InvalidFile:
-        remedy = "take it from the repository, or make it anew with make golden WRITE=1"
+        remedy = "take it from the repository, or write it again with make golden WRITE=1"
         raise InvalidFile(f"{path}: is a damaged golden file; {remedy}") from None
 
 

@@ -15,7 +15,7 @@ from planar_pushing.figures.marks import NOTE, Picture, corners, unit
 from planar_pushing.figures.parts.data import (
     attributed,
     degrees,
-    labelled,
+    labeled,
     mathematical,
     named,
     radius,
@@ -57,8 +57,8 @@ def curves(grid: xr.Dataset, effects: str, lengths: tuple[float, ...]) -> xr.Dat
 
     The grid is too coarse for a smooth line, so the curves are computed here.
     """
-    scene = scene_of(grid, effects, labelled("rod_length", lengths))
-    found = forces(scene, labelled("force_angle", ANGLES))[["force_x", "force_y"]]
+    scene = scene_of(grid, effects, labeled("rod_length", lengths))
+    found = forces(scene, labeled("force_angle", ANGLES))[["force_x", "force_y"]]
     return found.assign_coords(rod_angle=named((), rod_angle(grid), "degree", "rod angle"))
 
 
@@ -73,7 +73,7 @@ def cone_mapping(cones: xr.Dataset, effects: str, length: float, friction: float
     right, left = float(edges.friction_cone_right), float(edges.friction_cone_left)
     between = [angle for angle in INSIDE if right < angle < left]
     angle = np.array([right, *between, left])
-    within = forces(scene_of(cones, effects, length), labelled("force_angle", between))
+    within = forces(scene_of(cones, effects, length), labeled("force_angle", between))
     motion = [edges.motion_cone_right, *within.motion_angle, edges.motion_cone_left]
     magnitude = np.array([edges.limit_force_right, *within.force, edges.limit_force_left])
     tip = magnitude[:, None] * direction(np.deg2rad(angle))

@@ -33,7 +33,7 @@ SYMBOLS = {
 }
 
 
-def labelled(name: str, values: Iterable[float]) -> xr.DataArray:
+def labeled(name: str, values: Iterable[float]) -> xr.DataArray:
     """Values along a separate axis."""
     array = np.array(list(values), dtype=float)
     return xr.DataArray(array, dims=name, coords={name: array})

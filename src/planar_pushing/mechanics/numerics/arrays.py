@@ -99,7 +99,7 @@ def in_threads(block: Callable[[int], None], starts: Sequence[int]) -> None:
             raise
 
 
-def is_labelled(value: object) -> bool:
+def is_labeled(value: object) -> bool:
     """Whether a value is a DataArray, without importing xarray."""
     xarray = sys.modules.get("xarray")
     return xarray is not None and isinstance(value, xarray.DataArray)
@@ -119,13 +119,13 @@ def elementwise(
     arguments : sequence of float, array_like or DataArray
     outputs : sequence of Output
     """
-    if not any(map(is_labelled, arguments)):
+    if not any(map(is_labeled, arguments)):
         _require_shapes(arguments)
         found = function(*arguments)
         return [each.item() if each.ndim == 0 else each for each in found]
     import xarray as xr
 
-    labelled = xr.apply_ufunc(
+    labeled = xr.apply_ufunc(
         lambda *given: tuple(function(*given)) if len(outputs) > 1 else function(*given)[0],
         *arguments,
         output_core_dims=[[dim for dim, _ in output.tail] for output in outputs],
@@ -134,7 +134,7 @@ def elementwise(
         dask_gufunc_kwargs={"output_sizes": dict(d for output in outputs for d in output.tail)},
         keep_attrs=False,
     )
-    arrays = labelled if isinstance(labelled, tuple) else (labelled,)
+    arrays = labeled if isinstance(labeled, tuple) else (labeled,)
     return [named(output.name, array) for array, output in zip(arrays, outputs, strict=True)]
 
 
@@ -160,7 +160,7 @@ def evaluated(
 
 def named(name: str, value: Any) -> Any:
     """A result, with its name, units and flags if it is labeled."""
-    if not is_labelled(value):
+    if not is_labeled(value):
         return value
     flags = flag_attributes(FLAGS[name]) if name in FLAGS else {}
     return value.rename(name).assign_attrs(attributes(MECHANICS, name) | flags)

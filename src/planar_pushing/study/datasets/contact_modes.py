@@ -12,7 +12,7 @@ from planar_pushing.mechanics.contact.laws import friction_coefficient
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import SOLUTIONS, solve
 from planar_pushing.study.datasets.base import axis, friction_angle, objects, over_effects, pushing
-from planar_pushing.study.files.study_model import Part, labelled_law
+from planar_pushing.study.files.study_model import Part, labeled_law
 
 #: Entries along `solution`, the same number for every set of effects; and the values of entries after the
 #: last solution, where numbers are NaN.
@@ -35,7 +35,7 @@ def kind(law: ContactLaw) -> str:
 def build(part: Part) -> xr.Dataset:
     """Build the dataset for part of a study by `solve` on labeled arrays."""
     labels = part.grid["contact"]
-    laws = list(map(labelled_law, labels))
+    laws = list(map(labeled_law, labels))
     slider = part.ring(axis(part, "rod_length"))
     angle, magnitude = pushing(axis(part, "pusher_angle")), axis(part, "pusher_magnitude")
 

@@ -212,6 +212,6 @@ def contact_law(friction_coefficient: float) -> ContactLaw:
     return Coulomb(friction_coefficient) if finite else InfiniteFriction()
 
 
-def labelled_law(label: str) -> ContactLaw:
+def labeled_law(label: str) -> ContactLaw:
     """Law for a label along the axis contact."""
     return LAWS[label] if label in LAWS else Coulomb(float(label.removeprefix("coulomb_")))

@@ -138,7 +138,7 @@ def test_balls_on_an_edge_are_bounded(name):
     assert max(float(each.rad()) for each in wide) < 1e-17
 
 
-def test_an_atom_at_the_centre_has_no_direction():
+def test_an_atom_at_the_center_has_no_direction():
     found, torque = at(TRIPOD, (1, 0))
     others, _ = at(TRIPOD | {"positions": TRIPOD["positions"][1:], "weights": [1, 1]}, (1, 0))
     assert (3 * found.x / 2).overlaps(others.x)
@@ -151,7 +151,7 @@ def test_a_ball_next_to_an_atom_is_open():
 
 
 @pytest.mark.parametrize("place", [(0, 2), (0, -1.5)])
-def test_a_centre_on_the_line_of_a_segment(place):
+def test_a_center_on_the_line_of_a_segment(place):
     support = pieces({"shape": "segment", "start": (0, -1), "end": (0, 1)})
     found = moments(support, tuple(map(arb, place)))
     beside = moments(support, (arb(2) ** -80, arb(place[1])))
@@ -160,7 +160,7 @@ def test_a_centre_on_the_line_of_a_segment(place):
         assert abs(float(one - other)) < 1e-20
 
 
-def test_centres_of_pressure_and_extents():
+def test_centers_of_pressure_and_extents():
     shape = pieces(SUPPORTS["L"])
     # Two bars, of areas 1 and 3/4 with their middles at (1, 1/4) and (1/4, 5/4).
     assert shape.center == (fmpq(19, 28), fmpq(19, 28))
