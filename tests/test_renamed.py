@@ -78,7 +78,8 @@ RENAMED = {
     "STOPS": (lambda: until_in_file("STOPS"), lambda: until_in_file("SLIDER_STOPS")),
     **{
         each: (lambda each=each: getattr(pp.Event, each), lambda each=each: pp.Event[EVENTS[each]])
-        for each in EVENTS.keys() - {"LIES", "STOPS"}
+        for each in EVENTS
+        if each not in ("LIES", "STOPS")
     },
 }
 
