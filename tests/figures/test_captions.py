@@ -168,4 +168,4 @@ def test_captions_are_sentences_with_true_minus_signs(plotted, name):
     found = drawing(name).caption(plotted[name])
     assert found.endswith(".")
     assert name in (*NUMBERED, *OURS)
-    assert not re.search(r"center|color|gray|nan|inf\b|(?<!\w)-\d|  ", found)
+    assert not re.search(r"centre|colour|grey|nan|inf\b|(?<!\w)-\d|  ", found)

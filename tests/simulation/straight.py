@@ -130,7 +130,7 @@ class Pushed:
             time = brentq(lambda t: self.along(t, found.sol(t)) - until, 0, duration, xtol=1e-13)
         return time, found.sol(time), self.along(time, found.sol(time))
 
-    def center(self, state):
+    def place(self, state):
         """Place of the slider's center."""
         return state[:2] - (self.axes(state[2])[2] @ self.center if self.mass else 0.0)
 
@@ -138,5 +138,5 @@ class Pushed:
         """Where the finger is on the side, from the contact at time 0."""
         tangent = self.axes(state[2])[0]
         return float(
-            tangent @ (self.finger(t)[0] - self.center(state)) + self.rod * math.cos(self.psi)
+            tangent @ (self.finger(t)[0] - self.place(state)) + self.rod * math.cos(self.psi)
         )

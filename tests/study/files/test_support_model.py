@@ -103,7 +103,7 @@ REFUSED = {
         ".end",
         "(1.0, 1.0) given; allowed: a position",
     ),
-    "{shape: disc, radius: 1, center: [0, 0]}": (".center", "did you mean center?"),
+    "{shape: disc, radius: 1, centre: [0, 0]}": (".centre", "did you mean center?"),
     MAP.replace("PRESSURE", "[[1, -2]]"): (
         ".pressure[0][1]",
         "-2.0 given; allowed: a number >= 0; a support cannot pull",
