@@ -250,7 +250,7 @@ def test_the_caption_tells_each_log():
 # -- errors ------------------------------------------------------------------------------------------
 
 
-def test_the_panels_of_figure_21_are_the_comparisons(pictures, plotted):
+def test_the_panels_of_the_errors_are_the_comparisons(pictures, plotted):
     data = plotted["measured_errors"]
     parts = [part for row in measured_errors.parts(data) for part in row]
     axes = pictures["measured_errors"].axes

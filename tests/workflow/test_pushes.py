@@ -6,6 +6,7 @@ import sys
 
 import pytest
 
+from planar_pushing.figures.studies import PUSHES
 from report.pushes import measured_pushes
 
 pytestmark = pytest.mark.slow
@@ -58,7 +59,7 @@ def test_the_rule_rewrites_the_file_and_the_figures(copy):
     kept, data = copy.root / "paper/measured_pushes.json", ("--config", "data=logs")
     run(copy, "pushes", *data)
     assert json.loads(kept.read_text(encoding="utf-8"))["patch"]["pushes"] == 1
-    figures = [copy.root / f"results/figures/figure_{n}.png" for n in (21, 22)]
+    figures = [copy.root / f"results/figures/{name}.png" for name in PUSHES]
     before = [path.read_bytes() for path in figures]
     assert "Nothing to be done" in run(copy, "pushes", "--dry-run", *data)
     (copy.root / "logs/three_feet/patch.txt").write_text("xxx", encoding="utf-8")

@@ -115,7 +115,15 @@ rule paper_pdf:
 
 rule paper:
     input:
-        [rules.report_tables.output, rules.paper_pdf.output] if REPORTED else [],
+        (
+            [
+                rules.report_tables.output,
+                rules.report_provenance.output,
+                rules.paper_pdf.output,
+            ]
+            if REPORTED
+            else []
+        ),
 
 
 rule supplement_tables:
