@@ -159,7 +159,7 @@ def test_groups_files_and_studies_are_listed(run, results, tmp_path):
     listed = dict(line.split(maxsplit=1) for line in out.splitlines()[:5])
     assert listed["scenes/figure_02"] == listed["scenes/figure_03"] == "scenes"
     assert listed["simulations/push"].endswith(
-        "is not a netCDF4 file; delete it and build it again"
+        "is not a netCDF4 file; give a dataset, or rebuild a damaged one"
     )
     assert "scenes/NAME" not in out
 

@@ -33,7 +33,8 @@ def test_damage_in_what_is_read_late_is_one_line(tmp_path):
     content[middle : middle + 4000] = bytes(4000)
     (tmp_path / "large.nc").write_bytes(content)
     with pytest.raises(
-        InvalidFile, match=r"large\.nc: is not a netCDF4 file; delete it and build it again"
+        InvalidFile,
+        match=r"large\.nc: is not a netCDF4 file; give a dataset, or rebuild a damaged one",
     ):
         select(read_dataset(tmp_path / "large.nc"), {})
 

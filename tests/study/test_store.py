@@ -188,7 +188,8 @@ def test_open_damaged_dataset(tmp_path):
     (tmp_path / "data").mkdir()
     (tmp_path / "data/motion_cones.nc").write_bytes(b"not netCDF")
     with pytest.raises(
-        pp.InvalidFile, match=r"cones\.nc: is not a netCDF4 file; delete it and build it again"
+        pp.InvalidFile,
+        match=r"cones\.nc: is not a netCDF4 file; give a dataset, or rebuild a damaged one",
     ):
         pp.open_dataset("motion_cones", tmp_path)
 
@@ -231,7 +232,8 @@ def test_a_cut_file_ends_in_one_line(path, size):
     path.write_bytes(path.read_bytes()[:size])
     for read in (read_dataset, group_names, read_attributes):
         with pytest.raises(
-            InvalidFile, match="is not a netCDF4 file; delete it and build it again"
+            InvalidFile,
+            match="is not a netCDF4 file; give a dataset, or rebuild a damaged one",
         ):
             read(path)
 
@@ -255,7 +257,7 @@ def test_a_name_does_not_leave_the_results(tmp_path, name):
 def test_open_folder_in_place_of_a_dataset(tmp_path):
     (tmp_path / "data/motion_cones.nc").mkdir(parents=True)
     with pytest.raises(
-        pp.InvalidFile, match=r"is not a netCDF4 file \(Is a directory\); delete it"
+        pp.InvalidFile, match=r"is not a netCDF4 file \(Is a directory\); give a dataset"
     ):
         pp.open_dataset("motion_cones", tmp_path)
 

@@ -81,7 +81,7 @@ def reading(path: PathLike) -> Iterator[None]:
         number = error.errno if isinstance(error, OSError) else None
         reason = f" ({os.strerror(number)})" if number else ""
         raise InvalidFile(
-            f"{path}: is not a netCDF4 file{reason}; delete it and build it again"
+            f"{path}: is not a netCDF4 file{reason}; give a dataset, or rebuild a damaged one"
         ) from None
 
 
