@@ -200,8 +200,8 @@ CPUContext.get_executable = _executable
 def compiled(function: Function, **options: Any) -> Function:
     """Compile a function of numbers as a part of the kernels that call it, directly or indirectly.
 
-    Fast math is off, so every run gives the same results. The function can read, write and pass on arrays,
-    but not create them. Called from Python it runs as plain Python; a function that Python calls often
+    Fast math is off, so multiplication and addition are never fused and sums keep their order: results do
+    not depend on the processor. The function can read, write and pass on arrays, but not create them. Called from Python it runs as plain Python; a function that Python calls often
     should be a `kernel`.
     """
     _PARTS[function] = OPTIONS | options
@@ -216,20 +216,6 @@ def owning(function: Function) -> Function:
     function that returns arrays.
     """
     return compiled(function, _nrt=True)
-
-
-def summing(function: Function) -> Function:
-    """Compile a sum over an array as a part of its callers.
-
-    It adds several terms at once, and multiplies and adds in one step if the processor can. The last digit
-    therefore depends on the processor, but not on the run.
-    """
-    return compiled(function, forceinline=True, fastmath={"reassoc", "contract"})
-
-
-def fused(function: Function) -> Function:
-    """Compile a polynomial as a part of its callers, with fused multiply-add as in `summing`."""
-    return compiled(function, fastmath={"contract"})
 
 
 def kernel(function: Function) -> Function:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import summing
+from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, positions, weights
@@ -112,7 +112,7 @@ def _names(given: Any, count: int) -> tuple[str, ...] | None:
     return names
 
 
-@summing
+@compiled
 def of_atoms(pressure, x, y, blur):
     """Sum over the atoms, with the torque about p, and the atom at (x, y), or -1; it exerts no force.
 

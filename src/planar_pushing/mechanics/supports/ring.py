@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from math import log, pi, sqrt
 
-from planar_pushing.mechanics.compiled import compiled, fused
+from planar_pushing.mechanics.compiled import compiled
 
 #: Above this spin ratio the series in x and log x are used, below it those of the Landen step.
 NEAR_RING = 0.9
@@ -77,7 +77,7 @@ NEAR_GUESS = (
 SMALL = 1e-9
 
 
-@fused
+@compiled
 def polynomial(coefficients, x):
     """Value of a polynomial; even and odd powers are summed in parallel, which halves the latency."""
     square, i = x * x, len(coefficients) - 1

@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, kernel, owning, summing
+from planar_pushing.mechanics.compiled import compiled, kernel, owning
 from planar_pushing.mechanics.numerics.arrays import in_threads
 from planar_pushing.mechanics.numerics.root import EPSILON
 from planar_pushing.mechanics.supports.pressure.record import Array
@@ -139,7 +139,7 @@ def far(multipoles, i, x, y, radius):
     return distance * one, unit_x, unit_y, distance * n1, mean + half, xy, mean - half
 
 
-@summing
+@compiled
 def _sums(multipoles, i, ratio, cosine, sine):
     """Sums of the terms' real parts times 1, n and n^2, imaginary parts times m and m n, real times m^2."""
     order = min(ORDER, int(DIGITS / -log(ratio)) + 2)
@@ -160,7 +160,7 @@ def _sums(multipoles, i, ratio, cosine, sine):
     return one, first, second, slide, shear, turn
 
 
-@summing
+@compiled
 def _row(multipoles, i, start, m, count, y):
     """Real and imaginary sums over k at one m, times 1, n and n^2: polynomials in y and derivatives."""
     a, b, first_a, first_b, second_a, second_b = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
