@@ -31,7 +31,7 @@ export XDG_CACHE_HOME := $(HOME)/.cache
 $(shell mkdir -p "$(XDG_CACHE_HOME)")
 endif
 
-.PHONY: all test test-all test-slurm test-drags lint bench golden images dictionary schemas lock report manual clean help
+.PHONY: all test test-all test-processors test-slurm test-drags lint bench golden images dictionary schemas lock report manual clean help
 .DELETE_ON_ERROR:
 
 # One make at a time. The operating system releases the lock when its process ends, even if it is killed.
@@ -63,9 +63,14 @@ PYTEST := $(BIN)/pytest --numprocesses=auto --dist=worksteal --benchmark-disable
 test: lint $(COMPILED)
 	$(PYTEST)
 
-test-all: $(COMPILED) ## run the slow tests: kinds, workflow, manual, failures, browser, Slurm; about 40 minutes
+test-all: $(COMPILED) ## run the slow tests: kinds, workflow, manual, processors, failures, browser, Slurm; 45 minutes
 	$(PYTEST) -m slow
 	$(BIN)/pytest -m alone
+	$(PROCESSORS)
+
+PROCESSORS = @$(LOCK); $(BIN)/python -m planar_pushing.evidence.golden.processors
+test-processors: $(COMPILED) ## build and check the golden data as on older processors, and with all features of this one
+	$(PROCESSORS)
 
 test-slurm: $(COMPILED) ## run a study in chunks on a private Slurm, including failures (needs root, slurm-wlm, munge)
 	$(BIN)/pytest -m alone tests/workflow/test_slurm.py

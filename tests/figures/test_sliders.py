@@ -38,24 +38,30 @@ def scene(support, length, angle, contact):
     return gallery.scene({"": support}, length, angle, contact)
 
 
+def least_friction(scenes):
+    return np.tan(np.deg2rad(figure_17.pulling_friction_angle(scenes).item()))
+
+
 @pytest.mark.parametrize(
     ("support", "length", "angle"),
     [(pp.Ring(1.0), 2.0, 45.0), (pp.Disc(1.0), 0.5, 120.0), (TRIPOD, 2.0, 88.0), (TRIPOD, 1.0, 45.0),
      (QUADRUPED, 2.0, 79.0), (QUADRUPED, 2.0, 77.0), (pp.Segment((-1, 0), (1, 0)), 3.0, 60.0)],
 )  # fmt: skip
 def test_pulling_begins_at_the_least_friction(support, length, angle):
-    least = figure_17.pulling_friction(scene(support, length, angle, pp.PerfectlyRough())).item()
+    least = least_friction(scene(support, length, angle, pp.PerfectlyRough()))
     for factor, pulls in ((1 - 1e-9, False), (1 + 1e-9, True)):
         assert bool(pp.can_pull(scene(support, length, angle, pp.Coulomb(factor * least)))) == pulls
 
 
 def test_the_least_friction_of_the_ring_is_known(plotted):
-    least = figure_17.pulling_friction(scene(pp.Ring(1.0), 2.0, 45.0, pp.PerfectlyRough()))
+    least = least_friction(scene(pp.Ring(1.0), 2.0, 45.0, pp.PerfectlyRough()))
     assert least == pytest.approx(1.26987543, rel=1e-8)
     over = plotted["figure_17"].ring_over_rod_angle
-    assert float(over.sel(rod_angle=45.0)) == pytest.approx(1.26987543, rel=1e-8)
+    assert np.tan(np.deg2rad(float(over.sel(rod_angle=45.0)))) == pytest.approx(
+        1.26987543, rel=1e-8
+    )
     lengths = np.array([0.5, 1.0, 2.0, 5.0])
-    law = figure_17.inertia_friction(lengths, np.array(45.0))
+    law = np.tan(np.deg2rad(figure_17.inertia_friction_angle(lengths, np.array(45.0))))
     np.testing.assert_allclose(law, 1 + 2 / lengths**2, rtol=1e-14)
     for length, mu in zip(lengths, law, strict=True):
         slider = pp.Slider(rod_length=length, rod_angle=np.pi / 4)
@@ -68,7 +74,7 @@ def test_the_least_friction_of_the_ring_is_known(plotted):
 @pytest.mark.parametrize("support", [pp.Ring(1.0), TRIPOD, QUADRUPED, pp.Segment((0, -1), (0, 1))])
 def test_about_an_upright_rod_a_support_that_mirrors_itself_is_never_pulled(support):
     upright = scene(support, 2.0, 90.0, pp.PerfectlyRough())
-    assert np.isinf(figure_17.pulling_friction(upright))
+    assert figure_17.pulling_friction_angle(upright).item() == 90.0
     assert not bool(pp.can_pull(scene(support, 2.0, 90.0, pp.InfiniteFriction())))
 
 
@@ -78,8 +84,15 @@ def test_the_jump_of_the_tripod_at_the_upright_rod_is_drawn(plotted, pictures):
     assert never.get_xdata() == limit.get_xdata() == [90.0]
     assert float(never.get_ydata()[0]) == pytest.approx(0)
     beside = data.over_rod_angle.sel(support="tripod").sel(rod_angle=slice(89.9, 89.9999))[-1]
-    height = np.rad2deg(np.arctan(float(beside))) - 90.0
-    assert float(limit.get_ydata()[0]) == pytest.approx(height, abs=0.01)
+    assert float(limit.get_ydata()[0]) == pytest.approx(float(beside) - 90.0, abs=0.01)
+
+
+def test_the_friction_angle_is_accurate_where_its_tangent_is_not():
+    angles = np.array([89.999, 90.001])
+    left, right = figure_17.inertia_friction_angle(np.array(2.0), angles)
+    assert left == pytest.approx(right, abs=1e-13)
+    exact = 90.0 - np.rad2deg(4 * np.deg2rad(0.001))  # cot of the angle is 4 e / (1 + 4 e^2)
+    assert left == pytest.approx(exact, rel=0, abs=1e-9)
 
 
 def test_the_slipping_part_is_what_the_modes_say():

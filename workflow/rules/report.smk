@@ -36,7 +36,7 @@ rule report_tables:
     input:
         rules.data.input,
         rules.figures.input,
-        rules.golden.input,
+        verdicts("verdict.txt", "verdict.json"),
         rules.hard_cases.input,
         rules.pushes_figures.input,
         PUSHES_FILE,
@@ -44,6 +44,7 @@ rule report_tables:
         golden_files(),
     output:
         **{name: table(name) for name in TABLES},
+        golden_failures=f"{WHOLE}/tables/golden_failures.csv",
         numbers=f"{WHOLE}/tables/numbers.json",
         figures=f"{WHOLE}/tables/figures.json",
     log:

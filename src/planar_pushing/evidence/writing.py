@@ -17,10 +17,10 @@ def json_text(content: object) -> str:
     return json.dumps(content, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
-def csv_text(rows: Rows) -> str:
-    """Rows as CSV under the keys of the first."""
+def csv_text(rows: Rows, names: Sequence[str] = ()) -> str:
+    """Rows as CSV under these names, by default the keys of the first row."""
     stream = io.StringIO()
-    writer = csv.DictWriter(stream, fieldnames=list(rows[0]), lineterminator="\n")
+    writer = csv.DictWriter(stream, fieldnames=names or list(rows[0]), lineterminator="\n")
     writer.writeheader()
     writer.writerows(rows)
     return stream.getvalue()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -33,46 +33,44 @@ ALONG_FENCE = 1e-12
 TICKS = np.array([0.5, 1, 1.5, 2, 3, 5, 10, np.inf])
 #: A larger change of the friction angle between two samples, degrees, is a jump.
 JUMP = 8.0
-LEAST = (
-    "smallest coefficient of friction with which the contact can pull; infinite if it cannot pull"
-)
+LEAST = "smallest friction angle, arctan mu, with which the contact can pull; 90 degrees if it cannot pull"
 
 
-def pulling_friction(scenes: Scene) -> xr.DataArray:
-    """Smallest coefficient of friction at which pulling is possible; infinite if it never is.
+def pulling_friction_angle(scenes: Scene) -> xr.DataArray:
+    """Smallest friction angle at which pulling is possible, degrees; 90 if it never is.
 
     The motion direction increases with the force direction. The motion cone therefore reaches below the
     fence on the right as soon as the friction cone contains a force beyond all those that sustain motion
-    along the fence to the right; similarly on the left.
+    along the fence to the right; similarly on the left. The angle is as accurate as the directions of
+    these forces, whereas mu, its tangent, is not where it is large.
     """
     right, left = sustaining(scenes, 0.0)[0], -sustaining(scenes, np.pi)[1]
     steeper = right.where(right > left, left)
-    friction = cast(xr.DataArray, 1 / np.tan(steeper))
-    return friction.where(steeper > ALONG_FENCE, np.inf)
+    return (90.0 - np.rad2deg(steeper)).where(steeper > ALONG_FENCE, 90.0)
 
 
-def inertia_friction(length: Array, angle: Array) -> Array:
-    """Smallest friction for a ring with inertia alone; 1 + 2/l^2 at a rod angle of 45 degrees.
+def inertia_friction_angle(length: Array, angle: Array) -> Array:
+    """Friction angle in degrees for a ring with inertia alone; its tangent is 1 + 2/l^2 at 45 degrees.
 
     The radius of gyration is the radius of the ring, and lengths are in radii. Eqs. (11)-(13) give the
     force that moves the contact along the fence.
     """
     c, s = np.cos(np.deg2rad(angle)), np.sin(np.deg2rad(angle))
-    with np.errstate(divide="ignore"):
-        return np.asarray((1 + (length * c) ** 2) / np.abs(length**2 * s * c))
+    return np.asarray(np.rad2deg(np.arctan2(1 + (length * c) ** 2, np.abs(length**2 * s * c))))
 
 
 def select(sources: Sources, settings: Settings) -> xr.Dataset:
     """Compute the smallest friction over rod length and rod angle, and its closed form for inertia."""
-    data = over_rods(sources["supports"], settings, PerfectlyRough(), pulling_friction, LEAST)
+    grid, law = sources["supports"], PerfectlyRough()
+    data = over_rods(grid, settings, law, pulling_friction_angle, LEAST, "degree")
     ring = float(data.ring_extent)
     rods = {
         "rod_length": (data.rod_length.values / ring, np.array(settings.rod_angle)),
         "rod_angle": (np.array(settings.rod_length / ring), ANGLES),
     }
     for axis, rod in rods.items():
-        law = named(axis, inertia_friction(*rod), "1", f"{LEAST}; of the ring with inertia alone")
-        data[f"inertia_over_{axis}"] = law
+        text = f"{LEAST}; of the ring with inertia alone"
+        data[f"inertia_over_{axis}"] = named(axis, inertia_friction_angle(*rod), "degree", text)
     return titled(data, "How much friction pulling requires", sources)
 
 
@@ -106,10 +104,10 @@ def _remarks(data: xr.Dataset) -> Iterator[str]:
 def draw(figure: Any, data: xr.Dataset) -> None:
     """Draw the smallest friction over rod length, and its difference from the ring's over rod angle."""
 
-    def drawn(friction: xr.DataArray, axis: str) -> Array:
-        height = _height(friction)
+    def drawn(friction_angle: xr.DataArray, axis: str) -> Array:
+        height = friction_angle.values
         if axis == "rod_angle":
-            height = height - _height(data.ring_over_rod_angle)
+            height = height - data.ring_over_rod_angle.values
         return _broken(height)
 
     for part in panels(figure, data, drawn):
@@ -146,16 +144,11 @@ def _jumps_at_the_upright_rod(part: Part, data: xr.Dataset) -> None:
 
 def _jump(data: xr.Dataset, name: object) -> tuple[float, float] | None:
     """Heights of a curve at 90 degrees and beside it, minus the ring's; None if they are equal."""
-    height = _height(data.over_rod_angle.sel(support=name))
+    height = data.over_rod_angle.sel(support=name).values
     middle = int(np.flatnonzero(ANGLES == 90.0)[0])
-    here = float(height[middle] - _height(data.ring_over_rod_angle)[middle])
+    here = float(height[middle] - data.ring_over_rod_angle.values[middle])
     limit = float(height[middle - 1]) - 90.0
     return (here, limit) if abs(here - limit) > JUMP else None
-
-
-def _height(friction: xr.DataArray) -> Array:
-    """Friction angle in degrees; 90 for an infinite coefficient."""
-    return np.asarray(np.degrees(np.arctan(friction.values)))
 
 
 def _broken(height: Array) -> Array:

@@ -201,8 +201,8 @@ def compiled(function: Function, **options: Any) -> Function:
     """Compile a function of numbers as a part of the kernels that call it, directly or indirectly.
 
     Fast math is off, so multiplication and addition are never fused and sums keep their order: results do
-    not depend on the processor. The function can read, write and pass on arrays, but not create them. Called from Python it runs as plain Python; a function that Python calls often
-    should be a `kernel`.
+    not depend on the processor. The function can read, write and pass on arrays, but not create them.
+    Called from Python it runs as plain Python; a function that Python calls often should be a `kernel`.
     """
     _PARTS[function] = OPTIONS | options
     overload(function, jit_options=_PARTS[function] | PART, strict=False)(lambda *args: function)

@@ -16,12 +16,20 @@ def closing_lines(folder: Path, others: tuple[Path, ...] = ()) -> list[str]:
     """Four lines about a results folder, with the combined verdicts of this and other folders."""
     report = folder / "paper.pdf"
     rows = {
-        "Report": str(report) if report.is_file() else "none; only the paper's study has one",
+        "Report": _report(report) if report.is_file() else "none; only the paper's study has one",
         "Golden": _verdict([folder, *others]),
         "Claims": _claims(folder / "tables/claims.json"),
         "Results": f"{folder}/data and {folder}/figures; results/README.md describes them",
     }
     return [f"{name:<9}{text}" for name, text in rows.items()]
+
+
+def _report(path: Path) -> str:
+    """Path of the report; one from a tree that differs from its commit is not for others."""
+    table = path.parent / "tables/provenance.csv"
+    changed = table.is_file() and "with changes" in table.read_text(encoding="utf-8")
+    note = "; not for publication, as the tree has changes: commit them and run make again"
+    return f"{path}{note if changed else ''}"
 
 
 def _read(path: Path) -> Any:

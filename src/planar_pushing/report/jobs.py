@@ -16,6 +16,7 @@ TABLES = {
     "infinite_friction_cones": tables.cones_text,
     "ellipsoids": tables.ellipsoids_text,
     "golden_summary": tables.verdict_text,
+    "golden_failures": tables.failures_text,
     **COST_TABLES,
 }
 

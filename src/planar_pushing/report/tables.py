@@ -16,7 +16,7 @@ from planar_pushing.report.derived import ROD_ANGLE
 from planar_pushing.report.numbers import numbers
 from planar_pushing.report.quantities import rounded
 from planar_pushing.report.results import FRICTION, INERTIA, SLIDERS, Results
-from planar_pushing.report.verdict import verdict_rows
+from planar_pushing.report.verdict import failure_rows, verdict_rows
 from planar_pushing.study.datasets.base import words
 from planar_pushing.study.store import read_dataset
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
@@ -113,6 +113,8 @@ def cones_text(results: Results) -> str:
 
 
 SIDES = ("right", "left")
+#: Columns of the table of failed comparisons.
+FAILURES = ("compared", "differ", "worst difference", "allowed there")
 
 
 def _edge(kind: str, side: str) -> str:
@@ -133,3 +135,8 @@ def verdict_text(results: Results) -> str:
             f"{results.folder}/tables/golden_verdict.json: compares nothing; build it"
         )
     return csv_text(rows)
+
+
+def failures_text(results: Results) -> str:
+    """Table of the failed comparisons; only its header if the golden check passed."""
+    return csv_text(failure_rows(results), FAILURES)

@@ -1,34 +1,29 @@
-"""Summary of the golden verdicts of both studies: their counts, and one line for each dataset."""
+"""Summary of the golden verdicts of both studies: their counts, one line for each dataset, and failures."""
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from typing import Any
 
 from planar_pushing.report.quantities import Quantity, significant
 from planar_pushing.report.results import Results
-from planar_pushing.terms.errors import InvalidFile
 
 #: One comparison of a verdict.
 Check = dict[str, Any]
 SOURCE = "tables/golden_verdict.json"
 #: Kinds of golden values, as named in verdicts.
 KINDS = ("enclosed", "searched", "integrated", "plain")
-
-
-def _passed(results: Results) -> list[dict[str, Any]]:
-    for found in results.verdicts:
-        if not found["passed"]:
-            raise InvalidFile(
-                f"{results.folder}/{SOURCE}: the golden check did not pass; build it again"
-            )
-    return results.verdicts
+#: Maximum number of failed comparisons that the report lists, the worst of each study first.
+SHOWN = 12
 
 
 def verdict_word() -> Quantity:
     """Quantity that says whether the checks passed."""
     return Quantity(
-        read=lambda results: "passed" if _passed(results) else "",
+        read=lambda results: (
+            "passed" if all(each["passed"] for each in results.verdicts) else "failed"
+        ),
         digits=0,
         unit="1",
         source=f"{SOURCE}: verdict",
@@ -38,7 +33,7 @@ def verdict_word() -> Quantity:
 def kind_count(kind: str, part: str = "values") -> Quantity:
     """Number of compared values or variables of one kind of golden data."""
     return Quantity(
-        read=lambda results: float(sum(each["kinds"][kind][part] for each in _passed(results))),
+        read=lambda results: float(sum(each["kinds"][kind][part] for each in results.verdicts)),
         digits=0,
         unit="1",
         source=f"{SOURCE} of both studies: {part} of the kind {kind}",
@@ -48,7 +43,7 @@ def kind_count(kind: str, part: str = "values") -> Quantity:
 def label_count() -> Quantity:
     """Number of entries that are not finite numbers."""
     return Quantity(
-        read=lambda results: float(sum(each["labels"] for each in _passed(results))),
+        read=lambda results: float(sum(each["labels"] for each in results.verdicts)),
         digits=0,
         unit="1",
         source=f"{SOURCE} of both studies: labels",
@@ -70,11 +65,38 @@ def verdict_rows(results: Results) -> list[dict[str, str]]:
     Scenes, logs and figures are each counted together.
     """
     groups: dict[str, list[Check]] = defaultdict(list)
-    for found in _passed(results):
+    for found in results.verdicts:
         for check in found["checks"]:
             if check["count"]:
                 groups[check["file"].partition("/")[0]].append(check)
     return [_row(name, groups[name]) for name in sorted(groups)]
+
+
+def failure_rows(results: Results) -> list[dict[str, str]]:
+    """The worst failed comparisons of both studies, at most `SHOWN` of each."""
+    return [
+        _failure(check)
+        for found in results.verdicts
+        for check in [each for each in found["checks"] if not each["passed"]][:SHOWN]
+    ]
+
+
+def _failure(check: Check) -> dict[str, str]:
+    amount = f"{check['failed']} of {check['count'] + check['labels']}"
+    differs = {
+        "differ": amount,
+        "worst difference": _size(check["error"]),
+        "allowed there": _size(check["allowed"]),
+    }
+    name = ": ".join(filter(None, (check["file"], check["variable"])))
+    if check["problem"]:
+        return {"compared": f"{name} {check['problem']}"} | dict.fromkeys(differs, "")
+    return {"compared": name} | differs
+
+
+def _size(value: float | None) -> str:
+    """A difference; JSON has null for an infinite one."""
+    return "infinite" if value is None else significant(value)
 
 
 def _row(name: str, checks: list[Check]) -> dict[str, str]:
@@ -83,10 +105,15 @@ def _row(name: str, checks: list[Check]) -> dict[str, str]:
         "compared": name.replace("_", " "),
         "variables": str(len(checks)),
         "values": str(sum(check["count"] for check in checks)),
-        "worst difference": significant(used["error"]),
-        "allowed there": significant(used["allowed"]),
+        "worst difference": _size(used["error"]),
+        "allowed there": _size(used["allowed"]),
     }
 
 
 def _used(check: Check) -> float:
-    return float(check["error"] / check["allowed"]) if check["allowed"] else 0.0
+    """Part of the tolerance that the worst difference uses."""
+    if check["error"] is None:
+        return math.inf
+    if not check["allowed"]:
+        return math.inf if check["error"] else 0.0
+    return float(check["error"] / check["allowed"])

@@ -25,7 +25,7 @@ from tqdm import tqdm
 from planar_pushing.certified.balls import PRECISION
 from planar_pushing.certified.motion.logs import log_values
 from planar_pushing.evidence.golden.check import result_names
-from planar_pushing.evidence.golden.compare import ASIDE, KIND, Kind
+from planar_pushing.evidence.golden.compare import ASIDE, KIND, Kind, comparable
 from planar_pushing.evidence.golden.enclosures import RADIUS, apart, radii
 from planar_pushing.evidence.golden.grid import (
     CELLS,
@@ -97,7 +97,7 @@ def golden_groups(study: StudyFile, name: str, result: Path, processes: int) -> 
         }
     folder, _, part = name.partition("/")
     if folder == SIMULATIONS:
-        return _log(name, study.simulations[part], groups[""])
+        return _log(name, study.simulations[part], comparable(name, groups[""]))
     if name == "hard_cases":
         groups[""] = _with_rounding(groups[""])
     if name == "accuracy_errors":
@@ -129,11 +129,11 @@ def _scene(study: StudyFile, name: str) -> dict[str, Any]:
 
 
 def _log(name: str, path: str, log: xr.Dataset) -> tuple[Kind, Groups]:
-    """The golden log of a simulation; counts of evaluations are stored as computed."""
+    """The golden log of a simulation; its times are stored as computed."""
     found = log_values(load_scene_file(path).model_dump(), log["time"].values.tolist())
     record = {each: values for each, (_, values) in found.values.items()}
     kind = Kind.ENCLOSED if found.validated else Kind.INTEGRATED
-    return kind, {"": single(name, record, log, plain=("evaluations", "time"))}
+    return kind, {"": single(name, record, log, plain=("time",))}
 
 
 def second_route(

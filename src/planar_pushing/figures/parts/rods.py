@@ -45,6 +45,7 @@ def over_rods(
     law: ContactLaw,
     function: Callable[[Scene], xr.DataArray],
     long_name: str,
+    unit: str = "1",
 ) -> xr.Dataset:
     """Values of a function of scenes for every support and the ring, along each axis at the study's rod."""
     data = described_supports(grid, rod).rename({name: f"cut_{name}" for name in AXES})
@@ -56,8 +57,8 @@ def over_rods(
     for axis, given in rods.items():
         every = function(scene(found, *given, law)).transpose("support", axis)
         beside = function(scene({"ring": ring}, *given, law)).squeeze("support")
-        data[f"over_{axis}"] = named(("support", axis), every.values, "1", long_name)
-        data[f"ring_over_{axis}"] = named(axis, beside.values, "1", f"{long_name}; of the ring")
+        data[f"over_{axis}"] = named(("support", axis), every.values, unit, long_name)
+        data[f"ring_over_{axis}"] = named(axis, beside.values, unit, f"{long_name}; of the ring")
     text = "rod length, from the contact to the slider's center"
     return data.assign_coords(
         rod_length=named("rod_length", lengths, "length", text),
