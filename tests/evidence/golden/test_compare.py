@@ -1,5 +1,7 @@
 """Comparison of a dataset with its golden file: each kind of difference is a failed check."""
 
+import json
+
 import numpy as np
 import pytest
 import xarray as xr
@@ -12,6 +14,8 @@ from planar_pushing.evidence.golden.compare import (
     compare,
     load_tolerances,
 )
+from planar_pushing.evidence.golden.verdict import verdict
+from planar_pushing.evidence.writing import json_text
 
 TOLERANCES = TolerancesFile(tolerances={"every": {"force": Tolerance(absolute=1e-12)}})
 
@@ -55,6 +59,13 @@ def test_numbers_may_differ_by_tolerance_and_radius(found, wanted):
     assert (check.variable, check.failed) == ("force", 1)
     assert "law=rough, angle=0.0" in check.where
     assert check.error == pytest.approx(1.1e-12, rel=1e-3)
+
+
+def test_a_verdict_on_a_number_in_place_of_infinity_can_be_written(found, wanted):
+    found["force"].values[1, 0] = 3.0
+    (entry,) = (each for each in verdict(failed(found, wanted))["checks"] if each["variable"])
+    assert (entry["error"], entry["ulp"], entry["failed"]) == (None, 0.0, 1)
+    assert json.loads(json_text(entry)) == entry
 
 
 @pytest.mark.parametrize("place", [(0, 1), (1, 0)])

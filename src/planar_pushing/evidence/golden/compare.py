@@ -257,11 +257,11 @@ def judged(
         ratio = np.where(error == 0, 0.0, error / allowed)
     found = _described(counted, computed, middle, ratio, label)
     at = _place(ratio)
-    spacing = float(np.spacing(abs(float(middle[at])))) if finite[at] else np.inf
+    counts = finite[at] and np.isfinite(error[at])
     return replace(
         found,
         error=float(error[at]),
-        ulp=float(error[at]) / spacing if error[at] else 0.0,
+        ulp=float(error[at] / np.spacing(np.abs(middle[at]))) if counts else 0.0,
         allowed=float(allowed[at]),
     )
 

@@ -38,7 +38,7 @@ def older_processor() -> dict[str, str]:
     simd: Mapping[str, Any] = np.show_config(mode="dicts")["SIMD Extensions"]
     return {
         "GLIBC_TUNABLES": f"glibc.cpu.hwcaps={','.join(f'-{name}' for name in WITHOUT)}",
-        "NPY_DISABLE_CPU_FEATURES": " ".join(simd["found"]),
+        "NPY_DISABLE_CPU_FEATURES": " ".join(simd.get("found", [])),
         "OPENBLAS_CORETYPE": "Nehalem",
         "NUMBA_CPU_NAME": "generic",
     }
