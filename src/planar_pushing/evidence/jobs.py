@@ -13,7 +13,7 @@ from planar_pushing.terms.errors import InvalidResult
 
 Attributes = Mapping[str, str]
 #: Number of lines of a failed verdict that are shown, the worst first.
-WORST = 10
+WORST = 8
 
 
 def golden(data: PathLike, text: PathLike, *, study: str, results: str) -> None:
