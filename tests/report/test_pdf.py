@@ -156,7 +156,7 @@ def test_claims_tables_and_deviations_are_in_the_text(text):
         "Eqs. (12), (13), Fig. 5",
     ):
         assert part in text
-    for part in ("not reproducible", "refuted", "The sign is the other one.", "Own: 1.375"):
+    for part in ("claim-3 open", "claim-4 refuted", "The sign is the other one.", "Own: 1.375"):
         assert part in text
     assert text.count("A change of sign.") == 1  # of two checks that argue alike
     assert "0.875" not in text  # the margin of a proof is no number of its statement
