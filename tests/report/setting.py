@@ -142,6 +142,7 @@ def set_up(root: Path) -> Setting:
         "infinite_friction_cones.csv": CONES + "0.5" + ",-1.25,178.75" * 4 + "\n",
         "ellipsoids.csv": "a,b,c,d,e,f\nsome support,0.4725,1.1,2.2,3.3,4.4\n",
         "golden_summary.csv": "a,b,c,d,e\nmotion cones,7,65432,1.5e-15,2e-14\n",
+        "golden_failures.csv": "compared,differ,worst difference,allowed there\n",
         "provenance.csv": "what,value\nnumpy,9.8.7\n",
         "accuracy_wrench.csv": "method,setting,calls,worst error,at k\nsome rule,64,4711,3.5e-09,0.25\n",
         "accuracy_cone.csv": "method,setting,calls,error\nsome solver,1e-12,4712,3.6e-10\n",

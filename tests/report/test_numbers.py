@@ -15,7 +15,7 @@ import pytest
 from scipy import special
 
 import planar_pushing as pp
-from planar_pushing.evidence.golden.compare import Check
+from planar_pushing.evidence.golden.compare import Check, Kind
 from planar_pushing.evidence.golden.verdict import verdict
 from planar_pushing.evidence.writing import json_text, write_text
 from planar_pushing.figures.figure import drawing
@@ -28,6 +28,7 @@ from planar_pushing.report.results import Results
 from planar_pushing.report.tables import (
     cones_text,
     ellipsoids_text,
+    failures_text,
     figures_text,
     numbers_text,
     verdict_text,
@@ -61,6 +62,7 @@ CHECKS = [
     Check(file="motion_cones", variable="left", count=100, error=4.6e-13, ulp=32.6, allowed=5e-13),
     Check(file="scenes/figure_02", variable="force", count=200, error=1e-16, ulp=1, allowed=1e-14),
     Check(file="scenes/figure_03", variable="force", count=40),
+    Check(file="figures/figure_05", variable="force", count=10, kind=Kind.PLAIN),
 ]
 
 
@@ -102,6 +104,7 @@ def results(tmp_path_factory):
         study = SHORT if name == "contact_modes" else SMALL
         write_dataset(build_dataset(name, study_slice(study, name)), folder / f"data/{name}.nc")
     shutil.copytree("tests/golden/figures", folder / "figures/data")
+    shutil.copytree("tests/golden/simulations", folder / "data/simulations")
     shutil.copytree("tests/golden/sliders/figures", folder / "studies/sliders/figures/data")
     sliders = folder / "studies/sliders"
     write_dataset(
@@ -139,6 +142,11 @@ def numbers(results):
         ("conservative-cone-right", "-45.00"),
         ("excess-right", "2.20"),
         ("excess-left", "3.22"),
+        ("ellipse-deviation", "6.3"),
+        ("ellipse-deviation-long-rod", "9.7"),
+        ("bound-reach", "1.41"),
+        ("pull-end-time", "1.886"),
+        ("pull-end-rod-angle", "63.42"),
         ("ellipse-minor-axis", "0.7071"),
         ("both-pulling-spin-ratio", "1.000"),
         ("slip-motion-angle", "138.8"),
@@ -150,17 +158,20 @@ def numbers(results):
         ("golden-verdict", "passed"),
         ("golden-enclosed", "680"),
         ("golden-variables", "6"),
+        ("golden-plain", "20"),
+        ("golden-share", "97"),
         ("golden-precision", "192"),
         ("claims", str(CITED + 7 + len(VALUES))),
         ("claims-paper", str(CITED + 6 + len(VALUES))),
-        ("claims-paper-hold", str(CITED + 4 + len(VALUES))),
+        ("claims-paper-proved", str(CITED + 1 + len(VALUES))),
+        ("claims-paper-enclosed", "1"),
         ("claims-paper-open", "1"),
         ("claims-ours", "1"),
         ("claims-checks", str(5 + len(ON_SAMPLES) + sum(map(len, VALUES.values())))),
         ("claims-proved", str(CITED + 2 + len(VALUES))),
         ("claims-enclosed", "1"),
         ("claims-sampled", "2"),
-        ("claims-not-reproducible", "1"),
+        ("claims-open", "1"),
         ("threshold-friction", "1.2699"),
         ("pulling-offset", "0.163"),
         ("beyond-both", "-8.75"),
@@ -174,6 +185,9 @@ def numbers(results):
         ("pushes-objects", "2"),
         ("pushes-sides", "300"),
         ("pushes-objects-better", "1"),
+        ("pushes-fit-triangle", "25"),
+        ("pushes-fit-polygon", "75"),
+        ("time-processor", "Some Processor"),
         ("pushes-feet-motion-known-feet", "6.0"),
         ("pushes-feet-pose-fitted-ellipsoid", "2.5"),
         ("pushes-face-motion-uniform", "22.5"),
@@ -368,16 +382,29 @@ def test_missing_tables_and_claims_are_named(results, tmp_path):
     write_text("{", tmp_path / "tables/claims.json")
     with pytest.raises(InvalidFile, match=r"claims\.json: is not JSON"):
         _ = empty.claims
-    failed = [replace(CHECKS[0], failed=1)]
-    both = [tmp_path / each / "tables/golden_verdict.json" for each in (".", "studies/sliders")]
-    for path in both:
-        write_text(json_text(verdict(failed)), path)
-    with pytest.raises(InvalidFile, match="the golden check did not pass"):
-        NUMBERS["golden-enclosed"].entry(empty)
-    for path in both:
+    for path in verdict_files(tmp_path):
         write_text(json_text(verdict([])), path)
     with pytest.raises(InvalidFile, match="compares nothing"):
         verdict_text(empty)
+
+
+def verdict_files(folder):
+    return [folder / each / "tables/golden_verdict.json" for each in (".", "studies/sliders")]
+
+
+def test_a_failed_check_is_in_the_numbers_and_has_a_table(results, tmp_path):
+    assert failures_text(results) == "compared,differ,worst difference,allowed there\n"
+    paper, sliders = verdict_files(tmp_path)
+    wrong = [replace(CHECKS[0], failed=3, error=np.inf), Check(file="scenes", problem="is gone")]
+    write_text(json_text(verdict([*CHECKS[1:], *wrong])), paper)
+    write_text(json_text(verdict(CHECKS)), sliders)
+    failed = Results(tmp_path, tmp_path)
+    assert NUMBERS["golden-verdict"].entry(failed)["text"] == "failed"
+    assert failures_text(failed).splitlines()[1:] == [
+        "motion_cones: left,3 of 100,infinite,5.0e-13", "scenes is gone,,,",
+    ]  # fmt: skip
+    rows = {row["compared"]: row for row in csv.DictReader(io.StringIO(verdict_text(failed)))}
+    assert rows["motion cones"]["worst difference"] == "infinite"
 
 
 @pytest.mark.parametrize(

@@ -77,6 +77,16 @@ def test_the_tables_of_costs_are_in_the_text(text):
     assert "3.7x108 7 3.8x106" in text
 
 
+def test_a_failed_golden_check_is_on_the_first_page_and_has_a_table(setting, text):
+    assert "golden check of this build failed" not in text
+    file = setting.tables / "golden_failures.csv"
+    file.write_text(f"{file.read_text()}motion_cones: left,3 of 4719,1.5e-09,5.0e-13\n", "utf-8")
+    pages = PdfReader(io.BytesIO(compiled(setting.source, setting.root))).pages
+    assert "golden check of this build failed" in re.sub(r"\s+", " ", pages[0].extract_text())
+    said = text_of(compiled(setting.source, setting.root))
+    assert "motion_cones: left 3 of 4719 1.5e-09 5.0e-13" in said
+
+
 def test_a_published_number_is_that_of_its_file(setting):
     path = setting.root / "paper" / "published.json"
     path.write_text(path.read_text().replace('"0.27"', '"0.9753"'), encoding="utf-8")
@@ -156,7 +166,7 @@ def test_claims_tables_and_deviations_are_in_the_text(text):
         "Eqs. (12), (13), Fig. 5",
     ):
         assert part in text
-    for part in ("not reproducible", "refuted", "The sign is the other one.", "Own: 1.375"):
+    for part in ("claim-3 open", "claim-4 refuted", "The sign is the other one.", "Own: 1.375"):
         assert part in text
     assert text.count("A change of sign.") == 1  # of two checks that argue alike
     assert "0.875" not in text  # the margin of a proof is no number of its statement

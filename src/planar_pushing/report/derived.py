@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import xarray as xr
 from scipy.optimize import brentq
 
+from planar_pushing.mechanics.centers import conservative_motion_cone
 from planar_pushing.mechanics.contact import (
     ContactLaw,
     ContactMode,
@@ -17,7 +20,10 @@ from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.report.results import BOTH, FRICTION
+from planar_pushing.simulation.pusher import Pusher
+from planar_pushing.simulation.simulate import simulate
 from planar_pushing.study.describe import parameters_of
+from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.study_model import labeled_law
 from planar_pushing.terms.options import EffectSet
 
@@ -40,6 +46,35 @@ def ellipse_deviation(curves: xr.Dataset, rod_length: float) -> float:
     long, short = force[0], force[-1]
     ellipse = long * short / np.hypot(short * np.cos(QUARTER), long * np.sin(QUARTER))
     return 100 * float(np.max(np.abs(force / ellipse - 1)))
+
+
+def bound_reach(centers: xr.Dataset) -> float:
+    """Longest rod for which the conservative cone of infinite friction extends to 180 degrees.
+
+    For a longer rod a force along the fence misses the ring, and the left edge drops by many degrees.
+    """
+
+    def reach(length: float) -> float:
+        scene = _scene(centers, BOTH, length, InfiniteFriction())
+        return float(conservative_motion_cone(scene).left) - (np.pi - 0.1)
+
+    return float(brentq(reach, 1.0, 5.0))
+
+
+def pull_end(log: xr.Dataset, variable: str) -> float:
+    """Value at the instant at which the contact separates, from a run twice as long as the log's.
+
+    It is NaN, which no report prints, if the contact is kept until the end of the longer run.
+    """
+    run = simulate(
+        SceneFile.model_validate_json(log.attrs["scene"]).build(),
+        pusher=Pusher(velocity=json.loads(log.attrs["pusher"])),
+        duration=2 * float(log.attrs["duration"]),
+        on_ambiguity=log.attrs["on_ambiguity"],
+        until=ContactMode.SEPARATE,
+    )
+    end = run.isel(time=-1)
+    return float(end[variable].where(end["mode"] == ContactMode.SEPARATE))
 
 
 def slip_share(scene: xr.Dataset) -> float:

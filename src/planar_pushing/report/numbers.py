@@ -14,6 +14,7 @@ NUMBERS: Numbers = {
     **mechanics.DYNAMIC,
     **mechanics.BOTH_EFFECTS,
     **mechanics.MODES,
+    **mechanics.OVER_TIME,
     **any_slider.CLAIMS,
     **pushes.MEASURED,
     **costs.ACCURACY,

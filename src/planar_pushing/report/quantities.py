@@ -27,7 +27,7 @@ class Quantity:
     digits : int
         Digits after the decimal point.
     unit : str
-        "1", "degree", "percent", or a unit of the datasets.
+        "1", "degree", "percent", or a unit of the datasets; "name" for text.
     source : str
         Result file, and the location of the number in it.
     """

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
 import numpy as np
@@ -11,7 +10,7 @@ import xarray as xr
 from planar_pushing.evidence.writing import csv_text, json_text
 from planar_pushing.figures.figure import entry, full_caption
 from planar_pushing.figures.studies import OURS, PUSHES
-from planar_pushing.report.costs.times import machine
+from planar_pushing.report.costs.times import machine, processor
 from planar_pushing.report.derived import ROD_ANGLE
 from planar_pushing.report.numbers import numbers
 from planar_pushing.report.quantities import rounded
@@ -70,9 +69,8 @@ def _machine(data: xr.Dataset) -> str:
     if "machine" not in data.attrs:
         return ""
     found = machine(data)
-    processor = re.sub(r"\((R|TM)\)", "", found["processor"])
     versions = f"Python {found['python']}, NumPy {found['numpy']}"
-    return f" Machine: {processor}, number of cores: {found['cores']}, {versions}."
+    return f" Machine: {processor(data)}, number of cores: {found['cores']}, {versions}."
 
 
 def ellipsoids_text(results: Results) -> str:

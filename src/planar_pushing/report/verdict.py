@@ -14,6 +14,8 @@ Check = dict[str, Any]
 SOURCE = "tables/golden_verdict.json"
 #: Kinds of golden values, as named in verdicts.
 KINDS = ("enclosed", "searched", "integrated", "plain")
+#: The kind that is compared with stored values only.
+STORED = "plain"
 #: Maximum number of failed comparisons that the report lists, the worst of each study first.
 SHOWN = 12
 
@@ -38,6 +40,20 @@ def kind_count(kind: str, part: str = "values") -> Quantity:
         unit="1",
         source=f"{SOURCE} of both studies: {part} of the kind {kind}",
     )
+
+
+def independent_share() -> Quantity:
+    """Share of the compared numbers that have a reference from an independent computation."""
+
+    def read(results: Results) -> float:
+        counts = {
+            kind: sum(int(each["kinds"][kind]["values"]) for each in results.verdicts)
+            for kind in KINDS
+        }
+        return 100 * (1 - counts[STORED] / sum(counts.values()))
+
+    source = f"{SOURCE} of both studies: values of all kinds but {STORED}"
+    return Quantity(read=read, digits=0, unit="percent", source=source)
 
 
 def label_count() -> Quantity:

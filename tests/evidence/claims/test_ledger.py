@@ -64,7 +64,14 @@ def test_an_entry_that_is_proved_rests_on_no_instance():
                 assert CHECKS[check.entry.check].kind is Verdict.PROVED, one.claim.id
         else:
             kinds = {check.evidence.verdict for check in one.checks}
-            assert one.verdict in kinds or one.verdict is Verdict.NOT_REPRODUCIBLE
+            assert one.verdict in kinds or one.verdict is Verdict.OPEN
+
+
+def test_no_statement_of_the_paper_is_only_sampled():
+    """The abstract counts those that are proved, enclosed, refuted and open."""
+    assert {one.expect for one in ledger().claims if one.origin == "paper"} == {
+        "proved", "enclosed", "refuted", "open"
+    }  # fmt: skip
 
 
 def test_a_general_wording_has_a_proof_or_is_called_a_sample():
@@ -92,7 +99,7 @@ def test_every_proof_is_an_argument():
 
 def test_wrong_statements_and_undecidable_ones_say_why():
     for claim in ledger().claims:
-        assert (claim.expect in ("refuted", "not reproducible")) == (claim.reason is not None)
+        assert (claim.expect in ("refuted", "open")) == (claim.reason is not None)
 
 
 def test_a_good_file_loads(tmp_path):
@@ -166,7 +173,7 @@ WRONG = [
         f"{CHECK}[0].at: {{'l': 2.0}} given; allowed: none; give it as claimed",
     ),
     (
-        "expect: enclosed", "expect: not reproducible\n    reason: Why.",
+        "expect: enclosed", "expect: open\n    reason: Why.",
         "claims[0] (a-claim).checks: 3 given; allowed: none where nothing can be checked; remove them",
     ),
     ("expect: enclosed", "expect: refuted", "claims[0] (a-claim).reason: missing; allowed: why the claim"),

@@ -103,7 +103,7 @@ class Claim(FileModel):
     figures: Places = ()
     origin: Literal["paper", "ours"]
     statement: Text
-    expect: Literal["proved", "enclosed", "sampled", "not reproducible", "refuted"]
+    expect: Literal["proved", "enclosed", "sampled", "open", "refuted"]
     reason: Text | None = None
     checks: tuple[CheckEntry, ...] = ()
 
@@ -151,7 +151,7 @@ def _twice(name: str, seen: set[str], where: str) -> Iterator[str]:
 
 
 def _of_claim(claim: Claim, where: str) -> Iterator[str]:
-    is_open = claim.expected is Verdict.NOT_REPRODUCIBLE
+    is_open = claim.expected is Verdict.OPEN
     if not claim.reason and (is_open or claim.expected is Verdict.REFUTED):
         yield f"{where}.reason: missing; allowed: why the claim is {claim.expect}; add it"
     if is_open == bool(claim.checks):

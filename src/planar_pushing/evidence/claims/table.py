@@ -58,7 +58,7 @@ class Judged:
     def verdict(self) -> Verdict:
         """The verdict of the weakest check."""
         found = [each.evidence.verdict for each in self.checks]
-        return weakest(found) if found else Verdict.NOT_REPRODUCIBLE
+        return weakest(found) if found else Verdict.OPEN
 
 
 def judge(claim: Claim) -> Judged:

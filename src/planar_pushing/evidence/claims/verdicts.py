@@ -29,7 +29,8 @@ class Verdict(StrEnum):
     PROVED = "proved"
     ENCLOSED = "enclosed"
     SAMPLED = "sampled"
-    NOT_REPRODUCIBLE = "not reproducible"
+    #: No computation can decide it.
+    OPEN = "open"
     UNDECIDED = "undecided"
     REFUTED = "refuted"
 

@@ -86,7 +86,7 @@ COMPILED: dict[str, Callable[[Scene], object]] = {
 
 
 def evaluations(study: StudyFile) -> xr.Dataset:
-    """Functions and evaluations of each effect for one slider, the same on every machine.
+    """Functions and evaluations of each effect for one slider.
 
     Returns
     -------

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 
 import numpy as np
@@ -18,6 +19,11 @@ def machine(data: xr.Dataset) -> dict[str, str]:
     """Machine on which a dataset was measured, as stored in it."""
     found: dict[str, str] = json.loads(data.attrs["machine"])
     return found
+
+
+def processor(data: xr.Dataset) -> str:
+    """Processor on which a dataset was measured, without the marks of trademarks."""
+    return re.sub(r"\((R|TM)\)", "", machine(data)["processor"])
 
 
 def _least(data: xr.Dataset, times: str, name: str) -> npt.NDArray[np.float64]:

@@ -46,6 +46,12 @@ ACCURACY: Numbers = {
 }
 
 TIMES: Numbers = {
+    "time-processor": Quantity(
+        read=lambda results: times.processor(results.dataset(TIME)),
+        digits=0,
+        unit="name",
+        source=f"{TIME}: processor in the attribute machine",
+    ),
     **times.time_range(TIME, "closed-form-time", "closed form"),
     **times.time_range(TIME, "quad-time", "quad", times.MICRO, "us"),
     "quad-time-ratio": computed(TIME, times.wrench_ratio, "quad"),

@@ -8,6 +8,7 @@ from planar_pushing.evidence.claims.verdicts import Verdict
 from planar_pushing.report.quantities import Numbers, Quantity, claimed, counted
 from planar_pushing.report.verdict import (
     KINDS,
+    independent_share,
     kind_count,
     label_count,
     mark_count,
@@ -26,6 +27,7 @@ GOLDEN: Numbers = {
     "golden-verdict": verdict_word(),
     **{f"golden-{kind}": kind_count(kind) for kind in KINDS},
     "golden-variables": kind_count("enclosed", "variables"),
+    "golden-share": independent_share(),
     "golden-labels": label_count(),
     "golden-by-integrals": mark_count("golden_checked_by_integrals", sum),
     "golden-precision": mark_count("golden_precision_bits", min),
@@ -43,13 +45,13 @@ def _of_the_paper(what: str, verdicts: Collection[Verdict]) -> Quantity:
 CLAIMS: Numbers = {
     "claims": counted("claims", lambda claim: 1),
     "claims-paper": _of_the_paper("all", VERDICTS),
-    "claims-paper-hold": _of_the_paper(
-        "that hold", (Verdict.PROVED, Verdict.ENCLOSED, Verdict.SAMPLED)
-    ),
-    "claims-paper-open": _of_the_paper("open", (Verdict.NOT_REPRODUCIBLE,)),
+    **{
+        f"claims-paper-{verdict}": _of_the_paper(verdict, (verdict,))
+        for verdict in (Verdict.PROVED, Verdict.ENCLOSED, Verdict.OPEN)
+    },
     "claims-ours": counted("claims of ours", lambda claim: int(claim["origin"] == "ours")),
     "claims-checks": counted("checks", lambda claim: len(claim["checks"])),
-    **{f"claims-{verdict.replace(' ', '-')}": _verdicts(verdict) for verdict in VERDICTS},
+    **{f"claims-{verdict}": _verdicts(verdict) for verdict in VERDICTS},
     "threshold-inertia": claimed("pulling-condition", "threshold", digits=1),
     "threshold-inertia-short-rod": claimed("pulling-condition", "threshold-short-rod", digits=1),
     "threshold-friction": claimed("speed-decides-pulling", "threshold", digits=4),

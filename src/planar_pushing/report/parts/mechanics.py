@@ -7,11 +7,13 @@ import math
 from planar_pushing.mechanics.contact import Outcome
 from planar_pushing.report.derived import (
     ROD_ANGLE,
+    bound_reach,
     conservative_excess,
     ellipse_deviation,
     furthest_pull,
     motion_direction,
     outcomes,
+    pull_end,
     pushes,
     slip_share,
     solutions,
@@ -132,6 +134,14 @@ BOTH_EFFECTS: Numbers = {
     "both-pulling-spin-ratio": _spin_ratio("11"),
     **_scene("12", "both-slip"),
     **_bounds(),
+    "bound-reach": computed("acceleration_centers", bound_reach, digits=2, unit="length"),
+}
+
+OVER_TIME: Numbers = {
+    "pull-end-time": computed("simulations/figure_14a", pull_end, "time", digits=3, unit="time"),
+    "pull-end-rod-angle": computed(
+        "simulations/figure_14a", pull_end, "rod_angle", digits=2, unit="degree"
+    ),
 }
 
 MODES: Numbers = {

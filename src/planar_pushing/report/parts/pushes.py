@@ -77,6 +77,17 @@ def _sides(found: dict[str, Any]) -> int:
     return int(found["polygons"]["pushes"] - found["polygons"]["corner_pushes"])
 
 
+def _for_a_polygon(found: dict[str, Any]) -> float:
+    """Mean number of pushes of a polygon in the half to which a model is fitted."""
+    return _sides(found) / len(found["polygons"]["objects"]) / 2
+
+
+def _for_a_triangle(found: dict[str, Any]) -> float:
+    """Mean number of pushes of a triangle in the half to which a model is fitted."""
+    logs = [*found["three_feet"]["logs"].values(), *found["patch"]["logs"].values()]
+    return sum(int(log["pushes"]) for log in logs) / len(logs) / 2
+
+
 def _better(found: dict[str, Any]) -> int:
     """Number of objects with poses predicted better by the identified pressure than by the ellipsoid."""
     return sum(each[IDENTIFIED] < each[FITTED] for each in found["polygons"]["objects"].values())
@@ -89,6 +100,8 @@ MEASURED: Numbers = {
     "pushes-objects": _read(lambda found: len(found["polygons"]["objects"]), "polygons"),
     "pushes-sides": _read(_sides, "polygons: pushes less corner_pushes"),
     "pushes-corners": _at("polygons", "corner_pushes"),
+    "pushes-fit-triangle": _read(_for_a_triangle, "half of the mean number of pushes in a log"),
+    "pushes-fit-polygon": _read(_for_a_polygon, "half of the mean number of pushes at sides"),
     "pushes-seed": _at("seed"),
     **_medians("feet", "motion", "known_feet", "known_feet_ellipsoid", FITTED, "uniform"),
     **_medians("feet", "pose", "known_feet", "known_feet_ellipsoid", FITTED),
