@@ -74,7 +74,8 @@ def _rim(support: Any) -> tuple[Array, Array]:
 
 def add_support(picture: Picture, support: Any, pose: Pose, ink: Ink) -> None:
     """Add a support at a pose; one of a user-defined kind as its pieces."""
-    DRAWN.get(type(support), _pieces)(picture, support, pose, ink)
+    draw: Callable[..., None] = DRAWN.get(type(support), _pieces)
+    draw(picture, support, pose, ink)
 
 
 def _circle(pose: Pose, center: Place, radius: float) -> Array:

@@ -123,7 +123,7 @@ def _pairs(vertices: Array) -> tuple[Position, ...]:
 
 def _whole_area(outer: Array, inner: list[Array]) -> float:
     """Area of a polygon without its holes."""
-    return abs(_area(outer)) - sum(abs(_area(each)) for each in inner)
+    return float(abs(_area(outer)) - sum(abs(_area(each)) for each in inner))
 
 
 @kernel
