@@ -53,7 +53,6 @@ SUPPORTS = {
     "L": (Polygon([(0, 0), (2, 0), (2, 0.5), (0.5, 0.5), (0.5, 2), (0, 2)]), 1),
     "star": (STAR, 1),
     "frame": (FRAME, 1),
-    "thin frame": (Polygon(SQUARE.vertices, [0.99 * np.array(SQUARE.vertices)]), 100),
     "20:1": (rectangle(2.0, 0.1), 20),
     "100:1": (rectangle(2.0, 0.02), 100),
     "map": (PressureMap([-1, 0, 0.3, 1], [-1, -0.5, 0.4], [[1.0, 0.0, 2.0], [0.5, 3.0, 1e-3]]), 1),
