@@ -1,5 +1,6 @@
 """The library as its users see it: names, version, types, and what its documentation says of angles."""
 
+import dataclasses
 import inspect
 import re
 import subprocess
@@ -8,6 +9,7 @@ from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import planar_pushing as pp
@@ -61,6 +63,43 @@ def test_the_angles_are_found():
         "motion_angle(force_angle)", "simulate_batch(twist)", "AngleInterval.contains(angle)",
         "motion_centers(force_angle)", "spin_ratio(force_angle)", "AngleInterval(right)", "wrench(twist)",
     }  # fmt: skip
+
+
+#: Types of the fields that hold arrays in a result.
+ARRAYS = re.compile(r"(Array|Index|npt\.NDArray\[.*\])( \| None)?")
+
+
+def results_with_arrays():
+    """Public dataclasses that hold arrays, each with the names of the fields that do."""
+    for name in pp.__all__:
+        public = getattr(pp, name)
+        if inspect.isclass(public) and dataclasses.is_dataclass(public):
+            fields = [
+                each for each in dataclasses.fields(public) if ARRAYS.fullmatch(str(each.type))
+            ]
+            if fields:
+                yield pytest.param(public, [each.name for each in fields], id=name)
+
+
+@pytest.mark.parametrize(("result", "arrays"), list(results_with_arrays()))
+def test_results_with_arrays_are_equal_or_not_as_a_whole(result, arrays):
+    def made(**changes):
+        found = object.__new__(result)
+        for each in dataclasses.fields(result):
+            given = np.array([1.0, np.nan]) if each.name in arrays else 2.0
+            object.__setattr__(found, each.name, changes.get(each.name, given))
+        return found
+
+    assert made() == made()
+    for each in dataclasses.fields(result):
+        for other in (np.array([1.0, 3.0]), np.array([1.0]), 3.0):
+            assert made() != made(**{each.name: other}), each.name
+    assert made() != "another value"
+
+
+def test_the_results_with_arrays_are_found():
+    found = {each.id for each in results_with_arrays()}
+    assert found >= {"EllipsoidFit", "Push", "WrenchSet", "Solution", "SolutionArrays", "Touch"}
 
 
 def test_version():

@@ -232,7 +232,7 @@ def test_wrong_input_is_refused_before_any_work(refused, files, tmp_path, monkey
 
 def test_a_log_is_no_dataset_of_pushes(refused, log, tmp_path):
     path = tmp_path / "support.yaml"
-    refused(["identify", str(log), "-o", str(path)], f"{log}: pushes: 'a dataset without pushed, ")
+    refused(["identify", str(log), "-o", str(path)], f"{log}: pushes: 'a log of simulate, ")
 
 
 def test_the_families_are_those_of_identify():

@@ -20,7 +20,8 @@ def test_an_extra_that_is_missing_is_installed_first(run, tmp_path, monkeypatch)
     monkeypatch.setattr("planar_pushing.terms.extras.find_spec", lambda name: None)
     _, out, _ = run("init", str(tmp_path / "my folder"))
     command = f"planar-pushing run '{tmp_path}/my folder/my_study.yaml'"
-    assert f"to build it: pip install 'planar-pushing[workflow,figures]'; {command}\n" in out
+    install = "pip install '.[workflow,figures]' in the project's folder"
+    assert f"to build it: {install}, then {command}\n" in out
 
 
 def test_nothing_is_overwritten(refused, tmp_path):

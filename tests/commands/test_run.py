@@ -107,7 +107,10 @@ def test_an_extra_that_is_missing_is_named(refused, folder, called, monkeypatch,
     monkeypatch.setattr(
         "planar_pushing.terms.extras.find_spec", lambda name: None if name == missing else name
     )
-    said = f"{missing}: not installed; install the extra {extra}: pip install 'planar-pushing[{extra}]'"
+    said = (
+        f"{missing}: not installed; install the extra {extra}: pip install '.[{extra}]' in the "
+        "project's folder"
+    )
     refused(["run", "tiny.yaml"], said)
     assert not called[0]
 

@@ -47,5 +47,5 @@ def test_a_missing_extra_is_named():
     assert (ended.returncode, ended.stdout) == (2, "")
     assert ended.stderr == (
         "planar-pushing explore: panel: not installed; install the extra explore: "
-        "pip install 'planar-pushing[explore]'\n"
+        "pip install '.[explore]' in the project's folder\n"
     )

@@ -100,6 +100,15 @@ def test_a_polygon_is_a_shaded_area_with_an_outline():
     assert line.width == 1.5
 
 
+def test_a_hole_is_left_out_of_the_area_and_has_an_outline():
+    hole = [(0, 0), (0.5, 0), (0, 0.5)]
+    marks = drawn(pp.Polygon(CORNERS, [hole]))
+    ((area,), lines) = marks[Area], marks[Line]
+    for ring, line, corners in zip(area.rings, lines, (CORNERS, hole), strict=True):
+        assert ring == pytest.approx(UPRIGHT.at(corners))
+        assert line.points[1:-1] == pytest.approx(UPRIGHT.at(corners))
+
+
 @pytest.mark.parametrize("pressure", [[[1, 4]], [[0, 4]]])
 def test_a_pressure_is_the_shade_of_its_cell_and_a_cell_without_is_left_out(pressure):
     cells = drawn(pp.PressureMap([0, 1, 3], [0, 2], pressure), HERE)[Area]

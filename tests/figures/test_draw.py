@@ -87,7 +87,7 @@ def test_a_scene_without_a_push_has_its_cones_alone():
 def test_the_limit_curve_is_drawn_where_it_is_asked_for(angle):
     curved, plain = (pp.draw(SLIDER, angle, limit_curve=given) for given in (True, False))
     assert len(curved.lines) == len(plain.lines) + 1
-    with pytest.raises(pp.InvalidValue, match="allowed: a scene with one effect"):
+    with pytest.raises(pp.InvalidValue, match=r"limit_curve: .*leave out one effect"):
         pp.draw(scene(coulomb(2), (RING, INERTIA)), angle, limit_curve=True)
 
 

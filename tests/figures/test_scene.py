@@ -323,5 +323,5 @@ def test_a_foot_about_which_the_tripod_pivots_has_a_flat_for_either_sense():
 
 def test_friction_and_inertia_have_no_one_curve():
     both = scene(coulomb(1.0), (RING, INERTIA))
-    with pytest.raises(pp.InvalidValue, match=r"limit_curve: .*allowed: a scene with one effect"):
+    with pytest.raises(pp.InvalidValue, match=r"limit_curve: .*leave out one effect, or the curve"):
         with_curve(Sketch.of(both), both)

@@ -15,6 +15,7 @@ import pytest
 import planar_pushing as pp
 from mechanics.builders import EFFECT_SETS, make_scene, needs_compiler
 from planar_pushing.mechanics import compiled as core
+from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 
 SOURCES = Path(core.__file__).parents[1]
 TESTS = Path(__file__).parents[1]
@@ -78,6 +79,7 @@ import numpy as np
 import planar_pushing as pp
 from mechanics.builders import EFFECT_SETS, make_scene
 from planar_pushing.mechanics.effects import base
+from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 from planar_pushing.mechanics.supports import ring
 
 calls = Counter()
@@ -102,7 +104,7 @@ for name, effects in (EFFECT_SETS | others).items():
     for angle in (-0.2, 0.3, 1.0, 2.9):
         pp.solve(scene, angle)
         pp.spin_ratio(scene, angle, **given)
-        pp.limit_curve(scene, angle)
+        curve_of_unit_motions(scene, angle)
         pp.motion_centers(scene, angle, **given)
     pp.motion_cone(scene)
     found[name] = calls.copy()
@@ -155,7 +157,7 @@ def sample():
             make_scene(length, pp.Coulomb(mu), effects, psi),
             0.3 if name == "both" else None,
         )
-        cone, curve = pp.motion_cone(scene), pp.limit_curve(scene, angle)
+        cone, curve = pp.motion_cone(scene), curve_of_unit_motions(scene, angle)
         solved = pp.solve(scene, angle, 1.3)
         found[name] = {
             "cone": np.array([cone.right, cone.left]),

@@ -9,6 +9,7 @@ from mpmath import mp, mpf
 import planar_pushing as pp
 import reference
 from mechanics.builders import BOTH, DEFINITION_2, EFFECT_SETS, FRICTION, INERTIA, PSI, make_scene
+from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 
 RADIANS = 1e-12
 LENGTHS = 10.0 ** np.arange(-3, 4)
@@ -140,7 +141,7 @@ def test_vectorised_maps_broadcast_force_angle_against_share():
     assert angles.shape == pp.spin_ratio(scene, phi, share).shape == (4, 3)
     assert angles[2, 1] == pp.motion_angle(scene, phi[2, 0], 0.5)
     assert pp.motion_centers(scene, phi, share).shape == (4, 3, 2)
-    curve = pp.limit_curve(scene, phi)
+    curve = curve_of_unit_motions(scene, phi)
     assert curve.force.shape == curve.contact_motion.shape == (4, 1, 2)
 
 
@@ -148,7 +149,7 @@ def test_empty_arrays():
     for effects in EFFECT_SETS.values():
         scene = make_scene(2.0, 1.0, effects)
         assert pp.motion_angle(scene, [], 0.5 if effects == BOTH else None).shape == (0,)
-        assert pp.limit_curve(scene, []).magnitude.shape == (0,)
+        assert curve_of_unit_motions(scene, []).magnitude.shape == (0,)
 
 
 def test_pure_spin_ratios_bound_every_share():

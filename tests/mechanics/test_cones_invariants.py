@@ -21,6 +21,7 @@ from mechanics.strategies import (
     scenes,
     share_of,
 )
+from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 
 RIGHT_ANGLE = np.pi / 2
 
@@ -126,7 +127,7 @@ def test_limit_curve_scales_with_weight_and_mass(scene, phi, exponent):
 @given(scenes(), force_angles, force_angles)
 def test_limit_curve_is_convex_with_the_motion_as_its_normal(scene, phi, other):
     """Every force on the curve lies behind the tangent through every other."""
-    curve = pp.limit_curve(scene, np.array([phi, other]))
+    curve = curve_of_unit_motions(scene, np.array([phi, other]))
     at, elsewhere = curve.force
     assert (elsewhere - at) @ curve.contact_motion[0] <= 1e-13 * np.abs(curve.magnitude).max()
 

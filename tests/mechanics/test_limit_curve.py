@@ -9,6 +9,7 @@ from mpmath import mp, mpf
 import planar_pushing as pp
 import reference
 from mechanics.builders import PSI, make_scene
+from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 
 RADIANS = 1e-12
 
@@ -19,7 +20,7 @@ def test_limit_curve_with_both_effects(length, phi):
     """W f + m v with v = 1 / sqrt(1 + rho^2 k^2), on the line of force h."""
     weight, mass, rho = 2.0, 3.0, 0.7
     effects = [pp.RingFriction(weight=weight), pp.Inertia(mass=mass, gyration_radius=rho)]
-    curve = pp.limit_curve(make_scene(length, effects=effects), phi)
+    curve = curve_of_unit_motions(make_scene(length, effects=effects), phi)
     k = mpf(float(curve.spin_ratio))
     speed = 1 / mp.sqrt(1 + mpf(rho) ** 2 * k**2)
     force = weight * reference.ring_force(k) + mass * speed
@@ -38,3 +39,17 @@ def test_limit_curve_of_friction(length, phi):
     assert float(curve.magnitude) == pytest.approx(
         float(2 * reference.ring_force(k)), rel=1e-13, abs=0
     )
+
+
+@pytest.mark.parametrize("more", [pp.Inertia(), pp.Viscous(support=pp.Disc(1.0))], ids=repr)
+@pytest.mark.parametrize("length", [0.0, 2.0, np.array([1.0, 2.0])], ids=repr)
+def test_forces_of_every_magnitude_have_no_one_curve(length, more):
+    scene = make_scene(length, effects=[pp.RingFriction(), more])
+    name = f"'RingFriction and {type(more).__name__}'"
+    said = (
+        f"limit_curve: {name} given; allowed: a scene whose forces do not depend on the magnitude"
+    )
+    with pytest.raises(pp.InvalidValue, match=rf"^{said}.*; leave out one effect,.*force_ratio="):
+        pp.limit_curve(scene, 1.0)
+    for effect in scene.effects:
+        pp.limit_curve(make_scene(length, effects=[effect]), 1.0)

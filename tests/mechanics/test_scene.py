@@ -9,6 +9,7 @@ import pytest
 
 import planar_pushing as pp
 from mechanics.builders import BOTH, PSI, make_scene, names
+from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 
 PHI = np.linspace(0, np.pi, 13)
 SPLIT_RING = (pp.RingFriction(weight=0.5), pp.RingFriction(weight=1.5))
@@ -51,7 +52,7 @@ def test_parts_have_the_cones_and_curves_of_their_sum(parts, whole, length):
         [cones[1].right, cones[1].left], abs=1e-13
     )
     assert cones[0].closed == cones[1].closed
-    curves = pp.limit_curve(one, PHI), pp.limit_curve(other, PHI)
+    curves = curve_of_unit_motions(one, PHI), curve_of_unit_motions(other, PHI)
     assert curves[0].magnitude == pytest.approx(curves[1].magnitude, rel=1e-13, abs=0)
     assert curves[0].motion_angle == pytest.approx(curves[1].motion_angle, abs=1e-13)
 

@@ -53,6 +53,25 @@ def test_pushes_that_do_not_touch_are_counted(squares, tmp_path):
     assert (found.sizes["push"], found.attrs["left_out"]) == (5, 1)
 
 
+def test_a_push_that_begins_deep_in_the_object_is_counted_too(squares, tmp_path):
+    file = tmp_path / "abs_rect1.mat"
+    write_mat(file, squares, np.random.default_rng(5))
+    whole = pp.read_mit(file)
+    records = scipy.io.loadmat(file)["record_all"]
+    records["init_tip_pt"][3, 0] = records["init_pose_gt"][3, 0].ravel()[:2] + 0.02
+    scipy.io.savemat(file, {"record_all": records})
+    found = pp.read_mit(file)
+    assert (found.sizes["push"], found.attrs["left_out"]) == (5, 1)
+    rest = whole.isel(push=[0, 1, 2, 4, 5])
+    for name in SAME:
+        assert found[name].values == pytest.approx(rest[name].values, abs=1e-9), name
+    for k in range(6):
+        records["init_tip_pt"][k, 0] = records["init_pose_gt"][k, 0].ravel()[:2] + 0.02
+    scipy.io.savemat(file, {"record_all": records})
+    with pytest.raises(pp.InvalidFile, match=r"in the object, in pushes 0, 1, 2, 3, 4, 5"):
+        pp.read_mit(file)
+
+
 @pytest.mark.parametrize(("name", "extents", "area"), [
     ("rect1", (90, 90), 8100), ("rect2", (89.91, 112.58), 89.91 * 112.58),
     ("rect3", (135.01, 89.94), 135.01 * 89.94), ("tri1", (125.87, 125.90), 125.87 * 125.9 / 2),

@@ -114,6 +114,21 @@ def test_a_finger_that_overlaps_the_object_at_its_start():
         pp.pushes_from_poses(**near, tolerance=0.02)
 
 
+def test_a_push_that_begins_deep_in_the_object_is_named_or_left_out():
+    deep = several()
+    deep["finger_start"] = [*deep["finger_start"][:2], (4.5, -0.2), deep["finger_start"][3]]
+    deep["finger_start"][0] = (5.5, 0.4)
+    with pytest.raises(pp.InvalidValue, match=r"begins 0.4 deep in the object, in pushes 0'"):
+        pp.pushes_from_poses(**deep)
+    found = pp.pushes_from_poses(**deep, skip_missed=True)
+    assert (found.sizes["push"], found.attrs["left_out"]) == (1, 3)
+    assert found["contact"].values[:, 1] == pytest.approx([0.5], abs=1e-15)
+    with pytest.raises(
+        pp.InvalidValue, match=r"begins 0.4 deep in the object, in pushes 0, 1, 2, 3'"
+    ):
+        pp.pushes_from_poses(**deep | {"finger_start": [(5.5, 0.4)] * 4}, skip_missed=True)
+
+
 @pytest.mark.parametrize(("changes", "said"), [
     ({"poses_after": AFTER * 2}, "poses_after: '2 poses' given; allowed: 1 pose, as in poses_before"),
     ({"poses_before": [(5, 1)]}, "poses_before: 'shape (1, 2)' given; allowed: shape (n, 3)"),

@@ -90,7 +90,10 @@ def test_the_library_runs_without_any_extra(tmp_path, cones):
 ])  # fmt: skip
 def test_a_missing_extra_is_named_where_it_is_needed(extra, missing, body):
     ended = run([missing], body)
-    said = f"{missing}: not installed; install the extra {extra}: pip install 'planar-pushing[{extra}]'"
+    said = (
+        f"{missing}: not installed; install the extra {extra}: pip install '.[{extra}]' in the "
+        "project's folder"
+    )
     assert ended.returncode == 1
     assert ended.stderr.rstrip().endswith(f"MissingExtra: {said}")
 
@@ -102,7 +105,7 @@ def test_a_command_names_the_missing_extra_in_one_line(tmp_path):
     assert (ended.returncode, ended.stdout) == (2, "")
     assert ended.stderr == (
         "planar-pushing draw: matplotlib: not installed; install the extra figures: "
-        "pip install 'planar-pushing[figures]'\n"
+        "pip install '.[figures]' in the project's folder\n"
     )
 
 

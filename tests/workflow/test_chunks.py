@@ -100,7 +100,7 @@ def test_chunks_without_dask_are_refused_before_any_job(tmp_path):
     )  # fmt: skip
     assert done.returncode == 1
     assert (
-        "dask: not installed; install the extra chunks: pip install 'planar-pushing[chunks]'"
+        "dask: not installed; install the extra chunks: pip install '.[chunks]' in the project's folder"
         in done.stderr
     )
     assert not (tmp_path / "results").exists()

@@ -82,13 +82,14 @@ def _call(kind: str, call: Callable[[Any], None]) -> None:
 def evaluate(scene: Any) -> None:
     """Solve a scene, and evaluate its derivatives, cones, curves and wrenches."""
     import planar_pushing as pp
+    from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
     from planar_pushing.mechanics.plane import direction
     from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios
 
     ratio = None if len(scene.effects) == 1 else 0.5
     pp.solve(scene, 1.0, derivatives=True)
     pp.motion_of_force(scene, 1.0, ratio, derivatives=True)
-    pp.limit_curve(scene, 1.0)
+    curve_of_unit_motions(scene, 1.0)
     pp.motion_cone(scene)
     for function in (pp.spin_ratio, pp.motion_angle, pp.motion_centers):
         function(scene, 1.0, force_ratio=ratio)

@@ -10,7 +10,7 @@ from typing import Any
 
 from planar_pushing.commands.words.arguments import Commands, command
 from planar_pushing.terms.errors import InvalidFile, MissingExtra
-from planar_pushing.terms.extras import require_extra
+from planar_pushing.terms.extras import pip_install, require_extra
 
 #: The template files, in planar_pushing/study/templates.
 STUDY, SCENE = "my_study.yaml", "scene.yaml"
@@ -50,5 +50,6 @@ def _next(build: str) -> dict[str, str]:
         for extra in ("workflow", "figures"):
             require_extra(extra)
     except MissingExtra:
-        return {"to build it": f"pip install 'planar-pushing[workflow,figures]'; {build}"}
+        install = f"{pip_install('workflow,figures')} in the project's folder"
+        return {"to build it": f"{install}, then {build}"}
     return {"to build it": build}

@@ -15,7 +15,7 @@ from planar_pushing.figures.scene import PALE, limit_line
 from planar_pushing.figures.sketch import flats, moves
 from planar_pushing.mechanics.cones import friction_cone, is_magnitude_open
 from planar_pushing.mechanics.effects import Inertia, Viscous
-from planar_pushing.mechanics.limit_curve import LimitCurve, limit_curve
+from planar_pushing.mechanics.limit_curve import LimitCurve, curve_of_unit_motions
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solutions import Solution
@@ -64,7 +64,7 @@ def curve_at(scene: Scene, magnitude: float) -> LimitCurve:
     """Limit curve of motions of a given magnitude, in the force unit of the solutions."""
     effects = tuple(_scaled(each, magnitude) for each in scene.effects)
     angles = ANGLES[is_magnitude_open(scene)]
-    found: LimitCurve = limit_curve(replace(scene, effects=effects), angles)
+    found: LimitCurve = curve_of_unit_motions(replace(scene, effects=effects), angles)
     return found
 
 

@@ -8,7 +8,19 @@ import numpy as np
 
 #: Keys of a support with lengths as values.
 LENGTHS = frozenset(
-    ("radius", "inner", "outer", "center", "start", "end", "positions", "vertices", "x", "y")
+    (
+        "radius",
+        "inner",
+        "outer",
+        "center",
+        "start",
+        "end",
+        "positions",
+        "vertices",
+        "holes",
+        "x",
+        "y",
+    )
 )
 #: Relative tolerance for equal sizes.
 ROUNDING = 1e-9

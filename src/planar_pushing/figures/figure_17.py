@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import xarray as xr
@@ -46,7 +46,8 @@ def pulling_friction_angle(scenes: Scene) -> xr.DataArray:
     """
     right, left = sustaining(scenes, 0.0)[0], -sustaining(scenes, np.pi)[1]
     steeper = right.where(right > left, left)
-    return (90.0 - np.rad2deg(steeper)).where(steeper > ALONG_FENCE, 90.0)
+    friction = cast(xr.DataArray, 90.0 - np.rad2deg(steeper))
+    return friction.where(steeper > ALONG_FENCE, 90.0)
 
 
 def inertia_friction_angle(length: Array, angle: Array) -> Array:

@@ -17,7 +17,7 @@ from planar_pushing.figures.body import Body, body_in, body_of
 from planar_pushing.figures.marks import corners
 from planar_pushing.figures.supports import Pose
 from planar_pushing.figures.words import best
-from planar_pushing.mechanics.cones import friction_cone, is_magnitude_open, motion_cone
+from planar_pushing.mechanics.cones import friction_cone, motion_cone
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.limit_curve import limit_curve
 from planar_pushing.mechanics.plane import Array, direction
@@ -25,7 +25,6 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solutions import Solution, Solutions
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.study.datasets.rubbing import place_friction, ring_friction
-from planar_pushing.terms.errors import InvalidValue
 
 #: A center farther away than this, in units of the slider's span, is only pointed to.
 FAR = 2.0
@@ -303,11 +302,6 @@ def with_curve(sketch: Sketch, scene: Scene) -> Sketch:
         If the force depends on the magnitude of the motion, so that no single curve bounds the forces of
         all motions.
     """
-    if is_magnitude_open(scene):
-        raise InvalidValue(
-            "limit_curve", "friction and inertia", "a scene with one effect",
-            "leave an effect out, or draw the scene without the curve",
-        )  # fmt: skip
     curve = limit_curve(scene, ANGLES)
     return replace(sketch, curve=curve.force, flats=flats(curve.motion_angle))
 

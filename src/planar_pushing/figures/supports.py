@@ -73,8 +73,9 @@ def _rim(support: Any) -> tuple[Array, Array]:
 
 
 def add_support(picture: Picture, support: Any, pose: Pose, ink: Ink) -> None:
-    """Add a support at a pose."""
-    DRAWN[type(support)](picture, support, pose, ink)
+    """Add a support at a pose; one of a user-defined kind as its pieces."""
+    draw: Callable[..., None] = DRAWN.get(type(support), _pieces)
+    draw(picture, support, pose, ink)
 
 
 def _circle(pose: Pose, center: Place, radius: float) -> Array:
@@ -109,7 +110,7 @@ def _annulus(picture: Picture, annulus: supports.Annulus, pose: Pose, ink: Ink) 
 
 
 def _polygon(picture: Picture, polygon: supports.Polygon, pose: Pose, ink: Ink) -> None:
-    _filled(picture, [pose.at(polygon.vertices)], ink)
+    _filled(picture, [pose.at(each) for each in (polygon.vertices, *polygon.holes)], ink)
 
 
 def _pressure_map(picture: Picture, given: supports.PressureMap, pose: Pose, ink: Ink) -> None:
@@ -157,6 +158,35 @@ def _composite(picture: Picture, composite: supports.Composite, pose: Pose, ink:
     for _, member in composite.members:
         _leg(picture, middle, pose.at(member.center_of_pressure), ink)
         add_support(picture, member, pose, ink)
+
+
+def _pieces(picture: Picture, support: Any, pose: Pose, ink: Ink) -> None:
+    """Add the pieces of a support of a user-defined kind."""
+    atoms, segments, rings, discs, plates = support.pieces()
+    if len(atoms):
+        _points(picture, supports.Points(atoms[:, :2], atoms[:, 2]), pose, ink)
+    for a, b, c, d, _ in segments:
+        _segment(picture, supports.Segment((a, b), (c, d)), pose, ink)
+    for x, y, radius, _ in rings:
+        _outline(picture, _circle(pose, (x, y), radius), ink)
+    holes = discs[discs[:, 3] < 0]
+    for x, y, radius, _ in discs[discs[:, 3] > 0]:
+        inside = holes[np.hypot(*(holes[:, :2] - (x, y)).T) < radius]
+        circles = [(x, y, radius), *inside[:, :3].tolist()]
+        _filled(picture, [_circle(pose, (a, b), size) for a, b, size in circles], ink)
+    for edges in plates:
+        _plate(picture, edges, pose, ink)
+
+
+def _plate(picture: Picture, edges: Array, pose: Pose, ink: Ink) -> None:
+    """Add the area between the edges of a plate, or thin edges if they do not follow each other around."""
+    follows = (edges[1:, :2] == edges[:-1, 2:4]).all(axis=1)
+    rings = np.split(edges, np.flatnonzero(~follows) + 1)
+    if all((ring[0, :2] == ring[-1, 2:4]).all() for ring in rings):
+        _filled(picture, [pose.at(ring[:, :2]) for ring in rings], ink)
+        return
+    for line in edges[:, :4].reshape(-1, 2, 2):
+        picture.line(pose.at(line), ink.color, width=0.4 * ink.width, order=OUTLINE)
 
 
 #: Drawing function of each kind of support.

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
+from pydantic import ValidationError
 
 from planar_pushing.figures.body import Body, body_in
 from planar_pushing.figures.supports import Pose
@@ -50,11 +51,16 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
     Raises
     ------
     InvalidFile
-        If the dataset is not the log of a scene that a scene file can describe.
+        If the dataset is not a log, or is one of a scene that no scene file describes.
     """
     missing = [name for name in (*PATH, "twist") if name not in log]
     try:
         slider, body = json.loads(log.attrs.get("scene", ""))["slider"], body_in(log)
+    except ValidationError:
+        raise InvalidFile(
+            "the log is of a scene that no scene file describes, such as one with a support of your own "
+            "class; allowed: the shapes of scene files; describe the support as a Composite of them"
+        ) from None
     except (ValueError, TypeError, KeyError):
         missing.append("scene")
     if missing:

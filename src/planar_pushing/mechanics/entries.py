@@ -20,7 +20,7 @@ from planar_pushing.mechanics.effects import (
     Viscous,
 )
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.mechanics.supports import SHAPES
+from planar_pushing.mechanics.supports import SHAPES, Composite
 from planar_pushing.terms.errors import InvalidValue
 
 #: Packages whose versions are recorded in datasets.
@@ -127,14 +127,29 @@ def _effect_entry(effect: object) -> dict[str, Any]:
     raise InvalidValue("effects", effect, allowed, "save a scene of these effects")
 
 
+def is_in_files(support: Any) -> bool:
+    """Whether a scene file can describe a support: all but supports of user-defined kinds."""
+    members = getattr(support, "members", ()) if type(support) is Composite else ()
+    return type(support) in SHAPES.values() and all(is_in_files(one) for _, one in members)
+
+
 def support_entry(support: Any) -> dict[str, Any]:
-    """A support in the form of scene files: its shape and the parameters of the shape."""
+    """A support in the form of scene files: its shape and the parameters of the shape.
+
+    One of a user-defined kind, which files cannot describe, is the name of its class and its pieces.
+    """
     names = {kind: shape for shape, kind in SHAPES.items()}
+    if type(support) not in names:
+        atoms, segments, rings, discs, plates = support.pieces()
+        lines = {"atoms": atoms, "segments": segments, "rings": rings, "discs": discs}
+        pieces = {kind: rows.tolist() for kind, rows in lines.items() if len(rows)}
+        pieces |= {"plates": [edges.tolist() for edges in plates]} if plates else {}
+        return {"shape": type(support).__name__, "pieces": pieces}
     found: dict[str, Any] = {"shape": names[type(support)]}
     for each in fields(support):
         value = getattr(support, each.name)
         if each.name == "members":
             value = [{"share": share, "support": support_entry(one)} for share, one in value]
-        if value is not None:
+        if value not in (None, ()):
             found[each.name] = value
     return found

@@ -1,9 +1,9 @@
 """Limit curve: the forces through the contact that just move the slider, and the motions they cause.
 
 For friction it is the section of the limit surface by the plane of zero torque about the contact
-(Sec. 3); for inertia it is the ellipse of Sec. 4. One definition covers both and their sum: the forces
-whose motion has the same potential of degree 2, or kinetic energy, as a unit translation. The contact
-motion is then normal to the curve at the force.
+(Sec. 3); for inertia it is the ellipse of Sec. 4. One definition covers both: the forces whose motion has
+the same potential of degree 2, or kinetic energy, as a unit translation. The contact motion is then normal
+to the curve at the force. For the sum of both, this curve is one of many, one for each magnitude of motion.
 """
 
 from __future__ import annotations
@@ -15,13 +15,20 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from planar_pushing.mechanics.compiled import kernel, owning
-from planar_pushing.mechanics.cones import CONSISTENT, PIVOTS, UNSOLVED, under_force
+from planar_pushing.mechanics.cones import (
+    CONSISTENT,
+    PIVOTS,
+    UNSOLVED,
+    is_magnitude_open,
+    under_force,
+)
 from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.numerics.arrays import Output, dataset, evaluated, is_labeled, same
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.reduced.magnitude import on_curve, turned
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, Numbers, Scalar, required
+from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.units import named_units
 
 if TYPE_CHECKING:
@@ -102,7 +109,29 @@ def limit_curve(scene: Scene, force_angle: Number) -> Any:
     -------
     LimitCurve, or xarray.Dataset
         A dataset if the angles, or a parameter of the scene, are a DataArray.
+
+    Raises
+    ------
+    InvalidValue
+        If the forces depend on the magnitude of the motion, as with friction and inertia, so that no single
+        curve bounds them.
     """
+    require_one_curve(scene)
+    return curve_of_unit_motions(scene, force_angle)
+
+
+def require_one_curve(scene: Scene) -> None:
+    """Refuse a scene whose forces depend on the magnitude of the motion."""
+    if is_magnitude_open(required_scene(scene)):
+        raise InvalidValue(
+            "limit_curve", " and ".join(type(each).__name__ for each in scene.effects),
+            "a scene whose forces do not depend on the magnitude of its motion",
+            "leave out one effect, or the curve: motion_angle(..., force_ratio=...) takes the magnitude",
+        )  # fmt: skip
+
+
+def curve_of_unit_motions(scene: Scene, force_angle: Number) -> Any:
+    """As `limit_curve`; with friction and inertia, the curve of one of many magnitudes of motion."""
     scene, angle = required_scene(scene), required("force_angle", force_angle)
     require_held(scene)
     slider = scene.slider

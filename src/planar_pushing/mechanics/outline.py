@@ -8,7 +8,7 @@ import numpy as np
 
 from planar_pushing.mechanics.frames import Placement
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.supports.polygon import simple_ring
+from planar_pushing.mechanics.supports.polygon import counterclockwise, simple_ring
 from planar_pushing.terms.errors import InvalidValue
 
 Corners = tuple[tuple[float, float], ...]
@@ -29,10 +29,7 @@ def required_outline(given: Any) -> Corners:
     InvalidValue
         If the outline is not a simple polygon.
     """
-    corners = simple_ring("outline", given)
-    x, y = corners.T
-    if np.dot(x, np.roll(y, -1)) < np.dot(y, np.roll(x, -1)):
-        corners = corners[::-1]
+    corners = counterclockwise(simple_ring("outline", given))
     before, behind = corners - np.roll(corners, 1, axis=0), np.roll(corners, -1, axis=0) - corners
     cross = before[:, 0] * behind[:, 1] - before[:, 1] * behind[:, 0]
     turns = np.abs(cross) > 1e-12 * np.hypot(*before.T) * np.hypot(*behind.T)

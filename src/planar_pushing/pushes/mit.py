@@ -73,9 +73,9 @@ def read_mit(*files: PathLike) -> xr.Dataset:
     -------
     xarray.Dataset
         Dataset like that of `load_pushes`, in mm and without forces. Each file is an object with the file's
-        name without its extension. Pushes that do not touch the object are omitted; their number is the
-        attribute `left_out`. A tip that overlaps the object at the start, with its center outside, touches
-        immediately; this occurs in most of the pushes.
+        name without its extension. Pushes that do not touch the object, or begin with the tip's center
+        inside of it, are omitted; their number is the attribute `left_out`. A tip that overlaps the object
+        at the start, with its center outside, touches immediately; this occurs in most of the pushes.
 
     Raises
     ------

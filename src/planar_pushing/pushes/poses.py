@@ -101,7 +101,8 @@ def pushes_from_poses(
         Largest overlap of finger and object at the start of a push that is attributed to noise; the finger
         then touches immediately. By default 2 % of the size of the outline.
     skip_missed : bool
-        Whether to omit pushes that do not touch the object; their number is then the attribute `left_out`.
+        Whether to omit pushes that do not touch the object or begin deeper in it than the tolerance; their
+        number is then the attribute `left_out`.
 
     Returns
     -------
@@ -113,7 +114,7 @@ def pushes_from_poses(
     ------
     InvalidValue
         If shapes differ, a value is missing, lengths are in different units, a push does not touch the
-        object or begins deeper in it than the tolerance, or a pose jumps.
+        object or begins deeper in it than the tolerance and is not omitted, or a pose jumps.
     """
     corners, names = required_outline(outline), required_units(units)
     frames = _frames(

@@ -151,6 +151,11 @@ def _require_variables(given: xr.Dataset) -> None:
     missing = [each for each in missing if each == "pushed" or VARIABLES[each].required]
     if "finger_path" in given and "path_time" not in given:
         missing.append("path_time")
+    if missing and {"time", "rod_angle", "twist"} <= set(given.variables):
+        raise InvalidValue(
+            "pushes", "a log of simulate, the motion in one push over time", "one entry for each push",
+            "make them with simulate_pushes, pushes_from_poses or planar-pushing convert",
+        )  # fmt: skip
     if missing:
         raise InvalidValue(
             "pushes", f"a dataset without {', '.join(missing)}", "one with every required variable",

@@ -64,8 +64,8 @@ def read_three_feet(*files: PathLike) -> xr.Dataset:
         Dataset like that of `load_pushes`, in mm and N. Each file is an object with the file's name without
         its extension; it has feet, foot weights computed from the center of mass, center of mass, and mass.
         A force is the mean of those samples after the first 30 % that are not weaker than the samples'
-        mean, each along the object's axes at its time. Pushes that do not touch the object are omitted;
-        their number is the attribute `left_out`.
+        mean, each along the object's axes at its time. Pushes that do not touch the object, or begin
+        deep in it, are omitted; their number is the attribute `left_out`.
 
     Raises
     ------

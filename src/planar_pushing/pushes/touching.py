@@ -19,18 +19,22 @@ LISTED = 8
 def touching(
     corners: Corners, path: Path, radius: float, tolerance: float, skip_missed: bool
 ) -> tuple[npt.NDArray[np.intp], Touch, list[Path]]:
-    """Numbers of the pushes that touch the object, all first touches, and the paths after them."""
+    """Numbers of the pushes that touch the object, all first touches, and the paths after them.
+
+    A push that begins deeper in the object than the tolerance counts as one that does not touch it.
+    """
     touch, leg = _first(corners, path, radius, tolerance)
     depth = touch.overlap
-    deep = np.flatnonzero(depth > tolerance + ROUNDING * size(np.array(corners)))
-    if len(deep):
+    inside = depth > tolerance + ROUNDING * size(np.array(corners))
+    deep = np.flatnonzero(inside)
+    if len(deep) and (not skip_missed or inside.all()):
         raise InvalidValue(
             "finger_start",
             f"a finger that begins {depth[deep[0]]:.4g} deep in the object, in pushes {listed(deep)}",
             f"an overlap of at most {tolerance:.4g}",
             "check poses, frame, radius and units, or raise the tolerance",
         )  # fmt: skip
-    rows = np.flatnonzero(np.isfinite(touch.fraction))
+    rows = np.flatnonzero(np.isfinite(touch.fraction) & ~inside)
     after = [after_touch(path, int(row), int(leg[row]), float(touch.fraction[row])) for row in rows]
     forward = [
         one.points[-1] @ touch.normal[row] > 0.0 for row, one in zip(rows, after, strict=True)

@@ -20,11 +20,16 @@ EXTRAS = {
 }
 
 
+def pip_install(extras: str) -> str:
+    """Command that installs extras from the project's folder: the package is in no index."""
+    return f"pip install '.[{extras}]'"
+
+
 def require_extra(extra: str) -> None:
     """Raise `MissingExtra` if a dependency of an extra is not installed, without importing any."""
     missing = [name for name in EXTRAS[extra] if find_spec(name) is None]
     if missing:
         raise MissingExtra(
             f"{', '.join(missing)}: not installed; install the extra {extra}: "
-            f"pip install 'planar-pushing[{extra}]'"
+            f"{pip_install(extra)} in the project's folder"
         )

@@ -22,6 +22,14 @@ SUPPORTS = {
     "triangle": {"shape": "polygon", "vertices": [(0, 0), (3, 0.1), (1, 1)]},
     "clockwise": {"shape": "polygon", "vertices": [(0, 0), (1, 1), (3, 0.1)]},
     "L": {"shape": "polygon", "vertices": [(0, 0), (2, 0), (2, 0.5), (0.5, 0.5), (0.5, 2), (0, 2)]},
+    "frame": {
+        "shape": "polygon",
+        "vertices": [(-1, -1), (1.2, -1), (1, 1), (-0.9, 0.7)],
+        "holes": [
+            [(-0.7, -0.8), (0.2, -0.6), (-0.6, 0.3)],
+            [(0.3, 0.4), (0.5, 0.6), (0.7, 0.1), (0.4, 0.0)],
+        ],
+    },
     "map": MAP,
     "composite": {
         "shape": "composite",

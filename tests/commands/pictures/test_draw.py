@@ -105,7 +105,7 @@ def test_a_perfectly_rough_contact_transmits_every_force(run, tmp_path):
         (["draw", BOTH, "--force-angle", "90", "-o", "scene.svg"],
          "force_angle: 90.0 given; allowed: a scene with one effect"),
         (["draw", BOTH, "--limit-curve", "-o", "scene.svg"],
-         "limit_curve: 'friction and inertia' given; allowed: a scene with one effect; leave"),
+         "limit_curve: 'RingFriction and Inertia' given; allowed: a scene whose forces do not depend on"),
         (["draw", SCENE, "-o", "scene.doc"],
          "output: 'scene.doc' given; allowed: a name ending in .svg"),
         (["draw", SCENE, "--pusher-angle", "1", "--force-angle", "2", "-o", "scene.svg"],

@@ -14,7 +14,7 @@ from planar_pushing.evidence.golden.compare import (
     compare,
     load_tolerances,
 )
-from planar_pushing.evidence.golden.verdict import verdict
+from planar_pushing.evidence.golden.verdict import verdict, verdict_text
 from planar_pushing.evidence.writing import json_text
 
 TOLERANCES = TolerancesFile(tolerances={"every": {"force": Tolerance(absolute=1e-12)}})
@@ -99,6 +99,22 @@ def test_flags_and_labels_must_be_equal(found, wanted):
 )
 def test_what_is_not_a_number_is_compared_too(found, wanted, change, problem):
     assert any(problem in each.problem for each in failed(change(found), wanted))
+
+
+def test_another_study_is_the_first_thing_that_is_said(found, wanted):
+    wanted = wanted.assign_attrs(study_digest="sha256:9e00")
+    assert not failed(found.assign_attrs(study_digest="sha256:9e00"), wanted)
+    checks = failed(found.assign_attrs(study_digest="sha256:d200"), wanted)
+    assert checks[0].problem == "has study_digest 'sha256:d200', not 'sha256:9e00'"
+    said = "FAILED: the study differs from the one of the golden data ("
+    for given, named in (checks, "one"), (2 * checks, "one and 1 more"):
+        first, second, *_ = verdict_text(verdict(given)).splitlines()
+        assert first.startswith(
+            f"{said}{named}); `make golden` shows the differences, `planar-pushing check"
+        )
+        assert second.startswith("FAILED: ")
+    other = failed(found.assign_attrs(study_digest="sha256:9e00", study="other"), wanted)
+    assert said not in verdict_text(verdict(other))
 
 
 def test_versions_of_packages_may_differ(found, wanted):

@@ -18,6 +18,7 @@ from evidence.hard_cases.adversarial import LAWS, angles, scenes
 from evidence.hard_cases.conditions import Pushes, pushes, wrong
 from evidence.hard_cases.decisions import Decision
 from planar_pushing.evidence.hard_cases.cases import make_scene
+from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 from planar_pushing.mechanics.plane import direction
 from planar_pushing.terms.options import EffectSet
 
@@ -136,7 +137,7 @@ def test_edges_of_cones_are_in_order(count):
 def test_forces_of_limit_curves_are_at_most_those_of_translations(effects, count):
     rng = np.random.default_rng(SEED)
     scene, phi = scenes(rng, effects, "infinite", count // 3), angles(rng, count // 3)
-    curve = pp.limit_curve(scene, phi)
+    curve = curve_of_unit_motions(scene, phi)
     most = (scene.weight if scene.friction else 0) + (scene.inertia[0] if scene.masses else 0)
     assert ((curve.magnitude >= 0) & (curve.magnitude <= most * (1 + ROUNDING))).all()
     turn = np.abs(curve.motion_angle - phi)

@@ -32,6 +32,11 @@ def regular(count, radius=1.0):
 SQUARE = rectangle(1.0, 1.0)
 TRIPOD = Points([(1.0, 0.0), (-0.5, np.sqrt(3) / 2), (-0.5, -np.sqrt(3) / 2)], [1.0, 1.0, 1.0])
 STAR = Polygon(regular(14) * np.where(np.arange(14) % 2, 0.4, 1.6)[:, None])
+#: A polygon with two holes, which turn either way.
+FRAME = Polygon(
+    [(-1, -1), (1.2, -1), (1, 1), (-0.9, 0.7)],
+    [[(-0.7, -0.8), (0.2, -0.6), (-0.6, 0.3)], [(0.3, 0.4), (0.5, 0.6), (0.7, 0.1), (0.4, 0.0)]],
+)
 #: A map with one loaded cell and a trace of pressure in two corners.
 PEAK = np.zeros((8, 8))
 PEAK[1, 2], PEAK[0, 0], PEAK[7, 7] = 1.0, 1e-6, 1e-6
@@ -47,6 +52,7 @@ SUPPORTS = {
     "triangle": (Polygon([(0.0, 0.0), (1.0, 1.0), (3.0, 0.1)]), 1),
     "L": (Polygon([(0, 0), (2, 0), (2, 0.5), (0.5, 0.5), (0.5, 2), (0, 2)]), 1),
     "star": (STAR, 1),
+    "frame": (FRAME, 1),
     "20:1": (rectangle(2.0, 0.1), 20),
     "100:1": (rectangle(2.0, 0.02), 100),
     "map": (PressureMap([-1, 0, 0.3, 1], [-1, -0.5, 0.4], [[1.0, 0.0, 2.0], [0.5, 3.0, 1e-3]]), 1),

@@ -103,6 +103,8 @@ def _(support: Segment):
 
 @about.register
 def _(support: Polygon, x, y):
+    if support.holes:
+        return mixed([(sign * load(ring)[2], about(ring, x, y)) for sign, ring in rings(support)])
     d, g_x, g_y = mpf(0), mpf(0), mpf(0)
     for start, end in sides(support.vertices):
         _, h, (t_x, t_y), integral, _, _ = of_edge(start, end, x, y)
@@ -113,12 +115,24 @@ def _(support: Polygon, x, y):
 
 @load.register
 def _(support: Polygon):
+    if support.holes:
+        parts = [(sign * load(ring)[2], load(ring)[:2]) for sign, ring in rings(support)]
+        return *mixed(parts), sum(area for area, _ in parts)
     area, m_x, m_y = mpf(0), mpf(0), mpf(0)
     for (a, b), (c, d) in sides(support.vertices):
         cross = mpf(a) * d - mpf(c) * b
         area += cross / 2
         m_x, m_y = m_x + cross * (mpf(a) + c) / 6, m_y + cross * (mpf(b) + d) / 6
     return m_x / area, m_y / area, area
+
+
+def rings(support):
+    """The polygon without its holes, counted positive, and its holes, counted negative."""
+    whole = [Polygon(each) for each in (support.vertices, *support.holes)]
+    return [
+        ((1 if i == 0 else -1) * (1 if load(each)[2] > 0 else -1), each)
+        for i, each in enumerate(whole)
+    ]
 
 
 def sides(vertices):

@@ -85,10 +85,16 @@ def triangle(a, b, c):
 
 @sampled.register
 def _(support: Polygon):
-    """Triangles from the first vertex; those outside of the polygon count negative."""
-    corners = np.array(support.vertices)
-    fan = [triangle(corners[0], *corners[i : i + 2]) for i in range(1, len(corners) - 1)]
-    return whole([(1.0, each) for each in fan])
+    """Triangles from the first vertex; those outside of the polygon and holes count negative."""
+    outer, *holes = (fan(np.array(each)) for each in (support.vertices, *support.holes))
+    return whole([(1.0, outer), *((-1.0, hole) for hole in holes)])
+
+
+def fan(corners):
+    """Triangles from a first corner, with shares that add to the area between the corners."""
+    parts = [triangle(corners[0], *corners[i : i + 2]) for i in range(1, len(corners) - 1)]
+    places, shares = (np.concatenate(each) for each in zip(*parts, strict=True))
+    return places, shares * np.sign(shares.sum())
 
 
 @sampled.register

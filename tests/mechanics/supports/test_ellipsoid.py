@@ -67,7 +67,10 @@ def test_errors_are_those_of_any_frame_and_unit(name):
     assert 0 < found.mean_motion_error < found.worst_motion_error < np.pi / 2
     if isinstance(support, Polygon):
         turn = np.array([[0.6, -0.8], [0.8, 0.6]])
-        other = fit_ellipsoid(Polygon(100 * np.array(support.vertices) @ turn.T + 7.0))
+        vertices, *holes = (
+            100 * np.array(ring) @ turn.T + 7.0 for ring in (support.vertices, *support.holes)
+        )
+        other = fit_ellipsoid(Polygon(vertices, holes))
         assert other.integration_constant == pytest.approx(
             found.integration_constant, rel=1e-12, abs=0
         )
@@ -76,6 +79,25 @@ def test_errors_are_those_of_any_frame_and_unit(name):
             assert getattr(other, each) == pytest.approx(getattr(found, each), rel=1e-4)
         for each in ("worst_force_error", "worst_motion_error"):
             assert getattr(other, each) == pytest.approx(getattr(found, each), rel=1e-9)
+
+
+@pytest.mark.parametrize("width", [0.1, 0.5, 1e-3, 1e-6])
+def test_the_spin_torque_of_a_square_frame(width):
+    """From the mean distance of a filled square of half side a from its center, C a."""
+    constant = (np.sqrt(2) + np.arcsinh(1)) / 3
+    inner = 1 - width
+    mean = constant * (1 + inner + inner**2) / (1 + inner)
+    frame = Polygon(SQUARE.vertices, [inner * np.array(SQUARE.vertices)])
+    found = fit_ellipsoid(frame).integration_constant
+    assert found == pytest.approx(mean / np.sqrt(2), rel=1e-15 / width, abs=0)
+    if width == 0.1:
+        assert found == pytest.approx(0.771744, abs=5e-7)
+
+
+def test_fits_are_values():
+    assert fit_ellipsoid(SQUARE) == fit_ellipsoid(SQUARE)
+    assert fit_ellipsoid(SQUARE) != fit_ellipsoid(TRIPOD)
+    assert fit_ellipsoid(SQUARE) != "ellipsoid"
 
 
 def test_the_worst_error_of_a_tripod_is_that_of_full_friction_at_a_foot():

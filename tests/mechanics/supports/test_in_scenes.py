@@ -10,6 +10,7 @@ import xarray as xr
 
 import planar_pushing as pp
 from mechanics.supports.cases import SUPPORTS, TRIPOD, rectangle
+from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 
 TWISTS = np.array([(0.3, -0.2, 0.5), (0.0, 0.0, -1.0), (1.0, 0.4, 0.0)])
 BOX = rectangle(2.0, 1.0)
@@ -72,7 +73,7 @@ def test_calls_neither_keep_nor_drop_references_to_the_arrays_of_a_support(more)
     for angle in np.linspace(-1.0, 3.0, 20):
         pp.solve(each, angle)
         pp.motion_cone(each)
-        pp.limit_curve(each, angle)
+        curve_of_unit_motions(each, angle)
     assert len(arrays) > 1
     assert [sys.getrefcount(array) for array in arrays] == before
 

@@ -12,6 +12,7 @@ from mechanics.supports.cases import SUPPORTS
 from planar_pushing.certified.supports.pressure.pieces import pieces as enclosed_pieces
 from planar_pushing.mechanics.entries import support_entry
 from planar_pushing.mechanics.frames import Frame
+from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.study.files.scene_model import SceneFile
 
 ANGLES = [0.0, np.pi / 2, np.pi, 0.7, -2.9]
@@ -137,15 +138,29 @@ def test_points_by_names_and_without_weights():
     assert pp.Points([(0, 0), (1, 0)]).weights == (1.0, 1.0)
 
 
-class Shapely:
-    """Stands in for shapely's polygons and rings, which have these attributes."""
+class Ring:
+    """Stands in for the rings of shapely, with coordinates alone."""
 
     def __init__(self, coords):
         self.coords = coords
 
+
+class Shape:
+    """Stands in for the geometries of shapely that have no coordinates themselves."""
+
     @property
-    def exterior(self):
-        return self
+    def coords(self):
+        raise NotImplementedError("their parts provide coordinates")
+
+
+class Shapely(Shape):
+    def __init__(self, exterior, *interiors):
+        self.exterior, self.interiors = Ring(exterior), [Ring(each) for each in interiors]
+
+
+class Several(Shape):
+    def __init__(self, *geoms):
+        self.geoms = geoms
 
 
 def test_closed_rings_and_shapelys_exteriors():
@@ -154,3 +169,35 @@ def test_closed_rings_and_shapelys_exteriors():
     assert pp.Polygon(ring) == square
     assert pp.Polygon(Shapely(ring)) == square
     assert pp.Polygon(np.array(ring)) == square
+    assert pp.Polygon(Ring(ring)) == square
+    assert pp.Polygon(square) == square
+
+
+def test_the_holes_of_shapely_are_holes_of_a_support_and_not_of_an_outline():
+    ring, hole = [(0, 0), (4, 0), (4, 4), (0, 4), (0, 0)], [(1, 1), (1, 3), (3, 3), (1, 1)]
+    frame, other = pp.Polygon(ring, [hole]), [(3, 1), (3.5, 1), (3.5, 2)]
+    assert frame.holes == (tuple(hole[:-1]),)
+    assert pp.Polygon(Shapely(ring, hole)) == frame == pp.Polygon(frame)
+    assert pp.Polygon(Shapely(ring), [Ring(hole)]) == frame != pp.Polygon(ring)
+    both = pp.Polygon(ring, [hole, other])
+    assert pp.Polygon(Shapely(ring, hole), [other]) == pp.Polygon(frame, [other]) == both
+    assert required_outline(Shapely(ring, hole)) == required_outline(ring)
+
+
+@pytest.mark.parametrize("use", [pp.Polygon, required_outline])
+def test_several_polygons_are_none(use):
+    parts = Several(Shapely([(0, 0), (1, 0), (0, 1)]), Shapely([(2, 0), (3, 0), (2, 1)]))
+    with pytest.raises(pp.InvalidValue, match=r"one polygon.* Composite\(.* in shape\.geoms\]\)"):
+        use(parts)
+
+
+@pytest.mark.parametrize("away", [1e8, 1e9, 1e12])
+def test_an_outline_far_from_the_origin_keeps_its_direction(away):
+    box = np.array([(-0.15, -0.1), (0.15, -0.1), (0.15, 0.1), (-0.15, 0.1)])
+    box *= away / 1e8
+    for turn in np.random.default_rng(3).uniform(0, 2 * np.pi, 50):
+        corners = box + away * np.array([np.cos(turn), np.sin(turn)])
+        for given in (corners, corners[::-1]):
+            found = np.array(required_outline(given))
+            (a, b), (c, d) = found[1] - found[0], found[2] - found[0]
+            assert a * d - b * c > 0

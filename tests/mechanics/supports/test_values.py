@@ -43,11 +43,15 @@ SHAPES = [
         (5 / 6, 5 / 6),
         math.hypot(5, 7) / 6,
     ),
+    (Polygon([(0, 0), (4, 0), (4, 4), (0, 4)], [[(0.5, 0.5), (3.5, 0.5), (3.5, 3.5), (0.5, 3.5)]]),
+     (2, 2), math.sqrt(8)),
+    (Polygon([(0, 0), (4, 0), (4, 4), (0, 4)], [[(2, 1), (2, 3), (3, 3), (3, 1)]]),
+     (27 / 14, 2), math.hypot(29 / 14, 2)),
     (PressureMap([0, 1, 3], [0, 2], [[0, 5]]), (2, 1), math.sqrt(2)),
     (PressureMap([0, 1, 3], [0, 2, 4], [[3, 0], [0, 0.5]]), (0.875, 1.5), math.hypot(2.125, 2.5)),
     (Composite([(3, Disc(1)), (1, Points([(4, 0)], [7]))]), (1, 0), 3),
     (Composite([(1, Ring(1)), (1, Composite([(2, Disc(1, (2, 0)))]))]), (1, 0), 2),
-]
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(("support", "center", "extent"), SHAPES)
@@ -95,6 +99,7 @@ def test_the_direction_of_a_polygon_and_the_unit_of_weights_do_not_matter():
 
 
 NAN, INF = math.nan, math.inf
+TILE, HOLE = [(0, 0), (4, 0), (4, 4), (0, 4)], [(1, 1), (1, 3), (3, 3)]
 BOW_TIE = [(0, 0), (2, 2), (2, 0), (0, 3)]
 #: Of what is refused, words of the message: the name, what was given, what is allowed, what to do.
 REFUSED = [
@@ -128,6 +133,16 @@ REFUSED = [
     (lambda: Polygon([(0, 0), (1, 0), (1, 0), (0, 1)]), ["edges 0 and 1"]),
     (lambda: Polygon([(0, 0), (1, 0), (0, 0)]), ["vertices: ", "at least three vertices"]),
     (lambda: Polygon([(0, 0), (1, 0), (0, 1), (0, 0), (0, 0)]), ["edges 0 and 2", "each once"]),
+    (lambda: Polygon(TILE, 5), ["holes: 5 given", "a sequence of rings"]),
+    (lambda: Polygon(TILE, [(1, 1), (2, 1), (1, 2)]), ["holes[0]: (1, 1) given", "pairs of finite"]),
+    (lambda: Polygon(TILE, [BOW_TIE]), ["holes[0]: ", "do not cross"]),
+    (lambda: Polygon(TILE, [[(1, 1), (5, 1), (1, 2)]]),
+     ["holes[0]: 'from (1, 1) to (5, 1), which meets from (4, 0) to (4, 4)' given", "inside", "Composite"]),
+    (lambda: Polygon(TILE, [[(0, 0), (2, 1), (1, 2)]]), ["holes[0]: 'from (0, 0) to (2, 1), which meets"]),
+    (lambda: Polygon(TILE, [[(5, 5), (6, 5), (5, 6)]]), ["holes[0]: [[5.0, 5.0],", "inside of"]),
+    (lambda: Polygon(TILE, [TILE]), ["holes[0]: 'from (0, 0) to (4, 0), which meets"]),
+    (lambda: Polygon(TILE, [HOLE, [(1.2, 1.2), (1.5, 1.2), (1.2, 1.5)]]), ["holes[1]: ", "apart from"]),
+    (lambda: Polygon(TILE, [[(1.2, 1.2), (1.5, 1.2), (1.2, 1.5)], HOLE]), ["holes[1]: ", "apart from"]),
     (lambda: Polygon.rectangle(0.0, 1.0), ["width: 0.0 given", "> 0"]),
     (lambda: Polygon.rectangle(1.0, INF), ["height: inf given"]),
     (lambda: Polygon.rectangle(1.0, 1.0, angle=NAN), ["angle: nan given", "radians"]),

@@ -22,6 +22,9 @@ SHAPES = {
     "{shape: disc, radius: 2, center: [1, 0]}": pp.Disc(2.0, center=(1, 0)),
     "{shape: annulus, inner: 1, outer: 2}": pp.Annulus(1.0, 2.0),
     "{shape: polygon, vertices: [[0, 0], [2, 0], [0, 1]]}": pp.Polygon([(0, 0), (2, 0), (0, 1)]),
+    "{shape: polygon, vertices: [[0, 0], [4, 0], [0, 4]], holes: [[[1, 1], [2, 1], [1, 2]]]}": (
+        pp.Polygon([(0, 0), (4, 0), (0, 4)], [[(1, 1), (2, 1), (1, 2)]])
+    ),
     "{shape: pressure_map, x: [0, 1, 2], y: [0, 1], pressure: [[1, 2]]}": pp.PressureMap(
         [0, 1, 2], [0, 1], [[1, 2]]
     ),
@@ -66,6 +69,10 @@ REFUSED = {
     "{shape: polygon, vertices: [[0, 0], [1, 0], [1, .nan]]}": (
         ".vertices[2]",
         "[1, nan] given; allowed: two finite numbers",
+    ),
+    "{shape: polygon, vertices: [[0, 0], [4, 0], [0, 4]], holes: [[[1, 1], [2, 1], [1, 4]]]}": (
+        ".holes[0]",
+        "'from (2, 1) to (1, 4), which meets from (4, 0) to (0, 4)' given; allowed: a hole inside of",
     ),
     "{shape: disc, radius: 0}": (".radius", "0 given; allowed: a finite number > 0"),
     "{shape: disc, radius: 1, center: [0, .nan]}": (

@@ -45,6 +45,55 @@ def test_text_that_is_refused(tmp_path, text, said):
     assert len(told) < 300
 
 
+@pytest.mark.parametrize(
+    ("text", "place", "said"),
+    [
+        ("contact: {law: coulomb, friction_coefficient: 0,5}", 47, "friction_coefficient: '0,5'"),
+        (
+            "{contact: {friction_coefficient: -0,05, law: coulomb}}",
+            34,
+            "friction_coefficient: '-0,05'",
+        ),
+        ("slider: {rod_angle: 1,5, rod_length: 2,5}", 21, "rod_angle: '1,5'"),
+        ("a: [{share: 2,0e-1}]", 13, "share: '2,0e-1'"),
+        ("a: {b: {start: 0, stop: 1, step: 0, 1}}", 34, "step: '0,1'"),
+        ("a: {mass: 1,000.5}", 11, "mass: '1,000.5'"),
+        ("a: {mass: 1,5,5}", 11, "mass: '1,5'"),
+    ],
+)
+@pytest.mark.parametrize("load", [load_scene_file, load_study])
+def test_a_decimal_comma_is_named(tmp_path, load, text, place, said):
+    path = tmp_path / "file.yaml"
+    path.write_text(text + "\n", encoding="utf-8")
+    with pytest.raises(InvalidFile) as caught:
+        load(path)
+    assert str(caught.value) == (
+        f"{path}: line 1, column {place}: {said} given; allowed: a number with a decimal point, since a "
+        "comma ends a value; write the point"
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("a: {b: 0, 5: 3}", {"b": 0, 5: 3}), ("a: {b: x, 5}", {"b": "x", 5: None}),
+     ('a: {b: "0", 5}', {"b": "0", 5: None}), ("a: {b: [0,5]}", {"b": [0, 5]}),
+     ("a:\n  b: 0\n  5:\n", {"b": 0, 5: None}), ("a: {b: 2,}", {"b": 2})],
+)  # fmt: skip
+def test_other_commas_end_values(tmp_path, text, value):
+    path = tmp_path / "file.yaml"
+    path.write_text(text, encoding="utf-8")
+    assert yaml_text.read_yaml(path) == {"a": value}
+
+
+@pytest.mark.parametrize("load", [load_scene_file, load_study])
+def test_a_log_is_no_scene_and_no_study(tmp_path, load):
+    path = tmp_path / "log.nc"
+    path.write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(100))
+    said = "is a netCDF4 file, such as a log or a dataset; allowed: a YAML file; give a scene or a study"
+    with pytest.raises(InvalidFile, match=f"^{path}: {said}$"):
+        load(path)
+
+
 def test_many_nested_brackets_are_one_line_too(tmp_path):
     path = tmp_path / "scene.yaml"
     path.write_text("[" * (yaml_text.BYTES // 2), encoding="utf-8")

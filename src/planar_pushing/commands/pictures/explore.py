@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from planar_pushing.commands.words.arguments import Commands, command
+from planar_pushing.terms.errors import require_number
 
 
 def add(commands: Commands) -> None:
@@ -28,6 +29,9 @@ def add(commands: Commands) -> None:
 
 def explored(args: argparse.Namespace) -> dict[str, Any]:
     """Serve the page until it is closed."""
+    # The server, which refuses a port that is not free, takes seconds to import.
+    allowed, remedy = "a whole number up to 65535", "leave it out to use a free port"
+    require_number("port", args.port, lambda port: 0 <= port <= 65535, allowed, remedy)
     from planar_pushing.study.files.scenes import load_scene_file
 
     file = None

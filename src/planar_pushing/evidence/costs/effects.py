@@ -20,7 +20,7 @@ from planar_pushing.evidence.costs.times import seconds, stamped
 from planar_pushing.mechanics.compiled import SLOW
 from planar_pushing.mechanics.cones import motion_cone
 from planar_pushing.mechanics.contact import Coulomb
-from planar_pushing.mechanics.limit_curve import limit_curve
+from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 from planar_pushing.mechanics.plane import direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
@@ -52,7 +52,7 @@ FORCE_ANGLES = np.deg2rad(np.arange(361.0))
 #: Timed operations on a scene: the cone, a curve of 361 points, and every mode of one push.
 OPERATIONS: dict[str, Callable[[Scene], object]] = {
     "motion_cone": motion_cone,
-    "limit_curve": lambda scene: limit_curve(scene, FORCE_ANGLES),
+    "limit_curve": lambda scene: curve_of_unit_motions(scene, FORCE_ANGLES),
     "solve": lambda scene: solve(scene, PUSHER_ANGLE),
 }
 #: Timed datasets of a study.

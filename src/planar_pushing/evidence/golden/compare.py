@@ -27,6 +27,8 @@ from planar_pushing.study.files.scenes import load_model
 Floats = npt.NDArray[np.float64]
 #: Root attribute of a golden file that states how its numbers are known, a `Kind`.
 KIND = "golden_kind"
+#: Beginning of the problem of a result that is of another study than the golden file.
+OTHER_STUDY = "has study_digest "
 #: Attributes of a golden file itself, or of the packages with which a result was computed.
 ASIDE = (
     KIND, "golden_method", "golden_checked_by_integrals", "golden_versions", "golden_precision_bits",

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from typing import Any
 
-from planar_pushing.evidence.golden.compare import Check, Kind
+from planar_pushing.evidence.golden.compare import OTHER_STUDY, Check, Kind
 
 #: Whether all passed, counts of values by kind, and every check, worst first.
 Verdict = dict[str, Any]
@@ -56,12 +56,25 @@ def verdict_text(found: Verdict) -> str:
         if count["values"]
     )
     lines = [
+        *_other_study(found["checks"]),
         "passed: every value agrees" if found["passed"] else failed,
         *counts,
         f"  {found['labels']} other entries are equal: infinite numbers, NaN, texts and flags",
         *([found["note"]] if found["note"] else []),
     ]
     return "\n".join([*lines, "", *map(_line, found["checks"])]) + "\n"
+
+
+def _other_study(checks: list[Mapping[str, Any]]) -> list[str]:
+    """Line that says that the study has changed, if it has."""
+    files = [check["file"] for check in checks if check["problem"].startswith(OTHER_STUDY)]
+    if not files:
+        return []
+    more = f" and {len(files) - 1} more" if len(files) > 1 else ""
+    return [
+        f"FAILED: the study differs from the one of the golden data ({files[0]}{more}); `make golden` "
+        "shows the differences, `planar-pushing check --points N` certifies points of any study"
+    ]
 
 
 def _line(check: Mapping[str, Any]) -> str:

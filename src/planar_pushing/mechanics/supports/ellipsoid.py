@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import pi, sqrt
+from typing import Any
 
 import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, kernel
+from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.supports.base import Position, Support
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.pressure.assembly import assembled
@@ -69,6 +71,9 @@ class EllipsoidFit:
     mean_force_error: float
     worst_motion_error: float
     mean_motion_error: float
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
 
 
 def fit_ellipsoid(support: Support) -> EllipsoidFit:

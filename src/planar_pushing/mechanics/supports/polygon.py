@@ -29,26 +29,43 @@ THINNEST = 1e-12
 
 @dataclass(frozen=True, slots=True)
 class Polygon(Pictured):
-    """Support on a simple polygon, with uniform pressure.
+    """Support on a simple polygon, with or without holes, with uniform pressure.
 
     Parameters
     ----------
     vertices : sequence of pairs, or an object with `coords` or `exterior`
         At least three, in the body frame, clockwise or counterclockwise; the polygon need not be convex.
         The first may be repeated at the end, as in the rings of GeoJSON and shapely.
+    holes : sequence of the same, optional
+        Areas without pressure, each a simple polygon inside of the first and apart from the other holes.
+        The `interiors` of a polygon of shapely are holes, too.
 
     Raises
     ------
     InvalidValue
-        If there are fewer than three vertices, a number is not finite, two edges cross or touch, or the
-        area is zero.
+        If there are fewer than three vertices, a number is not finite, two edges cross or touch, a hole is
+        not inside of the polygon, the area is zero, or the object has several parts.
     """
 
     vertices: Any
+    holes: Any = ()
 
     def __post_init__(self) -> None:
-        found = simple_ring("vertices", self.vertices)
-        object.__setattr__(self, "vertices", tuple((x, y) for x, y in found.tolist()))
+        outer = simple_ring("vertices", self.vertices)
+        inner = [simple_ring(f"holes[{i}]", each) for i, each in enumerate(self._inner())]
+        _require_holes(outer, inner)
+        object.__setattr__(self, "vertices", _pairs(outer))
+        object.__setattr__(self, "holes", tuple(map(_pairs, inner)))
+
+    def _inner(self) -> list[Any]:
+        """The holes that the given vertices have themselves, and those given with them."""
+        own = getattr(self.vertices, "interiors", getattr(self.vertices, "holes", ()))
+        try:
+            return [*own, *self.holes]
+        except TypeError:
+            raise InvalidValue(
+                "holes", self.holes, "a sequence of rings", "give the vertices of each hole"
+            ) from None
 
     @classmethod
     def rectangle(
@@ -66,7 +83,10 @@ class Polygon(Pictured):
 
     def moved(self, frame: Frame) -> Polygon:
         """The same polygon expressed in another frame."""
-        return Polygon([moved_place(each, frame) for each in self.vertices])
+        vertices, *holes = (
+            [moved_place(each, frame) for each in ring] for ring in (self.vertices, *self.holes)
+        )
+        return Polygon(vertices, holes)
 
     @property
     def center_of_pressure(self) -> Position:
@@ -77,19 +97,39 @@ class Polygon(Pictured):
         return extent(self.pieces())
 
     def pieces(self) -> Pieces:
-        vertices = np.array(self.vertices)
-        area = _area(vertices)
-        start = vertices if area > 0 else vertices[::-1]
-        edges = np.empty((len(start), 5))
-        edges[:, :2], edges[:-1, 2:4], edges[-1, 2:4] = start, start[1:], start[0]
-        edges[:, 4] = 1.0 / abs(area)
+        outer, *inner = map(np.array, (self.vertices, *self.holes))
+        pressure = 1.0 / _whole_area(outer, inner)
+        rings = [counterclockwise(outer), *(counterclockwise(each)[::-1] for each in inner)]
+        edges = np.concatenate([_sides(ring) for ring in rings])
+        edges[:, 4] = pressure
         return Pieces(plates=(edges,))
+
+
+def counterclockwise(vertices: Array) -> Array:
+    """Vertices in counterclockwise order."""
+    return vertices if _area(vertices) > 0 else vertices[::-1]
+
+
+def _sides(vertices: Array) -> Array:
+    """Sides of a polygon, with a free fifth column."""
+    edges = np.empty((len(vertices), 5))
+    edges[:, :2], edges[:-1, 2:4], edges[-1, 2:4] = vertices, vertices[1:], vertices[0]
+    return edges
+
+
+def _pairs(vertices: Array) -> tuple[Position, ...]:
+    return tuple((x, y) for x, y in vertices.tolist())
+
+
+def _whole_area(outer: Array, inner: list[Array]) -> float:
+    """Area of a polygon without its holes."""
+    return float(abs(_area(outer)) - sum(abs(_area(each)) for each in inner))
 
 
 @kernel
 @compiled
 def _area(vertices):
-    """Area, positive where the vertices turn counterclockwise."""
+    """Area, positive where the vertices turn counterclockwise; also far from the origin."""
     total, (corner_x, corner_y) = 0.0, vertices[0]
     for i in range(1, len(vertices) - 1):
         x, y = vertices[i, 0] - corner_x, vertices[i, 1] - corner_y
@@ -104,10 +144,17 @@ def simple_ring(name: str, given: Any) -> Array:
     ------
     InvalidValue
         Under this name, if there are fewer than three vertices, a number is not finite, edges cross or
-        touch, or the area is zero.
+        touch, the area is zero, or the object has several parts.
     """
     remedy = "give x and y of each vertex in order"
-    ring = getattr(getattr(given, "exterior", given), "coords", getattr(given, "vertices", given))
+    given = getattr(given, "exterior", given)
+    if hasattr(given, "geoms"):
+        raise InvalidValue(
+            name, given, "one polygon, not an object of several",
+            "as a support give Composite([(each.area, Polygon(each)) for each in shape.geoms]), and as an "
+            "outline the part that is pushed",
+        )  # fmt: skip
+    ring = getattr(given, "coords", getattr(given, "vertices", given))
     found = np.array(positions(name, list(ring) if ring is not given else ring, remedy)).reshape(
         -1, 2
     )
@@ -119,6 +166,43 @@ def simple_ring(name: str, given: Any) -> Array:
     return found
 
 
+def _require_holes(outer: Array, inner: list[Array]) -> None:
+    """Refuse holes that are not inside of a polygon, or not apart from one another."""
+    for i, hole in enumerate(inner):
+        others = inner[:i]
+        for other in (outer, *others):
+            j, k = _touching(hole, other)
+            if j >= 0:
+                _refuse_hole(i, f"{_edge(hole, j)}, which meets {_edge(other, k)}")
+        beside = any(_contains(a, b[0]) for each in others for a, b in ((each, hole), (hole, each)))
+        if beside or not _contains(outer, hole[0]):
+            _refuse_hole(i, hole.tolist())
+    if _whole_area(outer, inner) <= THINNEST * _size(outer) ** 2:
+        raise InvalidValue(
+            "holes", [each.tolist() for each in inner], "holes that leave an area",
+            "use Segment for a support on lines, joined by Composite",
+        )  # fmt: skip
+
+
+def _refuse_hole(number: int, given: Any) -> None:
+    raise InvalidValue(
+        f"holes[{number}]", given, "a hole inside of the polygon and apart from the other holes",
+        "move its vertices, or give the parts around it as a Composite of polygons",
+    )  # fmt: skip
+
+
+def _contains(vertices: Array, place: Array) -> bool:
+    """Whether a polygon contains a position that is not on its edges."""
+    (x, y), (a, b) = (vertices - place).T, (np.roll(vertices, -1, axis=0) - place).T
+    spans = (y > 0) != (b > 0)
+    x, y, a, b = x[spans], y[spans], a[spans], b[spans]
+    return bool(np.count_nonzero((x * b > a * y) == (b > y)) % 2)
+
+
+def _size(vertices: Array) -> float:
+    return float((vertices.max(axis=0) - vertices.min(axis=0)).max())
+
+
 def _require_simple(name: str, vertices: Array) -> None:
     """Refuse a polygon without area, or with edges that meet anywhere but at common vertices."""
     i, j = _crossing(vertices)
@@ -128,8 +212,7 @@ def _require_simple(name: str, vertices: Array) -> None:
             "a simple polygon, whose edges do not cross or touch",
             "order the vertices along the boundary, each once",
         )  # fmt: skip
-    size = (vertices.max(axis=0) - vertices.min(axis=0)).max()
-    if abs(_area(vertices)) <= THINNEST * size**2:
+    if abs(_area(vertices)) <= THINNEST * _size(vertices) ** 2:
         raise InvalidValue(
             name, vertices.tolist(), "a polygon whose area is not zero",
             "use Segment for a support on a line",
@@ -138,12 +221,13 @@ def _require_simple(name: str, vertices: Array) -> None:
 
 def _edges(vertices: Array, i: int, j: int) -> str:
     """Text for two edges, their numbers first because a long message is cut."""
-    ends = [(vertices[each], vertices[(each + 1) % len(vertices)]) for each in (i, j)]
-    one, other = (
-        f"from ({start[0]:.4g}, {start[1]:.4g}) to ({end[0]:.4g}, {end[1]:.4g})"
-        for start, end in ends
-    )
-    return f"edges {i} and {j}, {one} and {other}"
+    return f"edges {i} and {j}, {_edge(vertices, i)} and {_edge(vertices, j)}"
+
+
+def _edge(vertices: Array, i: int) -> str:
+    """Text for an edge."""
+    (a, b), (c, d) = vertices[i], vertices[(i + 1) % len(vertices)]
+    return f"from ({a:.4g}, {b:.4g}) to ({c:.4g}, {d:.4g})"
 
 
 @kernel
@@ -161,6 +245,18 @@ def _crossing(vertices):
             if i == 0 and j == count - 1:
                 meets = _folds(vertices[j], last, vertices[1])
             if meets:
+                return i, j
+    return -1, -1
+
+
+@kernel
+@compiled
+def _touching(one, other):
+    """Numbers of an edge of one polygon and one of another that have a point in common, or -1."""
+    for i in range(len(one)):
+        for j in range(len(other)):
+            end, last = one[(i + 1) % len(one)], other[(j + 1) % len(other)]
+            if _meet(one[i], end, other[j], last):
                 return i, j
     return -1, -1
 

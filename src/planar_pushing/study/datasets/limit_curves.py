@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.mechanics.contact import InfiniteFriction
-from planar_pushing.mechanics.limit_curve import limit_curve
+from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 from planar_pushing.mechanics.plane import direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.datasets.base import axis, over_effects, pushing
@@ -23,7 +23,7 @@ def build(part: Part) -> xr.Dataset:
 
     def curves(effects: tuple[Any, ...]) -> xr.Dataset:
         scene = Scene(slider=slider, contact=InfiniteFriction(), effects=effects)
-        curve = limit_curve(scene, phi)
+        curve = curve_of_unit_motions(scene, phi)
         return xr.Dataset(
             {
                 "force": curve.magnitude,

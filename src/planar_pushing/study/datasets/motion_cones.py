@@ -13,7 +13,7 @@ from planar_pushing.mechanics.cones import (
     motion_cone,
     omits_pushes,
 )
-from planar_pushing.mechanics.limit_curve import limit_curve
+from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.datasets.base import axis, friction_angle, friction_axis, over_effects
 from planar_pushing.study.files.study_model import Part
@@ -36,8 +36,8 @@ def build(part: Part) -> xr.Dataset:
                 "friction_cone_left": np.rad2deg(left) + whole,
                 "motion_cone_right": np.rad2deg(cone.right),
                 "motion_cone_left": np.rad2deg(cone.left),
-                "limit_force_right": limit_curve(scene, right).magnitude,
-                "limit_force_left": limit_curve(scene, left).magnitude,
+                "limit_force_right": curve_of_unit_motions(scene, right).magnitude,
+                "limit_force_left": curve_of_unit_motions(scene, left).magnitude,
                 "pulls": leaves_the_fence(cone),
                 "slips_while_pushing": scene.law.slips & omits_pushes(cone),
             }

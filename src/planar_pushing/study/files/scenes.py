@@ -10,8 +10,9 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 from ruamel.yaml import YAML
 
-from planar_pushing.mechanics.entries import scene_entry
+from planar_pushing.mechanics.entries import is_in_files, scene_entry
 from planar_pushing.mechanics.scene import Scene, required_scene, required_single
+from planar_pushing.mechanics.supports import SHAPES
 from planar_pushing.study.files.fields import FileModel
 from planar_pushing.study.files.object_model import ObjectFile
 from planar_pushing.study.files.replacing import PathLike, replacing
@@ -52,11 +53,18 @@ def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
     Raises
     ------
     InvalidValue
-        If the scene has a law or an effect that scene files cannot represent.
+        If the scene has a law, an effect or a support that scene files cannot represent.
     """
     if not isinstance(title, str):
         raise InvalidValue("title", title, "text", "name the scene")
-    entry = scene_entry(required_single(required_scene(scene)), title)
+    for effect in required_single(required_scene(scene)).effects:
+        support = getattr(effect, "support", None)
+        if support is not None and not is_in_files(support):
+            raise InvalidValue(
+                "support", support, f"the shapes of scene files: {', '.join(SHAPES)}",
+                "describe it by these shapes, for instance as a Composite of them",
+            )  # fmt: skip
+    entry = scene_entry(scene, title)
     save_scene_file(SceneFile.model_validate(entry), require_path("path", path))
 
 

@@ -46,8 +46,8 @@ class Entry(FileModel):
         InvalidValue
             If the keys do not define a valid support.
         """
-        keys = [name for name in type(self).model_fields if name != "shape"]
-        return SHAPES[self.shape](**{name: getattr(self, name) for name in keys})
+        given = {name: value for name, value in self if name != "shape" and value is not None}
+        return SHAPES[self.shape](**given)
 
     @model_validator(mode="after")
     def _makes_one(self) -> Self:
@@ -101,10 +101,11 @@ class AnnulusSupport(Entry):
 
 
 class PolygonSupport(Entry):
-    """A uniform polygon, with its corners in order."""
+    """A uniform polygon, with its corners in order, and those of its holes."""
 
     shape: Literal["polygon"]
     vertices: Points
+    holes: Annotated[tuple[Points, ...], NotEmpty] | None = None
 
 
 class RectangleSupport(Entry):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ from ruamel.yaml import YAML
 from ruamel.yaml.composer import Composer, ComposerError
 from ruamel.yaml.error import YAMLError
 from ruamel.yaml.events import AliasEvent
+from ruamel.yaml.nodes import ScalarNode
 
 from planar_pushing.terms.errors import InvalidFile
 
@@ -17,6 +19,10 @@ from planar_pushing.terms.errors import InvalidFile
 BYTES = 2**18
 #: Maximum number of characters of a value in a message.
 LINE = 120
+#: Digits after a decimal comma.
+FRACTION = re.compile(r"\d[\d.]*([eE][-+]?\d+)?")
+#: First bytes of a netCDF4 file.
+NETCDF4 = b"\x89HDF"
 
 
 class _Plain(Composer):
@@ -27,6 +33,34 @@ class _Plain(Composer):
             event = self.parser.peek_event()
             raise ComposerError(None, None, "aliases are not allowed", event.start_mark)
         return super().compose_node(parent, index)
+
+    def compose_mapping_node(self, anchor: Any) -> Any:
+        node = super().compose_mapping_node(anchor)
+        for (key, value), (rest, nothing) in itertools.pairwise(node.value):
+            if node.flow_style and _is_split(value, rest, nothing):
+                raise _DecimalComma(
+                    str(key.value)[:LINE], f"{value.value},{rest.value}", value.start_mark
+                )
+        return node
+
+
+class _DecimalComma(Exception):
+    """A number with a decimal comma: `{a: 0,5}` is the mapping `{a: 0, 5: null}`."""
+
+    def __init__(self, key: str, given: str, mark: Any) -> None:
+        super().__init__(
+            f"line {mark.line + 1}, column {mark.column + 1}: {key}: {given!r} given; allowed: a number "
+            "with a decimal point, since a comma ends a value; write the point"
+        )
+
+
+def _is_split(value: Any, rest: Any, nothing: Any) -> bool:
+    """Whether a value and the next key, which has no value, look like a number with a decimal comma."""
+    nodes = value, rest, nothing
+    if not all(isinstance(node, ScalarNode) and not node.style for node in nodes):
+        return False
+    first, last = re.fullmatch(r"[-+]?\d+", value.value), re.fullmatch(FRACTION, rest.value)
+    return bool(first and last and not nothing.value)
 
 
 def shown(given: object) -> str:
@@ -41,13 +75,16 @@ def read_yaml(path: Path) -> Any:
     Raises
     ------
     InvalidFile
-        If the file cannot be read, is too large, is not YAML, or has aliases or tags.
+        If the file cannot be read, is too large, is not YAML, has aliases or tags, or has a number with a
+        decimal comma.
     """
     text = _text(path)
     loader = YAML(typ="safe", pure=True)
     loader.Composer = _Plain
     try:
         return loader.load(text)
+    except _DecimalComma as error:
+        raise InvalidFile(f"{path}: {error}") from None
     except YAMLError as error:
         raise InvalidFile(f"{path}: not YAML: {_where(error)}; correct the line") from None
     except (ValueError, TypeError, LookupError, ArithmeticError, AttributeError) as error:
@@ -62,6 +99,9 @@ def _text(path: Path) -> str:
     try:
         with path.open("rb") as stream:
             content = stream.read(BYTES + 1)
+        if content.startswith(NETCDF4):
+            given = "a netCDF4 file, such as a log or a dataset"
+            raise InvalidFile(f"{path}: is {given}; allowed: a YAML file; give a scene or a study")
         if len(content) > BYTES:
             allowed = f"files of at most {BYTES} bytes"
             raise InvalidFile(f"{path}: is too large; allowed: {allowed}; choose another file")

@@ -183,9 +183,16 @@ def _annulus(entry: Entry) -> Pieces:
 
 
 def _polygon(entry: Entry) -> Pieces:
-    corners = list(map(_place, entry["vertices"]))
-    sides = pairwise([*corners, corners[0]])
-    return Pieces(edges=_even([Line(a, b, fmpq(1)) for a, b in sides]))
+    holes = [side for each in entry.get("holes") or () for side in _boundary(each, -1)]
+    return Pieces(edges=_even([*_boundary(entry["vertices"], 1), *holes]))
+
+
+def _boundary(vertices: Sequence[Sequence[float]], pressure: int) -> list[Line]:
+    """Edges of a polygon in which the pressure rises by a number."""
+    corners = list(map(_place, vertices))
+    sides = [Line(a, b, fmpq(pressure)) for a, b in pairwise([*corners, corners[0]])]
+    turns = sum((_wedge(each)[0] for each in sides), fmpq(0)) * pressure
+    return [Line(each.start, each.end, each.share * (1 if turns > 0 else -1)) for each in sides]
 
 
 def _pressure_map(entry: Entry) -> Pieces:

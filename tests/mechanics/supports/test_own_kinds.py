@@ -1,0 +1,115 @@
+"""Supports of a user's own class: they are moved, drawn and simulated, and files refuse them."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+import planar_pushing as pp
+from mechanics.supports.cases import FRAME, SUPPORTS
+from planar_pushing.figures.marks import Area, Dot, Line, Picture
+from planar_pushing.figures.supports import Ink, Pose, add_support
+from planar_pushing.figures.timeline import plotted
+
+POSE = Pose((0.3, -0.2), 0.7, 0.5)
+ALONE = [name for name in SUPPORTS if name not in ("map", "peak", "composite")]
+
+
+class Own:
+    """The pressure of another support."""
+
+    def __init__(self, like):
+        self.like = like
+
+    @property
+    def center_of_pressure(self):
+        return self.like.center_of_pressure
+
+    @property
+    def extent(self):
+        return self.like.extent
+
+    def pieces(self):
+        return self.like.pieces()
+
+
+class Plate(pp.Disc):
+    """A support whose class extends one of the package."""
+
+
+def scene(support):
+    slider = pp.Slider(rod_length=2.0, rod_angle=1.3)
+    effects = (pp.SupportFriction(support=support),)
+    return pp.Scene(slider=slider, contact=pp.Coulomb(0.5), effects=effects)
+
+
+def drawn(support):
+    picture = Picture()
+    add_support(picture, support, POSE, Ink())
+    return picture.marks
+
+
+@pytest.mark.parametrize("name", ALONE)
+def test_it_is_drawn_like_its_pressure(name):
+    support, _ = SUPPORTS[name]
+    marks, wanted = drawn(Own(support)), drawn(support)
+    assert [type(each) for each in marks] == [type(each) for each in wanted]
+    for one, other in zip(marks, wanted, strict=True):
+        if isinstance(one, Area):
+            rings, others = one.rings, other.rings
+        elif isinstance(one, Line):
+            rings, others = [one.points], [other.points]
+        else:
+            assert isinstance(one, Dot)
+            rings, others = [one.place], [other.place]
+        for ring, wanted_ring in zip(
+            rings, others, strict=True
+        ):  # from any vertex, either way around
+            ends = [np.sort(np.round(each, 9), axis=0) for each in (ring, wanted_ring)]
+            if isinstance(one, Line):  # the line of a polygon starts within an edge
+                ends = [np.array([each.min(axis=0), each.max(axis=0)]) for each in ends]
+            assert ends[0] == pytest.approx(ends[1], abs=1e-9)
+
+
+def test_edges_that_are_no_polygon_are_drawn_as_lines():
+    support, _ = SUPPORTS["map"]
+    (edges,) = support.pieces().plates
+    marks = drawn(Own(support))
+    lines = [mark.points for mark in marks if isinstance(mark, Line)]
+    assert len(lines) == len(marks) == len(edges)
+    for line, (a, b, c, d, _) in zip(lines, edges, strict=True):
+        assert line == pytest.approx(POSE.at([(a, b), (c, d)]))
+
+
+@pytest.mark.parametrize(
+    "own", [Own(FRAME), pp.Composite([(2.0, Own(FRAME))])], ids=["own", "member"]
+)
+def test_it_is_simulated_and_no_file_holds_it(own, tmp_path):
+    push = {"pusher": pp.Pusher(velocity=(0.1, 1.0)), "duration": 0.2, "samples": 3}
+    log, wanted = (pp.simulate(scene(each), **push) for each in (own, FRAME))
+    assert np.array_equal(log["rod_angle"], wanted["rod_angle"])
+    (effect,) = json.loads(log.attrs["scene"])["effects"]
+    entry = (
+        effect["support"]["members"][0]["support"]
+        if own.__class__ is not Own
+        else effect["support"]
+    )
+    (plate,) = FRAME.pieces().plates
+    assert entry == {"shape": "Own", "pieces": {"plates": [plate.tolist()]}}
+    assert pp.draw(scene(own), 1.4).figure
+    with pytest.raises(pp.InvalidFile, match=r"support of your own class.* Composite of them"):
+        plotted(log)
+    with pytest.raises(
+        pp.InvalidValue, match=r"support: .*allowed: the shapes of scene files: .*Composite"
+    ):
+        pp.save_scene(scene(own), tmp_path / "scene.yaml")
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_class_that_extends_one_of_the_package_is_ones_own(tmp_path):
+    own = scene(Plate(0.7))
+    assert pp.draw(own, 1.4).figure
+    with pytest.raises(pp.InvalidValue, match=r"support: Plate\(radius=0.7"):
+        pp.save_scene(own, tmp_path / "scene.yaml")
