@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+import threading
 
 import numpy as np
 import pytest
@@ -118,6 +119,31 @@ def test_killed_run_leaves_a_readable_log(tmp_path):
         assert np.isfinite(log.rod_angle).all()
         assert log.rod_angle[-1] < 45.9
         assert unit_of(log.force.attrs) == "force"
+
+
+def test_two_runs_do_not_write_one_log(tmp_path):
+    """The second run, started while the first is writing, is refused; the first one is complete."""
+    path, refusals = tmp_path / "log.nc", []
+
+    def begin():
+        with pytest.raises(pp.InvalidFile) as caught:
+            run(make_scene(2, 0.5), FENCE, 1, path=path)
+        refusals.append(str(caught.value))
+
+    def until(now):
+        if not refusals:
+            begin()
+            thread = threading.Thread(target=begin)
+            thread.start()
+            thread.join()
+        return False
+
+    run(make_scene(2, 0.5), FENCE, 1, path=path).close()
+    with run(make_scene(2, 0.5), FENCE, 1, path=path, until=until) as log:
+        assert log.attrs["finished"] == 1
+        assert np.all(np.diff(log.time) > 0)
+    assert refusals == [f"{path}: another process is writing it; name another file"] * 2
+    assert [each.name for each in tmp_path.iterdir()] == ["log.nc"]
 
 
 def test_progress_is_shown_on_demand(capsys):

@@ -17,6 +17,7 @@ from planar_pushing.study.catalog import (
     TABLES,
     TIMES,
 )
+from planar_pushing.study.files.replacing import replacing
 from planar_pushing.study.running.jobs import run_command
 from planar_pushing.study.store import group_names, open_dataset
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_name
@@ -178,7 +179,8 @@ def main() -> int:
     parser.add_argument("--results", default="results")
     folder = parser.parse_args().results
     path = Path(folder) / "README.md"
-    path.write_text(dictionary_text(folder), encoding="utf-8")
+    with replacing(path) as temporary:
+        temporary.write_text(dictionary_text(folder), encoding="utf-8")
     print(f"wrote {path}")
     return 0
 
