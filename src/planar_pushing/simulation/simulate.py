@@ -94,7 +94,8 @@ def simulate(
         `Scene.placement`, by default the body frame.
     path : path, optional
         File to which the log is streamed. Memory use is then bounded, and the returned dataset reads from
-        the file.
+        the file. An older log of this name is replaced at the start; a run that is interrupted leaves its
+        log up to that time, with the attribute `finished` equal to 0.
     progress : bool
         Whether to show a progress bar.
 
@@ -113,7 +114,7 @@ def simulate(
     InvalidValue
         If a value is not allowed.
     InvalidFile
-        If `path` cannot be written.
+        If `path` cannot be written, or another process is writing it.
     """
     required_single(required_scene(scene))
     require_kind("pusher", pusher, Pusher)
