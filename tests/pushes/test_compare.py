@@ -12,6 +12,7 @@ from planar_pushing.pushes.fitted import fitted_ellipsoid
 from planar_pushing.pushes.measured import measured
 from planar_pushing.pushes.supported import OnSupport
 from pushes.written import TRIANGLE, feet, small
+from simulation.runs import pose_at_the_end
 
 NOISE = (0.5, 0.3, 0.05)
 FEET = feet()[0].support
@@ -113,7 +114,7 @@ def test_errors_against_a_transcription():
     scene = pp.scene_at(own.contact[0], own.normal[0], effects=[friction], contact=pp.Coulomb(0.25))
     pusher = pp.Pusher(velocity=tuple(own.finger[0]), shape="finger", frame="world")
     log = pp.simulate(scene, pusher=pusher, duration=1.0, object_pose=(0, 0, 0))
-    apart = log["object_pose"].values[-1] * [1, 1, np.pi / 180] - own.observed[0]
+    apart = pose_at_the_end(log) - own.observed[0]
     expected = np.hypot(*apart[:2]) + 75 * abs(apart[2])
     assert pose[0] == pytest.approx(expected, abs=1e-3)
 

@@ -95,10 +95,10 @@ def _finger_table() -> Iterator[str]:
 
 
 def _world_table() -> Iterator[str]:
-    """Rows of the variables that a log in the world adds, and of their coordinate."""
+    """Rows of the variables that a log in the world adds."""
     yield "| name | unit | meaning |"
     yield "| --- | --- | --- |"
-    for name in ("object_pose", "pose", "pusher_position"):
+    for name in ("object_position", "object_angle", "pusher_position"):
         unit, meaning = LOG[name]
         yield f"| `{name}` | {unit} | {meaning} |"
 
