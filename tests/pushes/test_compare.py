@@ -51,6 +51,11 @@ def test_the_dataset(found, pushes):
         "seed": 0, "resamples": 200, "reference": "fitted_ellipsoid", "pose_units": "mm",
         "angle_units": "degree", "source": "simulated",
     }  # fmt: skip
+    assert found["error_unit"].dims == ("quantity",)
+    assert found["error_unit"].values.tolist() == ["degree", "degree", "mm"]
+    for name in ("error", "median", "difference_interval"):
+        assert found[name].attrs["component_units"] == "error_unit"
+    assert found["ratio"].attrs["units"] == found["ratio_interval"].attrs["units"] == "1"
     assert found["length"].values.tolist() == [75.0]
     assert not found["at_corner"].any()
     assert found["pushed"].values.tolist() == pushes["pushed"].values.tolist()
