@@ -56,6 +56,15 @@ def test_an_angle_says_radians_in_its_first_line(function, parameter):
     assert "radians" in described(inspect.getdoc(function))[parameter]
 
 
+def test_windows_is_refused_in_one_line():
+    code = "import sys; sys.platform = 'win32'; import planar_pushing"
+    ended = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False
+    )
+    said = "ImportError: planar-pushing does not run on Windows; use it on Linux or macOS"
+    assert ended.stderr.splitlines()[-1] == said
+
+
 def test_the_angles_are_found():
     names = {each.id for each in parameters_that_are_angles()}
     assert names > {

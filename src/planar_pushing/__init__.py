@@ -1,5 +1,10 @@
 """Planar pushing: pulling by pushing, slip with infinite friction, and the mechanics behind them."""
 
+import sys
+
+if sys.platform == "win32":
+    raise ImportError("planar-pushing does not run on Windows; use it on Linux or macOS")
+
 import lazy_loader
 
 __version__ = "1.0.0"

@@ -53,6 +53,7 @@ def test_query_of_solutions_names_the_modes(run, results):
     code, out, _ = run("query", "contact_modes", *asked)
     assert code == 0
     assert "outcome    AMBIGUOUS" in out
+    assert " twist [motion, motion, radian motion/length]\n" in out
     table = out[out.index("mode  consistent") :].splitlines()[2:5]
     assert [line.split()[:2] for line in table] == [
         ["0", "SEPARATE"], ["1", "STICK"], ["2", "SLIP_LEFT"],

@@ -289,6 +289,8 @@ SCENE = {
      "address: slider.rod_length: 'nan' given; allowed: a finite number >= 0"),
     ({"slider.rod_length": "-1"}, "address: slider.rod_length: -1 given; allowed: a finite number >= 0"),
     ({"effects": "[]"}, "address: effects: [] given; allowed: a list with at least one entry"),
+    ({"effects": "[" * 3000}, "address: effects: '[[[["),
+    ({"effects": "[" * 900 + "]" * 900}, "address: effects[0]: "),
     ({"nothing": "1"}, "address: nothing: 1 given; allowed: the keys title, slider,"),
     ({"slider": "3"}, "address: slider: 3 given; allowed: a mapping with the keys rod_length,"),
 ])  # fmt: skip

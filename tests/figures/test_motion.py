@@ -1,5 +1,6 @@
 """Pictures of motion over time: what they show of a log, and their marks."""
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.colors import same_color
@@ -59,6 +60,18 @@ def test_rows_are_spread_over_the_time(logs):
 def test_a_log_without_a_scene_is_refused(logs):
     with pytest.raises(InvalidFile, match="the dataset lacks scene"):
         plotted(logs["figure_15"].assign_attrs(scene="Scene(...)"))
+
+
+@pytest.mark.parametrize("draw", [pp.plot_log, lambda log: pp.animate(log, frames=2)])
+def test_a_log_that_is_not_finished_says_where_it_ends(logs, caplog, draw):
+    log = logs["figure_15"]
+    draw(log)
+    assert not caplog.messages
+    draw(log.isel(time=slice(0, 49)).assign_attrs(finished=np.int8(0)))
+    end, duration = float(log.time[48]), float(log.attrs["duration"])
+    assert caplog.messages == [f"the log is not finished: it ends at {end:g} of {duration:g}"]
+    assert 0 < end < duration
+    plt.close("all")
 
 
 @pytest.mark.parametrize("name", [*LOGS, *OTHERS])

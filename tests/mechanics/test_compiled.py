@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 from pathlib import Path
+from types import SimpleNamespace
 from typing import NamedTuple
 
 import pytest
@@ -98,6 +99,29 @@ def test_the_cache_is_beside_the_sources_or_in_the_users_folder(tmp_path, monkey
     monkeypatch.setattr(core.tempfile, "gettempdir", lambda: str(tmp_path / "__pycache__"))
     with pytest.raises(OSError, match="set XDG_CACHE_HOME"):
         core._folder()
+
+
+@pytest.mark.parametrize("kind", ["group", "others", "owner", "link"])
+def test_a_cache_that_somebody_else_can_write_is_not_taken(tmp_path, monkeypatch, kind):
+    monkeypatch.setattr(core, "PACKAGE", tmp_path)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "own"))
+    folder = core._folder()
+    assert folder.stat().st_mode & 0o022 == 0
+    if kind == "link":
+        folder.rename(tmp_path / "elsewhere")
+        folder.symlink_to(tmp_path / "elsewhere")
+    elif kind == "owner":
+        lstat = Path.lstat
+
+        def owned(path):
+            status = lstat(path)
+            other = os.getuid() + (path == folder)
+            return SimpleNamespace(st_mode=status.st_mode, st_uid=other)
+
+        monkeypatch.setattr(Path, "lstat", owned)
+    else:
+        folder.chmod({"group": 0o775, "others": 0o757}[kind])
+    assert core._folder().parent == tmp_path / "own/planar-pushing"
 
 
 @pytest.fixture

@@ -142,10 +142,12 @@ def test_labeled_solutions_are_a_dataset_with_units():
     }  # fmt: skip
     assert found.xy.values.tolist() == ["x", "y"]
     assert found.twist_component.values.tolist() == ["v_x", "v_y", "omega"]
+    assert found.twist_unit.values.tolist() == ["motion", "motion", "radian motion/length"]
+    assert "units" not in found.twist.attrs
     assert found.length.values.tolist() == ["short", "long"]
     units = {name: unit_of(variable.attrs) for name, variable in found.data_vars.items()}
     assert units == {
-        "solutions": "1", "mode": "1", "force": "force", "twist": "motion",
+        "solutions": "1", "mode": "1", "force": "force", "twist": "twist_unit",
         "contact_motion": "motion", "spin_ratio": "1", "center": "length", "consistent": "1",
         "outcome": "1", "force_end": "force", "pivot": "1", "status": "1", "continuum": "1",
     }  # fmt: skip

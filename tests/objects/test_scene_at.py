@@ -327,10 +327,14 @@ class TestUnits:
         angles = xr.DataArray([1.0, 1.5], dims="push")
         found = pp.solve(self.scene(), angles)
         assert found.force.units == "N"
-        assert found.twist.units == "mm s-1"
+        assert found.twist_unit.values.tolist() == ["mm s-1", "mm s-1", "radian s-1"]
         assert found.center.units == "mm"
         assert "quantity" not in found.force.attrs
-        assert pp.solve(self.scene(pp.Inertia()), angles).contact_motion.units == "mm s-2"
+        dynamic = pp.solve(self.scene(pp.Inertia()), angles)
+        assert dynamic.contact_motion.units == "mm s-2"
+        assert dynamic.twist_unit.values.tolist() == ["mm s-2", "mm s-2", "radian s-2"]
+        motion = pp.motion_of_force(self.scene(), angles)
+        assert motion.twist_unit.values.tolist() == ["mm s-1", "mm s-1", "radian s-1"]
         assert pp.limit_curve(self.scene(), angles).magnitude.units == "N"
         assert pp.motion_centers(self.scene(), angles).units == "mm"
 

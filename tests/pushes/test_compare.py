@@ -12,6 +12,7 @@ from planar_pushing.pushes.fitted import fitted_ellipsoid
 from planar_pushing.pushes.measured import measured
 from planar_pushing.pushes.supported import OnSupport
 from pushes.written import TRIANGLE, feet, small
+from simulation.runs import pose_at_the_end
 
 NOISE = (0.5, 0.3, 0.05)
 FEET = feet()[0].support
@@ -50,6 +51,11 @@ def test_the_dataset(found, pushes):
         "seed": 0, "resamples": 200, "reference": "fitted_ellipsoid", "pose_units": "mm",
         "angle_units": "degree", "source": "simulated",
     }  # fmt: skip
+    assert found["error_unit"].dims == ("quantity",)
+    assert found["error_unit"].values.tolist() == ["degree", "degree", "mm"]
+    for name in ("error", "median", "difference_interval"):
+        assert found[name].attrs["component_units"] == "error_unit"
+    assert found["ratio"].attrs["units"] == found["ratio_interval"].attrs["units"] == "1"
     assert found["length"].values.tolist() == [75.0]
     assert not found["at_corner"].any()
     assert found["pushed"].values.tolist() == pushes["pushed"].values.tolist()
@@ -113,7 +119,7 @@ def test_errors_against_a_transcription():
     scene = pp.scene_at(own.contact[0], own.normal[0], effects=[friction], contact=pp.Coulomb(0.25))
     pusher = pp.Pusher(velocity=tuple(own.finger[0]), shape="finger", frame="world")
     log = pp.simulate(scene, pusher=pusher, duration=1.0, object_pose=(0, 0, 0))
-    apart = log["object_pose"].values[-1] * [1, 1, np.pi / 180] - own.observed[0]
+    apart = pose_at_the_end(log) - own.observed[0]
     expected = np.hypot(*apart[:2]) + 75 * abs(apart[2])
     assert pose[0] == pytest.approx(expected, abs=1e-3)
 

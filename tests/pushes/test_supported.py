@@ -10,6 +10,7 @@ from planar_pushing.pushes.contacts import contacts_of, final_poses
 from planar_pushing.pushes.measured import measured
 from planar_pushing.pushes.supported import OnSupport, body_frames
 from pushes.written import TRIANGLE
+from simulation.runs import pose_at_the_end
 
 #: Feet that do not coincide with the frame's origin, a plate, and both.
 SUPPORTS = {
@@ -74,7 +75,7 @@ def test_a_path_is_followed_part_by_part():
     )
     pusher = pp.Pusher(velocity=[(0.0, (0, 12.0)), (0.5, (6.0, 6.0))], shape="finger")
     log = pp.simulate(scene, pusher=pusher, duration=1.0, object_pose=(0, 0, 0))
-    end = log["object_pose"].values[-1] * [1, 1, np.pi / 180]
+    end = pose_at_the_end(log)
     assert found.poses[0] == pytest.approx(end, abs=1e-3)
     assert found.lasted[0] == pytest.approx(1.0)
 

@@ -44,6 +44,11 @@ def final(log, name):
     return log[name].values[-1]
 
 
+def pose_at_the_end(log):
+    """Last pose of the object in the world: x, y, and the angle in radians."""
+    return np.append(final(log, "object_position"), np.deg2rad(final(log, "object_angle")))
+
+
 def imbalance(log):
     """Work of the fence and of loads less the energy gained and dissipated, at every instant."""
     lost = log.dissipated.sum("effect") + log.contact_dissipated

@@ -139,7 +139,15 @@ def test_without_friction_a_disc_is_a_point_against_the_side_moved_outwards(name
     # The contact may slip in another sense, so each has events of its own.
     rows = [np.searchsorted(log.time, np.linspace(0.0, 0.7, 5) - 1e-9) for log in logs]
     logs = [log.isel(time=each) for log, each in zip(logs, rows, strict=True)]
-    for each in ("object_pose", "pusher_position", "contact_position", "gap", "force", "work"):
+    for each in (
+        "object_position",
+        "object_angle",
+        "pusher_position",
+        "contact_position",
+        "gap",
+        "force",
+        "work",
+    ):
         assert np.allclose(logs[0][each], logs[1][each], atol=1e-8), each
     assert np.ptp(turned(logs[0])) > 1
 

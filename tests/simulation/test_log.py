@@ -5,7 +5,10 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+import threading
+from dataclasses import replace
 
+import h5py
 import numpy as np
 import pytest
 import xarray as xr
@@ -14,6 +17,7 @@ import planar_pushing as pp
 from mechanics.builders import BOTH, FRICTION, make_scene
 from planar_pushing.simulation.events.integrate import EventDriven
 from planar_pushing.simulation.problem import Problem
+from planar_pushing.study.store import write_dataset
 from planar_pushing.terms.quantities import unit_of
 from simulation.runs import final, heading, run
 
@@ -27,8 +31,11 @@ EFFECTS = pytest.mark.parametrize("effects", [FRICTION, BOTH], ids=["friction", 
 def test_every_variable_has_units_and_a_name(method, effects):
     log = run(make_scene(2, 0.5, effects), FENCE, 1, method=method, samples=11)
     for name, variable in log.variables.items():
-        assert variable.attrs["units"], name
         assert variable.attrs["long_name"], name
+        if "units" in variable.attrs:
+            assert variable.attrs["units"], name
+        else:  # each component has its own
+            assert all(log[variable.attrs["component_units"]].values), name
     assert list(log.effect.values) == ["support_friction", "inertia"][: len(effects)]
     assert json.loads(log.attrs["scene"])["contact"]["friction_coefficient"] == 0.5
     assert log.attrs["method"] == method
@@ -118,6 +125,94 @@ def test_killed_run_leaves_a_readable_log(tmp_path):
         assert np.isfinite(log.rod_angle).all()
         assert log.rod_angle[-1] < 45.9
         assert unit_of(log.force.attrs) == "force"
+
+
+LENGTHS = pp.Units(length="mm", force="kN", time="ms")
+
+
+@pytest.mark.parametrize(("units", "twist", "pose"), [
+    (None, ["length/time", "length/time", "radian/time"], "length, length, radian"),
+    (LENGTHS, ["mm ms-1", "mm ms-1", "radian ms-1"], "mm, mm, radian"),
+], ids=["scaled", "named"])  # fmt: skip
+def test_no_variable_mixes_units(tmp_path, units, twist, pose):
+    """A twist has a unit for each component, and a pose in the world is two variables."""
+    scene = replace(make_scene(2, 0.5), units=units)
+    kept = run(scene, FENCE, 0.1, samples=3, object_pose=(1, 2, 3))
+    with run(scene, FENCE, 0.1, samples=3, object_pose=(1, 2, 3), path=tmp_path / "a.nc") as file:
+        for log in (kept, file.load()):
+            assert "units" not in log.twist.attrs
+            assert log.twist.attrs["component_units"] == "twist_unit"
+            assert log.twist_unit.dims == ("twist_component",)
+            assert log.twist_unit.values.tolist() == twist
+            assert log.twist.sel(twist_component="omega").twist_unit.item() == twist[2]
+            assert log.attrs["initial_twist_units"] == ", ".join(twist)
+            assert log.attrs["object_pose_units"] == pose
+            assert unit_of(log.object_position.attrs) == pose.partition(",")[0]
+            assert unit_of(log.object_angle.attrs) == "degree"
+            assert "pose" not in log.dims
+
+
+ATTRIBUTES = {
+    "duration": "f8", "initial_gap": "f8", "initial_twist": "f8", "object_pose": "f8", "rtol": "f8",
+    "stopped_time": "f8", "finished": "i1",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", [int, float, np.int32, np.float32, np.asarray])
+def test_types_of_attributes_do_not_depend_on_what_is_given(tmp_path, kind):
+    two, zero = kind(2), kind(0)
+    options = {
+        "gap": zero, "twist": (zero, zero, zero), "samples": 3, "rtol": np.float32(1e-8),
+        "object_pose": (two, two, zero),
+    }  # fmt: skip
+    run(make_scene(2, 0.5), (0, 0.1), two, path=tmp_path / "file.nc", **options).close()
+    run(make_scene(2, 0.5), (0, 0.1), two, **options).to_netcdf(
+        tmp_path / "saved.nc", engine="h5netcdf"
+    )
+    write_dataset(run(make_scene(2, 0.5), (0, 0.1), two, **options), tmp_path / "written.nc")
+    for name in ("file", "saved", "written"):
+        with h5py.File(tmp_path / f"{name}.nc") as file:
+            found = {each: file.attrs.get_id(each).dtype for each in ATTRIBUTES}
+            assert found == ATTRIBUTES, name
+            assert file.attrs["duration"] == 2
+
+
+def test_a_log_that_the_user_writes_has_no_fill_values_of_coordinates(tmp_path):
+    log = run(make_scene(2, 0.5), FENCE, 1, samples=3)
+    batch = pp.simulate_batch(
+        make_scene(2, 0.5), pp.Pusher(velocity=(0, 0.1)), duration=1, samples=3
+    )
+    with run(make_scene(2, 0.5), FENCE, 1, samples=3, path=tmp_path / "a.nc") as streamed:
+        for name, dataset in (("log", log), ("batch", batch), ("streamed", streamed)):
+            dataset.to_netcdf(tmp_path / f"{name}.nc", engine="h5netcdf")
+            with h5py.File(tmp_path / f"{name}.nc") as file:
+                filled = {each for each in dataset.coords if "_FillValue" in file[each].attrs}
+                assert not filled, name
+
+
+def test_two_runs_do_not_write_one_log(tmp_path):
+    """The second run, started while the first is writing, is refused; the first one is complete."""
+    path, refusals = tmp_path / "log.nc", []
+
+    def begin():
+        with pytest.raises(pp.InvalidFile) as caught:
+            run(make_scene(2, 0.5), FENCE, 1, path=path)
+        refusals.append(str(caught.value))
+
+    def until(now):
+        if not refusals:
+            begin()
+            thread = threading.Thread(target=begin)
+            thread.start()
+            thread.join()
+        return False
+
+    run(make_scene(2, 0.5), FENCE, 1, path=path).close()
+    with run(make_scene(2, 0.5), FENCE, 1, path=path, until=until) as log:
+        assert log.attrs["finished"] == 1
+        assert np.all(np.diff(log.time) > 0)
+    assert refusals == [f"{path}: another process is writing it; name another file"] * 2
+    assert [each.name for each in tmp_path.iterdir()] == ["log.nc"]
 
 
 def test_progress_is_shown_on_demand(capsys):

@@ -17,7 +17,7 @@ def test_a_row_an_instant_and_a_column_a_component():
     table = pp.to_pandas(LOG)
     assert table.index.name == "time"
     assert table.index.tolist() == LOG.time.values.tolist()
-    for name, dim in (("position", "xy"), ("twist", "twist_component"), ("object_pose", "pose"),
+    for name, dim in (("position", "xy"), ("twist", "twist_component"), ("object_position", "xy"),
                       ("dissipated", "effect")):  # fmt: skip
         for i, label in enumerate(LOG[dim].values):
             np.testing.assert_array_equal(table[f"{name}_{label}"], LOG[name].values[:, i])
@@ -25,7 +25,9 @@ def test_a_row_an_instant_and_a_column_a_component():
         np.testing.assert_array_equal(table[name], LOG[name])
     count = sum(int(np.prod(variable.shape[1:])) for variable in LOG.data_vars.values())
     assert table.shape == (LOG.sizes["time"], count)
-    assert {"twist_omega", "dissipated_inertia", "object_pose_angle"} <= set(table.columns)
+    assert {"twist_omega", "dissipated_inertia", "object_position_x", "object_angle"} <= set(
+        table.columns
+    )
 
 
 def test_flags_are_categories_by_name():

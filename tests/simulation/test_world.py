@@ -23,8 +23,10 @@ def box(point=(0.03, -0.1), normal=(0, 1), contact=ROUGH):
 
 def in_world(log, points):
     """Points of the object's frame in the world at every instant, by complex numbers."""
-    x, y, angle = log.object_pose.values.T
-    places = (x + 1j * y) + np.exp(1j * np.deg2rad(angle)) * (np.array(points) @ (1, 1j))
+    x, y = log.object_position.values.T
+    places = (x + 1j * y) + np.exp(1j * np.deg2rad(log.object_angle.values)) * (
+        np.array(points) @ (1, 1j)
+    )
     return np.stack([places.real, places.imag], axis=-1)
 
 
@@ -38,12 +40,13 @@ def test_a_contact_that_sticks_is_where_the_pusher_is(method, shape, point, norm
     pusher = pp.Pusher(velocity=[(0, (0.02, 0.1)), (0.5, (-0.03, 0.1))], shape=shape)
     log = run(scene, pusher, 1.0, method=method, object_pose=pose)
     assert set(log.mode.values) == {pp.ContactMode.STICK}
-    np.testing.assert_allclose(log.object_pose[0], [3.0, -2.0, np.rad2deg(2.3)], rtol=0, atol=1e-13)
+    np.testing.assert_allclose(log.object_position[0], [3.0, -2.0], rtol=0, atol=1e-13)
+    assert float(log.object_angle[0]) == pytest.approx(np.rad2deg(2.3), rel=0, abs=1e-13)
     contact = in_world(log, scene.placement.point)
     np.testing.assert_allclose(
         log.pusher_position, contact, atol=1e-9 if method == "event-driven" else 5e-4
     )
-    assert np.ptp(log.object_pose.sel(pose="angle").values) > 1
+    assert np.ptp(log.object_angle.values) > 1
 
 
 def test_a_finger_that_slips_is_on_the_side_where_the_log_says():
@@ -111,14 +114,15 @@ def test_without_a_placement_the_pose_is_that_of_the_body_frame(method):
     scene = make_scene(2, 1.0, FRICTION, psi=0.9)
     log = run(scene, heading(70), 0.5, method=method, object_pose=(1.0, 2.0, 0.9))
     start = log.position.values - log.position.values[0]
-    np.testing.assert_allclose(log.object_pose[:, :2], np.add(start, (1, 2)), atol=1e-14)
-    np.testing.assert_allclose(log.object_pose[:, 2], log.rod_angle, atol=1e-12)
+    np.testing.assert_allclose(log.object_position, np.add(start, (1, 2)), atol=1e-14)
+    np.testing.assert_allclose(log.object_angle, log.rod_angle, atol=1e-12)
 
 
 def test_the_pose_moves_by_the_twist():
     """Central differences of the pose against the log's twist, taken about the object's origin."""
     log = run(box(), heading(80, 0.1), 1.0, samples=2001, object_pose=(1.0, 2.0, 0.4))
-    x, y, angle = np.gradient(log.object_pose.values, log.time.values, axis=0).T[:, 5:-5]
+    x, y = np.gradient(log.object_position.values, log.time.values, axis=0).T[:, 5:-5]
+    angle = np.gradient(log.object_angle.values, log.time.values)[5:-5]
     twist = log.twist.values[5:-5]
     np.testing.assert_allclose(np.deg2rad(angle), twist[:, 2], atol=1e-6)
     center = np.gradient(in_world(log, (0.4, -0.2)), log.time.values, axis=0)[5:-5]
@@ -128,11 +132,14 @@ def test_the_pose_moves_by_the_twist():
 
 
 def test_a_log_without_a_pose_has_none_and_a_streamed_one_is_the_same(tmp_path):
-    assert not {"object_pose", "pusher_position"} & set(run(box(), (0, 0.1), 0.1))
-    given = {"object_pose": (1, 2, 3), "until": lambda now: now["object_pose"][1] > 2.01}
+    placed = {"object_position", "object_angle", "pusher_position"}
+    assert not placed & set(run(box(), (0, 0.1), 0.1))
+    given = {"object_pose": (1, 2, 3), "until": lambda now: now["object_position"][1] > 2.01}
     kept = run(box(), (0.02, -0.1), 0.3, **given)
     assert kept.attrs["object_pose"].tolist() == [1, 2, 3]
-    assert list(kept.pose.values) == ["x", "y", "angle"]
+    assert kept.attrs["object_pose_units"] == "length, length, radian"
+    assert placed <= set(kept)
+    assert kept.object_angle.attrs["units"] == "degree"
     with run(box(), (0.02, -0.1), 0.3, path=tmp_path / "a.nc", **given) as streamed:
         xr.testing.assert_identical(
             kept.drop_attrs(deep=False), streamed.load().drop_attrs(deep=False)

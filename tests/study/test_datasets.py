@@ -14,6 +14,41 @@ from planar_pushing.study.study_file import load_study
 from study.conftest import OF_PAPER
 
 
+def test_components_of_an_ellipsoid_have_the_units_that_are_stated(sliders):
+    """A support that is ten times as large: the matrix changes by the lengths in its units."""
+    dataset = pp.open_dataset("supports", sliders, study="sliders")
+    powers = {"1": 0, "length": 1, "1/length": -1}
+    exponent = np.subtract.outer(
+        [powers[unit] for unit in dataset.twist_unit.values],
+        [powers[unit] for unit in dataset.wrench_unit.values],
+    )
+    corners = np.array([(0.0, 0.0), (3.0, 0.0), (2.0, 1.0), (0.0, 2.0)])
+    one, ten = (pp.fit_ellipsoid(pp.Polygon(size * corners)).matrix for size in (1.0, 10.0))
+    np.testing.assert_allclose(ten, one * 10.0**exponent, rtol=1e-9, atol=1e-12)
+    assert dataset.ellipsoid.attrs["component_units"] == "twist_unit/wrench_unit"
+    assert "units" not in dataset.ellipsoid.attrs
+
+
+def test_components_of_a_twist_have_the_units_that_are_stated(results):
+    """The same scene in a unit of length a tenth as large, solved again."""
+    dataset = pp.open_dataset(MODES, results)
+    powers = {"motion": 1, "radian motion/length": 0}
+    exponent = [powers[unit] for unit in dataset.twist_unit.values]
+    contact, effects = pp.Coulomb(0.5), (pp.RingFriction(),)
+    twists = [
+        pp.solve(
+            pp.Scene(
+                slider=pp.Slider(rod_length=2 * size, rod_angle=0.8, radius=size),
+                contact=contact, effects=effects,
+            ),
+            1.2, size,
+        )[0].twist
+        for size in (1.0, 10.0)
+    ]  # fmt: skip
+    np.testing.assert_allclose(twists[1], twists[0] * 10.0 ** np.array(exponent), rtol=1e-12)
+    assert "units" not in dataset.twist.attrs
+
+
 @pytest.mark.parametrize("name", OF_PAPER)
 def test_axes_and_variables_are_those_that_are_declared(results, name):
     dataset, entry = pp.open_dataset(name, results), DATASETS[name]

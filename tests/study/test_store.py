@@ -71,6 +71,16 @@ def test_a_file_is_what_xarray_writes(path, tmp_path, group):
         assert ours[name].dtype == variable.dtype
 
 
+@pytest.mark.parametrize("kind", [int, np.int32, np.int64])
+def test_integer_attributes_have_32_bits_if_they_fit(path, kind):
+    given = {"few": kind(-7), "truth": np.int8(1), "real": 2.0}
+    write_dataset(DATASET.assign_attrs(given | {"many": 2**40}), path)
+    with h5py.File(path) as file:
+        types = {name: file.attrs.get_id(name).dtype for name in (*given, "many")}
+        assert types == {"few": "i4", "truth": "i1", "real": "f8", "many": "i8"}
+        assert (file.attrs["few"], file.attrs["many"]) == (-7, 2**40)
+
+
 def test_only_what_is_large_is_compressed(path):
     write_dataset(DATASET, path)
     with h5py.File(path) as file:

@@ -60,7 +60,7 @@ def executed(push, law):
     finger = pp.Pusher(velocity=velocity, shape="finger", frame="world")
     scene = scene_of(push, TRUE, law)
     log = pp.simulate(scene, pusher=finger, duration=1.0, samples=2, object_pose=(0, 0, 0))
-    return log.object_pose.values[-1]
+    return np.append(log.object_position[-1], log.object_angle[-1])
 
 
 def print_support(found):

@@ -130,7 +130,7 @@ def _table(found: xr.Dataset) -> str:
     """Text: the selected values in one line, a line per single value, and a table per set of axes."""
     marks = {}
     for name, variable in found.variables.items():
-        unit = unit_of(variable.attrs)
+        unit = _unit(found, variable)
         marks[name] = str(name) if unit == "1" else f"{name} [{unit}]"
     chosen = [name for name, coord in found.coords.items() if not coord.ndim]
     rest = found.drop_vars(chosen).map(_in_words, keep_attrs=True)
@@ -147,6 +147,13 @@ def _table(found: xr.Dataset) -> str:
         frame.columns = [marks[name] for name in names]
         blocks.append(frame.to_string(max_rows=40, na_rep="none"))
     return "\n".join(blocks)
+
+
+def _unit(found: xr.Dataset, variable: xr.Variable) -> str:
+    """Unit of a variable, or units of its components."""
+    unit = unit_of(variable.attrs)
+    components = found[unit] if unit in found.coords else None
+    return unit if components is None else ", ".join(map(str, components.values.ravel()))
 
 
 def _in_words(variable: xr.DataArray) -> xr.DataArray:

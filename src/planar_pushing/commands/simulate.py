@@ -83,7 +83,11 @@ def add(commands: Commands) -> None:
     example = "scene.yaml --pusher-angle 165 --duration 3 -o log.nc"
     sub = command(commands, "simulate", simulated, about, example)
     add_scene(sub)
-    add_output(sub, "LOG.nc", f"output log; its name ends in {' or '.join(ENDINGS)}")
+    add_output(
+        sub, "LOG.nc",
+        f"output log; its name ends in {' or '.join(ENDINGS)}; an older log of this name is replaced at "
+        "the start, and an interrupted run leaves its log up to that time",
+    )  # fmt: skip
     for name, (kind, metavar, about) in OPTIONS.items():
         sub.add_argument(f"--{name}", type=kind, metavar=metavar, help=about)
     sub.add_argument(

@@ -93,5 +93,5 @@ def _value(given: str) -> Any:
     """Inverse of `_text`; text that is not JSON is returned unchanged."""
     try:
         return json.loads(given)
-    except ValueError:
+    except (ValueError, RecursionError):  # a text of thousands of brackets
         return given

@@ -5,13 +5,16 @@ from __future__ import annotations
 import asyncio
 import gc
 import logging
+import re
 import socket
 import webbrowser
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import panel as pn
 from panel.io.server import get_server
+from tornado.routing import HostMatches, Rule
 
 from planar_pushing.explore.address import state_in
 from planar_pushing.explore.page import Page
@@ -21,6 +24,8 @@ from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.terms.errors import InvalidValue, PlanarPushingError
 
 HOST = "127.0.0.1"
+#: Names of this machine by which the page can be requested.
+HOSTS = (HOST, "localhost")
 FOLDER = Path(__file__).parent
 
 
@@ -32,10 +37,11 @@ class Explorer:
         port = _free(port)
         # Tornado uses the current loop; some versions of Python warn if there is none.
         asyncio.set_event_loop(asyncio.new_event_loop())
-        origins = [f"{name}:{port}" for name in (HOST, "localhost")]
+        origins = [f"{name}:{port}" for name in HOSTS]
         self.server: Any = get_server(
             {"/": self._page}, port, HOST, websocket_origin=origins, title="Planar pushing"
         )
+        _refuse_other_hosts(self.server._tornado)
         for each in self.server._http._sockets.values():
             # Otherwise TCP delays a small message by up to 40 ms, until the previous one is acknowledged.
             each.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
@@ -66,9 +72,7 @@ class Explorer:
 
     def _page(self) -> Any:
         """Create the page of a session."""
-        arguments = {key: each[0].decode() for key, each in pn.state.session_args.items()}
-        given = {key: each for key, each in arguments.items() if not key.startswith("bokeh-")}
-        state, said = self._state(given)
+        state, said = self._state(_decoded(pn.state.session_args))
         page = Page(pn.state.curdoc, state, said, self.stop)
         template = pn.Template((FOLDER / "page.html").read_text(encoding="utf-8"))
         template.add_variable("style", (FOLDER / "page.css").read_text(encoding="utf-8"))
@@ -83,6 +87,23 @@ class Explorer:
             return (state_in(given) if given else self.first), ""
         except PlanarPushingError as error:
             return preset(FIRST), " ".join(str(error).split())
+
+
+def _decoded(arguments: Mapping[str, list[bytes]]) -> dict[str, str]:
+    """Arguments of an address as text, without those of the protocol; other bytes are replaced."""
+    return {
+        key: values[0].decode(errors="replace")
+        for key, values in arguments.items()
+        if not key.startswith("bokeh-")
+    }
+
+
+def _refuse_other_hosts(application: Any) -> None:
+    """Answer only requests to this machine's own names, so that no other site can name this server."""
+    names = "|".join(map(re.escape, HOSTS))
+    application.default_router.rules[:] = [
+        Rule(HostMatches(f"({names})"), application.wildcard_router)
+    ]
 
 
 def _free(port: int) -> int:

@@ -25,7 +25,7 @@ from planar_pushing.figures.motion import add_instant, add_paths, box, pose
 from planar_pushing.figures.render import PathLike
 from planar_pushing.figures.scene import add_center_mark
 from planar_pushing.figures.style import paper_style
-from planar_pushing.figures.timeline import plotted
+from planar_pushing.figures.timeline import announce_end, plotted
 from planar_pushing.study.files.replacing import replacing
 from planar_pushing.terms.errors import InvalidValue, require_number
 from planar_pushing.terms.renamed import renamed_keywords
@@ -62,7 +62,8 @@ def animate(
     Parameters
     ----------
     log : xarray.Dataset
-        Returned by `simulate`.
+        Returned by `simulate`. For the log of a run that did not finish, the package's logger says where
+        the log ends.
     path : path, optional
         File to write, completely or not at all; its name ends in .gif.
     frames : int
@@ -91,7 +92,9 @@ def animate(
         "frames_per_second", frames_per_second, lambda x: 0 < x <= 50, "a number in (0, 50]",
         "slow it down",
     )  # fmt: skip
-    found = Animation(_gif(resampled(plotted(log), frames), frames_per_second), frames)
+    data = plotted(log)
+    announce_end(log)
+    found = Animation(_gif(resampled(data, frames), frames_per_second), frames)
     if path is not None:
         with replacing(path) as temporary:
             temporary.write_bytes(found.gif)

@@ -19,7 +19,7 @@ from planar_pushing.figures.over_time import explain, mark_time, series, strip, 
 from planar_pushing.figures.scene import add_scale, scene_picture
 from planar_pushing.figures.sketch import Sketch, with_curve
 from planar_pushing.figures.style import paper_style
-from planar_pushing.figures.timeline import impacts, plotted
+from planar_pushing.figures.timeline import announce_end, impacts, plotted
 from planar_pushing.figures.words import outcome
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.scene import Scene, required_scene, required_single
@@ -151,7 +151,8 @@ def plot_log(log: xr.Dataset, figure: Figure | None = None) -> Figure:
     Parameters
     ----------
     log : xarray.Dataset
-        Returned by `simulate`.
+        Returned by `simulate`. For the log of a run that did not finish, the package's logger says where
+        the log ends.
     figure : matplotlib.figure.Figure, optional
         Figure to draw on; by default a new one.
 
@@ -165,6 +166,7 @@ def plot_log(log: xr.Dataset, figure: Figure | None = None) -> Figure:
         If the dataset is not a log.
     """
     data = plotted(log)
+    announce_end(log)
     with paper_style():
         own = _new_figure(LOG) if figure is None else figure
         motion_and_series(own, data, impacts(log))

@@ -14,6 +14,7 @@ import numpy as np
 from PIL import Image
 
 from planar_pushing.figures.studies import PUSHES, pictures
+from planar_pushing.study.files.replacing import replacing
 from planar_pushing.study.running.jobs import run_command
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_folder, study_name
 from planar_pushing.study.study_file import load_study
@@ -75,8 +76,8 @@ def main(arguments: list[str] | None = None) -> int:
         if gap > TOLERANCE:
             changed += 1
             if args.write:
-                stored.parent.mkdir(parents=True, exist_ok=True)
-                thumbnail(picture).save(stored, optimize=True)
+                with replacing(stored) as temporary:
+                    thumbnail(picture).save(temporary, format="PNG", optimize=True)
     return 1 if changed else 0
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import logging
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -18,6 +19,7 @@ from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.options import Shape
 from planar_pushing.terms.quantities import described
 
+LOG = logging.getLogger("planar_pushing")
 #: Variables of a log that a picture shows, named path_* in the picture's data.
 PATH = (
     "position",
@@ -82,6 +84,13 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
     if body != Body(support=Ring(float(slider["radius"]))):
         data["path_pivot"] = log["pivot"]
     return data.assign_attrs(scene=log.attrs["scene"], pusher=log.attrs.get("pusher", "[]"))
+
+
+def announce_end(log: xr.Dataset) -> None:
+    """Say where the log of a run ends that has been killed, or goes on."""
+    if not log.attrs.get("finished", 1) and log.sizes["time"]:
+        end, duration = float(log["time"][-1]), float(log.attrs["duration"])
+        LOG.warning("the log is not finished: it ends at %.6g of %.6g", end, duration)
 
 
 def motion_center(log: xr.Dataset) -> xr.DataArray:

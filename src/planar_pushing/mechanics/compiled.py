@@ -64,7 +64,8 @@ def _digest() -> str:
 def _folder() -> Path:
     """Folder of the cache: beside the sources if writable, otherwise in the user's own cache.
 
-    Whoever can write there runs code as the user, so a folder among temporary files must be private.
+    Whoever can write there runs code as the user, so the folder must belong to the user and be closed to
+    the writing of others, and a folder among temporary files must be private.
     """
     users = Path(os.environ.get("XDG_CACHE_HOME") or Path("~/.cache").expanduser())
     name, own = (
@@ -74,20 +75,20 @@ def _folder() -> Path:
     for base in (PACKAGE / "__pycache__", users / "planar-pushing", own):
         with suppress(OSError):
             base.mkdir(mode=0o700 if base == own else 0o777, parents=True, exist_ok=True)
-            if base == own and not _is_private(own):
+            if base == own and not _is_closed(own, 0o077):
                 continue
-            (base / name).mkdir(exist_ok=True)
-            if os.access(base / name, os.W_OK):
+            (base / name).mkdir(mode=0o700, exist_ok=True)
+            if _is_closed(base / name, 0o022) and os.access(base / name, os.W_OK):
                 return base / name
     raise OSError(
         "no private folder for compiled code is writable; set XDG_CACHE_HOME to a folder that is"
     )
 
 
-def _is_private(folder: Path) -> bool:
-    """Whether a path is a folder, not a link, that belongs to the user and is closed to others."""
+def _is_closed(folder: Path, rights: int) -> bool:
+    """Whether a path is a folder, not a link, of the user, to which others do not have these rights."""
     status = folder.lstat()
-    return status.st_uid == os.getuid() and status.st_mode & 0o170077 == stat.S_IFDIR
+    return status.st_uid == os.getuid() and status.st_mode & (0o170000 | rights) == stat.S_IFDIR
 
 
 CACHE = _folder()

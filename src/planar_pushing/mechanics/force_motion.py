@@ -16,7 +16,14 @@ from planar_pushing.mechanics.contact import Status
 from planar_pushing.mechanics.core import Entry
 from planar_pushing.mechanics.derivatives import ForceDerivatives, require_unlabeled
 from planar_pushing.mechanics.effects.base import KINDS, count_fields, is_steady
-from planar_pushing.mechanics.numerics.arrays import Output, dataset, evaluated, is_labeled, same
+from planar_pushing.mechanics.numerics.arrays import (
+    Output,
+    component_labels,
+    dataset,
+    evaluated,
+    is_labeled,
+    same,
+)
 from planar_pushing.mechanics.parameters import (
     Motions,
     Response,
@@ -191,8 +198,7 @@ def motion_of_force(
         require_unlabeled(given)
     results = evaluated(_motions, scene.kinds, given, OUTPUTS)
     if is_labeled(results[0]):
-        labels = {"xy": ["x", "y"], "twist_component": ["v_x", "v_y", "omega"]}
-        found = dataset(results).assign_coords(labels)
+        found = dataset(results).assign_coords(component_labels())
         return named_units(found, scene.units, inertia=scene.stores_energy)
     found = {each.name: result for each, result in zip(OUTPUTS, results, strict=True)}
     by = _derivatives(scene, angle, ratio, found) if derivatives else None

@@ -14,7 +14,7 @@ from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
 from planar_pushing.mechanics.derivatives import Derivatives
 from planar_pushing.mechanics.entries import to_json
-from planar_pushing.mechanics.numerics.arrays import dataset, named, same
+from planar_pushing.mechanics.numerics.arrays import component_labels, dataset, named, same
 from planar_pushing.mechanics.pictures import picture
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.status import BEHIND
@@ -403,4 +403,4 @@ def as_dataset(values: Mapping[str, Any]) -> xr.Dataset:
     outcome = named("outcome", np.minimum(count, Outcome.AMBIGUOUS).astype(np.int8))
     commented = {**values, "mode": mode.assign_attrs(comment=BEHIND)}
     merged: xr.Dataset = dataset([*commented.values(), consistent, outcome])
-    return merged.assign_coords(xy=["x", "y"], twist_component=["v_x", "v_y", "omega"])
+    return merged.assign_coords(component_labels())

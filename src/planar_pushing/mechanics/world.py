@@ -33,8 +33,8 @@ class World(NamedTuple):
     origin: Array
     angle: float
 
-    def object_pose(self, position: Array, rod_angle: Array) -> Array:
-        """Poses of the object in the world, shape S + (3,), angles in degrees.
+    def object_pose(self, position: Array, rod_angle: Array) -> tuple[Array, Array]:
+        """Positions of the object in the world, shape S + (2,), and angles in degrees, shape S.
 
         Parameters
         ----------
@@ -45,8 +45,7 @@ class World(NamedTuple):
         """
         body = Frame((position[..., 0], position[..., 1]), (np.cos(rod_angle), np.sin(rod_angle)))
         place = self.fence.point_out(body.point_out(self.origin))
-        angle = np.rad2deg(rod_angle + self.angle)
-        return np.concatenate([place, np.asarray(angle)[..., None]], axis=-1)
+        return place, np.asarray(np.rad2deg(rod_angle + self.angle))
 
 
 def world_of(scene: Scene, pose: Pose) -> World:

@@ -284,7 +284,13 @@ def _described(
     found["length"] = (
         "object", lengths, {"units": unit, "long_name": "half the extent of the outline"},
     )  # fmt: skip
-    found = found.assign_coords(object=pushes["object"].values)
+    for name, variable in found.data_vars.items():
+        if "quantity" in variable.dims:
+            ratio = str(name).startswith("ratio")
+            variable.attrs |= {"units": "1"} if ratio else {"component_units": "error_unit"}
+    about = {"long_name": "unit of the errors of the quantity"}
+    units = "quantity", ["degree", "degree", unit], about
+    found = found.assign_coords(object=pushes["object"].values, error_unit=units)
     return found.assign_attrs(
         seed=seed, resamples=resamples, reference=REFERENCE, pose_units=unit,
         angle_units="degree", source=str(pushes.attrs.get("source", "")),

@@ -165,12 +165,12 @@ def _pushed(
     )
     if log.attrs["stopped"] or bool(log["parted"].any()):
         return None
-    pose, angle = log["object_pose"].values[:, :2], np.deg2rad(log["object_pose"].values[:, 2])
+    place, angle = log["object_position"].values, np.deg2rad(log["object_angle"].values)
     centers = start + log["time"].values[:, None] * drawn.direction
-    if (nearest(sides, turned(centers - pose, -angle)).gap < radius - slack).any():
+    if (nearest(sides, turned(centers - place, -angle)).gap < radius - slack).any():
         return None  # the finger would pass through another side
     force = _mean_force(log, distance, drawn, angle)
-    return Pushed(start, centers[-1], np.append(pose[-1], angle[-1]), force)
+    return Pushed(start, centers[-1], np.append(place[-1], angle[-1]), force)
 
 
 def _mean_force(log: xr.Dataset, duration: float, drawn: Drawn, angle: Array) -> Array:

@@ -14,7 +14,7 @@ from planar_pushing.mechanics.numerics.arrays import is_labeled
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.simulation.blocks import Fences, Scenes, run_scenes
-from planar_pushing.simulation.log.variables import FINGER, described, variables
+from planar_pushing.simulation.log.variables import FINGER, complete, described, variables
 from planar_pushing.simulation.policies import marked, starts_of
 from planar_pushing.simulation.problem import Problem, sample_count
 from planar_pushing.simulation.pusher import Pusher, constant_fences
@@ -98,7 +98,7 @@ def simulate_batch(
         if label not in given.own:
             about = described(quantities.BATCH, str(label), problem.scene.units)
             variable.attrs = about or variable.attrs
-    return dataset
+    return complete(dataset)
 
 
 class Given(NamedTuple):

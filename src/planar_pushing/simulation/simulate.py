@@ -17,7 +17,7 @@ from planar_pushing.mechanics.scene import Scene, required_scene, required_singl
 from planar_pushing.simulation.events.integrate import EventDriven
 from planar_pushing.simulation.log.disk import PathLike
 from planar_pushing.simulation.log.stream import streaming
-from planar_pushing.simulation.log.variables import dataset
+from planar_pushing.simulation.log.variables import complete, dataset
 from planar_pushing.simulation.problem import Problem, sample_count
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.steps.integrate import TimeStepping
@@ -89,12 +89,13 @@ def simulate(
         time-stepping, the run stops at the end of a step, and events are not located.
     object_pose : (x, y, angle), optional
         Pose of the object's frame in the world at time 0, the angle in radians. With it, the log contains
-        `object_pose`, with angles in degrees, and `pusher_position`, the position of the finger's center or
-        of the point of the fence that is under the contact at time 0. The object's frame is that of
-        `Scene.placement`, by default the body frame.
+        `object_position`, `object_angle` in degrees, and `pusher_position`, the position of the finger's
+        center or of the point of the fence that is under the contact at time 0. The object's frame is that
+        of `Scene.placement`, by default the body frame.
     path : path, optional
         File to which the log is streamed. Memory use is then bounded, and the returned dataset reads from
-        the file.
+        the file. An older log of this name is replaced at the start; a run that is interrupted leaves its
+        log up to that time, with the attribute `finished` equal to 0.
     progress : bool
         Whether to show a progress bar.
 
@@ -113,7 +114,7 @@ def simulate(
     InvalidValue
         If a value is not allowed.
     InvalidFile
-        If `path` cannot be written.
+        If `path` cannot be written, or another process is writing it.
     """
     required_single(required_scene(scene))
     require_kind("pusher", pusher, Pusher)
@@ -139,7 +140,7 @@ def simulate(
         for rows in _shown(run, duration, progress):
             stream.append(rows)
         stream.end(run.stopped, rows["time"][-1])
-    return xr.open_dataset(path, engine="h5netcdf")
+    return complete(xr.open_dataset(path, engine="h5netcdf"))
 
 
 def _run(problem: Problem, method: str, times: Array, step: float | None, until: Any) -> Any:

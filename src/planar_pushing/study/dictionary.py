@@ -17,6 +17,7 @@ from planar_pushing.study.catalog import (
     TABLES,
     TIMES,
 )
+from planar_pushing.study.files.replacing import replacing
 from planar_pushing.study.running.jobs import run_command
 from planar_pushing.study.store import group_names, open_dataset
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_name
@@ -94,10 +95,10 @@ def _finger_table() -> Iterator[str]:
 
 
 def _world_table() -> Iterator[str]:
-    """Rows of the variables that a log in the world adds, and of their coordinate."""
+    """Rows of the variables that a log in the world adds."""
     yield "| name | unit | meaning |"
     yield "| --- | --- | --- |"
-    for name in ("object_pose", "pose", "pusher_position"):
+    for name in ("object_position", "object_angle", "pusher_position"):
         unit, meaning = LOG[name]
         yield f"| `{name}` | {unit} | {meaning} |"
 
@@ -178,7 +179,8 @@ def main() -> int:
     parser.add_argument("--results", default="results")
     folder = parser.parse_args().results
     path = Path(folder) / "README.md"
-    path.write_text(dictionary_text(folder), encoding="utf-8")
+    with replacing(path) as temporary:
+        temporary.write_text(dictionary_text(folder), encoding="utf-8")
     print(f"wrote {path}")
     return 0
 

@@ -45,13 +45,27 @@ def write_dataset(built: xr.Dataset | dict[str, xr.Dataset], path: PathLike) -> 
     """
     groups = {"/": built} if isinstance(built, xr.Dataset) else built
     # Drop encodings inherited from other files.
-    tree = xr.DataTree.from_dict({name: each.drop_encoding() for name, each in groups.items()})
+    plain = {name: each.drop_encoding() for name, each in groups.items()}
+    tree = xr.DataTree.from_dict(
+        {name: each.assign_attrs(_attributes(each.attrs)) for name, each in plain.items()}
+    )
     encoding = {
         node.path: {name: _encoding(each) for name, each in node.variables.items()}
         for node in tree.subtree
     }
     with replacing(path) as temporary:
         tree.to_netcdf(temporary, engine=ENGINE, encoding=encoding)
+
+
+def _attributes(attrs: Mapping[Any, Any]) -> dict[Any, Any]:
+    """Attributes with integers of 32 bits if they fit, since not every reader has attributes of 64."""
+    limits = np.iinfo(np.int32)
+    return {
+        name: np.int32(each)
+        if isinstance(each, (int, np.int64)) and limits.min <= each <= limits.max
+        else each
+        for name, each in attrs.items()
+    }
 
 
 def _encoding(variable: xr.Variable) -> dict[str, Any]:

@@ -17,8 +17,17 @@ GLOBAL = {
     "license": "MIT",
 }
 
-#: Name: (units, long name). "1" is the unit of a ratio, a count, a flag or a label.
+#: Name: (units, long name). "1" is the unit of a ratio, a count, a flag or a label. A variable with
+#: components of several units has the name of the coordinate that holds them, from `COMPONENT_UNITS`.
 Quantities = dict[str, tuple[str, str]]
+
+#: Labels of the components of a twist.
+TWIST = ("v_x", "v_y", "omega")
+#: Units of these components, in the coordinate `twist_unit`: in results of the mechanics, and in a log.
+TWIST_UNITS = ("motion", "motion", "radian motion/length")
+LOG_TWIST_UNITS = ("length/time", "length/time", "radian/time")
+#: Units of a variable with components: of a twist, or of a matrix that maps wrenches to twists.
+COMPONENT_UNITS = ("twist_unit", "twist_unit/wrench_unit")
 
 #: Variables of a dataset.
 DATASET: Quantities = {
@@ -119,11 +128,9 @@ DATASET: Quantities = {
     "support_motion": ("motion", "motion of a point of the ring"),
     "status": ("1", "status of the solutions"),
     "time": ("s", "duration of one run"),
-    "twist": (
-        "motion",
-        "twist of the slider at its center; the rotation in radians, in motion/length",
-    ),
+    "twist": ("twist_unit", "twist of the slider at its center"),
     "twist_component": ("1", "component of the twist"),
+    "twist_unit": ("1", "unit of the component of the twist"),
     "xy": ("1", "along the fence, normal to the fence"),
 }
 #: Variables of the log of a simulation; a name can have another meaning than in a dataset.
@@ -139,21 +146,17 @@ LOG: Quantities = {
     "gap": ("length", "height of the contact point above the fence"),
     "kinetic_energy": ("force length", "kinetic energy of the slider"),
     "load_work": ("force length", "work of the loads on the slider, accumulated"),
-    "object_pose": (
+    "object_angle": ("degree", "angle of the object's frame in the world, unwrapped"),
+    "object_position": (
         "length",
-        "pose of the object's frame in the world; its angle in degrees, unwrapped",
+        "origin of the object's frame in the world, along the world's axes",
     ),
     "pivot": ("1", "number of the support point about which the slider pivots, -1 without one"),
-    "pose": ("1", "component of a pose"),
     "position": ("length", "slider's center, from the contact at time 0"),
     "pusher_position": ("length", "position of the pusher in the world, along the world's axes"),
     "rod_angle": ("degree", "rod angle, unwrapped"),
     "slip": ("length", "slip of the contact along the fence, accumulated"),
     "time": ("time", "time"),
-    "twist": (
-        "length/time",
-        "twist of the slider at its center, rotation in radians per time",
-    ),
     "work": ("force length", "work of the fence on the slider, accumulated"),
 }
 #: Variables of the log of a simulation with a finger.
@@ -204,7 +207,7 @@ SLIDERS: Quantities = {
     "description": ("1", "the support in the form of scene files, as JSON"),
     "edge": ("1", "edge of the cone"),
     "ellipsoid": (
-        "1",
+        "twist_unit/wrench_unit",
         "matrix M of the ellipsoid that replaces the support: wrenches w about the center of pressure with "
         "w . M w = 1 cause motions along M w, per unit weight",
     ),
@@ -231,6 +234,7 @@ SLIDERS: Quantities = {
         "largest angle between the ellipsoid's motion and the support's",
     ),
     "wrench_component": ("1", "component of a wrench"),
+    "wrench_unit": ("1", "unit of the component of a wrench per unit weight"),
 }
 
 #: Variables of the dataset `evaluations`; a name can have another meaning than in the others.
@@ -307,7 +311,12 @@ READABLE = {
 
 
 def described(unit: str, long_name: str) -> dict[str, str]:
-    """Attributes of a variable: a UDUNITS unit, the scaled quantity if any, and the long name."""
+    """Attributes of a variable: a UDUNITS unit, the scaled quantity if any, and the long name.
+
+    A variable with components of several units names the coordinate that holds them.
+    """
+    if unit in COMPONENT_UNITS:
+        return {"component_units": unit, "long_name": long_name}
     if unit not in READABLE:
         return {"units": unit, "long_name": long_name}
     return {"units": READABLE[unit], "quantity": unit, "long_name": long_name}
@@ -320,4 +329,5 @@ def attributes(quantities: Quantities, name: str) -> dict[str, str]:
 
 def unit_of(attrs: Mapping[str, Any]) -> str:
     """Unit of a variable in readable form: the quantity if its numbers are scaled."""
-    return str(attrs.get("quantity", attrs.get("units", "1")))
+    names = ("quantity", "units", "component_units")
+    return next((str(attrs[name]) for name in names if name in attrs), "1")

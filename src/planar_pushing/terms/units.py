@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, fields
 from typing import Any
 
@@ -48,6 +49,8 @@ class Units:
             "force length": f"{self.force} {self.length}",
             "length/time": f"{self.length} {self.time}-1",
             "force/radian": f"{self.force} radian-1",
+            "radian/time": f"radian {self.time}-1",
+            "radian motion/length": f"radian {self.time}-{2 if inertia else 1}",
         }
         return units.get(quantity, quantity)
 
@@ -58,7 +61,17 @@ def named_units(found: Any, units: Units | None, *, inertia: bool = False) -> An
         return found
     for each in (found, *getattr(found, "variables", {}).values()):
         each.attrs = with_units(dict(each.attrs), units, inertia=inertia)
+    if "twist_unit" in found.coords:
+        named = unit_names(found["twist_unit"].values.tolist(), units, inertia=inertia)
+        found = found.assign_coords(twist_unit=("twist_component", named))
     return found
+
+
+def unit_names(
+    quantities: Iterable[str], units: Units | None, *, inertia: bool = False
+) -> list[str]:
+    """Units of quantities; without the units of a scene, the quantities."""
+    return [each if units is None else units.of(each, inertia=inertia) for each in quantities]
 
 
 def with_units(

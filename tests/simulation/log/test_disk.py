@@ -1,7 +1,10 @@
-"""A file for HDF5 on a disk that fills up."""
+"""A file for HDF5: on a disk that fills up, and under several writers and readers."""
 
 import errno
+import re
 import resource
+import subprocess
+import sys
 from contextlib import contextmanager
 
 import h5py
@@ -10,6 +13,7 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.simulation.log.disk import new_file
+from planar_pushing.study.files.replacing import replacing
 
 
 @contextmanager
@@ -60,3 +64,55 @@ def test_a_place_that_cannot_be_written(tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(pp.InvalidFile, match="cannot be written"):
         write(tmp_path / "file" / "log.nc", 1)
+
+
+def test_a_second_writer_is_refused_before_anything_is_lost(tmp_path):
+    path, link = tmp_path / "file.nc", tmp_path / "link.nc"
+    link.symlink_to(path)
+    with new_file(path) as disk, h5py.File(disk, "w") as file:
+        file["part"] = np.arange(3)
+        file.flush()
+        content = path.read_bytes()
+        for name in (path, link):
+            said = f"{name}: another process is writing it; name another file"
+            with pytest.raises(pp.InvalidFile, match=re.escape(said)):
+                write(name, 1)
+        assert path.read_bytes() == content
+        file["other"] = np.arange(5)
+    with h5py.File(path) as file:
+        assert sorted(file) == ["other", "part"]
+    write(link, 2)
+    assert link.is_symlink()
+    with h5py.File(path) as file:
+        assert sorted(file) == ["part_0", "part_1"]
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["file.nc", "link.nc"]
+
+
+def test_another_process_reads_while_it_is_written(tmp_path):
+    reads = "import h5py; print(h5py.File('file.nc')['part'][:].tolist())"
+    with new_file(tmp_path / "file.nc") as disk, h5py.File(disk, "w") as file:
+        file["part"] = np.arange(3)
+        file.flush()
+        found = subprocess.run(
+            [sys.executable, "-c", reads], cwd=tmp_path, capture_output=True, text=True, check=True
+        )
+    assert found.stdout == "[0, 1, 2]\n"
+
+
+def test_a_dataset_and_a_log_of_one_name_are_not_written_at_once(tmp_path):
+    path = tmp_path / "file.nc"
+    busy = pytest.raises(pp.InvalidFile, match="another process is writing it")
+    with new_file(path), busy, replacing(path):
+        pass
+    with replacing(path), busy, new_file(path):
+        pass
+    assert path.stat().st_size == 0
+
+
+def test_a_link_in_the_place_of_the_lock_is_not_followed(tmp_path):
+    victim = tmp_path / "victim"
+    victim.write_text("keep")
+    (tmp_path / ".file.nc.lock").symlink_to(victim)
+    write(tmp_path / "file.nc", 1)
+    assert victim.read_text() == "keep"
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["file.nc", "victim"]

@@ -21,7 +21,7 @@ import numpy.typing as npt
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.status import FLAGS, flag_attributes
 from planar_pushing.terms.errors import InvalidValue
-from planar_pushing.terms.quantities import MECHANICS, attributes
+from planar_pushing.terms.quantities import MECHANICS, TWIST, TWIST_UNITS, attributes
 
 #: Rows per block: 1 to 100 ms of work, so that Ctrl-C is noticed and threads cost little.
 BLOCK = 32768
@@ -164,6 +164,12 @@ def named(name: str, value: Any) -> Any:
         return value
     flags = flag_attributes(FLAGS[name]) if name in FLAGS else {}
     return value.rename(name).assign_attrs(attributes(MECHANICS, name) | flags)
+
+
+def component_labels() -> dict[str, Any]:
+    """Coordinates of vectors and twists: the labels of their components, and the units of a twist."""
+    twist = "twist_component"
+    return {"xy": ["x", "y"], twist: list(TWIST), "twist_unit": (twist, list(TWIST_UNITS))}
 
 
 def same(one: Any, other: Any) -> Any:

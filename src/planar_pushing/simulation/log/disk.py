@@ -13,16 +13,16 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from planar_pushing.terms.errors import InvalidFile
+from planar_pushing.terms.locks import PathLike, sole_writer, unwritable
 
-PathLike = str | os.PathLike[str]
+__all__ = ["Disk", "PathLike", "new_file"]
 
 
 class Disk(io.FileIO):
-    """A new unbuffered file that stores its first write error."""
+    """An empty unbuffered file that stores its first write error."""
 
     def __init__(self, path: PathLike) -> None:
-        super().__init__(path, "w+")
+        super().__init__(path, "w+", opener=_opened)
         self.failure: OSError | None = None
 
     def write(self, data: Any) -> int:
@@ -50,30 +50,33 @@ class Disk(io.FileIO):
 
 @contextmanager
 def new_file(path: PathLike) -> Iterator[Disk]:
-    """Open a new file at `path`, whose folder is created; remove the file if it cannot be written.
+    """Open an empty file at `path`, whose folder is created; remove the file if it cannot be written.
+
+    The file is written in place, so that others can read it in the meantime. If `path` is a link, the file
+    is the one that it names.
 
     Raises
     ------
     InvalidFile
-        If the file cannot be written.
+        If the file cannot be written, or another process or thread is writing it.
     """
-    target = Path(path)
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        disk = Disk(target)
-    except OSError as error:
-        raise _unwritable(path, error) from None
-    try:
-        with disk:
-            yield disk
-        disk.check()
-    except Exception:  # HDF5 can fail in any way on an incomplete file
-        if disk.failure is None:
-            raise
-        target.unlink()
-        raise _unwritable(path, disk.failure) from None
+    target = Path(os.path.realpath(path))
+    with sole_writer(target, path):
+        try:
+            disk = Disk(target)
+        except OSError as error:
+            raise unwritable(path, error) from None
+        try:
+            with disk:
+                yield disk
+            disk.check()
+        except Exception:  # HDF5 can fail in any way on an incomplete file
+            if disk.failure is None:
+                raise
+            target.unlink()
+            raise unwritable(path, disk.failure) from None
 
 
-def _unwritable(path: PathLike, error: OSError) -> InvalidFile:
-    reason = error.strerror or error
-    return InvalidFile(f"{path}: cannot be written ({reason}); name another file")
+def _opened(path: str, flags: int) -> int:
+    """Open a file that may have been exchanged for a link since the links were resolved."""
+    return os.open(path, flags | os.O_NOFOLLOW, 0o666)

@@ -73,17 +73,20 @@ def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]
 def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
     coordinates, table = log.coordinates(problem), log.table_of(problem.shape)
     units = problem.scene.units
-    file.dimensions = {"time": None} | {name: len(each) for name, each in coordinates.items()}
-    file.attrs.update(log.attributes(problem, method) | {"finished": 0})
+    sizes = {dim: len(labels) for dim, labels in coordinates.values()}
+    file.dimensions = {"time": None} | sizes
+    file.attrs.update(log.beginning(problem, method))
     time = file.create_variable("time", ("time",), "f8", chunks=(CHUNK,))
     time.attrs.update(log.described(table, "time", units))
-    for name, labels in coordinates.items():
-        label = file.create_variable(name, (name,), h5py.string_dtype())
+    for name, (dim, labels) in coordinates.items():
+        label = file.create_variable(name, (dim,), h5py.string_dtype())
         label[:] = labels
         label.attrs.update(log.described(table, name, units))
     for name, (dims, dtype) in log.variables(problem).items():
-        chunks = CHUNK, *(len(coordinates[dim]) for dim in dims)
+        chunks = CHUNK, *(sizes[dim] for dim in dims)
         # netCDF has no booleans; xarray stores them as bytes with this attribute, and so do we.
         stored, truth = ("i1", {"dtype": "bool"}) if dtype == "?" else (dtype, {})
         created = file.create_variable(name, ("time", *dims), stored, chunks=chunks)
-        created.attrs.update(log.described(table, name, units) | truth)
+        beside = [each for each, (dim, _) in coordinates.items() if each != dim and dim in dims]
+        named = {"coordinates": " ".join(beside)} if beside else {}
+        created.attrs.update(log.described(table, name, units) | truth | named)

@@ -20,7 +20,8 @@ from planar_pushing.simulation.rows import NO_MODE, Stop
 from planar_pushing.simulation.systems.setup import order_of
 from planar_pushing.terms import quantities
 from planar_pushing.terms.options import EffectKind, Event, Shape
-from planar_pushing.terms.units import Units, with_units
+from planar_pushing.terms.quantities import LOG_TWIST_UNITS
+from planar_pushing.terms.units import Units, unit_names, with_units
 
 #: Dimensions after time, and types, of the variables of the log.
 VARIABLES: dict[str, tuple[tuple[str, ...], str]] = {
@@ -51,7 +52,8 @@ FINGER: dict[str, tuple[tuple[str, ...], str]] = {
 }
 #: Additional variables for an object with a given pose in the world.
 PLACED: dict[str, tuple[tuple[str, ...], str]] = {
-    "object_pose": (("pose",), "f8"),
+    "object_position": (("xy",), "f8"),
+    "object_angle": ((), "f8"),
     "pusher_position": (("xy",), "f8"),
 }
 #: Additional variables for a slider with loads.
@@ -93,8 +95,10 @@ def _placed(rows: Any, problem: Problem) -> dict[str, Any]:
     """Poses of the object and positions of the pusher in the world."""
     if problem.world is None:
         return {}
+    position, angle = problem.world.object_pose(rows["position"], rows["rod_angle"])
     return {
-        "object_pose": problem.world.object_pose(rows["position"], rows["rod_angle"]),
+        "object_position": position,
+        "object_angle": angle,
         # At time 0 the center of a finger is one radius below the contact.
         "pusher_position": problem.world.fence.point_out(
             rows["pusher"] - (0.0, problem.pusher.radius)
@@ -125,15 +129,15 @@ def _name_of(effect: Any) -> EffectKind:
     return kinds.get(type(effect), EffectKind.SUPPORT_FRICTION)
 
 
-def coordinates(problem: Problem) -> dict[str, list[str]]:
-    """Labels along the dimensions other than time."""
+def coordinates(problem: Problem) -> dict[str, tuple[str, list[str]]]:
+    """Labels along the dimensions other than time, each with its dimension, and units of components."""
     names = [str(_name_of(effect)) for effect in problem.scene.effects]
     repeated = [name if names.count(name) == 1 else f"{name}_{i}" for i, name in enumerate(names)]
     return {
-        "xy": ["x", "y"],
-        "twist_component": ["v_x", "v_y", "omega"],
-        "effect": repeated,
-        **({} if problem.object_pose is None else {"pose": ["x", "y", "angle"]}),
+        "xy": ("xy", ["x", "y"]),
+        "twist_component": ("twist_component", list(quantities.TWIST)),
+        "twist_unit": ("twist_component", unit_names(LOG_TWIST_UNITS, problem.scene.units)),
+        "effect": ("effect", repeated),
     }
 
 
@@ -158,6 +162,7 @@ def attributes(problem: Problem, method: str) -> dict[str, Any]:
     finger = {"pusher_shape": str(problem.shape)} if problem.shape == Shape.FINGER else {}
     radius: Any = pusher.radius
     disc = {"pusher_radius": float(radius)} if radius else {}
+    placed = {} if problem.object_pose is None else _pose_attributes(problem)
     return {
         "title": "motion of the pushed slider",
         "source": f"{quantities.PAPER}, Secs. 2-5, over time",
@@ -166,31 +171,55 @@ def attributes(problem: Problem, method: str) -> dict[str, Any]:
         "pusher": to_json(pusher.pieces) if pusher.pieces else "function of time",
         **finger,
         **disc,
-        "duration": problem.duration,
-        "initial_twist": np.array(problem.twist),
-        "initial_gap": problem.gap,
-        **({} if problem.object_pose is None else {"object_pose": np.array(problem.object_pose)}),
+        "duration": float(problem.duration),
+        "initial_twist": np.array(problem.twist, float),
+        "initial_twist_units": ", ".join(unit_names(LOG_TWIST_UNITS, problem.scene.units)),
+        "initial_gap": float(problem.gap),
+        **placed,
         "method": str(method),
         "on_ambiguity": policies[0][1].value if len(policies) == 1 else to_json(policies),
-        "rtol": problem.rtol,
+        "rtol": float(problem.rtol),
         "unit_notes": to_json({} if problem.scene.units else quantities.LOG_NOTES),
         "versions": versions(),
     }
 
 
+def _pose_attributes(problem: Problem) -> dict[str, Any]:
+    """The object's pose at time 0 as it is given, in radians, and its units."""
+    units = unit_names(("length", "length", "radian"), problem.scene.units)
+    return {
+        "object_pose": np.array(problem.object_pose, float),
+        "object_pose_units": ", ".join(units),
+    }
+
+
+def beginning(problem: Problem, method: str) -> dict[str, Any]:
+    """Attributes of the log of a run that has not ended."""
+    return attributes(problem, method) | {"finished": np.int8(0)}
+
+
 def ending(stopped: str, time: float) -> dict[str, Any]:
     """Attributes of the log that are known at the end of the run."""
-    return {"finished": 1, "stopped": stopped, "stopped_time": time}
+    return {"finished": np.int8(1), "stopped": stopped, "stopped_time": float(time)}
 
 
 def dataset(problem: Problem, method: str, rows: Any, stopped: str) -> xr.Dataset:
     """The log in memory of a run that has ended, with the reason for an early end."""
     values, table = arrays(rows, problem), table_of(problem.shape)
-    given, units = {"time": values["time"]} | coordinates(problem), problem.scene.units
-    coords = {name: (name, each, described(table, name, units)) for name, each in given.items()}
+    given, units = {"time": ("time", values["time"])} | coordinates(problem), problem.scene.units
+    coords = {
+        name: (dim, each, described(table, name, units)) for name, (dim, each) in given.items()
+    }
     found = {
         name: (("time", *dims), values[name], described(table, name, units))
         for name, (dims, _) in variables(problem).items()
     }
     known = attributes(problem, method) | ending(stopped, rows["time"][-1])
-    return xr.Dataset(found, coords, known)
+    return complete(xr.Dataset(found, coords, known))
+
+
+def complete(dataset: xr.Dataset) -> xr.Dataset:
+    """A log or a batch whose coordinates are written without a fill value, since none is missing."""
+    for coordinate in dataset.coords.values():
+        coordinate.encoding["_FillValue"] = None
+    return dataset

@@ -26,6 +26,7 @@ from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.study_model import PushEntry
 from planar_pushing.terms.options import EFFECT_CLASSES, EffectKind
+from planar_pushing.terms.quantities import TWIST, TWIST_UNITS
 
 #: Samples of the friction cone, from its right to its left edge.
 CONE_SAMPLES = 181
@@ -120,7 +121,8 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
     coords: dict[str, Any] = {
         "xy": ["x", "y"],
         "effect": list(map(str, _kinds(scene))),
-        "twist_component": ["v_x", "v_y", "omega"],
+        "twist_component": list(TWIST),
+        "twist_unit": ("twist_component", list(TWIST_UNITS)),
     }
     twists = values["twist"][1]
     if scene.isotropic:

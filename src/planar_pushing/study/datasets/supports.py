@@ -14,9 +14,15 @@ from planar_pushing.mechanics.supports import EllipsoidFit, fit_ellipsoid
 from planar_pushing.mechanics.wrench import potential, wrench
 from planar_pushing.study.datasets.base import axis
 from planar_pushing.study.files.study_model import Part
+from planar_pushing.terms.quantities import TWIST
 
 OVER_CENTERS = ("support", "center_x", "center_y")
-TWIST, WRENCH = ["v_x", "v_y", "omega"], ["f_x", "f_y", "tau"]
+#: Components of a wrench, and units of the components of motions and of wrenches per unit weight.
+WRENCH, WRENCH_UNITS, MOTION_UNITS = (
+    ("f_x", "f_y", "tau"),
+    ("1", "1", "length"),
+    ("1", "1", "1/length"),
+)
 #: Angular errors of the ellipsoid.
 ERRORS = ("worst_force_error", "mean_force_error", "worst_motion_error", "mean_motion_error")
 
@@ -64,7 +70,9 @@ def build(part: Part) -> xr.Dataset:
             "description": ("support", list(map(to_json, entries))),
             "center_x": axis(part, "center_x"),
             "center_y": axis(part, "center_y"),
-            "twist_component": TWIST,
-            "wrench_component": WRENCH,
+            "twist_component": list(TWIST),
+            "twist_unit": ("twist_component", list(MOTION_UNITS)),
+            "wrench_component": list(WRENCH),
+            "wrench_unit": ("wrench_component", list(WRENCH_UNITS)),
         },
     )

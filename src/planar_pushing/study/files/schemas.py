@@ -9,6 +9,7 @@ from typing import Any
 from pydantic import TypeAdapter
 
 from planar_pushing.study.files.object_model import ObjectFile
+from planar_pushing.study.files.replacing import replacing
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.study_model import StudyFile
 
@@ -28,7 +29,8 @@ def main(folder: str = "workflow/schemas") -> None:
     """Write the schemas."""
     for name in SCHEMAS:
         path = Path(folder) / f"{name}.schema.json"
-        path.write_text(schema_text(name), encoding="utf-8")
+        with replacing(path) as temporary:
+            temporary.write_text(schema_text(name), encoding="utf-8")
         print(f"wrote {path}")
 
 
