@@ -1,7 +1,8 @@
 # Replication of Lynch & Mason, Pulling by Pushing, Slip with Infinite Friction, and Perfectly Rough
-# Surfaces. `snakemake` builds everything; `snakemake data`, `figures`, `golden`, `claims` and `paper` build
-# parts; `snakemake accuracy` measures the cost of accuracy; `snakemake pushes --config data=FOLDER` evaluates
-# published pushes; `snakemake manual` builds the manual.
+# Surfaces. `snakemake` builds everything, and fails at the end if the golden check has not passed, as does
+# `snakemake golden`; `snakemake data`, `figures`, `claims` and `paper` build parts; `snakemake accuracy`
+# measures the cost of accuracy; `snakemake pushes --config data=FOLDER` evaluates published pushes;
+# `snakemake manual` builds the manual.
 # To build only another study, use snakemake --config study=workflow/config/smoke.yaml or `planar-pushing run`,
 # which runs the workflow included in the package in the current folder.
 
