@@ -62,9 +62,9 @@ def require_apart(slider: Slider, gap: Number, radius: Number) -> None:
     """
     if slider.outline is None:
         return
-    across, angle = radius + gap, slider.rod_angle
-    x, y = -slider.rod_length - across * np.sin(angle), -across * np.cos(angle)
     try:
+        across, angle = radius + gap, slider.rod_angle
+        x, y = -slider.rod_length - across * np.sin(angle), -across * np.cos(angle)
         least = float(np.min(np.asarray(distance(np.array(slider.outline), x, y) - radius)))
     except ValueError:  # mismatched shapes, which the batch rejects itself
         return
@@ -91,6 +91,30 @@ def distance(corners: Any, x: Any, y: Any) -> Any:
         left = side_x * d_y - side_y * d_x > 0.0
         inside = inside != (((start_y > y) != (end_y > y)) & (left == (end_y > start_y)))
     return least * (1.0 - 2.0 * inside)
+
+
+@compiled
+def free_part(corners, x, y, t_x, t_y, radius, depth, place):
+    """Part of a side, about a place, on which a disc meets no other point of the outline.
+
+    Places are measured from the point (x, y) of the side along its tangent, which is the inward normal
+    rotated by -90 degrees. The part ends where an overlap has the given depth.
+    """
+    low, high = -inf, inf
+    if radius <= depth:
+        return low, high
+    for k in range(len(corners)):
+        d_x, d_y = corners[k - 1, 0] - x, corners[k - 1, 1] - y
+        e_x, e_y = corners[k, 0] - x, corners[k, 1] - y
+        start, end = overlap(
+            t_x * d_x + t_y * d_y, t_x * d_y - t_y * d_x, t_x * e_x + t_y * e_y, t_x * e_y - t_y * e_x,
+            -radius, radius - depth,
+        )  # fmt: skip
+        if start <= end and place < (start + end) / 2.0:
+            high = min(high, start)
+        elif start <= end:
+            low = max(low, end)
+    return low, high
 
 
 @compiled

@@ -47,9 +47,10 @@ def take(system, mode, run, end, rtol):
         run.side = 1.0
     _first_slope(system, mode, run, end, rtol)
     least, tried, failed = sizes.least_size(run.time), 0.0, 0.0
-    size, bound = max(run.planned, least), min(end, run.time + max(_stride(system, mode, run), least))
+    size = max(run.planned, least)
+    end = min(end, run.time + max(_stride(system, mode, run), least))
     while size >= least:
-        bound = min(bound, run.pivot) if run.side < 0.0 else bound
+        bound = min(end, run.pivot) if run.side < 0.0 else end
         run.until, run.prepared = min(run.time + size, bound), False
         size = run.until - run.time
         error = explicit.attempt(system, mode, run, rtol)

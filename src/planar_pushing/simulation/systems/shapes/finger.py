@@ -17,12 +17,12 @@ from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.reduced.psi import contact_at
-from planar_pushing.simulation.outlines import TOLERANCE, distance, overlap
+from planar_pushing.simulation.outlines import TOLERANCE, distance, free_part
 from planar_pushing.simulation.systems.frame import pose_at
 
 #: Distance, in tolerances of the outline, that a free finger may move in a step beyond that to the outline;
-#: it is a hundredth of the outline's extent.
-STRIDE = 0.01 / TOLERANCE
+#: it is a thousandth of the outline's extent.
+STRIDE = 1e-3 / TOLERANCE
 
 
 class Finger(NamedTuple):
@@ -121,21 +121,12 @@ def upright(shape, body, angle, gap):
 @compiled
 def confine(shape, body, corners, along):
     body.low, body.high = -inf, inf
-    radius, length = body.fine * shape.radius, body.fine * shape.length
-    if radius <= 1.0:
+    if len(corners) == 0:
         return
-    for k in range(len(corners)):
-        x, y = corners[k - 1, 0] + length, corners[k - 1, 1]
-        x_after, y_after = corners[k, 0] + length, corners[k, 1]
-        low, high = overlap(
-            shape.x * x - shape.y * y, shape.x * y + shape.y * x,
-            shape.x * x_after - shape.y * y_after, shape.x * y_after + shape.y * x_after,
-            -radius, radius - 1.0,
-        )  # fmt: skip
-        if low <= high and -body.fine * along < (low + high) / 2.0:
-            body.high = min(body.high, low / body.fine)
-        elif low <= high:
-            body.low = max(body.low, high / body.fine)
+    radius, length = body.fine * shape.radius, body.fine * shape.length
+    place = -body.fine * along
+    low, high = free_part(corners, -length, 0.0, shape.x, -shape.y, radius, 1.0, place)
+    body.low, body.high = low / body.fine, high / body.fine
 
 
 @compiled
