@@ -114,11 +114,10 @@ def contacts_of(pushes: Measured) -> Contacts:
 def _within_reach(contacts: Contacts, sides: Sides) -> Contacts:
     """Contacts whose sides end where the finger meets another side or corner."""
     least, depth = INSIDE * sides.scale, TOLERANCE * sides.scale
+    numbers = np.column_stack([contacts.point, contacts.tangent, contacts.radius]).tolist()
     parts = [
-        free_part(sides.start, *point, *tangent, radius, depth, 0.0)
-        for point, tangent, radius in zip(
-            contacts.point, contacts.tangent, contacts.radius, strict=True
-        )
+        free_part(sides.start, x, y, t_x, t_y, radius, depth, 0.0)
+        for x, y, t_x, t_y, radius in numbers
     ]
     low, high = np.array(parts).T
     return replace(

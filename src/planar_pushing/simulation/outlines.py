@@ -94,7 +94,9 @@ def distance(corners: Any, x: Any, y: Any) -> Any:
 
 
 @compiled
-def free_part(corners, x, y, t_x, t_y, radius, depth, place):
+def free_part(
+    corners: Any, x: Any, y: Any, t_x: Any, t_y: Any, radius: Any, depth: Any, place: Any
+) -> tuple[Any, Any]:
     """Part of a side, about a place, on which a disc meets no other point of the outline.
 
     Places are measured from the point (x, y) of the side along its tangent, which is the inward normal
