@@ -172,3 +172,25 @@ WRONG = [
 @pytest.mark.parametrize(("arguments", "said"), WRONG)
 def test_wrong_input(refused, arguments, said):
     refused(arguments, said)
+
+
+def test_a_finger_that_begins_in_another_side_is_refused(refused, tmp_path):
+    scene = tmp_path / "ell.yaml"
+    scene.write_text(
+        """\
+title: A finger in the notch of an L
+units: {length: mm, force: N, time: s}
+object:
+  outline: [[0, 0], [300, 0], [300, 100], [100, 100], [100, 300], [0, 300]]
+  contact: {point: [100, 110]}
+contact: {law: coulomb, friction_coefficient: 0.3}
+effects:
+  - {type: support_friction, weight: 3.53}
+simulate: {pusher_shape: finger, pusher_angle: 90, pusher_speed: 50, duration: 1, pusher_radius: 40}
+""",
+        encoding="utf-8",
+    )
+    refused(
+        ["simulate", str(scene), "-o", str(tmp_path / "log.nc")],
+        "outline: 'an overlap of 30 with the finger' given; allowed: a finger outside the object; ",
+    )

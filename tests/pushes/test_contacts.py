@@ -60,6 +60,19 @@ def test_a_corner_that_sticks_is_a_point():
     assert found.point == pytest.approx(np.ones((3, 2)))
 
 
+@pytest.mark.parametrize(("radius", "reach"), [(0.0, 0.5), (0.1, 0.4), (0.25, 0.25)])
+def test_the_contact_ends_where_the_finger_meets_another_side(radius, reach):
+    """In the notch of an L, it comes no closer to the corner than the radius."""
+    ell = [(-1, -1), (1, -1), (1, 0), (0, 0), (0, 1), (-1, 1)]
+    pushes = at([(radius, 0.5), (0.5, radius)], [(-0.01, -0.5), (-0.5, -0.01)], radius, ell)
+    found = contacts_of(pushes)
+    assert found.start == pytest.approx([-reach, -0.5], abs=1e-8)
+    assert found.end == pytest.approx([0.5, reach], abs=1e-8)
+    # Along the side: the finger does little more than slide, and the object stays behind it then.
+    for model in (OnSupport(pp.Points(ell, [1] * 6)), Ellipsoid(np.diag([1.0, 1.0, 0.5]))):
+        assert model.ends(found, 0.0).lasted == pytest.approx(2 * reach, abs=0.02)
+
+
 @pytest.mark.parametrize("name", MODELS)
 def test_a_symmetric_corner_is_pushed_alike_on_either_side(name):
     """Along the bisector: mirrored poses, and either side lasts to the end."""

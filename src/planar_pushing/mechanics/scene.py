@@ -49,7 +49,7 @@ class Slider:
         0 is along the fence. They have no effect on a fence.
     outline : sequence of pairs, optional
         Corners of the slider in the body frame, in order; by default the outline is unknown. A simulation
-        ends when another point of the outline meets the fence, or when the finger reaches the end of its
+        ends when another point of the outline meets the pusher, or when the finger reaches the end of its
         side.
 
     Raises

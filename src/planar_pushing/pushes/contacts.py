@@ -6,14 +6,15 @@ normal of that side, or sticks to the corner, with a force between the two norma
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple, Protocol
 
 import numpy as np
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.objects.boundary import nearest, sides_of
+from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.pushes.measured import Index, Mask, Measured
+from planar_pushing.simulation.outlines import TOLERANCE, free_part
 
 #: A finger that leaves a side within this fraction of its path does not push it.
 AT_ONCE = 1e-3
@@ -31,8 +32,8 @@ class Contacts:
         Number of the push, in increasing order.
     point, normal : ndarray, shape (m, 2)
     start, end : ndarray, shape (m,)
-        Ends of the side, measured from the point along the tangent, which is the normal rotated by -90
-        degrees.
+        Ends of the side, or of the part of it on which the finger meets no other side, measured from the
+        point along the tangent, which is the normal rotated by -90 degrees.
     path : ndarray, shape (m, parts, 2)
         Displacements of the finger's center over equal parts of its path.
     radius : ndarray, shape (m,)
@@ -102,11 +103,28 @@ def contacts_of(pushes: Measured) -> Contacts:
     normal = np.where(sticks[:, None], pushes.normal[push], sides.normal[side])
     start = np.where(sticks, -np.inf, -np.maximum(place, INSIDE * sides.scale))
     end = np.where(sticks, np.inf, np.maximum(sides.length[side] - place, INSIDE * sides.scale))
-    return Contacts(
+    contacts = Contacts(
         push=push, point=pushes.contact[push], normal=normal, start=start, end=end,
         path=pushes.path[push], radius=np.where(sticks, 0.0, pushes.radius[push]), sticks=sticks,
         aligned=(normal * pushes.normal[push]).sum(axis=1),
     )  # fmt: skip
+    return _within_reach(contacts, sides)
+
+
+def _within_reach(contacts: Contacts, sides: Sides) -> Contacts:
+    """Contacts whose sides end where the finger meets another side or corner."""
+    least, depth = INSIDE * sides.scale, TOLERANCE * sides.scale
+    numbers = np.column_stack([contacts.point, contacts.tangent, contacts.radius]).tolist()
+    parts = [
+        free_part(sides.start, x, y, t_x, t_y, radius, depth, 0.0)
+        for x, y, t_x, t_y, radius in numbers
+    ]
+    low, high = np.array(parts).T
+    return replace(
+        contacts,
+        start=np.maximum(contacts.start, np.minimum(low, -least)),
+        end=np.minimum(contacts.end, np.maximum(high, least)),
+    )
 
 
 def final_poses(model: Model, pushes: Measured, friction: float) -> Array:

@@ -31,8 +31,9 @@ CONTACT = Coulomb(0.25)
 DISTANCE = 0.1
 #: Number of instants of a simulation, and the initial fraction of them that the mean force omits.
 SAMPLES, SETTLING = 101, 0.3
-#: Depth of a finger in the object attributed to rounding, in sizes of the outline.
-ROUNDING = 1e-6
+#: Initial depth of a finger in the object attributed to rounding, in sizes of the outline; simulations
+#: allow more.
+ROUNDING = 1e-10
 #: Average number of draws per push above which the finger leaves its side too often.
 DRAWS = 50
 
@@ -108,8 +109,8 @@ def simulate_pushes(
     -----
     Contacts are uniformly distributed over the outline except for 5 % at each end of each side, and
     directions are uniformly distributed within 60 degrees of the normal. A push during which the finger
-    leaves its side is drawn again. The force is the mean over the last 70 % of the push, along the
-    object's axes, which turn with the object.
+    leaves its side or meets another one is drawn again. The force is the mean over the last 70 % of the
+    push, along the object's axes, which turn with the object.
     """
     friction = _required_friction(effects)
     count = whole("n", n, 1)
@@ -149,10 +150,9 @@ def _pushed(
     distance: float,
     radius: float,
 ) -> Pushed | None:
-    """Simulate a push at unit speed from the pose (0, 0, 0); None if the finger leaves its side."""
+    """Simulate a push at unit speed from the pose (0, 0, 0); None if it ends early."""
     start = drawn.point - radius * drawn.normal
-    slack = ROUNDING * sides.scale
-    if nearest(sides, start[None]).gap[0] < radius - slack:
+    if nearest(sides, start[None]).gap[0] < radius - ROUNDING * sides.scale:
         return None
     scene = scene_at(
         drawn.point, drawn.normal, effects=effects, contact=contact, outline=sides.start
@@ -166,11 +166,9 @@ def _pushed(
     if log.attrs["stopped"] or bool(log["parted"].any()):
         return None
     place, angle = log["object_position"].values, np.deg2rad(log["object_angle"].values)
-    centers = start + log["time"].values[:, None] * drawn.direction
-    if (nearest(sides, turned(centers - place, -angle)).gap < radius - slack).any():
-        return None  # the finger would pass through another side
     force = _mean_force(log, distance, drawn, angle)
-    return Pushed(start, centers[-1], np.append(place[-1], angle[-1]), force)
+    end = start + log["time"].values[-1] * drawn.direction
+    return Pushed(start, end, np.append(place[-1], angle[-1]), force)
 
 
 def _mean_force(log: xr.Dataset, duration: float, drawn: Drawn, angle: Array) -> Array:

@@ -4,7 +4,7 @@ The fence is the line ``y = Y(t)`` in a frame with its origin at the contact at 
 is ``(X, Y)``. The rod angle can be any real number. Only the rod's free end can touch the fence, so the
 model is valid as long as the slider's center is above the fence. The simulation stops when the center
 reaches the fence, where the rod lies along it. If the slider has an outline, the simulation also stops when
-another point of the outline meets the fence. A finger is the point ``(X, Y)``, or a disc with its center
+another point of the outline meets the pusher. A finger is the point ``(X, Y)``, or a disc with its center
 one radius below the contact at time 0; it pushes a side of the slider that is along x at time 0.
 """
 
@@ -19,7 +19,7 @@ import numpy as np
 from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.world import World, required_pose, world_of
-from planar_pushing.simulation.outlines import require_above
+from planar_pushing.simulation.outlines import require_above, require_apart
 from planar_pushing.simulation.policies import marked, required_policies, starts_of
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.terms.domain import SPEEDS, Number, require_fields, required_ratio
@@ -41,7 +41,7 @@ class Problem:
     ------
     InvalidValue
         If a value is out of range, a twist is given although the scene's effects determine it, or the
-        outline initially penetrates the fence.
+        outline initially penetrates the pusher.
     """
 
     scene: Scene
@@ -67,6 +67,7 @@ class Problem:
             require_above(self.scene.slider, self.gap)
         else:
             _require_narrow(self.pusher.radius, self.scene.slider.radius)
+            require_apart(self.scene.slider, self.gap, self.pusher.radius)
         if self.object_pose is not None:
             object.__setattr__(self, "object_pose", required_pose(self.object_pose))
         object.__setattr__(self, "pusher", self._pusher_along_the_fence())

@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from planar_pushing.terms.options import Shape
+
 #: Value of `mode` if no mode is consistent; otherwise it is a `ContactMode`.
 NO_MODE = -1
 #: Variables that the core has in units of the radius; energies are also in force times radius.
@@ -62,14 +64,14 @@ REASONS = {
     Stop.SINGULAR: "the motion is singular in the mode",
     Stop.EVENTS: "without any time between them",
     Stop.PROGRESS: "thousands of steps make no progress",
-    Stop.PENETRATES: "another point of the outline meets the fence",
+    Stop.PENETRATES: "another point of the outline meets the {shape}",
     Stop.END_OF_SIDE: "the finger comes to the end of the side",
 }
 
 
-def reason(stop: int) -> str:
-    """Text of the reason why a run ended early."""
-    return REASONS[Stop(stop)]
+def reason(stop: int, shape: Shape) -> str:
+    """Text of the reason why a run with a pusher of this shape ended early."""
+    return REASONS[Stop(stop)].format(shape=shape)
 
 
 def records(dtype: np.dtype[Any], count: int) -> Any:

@@ -56,7 +56,7 @@ def simulate(
     ----------
     scene : Scene
         Scene with the initial rod angle; without a gap, the contact starts on the fence, at the origin. An
-        outline must not penetrate the fence initially.
+        outline must not penetrate the pusher initially.
     pusher : Pusher
         A fence or a finger, and its velocity over time.
     duration : float
@@ -106,7 +106,7 @@ def simulate(
         early, the attribute `stopped` gives the reason: the motion could not continue, or `until` holds
         ("until: ..."). Otherwise it is empty. When a finger leaves the side at its end, the contact ends
         permanently, and `parted` is true from then on. If the slider has an outline, the run ends there,
-        and also when another point of the outline meets the fence, within a billionth of the outline's
+        and also when another point of the outline meets the pusher, within a billionth of the outline's
         extent.
 
     Raises

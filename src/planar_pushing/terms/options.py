@@ -179,5 +179,5 @@ class Event(IntEnum, metaclass=EventType):
     TANGENTIAL_VELOCITY_REVERSES = 12
     #: A finger reaches the end of its side.
     END_OF_SIDE = 13
-    #: Another point of the outline meets the fence.
+    #: Another point of the outline meets the pusher.
     PENETRATES = 14

@@ -152,6 +152,7 @@ def _change(system, run):
 def _begin_mode(system, run, excluded):
     """Choose a mode and begin it, or stop if none is consistent."""
     run.phase = LOGS
+    base.confine(system, run.vectors[at.STATE])
     if choice.choose(system, run, _policy(system, run), excluded):
         run.before = run.time
         step.begin(run)

@@ -33,7 +33,7 @@ class EventDriven:
     """
 
     def __init__(self, problem: Problem, times: npt.ArrayLike) -> None:
-        scene = problem.scene
+        scene, self.shape = problem.scene, problem.shape
         self.radius = float(scene.slider.radius)
         fence = problem.fence(float(problem.duration), self.radius)
         row = row_of(problem)
@@ -59,10 +59,10 @@ class EventDriven:
     @property
     def stopped(self) -> str:
         """Reason why the run ended early; empty otherwise."""
-        run = self.run
+        run, text = self.run, reason(self.run.stopped, self.shape)
         match Stop(run.stopped):
             case Stop.SINGULAR:
-                return f"{reason(run.stopped)} {ContactMode(run.kind).name}"
+                return f"{text} {ContactMode(run.kind).name}"
             case Stop.EVENTS:
-                return f"{run.events} events, {run.at_once} of them {reason(run.stopped)}"
-        return reason(run.stopped)
+                return f"{run.events} events, {run.at_once} of them {text}"
+        return text

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import sqrt
+
 from planar_pushing.mechanics.compiled import inlined
 from planar_pushing.simulation.copying import copy
 from planar_pushing.simulation.events import explicit, sizes, watch
@@ -31,6 +33,14 @@ def _first_slope(system, mode, run, end, rtol):
 
 
 @inlined
+def _stride(system, mode, run):
+    """Longest step that cannot pass through a part of the outline."""
+    slope = run.vectors[at.FIRST]
+    speed = sqrt(slope[base.ALONG] ** 2 + slope[base.GAP] ** 2)
+    return base.stride(system, mode, run.guards[at.VALUES, base.PENETRATES], speed)
+
+
+@inlined
 def take(system, mode, run, end, rtol):
     """Take one step; return False if no step is small enough."""
     if run.side < 0.0 and run.time >= run.pivot:
@@ -38,6 +48,7 @@ def take(system, mode, run, end, rtol):
     _first_slope(system, mode, run, end, rtol)
     least, tried, failed = sizes.least_size(run.time), 0.0, 0.0
     size = max(run.planned, least)
+    end = min(end, run.time + max(_stride(system, mode, run), least))
     while size >= least:
         bound = min(end, run.pivot) if run.side < 0.0 else end
         run.until, run.prepared = min(run.time + size, bound), False

@@ -152,6 +152,7 @@ def _kept(run, found, count, unit, far):
 def _move(system, run):
     """Advance the slider and the pusher to the end of the step."""
     h, state, now = run.until - run.time, run.state, base.pose(system, run.state)
+    base.confine(system, state)
     (v_x, v_y, spin), (way_x, way_y) = run.trials[0, :3], seen(system, run, run.way)
     if run.kind == base.SEPARATE:
         along, gap, shape = state[base.ALONG], state[base.GAP], system.shape
@@ -196,7 +197,7 @@ def _part(system, run):
             system.body.parted = True
     if shapes.upright(system.shape, system.body, state[base.ANGLE], state[base.GAP]) <= 0.0:
         run.stopped = LAY_DOWN
-    elif base.height(system, state) <= 0.0:
+    elif base.height(system, state, run.kind != base.SEPARATE) <= 0.0:
         run.stopped = PENETRATES
 
 

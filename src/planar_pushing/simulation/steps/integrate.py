@@ -45,7 +45,7 @@ class TimeStepping:
     """
 
     def __init__(self, problem: Problem, times: npt.ArrayLike, step: float | None = None) -> None:
-        duration = float(problem.duration)
+        duration, self.shape = float(problem.duration), problem.shape
         size = require_positive(
             "step", duration / STEPS if step is None else step,
             "give the length of a step in the unit of the duration",
@@ -86,7 +86,7 @@ class TimeStepping:
     @property
     def stopped(self) -> str:
         """Reason why the run ended early; empty otherwise."""
-        return reason(self.run.stopped)
+        return reason(self.run.stopped, self.shape)
 
 
 def _plan(fence: Any, wanted: Array, size: float) -> Plan:

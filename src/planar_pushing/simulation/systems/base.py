@@ -72,14 +72,15 @@ WATCHES = tuple(cause in WATCHED for cause in range(CAUSES))
 #: and forces on the edges; friction in a translation, mass, and moment m (rho / R)^2, zero without such an
 #: effect; center of mass in the body frame; loads; typical speed and force, to which slacks are relative;
 #: initial gap; and the slider's radius in tolerances of its outline. Variables: the number of evaluations
-#: of the motion, and whether the contact has ended permanently.
+#: of the motion, whether the contact has ended permanently, and the positions of a finger's contact between
+#: which no other point of the outline meets the finger.
 BODY = np.dtype(
     [
         ("length", "f8"), ("right", "f8", (2,)), ("left", "f8", (2,)), ("right_angle", "f8"),
         ("left_angle", "f8"), ("slips", "b1"), ("closed", "b1"), ("rough", "b1"),
         ("weight", "f8"), ("mass", "f8"), ("moment", "f8"), ("center", "f8", (2,)),
         ("load", "f8", (4,)), ("start_angle", "f8"), ("speed", "f8"), ("force", "f8"), ("gap", "f8"),
-        ("fine", "f8"), ("evaluations", "i8"), ("parted", "b1"),
+        ("fine", "f8"), ("evaluations", "i8"), ("parted", "b1"), ("low", "f8"), ("high", "f8"),
     ],
     align=True,
 )  # fmt: skip
@@ -206,9 +207,28 @@ def clearance(system, state):
 
 
 @compiled
-def height(system, state):
-    """Height of the outline above the fence in units of its tolerance, plus one; NaN without an outline."""
-    return shapes.height(system.shape, system.body, system.room.corners, state[ANGLE], state[GAP])
+def confine(system, state):
+    """Store the part of the side on which a finger meets no other point of the outline."""
+    shapes.confine(system.shape, system.body, system.room.corners, state[ALONG])
+
+
+@compiled
+def height(system, state, touching):
+    """Distance of the outline from the pusher in units of its tolerance; NaN without an outline."""
+    body, corners = system.body, system.room.corners
+    along, gap = state[ALONG], state[GAP]
+    return shapes.height(system.shape, body, corners, state[ANGLE], along, gap, touching)
+
+
+@compiled
+def stride(system, mode, height, speed):
+    """Longest step of a pusher that is free of the slider, from its distance and its present speed."""
+    if contact_mode(mode.kind) != SEPARATE:
+        return inf
+    # The speed is constant while the slider rests and the pusher's velocity is constant.
+    if mode.kind == SEPARATE or not mode.during.constant:
+        speed += system.body.speed
+    return shapes.stride(system.shape, system.body, height, speed)
 
 
 @compiled

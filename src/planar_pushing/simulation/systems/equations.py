@@ -59,7 +59,8 @@ def _guards(system, mode, state, now, found):
     if mode.kind < base.CLEAR:
         above = shapes.upright(system.shape, body, state[base.ANGLE], state[base.GAP])
         found[base.CENTER_REACHES_FENCE] = above
-    if mode.kind != base.SEPARATE and mode.kind != base.CLEAR and state[base.GAP] <= base.SLACK:
+    free = mode.kind == base.SEPARATE or mode.kind == base.CLEAR or state[base.GAP] > base.SLACK
+    if not free:
         found[base.END_OF_SIDE] = shapes.room(system.shape, state[base.ALONG])
-    found[base.PENETRATES] = base.height(system, state)
+    found[base.PENETRATES] = base.height(system, state, not free)
     base.guard_contact(system, mode, state, now, found)

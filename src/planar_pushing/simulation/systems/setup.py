@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import inf, sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -155,7 +155,7 @@ def fill(row, fence, body):
     body.slips, body.closed = row[SLIPS_AT] != 0.0, row[CLOSED] != 0.0
     body.rough = row[ROUGH] != 0.0
     body.gap, body.evaluations, body.parted = row[GAP], 0, False
-    body.fine = row[FINE]
+    body.fine, body.low, body.high = row[FINE], -inf, inf
 
 
 @kernel

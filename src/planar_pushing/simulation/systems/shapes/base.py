@@ -43,8 +43,15 @@ clearance = by_kind(SHAPES, "clearance")
 #: Height of the slider's center above the pusher, relative to the rod; NaN if not limited: shape, body,
 #: angle, gap.
 upright = by_kind(SHAPES, "upright")
-#: Height of the outline above the pusher, in units of its tolerance, plus one; positive if it is above the
-#: pusher. NaN without an outline or for a finger: shape, body, corners, angle, gap.
+#: Store the part of the side on which a finger meets no other point of the outline, about the contact:
+#: shape, body, corners, contact along.
+confine = by_kind(SHAPES, "confine")
+#: Distance of the outline from the pusher in units of its tolerance, positive until another point than the
+#: contact is as deep as the tolerance; for a finger in contact, the distance along the side to such a
+#: meeting. NaN without an outline: shape, body, corners, angle, contact along, gap, whether it touches.
 height = by_kind(SHAPES, "height")
+#: Longest step of a free pusher that cannot pass through a part of the outline: shape, body, height, speed
+#: relative to the slider.
+stride = by_kind(SHAPES, "stride")
 #: Distance from the contact to the nearer end of the side, negative beyond it, NaN for a side without ends.
 room = by_kind(SHAPES, "room")

@@ -80,13 +80,23 @@ def upright(shape, body, angle, gap):
 
 
 @compiled
-def height(shape, body, corners, angle, gap):
+def confine(shape, body, corners, along):
+    pass
+
+
+@compiled
+def height(shape, body, corners, angle, along, gap, touching):
     if len(corners) == 0:
         return nan
     c, s, least = cos(angle), sin(angle), inf
     for k in range(len(corners)):
         least = min(least, s * corners[k, 0] + c * corners[k, 1])
     return least + body.fine * (gap + body.length * s) + 1.0
+
+
+@compiled
+def stride(shape, body, height, speed):
+    return inf
 
 
 @compiled

@@ -5,6 +5,9 @@ is constant. The contact, which is the finger's point nearest to the side, trave
 finger's center is one radius r below it. Let w be the velocity of the slider's contact point relative to
 the finger. The contact, even if it sticks, travels along the side at ``-(w_x + r spin)``. With the
 accelerations a of this point and a_F of the finger, ``dw/dt = a - a_F - 2 spin x w - spin x (r spin, 0)``.
+
+In contact, the finger's center is on a line parallel to the side, so the disc meets other points of the
+outline at fixed positions of the contact. Free of the side, its distance from the outline is followed.
 """
 
 from __future__ import annotations
@@ -14,7 +17,12 @@ from typing import NamedTuple
 
 from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.reduced.psi import contact_at
+from planar_pushing.simulation.outlines import TOLERANCE, distance, free_part
 from planar_pushing.simulation.systems.frame import pose_at
+
+#: Distance, in tolerances of the outline, that a free finger may move in a step beyond that to the outline;
+#: it is a thousandth of the outline's extent.
+STRIDE = 1e-3 / TOLERANCE
 
 
 class Finger(NamedTuple):
@@ -111,8 +119,32 @@ def upright(shape, body, angle, gap):
 
 
 @compiled
-def height(shape, body, corners, angle, gap):
-    return nan
+def confine(shape, body, corners, along):
+    body.low, body.high = -inf, inf
+    if len(corners) == 0:
+        return
+    radius, length = body.fine * shape.radius, body.fine * shape.length
+    place = -body.fine * along
+    low, high = free_part(corners, -length, 0.0, shape.x, -shape.y, radius, 1.0, place)
+    body.low, body.high = low / body.fine, high / body.fine
+
+
+@compiled
+def height(shape, body, corners, angle, along, gap, touching):
+    if len(corners) == 0:
+        return nan
+    if touching:
+        left = min(body.high + along, -along - body.low)
+        return body.fine * left if left < inf else nan
+    across = max(gap, 0.0) + shape.radius
+    x = -shape.length - (along * shape.x + across * shape.y)
+    y = along * shape.y - across * shape.x
+    return distance(corners, body.fine * x, body.fine * y) - body.fine * shape.radius + 1.0
+
+
+@compiled
+def stride(shape, body, height, speed):
+    return (height + STRIDE) / (body.fine * speed) if height == height and speed > 0.0 else inf
 
 
 @compiled
