@@ -1,0 +1,305 @@
+"""The rotation of a slider whose support is on one line through the contact.
+
+Let the contact move by a across that line and by b along it. A point of the support at x on the line then
+moves by ``w = a + omega x`` across it, and the torque about the contact is ``sum p x w / h`` with
+``h = sqrt(w^2 + b^2)``. With ``s = sgn(w)`` it is ``sum p x s - b^2 sum p x s / (h (h + |w|))``. The first
+sum is constant between the rotations about two neighboring points. If it vanishes there, the second sum
+determines the rotation, while the torque itself is rounding error for a small b.
+
+For b = 0 every rotation of this interval is right, from one about a neighboring point to one about the
+other. The root of the second sum is the limit for small b, which a slider passes through over time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import inf, log, nan, sqrt
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from planar_pushing.mechanics.compiled import compiled, generic
+from planar_pushing.mechanics.effects.any_support import Support
+from planar_pushing.mechanics.effects.base import Resistance, pull
+from planar_pushing.mechanics.effects.load import Wrench
+from planar_pushing.mechanics.numerics.root import EPSILON, root
+from planar_pushing.mechanics.reduced.motion import NOWHERE, Contact, Psi, about, settled
+from planar_pushing.mechanics.supports.pressure.record import ATOMS, EDGES, RINGS, SEGMENTS
+
+#: Tolerance of positions on the line relative to their distances, of a motion across it, and of a torque
+#: that vanishes relative to its terms: a few units in the last place.
+EXACT = 16.0 * EPSILON
+#: Part of an interval of rotations next to its ends in which no root is looked for.
+INSET = 1e-9
+#: Square of b / |u| below which the rotation does not depend on b, to rounding.
+SLIGHT = EPSILON
+#: Motion of a segment's end relative to its midpoint, as a fraction of the midpoint's, below which a Gauss
+#: rule is more accurate than differences of integrals; and the nodes and shares of this rule.
+SHORT = 0.2
+GAUSS = tuple(zip(*(each.tolist() for each in np.polynomial.legendre.leggauss(8)), strict=True))
+NOT_FOUND = Psi(
+    nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, 0.0, 0.0, NOWHERE, nan, nan, False, False
+)
+
+
+class Piece(NamedTuple):
+    """A point or a segment of the support: its ends, and its friction; NaN for an area."""
+
+    x: float
+    y: float
+    end_x: float
+    end_y: float
+    most: float
+
+
+class Line(NamedTuple):
+    """A line of support through the contact, with a unit vector along it, and the contact's motion."""
+
+    effects: tuple[Any, ...]
+    at: Contact
+    x: float
+    y: float
+    across: float
+    along: float
+
+
+@compiled
+def _count_first(effects):
+    return _count(effects[0])
+
+
+@compiled
+def _count_all(effects):
+    return _count(effects[0]) + _count(effects[1:])
+
+
+@compiled
+def _count_of_support(effect):
+    return effect.pressure.starts[EDGES] - effect.pressure.starts[ATOMS]
+
+
+@compiled
+def _count_of_load(effect):
+    return 0
+
+
+@generic
+def _count(kinds: Any) -> Callable[..., Any]:
+    """Number of pieces: effect or effects."""
+    if isinstance(kinds, tuple):
+        return _count_first if len(kinds) == 1 else _count_all
+    return _count_of_support if kinds is Support else _count_of_load
+
+
+@compiled
+def _first_piece(effects, i):
+    return _piece(effects[0], i)
+
+
+@compiled
+def _any_piece(effects, i):
+    count = _count(effects[0])
+    return _piece(effects[0], i) if i < count else _piece(effects[1:], i - count)
+
+
+@compiled
+def _piece_of_support(effect, i):
+    weight, extent, pressure = effect
+    i += pressure.starts[ATOMS]
+    row = pressure.rows[i]
+    if i < pressure.starts[SEGMENTS]:
+        x, y = extent * row[0], extent * row[1]
+        return Piece(x, y, x, y, weight * row[2])
+    if i < pressure.starts[RINGS]:
+        half = extent * row[4]
+        x, y, end_x, end_y = extent * row[0], extent * row[1], half * row[2], half * row[3]
+        return Piece(x - end_x, y - end_y, x + end_x, y + end_y, weight * row[5])
+    return _no_piece(effect, i)
+
+
+@compiled
+def _no_piece(effect, i):
+    return Piece(nan, nan, nan, nan, nan)
+
+
+@generic
+def _piece(kinds: Any) -> Callable[..., Any]:
+    """A piece: effect or effects, number of the piece."""
+    if isinstance(kinds, tuple):
+        return _first_piece if len(kinds) == 1 else _any_piece
+    return _piece_of_support if kinds is Support else _no_piece
+
+
+@compiled
+def _places(line, i):
+    """Positions of a piece's ends along the line, from the contact, and its friction."""
+    x, y, end_x, end_y, most = _piece(line.effects, i)
+    at = line.at
+    one = line.x * (x - at.x) + line.y * (y - at.y)
+    return one, line.x * (end_x - at.x) + line.y * (end_y - at.y), most
+
+
+@compiled
+def _direction(effects, at):
+    """Unit vector of the line through the contact on which all pieces are; zero without one."""
+    far_x, far_y, square = 0.0, 0.0, 0.0
+    for i in range(_count(effects)):
+        x, y, end_x, end_y, most = _piece(effects, i)
+        if most != most:
+            return 0.0, 0.0
+        for r_x, r_y in ((x - at.x, y - at.y), (end_x - at.x, end_y - at.y)):
+            if r_x * r_x + r_y * r_y > square:
+                far_x, far_y, square = r_x, r_y, r_x * r_x + r_y * r_y
+    size = sqrt(square)
+    if not size > 0.0:
+        return 0.0, 0.0
+    far_x, far_y, aside = far_x / size, far_y / size, EXACT * (size + at.reach)
+    for i in range(_count(effects)):
+        x, y, end_x, end_y, _ = _piece(effects, i)
+        for r_x, r_y in ((x - at.x, y - at.y), (end_x - at.x, end_y - at.y)):
+            if abs(far_x * r_y - far_y * r_x) > aside:
+                return 0.0, 0.0
+    return far_x, far_y
+
+
+@compiled
+def _interval(line, spin, below):
+    """The rotations about neighboring ends of pieces between which a rotation is; infinite without one.
+
+    If it is one of them itself, the interval is the one below or above it.
+    """
+    low, high = -inf, inf
+    for i in range(_count(line.effects)):
+        one, other, _ = _places(line, i)
+        for x in (one, other):
+            if abs(x) > EXACT * line.at.reach:
+                turn = -line.across / x
+                if turn < spin or (turn == spin and not below):
+                    low = max(low, turn)
+                else:
+                    high = min(high, turn)
+    return low, high
+
+
+@compiled
+def _torque(line, spin):
+    """Torque about the contact for b = 0, the magnitude of its terms, and whether it is constant."""
+    at = line.at
+    x, y, torque = pull(line.effects)
+    load, constant = torque - (at.x * y - at.y * x), True
+    total, gross = -load, abs(load)
+    for i in range(_count(line.effects)):
+        one, other, most = _places(line, i)
+        w, end = line.across + spin * one, line.across + spin * other
+        part = most * (one + other) / 2.0
+        if (w > 0.0) != (end > 0.0):
+            center, constant = line.across / spin, False
+            part = most * ((one * one + other * other) / 2.0 - center * center) / (other - one)
+        total, gross = total + (part if end > 0.0 else -part), gross + abs(part)
+    return total, gross, constant
+
+
+@compiled
+def _second(line, spin):
+    """The second sum, relative to the magnitude of its terms."""
+    total, gross = 0.0, 0.0
+    for i in range(_count(line.effects)):
+        one, other, most = _places(line, i)
+        w, end = line.across + spin * one, line.across + spin * other
+        sense, half = 1.0 if w > 0.0 else -1.0, (other - one) / 2.0
+        mean, moment = _means(abs(w), abs(end), line.along)
+        part = most * (mean * (one + other) / 2.0 + moment * half)
+        total, gross = total + sense * part, gross + abs(part)
+    return total / gross
+
+
+@compiled
+def _means(w, end, b):
+    """Mean of ``g = 1 / (h (h + w))`` from w to `end`, and that of its product with the place in [-1, 1].
+
+    The integrals of g and of w g are ``-1 / (w + h)`` and ``(log(w + h) - w / (w + h)) / 2``.
+    """
+    middle, half = (w + end) / 2.0, (end - w) / 2.0
+    if abs(half) < SHORT * middle:
+        mean, moment = 0.0, 0.0
+        for place, share in GAUSS:
+            now = middle + half * place
+            h = sqrt(now * now + b * b)
+            part = share / (h * (h + now))
+            mean, moment = mean + part / 2.0, moment + place * part / 2.0
+        return mean, moment
+    h, k = sqrt(w * w + b * b), sqrt(end * end + b * b)
+    one, other = w + h, end + k
+    mean = (1.0 + 2.0 * middle / (h + k)) / (one * other)
+    first = (log(other / one) - (end / other - w / one)) / (4.0 * half)
+    return mean, (first - middle * mean) / half
+
+
+@compiled
+def _root(line, low, high):
+    """The root of the second sum in an interval of rotations; NaN if there is none."""
+    inset = INSET * (high - low)
+    low, high = low + inset, high - inset
+    first, last = _second(line, low), _second(line, high)
+    return root(_second, line, low, high, first, last) if first > 0.0 > last else nan
+
+
+@compiled
+def _level(line, guess):
+    """The root of the second sum in the interval of rotations without torque; NaN if there is none."""
+    low, high = _interval(line, guess, False)
+    last = 0.0
+    for _ in range(2 * _count(line.effects) + 1):
+        if low == -inf or high == inf:  # the torque has the sign of the rotation
+            sense = 1.0 if low == -inf else -1.0
+        else:
+            torque, gross, constant = _torque(line, low + (high - low) / 2.0)
+            if constant and abs(torque) <= EXACT * gross:
+                return _root(line, low, high)
+            sense = -1.0 if torque > 0.0 else 1.0
+        if sense == -last:
+            break
+        low, high = _interval(line, high, False) if sense > 0.0 else _interval(line, low, True)
+        last = sense
+    return nan
+
+
+@generic
+def rotation_on_line(kinds: Any) -> Callable[..., Any]:
+    """`Psi` at a motion of the contact for which the first sum vanishes, otherwise not found.
+
+    Arguments: effects, contact, its motion, and a guess of the rotation.
+    """
+    return _rotation if set(kinds) <= {Support, Wrench} else _no_rotation
+
+
+@compiled
+def _no_rotation(effects, at, x, y, guess):
+    return NOT_FOUND
+
+
+@compiled
+def _rotation(effects, at, x, y, guess):
+    along_x, along_y = _direction(effects, at)
+    across, along = along_x * y - along_y * x, along_x * x + along_y * y
+    if across == 0.0:
+        return NOT_FOUND
+    spin = _level(Line(effects, at, along_x, along_y, across, along), guess)
+    if spin != spin:
+        return NOT_FOUND
+    v_x, v_y, square = x + spin * at.y, y - spin * at.x, x * x + y * y
+    now = about(effects, at, v_x, v_y, spin, 0.0)
+    if along * along > SLIGHT * square:
+        return settled(now, at, v_x, v_y, spin, 0.0, x, y, abs(spin), True)
+    # The rotation is proportional to the motion across the line, and the force does not depend on it.
+    now = settled(
+        Resistance(
+            now.f_x, now.f_y, 0.0, now.xx, now.xy, now.yy, 0.0, 0.0, 0.0, 0.0, NOWHERE, now.gross
+        ),
+        at, v_x, v_y, spin, 0.0, x, y, abs(spin), True,
+    )  # fmt: skip
+    return Psi(
+        v_x, v_y, spin, now.f_x, now.f_y, now.xx, now.xy, now.yy,
+        -spin / across * along_y, spin / across * along_x, 0.0, 0.0, NOWHERE,
+        now.noise_x, now.noise_y, abs(along) <= EXACT * sqrt(square), True,
+    )  # fmt: skip
