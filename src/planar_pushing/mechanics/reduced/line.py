@@ -8,6 +8,9 @@ determines the rotation, while the torque itself is rounding error for a small b
 
 For b = 0 every rotation of this interval is right, from one about a neighboring point to one about the
 other. The root of the second sum is the limit for small b, which a slider passes through over time.
+
+Points at y beside the line, such as those of a line with rounded coordinates, move by ``b - omega y`` along
+it in the place of b, and add ``p y (b - omega y) / h`` to the second sum.
 """
 
 from __future__ import annotations
@@ -20,7 +23,7 @@ import numpy as np
 
 from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.any_support import Support
-from planar_pushing.mechanics.effects.base import Resistance, pull
+from planar_pushing.mechanics.effects.base import Resistance, moment, pull
 from planar_pushing.mechanics.effects.load import Wrench
 from planar_pushing.mechanics.numerics.root import EPSILON, root
 from planar_pushing.mechanics.reduced.motion import NOWHERE, Contact, Psi, about, settled
@@ -31,8 +34,10 @@ from planar_pushing.mechanics.supports.pressure.record import ATOMS, EDGES, RING
 EXACT = 16.0 * EPSILON
 #: Part of an interval of rotations next to its ends in which no root is looked for.
 INSET = 1e-9
-#: Square of b / |u| below which the rotation does not depend on b, to rounding.
-SLIGHT = EPSILON
+#: Points this near a line, relative to their largest distance, are treated as the text says.
+NEARBY = 1e-4
+#: Resistance to rotation, relative to that of a mass, below which its derivatives are rounding error.
+SLIGHT = 1e-10
 #: Motion of a segment's end relative to its midpoint, as a fraction of the midpoint's, below which a Gauss
 #: rule is more accurate than differences of integrals; and the nodes and shares of this rule.
 SHORT = 0.2
@@ -53,12 +58,25 @@ class Piece(NamedTuple):
 
 
 class Line(NamedTuple):
-    """A line of support through the contact, with a unit vector along it, and the contact's motion."""
+    """A line of support through the contact, and the contact's motion.
+
+    Attributes
+    ----------
+    effects : tuple
+    at : Contact
+    x, y : float
+        Unit vector along the line.
+    exact : bool
+        Whether the support is on the line, rather than points near it.
+    across, along : float
+        The contact's motion.
+    """
 
     effects: tuple[Any, ...]
     at: Contact
     x: float
     y: float
+    exact: bool
     across: float
     along: float
 
@@ -132,34 +150,46 @@ def _piece(kinds: Any) -> Callable[..., Any]:
 
 @compiled
 def _places(line, i):
-    """Positions of a piece's ends along the line, from the contact, and its friction."""
+    """Places of a piece's ends along the line from the contact, its place beside it, and its friction."""
     x, y, end_x, end_y, most = _piece(line.effects, i)
-    at = line.at
-    one = line.x * (x - at.x) + line.y * (y - at.y)
-    return one, line.x * (end_x - at.x) + line.y * (end_y - at.y), most
+    r_x, r_y = x - line.at.x, y - line.at.y
+    one = line.x * r_x + line.y * r_y
+    other = line.x * (end_x - line.at.x) + line.y * (end_y - line.at.y)
+    return one, other, 0.0 if line.exact else line.x * r_y - line.y * r_x, most
 
 
 @compiled
 def _direction(effects, at):
-    """Unit vector of the line through the contact on which all pieces are; zero without one."""
+    """Unit vector of a line through the contact; whether all pieces are on it, or all points near it."""
     far_x, far_y, square = 0.0, 0.0, 0.0
     for i in range(_count(effects)):
         x, y, end_x, end_y, most = _piece(effects, i)
         if most != most:
-            return 0.0, 0.0
+            return 0.0, 0.0, False, False
         for r_x, r_y in ((x - at.x, y - at.y), (end_x - at.x, end_y - at.y)):
             if r_x * r_x + r_y * r_y > square:
                 far_x, far_y, square = r_x, r_y, r_x * r_x + r_y * r_y
-    size = sqrt(square)
-    if not size > 0.0:
-        return 0.0, 0.0
-    far_x, far_y, aside = far_x / size, far_y / size, EXACT * (size + at.reach)
+    size, exact = sqrt(square), square > 0.0
+    if exact:
+        far_x, far_y = far_x / size, far_y / size
     for i in range(_count(effects)):
         x, y, end_x, end_y, _ = _piece(effects, i)
         for r_x, r_y in ((x - at.x, y - at.y), (end_x - at.x, end_y - at.y)):
-            if abs(far_x * r_y - far_y * r_x) > aside:
-                return 0.0, 0.0
-    return far_x, far_y
+            aside = abs(far_x * r_y - far_y * r_x)
+            if not aside <= NEARBY * size:
+                return far_x, far_y, False, False
+            exact &= aside <= EXACT * (size + at.reach)
+    return far_x, far_y, exact, exact or _are_points(effects)
+
+
+@compiled
+def _are_points(effects):
+    """Whether there are no segments."""
+    for i in range(_count(effects)):
+        x, y, end_x, end_y, _ = _piece(effects, i)
+        if x != end_x or y != end_y:
+            return False
+    return True
 
 
 @compiled
@@ -170,7 +200,7 @@ def _interval(line, spin, below):
     """
     low, high = -inf, inf
     for i in range(_count(line.effects)):
-        one, other, _ = _places(line, i)
+        one, other, _, _ = _places(line, i)
         for x in (one, other):
             if abs(x) > EXACT * line.at.reach:
                 turn = -line.across / x
@@ -189,7 +219,7 @@ def _torque(line, spin):
     load, constant = torque - (at.x * y - at.y * x), True
     total, gross = -load, abs(load)
     for i in range(_count(line.effects)):
-        one, other, most = _places(line, i)
+        one, other, _, most = _places(line, i)
         w, end = line.across + spin * one, line.across + spin * other
         part = most * (one + other) / 2.0
         if (w > 0.0) != (end > 0.0):
@@ -204,13 +234,19 @@ def _second(line, spin):
     """The second sum, relative to the magnitude of its terms."""
     total, gross = 0.0, 0.0
     for i in range(_count(line.effects)):
-        one, other, most = _places(line, i)
+        one, other, aside, most = _places(line, i)
         w, end = line.across + spin * one, line.across + spin * other
-        sense, half = 1.0 if w > 0.0 else -1.0, (other - one) / 2.0
-        mean, moment = _means(abs(w), abs(end), line.along)
-        part = most * (mean * (one + other) / 2.0 + moment * half)
-        total, gross = total + sense * part, gross + abs(part)
-    return total / gross
+        sense, half, slide = (
+            1.0 if w > 0.0 else -1.0,
+            (other - one) / 2.0,
+            line.along - spin * aside,
+        )
+        mean, slope = _means(abs(w), abs(end), slide)
+        part = sense * most * (mean * (one + other) / 2.0 + slope * half)
+        if not line.exact:
+            part = slide * (slide * part + most * aside / sqrt(w * w + slide * slide))
+        total, gross = total + part, gross + abs(part)
+    return total / gross if gross > 0.0 else 0.0
 
 
 @compiled
@@ -280,16 +316,16 @@ def _no_rotation(effects, at, x, y, guess):
 
 @compiled
 def _rotation(effects, at, x, y, guess):
-    along_x, along_y = _direction(effects, at)
+    along_x, along_y, exact, near = _direction(effects, at)
     across, along = along_x * y - along_y * x, along_x * x + along_y * y
-    if across == 0.0:
+    if not near or across == 0.0:
         return NOT_FOUND
-    spin = _level(Line(effects, at, along_x, along_y, across, along), guess)
+    spin = _level(Line(effects, at, along_x, along_y, exact, across, along), guess)
     if spin != spin:
         return NOT_FOUND
-    v_x, v_y, square = x + spin * at.y, y - spin * at.x, x * x + y * y
+    v_x, v_y, speed = x + spin * at.y, y - spin * at.x, sqrt(x * x + y * y)
     now = about(effects, at, v_x, v_y, spin, 0.0)
-    if along * along > SLIGHT * square:
+    if now.ss > SLIGHT * moment(effects, speed, at.x, at.y).whole:
         return settled(now, at, v_x, v_y, spin, 0.0, x, y, abs(spin), True)
     # The rotation is proportional to the motion across the line, and the force does not depend on it.
     now = settled(
@@ -301,5 +337,5 @@ def _rotation(effects, at, x, y, guess):
     return Psi(
         v_x, v_y, spin, now.f_x, now.f_y, now.xx, now.xy, now.yy,
         -spin / across * along_y, spin / across * along_x, 0.0, 0.0, NOWHERE,
-        now.noise_x, now.noise_y, abs(along) <= EXACT * sqrt(square), True,
+        now.noise_x, now.noise_y, exact and abs(along) <= EXACT * speed, True,
     )  # fmt: skip
