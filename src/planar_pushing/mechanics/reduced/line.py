@@ -9,14 +9,15 @@ determines the rotation, while the torque itself is rounding error for a small b
 For b = 0 every rotation of this interval is right, from one about a neighboring point to one about the
 other. The root of the second sum is the limit for small b, which a slider passes through over time.
 
-Points at y beside the line, such as those of a line with rounded coordinates, move by ``b - omega y`` along
-it in the place of b, and add ``p y (b - omega y) / h`` to the second sum.
+Points at y beside the line, such as those of a line with rounded coordinates, move by ``b - omega y``
+along it in the place of b, and add ``p y (b - omega y) / h`` to the second sum. In the frame of its own
+tangent, a segment is at one y. Its x differs there, and the second sum takes the difference.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import inf, log, nan, sqrt
+from math import copysign, inf, log, nan, sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -34,12 +35,12 @@ from planar_pushing.mechanics.supports.pressure.record import ATOMS, EDGES, RING
 EXACT = 16.0 * EPSILON
 #: Part of an interval of rotations next to its ends in which no root is looked for.
 INSET = 1e-9
-#: Points this near a line, relative to their largest distance, are treated as the text says.
+#: Pieces this near a line, relative to their largest distance, are treated as the text says.
 NEARBY = 1e-4
 #: Resistance to rotation, relative to that of a mass, below which its derivatives are rounding error.
 SLIGHT = 1e-10
-#: Motion of a segment's end relative to its midpoint, as a fraction of the midpoint's, below which a Gauss
-#: rule is more accurate than differences of integrals; and the nodes and shares of this rule.
+#: Motion of a segment's end relative to its midpoint, as a fraction of that of the midpoint, below which a
+#: Gauss rule is more accurate than differences of integrals; and the nodes and shares of this rule.
 SHORT = 0.2
 GAUSS = tuple(zip(*(each.tolist() for each in np.polynomial.legendre.leggauss(8)), strict=True))
 NOT_FOUND = Psi(
@@ -54,6 +55,31 @@ class Piece(NamedTuple):
     y: float
     end_x: float
     end_y: float
+    most: float
+
+
+class Place(NamedTuple):
+    """A piece as seen from the contact, in the frame of its own tangent; a point has that of the line.
+
+    Attributes
+    ----------
+    across, along : float
+        The contact's motion.
+    x, half, aside : float
+        Place of the midpoint along the tangent, half the length, and place of the piece beside the contact.
+    middle, shift : float
+        Place of the midpoint along the line, and x less this.
+    most : float
+        Friction.
+    """
+
+    across: float
+    along: float
+    x: float
+    half: float
+    aside: float
+    middle: float
+    shift: float
     most: float
 
 
@@ -149,18 +175,28 @@ def _piece(kinds: Any) -> Callable[..., Any]:
 
 
 @compiled
-def _places(line, i):
-    """Places of a piece's ends along the line from the contact, its place beside it, and its friction."""
+def _place(line, i):
+    """A piece as seen from the contact, along its own tangent."""
     x, y, end_x, end_y, most = _piece(line.effects, i)
-    r_x, r_y = x - line.at.x, y - line.at.y
-    one = line.x * r_x + line.y * r_y
-    other = line.x * (end_x - line.at.x) + line.y * (end_y - line.at.y)
-    return one, other, 0.0 if line.exact else line.x * r_y - line.y * r_x, most
+    x, y, end_x, end_y = x - line.at.x, y - line.at.y, end_x - line.at.x, end_y - line.at.y
+    one, other = line.x * x + line.y * y, line.x * end_x + line.y * end_y
+    middle, half = (one + other) / 2.0, (other - one) / 2.0
+    if line.exact:
+        return Place(line.across, line.along, middle, half, 0.0, middle, 0.0, most)
+    one, other = line.x * y - line.y * x, line.x * end_y - line.y * end_x
+    aside, rise = (one + other) / 2.0, (other - one) / 2.0
+    length = copysign(sqrt(half * half + rise * rise), half)
+    c, s = (half / length, rise / length) if length != 0.0 else (1.0, 0.0)
+    return Place(
+        c * line.across - s * line.along, c * line.along + s * line.across,
+        c * middle + s * aside, length, c * aside - s * middle,
+        middle, s * (aside - s * middle / (1.0 + c)), most,
+    )  # fmt: skip
 
 
 @compiled
 def _direction(effects, at):
-    """Unit vector of a line through the contact; whether all pieces are on it, or all points near it."""
+    """Unit vector of a line through the contact, and whether all pieces are on it, and near it."""
     far_x, far_y, square = 0.0, 0.0, 0.0
     for i in range(_count(effects)):
         x, y, end_x, end_y, most = _piece(effects, i)
@@ -179,17 +215,7 @@ def _direction(effects, at):
             if not aside <= NEARBY * size:
                 return far_x, far_y, False, False
             exact &= aside <= EXACT * (size + at.reach)
-    return far_x, far_y, exact, exact or _are_points(effects)
-
-
-@compiled
-def _are_points(effects):
-    """Whether there are no segments."""
-    for i in range(_count(effects)):
-        x, y, end_x, end_y, _ = _piece(effects, i)
-        if x != end_x or y != end_y:
-            return False
-    return True
+    return far_x, far_y, exact, True
 
 
 @compiled
@@ -200,10 +226,10 @@ def _interval(line, spin, below):
     """
     low, high = -inf, inf
     for i in range(_count(line.effects)):
-        one, other, _, _ = _places(line, i)
-        for x in (one, other):
+        at = _place(line, i)
+        for x in (at.x - at.half, at.x + at.half):
             if abs(x) > EXACT * line.at.reach:
-                turn = -line.across / x
+                turn = -at.across / x
                 if turn < spin or (turn == spin and not below):
                     low = max(low, turn)
                 else:
@@ -212,63 +238,72 @@ def _interval(line, spin, below):
 
 
 @compiled
+def _motions(at, spin):
+    """The motions of a piece's ends across its tangent."""
+    return at.across + spin * (at.x - at.half), at.across + spin * (at.x + at.half)
+
+
+@compiled
 def _torque(line, spin):
-    """Torque about the contact for b = 0, the magnitude of its terms, and whether it is constant."""
-    at = line.at
+    """The first sum less the torque of loads, the magnitude of its terms, and whether it is constant."""
     x, y, torque = pull(line.effects)
-    load, constant = torque - (at.x * y - at.y * x), True
+    load, constant = torque - (line.at.x * y - line.at.y * x), True
     total, gross = -load, abs(load)
     for i in range(_count(line.effects)):
-        one, other, _, most = _places(line, i)
-        w, end = line.across + spin * one, line.across + spin * other
-        part = most * (one + other) / 2.0
+        at = _place(line, i)
+        w, end = _motions(at, spin)
+        part = at.most * at.middle
         if (w > 0.0) != (end > 0.0):
-            center, constant = line.across / spin, False
-            part = most * ((one * one + other * other) / 2.0 - center * center) / (other - one)
+            # The center of rotation is in the segment and divides it into two parts with opposite senses.
+            center, constant = -at.across / spin - at.x, False
+            part = -at.most * (
+                at.middle * center / at.half + (center * center / at.half - at.half) / 2.0
+            )
         total, gross = total + (part if end > 0.0 else -part), gross + abs(part)
     return total, gross, constant
 
 
 @compiled
 def _second(line, spin):
-    """The second sum, relative to the magnitude of its terms."""
+    """The second sum, relative to its terms; NaN if the center of rotation is in a segment."""
     total, gross = 0.0, 0.0
     for i in range(_count(line.effects)):
-        one, other, aside, most = _places(line, i)
-        w, end = line.across + spin * one, line.across + spin * other
-        sense, half, slide = (
-            1.0 if w > 0.0 else -1.0,
-            (other - one) / 2.0,
-            line.along - spin * aside,
-        )
-        mean, slope = _means(abs(w), abs(end), slide)
-        part = sense * most * (mean * (one + other) / 2.0 + slope * half)
+        at = _place(line, i)
+        (w, end), slide = _motions(at, spin), at.along - spin * at.aside
+        if (w > 0.0) != (end > 0.0):
+            return nan
+        mean, slope, inverse = _means(abs(w), abs(end), slide)
+        sense = 1.0 if w > 0.0 else -1.0
+        part = sense * at.most * (mean * at.x + slope * at.half)
         if not line.exact:
-            part = slide * (slide * part + most * aside / sqrt(w * w + slide * slide))
+            part = (
+                slide * (slide * part + at.most * at.aside * inverse) - sense * at.most * at.shift
+            )
         total, gross = total + part, gross + abs(part)
     return total / gross if gross > 0.0 else 0.0
 
 
 @compiled
-def _means(w, end, b):
-    """Mean of ``g = 1 / (h (h + w))`` from w to `end`, and that of its product with the place in [-1, 1].
+def _means(w, end, v):
+    """Means from w to `end` of ``g = 1 / (h (h + w))``, g times the place in [-1, 1], and 1 / h.
 
-    The integrals of g and of w g are ``-1 / (w + h)`` and ``(log(w + h) - w / (w + h)) / 2``.
+    The integrals are ``-1 / (w + h)`` for g, ``(log(w + h) - w / (w + h)) / 2`` for w g, and
+    ``log(w + h)`` for 1 / h.
     """
     middle, half = (w + end) / 2.0, (end - w) / 2.0
-    if abs(half) < SHORT * middle:
-        mean, moment = 0.0, 0.0
+    if abs(half) < SHORT * max(middle, abs(v)):
+        mean, moment, inverse = 0.0, 0.0, 0.0
         for place, share in GAUSS:
             now = middle + half * place
-            h = sqrt(now * now + b * b)
-            part = share / (h * (h + now))
-            mean, moment = mean + part / 2.0, moment + place * part / 2.0
-        return mean, moment
-    h, k = sqrt(w * w + b * b), sqrt(end * end + b * b)
+            h = sqrt(now * now + v * v)
+            part = share / (2.0 * h * (h + now))
+            mean, moment, inverse = mean + part, moment + place * part, inverse + share / (2.0 * h)
+        return mean, moment, inverse
+    h, k = sqrt(w * w + v * v), sqrt(end * end + v * v)
     one, other = w + h, end + k
-    mean = (1.0 + 2.0 * middle / (h + k)) / (one * other)
-    first = (log(other / one) - (end / other - w / one)) / (4.0 * half)
-    return mean, (first - middle * mean) / half
+    mean, inverse = (1.0 + 2.0 * middle / (h + k)) / (one * other), log(other / one) / (2.0 * half)
+    first = inverse / 2.0 - (end / other - w / one) / (4.0 * half)
+    return mean, (first - middle * mean) / half, inverse
 
 
 @compiled
@@ -318,7 +353,7 @@ def _no_rotation(effects, at, x, y, guess):
 def _rotation(effects, at, x, y, guess):
     along_x, along_y, exact, near = _direction(effects, at)
     across, along = along_x * y - along_y * x, along_x * x + along_y * y
-    if not near or across == 0.0:
+    if not near or abs(along) > abs(across):  # the torque is not flat if the contact moves along the line
         return NOT_FOUND
     spin = _level(Line(effects, at, along_x, along_y, exact, across, along), guess)
     if spin != spin:
