@@ -10,8 +10,9 @@ For b = 0 every rotation of this interval is right, from one about a neighboring
 other. The root of the second sum is the limit for small b, which a slider passes through over time.
 
 Points at y beside the line, such as those of a line with rounded coordinates, move by ``b - omega y``
-along it in the place of b, and add ``p y (b - omega y) / h`` to the second sum. In the frame of its own
-tangent, a segment is at one y. Its x differs there, and the second sum takes the difference.
+along it in the place of b, and add ``p y (b - omega y) / h`` to the second sum; the first one need not
+vanish. In the frame of its own tangent, a segment is at one y. Its x differs there, and the second sum takes
+the difference.
 """
 
 from __future__ import annotations
@@ -30,8 +31,8 @@ from planar_pushing.mechanics.numerics.root import EPSILON, root
 from planar_pushing.mechanics.reduced.motion import NOWHERE, Contact, Psi, about, settled
 from planar_pushing.mechanics.supports.pressure.record import ATOMS, EDGES, RINGS, SEGMENTS
 
-#: Tolerance of positions on the line relative to their distances, of a motion across it, and of a torque
-#: that vanishes relative to its terms: a few units in the last place.
+#: Tolerance of positions on the line and of a torque that vanishes, relative to distances, and of a motion
+#: across the line: a few units in the last place.
 EXACT = 16.0 * EPSILON
 #: Part of an interval of rotations next to its ends in which no root is looked for.
 INSET = 1e-9
@@ -105,6 +106,13 @@ class Line(NamedTuple):
     exact: bool
     across: float
     along: float
+
+
+class Sums(NamedTuple):
+    """A line, and the first sum in an interval of rotations."""
+
+    line: Line
+    first: float
 
 
 @compiled
@@ -245,7 +253,7 @@ def _motions(at, spin):
 
 @compiled
 def _torque(line, spin):
-    """The first sum less the torque of loads, the magnitude of its terms, and whether it is constant."""
+    """The first sum less the torque of loads, its rounding error, and whether it is constant."""
     x, y, torque = pull(line.effects)
     load, constant = torque - (line.at.x * y - line.at.y * x), True
     total, gross = -load, abs(load)
@@ -259,14 +267,15 @@ def _torque(line, spin):
             part = -at.most * (
                 at.middle * center / at.half + (center * center / at.half - at.half) / 2.0
             )
-        total, gross = total + (part if end > 0.0 else -part), gross + abs(part)
-    return total, gross, constant
+        total += part if end > 0.0 else -part
+        gross += at.most * (line.at.reach + abs(at.middle) + abs(at.half))
+    return total, EXACT * gross, constant
 
 
 @compiled
-def _second(line, spin):
-    """The second sum, relative to its terms; NaN if the center of rotation is in a segment."""
-    total, gross = 0.0, 0.0
+def _second(of, spin):
+    """The second sum less the first one, relative to the terms; NaN if the center is in a segment."""
+    line, total, gross = of.line, -of.first, abs(of.first)
     for i in range(_count(line.effects)):
         at = _place(line, i)
         (w, end), slide = _motions(at, spin), at.along - spin * at.aside
@@ -307,26 +316,29 @@ def _means(w, end, v):
 
 
 @compiled
-def _root(line, low, high):
-    """The root of the second sum in an interval of rotations; NaN if there is none."""
+def _root(of, low, high):
+    """The rotation without torque in an interval; NaN if there is none."""
     inset = INSET * (high - low)
     low, high = low + inset, high - inset
-    first, last = _second(line, low), _second(line, high)
-    return root(_second, line, low, high, first, last) if first > 0.0 > last else nan
+    first, last = _second(of, low), _second(of, high)
+    return root(_second, of, low, high, first, last) if first > 0.0 > last else nan
 
 
 @compiled
 def _level(line, guess):
-    """The root of the second sum in the interval of rotations without torque; NaN if there is none."""
+    """The rotation without torque, from the second sum; NaN if the torque itself determines it."""
     low, high = _interval(line, guess, False)
     last = 0.0
     for _ in range(2 * _count(line.effects) + 1):
         if low == -inf or high == inf:  # the torque has the sign of the rotation
             sense = 1.0 if low == -inf else -1.0
         else:
-            torque, gross, constant = _torque(line, low + (high - low) / 2.0)
-            if constant and abs(torque) <= EXACT * gross:
-                return _root(line, low, high)
+            torque, rounding, constant = _torque(line, low + (high - low) / 2.0)
+            vanishes = abs(torque) <= rounding
+            if constant and (vanishes or not line.exact):
+                spin = _root(Sums(line, 0.0 if vanishes else torque), low, high)
+                if vanishes or spin == spin:
+                    return spin
             sense = -1.0 if torque > 0.0 else 1.0
         if sense == -last:
             break
@@ -353,14 +365,16 @@ def _no_rotation(effects, at, x, y, guess):
 def _rotation(effects, at, x, y, guess):
     along_x, along_y, exact, near = _direction(effects, at)
     across, along = along_x * y - along_y * x, along_x * x + along_y * y
-    if not near or abs(along) > abs(across):  # the torque is not flat if the contact moves along the line
+    # If the contact rather moves along the line, the torque itself determines the rotation well.
+    if not near or abs(along) > abs(across):
         return NOT_FOUND
     spin = _level(Line(effects, at, along_x, along_y, exact, across, along), guess)
     if spin != spin:
         return NOT_FOUND
     v_x, v_y, speed = x + spin * at.y, y - spin * at.x, sqrt(x * x + y * y)
-    now = about(effects, at, v_x, v_y, spin, 0.0)
-    if now.ss > SLIGHT * moment(effects, speed, at.x, at.y).whole:
+    now, rough = about(effects, at, v_x, v_y, spin, 0.0), moment(effects, speed, at.x, at.y)
+    free = exact and abs(along) <= EXACT * speed
+    if not free and now.ss > SLIGHT * (rough.whole + rough.mass * at.reach * at.reach):
         return settled(now, at, v_x, v_y, spin, 0.0, x, y, abs(spin), True)
     # The rotation is proportional to the motion across the line, and the force does not depend on it.
     now = settled(
@@ -372,5 +386,5 @@ def _rotation(effects, at, x, y, guess):
     return Psi(
         v_x, v_y, spin, now.f_x, now.f_y, now.xx, now.xy, now.yy,
         -spin / across * along_y, spin / across * along_x, 0.0, 0.0, NOWHERE,
-        now.noise_x, now.noise_y, exact and abs(along) <= EXACT * speed, True,
+        now.noise_x, now.noise_y, free, True,
     )  # fmt: skip
