@@ -11,8 +11,8 @@ other. The root of the second sum is the limit for small b, which a slider passe
 
 Points at y beside the line, such as those of a line with rounded coordinates, move by ``b - omega y``
 along it in the place of b, and add ``p y (b - omega y) / h`` to the second sum; the first one need not
-vanish. In the frame of its own tangent, a segment is at one y. Its x differs there, and the second sum takes
-the difference.
+vanish. In the frame of its own tangent, a segment is at one y. Its x differs there, and the second sum
+takes the difference.
 """
 
 from __future__ import annotations
