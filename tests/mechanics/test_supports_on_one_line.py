@@ -7,6 +7,7 @@ at x from the contact. It is evaluated here in plain Python, and the limit of pu
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 import mpmath
@@ -274,6 +275,22 @@ def test_two_supports_on_one_line():
     effects = tuple(pp.SupportFriction(support=each, weight=1.5) for each in halves)
     scene = pp.Scene(slider=slider, contact=ROUGH, effects=effects)
     assert_continuum(pp.solve(scene, math.pi), limit(*BARS["one side"]))
+
+
+def test_a_load_that_balances_the_feet():
+    """Feet that are out of balance by p3 / 32 of the third, and a load at 2 that makes up for it."""
+    places, loads = [1.0, 2.0, 3.0], [1.0, 1.0, 1.0625]
+    lack = (3 * loads[2] - 3.0) / sum(loads)
+    friction = bar(places, loads, UPRIGHT, ROUGH)
+    load = pp.Load(force=(lack / 2, 0.0), center=(0.0, 0.0))
+    scene = replace(friction, effects=(*friction.effects, load))
+    low, high, terms = -1 / 2, -1 / 3, list(zip(places, loads, (1, 1, -1), strict=True))
+    for _ in range(60):
+        omega = (low + high) / 2
+        rises = sum(p * x * s / (1 + omega * x) ** 2 for x, p, s in terms) > 0
+        low, high = (omega, high) if rises else (low, omega)
+    assert_continuum(pp.solve(scene, math.pi), low)
+    assert not pp.solve(friction, math.pi)[-1].continuum
 
 
 @pytest.mark.parametrize(("places", "loads"), [([1, 2, 3], [1, 1, 1.5]), ([-1, 1.1], [1, 1])])
