@@ -187,7 +187,7 @@ def contact_modes(push, law, edges, pusher, moves, scratch, solutions):
         elif not (on_left or on_right):
             edge = right_edge if right <= left else left_edge
             write(push, STICK, _on_edge(push, pusher, edge), solutions[place])
-        solutions[place].continuum = flat
+        solutions[place].continuum |= flat
         return count, flat
     for i in range(place, count - 1):
         copy(solutions[i], solutions[i + 1])

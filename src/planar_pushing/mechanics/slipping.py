@@ -10,7 +10,7 @@ from planar_pushing.mechanics.compiled import compiled, generic
 from planar_pushing.mechanics.effects.base import KINDS
 from planar_pushing.mechanics.record import SLIP_RIGHT, STICK, UNSOLVED, write
 from planar_pushing.mechanics.reduced.slips import SLOWEST, slips_along
-from planar_pushing.mechanics.reduced.under import Moved, moved_at, pushed
+from planar_pushing.mechanics.reduced.under import Moved, moved_at, pushed_ends
 from planar_pushing.mechanics.reduced.way import Way
 
 #: Motions closer than this, relative to the pusher's and the free motion, are one motion: a slip of zero
@@ -69,8 +69,7 @@ def slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, place, c
     normal = copysign(max(abs(pusher.y), LEAST), pusher.y) if pusher.y != 0.0 else 0.0
     n_x, n_y = -push.t_y * normal, push.t_x * normal
     if edge.x == 0.0:
-        slid = pushed(push.effects, push.at, e_x, e_y, edge.y * normal)
-        return _write_slip(push, edge, slid, side, mode, pusher, rest, solutions, place, count)
+        return _write_normal(push, edge, normal, side, mode, pusher, rest, solutions, place, count)
     sense = copysign(1.0, edge.x)
     way = Way(push.effects, push.at, e_x, e_y, n_x, n_y, sense * push.t_x, sense * push.t_y)
     first = sense * rest_x - edge.y * (normal - rest_y) / abs(edge.x)
@@ -91,6 +90,35 @@ def slipping(push, edge, pusher, rest, moved, mode, scratch, solutions, place, c
         )
         at_edge |= edge_too
     return count if number >= 0 else UNSOLVED, at_edge, flat
+
+
+@compiled
+def _write_normal(push, edge, normal, side, mode, pusher, rest, solutions, place, count):
+    """Write the slips under an edge along the normal; returns as in `slipping`.
+
+    All motions of a continuum have this force: its ends are slips of this mode, or the stick is in it.
+    """
+    e_x, e_y = edge.along, -edge.aside
+    # The path across the force leads from right to left.
+    right, left = pushed_ends(push.effects, push.at, e_x, e_y, edge.y * normal)
+    if right.u_x == left.u_x and right.u_y == left.u_y:
+        return _write_slip(push, edge, right, side, mode, pusher, rest, solutions, place, count)
+    least, at_edge = COINCIDENCE * scale_of(pusher, rest), False
+    holds = push.t_x * right.u_x + push.t_y * right.u_y >= pusher.x - least
+    holds &= push.t_x * left.u_x + push.t_y * left.u_y <= pusher.x + least
+    tie = 1.0 + COINCIDENCE  # then from right to left
+    slow, fast = (right, left) if _speed(right) <= tie * _speed(left) else (left, right)
+    for slid in (slow, fast):
+        count, edge_too, _ = _write_slip(
+            push, edge, slid, side, mode, pusher, rest, solutions, place, count
+        )
+        at_edge |= edge_too
+    return count, at_edge, holds
+
+
+@compiled
+def _speed(slid):
+    return sqrt(slid.u_x * slid.u_x + slid.u_y * slid.u_y)
 
 
 @compiled

@@ -64,8 +64,11 @@ class Solution:
     pivot : int
         Number of the support point about which the slider pivots, -1 without one.
     continuum : bool
-        Whether this is an end of a continuum, all motions of which are solutions. The other end is another
-        slip, the sticking motion, or rest.
+        Whether this is one of a continuum of motions, all of which are solutions. It is an end of them, and
+        the other end is another slip, the sticking motion, or rest; or, if the support is on one line
+        through the contact that moves across itself, only the rotation is undetermined: the center can be
+        anywhere on that line between the two neighboring points of the support, and `twist` is the limit
+        for a motion slightly aside.
     derivatives : Derivatives, optional
         Derivatives of twist and force, if requested from `solve`.
     """
@@ -99,6 +102,12 @@ class Solution:
         return to_json(self.to_dict())
 
 
+def _outcome(count: Any, status: Any) -> Any:
+    """`Outcome` of pushes with a number of solutions and a status; a continuum is several solutions."""
+    several = int(Outcome.AMBIGUOUS)
+    return np.maximum(np.minimum(count, several), several * (status == int(Status.CONTINUUM)))
+
+
 def _values(one: Any) -> dict[str, Any]:
     return {each.name: getattr(one, each.name) for each in fields(one)}
 
@@ -129,7 +138,7 @@ class Solutions:
 
     @property
     def outcome(self) -> Outcome:
-        return Outcome(min(len(self.solutions), 2))
+        return Outcome(int(_outcome(len(self.solutions), self.status)))
 
     @property
     def modes(self) -> tuple[ContactMode, ...]:
@@ -181,7 +190,8 @@ class Solutions:
     @property
     def _title(self) -> str:
         count = len(self.solutions)
-        return f"{self.outcome}: {count} consistent solution{'' if count == 1 else 's'}"
+        found = f"{self.outcome}: {count} consistent solution{'' if count == 1 else 's'}"
+        return f"{found}, of a continuum" if self.status is Status.CONTINUUM else found
 
     def _table(self) -> Any:
         """A pandas table with one row per number and one column per solution."""
@@ -290,7 +300,8 @@ class SolutionArrays:
     @property
     def outcome(self) -> npt.NDArray[np.int8]:
         """Values of `Outcome`, shape S."""
-        return np.minimum(self.solutions, np.int8(Outcome.AMBIGUOUS))
+        found: npt.NDArray[np.int8] = _outcome(self.solutions, self.status).astype(np.int8)
+        return found
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -400,7 +411,7 @@ def as_dataset(values: Mapping[str, Any]) -> xr.Dataset:
     """The solutions of labeled problems, from the labeled variables of `SolutionArrays`."""
     mode, count = values["mode"], values["solutions"]
     consistent = named("consistent", mode >= 0)
-    outcome = named("outcome", np.minimum(count, Outcome.AMBIGUOUS).astype(np.int8))
+    outcome = named("outcome", _outcome(count, values["status"]).astype(np.int8))
     commented = {**values, "mode": mode.assign_attrs(comment=BEHIND)}
     merged: xr.Dataset = dataset([*commented.values(), consistent, outcome])
     return merged.assign_coords(component_labels())

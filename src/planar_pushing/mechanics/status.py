@@ -34,7 +34,7 @@ class ContactMode(IntEnum):
 
 
 class Outcome(IntEnum):
-    """How many solutions are consistent: none, one, or several."""
+    """How many solutions are consistent: none, one, or several; a continuum counts as several."""
 
     INCONSISTENT = 0
     UNIQUE = 1
@@ -49,7 +49,7 @@ class Status(IntEnum):
 
     `NONE`: no mode is consistent. `CONSISTENT`: every solution is an isolated motion. `PIVOTS`: one of
     them is a rotation about a support point, which is the same for an interval of forces. `CONTINUUM`: one
-    of them is an end of a continuum of motions. `UNSOLVED`: an iteration has not converged, or there are
+    of them belongs to a continuum of motions. `UNSOLVED`: an iteration has not converged, or there are
     more slips than expected.
     """
 

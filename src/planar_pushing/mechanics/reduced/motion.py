@@ -48,6 +48,8 @@ class Psi(NamedTuple):
         Number of the support point about which the slider pivots, -1 without one.
     noise_x, noise_y : float
         Rounding errors of the force.
+    continuum : bool
+        Whether the rotation is one of an interval, all of which have this force.
     found : bool
         Whether the iteration has converged.
     """
@@ -67,6 +69,7 @@ class Psi(NamedTuple):
     point: int
     noise_x: float
     noise_y: float
+    continuum: bool
     found: bool
 
 
@@ -106,5 +109,5 @@ def settled(now, at, v_x, v_y, spin, step, x, y, size, found):
     carried = step * at.reach
     return Psi(
         v_x + carried * at.a_x, v_y + carried * at.a_y, spin + step, f_x, f_y, xx, xy, yy,
-        turn_x, turn_y, 0.0, 0.0, NOWHERE, ROUNDING * noise_x, ROUNDING * noise_y, found,
+        turn_x, turn_y, 0.0, 0.0, NOWHERE, ROUNDING * noise_x, ROUNDING * noise_y, False, found,
     )  # fmt: skip

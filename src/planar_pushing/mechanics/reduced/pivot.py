@@ -111,5 +111,5 @@ def about_point(effects, at, x, y, i, spin, blur):
         now.xy + (n_x * n_y * now.ss - turns * n_y * now.xs) / whole + turn_x * now.ys,
         now.yy + (n_y * n_y * now.ss - turns * n_y * now.ys) / whole + turn_y * now.ys,
         turn_x, turn_y, pivots * free * r_x, pivots * free * r_y, i if pivots > 0.0 else NOWHERE,
-        noise + along * abs(r_x), noise + along * abs(r_y), found,
+        noise + along * abs(r_x), noise + along * abs(r_y), False, found,
     )  # fmt: skip

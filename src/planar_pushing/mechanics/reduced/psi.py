@@ -22,6 +22,7 @@ from planar_pushing.mechanics.effects.base import (
     pull,
 )
 from planar_pushing.mechanics.numerics.root import EPSILON, is_last
+from planar_pushing.mechanics.reduced.line import rotation_on_line
 from planar_pushing.mechanics.reduced.motion import (
     NOWHERE,
     ROUNDING,
@@ -109,10 +110,13 @@ def psi(effects, at, x, y, guess, point, across):
     For a long rod the unknown is the origin's motion, which is small, and the rotation follows from it; for
     a short rod it is the rotation. If `point` is the number of a support point, that point is taken to lie
     exactly across the motion from the contact, and others do to rounding; otherwise `across` is the
-    tolerance, relative to the motion.
+    tolerance, relative to the motion. A rotation that is one of an interval is the one of `reduced.line`.
     """
     if x == 0.0 and y == 0.0:
         return _at_rest(effects, at)
+    level = rotation_on_line(effects, at, x, y, guess)
+    if level.found:
+        return level
     along, speed = x * at.a_x + y * at.a_y, sqrt(x * x + y * y)
     blurred = DIRECTION if point >= 0 else across
     if point >= 0:

@@ -15,6 +15,7 @@ from planar_pushing.mechanics.effects.base import moment
 from planar_pushing.mechanics.reduced.motion import NOWHERE, ROUNDING
 from planar_pushing.mechanics.reduced.psi import psi
 from planar_pushing.mechanics.reduced.way import (
+    FLAT,
     Way,
     at_infinity,
     beside,
@@ -47,7 +48,7 @@ class Moved(NamedTuple):
     point : int
         Number of the support point about which the slider pivots, -1 without one.
     continuum : bool
-        Whether the motion is an end of a continuum.
+        Whether the motion is an end of a continuum, or its rotation is one of an interval.
     noise_x, noise_y : float
         Rounding errors of the force.
     found : bool
@@ -94,7 +95,7 @@ def sticking(effects, at, x, y, guess):
     now = psi(effects, at, x, y, guess, NOWHERE, ROUNDING)
     return Moved(
         x, y, now.v_x, now.v_y, now.spin, now.f_x, now.f_y, now.free_x, now.free_y,
-        now.point, False, now.noise_x, now.noise_y, now.found,
+        now.point, now.continuum, now.noise_x, now.noise_y, now.found,
     )  # fmt: skip
 
 
@@ -129,7 +130,7 @@ def moved_at(way, s, spin, continuum, point):
     size = way.e_x * (now.f_x + part * now.free_x) + way.e_y * (now.f_y + part * now.free_y)
     return Moved(
         x, y, now.v_x, now.v_y, now.spin, size * way.e_x, size * way.e_y, 0.0, 0.0,
-        now.point, continuum, now.noise_x, now.noise_y, now.found,
+        now.point, continuum or now.continuum, now.noise_x, now.noise_y, now.found,
     )  # fmt: skip
 
 
@@ -175,13 +176,22 @@ def pushed_ends(effects, at, e_x, e_y, along):
     way = across_force(effects, at, e_x, e_y, along)
     root = _root(way, along)
     low, high = root, root
-    jumps = root.before != root.after
+    jumps, scale = root.before != root.after, abs(root.s) + along
     touches = jumps and min(abs(root.before), abs(root.after)) <= root.noise
-    if root.found and (touches or is_flat(way, root, abs(root.s) + along)):
+    if root.found and (touches or is_flat(way, root, scale) or _is_at_end(way, root, scale)):
         low, high = _end(way, root, -1.0), _end(way, root, 1.0)
     continuum = low.s < high.s
     first = moved_at(way, low.s, low.spin, continuum, low.point)
     return first, moved_at(way, high.s, high.spin, continuum, high.point) if continuum else first
+
+
+@compiled
+def _is_at_end(way, root, scale):
+    """Whether the root of a force that is along the line but for rounding is the end of a continuum."""
+    right = beside(way, root, root.s - FLAT * scale)
+    return is_flat(way, right, scale) or is_flat(
+        way, beside(way, root, root.s + FLAT * scale), scale
+    )
 
 
 @compiled
