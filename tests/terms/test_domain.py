@@ -6,6 +6,7 @@ import dataclasses
 from decimal import Decimal
 
 import numpy as np
+import pandas as pd
 import pytest
 import xarray as xr
 
@@ -90,11 +91,16 @@ def test_a_slider_without_a_radius_knows_no_ratio():
     )  # fmt: skip
 
 
-ANGLE = "finite radians, a number in [-4 pi, 4 pi] or an array"
-DEGREES = "convert degrees to radians with np.deg2rad"
+ANGLE = "radians in [-4 pi, 4 pi]"
+DEGREES = (
+    "convert degrees with np.deg2rad, and wrap unwrapped radians with np.mod(angle, 2 * np.pi)"
+)
 NO_ANGLES = [
     *(given for given in NOT_NUMBERS if given is not None),
     *(np.inf, -np.inf, 90, -90, 12.6, 10**400, (0.1, 1.0), (1.0,)),
+    *(np.float64(90.0), np.float32(-90.0), np.float16(90.0), np.int64(90), np.uint8(90), np.array(90)),
+    *(np.array([0.0, 90.0]), np.arange(0, 181, 45), [0.0, 90.0], [[0.0], [-12.6]]),
+    *(xr.DataArray(90.0), xr.DataArray([0, 90], dims="case"), pd.Series([0.0, 90.0], index=[1, 0])),
 ]
 
 
@@ -118,15 +124,34 @@ class TestAngles:
     def test_angle_of_an_interval(self, given):
         cone = pp.motion_cone(make_scene(1.0))
         for call in (cone.contains, cone.__contains__):
-            with pytest.raises(pp.InvalidValue, match=r"radians with np\.deg2rad"):
+            with pytest.raises(pp.InvalidValue, match=r"degrees with np\.deg2rad"):
                 call(given)
 
 
+    def test_push_of_a_scene(self, given):
+        with pytest.raises(pp.InvalidValue) as caught:
+            dataclasses.replace(make_scene(1.0), push=(given, 1.0))
+        assert (caught.value.name, caught.value.allowed) == ("pusher_angle", ANGLE)
+
+
+@pytest.mark.parametrize("function", [pp.solve, pp.motion_angle, pp.limit_curve, pp.motion_centers])
+def test_lazy_angles_in_degrees_are_refused_when_they_are_computed(function):
+    angles = xr.DataArray([1.0, 90.0], dims="case").chunk(case=1)
+    found = function(make_scene(1.0), angles)
+    found.isel(case=0).compute()
+    with pytest.raises(pp.InvalidValue, match=r"90\.0 given; allowed: radians in \[-4 pi, 4 pi\]"):
+        found.isel(case=1).compute()
+
+
 @pytest.mark.parametrize(
-    "given", [4 * np.pi, -4 * np.pi, np.float64(90.0), np.array(90.0), xr.DataArray(90.0)], ids=repr
+    "given",
+    [
+        *(4 * np.pi, -4 * np.pi, np.deg2rad(720.0), np.float32(-12.5), np.int8(12), np.array(-12.0)),
+        *(xr.DataArray(12.0), np.mod(90.0, 2 * np.pi)),
+    ],
+    ids=repr,
 )
 def test_angles_that_are_allowed(given):
-    """An array, or a number of numpy, may hold any: it comes from a computation."""
     turn = np.array([float(given) % (2 * np.pi)])
     one, other = pp.solve(make_scene(1.0), given), pp.solve(make_scene(1.0), turn)
     assert int(np.asarray(one.outcome)) == other.outcome[0]

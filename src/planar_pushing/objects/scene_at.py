@@ -19,6 +19,7 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.objects.many import scenes_at
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.numbers import as_array
 from planar_pushing.terms.units import Units
 
 #: A center closer to the fence than this, relative to the extent, counts as on it: its rod would be flat.
@@ -74,7 +75,8 @@ def scene_at(
     it is not above the fence, as for a hook, c is instead the point above the contact at the height of the
     support's extent. The rod goes from the contact to c.
     """
-    if np.ndim(point) > 1:
+    places = as_array(point)
+    if places is not None and places.ndim > 1:
         return scenes_at(point, normal, partial(
             scene_at, effects=effects, contact=contact, outline=outline, units=units
         ))  # fmt: skip

@@ -108,7 +108,7 @@ def _feet(file: Path) -> Array | None:
     if found is None:
         return None
     feet = np.array(found[1].split("_"), dtype=float).reshape(2, 3).T
-    if (loads(feet) <= 0.0).any():
+    if not (loads(feet) > 0.0).all():
         center = f"({CENTER_OF_MASS[0]:g}, {CENTER_OF_MASS[1]:g})"
         raise InvalidFile(
             f"{file}: feet that do not carry the center of mass {center}; allowed: {ALLOWED}; "

@@ -24,6 +24,7 @@ from planar_pushing.simulation.policies import marked, required_policies, starts
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.terms.domain import SPEEDS, Number, require_fields, required_ratio
 from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.numbers import as_numbers
 from planar_pushing.terms.options import SAMPLES, TOLERANCE, Policy, PusherFrame, Shape
 
 #: Allowed initial twists.
@@ -127,15 +128,6 @@ def _twist(given: Any, scene: Scene) -> tuple[Number, ...]:
             "leave the twist out, since the fence determines a quasi-static motion",
         )  # fmt: skip
     return twist
-
-
-def as_numbers(given: Any) -> Number | None:
-    """Convert a number or an array of numbers to floats; return None for anything else."""
-    try:
-        found = np.asarray(given)
-    except (TypeError, ValueError):  # lists of different lengths
-        return None
-    return found.astype(float)[()] if found.dtype.kind in "iuf" else None
 
 
 def sample_count(given: object) -> int:

@@ -20,6 +20,7 @@ from planar_pushing.simulation.rows import records
 from planar_pushing.simulation.timed import timed
 from planar_pushing.terms.domain import SPEEDS, Number, required, required_finger_radius
 from planar_pushing.terms.errors import InvalidValue, as_floats, require_option, suggestion
+from planar_pushing.terms.numbers import as_numbers, remedy_for
 from planar_pushing.terms.options import PusherFrame, Shape
 
 Vector = tuple[float, float]
@@ -239,19 +240,26 @@ def _required_arrays(given: Any) -> tuple[Any, Any]:
     """Validate the velocity components of many pushers."""
     if not isinstance(given, (tuple, list)) or len(given) != 2:
         raise InvalidValue("velocity", given, ALLOWED, REMEDY)
-    x, y = given
-    for each in given:
-        numbers = np.asarray(each)
-        if numbers.dtype.kind not in "iuf" or not np.isfinite(numbers).all():
-            wrong = numbers[~np.isfinite(numbers)] if numbers.dtype.kind in "iuf" else numbers
-            raise InvalidValue("velocity", wrong.ravel().tolist()[0], "finite numbers", REMEDY)
+    x, y = (_component(each) for each in given)
     try:
-        speeds = np.hypot(x, y)
+        with np.errstate(over="ignore"):
+            speeds = np.hypot(x, y)
     except ValueError:
         shapes = np.shape(x), np.shape(y)
         raise InvalidValue("velocity", shapes, "two arrays of one shape", REMEDY) from None
     required("velocity", speeds)
     return x, y
+
+
+def _component(given: Any) -> Number:
+    """Validate a component of the velocity of many pushers."""
+    found = as_numbers(given)
+    if found is None:
+        raise InvalidValue("velocity", given, "finite numbers", remedy_for(given, REMEDY))
+    wrong = np.ravel(found)[~np.isfinite(np.ravel(found))]
+    if wrong.size:
+        raise InvalidValue("velocity", float(wrong[0]), "finite numbers", REMEDY)
+    return found
 
 
 def _constant(given: object) -> Vector:
