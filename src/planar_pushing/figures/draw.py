@@ -86,8 +86,8 @@ def draw(
     required_single(required_scene(scene))
     require_flag("cones", cones)
     require_flag("limit_curve", limit_curve)
-    if ax is not None:
-        require_kind("ax", ax, Axes, "give axes of matplotlib, or leave them out")
+    if ax is not None and not isinstance(ax, Axes):
+        raise InvalidValue("ax", ax, "axes of matplotlib", "leave them out for a new figure")
     if pusher_angle is None:
         required("pusher_magnitude", pusher_magnitude)
         if solution is not None:

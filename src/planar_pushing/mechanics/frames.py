@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidValue, has_entries
 from planar_pushing.terms.numbers import Number, as_array, as_numbers
 
 #: Kind of a vector of numbers, which determines how it transforms between frames.
@@ -113,9 +113,7 @@ class Placement:
 
 def _pair(name: str, given: Any) -> tuple[Number, Number]:
     """Two finite numbers, or two arrays of them."""
-    parts = (
-        [_plain(each) for each in given] if hasattr(given, "__len__") and len(given) == 2 else []
-    )
+    parts = [_plain(each) for each in given] if has_entries(given) and len(given) == 2 else []
     if len(parts) != 2 or not all(np.isfinite(each).all() for each in parts):
         raise InvalidValue(name, given, "two finite numbers", "give x and y in the object's frame")
     return parts[0], parts[1]

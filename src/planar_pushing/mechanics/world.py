@@ -75,5 +75,5 @@ def required_pose(given: Any) -> Pose:
         )  # fmt: skip
     x, y, angle = pose
     if abs(angle) > TURNS:
-        raise InvalidValue("object_pose", given, f"an angle of {RADIANS}", TO_RADIANS)
+        raise InvalidValue("object_pose", given, f"an angle in {RADIANS}", TO_RADIANS)
     return x, y, angle

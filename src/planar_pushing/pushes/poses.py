@@ -191,7 +191,7 @@ def _refuse_degrees(before: Array, after: Array) -> None:
         beyond = np.flatnonzero(np.abs(angles) > TURNS)
         if len(beyond):
             given = f"the angle {angles[beyond[0]]:.6g}, in pushes {listed(beyond)}"
-            raise InvalidValue(name, given, f"angles of {RADIANS}", TO_RADIANS)
+            raise InvalidValue(name, given, f"angles in {RADIANS}", TO_RADIANS)
     every, turn = np.concatenate([before, after]), after - before
     low, high = every.min(), every.max()
     half = np.pi + ROUNDING

@@ -23,7 +23,7 @@ from planar_pushing.simulation.outlines import require_above
 from planar_pushing.simulation.policies import marked, required_policies, starts_of
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.terms.domain import SPEEDS, Number, require_fields, required_ratio
-from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.errors import InvalidValue, has_entries, require_number
 from planar_pushing.terms.numbers import as_numbers
 from planar_pushing.terms.options import SAMPLES, TOLERANCE, Policy, PusherFrame, Shape
 
@@ -118,7 +118,7 @@ def _require_narrow(radius: Number, slider_radius: Number) -> None:
 
 def _twist(given: Any, scene: Scene) -> tuple[Number, ...]:
     """Validate an initial twist, which must be zero for a scene without inertia."""
-    twist = tuple(map(as_numbers, given)) if hasattr(given, "__len__") else ()
+    twist = tuple(map(as_numbers, given)) if has_entries(given) else ()
     fits = (each is not None and (np.abs(each) <= SPEEDS[1]).all() for each in twist)
     if len(twist) != 3 or not all(fits):
         raise InvalidValue("twist", given, TWIST, "give (v_x, v_y, omega)")

@@ -99,8 +99,13 @@ def _is_masked(given: object) -> bool:
 
 def as_floats(given: Any) -> tuple[float, ...]:
     """The entries of a sequence as floats; an empty tuple for anything else."""
+    return tuple(map(as_float, given)) if has_entries(given) else ()
+
+
+def has_entries(given: Any) -> bool:
+    """Whether a value has entries in order: a sequence or an array, even an empty one."""
     ordered = hasattr(given, "__len__") and not isinstance(given, (Mapping, Set))
-    return tuple(map(as_float, given)) if ordered and getattr(given, "ndim", 1) > 0 else ()
+    return ordered and getattr(given, "ndim", 1) > 0
 
 
 def require_flag(name: str, given: Any) -> bool:
