@@ -24,6 +24,21 @@ def test_open_interval_does_not_contain_its_edges():
     assert np.all(interval.contains([1e-9, 1.0, np.pi - 1e-9, 1 + 2 * np.pi]))
 
 
+@pytest.mark.parametrize("edges", [
+    (60, 120), (np.float64(60), 120.0), (0.0, np.int64(90)), (np.array([0.0, -60.0]), 1.0), ([0.0], [90.0]),
+], ids=repr)  # fmt: skip
+def test_edges_in_degrees_are_refused(edges):
+    with pytest.raises(pp.InvalidValue, match=r"AngleInterval: .*radians in .*np\.deg2rad"):
+        pp.AngleInterval(*edges)
+
+
+def test_edges_are_doubles():
+    interval = pp.AngleInterval(np.array([0, 1], "i1"), np.array([1, 2], "f2"))
+    assert (interval.right.dtype, interval.left.dtype) == (np.float64, np.float64)
+    with pytest.raises(pp.InvalidValue, match="give both edges"):
+        pp.AngleInterval(np.ma.masked_array([0.0, 1.0], [0, 1]), 2.0)
+
+
 def test_edges_are_reached_within_rounding_only():
     closed = pp.AngleInterval(0.0, 1.0)
     assert np.all(closed.contains([-1e-16, 1 + 2.3e-16]))

@@ -99,7 +99,7 @@ def first_touch(
     start, motion = _vectors("position", position), _vectors("displacement", displacement)
     reach = _not_negative("radius", radius)
     slack = require_number(
-        "tolerance", tolerance, lambda x: 0.0 <= x < math.inf, "a number >= 0", "give a length"
+        "tolerance", tolerance, lambda x: 0.0 <= x < math.inf, "numbers >= 0", "give a length"
     )
     try:
         shape = np.broadcast_shapes(start.shape[:-1], motion.shape[:-1], reach.shape)

@@ -135,8 +135,7 @@ def weights(name: str, given: object, count: int, remedy: str) -> tuple[float, .
     """Positive weights, one per member, whose sum is finite."""
     found = array(name, given, (count,), number_of(count, "positive number"), remedy)
     require_all(name, found, lambda x: x > 0, "a number > 0", "leave out what carries no weight")
-    if not np.isfinite((found / count).sum() * count):
-        raise InvalidValue(
-            name, float(found.max()), "numbers with a finite sum", "choose another unit"
-        )
+    if found.max(initial=0.0) > np.finfo(float).max / count:
+        allowed = "numbers with a finite sum"
+        raise InvalidValue(name, float(found.max()), allowed, "choose another unit")
     return tuple(found.tolist())
