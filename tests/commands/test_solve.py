@@ -98,6 +98,8 @@ def test_a_continuum_is_shown(run, tmp_path):
 
 def test_rounding_errors_are_printed_as_zero(run):
     """Of a push along the normal the motion along the fence, and of one along it the center's place."""
+    many = run("solve", SCENE, "--pusher-angle", "7290", "--json")[1]
+    assert many == run("solve", SCENE, "--pusher-angle", "90", "--json")[1].replace(" 90", " 7290")
     out = run("solve", SCENE, "--pusher-angle", "0:180:15")[1]
     assert "e-1" not in out
     for angle in ("0", "90", "180"):

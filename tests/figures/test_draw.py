@@ -133,6 +133,13 @@ def test_the_magnitude_counts_where_friction_and_inertia_resist():
         ({"pusher_angle": np.array([1.0, 2.0])}, "pusher_angle: array([1., 2.]) given; allowed: "),
         ({"pusher_magnitude": -1.0}, "pusher_magnitude: -1.0 given; allowed: "),
         ({"pusher_magnitude": np.array([1.0, 2.0])}, "pusher_magnitude: "),
+        ({"pusher_angle": np.float64(90)}, "pusher_angle: 90.0 given; allowed: radians in [-4 pi, 4 pi]"),
+        ({"pusher_angle": None, "pusher_magnitude": "x"}, "pusher_magnitude: 'x' given; allowed: "),
+        ({"pusher_angle": None, "pusher_magnitude": -5}, "pusher_magnitude: -5 given; allowed: "),
+        ({"pusher_angle": None, "solution": 7}, "solution: 7 given; allowed: None without pusher_angle"),
+        ({"ax": 1}, "ax: 1 given; allowed: axes of matplotlib"),
+        ({"cones": np.array([True, False])}, "cones: array([ True, False]) given; allowed: True or False"),
+        ({"limit_curve": "no"}, "limit_curve: 'no' given; allowed: True or False"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_drawn_is_one_line(options, said):
@@ -273,6 +280,7 @@ def test_any_support_is_animated_in_a_notebook_or_a_file(logs, tmp_path, name):
     ("options", "said"),
     [
         ({"path": "a.mp4"}, "output: 'a.mp4' given; allowed: a name ending in .gif; rename the file"),
+        ({"path": 1}, "path: 1 given; allowed: the path of a file"),
         ({"frames": 1}, "frames: 1 given; allowed: a whole number from 2 to 1000; choose another number"),
         ({"frames": 2.5}, "frames: 2.5 given; allowed: a whole number from 2 to 1000"),
         ({"frames": 1001}, "frames: 1001 given; allowed: a whole number from 2 to 1000"),
@@ -288,6 +296,20 @@ def test_wrong_options_of_an_animation_are_one_line(logs, options, said):
         pp.animate(logs["figure_15"], **options)
     assert str(caught.value).startswith(said)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("function", [pp.animate, pp.plot_log])
+@pytest.mark.parametrize("given", [None, 1, "log.nc", np.ones(2)], ids=repr)
+def test_what_is_no_log_is_one_line(function, given):
+    with pytest.raises(
+        pp.InvalidValue, match=r"^log: .* given; allowed: a dataset returned by simulate"
+    ):
+        function(given)
+
+
+def test_a_figure_is_one_of_matplotlib(logs):
+    with pytest.raises(pp.InvalidValue, match=r"^figure: 1 given; allowed: a Figure"):
+        pp.plot_log(logs["figure_15"], figure=1)
 
 
 # -- notebooks ---------------------------------------------------------------------------------------

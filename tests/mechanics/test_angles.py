@@ -11,8 +11,10 @@ import planar_pushing as pp
 def test_closed_interval_contains_its_edges_and_every_turn_of_them():
     interval = pp.AngleInterval(-0.5, 1.0)
     angles = np.array([-0.5, 0.0, 1.0])
-    for turns in (-2, 0, 1, 3):
+    for turns in (-1, 0, 1):
         assert np.all(interval.contains(angles + 2 * np.pi * turns))
+    for turns in (-2, 3):
+        assert np.all(interval.contains(np.mod(angles + 2 * np.pi * turns, 2 * np.pi)))
     assert not np.any(interval.contains([-0.5 - 1e-9, 1 + 1e-9, np.pi, -3.0]))
 
 
@@ -20,6 +22,21 @@ def test_open_interval_does_not_contain_its_edges():
     interval = pp.AngleInterval(0.0, np.pi, closed=False)
     assert not np.any(interval.contains([0.0, np.pi, -np.pi, 2 * np.pi, -1e-17]))
     assert np.all(interval.contains([1e-9, 1.0, np.pi - 1e-9, 1 + 2 * np.pi]))
+
+
+@pytest.mark.parametrize("edges", [
+    (60, 120), (np.float64(60), 120.0), (0.0, np.int64(90)), (np.array([0.0, -60.0]), 1.0), ([0.0], [90.0]),
+], ids=repr)  # fmt: skip
+def test_edges_in_degrees_are_refused(edges):
+    with pytest.raises(pp.InvalidValue, match=r"AngleInterval: .*radians in .*np\.deg2rad"):
+        pp.AngleInterval(*edges)
+
+
+def test_edges_are_doubles():
+    interval = pp.AngleInterval(np.array([0, 1], "i1"), np.array([1, 2], "f2"))
+    assert (interval.right.dtype, interval.left.dtype) == (np.float64, np.float64)
+    with pytest.raises(pp.InvalidValue, match="give both edges"):
+        pp.AngleInterval(np.ma.masked_array([0.0, 1.0], [0, 1]), 2.0)
 
 
 def test_edges_are_reached_within_rounding_only():
@@ -92,7 +109,7 @@ def test_of_many_intervals_none_has_one_answer():
 
 def test_contains_refuses_what_is_no_angle():
     for given in ("east", [0.0, np.nan], None):
-        with pytest.raises(pp.InvalidValue, match=r"angle: .* finite radians"):
+        with pytest.raises(pp.InvalidValue, match=r"angle: .* radians in"):
             pp.AngleInterval(-0.5, 1.0).contains(given)
 
 

@@ -117,6 +117,7 @@ WRONG = {
     "half a foot": (box, {"feet": 3.5}, "feet: 3.5 given; allowed: an integer from 3 to 1000; "),
     "timestep": (box, {"timestep": 0.0}, "timestep: 0.0 given; allowed: a finite number > 0; "),
     "gravity": (box, {"gravity": np.inf}, "gravity: inf given; allowed: a finite number; "),
+    "masked gravity": (box, {"gravity": np.ma.masked}, "gravity: masked given; allowed: a finite"),
 }  # fmt: skip
 
 
@@ -126,6 +127,11 @@ def test_a_wrong_value_is_refused_in_one_line(case):
     with pytest.raises(InvalidValue, match=message) as refusal:
         pp.to_mjcf(scene(), **options)
     assert "\n" not in str(refusal.value)
+
+
+@pytest.mark.parametrize("gravity", [np.uint8(10), np.uint64(10), np.int8(10), np.float16(10), 10])
+def test_gravity_of_any_type_points_down(gravity):
+    assert pp.to_mjcf(box(), gravity=gravity) == pp.to_mjcf(box(), gravity=10.0)
 
 
 def loaded(text):

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
+import pandas as pd
 import pytest
+import xarray as xr
 from scipy.optimize import minimize_scalar
 
 import planar_pushing as pp
@@ -204,6 +206,11 @@ REFUSED = [
     ({"point": (0.5, -1), "effects": [pp.RingFriction()]}, "for a ring give the radius"),
     ({"point": (0.5, -1), "effects": [pp.Load(force=(1, 0))]}, "friction or inertia among them"),
     ({"point": (0.5, -1), "contact": 2}, "contact: 2 given"),
+    ({"point": ([0.5], -1)}, "point: ([0.5], -1) given; allowed: two finite numbers"),
+    ({"point": (0.5, True)}, "point: (0.5, True) given; allowed: two finite numbers"),
+    ({"point": (0.5, -1), "normal": [(0, 1), (0, 1)]}, "normal: [(0, 1), (0, 1)] given; allowed: two finite"),
+    ({"point": [(0.5, -1)], "normal": [(0, 1)] * 2}, "normal: (2, 2) given; allowed: shape (2,) or (1, 2)"),
+    ({"point": np.ma.masked_array([0.5, -1.0], [True, False])}, "fill the masked entries"),
 ]  # fmt: skip
 
 
@@ -245,11 +252,42 @@ class TestWeight:
 
     @pytest.mark.parametrize(
         ("given", "name"),
-        [((0.0, 0.3), "mass"), ((1.2, -0.3), "support_friction"), ((1.2, 0.3, 0.0), "gravity")],
+        [
+            ((0.0, 0.3), "mass"),
+            ((1.2, -0.3), "support_friction"),
+            ((1.2, 0.3, 0.0), "gravity"),
+            ((1e308, 0.3, 10.0), "weight"),
+            ((np.float64(1e308), np.array([0.3, 1.0]), 10), "weight"),
+            ((1e-300, 1e-300), "weight"),
+            ((10**400, 1.0), "mass"),
+        ],
     )
     def test_bad_input(self, given, name):
         with pytest.raises(pp.InvalidValue, match=f"^{name}: "):
             pp.weight(*given)
+
+    @pytest.mark.parametrize(
+        "dtype", ["i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f2", "f4", "f8"]
+    )
+    def test_products_of_small_types_are_doubles(self, dtype):
+        m, mu, g = np.array([100, 120], dtype), np.array([2], dtype)[0], np.array(10, dtype)
+        found = pp.weight(m, mu, g)
+        assert found.dtype == np.float64
+        assert found.tolist() == [2000.0, 2400.0]
+        assert pp.weight(m[0], mu, g) == 2000.0
+        labeled = pp.weight(xr.DataArray(m, dims="case"), mu, g)
+        assert (labeled.dims, labeled.dtype) == (("case",), np.float64)
+        assert labeled.values.tolist() == [2000.0, 2400.0]
+        lazy = pp.weight(xr.DataArray(m, dims="case").chunk(case=1), mu, g)
+        assert lazy.chunks == ((1, 1),)
+        assert lazy.values.tolist() == [2000.0, 2400.0]
+
+    def test_the_index_of_a_table_does_not_count(self):
+        mass, friction = pd.Series([1.0, 2.0]), pd.Series([0.5, 0.25], index=[1, 0])
+        assert pp.weight(mass, friction, 10.0).tolist() == [5.0, 5.0]
+
+    def test_numbers_of_python_stay_so(self):
+        assert type(pp.weight(2, 1, 10)) is float
 
 
 class TestManyContacts:

@@ -219,7 +219,7 @@ def test_parameters_that_have_no_place(effect, name):
 
 def test_wrong_wrenches_and_lengths():
     found = pp.wrench_set(FEET, ABOUT)
-    for wrench in ([1.0, 2.0], "abc", [[1.0, 2.0, np.nan]]):
+    for wrench in ([1.0, 2.0], "abc", [[1.0, 2.0, np.nan]], (True, 1.0, 0.5), ["1", 0.0, 0.0]):
         with pytest.raises(pp.InvalidValue, match=r"give \(f_x, f_y, tau\)"):
             found.distance(wrench)
     with pytest.raises(pp.InvalidValue, match="a finite number > 0"):

@@ -55,13 +55,71 @@ def test_the_world_frame_does_not_count(radius):
     start, end = finger_places(pushes, before, lead=0.7)
     middle = (before[:, 2] + after[:, 2]) / 2
     force = [turn(a) @ f for a, f in zip(middle, pushes["force"].values, strict=True)]
-    after[:, 2] += 2 * np.pi * np.array([0, 1, -1])  # angles are known but for full turns
+    signed, positive = (
+        (np.arctan2(np.sin(each), np.cos(each)) for each in (before[:, 2], after[:, 2])),
+        (np.mod(each, 2 * np.pi) for each in (before[:, 2], after[:, 2])),
+    )
+    for wrapped in ((before[:, 2], after[:, 2]), signed, positive):
+        before[:, 2], after[:, 2] = wrapped
+        found = pp.pushes_from_poses(
+            outline=SQUARE, poses_before=before, poses_after=after, finger_start=start, finger_end=end,
+            finger_radius=radius, force=force,
+        )  # fmt: skip
+        for name in (
+            "contact",
+            "normal",
+            "finger_displacement",
+            "displacement",
+            "rotation",
+            "force",
+        ):
+            assert found[name].values == pytest.approx(pushes[name].values, abs=1e-9), name
+
+
+@pytest.mark.parametrize(("before", "after"), [
+    (3.1, -3.1), (-3.1, 3.1), (np.pi, -np.pi + 0.08), (0.05, 2 * np.pi - 0.03), (6.27, 0.07),
+    (np.float32(np.pi), np.float32(-3.06)), (7.0, 7.083), (-12.5, -12.42),
+])  # fmt: skip
+def test_wrapped_and_unwrapped_angles(before, after):
+    turned = np.remainder(float(after) - float(before) + np.pi, 2 * np.pi) - np.pi
+    c, s = np.cos(before), np.sin(before)
+    start, end = (np.array([(c, -s), (s, c)]) @ each for each in ((-1.5, 0.5), (-0.9, 0.5)))
     found = pp.pushes_from_poses(
-        outline=SQUARE, poses_before=before, poses_after=after, finger_start=start, finger_end=end,
-        finger_radius=radius, force=force,
+        outline=SQUARE, poses_before=[(0, 0, before)], poses_after=[(0, 0, after)],
+        finger_start=[start], finger_end=[end],
     )  # fmt: skip
-    for name in ("contact", "normal", "finger_displacement", "displacement", "rotation", "force"):
-        assert found[name].values == pytest.approx(pushes[name].values, abs=1e-9), name
+    assert found["rotation"].values == pytest.approx([np.rad2deg(turned)], rel=1e-9)
+
+
+ROTATES = "poses_after: 'a rotation by "
+
+
+@pytest.mark.parametrize(("before", "after", "said"), [
+    ([0.0], [57.0], "poses_after: 'the angle 57, in pushes 0' given; allowed: angles in radians in"),
+    ([90.0], [0.0], "poses_before: 'the angle 90, in pushes 0' given; allowed: angles in radians in"),
+    ([0.0], [-5.4], f"{ROTATES}-5.4 radians, in pushes 0' given; allowed: pushes that turn the object by less"),
+    ([0.0, 0.0], [5.7, -4.4], f"{ROTATES}5.7 radians, in pushes 0, 1' given"),
+    ([0.0, 0.0], [5.7, 8.0], f"{ROTATES}5.7 radians, in pushes 0, 1' given"),
+    ([0.0, 0.0], [2 * np.pi + 0.1, 0.1], f"{ROTATES}6.38319 radians, in pushes 0' given"),
+])  # fmt: skip
+def test_angles_in_degrees_are_refused(before, after, said):
+    given = {
+        "outline": SQUARE, "poses_before": [(0, 0, a) for a in before],
+        "poses_after": [(0.2, 0, a) for a in after], "finger_start": [(-1.5, 0.1)] * len(before),
+        "finger_end": [(-0.9, 0.1)] * len(before),
+    }  # fmt: skip
+    with pytest.raises(pp.InvalidValue) as error:
+        pp.pushes_from_poses(**given)
+    assert str(error.value).startswith(said), str(error.value)
+    assert "convert degrees with np.deg2rad" in str(error.value)
+    radians = {
+        name: np.array(given[name]) * (1, 1, np.pi / 180)
+        for name in ("poses_before", "poses_after")
+    }
+    if max(map(abs, after)) > 6.0:
+        return
+    found = pp.pushes_from_poses(**given | radians)
+    assert found["rotation"].values == pytest.approx(np.subtract(after, before), rel=1e-9)
 
 
 def test_a_path_begins_at_its_first_touch():
@@ -153,7 +211,16 @@ def test_a_push_that_begins_deep_in_the_object_is_named_or_left_out():
     ({"noise": (0.1, 0.2, -1)}, "force_noise: -1 given; allowed: a number >= 0"),
     ({"poses_before": np.zeros((0, 3))}, "poses_before: 'shape (0, 3)' given; allowed: shape (n, 3)"),
     ({"units": "mm"}, "units: 'mm' given; allowed: the names of two units, such as (mm, N); give both"),
-    ({"finger_radius": -1.0}, "radius: -1.0 given; allowed: numbers >= 0"),
+    ({"finger_radius": -1.0}, "finger_radius: -1.0 given; allowed: a number >= 0"),
+    ({"finger_radius": [1.0]}, "finger_radius: [1.0] given; allowed: a number >= 0"),
+    ({"tolerance": [1.0]}, "tolerance: [1.0] given; allowed: a number >= 0"),
+    ({"skip_missed": np.array([True, False])}, "skip_missed: array([ True, False]) given; allowed: True or"),
+    *(({"mass": mass}, f"mass: {mass!r} given; allowed: a finite number > 0")
+      for mass in (-1, 0, float("nan"), float("inf"), "2", True, [[1.0]], np.datetime64("2020-01-01"))),
+    ({"poses_after": [(5.0, 1.3, b"2")]}, "poses_after: [(5.0, 1.3, b'2')] given; allowed: an array of"),
+    ({"poses_after": [(5.0, 1.3, True)]}, "poses_after: [(5.0, 1.3, True)] given; allowed: an array of"),
+    ({"force": np.array([[1 + 5j, 2]])}, "force: array([[1.+5.j, 2.+0.j]]) given; allowed: an array of"),
+    ({"force": np.ma.masked_array([[1.0, 2.0]], [[True, True]])}, "force: masked_array(data=[[--, --]]"),
     ({"poses_before": "x"}, "poses_before: 'x' given; allowed: an array of numbers"),
 ])  # fmt: skip
 def test_wrong_input(changes, said):

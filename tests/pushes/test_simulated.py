@@ -82,6 +82,7 @@ def test_noise_is_added_to_the_same_pushes():
     ({"effects": ()}, "effects: () given; allowed: a sequence of SupportFriction"),
     ({"n": 0}, "n: 0 given; allowed: a whole number >= 1"),
     ({"n": 2.5}, "n: 2.5 given; allowed: a whole number >= 1"),
+    ({"n": 1e308}, "n: 1e+308 given; allowed: a whole number >= 1, at most 1e+07"),
     ({"seed": -1}, "seed: -1 given; allowed: a whole number >= 0"),
     ({"distance": 0.0}, "distance: 0.0 given; allowed: a finite number > 0"),
     ({"distance": 50.0, "n": 1},

@@ -182,6 +182,13 @@ def test_time_stepping_locates_no_events():
         ({"distance": -1.0}, "distance: -1.0 given"),
         ({"pusher_distance": np.inf}, "pusher_distance: inf given"),
         ({"rotation": "1"}, "rotation: '1' given"),
+        *(
+            (
+                {"rotation": given},
+                "rotation: 90.0 given; allowed: radians in (0, 4 pi]; convert degrees",
+            )
+            for given in (90, 90.0, np.float32(90), np.int64(90))
+        ),
     ],
     ids=str,
 )

@@ -28,6 +28,7 @@ def refused(call, name):
 @pytest.mark.parametrize("velocity", [
     (10**400, 1), ("0", "1"), (b"0", 1.0), (np.True_, 1.0), (Decimal(1), 0.0), ([0.0], [1.0]),
     itertools.count(), iter((0.0, 1.0)), "ab", {0.0, 1.0, 2.0}, [(0, (0, 10**400))], [(0, (0, "1"))],
+    np.ma.masked, np.array(1.0), {0.0: 1, 1.0: 0}, (np.ma.masked, 1.0),
 ])  # fmt: skip
 def test_a_velocity_is_two_numbers(velocity):
     refused(lambda: pp.Pusher(velocity=velocity), "velocity")
@@ -130,7 +131,8 @@ def test_values_of_arrays_of_coefficients(given):
 
 @pytest.mark.parametrize("velocity", [
     (0.0, Decimal(1)), None, (0.0, 1e200), (np.array([0.0, 1e-200]), 0.0), (np.ones(2), None),
-    (np.ones(2), Decimal(1)), (np.ones(2), np.ones(3)),
+    (np.ones(2), Decimal(1)), (np.ones(2), np.ones(3)), (np.ma.masked_array([1.0, 2.0], [0, 1]), 0.0),
+    (np.array([True, False]), 0.0), (np.array([1e308, 0.0]), 1e308),
 ], ids=str)  # fmt: skip
 def test_velocities_of_a_batch(velocity):
     refused(lambda: pp.Pusher(velocity=velocity), "velocity")

@@ -156,6 +156,14 @@ def test_bad_poses_are_refused(pose):
         run(box(), (0, 0.1), 0.1, object_pose=pose)
 
 
+@pytest.mark.parametrize("angle", [90, -90.0, np.float64(90), np.int64(90), np.array(90)], ids=repr)
+def test_poses_in_degrees_are_refused(angle):
+    with pytest.raises(
+        pp.InvalidValue, match=r"object_pose: .*; allowed: an angle in radians in \[-4 pi, 4 pi\]"
+    ):
+        run(box(), (0, 0.1), 0.1, object_pose=(1, 2, angle))
+
+
 def test_a_pusher_along_the_world_needs_the_pose():
     pusher = pp.Pusher(velocity=(0, 1), frame="world")
     message = "frame: 'world' given; allowed: fence, if no object_pose is given; give simulate"

@@ -47,6 +47,7 @@ def push(scene: Scene, degrees: float | None, magnitude: float | None) -> dict[s
     import numpy as np
 
     from planar_pushing.mechanics.solve import solve
+    from planar_pushing.terms.numbers import in_radians
 
     if degrees is None and scene.push is None:
         raise InvalidValue(
@@ -55,7 +56,7 @@ def push(scene: Scene, degrees: float | None, magnitude: float | None) -> dict[s
         )  # fmt: skip
     angle, own = scene.push or (0.0, 1.0)
     if degrees is not None:
-        angle, own = np.deg2rad(degrees), 1.0
+        angle, own = in_radians(degrees), 1.0
     magnitude = own if magnitude is None else magnitude
     found = solve(scene, angle, magnitude)
     return {

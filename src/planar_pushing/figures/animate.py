@@ -27,7 +27,7 @@ from planar_pushing.figures.scene import add_center_mark
 from planar_pushing.figures.style import paper_style
 from planar_pushing.figures.timeline import announce_end, plotted
 from planar_pushing.study.files.replacing import replacing
-from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.errors import InvalidValue, require_number, require_path
 from planar_pushing.terms.renamed import renamed_keywords
 
 #: Size of a picture in inches, its pixels per inch, and the padding around the drawing in points.
@@ -83,7 +83,7 @@ def animate(
     InvalidFile
         If the dataset is not a log.
     """
-    if path is not None and Path(path).suffix.lower() != ".gif":
+    if path is not None and Path(require_path("path", path)).suffix.lower() != ".gif":
         raise InvalidValue("output", str(path), "a name ending in .gif", "rename the file")
     require_number(
         "frames", frames, lambda n: 2 <= n <= 1000 and n == int(n), FRAMES, "choose another number"

@@ -24,7 +24,8 @@ from planar_pushing.figures.words import outcome
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.scene import Scene, required_scene, required_single
 from planar_pushing.mechanics.solve import solve
-from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.domain import required
+from planar_pushing.terms.errors import InvalidValue, require_flag, require_kind, require_number
 from planar_pushing.terms.renamed import renamed_keywords
 
 #: Sizes of the pictures of a scene and of a log, inches; padding, points.
@@ -79,10 +80,19 @@ def draw(
     Raises
     ------
     InvalidValue
-        If the scene is an array of scenes, or there is no such solution or no limit curve.
+        If the scene is an array of scenes, a value is not allowed, or there is no such solution or no limit
+        curve.
     """
     required_single(required_scene(scene))
+    require_flag("cones", cones)
+    require_flag("limit_curve", limit_curve)
+    if ax is not None and not isinstance(ax, Axes):
+        raise InvalidValue("ax", ax, "axes of matplotlib", "leave them out for a new figure")
     if pusher_angle is None:
+        required("pusher_magnitude", pusher_magnitude)
+        if solution is not None:
+            allowed, remedy = "None without pusher_angle", "give the pusher_angle"
+            raise InvalidValue("solution", solution, allowed, remedy)
         sketch = Sketch.of(scene)
     else:
         push = {"pusher_angle": pusher_angle, "pusher_magnitude": pusher_magnitude}
@@ -165,6 +175,8 @@ def plot_log(log: xr.Dataset, figure: Figure | None = None) -> Figure:
     InvalidFile
         If the dataset is not a log.
     """
+    if figure is not None:
+        require_kind("figure", figure, Figure, "give a figure of matplotlib, or leave it out")
     data = plotted(log)
     announce_end(log)
     with paper_style():

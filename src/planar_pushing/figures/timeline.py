@@ -15,7 +15,7 @@ from planar_pushing.figures.body import Body, body_in
 from planar_pushing.figures.supports import Pose
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Ring
-from planar_pushing.terms.errors import InvalidFile
+from planar_pushing.terms.errors import InvalidFile, InvalidValue
 from planar_pushing.terms.options import Shape
 from planar_pushing.terms.quantities import described
 
@@ -52,9 +52,13 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
 
     Raises
     ------
+    InvalidValue
+        If the log is not a dataset.
     InvalidFile
         If the dataset is not a log, or is one of a scene that no scene file describes.
     """
+    if not isinstance(log, xr.Dataset):
+        raise InvalidValue("log", log, "a dataset returned by simulate", "call simulate first")
     missing = [name for name in (*PATH, "twist") if name not in log]
     try:
         slider, body = json.loads(log.attrs.get("scene", ""))["slider"], body_in(log)

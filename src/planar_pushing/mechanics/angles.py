@@ -11,8 +11,9 @@ import numpy.typing as npt
 from planar_pushing.mechanics.numerics.arrays import dataset, is_labeled, named, same
 from planar_pushing.mechanics.numerics.root import EPSILON
 from planar_pushing.mechanics.status import Status
-from planar_pushing.terms.domain import Number, is_lazy, required
+from planar_pushing.terms.domain import RADIANS, TO_RADIANS, TURNS, required
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.numbers import Number, as_numbers, is_lazy
 
 #: Directions closer than this (radians) are one direction: a few ulp of pi.
 RESOLUTION = 8 * EPSILON
@@ -41,8 +42,8 @@ class AngleInterval:
 
     def __post_init__(self) -> None:
         edges = self.right, self.left
-        if not all(map(_are_numbers, edges)):
-            raise InvalidValue("AngleInterval", edges, "numbers of radians", "give both edges")
+        for name in ("right", "left"):
+            object.__setattr__(self, name, _edge(getattr(self, name), edges))
         if not (
             is_lazy(self.right)
             or np.all((self.right <= self.left) | (np.asarray(self.status) == Status.UNSOLVED))
@@ -85,8 +86,14 @@ class AngleInterval:
         return np.asarray(offset <= self.span / 2 + margin)
 
 
-def _are_numbers(edge: Number) -> bool:
-    return is_lazy(edge) or np.asarray(edge).dtype.kind in "iuf"
+def _edge(given: Any, edges: tuple[Any, Any]) -> Number:
+    """An edge in double precision, NaN where there is no interval."""
+    edge = given if is_lazy(given) else as_numbers(given)
+    if edge is None:
+        raise InvalidValue("AngleInterval", edges, "numbers of radians", "give both edges")
+    if not is_lazy(edge) and (np.abs(edge) > TURNS).any():
+        raise InvalidValue("AngleInterval", edges, RADIANS, TO_RADIANS)
+    return edge
 
 
 def _in_degrees(edge: Number) -> Number:

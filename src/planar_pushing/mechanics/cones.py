@@ -200,7 +200,7 @@ def spin_ratio(
     Raises
     ------
     InvalidValue
-        If `inertia_share` is missing, superfluous or out of range, or an angle is not finite.
+        If `inertia_share` is missing, superfluous or out of range, or an angle is beyond 4 pi.
 
     Notes
     -----

@@ -38,7 +38,7 @@ from planar_pushing.mechanics.reduced.under import pushed, pushed_ends
 from planar_pushing.mechanics.response import FIRST, FORCE, LINE
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import required
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidValue, require_flag
 from planar_pushing.terms.units import named_units
 
 NONE, CONSISTENT, PIVOTS = int(Status.NONE), int(Status.CONSISTENT), int(Status.PIVOTS)
@@ -183,8 +183,8 @@ def motion_of_force(
     Raises
     ------
     InvalidValue
-        If `force_ratio` is missing, superfluous or not positive, an angle is not finite, or derivatives are
-        requested with a DataArray.
+        If `force_ratio` is missing, superfluous or not positive, an angle is beyond 4 pi, or derivatives
+        are requested with a DataArray.
 
     Notes
     -----
@@ -194,7 +194,7 @@ def motion_of_force(
     angle = required("force_angle", force_angle)
     columns, rod = unit_columns(scene)
     given = [*columns, *rod, angle, np.divide(ratio, 2), *_units(scene), scene.slider.radius]
-    if derivatives:
+    if require_flag("derivatives", derivatives):
         require_unlabeled(given)
     results = evaluated(_motions, scene.kinds, given, OUTPUTS)
     if is_labeled(results[0]):

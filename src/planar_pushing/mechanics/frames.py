@@ -15,8 +15,8 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.terms.domain import Number
-from planar_pushing.terms.errors import InvalidValue, as_float
+from planar_pushing.terms.errors import InvalidValue, has_entries
+from planar_pushing.terms.numbers import Number, as_array, as_numbers
 
 #: Kind of a vector of numbers, which determines how it transforms between frames.
 Kind = Literal["vector", "point", "twist", "wrench"]
@@ -92,7 +92,8 @@ class Placement:
 
     def __post_init__(self) -> None:
         (x, y), (n_x, n_y) = (_pair(name, getattr(self, name)) for name in ("point", "normal"))
-        length = np.hypot(n_x, n_y)
+        with np.errstate(over="ignore"):
+            length = np.hypot(n_x, n_y)
         if not ((length > 0.0) & (length < math.inf)).all():
             raise InvalidValue(
                 "normal", self.normal, "a nonzero vector",
@@ -112,9 +113,7 @@ class Placement:
 
 def _pair(name: str, given: Any) -> tuple[Number, Number]:
     """Two finite numbers, or two arrays of them."""
-    parts = (
-        [_plain(each) for each in given] if hasattr(given, "__len__") and len(given) == 2 else []
-    )
+    parts = [_plain(each) for each in given] if has_entries(given) and len(given) == 2 else []
     if len(parts) != 2 or not all(np.isfinite(each).all() for each in parts):
         raise InvalidValue(name, given, "two finite numbers", "give x and y in the object's frame")
     return parts[0], parts[1]
@@ -122,9 +121,10 @@ def _pair(name: str, given: Any) -> tuple[Number, Number]:
 
 def _plain(given: Any) -> Number:
     """A number or an array without negative zeros; NaN if it is not numeric."""
-    if np.ndim(given):
-        return given + 0.0 if getattr(given, "dtype", np.dtype("O")).kind in "iuf" else math.nan
-    return as_float(given) + 0.0
+    found = as_numbers(given)
+    if found is None:
+        return math.nan
+    return found + 0.0 if np.ndim(found) else float(found) + 0.0
 
 
 def changed(value: npt.ArrayLike, kind: str, to: Frame, center: Array, into: bool) -> Array:
@@ -164,11 +164,8 @@ def _numbers(value: Any, kind: str) -> Array:
     """Numbers of a kind, or `InvalidValue`."""
     if kind not in SIZES:
         raise InvalidValue("kind", kind, ", ".join(SIZES), "name one of these kinds")
-    try:
-        numbers = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        numbers = np.empty(0)
-    if numbers.shape[-1:] != (SIZES[kind],):
+    numbers = as_array(value)
+    if numbers is None or numbers.shape[-1:] != (SIZES[kind],):
         raise InvalidValue(
             kind,
             value,

@@ -23,7 +23,13 @@ from planar_pushing.mechanics.frames import Frame, Kind, Placement, changed
 from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.mechanics.pictures import picture
 from planar_pushing.mechanics.plane import Array, direction
-from planar_pushing.terms.domain import Number, require_fields, required_ratio, required_side
+from planar_pushing.terms.domain import (
+    Number,
+    require_fields,
+    required,
+    required_ratio,
+    required_side,
+)
 from planar_pushing.terms.errors import InvalidValue, require_kind
 from planar_pushing.terms.units import Units
 
@@ -107,7 +113,7 @@ class Scene:
     Raises
     ------
     InvalidValue
-        If no effect is listed, or an effect or a law is of another type.
+        If no effect is listed, an effect or a law is of another type, or the push is out of range.
 
     Notes
     -----
@@ -144,6 +150,8 @@ class Scene:
             radius = extents(supports[0]) if supports else 1.0
             object.__setattr__(self, "slider", replace(self.slider, radius=radius))
         _ = self.inertia
+        if self.push is not None:
+            object.__setattr__(self, "push", _required_push(self.push))
         for name, kind in (("placement", Placement), ("units", Units)):
             if getattr(self, name) is not None:
                 require_kind(name, getattr(self, name), kind)
@@ -292,6 +300,13 @@ def _is_off(coordinate: Number) -> bool:
     if isinstance(coordinate, float):
         return coordinate != 0.0
     return bool(np.any(np.asarray(coordinate) != 0))
+
+
+def _required_push(given: Any) -> tuple[Number, Number]:
+    """Angle and magnitude of a push, or `InvalidValue`."""
+    if not isinstance(given, (tuple, list)) or len(given) != 2:
+        raise InvalidValue("push", given, "(angle, magnitude)", "give the angle in radians")
+    return required("pusher_angle", given[0]), required("pusher_magnitude", given[1])
 
 
 def required_scene(given: object) -> Scene:

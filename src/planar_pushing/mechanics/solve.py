@@ -33,7 +33,7 @@ from planar_pushing.mechanics.reduced.slips import ENTRIES, SLIPS
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.mechanics.solutions import SolutionArrays, Solutions, as_dataset, listed
 from planar_pushing.terms.domain import Number, Numbers, Scalar, required, required_ratio
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidValue, require_flag
 from planar_pushing.terms.units import named_units
 
 if TYPE_CHECKING:
@@ -298,8 +298,8 @@ def solve(
     ------
     InvalidValue
         If a value, or m a / W with friction and inertia, is out of its range, or derivatives are requested
-        with a DataArray. A Python number beyond 4 pi is refused as an angle because it is most likely in
-        degrees, and a tuple because it is most likely a velocity.
+        with a DataArray. An angle beyond 4 pi is refused because it is most likely in degrees, and a tuple
+        because it is most likely a velocity.
     """
     entries, slider = required_scene(scene).from_rest, scene.slider
     require_held(scene)
@@ -307,7 +307,7 @@ def solve(
     body = slider.rod_length, slider.rod_angle, slider.radius
     columns = [each for entry in entries for each in entry.columns]
     given, results = [*columns, *body, *scene.law, *push], outputs(is_steady(entries))
-    if derivatives:
+    if require_flag("derivatives", derivatives):
         require_unlabeled(given)
     found = elementwise(lambda *each: solve_arrays(entries, *each), given, results)
     by_name = {output.name: each for output, each in zip(results, found, strict=True)}

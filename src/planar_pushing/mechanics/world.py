@@ -10,6 +10,7 @@ import numpy as np
 from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.terms.domain import RADIANS, TO_RADIANS, TURNS
 from planar_pushing.terms.errors import InvalidValue, as_floats
 
 #: A pose: x, y, and the angle in radians.
@@ -72,4 +73,6 @@ def required_pose(given: Any) -> Pose:
             "give the pose of the object's frame in the world at time 0, the angle in radians",
         )  # fmt: skip
     x, y, angle = pose
+    if abs(angle) > TURNS:
+        raise InvalidValue("object_pose", given, f"an angle in {RADIANS}", TO_RADIANS)
     return x, y, angle

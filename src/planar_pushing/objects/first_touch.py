@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,7 +12,8 @@ import numpy.typing as npt
 from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import Sides, nearest, sides_of
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.numbers import required_array
 from planar_pushing.terms.renamed import renamed_attributes
 
 #: Rounding error of positions, relative to the numbers from which they are computed.
@@ -96,7 +98,9 @@ def first_touch(
     sides = sides_of(outline)
     start, motion = _vectors("position", position), _vectors("displacement", displacement)
     reach = _not_negative("radius", radius)
-    slack = float(_not_negative("tolerance", tolerance))
+    slack = require_number(
+        "tolerance", tolerance, lambda x: 0.0 <= x < math.inf, "numbers >= 0", "give a length"
+    )
     try:
         shape = np.broadcast_shapes(start.shape[:-1], motion.shape[:-1], reach.shape)
     except ValueError:
@@ -233,10 +237,7 @@ def _not_negative(name: str, given: Any) -> Array:
 
 
 def _finite(name: str, given: Any) -> Array:
-    try:
-        found = np.asarray(given, dtype=float)
-    except (TypeError, ValueError):
-        raise InvalidValue(name, given, "finite numbers", "give floats") from None
+    found = required_array(name, given, "finite numbers", "give floats")
     if not np.isfinite(found).all():
         wrong = float(found[~np.isfinite(found)][0])
         raise InvalidValue(name, wrong, "finite numbers", "leave out what was not measured")

@@ -13,6 +13,7 @@ from planar_pushing.mechanics.frames import Placement
 from planar_pushing.mechanics.numerics.arrays import is_labeled
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.numbers import required_array
 
 
 def scenes_at(points: Any, normals: Any, make: Callable[[Any, Any], Scene]) -> Scene:
@@ -24,17 +25,13 @@ def scenes_at(points: Any, normals: Any, make: Callable[[Any, Any], Scene]) -> S
         As in `make`, for the first contact that is refused; also if the shape differs, or the object has
         viscous friction, whose support cannot be an array.
     """
-    places = np.asarray(points, dtype=float)
+    places = required_array("point", points, "finite numbers", "give x and y")
     if places.shape[-1:] != (2,) or not places.size:
         raise InvalidValue(
             "point", places.shape, "shape S + (2,)", "give x and y along the last axis"
         )
     shape = places.shape[:-1]
-    every = (
-        np.broadcast_to(np.asarray(normals, dtype=float), places.shape)
-        if normals is not None
-        else None
-    )
+    every = None if normals is None else _for_each("normal", normals, places.shape)
     scenes = [
         make(places[index], None if every is None else every[index]) for index in np.ndindex(shape)
     ]
@@ -65,6 +62,16 @@ def scenes_at(points: Any, normals: Any, make: Callable[[Any, Any], Scene]) -> S
         pair([each.placement.normal for each in scenes if each.placement]),
     )
     return replace(first, slider=slider, effects=effects, placement=placement)
+
+
+def _for_each(name: str, given: Any, shape: tuple[int, ...]) -> Any:
+    """Vectors that are broadcast to the shape of the points."""
+    vectors = required_array(name, given, "finite numbers", "give x and y")
+    try:
+        return np.broadcast_to(vectors, shape)
+    except ValueError:
+        remedy = "give one vector, or one for each point"
+        raise InvalidValue(name, vectors.shape, f"shape (2,) or {shape}", remedy) from None
 
 
 def _stacked(effects: list[Any], array: Callable[..., Any], pair: Callable[..., Any]) -> Any:

@@ -100,7 +100,8 @@ def to_mjcf(
     """
     law, outline = _required(scene)
     shape = require_option("pusher", pusher, Shape, "name one of these shapes")
-    require_number("gravity", gravity, np.isfinite, "a finite number", "give an acceleration")
+    remedy = "give an acceleration"
+    gravity = require_number("gravity", gravity, np.isfinite, "a finite number", remedy)
     step = _required_step(timestep, scene)
     standing = feet_of(scene, _required_count(feet))
     root = Element("mujoco", model="planar_pushing")

@@ -19,12 +19,15 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.objects.many import scenes_at
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.numbers import required_array
 from planar_pushing.terms.units import Units
 
 #: A center closer to the fence than this, relative to the extent, counts as on it: its rod would be flat.
 LEAST_HEIGHT = 1e-9
 #: Largest distance of a contact from the center, in extents of the support: no object's handle is longer.
 FARTHEST = 500.0
+#: Allowed points and normals, and remedy.
+PAIR = "two finite numbers", "give x and y in the object's frame"
 
 
 def scene_at(
@@ -74,10 +77,12 @@ def scene_at(
     it is not above the fence, as for a hook, c is instead the point above the contact at the height of the
     support's extent. The rod goes from the contact to c.
     """
-    if np.ndim(point) > 1:
+    if required_array("point", point, *PAIR).ndim > 1:
         return scenes_at(point, normal, partial(
             scene_at, effects=effects, contact=contact, outline=outline, units=units
         ))  # fmt: skip
+    if normal is not None and required_array("normal", normal, *PAIR).shape != (2,):
+        raise InvalidValue("normal", normal, *PAIR)
     if outline is None:
         place, side, corners = _free(point, normal), None, None
     else:

@@ -20,8 +20,8 @@ from planar_pushing.objects.resistance import (
     resistance,
     supports_of,
 )
-from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue, as_floats, require_number, require_positive
+from planar_pushing.terms.numbers import Number, as_array
 from planar_pushing.terms.renamed import renamed_attributes, renamed_keywords
 
 #: Distance within which the center of rotation is on a foot, relative to the numbers from which it is
@@ -110,11 +110,8 @@ class WrenchSet:
 
 
 def _wrenches(given: npt.ArrayLike) -> Array:
-    try:
-        wrenches = np.asarray(given, dtype=float)
-    except (TypeError, ValueError):
-        wrenches = np.array(np.nan)
-    if wrenches.shape[-1:] != (3,) or not np.isfinite(wrenches).all():
+    wrenches = as_array(given)
+    if wrenches is None or wrenches.shape[-1:] != (3,) or not np.isfinite(wrenches).all():
         raise InvalidValue(
             "wrench", given, "finite numbers of shape S + (3,)", "give (f_x, f_y, tau)"
         )

@@ -18,13 +18,13 @@ from planar_pushing.pushes.contacts import Model, final_poses
 from planar_pushing.pushes.ellipsoid import Ellipsoid
 from planar_pushing.pushes.fitted import fitted_ellipsoid
 from planar_pushing.pushes.friction import contact_friction
-from planar_pushing.pushes.given import whole
+from planar_pushing.pushes.given import MOST, whole
 from planar_pushing.pushes.identify import identify
 from planar_pushing.pushes.measured import Mask, Measured, measured, twists_at, wrenches_about
 from planar_pushing.pushes.schema import required_pushes, without_padding
 from planar_pushing.pushes.statistics import QUANTITIES, REFERENCE, statistics
 from planar_pushing.pushes.supported import OnSupport
-from planar_pushing.terms.errors import InvalidValue, number_of, suggestion
+from planar_pushing.terms.errors import InvalidValue, number_of, require_flag, suggestion
 from planar_pushing.terms.renamed import renamed_value
 
 #: Candidate contact friction coefficients for a given support, if no measured force determines it.
@@ -141,7 +141,8 @@ def compare(
     fitted to such pushes.
     """
     checked = required_pushes(pushes)
-    draws, seed = whole("resamples", resamples, 1), whole("seed", seed, 0)
+    draws, seed = whole("resamples", resamples, 1, MOST), whole("seed", seed, 0)
+    require_flag("progress", progress)
     fits = _required_models(models)
     family = renamed_value(family, FORMER_FAMILIES)
     options = {"spacing": spacing, "family": family, "progress": progress}

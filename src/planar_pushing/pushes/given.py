@@ -2,31 +2,39 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.schema import MEASURED_NOISE
-from planar_pushing.terms.errors import InvalidValue, as_floats, require_number
+from planar_pushing.terms.errors import InvalidValue, as_floats, require_number, require_positive
+from planar_pushing.terms.numbers import required_array
+
+#: Largest number of pushes or of resamples, limited by hours of computation.
+MOST = 1e7
 
 
 def numbers(name: str, given: Any) -> Array:
     """Return numbers as an array, or raise `InvalidValue`."""
-    try:
-        return np.asarray(given, dtype=float)
-    except (TypeError, ValueError):
-        raise InvalidValue(name, given, "an array of numbers", "give floats") from None
+    return required_array(name, given, "an array of numbers", "give floats")
 
 
-def whole(name: str, given: Any, least: int) -> int:
-    """Return a whole number with a lower bound, or raise `InvalidValue`."""
-    allowed = f"a whole number >= {least}"
+def whole(name: str, given: Any, least: int, most: float = np.inf) -> int:
+    """Return a whole number in a range, or raise `InvalidValue`."""
+    allowed = f"a whole number >= {least}" + (f", at most {most:g}" if most < np.inf else "")
     return int(
         require_number(
-            name, given, lambda x: least <= x < np.inf and x == int(x), allowed, "give one"
+            name, given, lambda x: least <= x <= most and math.isfinite(x) and x == int(x), allowed,
+            "give one",
         )
-    )
+    )  # fmt: skip
+
+
+def not_negative(name: str, given: Any, remedy: str) -> float:
+    """Return a finite number >= 0, or raise `InvalidValue`."""
+    return require_number(name, given, lambda x: 0.0 <= x < np.inf, "a number >= 0", remedy)
 
 
 def rows_of(name: str, given: Any, width: int, count: int | None = None) -> Array:
@@ -65,7 +73,7 @@ def object_parts(feet: Any, loads: Any, center_of_mass: Any, mass: float | None)
     if center_of_mass is not None:
         found["center_of_mass"] = rows_of("center_of_mass", [center_of_mass], 2, 1)
     if mass is not None:
-        found["mass"] = np.array([mass], dtype=float)
+        found["mass"] = np.array([require_positive("mass", mass, "leave out an unknown mass")])
     return found
 
 
@@ -78,9 +86,7 @@ def noise_attributes(given: Any) -> dict[str, float]:
             "noise", given, "three numbers: position, angle in degrees, force", "give all three"
         )
     return {
-        name: require_number(
-            name, each, lambda x: 0.0 <= x < np.inf, "a number >= 0", "give 0 for none"
-        )
+        name: not_negative(name, each, "give 0 for none")
         for name, each in zip(MEASURED_NOISE, given, strict=True)
     }
 

@@ -12,11 +12,17 @@ from planar_pushing.mechanics.supports import Points
 from planar_pushing.pushes.candidates import FAMILIES, FORMER, Family
 from planar_pushing.pushes.combine import with_outline
 from planar_pushing.pushes.estimate import Estimate, from_forces, from_motions
-from planar_pushing.pushes.given import whole
+from planar_pushing.pushes.given import MOST, whole
 from planar_pushing.pushes.identified import Identified, moments_of, summary
 from planar_pushing.pushes.measured import Index, Mask, Measured, measured
 from planar_pushing.pushes.schema import required_pushes
-from planar_pushing.terms.errors import InvalidValue, number_of, require_number, suggestion
+from planar_pushing.terms.errors import (
+    InvalidValue,
+    number_of,
+    require_flag,
+    require_number,
+    suggestion,
+)
 from planar_pushing.terms.renamed import renamed_value
 
 #: Default candidates along the outline's extent, with and without forces; fewer if there are few pushes.
@@ -86,7 +92,8 @@ def identify(
     """
     checked, family = required_pushes(pushes), renamed_value(family, FORMER)
     every = measured(checked if outline is None else with_outline(checked, outline))
-    count = whole("resamples", resamples, 1)
+    count = whole("resamples", resamples, 1, MOST)
+    require_flag("progress", progress)
     generator = np.random.default_rng(whole("seed", seed, 0))
     forced = every.has_force
     posed = ~forced & ~every.at_corner
@@ -118,7 +125,7 @@ def _family(
     if known is not None:
         places = np.array((known if isinstance(known, Points) else Points(known)).positions)
         return Family(places, np.eye(len(places))), given or pushes.size / WITH_FORCES
-    if name not in FAMILIES:
+    if not isinstance(name, str) or name not in FAMILIES:
         raise InvalidValue(
             "family", name, ", ".join(FAMILIES), suggestion(name, FAMILIES, "name one of these families")
         )  # fmt: skip

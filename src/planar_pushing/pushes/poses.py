@@ -13,6 +13,7 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.checks import JUMP, ON_OUTLINE, middle_displacement
 from planar_pushing.pushes.given import (
     noise_attributes,
+    not_negative,
     numbers,
     object_parts,
     required_units,
@@ -21,8 +22,11 @@ from planar_pushing.pushes.given import (
 from planar_pushing.pushes.path import Path, required_path
 from planar_pushing.pushes.schema import VARIABLES, XY, padded, required_pushes
 from planar_pushing.pushes.touching import listed, touching
-from planar_pushing.terms.errors import InvalidValue, number_of
+from planar_pushing.terms.domain import RADIANS, TO_RADIANS, TURNS
+from planar_pushing.terms.errors import InvalidValue, number_of, require_flag
 
+#: Rounding error of wrapped angles, in radians: that of pi in single precision.
+ROUNDING = 1e-6
 #: Range of distances of the finger from the object, in sizes of the outline, outside which units differ.
 FAR, NEAR = 100.0, 0.01
 
@@ -69,7 +73,10 @@ def pushes_from_poses(
     outline : array_like, shape (corners, 2), or an object with `coords` or `exterior`
         Corners of the object in order, in its own frame.
     poses_before, poses_after : array_like, shape (n, 3)
-        (x, y, angle) of the object's frame in the world before and after each push, angles in radians.
+        (x, y, angle) of the object's frame in the world before and after each push, angles in radians, at
+        most 4 pi. A push turns the object by less than half a turn. If all angles lie in [-pi, pi] or all
+        in [0, 2 pi], they are taken as wrapped, so that 3.1 and -3.1 differ by 0.083; other angles are
+        taken as unwrapped.
     finger_start, finger_end : array_like, shape (n, 2)
         Center of the finger before and after each push; it moves straight from one to the other.
     finger_radius : float
@@ -113,8 +120,9 @@ def pushes_from_poses(
     Raises
     ------
     InvalidValue
-        If shapes differ, a value is missing, lengths are in different units, a push does not touch the
-        object or begins deeper in it than the tolerance and is not omitted, or a pose jumps.
+        If shapes differ, a value is missing, lengths are in different units, angles are in degrees, a push
+        does not touch the object or begins deeper in it than the tolerance and is not omitted, or a pose
+        jumps.
     """
     corners, names = required_outline(outline), required_units(units)
     frames = _frames(
@@ -125,8 +133,12 @@ def pushes_from_poses(
     path = world._replace(points=frames.places(world.points))
     _require_one_unit(corners, path.points[:, 0])
     _refuse_jumps(corners, frames)
-    slack = ON_OUTLINE * size(np.array(corners)) if tolerance is None else tolerance
-    rows, touch, after = touching(corners, path, finger_radius, slack, skip_missed)
+    slack = ON_OUTLINE * size(np.array(corners))
+    if tolerance is not None:
+        slack = not_negative("tolerance", tolerance, "give a length, or leave it out")
+    radius = not_negative("finger_radius", finger_radius, "give 0 for a point")
+    skip_missed = require_flag("skip_missed", skip_missed)
+    rows, touch, after = touching(corners, path, radius, slack, skip_missed)
     forces = None if force is None else _forces(force, frames)
     found: dict[str, Any] = {
         "outline": np.array(corners)[None],
@@ -135,7 +147,7 @@ def pushes_from_poses(
         "normal": touch.normal[rows],
         "finger_displacement": np.array([each.points[-1] for each in after]),
         **({} if path.times is None else _path(after)),
-        "finger_radius": np.full(len(rows), float(finger_radius)),
+        "finger_radius": np.full(len(rows), radius),
         "displacement": frames.displacement[rows],
         "rotation": np.rad2deg(frames.rotation[rows]),
         **({} if forces is None else {"force": forces[rows]}),
@@ -166,9 +178,32 @@ def _frames(before: Array, after: Array) -> Frames:
             f"{number_of(len(before), 'pose')}, as in poses_before",
             "give both poses of each push",
         )  # fmt: skip
+    _refuse_degrees(before[:, 2], after[:, 2])
     rotation = (after[:, 2] - before[:, 2] + np.pi) % (2.0 * np.pi) - np.pi
     moved = turned(after[:, :2] - before[:, :2], -before[:, 2])
     return Frames(before[:, :2], before[:, 2], moved, rotation)
+
+
+def _refuse_degrees(before: Array, after: Array) -> None:
+    """Refuse angles beyond two turns, and rotations by more than half a turn, which are in degrees.
+
+    Angles of one of the two conventions of wrapping may differ by up to a turn across its cut.
+    """
+    for name, angles in (("poses_before", before), ("poses_after", after)):
+        beyond = np.flatnonzero(np.abs(angles) > TURNS)
+        if len(beyond):
+            given = f"the angle {angles[beyond[0]]:.6g}, in pushes {listed(beyond)}"
+            raise InvalidValue(name, given, f"angles in {RADIANS}", TO_RADIANS)
+    every, turn = np.concatenate([before, after]), after - before
+    low, high = every.min(), every.max()
+    half = np.pi + ROUNDING
+    signed, positive = -half <= low and high <= half, low >= -ROUNDING and high <= half + np.pi
+    far = np.flatnonzero(np.abs(turn) > half)
+    if len(far) and not (signed or positive):
+        raise InvalidValue(
+            "poses_after", f"a rotation by {turn[far[0]]:.6g} radians, in pushes {listed(far)}",
+            "pushes that turn the object by less than half a turn", f"give radians: {TO_RADIANS}",
+        )  # fmt: skip
 
 
 def _require_one_unit(corners: Corners, starts: Array) -> None:

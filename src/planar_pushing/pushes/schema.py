@@ -11,6 +11,7 @@ from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes import checks
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.numbers import as_array
 
 #: Labels of vector components.
 XY = ["x", "y"]
@@ -218,10 +219,9 @@ def _pushed(given: xr.Dataset, names: list[str]) -> Array:
 def _numbers(given: xr.Dataset, name: str) -> Array:
     """Values of a variable in double precision, in the order of its dimensions."""
     variable = VARIABLES[name]
-    try:
-        values = given[name].transpose(*variable.dims).values.astype(float)
-    except (TypeError, ValueError):
-        raise InvalidValue(name, str(given[name].dtype), "numbers", "give floats") from None
+    values = as_array(given[name].transpose(*variable.dims).values)
+    if values is None:
+        raise InvalidValue(name, str(given[name].dtype), "numbers", "give floats")
     bad = np.asarray(~np.isfinite(values) if variable.complete else np.isinf(values))
     if bad.any():
         place = f"{variable.dims[0]} {int(np.nonzero(bad)[0][0])}"

@@ -15,11 +15,11 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
 from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.objects.scene_at import scene_at
-from planar_pushing.pushes.given import noise_attributes, whole
+from planar_pushing.pushes.given import MOST, noise_attributes, not_negative, whole
 from planar_pushing.pushes.poses import pushes_from_poses, turned
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
-from planar_pushing.terms.errors import InvalidValue, require_number, require_positive
+from planar_pushing.terms.errors import InvalidValue, require_positive
 
 #: Fraction of a side at each end in which no push begins.
 MARGIN = 0.05
@@ -77,7 +77,7 @@ def simulate_pushes(
     outline : array_like, shape (corners, 2), or an object with `coords` or `exterior`
         Corners of the object in order, in its frame.
     n : int
-        Number of pushes.
+        Number of pushes, at most 1e7.
     noise : (float, float, float), optional
         Standard deviations of the noise added to each component of the displacement, to the rotation in
         degrees, and to each component of the force.
@@ -113,12 +113,12 @@ def simulate_pushes(
     push, along the object's axes, which turn with the object.
     """
     friction = _required_friction(effects)
-    count = whole("n", n, 1)
+    count = whole("n", n, 1, MOST)
     sides = sides_of(outline)
     draws, errors = np.random.default_rng(whole("seed", seed, 0)).spawn(2)
     given = DISTANCE * sides.scale if distance is None else distance
     reach = require_positive("distance", given, "give a length")
-    radius = _required_radius(finger_radius)
+    radius = not_negative("finger_radius", finger_radius, "give 0 for a point")
     found: list[Pushed] = []
     for _ in range(DRAWS * count):
         pushed = _pushed(_drawn(sides, draws), sides, friction, contact, reach, radius)
@@ -220,14 +220,6 @@ def _required_friction(given: Any) -> tuple[SupportFriction, ...]:
             "leave out effects that are not quasi-static",
         )
     return found
-
-
-def _required_radius(given: Any) -> float:
-    """Return a radius, or raise `InvalidValue`."""
-    remedy = "give 0 for a point"
-    return require_number(
-        "finger_radius", given, lambda x: 0.0 <= x < math.inf, "a number >= 0", remedy
-    )
 
 
 def _truth(effects: tuple[SupportFriction, ...]) -> tuple[Any, Any]:

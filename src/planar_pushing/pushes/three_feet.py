@@ -32,6 +32,8 @@ NOISE = (0.5, 0.3, 0.05)
 SENSOR = np.array([[1.0, 1.0], [1.0, -1.0]]) / np.sqrt(2.0)
 #: Initial fraction of the force samples, before the contact has settled.
 SETTLING = 0.3
+#: Rounding error of feet on a line, relative to their distance from the center of mass.
+ON_LINE = 1e-12
 #: Six coordinates in a file name.
 NUMBERS = re.compile(r"(?<![\d.])(\d+(?:\.\d+)?(?:_\d+(?:\.\d+)?){5})(?![\d.])")
 ALLOWED = "x1_x2_x3_y1_y2_y3 of the feet in mm, such as 30_90_30_30_30_90.txt, or patch.txt"
@@ -108,13 +110,24 @@ def _feet(file: Path) -> Array | None:
     if found is None:
         return None
     feet = np.array(found[1].split("_"), dtype=float).reshape(2, 3).T
-    if (loads(feet) <= 0.0).any():
+    if not _stand(feet):
         center = f"({CENTER_OF_MASS[0]:g}, {CENTER_OF_MASS[1]:g})"
         raise InvalidFile(
             f"{file}: feet that do not carry the center of mass {center}; allowed: {ALLOWED}; "
             "rename the file"
         )
     return feet
+
+
+def _stand(feet: Array) -> bool:
+    """Whether every foot of three carries weight, or the center of mass is between feet on a line."""
+    shares = loads(feet)
+    if not np.isnan(shares).any():
+        return bool((shares > 0.0).all())
+    away = feet - CENTER_OF_MASS
+    x, y = away[np.hypot(*away.T).argmax()]
+    along, across = away @ (x, y), away @ (-y, x)
+    return bool(along.min() < 0.0 and np.abs(across).max() <= ON_LINE * along.max())
 
 
 def loads(feet: Array) -> Array:

@@ -21,7 +21,7 @@ from planar_pushing.simulation.pusher import Pusher, constant_fences
 from planar_pushing.simulation.rows import in_units
 from planar_pushing.simulation.systems.setup import columns
 from planar_pushing.terms import quantities
-from planar_pushing.terms.errors import InvalidValue, require_kind
+from planar_pushing.terms.errors import InvalidValue, require_flag, require_kind
 from planar_pushing.terms.options import Policy, PolicyName, Shape
 
 #: Variables of the dataset that are fields of a row.
@@ -77,6 +77,7 @@ def simulate_batch(
         If a value is not allowed, or shapes do not match.
     """
     require_kind("pusher", pusher, Pusher)
+    require_flag("progress", progress)
     problem = Problem(
         scene=required_scene(scene), pusher=pusher, duration=duration, twist=twist, gap=gap,
         rtol=rtol, on_ambiguity=on_ambiguity,

@@ -23,7 +23,8 @@ from planar_pushing.simulation.outlines import require_above, require_apart
 from planar_pushing.simulation.policies import marked, required_policies, starts_of
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.terms.domain import SPEEDS, Number, require_fields, required_ratio
-from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.errors import InvalidValue, has_entries, require_number
+from planar_pushing.terms.numbers import as_numbers
 from planar_pushing.terms.options import SAMPLES, TOLERANCE, Policy, PusherFrame, Shape
 
 #: Allowed initial twists.
@@ -118,7 +119,7 @@ def _require_narrow(radius: Number, slider_radius: Number) -> None:
 
 def _twist(given: Any, scene: Scene) -> tuple[Number, ...]:
     """Validate an initial twist, which must be zero for a scene without inertia."""
-    twist = tuple(map(as_numbers, given)) if hasattr(given, "__len__") else ()
+    twist = tuple(map(as_numbers, given)) if has_entries(given) else ()
     fits = (each is not None and (np.abs(each) <= SPEEDS[1]).all() for each in twist)
     if len(twist) != 3 or not all(fits):
         raise InvalidValue("twist", given, TWIST, "give (v_x, v_y, omega)")
@@ -128,15 +129,6 @@ def _twist(given: Any, scene: Scene) -> tuple[Number, ...]:
             "leave the twist out, since the fence determines a quasi-static motion",
         )  # fmt: skip
     return twist
-
-
-def as_numbers(given: Any) -> Number | None:
-    """Convert a number or an array of numbers to floats; return None for anything else."""
-    try:
-        found = np.asarray(given)
-    except (TypeError, ValueError):  # lists of different lengths
-        return None
-    return found.astype(float)[()] if found.dtype.kind in "iuf" else None
 
 
 def sample_count(given: object) -> int:

@@ -19,7 +19,14 @@ from planar_pushing.simulation.fence import ACCELERATION, MEAN, PIECE, VELOCITY
 from planar_pushing.simulation.rows import records
 from planar_pushing.simulation.timed import timed
 from planar_pushing.terms.domain import SPEEDS, Number, required, required_finger_radius
-from planar_pushing.terms.errors import InvalidValue, as_floats, require_option, suggestion
+from planar_pushing.terms.errors import (
+    InvalidValue,
+    as_floats,
+    has_entries,
+    require_option,
+    suggestion,
+)
+from planar_pushing.terms.numbers import as_numbers, remedy_for
 from planar_pushing.terms.options import PusherFrame, Shape
 
 Vector = tuple[float, float]
@@ -115,7 +122,7 @@ class Pusher:
             object.__setattr__(self, "pieces", _pieces(self.velocity))
         times = as_floats(self.breakpoints)
         increase = all(a < b for a, b in itertools.pairwise([*times, math.inf]))
-        if not (hasattr(self.breakpoints, "__len__") and increase and all(t >= 0 for t in times)):
+        if not (has_entries(self.breakpoints) and increase and all(t >= 0 for t in times)):
             raise InvalidValue(
                 "breakpoints", self.breakpoints, "increasing times >= 0", "put them in order"
             )
@@ -239,19 +246,26 @@ def _required_arrays(given: Any) -> tuple[Any, Any]:
     """Validate the velocity components of many pushers."""
     if not isinstance(given, (tuple, list)) or len(given) != 2:
         raise InvalidValue("velocity", given, ALLOWED, REMEDY)
-    x, y = given
-    for each in given:
-        numbers = np.asarray(each)
-        if numbers.dtype.kind not in "iuf" or not np.isfinite(numbers).all():
-            wrong = numbers[~np.isfinite(numbers)] if numbers.dtype.kind in "iuf" else numbers
-            raise InvalidValue("velocity", wrong.ravel().tolist()[0], "finite numbers", REMEDY)
+    x, y = (_component(each) for each in given)
     try:
-        speeds = np.hypot(x, y)
+        with np.errstate(over="ignore"):
+            speeds = np.hypot(x, y)
     except ValueError:
         shapes = np.shape(x), np.shape(y)
         raise InvalidValue("velocity", shapes, "two arrays of one shape", REMEDY) from None
     required("velocity", speeds)
     return x, y
+
+
+def _component(given: Any) -> Number:
+    """Validate a component of the velocity of many pushers."""
+    found = as_numbers(given)
+    if found is None:
+        raise InvalidValue("velocity", given, "finite numbers", remedy_for(given, REMEDY))
+    wrong = np.ravel(found)[~np.isfinite(np.ravel(found))]
+    if wrong.size:
+        raise InvalidValue("velocity", float(wrong[0]), "finite numbers", REMEDY)
+    return found
 
 
 def _constant(given: object) -> Vector:
@@ -263,7 +277,7 @@ def _constant(given: object) -> Vector:
 
 def _pieces(given: Any) -> tuple[tuple[float, Vector], ...]:
     """Start times and velocities; a single velocity applies from time 0."""
-    items = list(given) if hasattr(given, "__len__") else []
+    items = list(given) if has_entries(given) else []
     if not any(isinstance(each, Iterable) for each in items):
         return ((0.0, _constant(given)),)
     return timed("velocity", given, _constant, ALLOWED, REMEDY)
@@ -279,7 +293,7 @@ def _require_alone(velocity: Any) -> None:
 
 def _legs(given: Any) -> tuple[tuple[float, Vector], ...]:
     """Validate waypoints, and return start times and velocities between them."""
-    if not hasattr(given, "__len__") or len(given) < 2:
+    if not has_entries(given) or len(given) < 2:
         raise InvalidValue("waypoints", given, PLACES, TIMES)
     places = timed("waypoints", given, lambda place: _place(given, place), PLACES, TIMES)
     legs = [

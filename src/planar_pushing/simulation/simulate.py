@@ -25,6 +25,7 @@ from planar_pushing.simulation.until import Until, UntilRun, required_condition
 from planar_pushing.terms.domain import required
 from planar_pushing.terms.errors import (
     InvalidValue,
+    require_flag,
     require_kind,
     require_number,
     require_option,
@@ -131,7 +132,9 @@ def simulate(
     )  # fmt: skip
     if path is not None:
         require_path("path", path)
+    require_flag("progress", progress)
     require_option("method", method, Method, "name one of these methods")
+    duration = float(problem.duration)
     run = _run(problem, method, np.linspace(0.0, duration, sample_count(samples)), step, until)
     if path is None:
         rows = np.concatenate(list(_shown(run, duration, progress)))

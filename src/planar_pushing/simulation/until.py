@@ -13,6 +13,7 @@ from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.log.variables import arrays
 from planar_pushing.simulation.problem import Problem
+from planar_pushing.terms.domain import TURNS
 from planar_pushing.terms.errors import InvalidValue, require_positive, suggestion
 from planar_pushing.terms.options import FORMER_EVENTS, Event, Method
 from planar_pushing.terms.renamed import renamed_value
@@ -34,7 +35,7 @@ class Until:
     Parameters
     ----------
     rotation : float, optional
-        Angle of rotation of the slider since time 0, in either direction; radians, > 0.
+        Angle of rotation of the slider since time 0, in either direction; radians in (0, 4 pi].
     distance : float, optional
         Straight-line distance of the slider's center from its position at time 0, > 0.
     pusher_distance : float, optional
@@ -43,7 +44,8 @@ class Until:
     Raises
     ------
     InvalidValue
-        If none is given, or one is not a finite number > 0.
+        If none is given, one is not a finite number > 0, or the rotation is beyond 4 pi, which is most
+        likely in degrees.
     """
 
     rotation: float | None = None
@@ -61,6 +63,9 @@ class Until:
         for name, value in given.items():
             positive = require_positive(name, value, "give a positive number, or leave it out")
             object.__setattr__(self, name, positive)
+        if self.rotation is not None and self.rotation > TURNS:
+            allowed, remedy = "radians in (0, 4 pi]", "convert degrees with np.deg2rad"
+            raise InvalidValue("rotation", self.rotation, allowed, remedy)
 
 
 class Condition(NamedTuple):

@@ -14,6 +14,7 @@ from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.simulate_model import PieceEntry, SimulateEntry
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.numbers import in_radians
 
 
 def simulate_file(
@@ -47,7 +48,7 @@ def arguments(entry: SimulateEntry) -> dict[str, Any]:
         "samples": int(entry.samples),
         "step": entry.step,
         "until": (until.event or until.mode or goals) if until else None,
-        "object_pose": (pose.x, pose.y, math.radians(pose.angle)) if pose else None,
+        "object_pose": (pose.x, pose.y, float(in_radians(pose.angle))) if pose else None,
     }
 
 

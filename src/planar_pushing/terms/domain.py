@@ -1,7 +1,8 @@
 """The domain: the range of each parameter, and the error for a value outside it.
 
 Each parameter is listed here once, with its range and a remedy. Parameters are numbers, numpy arrays or
-`xarray.DataArray`; the blocks of a lazy array are checked when they are computed.
+`xarray.DataArray`, of which `planar_pushing.terms.numbers` makes doubles; the blocks of a lazy array are
+checked when they are computed.
 """
 
 from __future__ import annotations
@@ -14,10 +15,11 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.numbers import Number as Number
+from planar_pushing.terms.numbers import as_numbers, remedy_for
+from planar_pushing.terms.numbers import is_lazy as is_lazy
 from planar_pushing.terms.options import SPEED
 
-#: A number, a numpy array or a DataArray.
-Number = Any
 #: One number, and many without labels, for the types of functions whose result type follows the arguments.
 Scalar = float | np.floating[Any] | np.integer[Any]
 Numbers = npt.NDArray[Any] | list[Any]
@@ -31,8 +33,13 @@ WIDEST = 1e4
 ROUGHEST = 1e9
 #: Range of s = m |a| / W for a push from rest with friction and inertia.
 SHARES = (1e-12, 1e12)
-#: Maximum angle in radians given by a Python number: a larger one is most likely in degrees.
+#: Maximum magnitude of an angle in radians: a larger one is most likely in degrees.
 TURNS = 4 * math.pi
+#: Angles that are allowed, and remedies for another one.
+RADIANS = "radians in [-4 pi, 4 pi]"
+TO_RADIANS = (
+    "convert degrees with np.deg2rad, and wrap unwrapped radians with np.mod(angle, 2 * np.pi)"
+)
 #: Range of speeds over time.
 SPEEDS = SPEED.least, SPEED.most
 
@@ -49,8 +56,8 @@ def _positive(remedy: str) -> Range:
     return Range(lambda x: (x > 0) & (x < math.inf), "a finite number > 0", remedy)
 
 
-def _angle(remedy: str) -> Range:
-    return Range(np.isfinite, "finite radians, a number in [-4 pi, 4 pi] or an array", remedy)
+def _angle(remedy: str = TO_RADIANS) -> Range:
+    return Range(lambda x: abs(x) <= TURNS, RADIANS, remedy)
 
 
 RANGES = {
@@ -78,11 +85,9 @@ RANGES = {
     "support_friction": _positive("leave the effect out of the scene if the support is frictionless"),
     "gravity": _positive("give the acceleration of gravity, 9.80665 on Earth"),
     "gyration_radius": _positive("leave the effect out of the scene if the slider has no inertia"),
-    "force_angle": _angle("convert degrees to radians with np.deg2rad"),
-    "angle": _angle("convert degrees to radians with np.deg2rad"),
-    "pusher_angle": _angle(
-        "convert degrees to radians with np.deg2rad; the angle of a velocity is np.arctan2(v_y, v_x)"
-    ),
+    "force_angle": _angle(),
+    "angle": _angle(),
+    "pusher_angle": _angle(f"{TO_RADIANS}; the angle of a velocity is np.arctan2(v_y, v_x)"),
     "pusher_magnitude": Range(
         lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0",
         "reverse the pusher by its angle, not by a sign",
@@ -113,8 +118,9 @@ FINGER_RADIUS = Range(
     lambda x: (x >= 0) & (x < math.inf), "a finite number >= 0",
     "give the radius of the finger in the scene's unit of length, or leave it out for a point",
 )  # fmt: skip
-#: Ranges of dimensionless combinations: the parameter that the error names, and the range.
+#: Ranges of combinations, most of them dimensionless: the parameter that the error names, and the range.
 RATIOS = {
+    "weight": ("weight", _positive("mass, support_friction and gravity multiply to it; check their units")),
     "length_ratio": ("rod_length", Range(
         lambda x: x <= LONGEST, f"at most {LONGEST:g} times the radius",
         "give the radius and the rod length in one unit",
@@ -140,33 +146,21 @@ RATIOS = {
 }  # fmt: skip
 
 
-def is_lazy(value: object) -> bool:
-    """Whether a value is a DataArray whose numbers are computed later."""
-    return hasattr(value, "dims") and isinstance(getattr(value, "chunks", None), tuple)
-
-
 def required(name: str, given: Number) -> Number:
-    """The given parameter, with a list as an array; blocks of a lazy one are checked when computed.
+    """The given parameter in double precision; blocks of a lazy one are checked when computed.
 
     Raises
     ------
     InvalidValue
         If a number is outside the range, with the name, the first number outside, and the range.
     """
-    if name in ANGLES and _is_no_angle(given):
+    if name in ANGLES and isinstance(given, tuple):
         raise InvalidValue(name, given, RANGES[name].allowed, RANGES[name].remedy)
     return _required(name, given, RANGES[name])
 
 
-def _is_no_angle(given: object) -> bool:
-    """Whether a value is a vector, or a Python number in degrees; arrays can hold any angle."""
-    if isinstance(given, (int, float)) and not isinstance(given, np.generic):
-        return abs(given) > TURNS
-    return isinstance(given, tuple)
-
-
 def required_ratio(ratio: str, values: Number) -> Number:
-    """Refuse a parameter out of proportion to the others; result and errors as in `required`."""
+    """Refuse parameters out of proportion to one another; result and errors as in `required`."""
     name, allowed = RATIOS[ratio]
     return _required(name, values, allowed)
 
@@ -177,7 +171,10 @@ def required_side(given: Any) -> tuple[Number, Number]:
         raise InvalidValue("side", given, *SIDE)
     start, end = given
     before, behind = Range(lambda x: x < 0, *SIDE), Range(lambda x: x > 0, *SIDE)
-    return _required("side", start, before), _required("side", end, behind)
+    ends = _required("side", start, before), _required("side", end, behind)
+    if any(0 in np.shape(each) for each in ends):
+        raise InvalidValue("side", given, *SIDE)
+    return ends
 
 
 def required_finger_radius(given: Number) -> Number:
@@ -193,17 +190,21 @@ def require_fields(value: object, *names: str) -> None:
 
 def _required(name: str, given: Number, allowed: Range) -> Number:
     if is_lazy(given):
-        blocks = given.data.map_blocks(lambda block: _required(name, block, allowed), dtype=float)
+        blocks = given.data.map_blocks(lambda block: _block(name, block, allowed), dtype=float)
         return given.copy(data=blocks)
-    try:
-        numbers = np.asarray(given)
-    except (TypeError, ValueError):  # a whole dataset, or lists of several lengths
-        numbers = np.array(math.nan)
-    if numbers.dtype.kind not in "iuf":
-        numbers = np.array(math.nan)
-    wrong = numbers[~np.asarray(allowed.allows(numbers), dtype=bool)]
+    numbers = as_numbers(given)
+    if numbers is None:
+        raise InvalidValue(name, given, allowed.allowed, remedy_for(given, allowed.remedy))
+    array = np.asarray(numbers)
+    wrong = array[~np.asarray(allowed.allows(array), dtype=bool)]
     if wrong.size:
-        own = numbers.ndim == 0 and not isinstance(given, np.number)
-        shown = given if own else float(wrong.flat[0])
-        raise InvalidValue(name, shown, allowed.allowed, allowed.remedy)
-    return numbers if isinstance(given, (list, tuple)) else given
+        own = array.ndim == 0 and not isinstance(given, np.number)
+        raise InvalidValue(
+            name, given if own else float(wrong.flat[0]), allowed.allowed, allowed.remedy
+        )
+    return numbers
+
+
+def _block(name: str, block: Any, allowed: Range) -> Any:
+    """A block of a lazy array; a block of one number stays an array."""
+    return np.asarray(_required(name, block, allowed))

@@ -9,7 +9,8 @@ import difflib
 import math
 import os
 import reprlib
-from collections.abc import Callable, Iterable
+import sys
+from collections.abc import Callable, Iterable, Mapping, Set
 from enum import StrEnum
 from typing import Any, TypeVar
 
@@ -76,10 +77,13 @@ def number_of(count: int, noun: str) -> str:
 
 
 def as_float(given: object) -> float:
-    """A real number as a float; NaN for anything else, such as strings, booleans, decimals and arrays."""
+    """A real number as a float; NaN for anything else, such as strings, booleans, decimals and arrays.
+
+    The door for arrays is `planar_pushing.terms.numbers`.
+    """
     plain = isinstance(given, (int, float)) and not isinstance(given, bool)
     single = getattr(getattr(given, "dtype", None), "kind", "") in ("i", "u", "f")
-    if not plain and not (single and getattr(given, "ndim", 1) == 0):
+    if not plain and not (single and getattr(given, "ndim", 1) == 0 and not _is_masked(given)):
         return math.nan
     try:
         return float(given)  # type: ignore[arg-type]
@@ -87,9 +91,29 @@ def as_float(given: object) -> float:
         return math.nan
 
 
+def _is_masked(given: object) -> bool:
+    """Whether a number of numpy is masked, without importing numpy."""
+    numpy = sys.modules.get("numpy")
+    return numpy is not None and bool(numpy.ma.is_masked(given))
+
+
 def as_floats(given: Any) -> tuple[float, ...]:
     """The entries of a sequence as floats; an empty tuple for anything else."""
-    return tuple(map(as_float, given)) if hasattr(given, "__len__") else ()
+    return tuple(map(as_float, given)) if has_entries(given) else ()
+
+
+def has_entries(given: Any) -> bool:
+    """Whether a value has entries in order: a sequence or an array, even an empty one."""
+    ordered = hasattr(given, "__len__") and not isinstance(given, (Mapping, Set))
+    return ordered and getattr(given, "ndim", 1) > 0
+
+
+def require_flag(name: str, given: Any) -> bool:
+    """Return an option that is on or off, or raise `InvalidValue`."""
+    single = getattr(getattr(given, "dtype", None), "kind", "") == "b" and given.ndim == 0
+    if not single and not isinstance(given, bool) and as_float(given) not in (0.0, 1.0):
+        raise InvalidValue(name, given, "True or False", "give one of them")
+    return bool(given)
 
 
 def require_number(

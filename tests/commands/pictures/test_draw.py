@@ -53,7 +53,7 @@ def sketched(run, tmp_path, monkeypatch):
     return sketch
 
 
-@pytest.mark.parametrize("angle", [27.0, 90.0, 153.0, 150.0 - 360.0])
+@pytest.mark.parametrize("angle", [27.0, 90.0, 153.0, 150.0 - 360.0, 90.0 + 7200.0, 90.0 - 7200.0])
 def test_the_force_that_is_asked_for_is_drawn(sketched, angle):
     solution = sketched(SCENE, "--force-angle", str(angle)).solution
     assert solution.mode is ContactMode.STICK
@@ -67,6 +67,11 @@ def test_the_push_is_that_of_the_file_unless_another_is_given(sketched):
         pusher = sketched("workflow/scenes/figure_15.yaml", *arguments).pusher
         assert pusher == pytest.approx(direction(np.deg2rad(angle)))
     assert sketched(SCENE).pusher == pytest.approx([0.0, 1.0])
+
+
+def test_any_number_of_degrees_is_a_push(sketched):
+    for angle in (7290.0, -7110.0, 90.0):
+        assert sketched(SCENE, "--pusher-angle", str(angle)).pusher == pytest.approx([0.0, 1.0])
 
 
 def test_a_finger_is_drawn_as_one(sketched, tmp_path):
@@ -102,6 +107,8 @@ def test_a_perfectly_rough_contact_transmits_every_force(run, tmp_path):
          "give a force that the contact transmits"),
         (["draw", SCENE, "--force-angle", "-20", "-o", "scene.svg"],
          "force_angle: -20.0 given; allowed: degrees in the friction cone"),
+        (["draw", SCENE, "--force-angle", "1000", "-o", "scene.svg"],
+         "force_angle: 1000.0 given; allowed: degrees in the friction cone, [26.56505118, 153.4349488]"),
         (["draw", BOTH, "--force-angle", "90", "-o", "scene.svg"],
          "force_angle: 90.0 given; allowed: a scene with one effect"),
         (["draw", BOTH, "--limit-curve", "-o", "scene.svg"],

@@ -172,6 +172,34 @@ REFUSED = [
     (lambda: Composite([(1, Ring())]), ["members: Ring(radius=None, center=None) given", "Ring(1.0)"]),
     (lambda: Composite([(1, Disc(1)), (0, Disc(2))]), ["share[1]: 0.0 given", "> 0"]),
     (lambda: Composite([(1, Disc(1)), (NAN, Disc(2))]), ["share[1]: nan given"]),
+    (lambda: Composite([("2", Disc(1))]), ["share: ['2'] given"]),
+    (lambda: Points([(np.datetime64("2020-01-01"), 0), (1, 1)]), ["positions: ", "pairs of finite"]),
+    (lambda: Points([(1 + 3j, 0), (1, 1)]), ["positions: ", "pairs of finite"]),
+    (lambda: Points([(True, 0), (1, 1)]), ["positions: ", "pairs of finite"]),
+    (lambda: Points([(10**400, 0), (1, 1)]), ["positions: ", "pairs of finite"]),
+    (lambda: Points(np.ma.masked_array([(1, 0), (1, 1)], [(1, 1), (0, 0)])), ["positions: ", "masked"]),
+    (lambda: Points([(0, 0), (1, 1)], [1e308, 1e308]), ["weights: 1e+308 given", "a finite sum"]),
+    (lambda: Disc(1.0, ("2", 0)), ["center: ('2', 0) given", "two finite numbers"]),
+    (lambda: Segment((0, 0), ("1", 0)), ["end: ('1', 0) given", "two finite numbers"]),
+    (lambda: PressureMap([0, 1, 2], [0, 1], np.ma.masked_array([[1, 99]], [[0, 1]])), ["pressure: ", "masked"]),
+    (lambda: Disc(np.ma.masked), ["radius: masked given"]),
+    *((lambda size=size: Disc(size), [f"radius: {size!r} given", "a size in [1e-140, 1e+140]"])
+      for size in (5e-324, 0.9e-140, 1.1e140, 1e160)),
+    (lambda: Ring(5e-324), ["radius: 5e-324 given", "a size in"]),
+    (lambda: Annulus(1e-200, 2e-200), ["inner: 1e-200 given", "a size in", "another unit"]),
+    (lambda: Annulus(1.0, 1e200), ["outer: 1e+200 given", "a size in"]),
+    (lambda: Segment((0, 0), (1e308, 1e308)), ["end[0]: 1e+308 given", "at most 1e+140"]),
+    (lambda: Segment((0, 0), (1e-200, 0)), ["end: 1e-200 given", "a size in"]),
+    (lambda: Points([(0, 0), (1e308, 0)]), ["positions[1][0]: 1e+308 given", "at most 1e+140"]),
+    (lambda: Points([(0, 0), (1e-200, 0)]), ["positions: 1e-200 given", "a size in"]),
+    (lambda: Polygon([(0, 0), (1e308, 0), (1e308, 1e308)]), ["vertices[1][0]: 1e+308 given", "at most"]),
+    (lambda: Polygon([(0, 0), (1e-200, 0), (0, 1e-200)]), ["vertices: 1e-200 given", "a size in"]),
+    (lambda: PressureMap([0, 1e308], [0, 1], [[1]]), ["x[1]: 1e+308 given", "at most 1e+140"]),
+    (lambda: PressureMap([0, 1], [0, 1e-200], [[1]]), ["y: 1e-200 given", "a size in"]),
+    (lambda: Polygon.rectangle(1e-200, 1), ["width: 1e-200 given", "a size in"]),
+    *((lambda angle=angle: Polygon.rectangle(1, 1, angle=angle), ["angle: ", "radians in [-4 pi, 4 pi]"])
+      for angle in (90, np.float64(90), np.int64(-90), np.array(90.0), [0.1], np.array([0.1, 0.2]), "1")),
+    (lambda: Points.regular(3, 1.0, angle=np.float32(45)), ["angle: 45.0 given", "np.deg2rad"]),
 ]  # fmt: skip
 
 
@@ -181,6 +209,17 @@ def test_bad_input_is_refused_with_what_was_given_and_what_to_do(make, words):
         make()
     message = str(caught.value)
     assert all(word in message for word in [*words, "allowed: "]), message
+
+
+@pytest.mark.parametrize("size", [1e-140, 1e-100, 1e100, 0.5e140])
+@pytest.mark.parametrize("make", [Disc, Ring, lambda r: Annulus(r, 2 * r), lambda r: Polygon.rectangle(r, r),
+                                  lambda r: Segment((-r, 0), (r, 0)), lambda r: Points([(-r, 0), (r, 0)]),
+                                  lambda r: PressureMap([0, r], [0, r], [[1]])])  # fmt: skip
+def test_sizes_far_from_one_are_computed_without_a_warning(make, size):
+    one, other = (assembled(make(each).pieces(), each) for each in (size, 1.0))
+    assert (one.extent, *one.spread) == pytest.approx(
+        (other.extent, *other.spread), rel=1e-12, abs=0
+    )
 
 
 @pytest.mark.parametrize("size", [1e-9, 1.0, 1e9])

@@ -41,12 +41,11 @@ def add(commands: Commands) -> None:
 
 def drawn(args: argparse.Namespace) -> dict[str, Any]:
     """Draw the scene under the given push, the push of its file, or a push straight ahead."""
-    from math import radians
-
     from planar_pushing.figures.draw import SCENE, draw_on
     from planar_pushing.figures.render import save_drawn
     from planar_pushing.figures.sketch import Sketch, with_curve
     from planar_pushing.study.files.scenes import load_scene_file
+    from planar_pushing.terms.numbers import in_radians
 
     angles = args.pusher_angle, args.force_angle
     if None not in angles:
@@ -56,7 +55,7 @@ def drawn(args: argparse.Namespace) -> dict[str, Any]:
     if args.force_angle is not None:
         _require_force(scene, args.force_angle)
     angle, magnitude = _push(args, file, scene)
-    sketch = Sketch.of(scene, radians(angle), magnitude, **_finger(file, scene))
+    sketch = Sketch.of(scene, float(in_radians(angle)), magnitude, **_finger(file, scene))
     if args.limit_curve:
         sketch = with_curve(sketch, scene)
     save_drawn(lambda figure: draw_on(figure, sketch), SCENE, [args.output])
@@ -93,9 +92,8 @@ def _push(args: argparse.Namespace, file: SceneFile, scene: Scene) -> tuple[floa
 
 def _require_force(scene: Scene, angle: float) -> None:
     """Reject a force that is not a solution for any push."""
-    from math import radians
-
     from planar_pushing.mechanics.cones import friction_cone, is_magnitude_open
+    from planar_pushing.terms.numbers import in_radians
 
     if is_magnitude_open(scene):
         raise InvalidValue(
@@ -103,7 +101,7 @@ def _require_force(scene: Scene, angle: float) -> None:
             "depends on the magnitude of the push", "give --pusher-angle and --pusher-magnitude",
         )  # fmt: skip
     cone = friction_cone(scene)
-    if radians(angle) not in cone:
+    if in_radians(angle) not in cone:
         right, left = cone.degrees
         ends = "[]" if cone.closed else "()"
         allowed = f"degrees in the friction cone, {ends[0]}{right:.10g}, {left:.10g}{ends[1]}"

@@ -10,7 +10,7 @@ import numpy as np
 from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.supports.base import is_kind, moved_support
 from planar_pushing.mechanics.supports.even_ring import Ring
-from planar_pushing.terms.domain import Number, require_fields, required
+from planar_pushing.terms.domain import Number, require_fields, required, required_ratio
 from planar_pushing.terms.errors import InvalidValue
 
 
@@ -106,7 +106,9 @@ def weight(mass: Number, support_friction: Number, gravity: Number = 9.80665) ->
     Raises
     ------
     InvalidValue
-        If a number is not positive and finite.
+        If a number, or their product, is not positive and finite.
     """
-    found = required("mass", mass), required("support_friction", support_friction)
-    return found[0] * found[1] * required("gravity", gravity)
+    own, coefficient = required("mass", mass), required("support_friction", support_friction)
+    with np.errstate(over="ignore", under="ignore"):
+        found = own * coefficient * required("gravity", gravity)
+    return required_ratio("weight", found)

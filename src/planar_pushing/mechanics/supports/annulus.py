@@ -9,9 +9,9 @@ import numpy as np
 
 from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
-from planar_pushing.mechanics.supports.base import Position, position
+from planar_pushing.mechanics.supports.base import Position, length, position
 from planar_pushing.mechanics.supports.pressure.record import Pieces
-from planar_pushing.terms.errors import InvalidValue, require_positive
+from planar_pushing.terms.errors import InvalidValue
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,8 +42,8 @@ class Annulus(Pictured):
     center: Any = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        inner = require_positive("inner", self.inner, "use Disc for a support without a hole")
-        outer = require_positive("outer", self.outer, "give the outer radius")
+        inner = length("inner", self.inner, "use Disc for a support without a hole")
+        outer = length("outer", self.outer, "give the outer radius")
         if inner >= outer:
             raise InvalidValue(
                 "inner", inner, f"a number less than outer, {outer!r}",

@@ -10,8 +10,13 @@ import numpy as np
 
 from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.supports.pressure.record import Array, Pieces
-from planar_pushing.terms.errors import InvalidValue, number_of
+from planar_pushing.terms.errors import InvalidValue, number_of, require_positive
+from planar_pushing.terms.numbers import required_array
+from planar_pushing.terms.options import SPEED
 
+#: Range of sizes whose squares are doubles, and remedy.
+LENGTHS = SPEED.least, SPEED.most
+UNIT = "choose another unit of length"
 #: A position in the body frame: origin at the slider's center, x along the rod and away from the contact.
 Position = tuple[float, float]
 
@@ -67,10 +72,7 @@ def array(
     InvalidValue
         If the shape differs, or an entry is not a finite number.
     """
-    try:
-        numbers = np.array(given, dtype=float)
-    except (TypeError, ValueError):
-        raise InvalidValue(name, given, allowed, remedy) from None
+    numbers = required_array(name, given, allowed, remedy)
     fits = numbers.ndim == len(shape) and all(
         length in (None, found) for length, found in zip(shape, numbers.shape, strict=True)
     )
@@ -91,20 +93,49 @@ def require_all(
         raise InvalidValue(name + shown, float(numbers[place]), allowed, remedy)
 
 
+def coordinates(
+    name: str, given: object, shape: tuple[int | None, ...], allowed: str, remedy: str
+) -> Array:
+    """Array of coordinates whose squares do not overflow; errors as in `array`."""
+    found = array(name, given, shape, allowed, remedy)
+    require_all(name, found, lambda x: np.abs(x) <= LENGTHS[1], f"at most {LENGTHS[1]:g}", UNIT)
+    return found
+
+
+def require_size(name: str, size: float) -> None:
+    """Refuse a size whose square underflows or overflows."""
+    low, high = LENGTHS
+    if not low <= size <= high:
+        raise InvalidValue(name, size, f"a size in [{low:g}, {high:g}]", UNIT)
+
+
+def length(name: str, given: object, remedy: str) -> float:
+    """A positive length whose square neither underflows nor overflows."""
+    found = require_positive(name, given, remedy)
+    require_size(name, found)
+    return found
+
+
 def position(name: str, given: object) -> Position:
     """A position in the plane."""
-    x, y = array(name, given, (2,), "two finite numbers", "give x and y in the body frame").tolist()
+    remedy = "give x and y in the body frame"
+    x, y = coordinates(name, given, (2,), "two finite numbers", remedy).tolist()
     return x, y
 
 
 def positions(name: str, given: object, remedy: str) -> tuple[Position, ...]:
     """Positions in the plane."""
-    found = array(name, given, (None, 2), "pairs of finite numbers", remedy)
+    found = coordinates(name, given, (None, 2), "pairs of finite numbers", remedy)
+    if len(found) and (span := float(np.ptp(found, axis=0).max())):
+        require_size(name, span)
     return tuple((x, y) for x, y in found.tolist())
 
 
 def weights(name: str, given: object, count: int, remedy: str) -> tuple[float, ...]:
-    """Positive weights, one per member."""
+    """Positive weights, one per member, whose sum is finite."""
     found = array(name, given, (count,), number_of(count, "positive number"), remedy)
     require_all(name, found, lambda x: x > 0, "a number > 0", "leave out what carries no weight")
+    if found.max(initial=0.0) > np.finfo(float).max / count:
+        allowed = "numbers with a finite sum"
+        raise InvalidValue(name, float(found.max()), allowed, "choose another unit")
     return tuple(found.tolist())

@@ -11,11 +11,10 @@ import numpy as np
 from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
-from planar_pushing.mechanics.supports.base import Position, position
+from planar_pushing.mechanics.supports.base import Position, length, position
 from planar_pushing.mechanics.supports.pressure.record import DISCS, PLATES, Pieces
 from planar_pushing.mechanics.supports.pressure.sums import added, turned
 from planar_pushing.mechanics.supports.ring import inner, polynomial
-from planar_pushing.terms.errors import require_positive
 
 #: Beyond this distance, in radii, the torque is a power series, because the closed form cancels.
 SERIES = 4.0
@@ -48,7 +47,7 @@ class Disc(Pictured):
     center: Any = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        radius = require_positive("radius", self.radius, "use Points for a support on one point")
+        radius = length("radius", self.radius, "use Points for a support on one point")
         object.__setattr__(self, "radius", radius)
         object.__setattr__(self, "center", position("center", self.center))
 

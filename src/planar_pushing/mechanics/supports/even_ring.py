@@ -11,11 +11,11 @@ import numpy as np
 from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
-from planar_pushing.mechanics.supports.base import Position, position
+from planar_pushing.mechanics.supports.base import Position, length, position
 from planar_pushing.mechanics.supports.pressure.record import DISCS, RINGS, Pieces
 from planar_pushing.mechanics.supports.pressure.sums import added, turned
 from planar_pushing.mechanics.supports.ring import ring_wrench
-from planar_pushing.terms.errors import InvalidValue, require_positive
+from planar_pushing.terms.errors import InvalidValue
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,9 +40,7 @@ class Ring(Pictured):
 
     def __post_init__(self) -> None:
         if self.radius is not None:
-            radius = require_positive(
-                "radius", self.radius, "use Points for a support on one point"
-            )
+            radius = length("radius", self.radius, "use Points for a support on one point")
             object.__setattr__(self, "radius", radius)
         if self.center is not None:
             center = position("center", self.center)

@@ -6,16 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.supports.base import position
+from planar_pushing.mechanics.supports.base import length, position
 from planar_pushing.mechanics.supports.pressure.record import Array
-from planar_pushing.terms.errors import require_number, require_positive
+from planar_pushing.terms.domain import RADIANS, required
+from planar_pushing.terms.errors import require_number
 
 
 def placed_corners(places: Array, center: Any, angle: float) -> Array:
     """Positions rotated about the origin by an angle in radians, then shifted to a center."""
-    turn = require_number(
-        "angle", angle, np.isfinite, "a finite number of radians", "give one angle"
-    )
+    turn = require_number("angle", required("angle", angle), np.isfinite, RADIANS, "give one angle")
     c, s = (1.0, 0.0) if turn == 0.0 else (np.cos(turn), np.sin(turn))
     turned: Array = places @ np.array([[c, s], [-s, c]])
     return turned + position("center", center)
@@ -23,8 +22,8 @@ def placed_corners(places: Array, center: Any, angle: float) -> Array:
 
 def rectangle_corners(width: float, height: float) -> Array:
     """Corners of a rectangle about the origin, counterclockwise."""
-    x = require_positive("width", width, "give the length of the sides along x") / 2
-    y = require_positive("height", height, "give the length of the sides along y") / 2
+    x = length("width", width, "give the length of the sides along x") / 2
+    y = length("height", height, "give the length of the sides along y") / 2
     return np.array([(-x, -y), (x, -y), (x, y), (-x, y)])
 
 
@@ -54,7 +53,7 @@ def disc_places(rings: int, radius: float) -> Array:
 
 
 def _radius(given: float) -> float:
-    return require_positive("radius", given, "give the radius")
+    return length("radius", given, "give the radius")
 
 
 def _count(given: int, least: int) -> int:

@@ -9,7 +9,14 @@ import numpy as np
 
 from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
-from planar_pushing.mechanics.supports.base import Position, array, position, require_all
+from planar_pushing.mechanics.supports.base import (
+    Position,
+    array,
+    coordinates,
+    position,
+    require_all,
+    require_size,
+)
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent
 from planar_pushing.mechanics.supports.pressure.record import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue, number_of
@@ -125,9 +132,10 @@ def _turned(plate: Array, frame: Frame) -> Array:
 def _edges(name: str, given: object) -> Array:
     """Edges of cells along an axis."""
     remedy = "give the edges of the cells in increasing order"
-    found = array(name, given, (None,), "a sequence of finite numbers", remedy)
+    found = coordinates(name, given, (None,), "a sequence of finite numbers", remedy)
     if len(found) < 2 or not (np.diff(found) > 0).all():
         raise InvalidValue(name, found.tolist(), "at least two increasing numbers", remedy)
+    require_size(name, float(np.diff(found).min()))
     return found
 
 

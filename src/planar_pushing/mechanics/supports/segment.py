@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,7 +11,7 @@ import numpy as np
 from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
-from planar_pushing.mechanics.supports.base import Position, position
+from planar_pushing.mechanics.supports.base import Position, position, require_size
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent
 from planar_pushing.mechanics.supports.pressure.edges import (
     LEAST,
@@ -55,6 +56,7 @@ class Segment(Pictured):
                 "end", self.end, "a position other than the start",
                 "use Points for a support on one point",
             )  # fmt: skip
+        require_size("end", math.dist(self.start, self.end))
 
     @property
     def center_of_pressure(self) -> Position:

@@ -14,6 +14,7 @@ from planar_pushing.mechanics.contact import ContactLaw
 from planar_pushing.mechanics.effects import SupportFriction
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.study.files.study_model import Part, contact_law
+from planar_pushing.terms.numbers import in_radians
 
 
 def axis(part: Part, name: str) -> xr.DataArray:
@@ -59,7 +60,7 @@ def over_effects(part: Part, build: Callable[[tuple[Any, ...]], xr.Dataset]) -> 
 
 def pushing(degrees: xr.DataArray) -> xr.DataArray:
     """Angles in radians, labeled in degrees."""
-    return degrees.copy(data=np.deg2rad(degrees.values))
+    return degrees.copy(data=in_radians(degrees.values))
 
 
 def friction_angle(coefficients: npt.ArrayLike) -> npt.NDArray[np.float64]:

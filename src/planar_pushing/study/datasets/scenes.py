@@ -25,6 +25,7 @@ from planar_pushing.study.describe import describe
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.study_model import PushEntry
+from planar_pushing.terms.numbers import in_radians
 from planar_pushing.terms.options import EFFECT_CLASSES, EffectKind
 from planar_pushing.terms.quantities import TWIST, TWIST_UNITS
 
@@ -40,7 +41,7 @@ def pusher_angle(scene: Scene, push: PushEntry) -> float:
     if push.force_angle is None:
         return float(push.pusher_angle or 0.0)
     share = 0.5 if is_magnitude_open(scene) else None
-    return float(np.rad2deg(motion_angle(scene, np.deg2rad(push.force_angle), share)))
+    return float(np.rad2deg(motion_angle(scene, in_radians(push.force_angle), share)))
 
 
 def _solutions(solutions: Solutions, pusher: Array) -> dict[str, Any]:
@@ -102,8 +103,8 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
     """One pushing problem: geometry, cones, the fence's motion and every consistent solution."""
     scene = file.build()
     slider, angle = scene.slider, pusher_angle(scene, push)
-    pusher = push.pusher_magnitude * direction(np.deg2rad(angle))
-    solutions = solve(scene, np.deg2rad(angle), push.pusher_magnitude)
+    pusher = push.pusher_magnitude * direction(in_radians(angle))
+    solutions = solve(scene, in_radians(angle), push.pusher_magnitude)
     values = _solutions(solutions, pusher)
     variables: dict[str, Any] = {
         "rod_length": slider.rod_length,

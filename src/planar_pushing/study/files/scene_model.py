@@ -42,6 +42,7 @@ from planar_pushing.study.files.fields import (
 from planar_pushing.study.files.simulate_model import PieceEntry, SimulateEntry
 from planar_pushing.study.files.support_model import Point, Points, WholeSupport
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.numbers import in_radians
 from planar_pushing.terms.options import EFFECT_TYPES, AtZeroNormal, EffectKind, PusherFrame
 from planar_pushing.terms.units import Units
 
@@ -226,7 +227,7 @@ class SceneFile(FileModel):
         if not pieces:
             return scene
         magnitude = 1.0 if scene.stores_energy else pieces[0].speed
-        return replace(scene, push=(np.deg2rad(pieces[0].angle), magnitude))
+        return replace(scene, push=(in_radians(pieces[0].angle), magnitude))
 
     @property
     def pieces(self) -> tuple[PieceEntry, ...]:

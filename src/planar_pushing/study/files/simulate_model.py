@@ -81,6 +81,8 @@ class UntilEntry(FileModel):
     def _one(self) -> Self:
         if sum(map(bool, (self.event, self.mode, self.goals))) != 1:
             raise refuse("an event, a mode, or some of rotation, distance and pusher_distance")
+        if self.rotation is not None and self.rotation > 720.0:
+            raise refuse("a rotation of at most 720 degrees")
         return self
 
     @property

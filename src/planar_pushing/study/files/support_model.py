@@ -19,6 +19,7 @@ from planar_pushing.study.files.fields import (
     refuse,
 )
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.numbers import in_radians
 
 
 def _point(given: object) -> object:
@@ -118,7 +119,7 @@ class RectangleSupport(Entry):
     angle: Degrees = 0.0
 
     def build(self) -> Any:
-        return Polygon.rectangle(self.width, self.height, self.center, math.radians(self.angle))
+        return Polygon.rectangle(self.width, self.height, self.center, in_radians(self.angle))
 
 
 class RegularPolygonSupport(Entry):
@@ -131,7 +132,7 @@ class RegularPolygonSupport(Entry):
     angle: Degrees = 0.0
 
     def build(self) -> Any:
-        return Polygon.regular(int(self.count), self.radius, self.center, math.radians(self.angle))
+        return Polygon.regular(int(self.count), self.radius, self.center, in_radians(self.angle))
 
 
 class PressureMapSupport(Entry):

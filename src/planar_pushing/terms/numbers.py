@@ -1,0 +1,92 @@
+"""Numbers that users give: the one place that makes doubles of them.
+
+Integers and single precision become doubles before any arithmetic, because sums and products of small
+integers wrap around. Everything else that numpy would convert is refused.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from planar_pushing.terms.errors import InvalidValue
+
+#: A number, a numpy array or a DataArray.
+Number = Any
+Array = npt.NDArray[np.float64]
+
+#: Remedy for an array with masked entries.
+MASKED = "fill the masked entries, or leave them out"
+
+
+def is_lazy(value: object) -> bool:
+    """Whether a value is a DataArray whose numbers are computed later."""
+    return hasattr(value, "dims") and isinstance(getattr(value, "chunks", None), tuple)
+
+
+def as_array(given: Any) -> Array | None:
+    """An array of doubles, or None for a value that is not plain numbers.
+
+    Parameters
+    ----------
+    given : object
+        A number, nested lists or tuples of numbers, or an array. The index of a pandas Series is dropped.
+        Not plain numbers are texts, bytes, booleans, complex numbers, dates, masked entries, other objects,
+        lists of several lengths, and integers too large for a double.
+    """
+    try:
+        if not _are_plain(given):
+            return None
+        with np.errstate(over="ignore"):
+            return np.asarray(np.asarray(given), dtype=np.float64)
+    except (TypeError, ValueError, OverflowError):
+        return None
+
+
+def _are_plain(given: Any) -> bool:
+    """Whether a value consists of integers and floating-point numbers."""
+    if isinstance(given, (list, tuple)):
+        return all(map(_are_plain, given))
+    if isinstance(given, (int, float)):
+        return not isinstance(given, bool)
+    if np.ma.is_masked(given):
+        return False
+    array = np.asarray(given)
+    if array.dtype.kind == "O" and array.ndim:
+        return all(map(_are_plain, array.ravel().tolist()))
+    return array.dtype.kind in "iuf"
+
+
+def as_numbers(given: Any) -> Number | None:
+    """As `as_array`, but a number stays a number, and a DataArray keeps its labels."""
+    if type(given) is float:
+        return given
+    found = as_array(given)
+    if found is None:
+        return None
+    if hasattr(given, "dims"):
+        return given if given.dtype == found.dtype else given.copy(data=found)
+    if isinstance(given, (int, float)) and not isinstance(given, np.generic):
+        return float(found)
+    return found[()]
+
+
+def required_array(name: str, given: Any, allowed: str, remedy: str) -> Array:
+    """The array of `as_array`, or `InvalidValue`."""
+    found = as_array(given)
+    if found is None:
+        raise InvalidValue(name, given, allowed, remedy_for(given, remedy))
+    return found
+
+
+def remedy_for(given: Any, remedy: str) -> str:
+    """Remedy for a value that is not plain numbers; another one if entries are masked."""
+    return MASKED if np.ma.is_masked(given) else remedy
+
+
+def in_radians(degrees: Any) -> Any:
+    """Radians of directions in degrees, any finite numbers; those beyond two turns lose whole turns."""
+    near = np.where(np.abs(degrees) <= 720.0, degrees, np.fmod(degrees, 360.0))
+    return np.deg2rad(near)[()]
