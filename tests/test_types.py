@@ -5,15 +5,16 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
-
 FOLDER = Path(__file__).parent
 
 
-def checked(script, cache):
-    """The kind of each message of mypy about a script, and its text, by the number of the line."""
+def checked(script):
+    """The kind of each message of mypy about a script, and its text, by the number of the line.
+
+    The project's cache of mypy, which `make lint` has filled, spares it the reading of the library.
+    """
     ended = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "--hide-error-context", "--cache-dir", cache, script],
+        [sys.executable, "-m", "mypy", "--strict", "--hide-error-context", script],
         cwd=FOLDER.parent, capture_output=True, text=True, check=False,
     )  # fmt: skip
     lines = re.findall(rf"{script.name}:(\d+): (error|note): (.*)", ended.stdout)
@@ -27,11 +28,6 @@ def comments(script):
     return {number: line.split("  # ")[1] for number, line in lines if "  # " in line}
 
 
-@pytest.fixture(scope="module")
-def cache(tmp_path_factory):
-    return tmp_path_factory.mktemp("mypy")
-
-
 def plain(text):
     """A revealed type without the modules of its names; arrays of floats are `Array`."""
     found = re.fullmatch(r'Revealed type is "(.*)"', text)
@@ -39,18 +35,18 @@ def plain(text):
     return short.replace("ndarray[tuple[Any, ...], dtype[float64]]", "Array")
 
 
-def test_the_types_of_results(cache):
+def test_the_types_of_results():
     script = FOLDER / "typed_right.py"
-    found = checked(script, cache)
+    found = checked(script)
     assert [each for each in found if each[1] == "error"] == []
     assert {number: plain(text) for number, _, text in found} == comments(script)
 
 
-def test_each_wrong_line_is_refused(cache):
+def test_each_wrong_line_is_refused():
     script = FOLDER / "typed_wrong.py"
     found = {
         number: text.rsplit("[", 1)[-1].rstrip("]")
-        for number, kind, text in checked(script, cache)
+        for number, kind, text in checked(script)
         if kind == "error"
     }
     assert found == comments(script)

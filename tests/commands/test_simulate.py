@@ -87,8 +87,10 @@ def test_waypoints_in_the_world_until_a_distance(run, tmp_path):
 FINGER = """\
 slider: {rod_length: 2, rod_angle: 70, side: [-1, 0.2]}
 contact: {law: coulomb, friction_coefficient: 0.1}
-effects: [{type: ring_friction}]
-simulate: {pusher_angle: 68, pusher_shape: finger, duration: 0.7, method: time-stepping}
+effects:
+  - type: support_friction
+    support: {shape: polygon, vertices: [[1, 1], [-1, 1], [-1, -1], [1, -1]]}
+simulate: {pusher_angle: 68, pusher_shape: finger, duration: 0.7}
 """
 
 

@@ -245,23 +245,30 @@ def run_fresh(code, folder):
     )  # fmt: skip
 
 
+@pytest.fixture(scope="module")
+def inverted(tmp_path_factory):
+    """A cache that a process has filled, and what that process said."""
+    folder = tmp_path_factory.mktemp("inverted")
+    return folder, run_fresh(INVERT, folder).stderr
+
+
 @needs_compiler
-def test_a_long_compilation_is_announced_once(tmp_path):
-    said = "compiling ring_spin_ratios for this kind of slider, once; this takes about 1 s\n"
-    assert run_fresh(INVERT, tmp_path).stderr == said
-    assert run_fresh(INVERT, tmp_path).stderr == ""
+def test_a_long_compilation_is_announced_once(inverted):
+    folder, said = inverted
+    assert (
+        said == "compiling ring_spin_ratios for this kind of slider, once; this takes about 1 s\n"
+    )
+    assert run_fresh(INVERT, folder).stderr == ""
 
 
 @needs_compiler
 @pytest.mark.parametrize("suffix", ["nbi", "nbc"])
-def test_a_truncated_cache_is_named(tmp_path, suffix):
-    run_fresh(INVERT, tmp_path)
-    for path in tmp_path.rglob(f"*.{suffix}"):
+def test_a_truncated_cache_is_named(inverted, tmp_path, suffix):
+    folder = shutil.copytree(inverted[0], tmp_path / "cache")
+    for path in folder.rglob(f"*.{suffix}"):
         path.write_bytes(path.read_bytes()[:20])
-    found = run_fresh(INVERT, tmp_path)
-    assert found.stderr.endswith(
-        f"OSError: {tmp_path}: damaged compiled code; remove this folder\n"
-    )
+    found = run_fresh(INVERT, folder)
+    assert found.stderr.endswith(f"OSError: {folder}: damaged compiled code; remove this folder\n")
 
 
 @needs_compiler

@@ -76,14 +76,27 @@ def contact_power(problem, force, twist):
     return force[:, 0] * (c * u_x - s * u_y) + force[:, 1] * (s * u_x + c * u_y)
 
 
-def test_a_couple_turns_a_slider_about_its_foot():
+def at(distance):
+    """A load's place beside the foot, at a distance from its line of force."""
+    return distance * np.cos(1.0), -distance * np.sin(1.0)
+
+
+@pytest.mark.parametrize(
+    "loads",
+    [
+        [pp.Load(force=(0.0, 0.4), center=at(2.5))],
+        [pp.Load(force=(0.0, 2.0**-40), center=at(2.0**40))],
+        pytest.param(
+            [pp.Load(force=(0.0, 1.0), center=at(1.0)), pp.Load(force=(0.0, -1.0))],
+            marks=pytest.mark.slow,
+        ),
+    ],
+    ids=["force", "nearly a couple", "couple"],
+)
+def test_a_torque_turns_a_slider_about_its_foot(loads):
     """The heavy foot holds what little the others leave: I omega = torque - 0.5 W."""
     feet = pp.Points([(0, 0), (1, 0), (-1, 0)], [2, 1, 1])
     slider = pp.Slider(rod_length=LENGTH, rod_angle=1.0, radius=1.0)
-    loads = (
-        pp.Load(force=(0.0, 1.0), center=(np.cos(1.0), -np.sin(1.0))),
-        pp.Load(force=(0.0, -1.0), center=(0.0, 0.0)),
-    )
     effects = pp.SupportFriction(support=feet), pp.Inertia(), *loads
     scene = pp.Scene(slider=slider, contact=pp.Coulomb(0.5), effects=effects)
     free = pp.solve(scene, -np.pi / 2, 10.0)[0]

@@ -58,9 +58,11 @@ def test_viscous_friction_is_absent_from_a_push_from_rest_with_inertia():
 
 
 def test_several_effects_of_a_kind_act_like_their_sum():
-    parts = pp.Inertia(mass=0.25), pp.RingFriction(weight=0.4), pp.RingFriction(weight=0.6)
+    rings = pp.RingFriction(weight=0.4), pp.RingFriction(weight=0.6)
+    masses = pp.Inertia(mass=0.1), pp.Inertia(mass=0.15)
     (one, other) = (
-        pp.solve(scene(*effects), 0.7) for effects in (parts, (RING, pp.Inertia(mass=0.25)))
+        pp.solve(scene(*effects), 0.7)
+        for effects in ((*masses, *rings), (RING, pp.Inertia(mass=0.25)))
     )
     assert one.modes == other.modes
     for a, b in zip(one, other, strict=True):

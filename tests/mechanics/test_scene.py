@@ -28,7 +28,13 @@ SUMS = {
         WHOLE_RING + WHOLE_MASS,
     ),
 }
-EVERY_SUM = pytest.mark.parametrize(("parts", "whole"), SUMS.values(), ids=SUMS)
+#: Sums whose kind of slider is compiled for them alone; two rings and two masses are summed alike.
+RARE = ("inertia", "split friction", "split inertia")
+EVERY_SUM = pytest.mark.parametrize(
+    ("parts", "whole"),
+    [pytest.param(*each, marks=[pytest.mark.slow] * (name in RARE)) for name, each in SUMS.items()],
+    ids=SUMS,
+)
 
 
 @EVERY_SUM

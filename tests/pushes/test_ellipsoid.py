@@ -39,6 +39,7 @@ def turned(contacts, angle):
     )  # fmt: skip
 
 
+@pytest.mark.slow  # compiles a finger on a film
 @pytest.mark.parametrize("radius", [0.0, 0.2])
 @pytest.mark.parametrize(("place", "way", "mu"), [
     (0.0, (0.0, 0.5), 0.3), (0.0, (0.4, 0.2), 0.1), (0.3, (0.0, 0.5), 0.1), (0.3, (0.1, 0.5), 0.3),
@@ -86,11 +87,13 @@ def transcribed(matrix, place, way, mu, radius):
 @pytest.mark.parametrize("radius", [0.0, 0.3])
 @pytest.mark.parametrize(("place", "way", "mu"), [
     (0.2, (0.05, 0.4), 0.6), (0.2, (0.3, 0.3), 0.1), (-0.3, (-0.4, 0.3), 0.1), (0.0, (0.0, 0.5), 0.0),
-    (0.0, (0.1, 0.5), 0.25),
+    (0.0, (0.1, 0.5), 0.25), (0.3, (0.0, 0.5), np.inf), (0.2, (0.3, 0.3), np.inf),
 ])  # fmt: skip
-def test_an_anisotropic_ellipsoid_against_a_transcription(place, way, mu, radius):
-    end = transcribed(SKEW.matrix, place, np.array(way), mu, radius)
-    found = SKEW.ends(from_below(place, way, radius), mu)
+@pytest.mark.parametrize("ellipsoid", [SKEW, ROUND], ids=["skew", "round"])
+def test_an_ellipsoid_against_a_transcription(ellipsoid, place, way, mu, radius):
+    end = transcribed(ellipsoid.matrix, place, np.array(way), mu, radius)
+    sticks = np.isinf(mu)
+    found = ellipsoid.ends(from_below(place, way, radius, sticks), 0.0 if sticks else mu)
     assert found.poses[0] == pytest.approx(end[:3], abs=1e-4)
 
 

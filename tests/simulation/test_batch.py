@@ -9,7 +9,7 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
-from mechanics.builders import make_scene
+from mechanics.builders import FRICTION, make_scene
 from planar_pushing.mechanics.plane import direction
 from signals import interruptible
 
@@ -23,6 +23,11 @@ REFERENCES = {
 }
 ANGLES = [33.49164319965058, 6.511092064133266, 29.673182764562068, 110.23885816124236]
 SLIPS = [2.1514157444528927, -0.15251676648881093, 2.437240035590965, -1.0410568765402608]
+
+
+BOX = pp.Polygon([(1, 1), (-1, 1), (-1, -1), (1, -1)])
+#: Effects under each shape of pusher that `planar-pushing compile` has compiled.
+UNDER = {"fence": FRICTION, "finger": (pp.SupportFriction(support=BOX),)}
 
 
 def random_scenes(count, seed):
@@ -235,9 +240,10 @@ def same(one, other):
     return all(np.array_equal(one[name], other[name]) for name in SHARED)
 
 
-@pytest.mark.parametrize("shape", ["fence", "finger"])
+@pytest.mark.parametrize("shape", UNDER)
 def test_one_scene_is_a_batch_of_one(shape):
-    scene, pusher = make_scene(2.0, 0.5), pp.Pusher(velocity=(0.2, 1.0), shape=shape)
+    scene = make_scene(2.0, 0.5, UNDER[shape])
+    pusher = pp.Pusher(velocity=(0.2, 1.0), shape=shape)
     found = pp.simulate_batch(scene, pusher, duration=0.5)
     assert found.sizes == {"scene": 1, "xy": 2}
     assert same(found.isel(scene=0), last(scene, pusher, duration=0.5))
@@ -371,14 +377,14 @@ def velocities(index=None):
     return [(t, (x[chosen], y[chosen])) for t, (x, y) in zip(STARTS, parts, strict=True)]
 
 
-@pytest.mark.parametrize("shape", ["fence", "finger"])
+@pytest.mark.parametrize("shape", UNDER)
 def test_velocities_in_pieces_may_be_arrays(shape):
     """Each piece differs from scene to scene, and one scene ends before the last piece."""
     durations, options = (
         np.array([0.5, 1.0, 0.9]),
         {"on_ambiguity": [(0, "stick"), (0.4, "separate")]},
     )
-    scene = make_scene(2.0, 0.5, psi=1.0, radius=0.7)
+    scene = make_scene(2.0, 0.5, UNDER[shape], psi=1.0, radius=0.7)
     pusher = pp.Pusher(velocity=velocities(), shape=shape)
     found = pp.simulate_batch(scene, pusher, duration=durations, **options)
     assert found.piece.values.tolist() == STARTS

@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import planar_pushing as pp
-from simulation.runs import check, final, run, run_slow_uncompiled
+from simulation.runs import check, final, heading, run, run_slow_uncompiled
 
 METHODS = {
     "event-driven": ({"method": "event-driven"}, 1e-8),
@@ -135,6 +135,18 @@ def test_a_log_names_pivots_and_events():
     assert {flags["MOTION_CENTER_AT_POINT"], flags["SLIDER_STOPS"]} <= set(happened.tolist())
 
 
+@slow
+def test_two_effects_of_degree_one_share_the_load():
+    parts = pp.RingFriction(weight=0.25), pp.RingFriction(weight=0.75)
+    log, whole = (
+        run(scene_of(*each, mu=2.0, length=2.0, psi=np.pi / 4), heading(60), 1.0)
+        for each in (parts, [pp.RingFriction()])
+    )
+    assert final(log, "rod_angle") == pytest.approx(final(whole, "rod_angle"), abs=1e-10)
+    expected = final(whole, "dissipated") * [0.25, 0.75]
+    assert final(log, "dissipated") == pytest.approx(expected, rel=1e-9)
+
+
 def test_all_of_it_without_the_compiler():
-    """Seven kinds of simulations, each of which compiles for a minute and runs in seconds without."""
-    assert run_slow_uncompiled(__file__).count(" PASSED ") == 6 * len(METHODS) + 1
+    """Eight kinds of simulations, each of which compiles for a minute and runs in seconds without."""
+    assert run_slow_uncompiled(__file__).count(" PASSED ") == 6 * len(METHODS) + 2

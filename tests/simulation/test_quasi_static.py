@@ -211,15 +211,6 @@ def test_smooth_start_turn_and_grazing_of_the_fence():
         assert set(log.mode.values) & {1, 2, 3}
 
 
-def test_two_effects_of_degree_one_share_the_load():
-    parts = (pp.RingFriction(weight=0.25), pp.RingFriction(weight=0.75))
-    log, whole = (run(make_scene(2, 2.0, e), heading(60), 1) for e in (parts, (pp.RingFriction(),)))
-    assert final(log, "rod_angle") == pytest.approx(final(whole, "rod_angle"), abs=1e-10)
-    assert final(log, "dissipated") == pytest.approx(
-        final(whole, "dissipated") * [0.25, 0.75], rel=1e-9
-    )
-
-
 @settings(max_examples=25)
 @given(
     scenes(contact=coefficients, effects=friction), st.floats(-180, 180), st.floats(-180, 180),

@@ -8,17 +8,17 @@ import planar_pushing as pp
 from planar_pushing.study import build
 from planar_pushing.study.chunks import blocks, chunk_parts, chunk_slice, chunk_steps
 from planar_pushing.study.provenance import provenance
-from planar_pushing.study.slices import sizes, study_slice
+from planar_pushing.study.slices import points, sizes, study_slice
 from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 from study.conftest import OF_PAPER, SLIDERS_SMOKE, SMOKE
 
 CHUNKS = {
-    "contact_modes": {"pusher_angle": 10, "contact": 3},
-    "acceleration_centers": {"force_angle": 5},
-    "motion_cones": {"effects": 1, "friction_coefficient": 3},
-    "support_modes": {"support": 2, "pusher_angle": 4},
+    "contact_modes": {"pusher_angle": 13, "contact": 4},
+    "acceleration_centers": {"force_angle": 7},
+    "motion_cones": {"effects": 2, "friction_coefficient": 3},
+    "support_modes": {"support": 2, "pusher_angle": 5},
 }
 STUDIES = {file: load_study(file) for file in (SMOKE, SLIDERS_SMOKE)}
 
@@ -55,10 +55,10 @@ def assert_same_content(one, other):
 @pytest.mark.parametrize("name", [*OF_PAPER, "support_modes"])
 def test_a_grid_in_blocks_is_the_one_in_one_piece(sliders, tmp_path, monkeypatch, name):
     study, marks = of(name)
-    # A ring alone in a block has formulas of its own, which differ from a pressure's by rounding.
-    most = 256 if name == "support_modes" else 40
-    monkeypatch.setattr(build, "blocks", lambda lengths: blocks(lengths, most))
     values = study_slice(study, name)
+    # A ring alone in a block has formulas of its own, which differ from a pressure's by rounding.
+    most = 256 if name == "support_modes" else min(256, points(name, values) // 3)
+    monkeypatch.setattr(build, "blocks", lambda lengths: blocks(lengths, most))
     assert len(build.blocks(sizes(name, values))) > 1
     path = tmp_path / f"{name}.nc"
     build.dataset(path, name=name, study=values, marks=marks)
@@ -151,7 +151,7 @@ def test_chunks_open_as_the_whole_dataset(chunked, sliders, name):
 
 def test_a_part_of_what_stays_in_chunks_is_read_alone(chunked):
     modes = pp.open_dataset("contact_modes", chunked).sel(effects="inertia", rod_length=2)
-    found = modes.consistent.sel(contact="coulomb_1.4", pusher_angle=[-15, 0])
+    found = modes.consistent.sel(contact="coulomb_1.4", pusher_angle=[0, 15])  # of two chunks
     assert dict(found.sizes) == {"pusher_magnitude": 1, "pusher_angle": 2, "solution": 8}
     assert found.sum() > 0
 

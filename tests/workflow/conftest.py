@@ -114,22 +114,47 @@ def _draw_few(ledger: Path) -> None:
     ledger.write_text(text.replace(MANY, f"supports: {FEW},"), encoding="utf-8")
 
 
+def once(factory: pytest.TempPathFactory, name: str, *targets: str) -> Copy:
+    """A copy in which targets are built, by default everything; processes of a run share the build."""
+    shared = os.environ.get("PYTEST_XDIST_WORKER") is not None
+    base = factory.getbasetemp()
+    original = (base.parent if shared else base) / f"original_{name}"
+    with original.with_suffix(".lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # one process builds it, and each works on its own copy
+        if not original.exists():
+            started = original.with_suffix(".started")
+            started.mkdir()
+            copy_project(started).snakemake(*targets)
+            started.rename(original)
+    root = factory.mktemp(name) / "copy"
+    shutil.copytree(original, root, symlinks=True)
+    return Copy(root)
+
+
 @pytest.fixture(scope="session")
 def built(tmp_path_factory: pytest.TempPathFactory) -> Copy:
     """A copy in which everything is built; a test that changes it must put it back."""
-    shared = os.environ.get("PYTEST_XDIST_WORKER") is not None
-    base = tmp_path_factory.getbasetemp()
-    original = (base.parent if shared else base) / "original"
-    with (original.parent / "original.lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)  # one process builds it, and each works on its own copy
-        if not original.exists():
-            started = original.with_name("started")
-            started.mkdir()
-            copy_project(started).snakemake()
-            started.rename(original)
-    root = tmp_path_factory.mktemp("built") / "copy"
-    shutil.copytree(original, root, symlinks=True)
-    return Copy(root)
+    return once(tmp_path_factory, "built")
+
+
+#: Files of two datasets, a figure and a log, which stand for all others where a build takes too long.
+FEW_FILES = (
+    "data/limit_curves.nc",
+    "data/motion_cones.nc",
+    "data/simulations/figure_15.nc",
+    "figures/figure_06.svg",
+)
+
+
+@pytest.fixture(scope="session")
+def partly_built(tmp_path_factory: pytest.TempPathFactory) -> Copy:
+    """A copy in which `FEW_FILES` are built; a test that changes it must put it back."""
+    return once(tmp_path_factory, "partly_built", *few_targets())
+
+
+def few_targets() -> list[str]:
+    """`FEW_FILES` as targets of Snakemake."""
+    return [f"results/studies/smoke/{name}" for name in FEW_FILES]
 
 
 @pytest.fixture

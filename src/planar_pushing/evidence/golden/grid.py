@@ -73,6 +73,8 @@ CELLS: Mapping[str, tuple[Cell, ...]] = {
 }
 #: Number of points that a process takes at once.
 TAKEN = 400
+#: Fewer points than this are done before another process has started.
+FEW = 100
 
 
 def use_integrals() -> None:
@@ -100,10 +102,17 @@ def _nested(value: Any) -> Any:
 def records(
     cell: Cell, values: Values, points: Sequence[Point], processes: int, second: bool = False
 ) -> Iterator[Record | str]:
-    """Records of points, in order; with `second`, all are evaluated by the integrals as printed."""
+    """Records of points, in order; with `second`, all are evaluated by the integrals as printed.
+
+    The second route has processes of its own, because a process remembers what it has evaluated.
+    """
+    wanted = partial(evaluated, cell, values)
+    if not points or (len(points) < FEW and not second):
+        yield from map(wanted, points)
+        return
     with get_context("spawn").Pool(processes, use_integrals if second else None) as pool:
         step = max(1, min(TAKEN, len(points) // (4 * processes)))
-        yield from pool.imap(partial(evaluated, cell, values), points, chunksize=step)
+        yield from pool.imap(wanted, points, chunksize=step)
 
 
 def points(dataset: xr.Dataset, dims: Iterable[str]) -> list[Point]:
