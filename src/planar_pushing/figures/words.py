@@ -51,7 +51,7 @@ def does(solution: Solution, pusher: Any) -> str:
     elif pusher[1] < -ROUNDING * float(np.hypot(*pusher)):
         found += " while being pulled"
     if solution.continuum:
-        return f"{found} (an end of a range of motions)"
+        return f"{found} (one of a range of motions)"
     return f"{found}, turning about a support point" if solution.pivot >= 0 else found
 
 
