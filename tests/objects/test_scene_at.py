@@ -208,7 +208,7 @@ REFUSED = [
     ({"point": (0.5, -1), "contact": 2}, "contact: 2 given"),
     ({"point": ([0.5], -1)}, "point: ([0.5], -1) given; allowed: two finite numbers"),
     ({"point": (0.5, True)}, "point: (0.5, True) given; allowed: two finite numbers"),
-    ({"point": (0.5, -1), "normal": [(0, 1), (0, 1)]}, "normal: [(0, 1), (0, 1)] given; allowed: two finite"),
+    ({"point": (0.5, -1), "normal": [(0, 1), (0, 1)]}, "normal: [(0, 1), (0, 1)] given; allowed: two"),
     ({"point": [(0.5, -1)], "normal": [(0, 1)] * 2}, "normal: (2, 2) given; allowed: shape (2,) or (1, 2)"),
     ({"point": np.ma.masked_array([0.5, -1.0], [True, False])}, "fill the masked entries"),
 ]  # fmt: skip

@@ -231,7 +231,8 @@ def not_finite():
     (small, {"family": "point"},
      "family: 'point' given; allowed: points, uniform_and_corners, ellipse, map"),
     (small, {"family": "uniform_and_corners", "resamples": 0}, "resamples: 0 given; allowed: a whole"),
-    *((small, {"family": family}, f"family: {family!r} given; allowed: points,") for family in ([], None, 3)),
+    *((small, {"family": family}, f"family: {family!r} given; allowed: points,")
+      for family in ([], None, 3)),
     (small, {"progress": [True]}, "progress: [True] given; allowed: True or False"),
     (small, {"resamples": 1e308}, "resamples: 1e+308 given; allowed: a whole number >= 1, at most 1e+07"),
     (small, {"resamples": 0.5}, "resamples: 0.5 given; allowed: a whole number >= 1"),

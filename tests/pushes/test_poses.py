@@ -97,7 +97,7 @@ ROTATES = "poses_after: 'a rotation by "
 @pytest.mark.parametrize(("before", "after", "said"), [
     ([0.0], [57.0], "poses_after: 'the angle 57, in pushes 0' given; allowed: angles in radians in"),
     ([90.0], [0.0], "poses_before: 'the angle 90, in pushes 0' given; allowed: angles in radians in"),
-    ([0.0], [-5.4], f"{ROTATES}-5.4 radians, in pushes 0' given; allowed: pushes that turn the object by less"),
+    ([0.0], [-5.4], f"{ROTATES}-5.4 radians, in pushes 0' given; allowed: pushes that turn the object"),
     ([0.0, 0.0], [5.7, -4.4], f"{ROTATES}5.7 radians, in pushes 0, 1' given"),
     ([0.0, 0.0], [5.7, 8.0], f"{ROTATES}5.7 radians, in pushes 0, 1' given"),
     ([0.0, 0.0], [2 * np.pi + 0.1, 0.1], f"{ROTATES}6.38319 radians, in pushes 0' given"),
@@ -214,7 +214,7 @@ def test_a_push_that_begins_deep_in_the_object_is_named_or_left_out():
     ({"finger_radius": -1.0}, "finger_radius: -1.0 given; allowed: a number >= 0"),
     ({"finger_radius": [1.0]}, "finger_radius: [1.0] given; allowed: a number >= 0"),
     ({"tolerance": [1.0]}, "tolerance: [1.0] given; allowed: a number >= 0"),
-    ({"skip_missed": np.array([True, False])}, "skip_missed: array([ True, False]) given; allowed: True or"),
+    ({"skip_missed": np.array([True, False])}, "skip_missed: array([ True, False]) given; allowed: True"),
     *(({"mass": mass}, f"mass: {mass!r} given; allowed: a finite number > 0")
       for mass in (-1, 0, float("nan"), float("inf"), "2", True, [[1.0]], np.datetime64("2020-01-01"))),
     ({"poses_after": [(5.0, 1.3, b"2")]}, "poses_after: [(5.0, 1.3, b'2')] given; allowed: an array of"),

@@ -104,7 +104,7 @@ def test_a_condition_that_holds_at_the_start_leaves_one_instant(method):
 
 @METHODS
 def test_a_condition_that_never_holds_leaves_the_whole_run(method):
-    log = run(TURNING, PULLED, 1.0, method=method, until=pp.Until(rotation=50))
+    log = run(TURNING, PULLED, 1.0, method=method, until=pp.Until(rotation=12))
     xr.testing.assert_identical(log, run(TURNING, PULLED, 1.0, method=method))
 
 

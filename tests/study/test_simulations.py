@@ -2,10 +2,13 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 
 from planar_pushing import InvalidValue, Until
+from planar_pushing.study.datasets.base import pushing
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.simulate_model import PieceEntry, SimulateEntry
+from planar_pushing.study.files.support_model import RectangleSupport
 from planar_pushing.study.simulations import arguments, simulate_file, velocity
 
 
@@ -24,6 +27,19 @@ def test_pieces_are_velocities_of_the_fence():
 )
 def test_along_and_across_the_fence_is_exact(angle, expected):
     assert velocity(PieceEntry(time=0, angle=angle)) == expected
+
+
+@pytest.mark.parametrize("degrees", [7290.0, -7110.0, 1e6 + 170.0])
+def test_any_finite_number_of_degrees_is_a_direction(degrees):
+    pose = {"x": 1, "y": 2, "angle": degrees}
+    entry = SimulateEntry(pusher_angle=degrees, duration=1, object_pose=pose)
+    assert np.sin(arguments(entry)["object_pose"][2]) == pytest.approx(1.0)
+    file = load_scene_file("workflow/scenes/figure_15.yaml").model_copy(update={"simulate": entry})
+    assert np.sin(file.build().push[0]) == pytest.approx(1.0)
+    over = pushing(xr.DataArray([degrees, 30.0], dims="pusher_angle"))
+    assert np.sin(over.values) == pytest.approx([1.0, 0.5])
+    support = RectangleSupport(shape="rectangle", width=2, height=1, angle=degrees).build()
+    assert np.ptp(support.vertices, axis=0) == pytest.approx((1.0, 2.0))
 
 
 def test_the_initial_twist_is_in_degrees():

@@ -239,7 +239,7 @@ MASKED = np.ma.masked_array([1.0, 2.0], [True, False])
 def test_masked_entries_are_refused(call):
     for given in (np.ma.masked, MASKED):
         with pytest.raises(
-            pp.InvalidValue, match="masked.*; fill the masked entries, or leave them out$"
+            pp.InvalidValue, match=r"masked.*; fill the masked entries, or leave them out$"
         ):
             call(given)
 

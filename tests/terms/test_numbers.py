@@ -28,13 +28,15 @@ NUMBERS = [
     (np.array([1, 2.5], dtype=object), [1.0, 2.5]), (np.float16(0.5), 0.5), (np.uint64(2**63), 2.0**63),
     (np.ma.masked_array([1, 2]), [1.0, 2.0]), (np.ma.masked_array([1, 2], [False, False]), [1.0, 2.0]),
     (pd.Series([1, 2], index=[1, 0]), [1.0, 2.0]), (pd.Series([1.0, 2.5], dtype="Float32"), [1.0, 2.5]),
-    (pd.DataFrame({"x": [1, 2], "y": [0.5, 1.5]}), [[1.0, 0.5], [2.0, 1.5]]), (pd.Index([1, 2]), [1.0, 2.0]),
+    (pd.DataFrame({"x": [1, 2], "y": [0.5, 1.5]}), [[1.0, 0.5], [2.0, 1.5]]),
+    (pd.Index([1, 2]), [1.0, 2.0]),
     (range(3), [0.0, 1.0, 2.0]), (array.array("h", [1, 2]), [1.0, 2.0]), (LABELED, [1.0, 2.0]),
     (LABELED.chunk(case=1), [1.0, 2.0]),
 ]  # fmt: skip
 #: Values that are not plain numbers.
 OTHERS = [
-    None, "2", b"2", True, np.True_, 1j, np.complex64(1), Decimal(1), Fraction(1), 10**400, {1.0}, {1.0: 2.0},
+    None, "2", b"2", True, np.True_, 1j, np.complex64(1), Decimal(1), Fraction(1), 10**400, {1.0},
+    {1.0: 2.0},
     np.datetime64("2020"), np.timedelta64(2, "s"), datetime.date(2020, 1, 1), pd.Timestamp("2020"),
     ["1", 2.0], [b"1", 2.0], [True, 2.0], (1.0, (True,)), [None, 1.0], [1j, 1.0], [10**400, 1.0],
     [[1.0], [1.0, 2.0]], [np.array([True, False]), [1.0, 2.0]], [Decimal(1)],

@@ -181,7 +181,8 @@ REFUSED = [
     (lambda: Points([(0, 0), (1, 1)], [1e308, 1e308]), ["weights: 1e+308 given", "a finite sum"]),
     (lambda: Disc(1.0, ("2", 0)), ["center: ('2', 0) given", "two finite numbers"]),
     (lambda: Segment((0, 0), ("1", 0)), ["end: ('1', 0) given", "two finite numbers"]),
-    (lambda: PressureMap([0, 1, 2], [0, 1], np.ma.masked_array([[1, 99]], [[0, 1]])), ["pressure: ", "masked"]),
+    (lambda: PressureMap([0, 1, 2], [0, 1], np.ma.masked_array([[1, 99]], [[0, 1]])),
+     ["pressure: ", "masked"]),
     (lambda: Disc(np.ma.masked), ["radius: masked given"]),
     *((lambda size=size: Disc(size), [f"radius: {size!r} given", "a size in [1e-140, 1e+140]"])
       for size in (5e-324, 0.9e-140, 1.1e140, 1e160)),
@@ -212,9 +213,11 @@ def test_bad_input_is_refused_with_what_was_given_and_what_to_do(make, words):
 
 
 @pytest.mark.parametrize("size", [1e-140, 1e-100, 1e100, 0.5e140])
-@pytest.mark.parametrize("make", [Disc, Ring, lambda r: Annulus(r, 2 * r), lambda r: Polygon.rectangle(r, r),
-                                  lambda r: Segment((-r, 0), (r, 0)), lambda r: Points([(-r, 0), (r, 0)]),
-                                  lambda r: PressureMap([0, r], [0, r], [[1]])])  # fmt: skip
+@pytest.mark.parametrize("make", [
+    Disc, Ring, lambda r: Annulus(r, 2 * r), lambda r: Polygon.rectangle(r, r),
+    lambda r: Segment((-r, 0), (r, 0)), lambda r: Points([(-r, 0), (r, 0)]),
+    lambda r: PressureMap([0, r], [0, r], [[1]]),
+])  # fmt: skip
 def test_sizes_far_from_one_are_computed_without_a_warning(make, size):
     one, other = (assembled(make(each).pieces(), each) for each in (size, 1.0))
     assert (one.extent, *one.spread) == pytest.approx(

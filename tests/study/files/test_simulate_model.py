@@ -115,6 +115,12 @@ def test_unknown_events_and_several_conditions(tmp_path):
         assert allowed in message(tmp_path, SCENE + f"  until: {given}\n")
 
 
+def test_a_rotation_of_more_than_two_turns(tmp_path):
+    found = message(tmp_path, SCENE + "  until: {rotation: 721}\n")
+    assert found.startswith("simulate.until: ")
+    assert "allowed: a rotation of at most 720 degrees" in found
+
+
 def message(tmp_path, text):
     path = tmp_path / "scene.yaml"
     path.write_text(text, encoding="utf-8")
