@@ -52,7 +52,10 @@ DATASET: Quantities = {
     "conservative_cone_left": ("degree", "left edge of the conservative acceleration cone"),
     "conservative_cone_right": ("degree", "right edge of the conservative acceleration cone"),
     "consistent": ("1", "whether there is a solution with this number"),
-    "continuum": ("1", "whether the solution is one of a continuum of motions, such as an end of it"),
+    "continuum": (
+        "1",
+        "whether the solution is one of a continuum of motions, such as an end of it",
+    ),
     "contact": ("1", "contact law"),
     "contact_motion": ("motion", "motion of the slider at the contact"),
     "effect": ("1", "only effect that resists the motion"),
