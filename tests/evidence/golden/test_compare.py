@@ -68,6 +68,13 @@ def test_a_verdict_on_a_number_in_place_of_infinity_can_be_written(found, wanted
     assert json.loads(json_text(entry)) == entry
 
 
+def test_a_difference_from_zero_has_no_end_of_units_in_the_last_place(found, wanted):
+    wanted["force"].values[0, 0] = 0.0
+    found["force"].values[0, 0] = 1.0
+    (check,) = failed(found, wanted)
+    assert (check.error, check.ulp) == (1.0, np.inf)
+
+
 @pytest.mark.parametrize("place", [(0, 1), (1, 0)])
 def test_nan_and_infinity_are_the_same_or_fail(found, wanted, place):
     found["force"].values[place] = 1.0

@@ -263,7 +263,7 @@ def judged(
     return replace(
         found,
         error=float(error[at]),
-        ulp=float(error[at] / np.spacing(np.abs(middle[at]))) if counts else 0.0,
+        ulp=float(error[at]) / float(np.spacing(np.abs(middle[at]))) if counts else 0.0,
         allowed=float(allowed[at]),
     )
 
