@@ -51,6 +51,8 @@ def call(name, given, effects=BOTH):
     """A public function at the parameters that it takes."""
     if name == "conservative_motion_cone":
         given = {**given, "gyration_radius": given["radius"]}
+    if name == "limit_curve" and effects == BOTH:  # both effects have no single curve
+        effects = FRICTION
     scene, function = scene_of(given, effects), getattr(pp, name)
     if name == "solve":
         return function(scene, given["pusher_angle"], given["pusher_magnitude"])

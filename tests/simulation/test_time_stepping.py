@@ -23,6 +23,7 @@ from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.rows import NO_MODE, reason
 from planar_pushing.simulation.steps.integrate import TimeStepping
+from planar_pushing.terms.options import Shape
 
 FRICTION, INERTIA = RingFriction(weight=0.7), Inertia(mass=1.3, gyration_radius=0.8)
 EFFECTS = {"friction": (FRICTION,), "inertia": (INERTIA,), "both": (FRICTION, INERTIA)}
@@ -58,7 +59,7 @@ def recorded(run):
         for row in rows
     ]
     for each in found:
-        each.stopped = reason(each.stopped)
+        each.stopped = reason(each.stopped, Shape.FENCE)
         each.dissipated = sum(each.dissipated)
     return found
 

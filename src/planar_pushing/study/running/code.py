@@ -31,7 +31,15 @@ PACKAGES = {
     "hard_cases": (*LIBRARY, *EVIDENCE, "certified", "evidence.hard_cases"),
     "costs": (*LIBRARY, *EVIDENCE, "simulation", "certified", "evidence.costs"),
     "pushes": (*LIBRARY, *EVIDENCE, "objects", "simulation", "pushes", "evidence.measured"),
-    "report": (*LIBRARY, "figures", "certified", "evidence.claims", "evidence.writing", "report"),
+    "report": (
+        *LIBRARY,
+        "simulation",
+        "figures",
+        "certified",
+        "evidence.claims",
+        "evidence.writing",
+        "report",
+    ),
     "manual": (".",),
 }
 
