@@ -127,6 +127,16 @@ def over(pattern, names):
     ]
 
 
+def verdicts(*names):
+    """Files of the golden verdicts, with these endings, of the studies that have golden data."""
+    return [
+        f"{folder}/tables/golden_{name}"
+        for folder, study in STUDIES.items()
+        if study.golden
+        for name in names
+    ]
+
+
 wildcard_constraints:
     results=one_of(STUDIES),
 

@@ -4,16 +4,6 @@
 CERTIFIED = [WHOLE] if WHOLE else []
 
 
-def verdicts(*names):
-    """Files of the golden verdicts, with these endings, of the studies that have golden data."""
-    return [
-        f"{folder}/tables/golden_{name}"
-        for folder, study in STUDIES.items()
-        if study.golden
-        for name in names
-    ]
-
-
 # The verdict is written whether the check passes or fails; `golden_passed` fails at the end of the run.
 rule golden_verdict:
     input:
