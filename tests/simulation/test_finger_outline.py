@@ -1,5 +1,6 @@
 """A disc finger and the other sides of its outline: never inside them, and the run ends at the touch."""
 
+import os
 from dataclasses import replace
 
 import numpy as np
@@ -24,6 +25,8 @@ EFFECTS = {
     "friction": (pp.RingFriction(),),
     "both": (pp.RingFriction(), pp.Inertia(mass=0.3, gyration_radius=0.15)),
 }
+#: Random outlines; fewer without the compiler.
+SEEDS = range(4 if os.environ.get("NUMBA_DISABLE_JIT") == "1" else 30)
 METHODS = pytest.mark.parametrize("method", ["event-driven", "time-stepping"])
 SETS = pytest.mark.parametrize(
     "effects", ["friction", pytest.param("both", marks=pytest.mark.slow)]
@@ -357,7 +360,7 @@ def some(random):
 
 @METHODS
 @SETS
-@pytest.mark.parametrize("seed", range(30))
+@pytest.mark.parametrize("seed", SEEDS)
 def test_no_disc_is_ever_inside_a_random_outline(method, effects, seed):
     random = np.random.default_rng(seed)
     outline, point = some(random)
@@ -376,7 +379,7 @@ def test_no_disc_is_ever_inside_a_random_outline(method, effects, seed):
 
 @METHODS
 @SETS
-@pytest.mark.parametrize("seed", range(30))
+@pytest.mark.parametrize("seed", SEEDS)
 def test_no_free_finger_is_ever_inside_a_random_outline(method, effects, seed):
     random = np.random.default_rng(seed)
     outline, point = some(random)
