@@ -74,7 +74,7 @@ def pushes_from_poses(
         Corners of the object in order, in its own frame.
     poses_before, poses_after : array_like, shape (n, 3)
         (x, y, angle) of the object's frame in the world before and after each push, angles in radians, at
-        most 4 pi. A push turns the object by less than half a turn. If all angles lie in [-pi, pi] or all
+        most 4 pi. A push rotates the object by less than pi. If all angles lie in [-pi, pi] or all
         in [0, 2 pi], they are taken as wrapped, so that 3.1 and -3.1 differ by 0.083; other angles are
         taken as unwrapped.
     finger_start, finger_end : array_like, shape (n, 2)
@@ -185,7 +185,7 @@ def _frames(before: Array, after: Array) -> Frames:
 
 
 def _refuse_degrees(before: Array, after: Array) -> None:
-    """Refuse angles beyond two turns, and rotations by more than half a turn, which are in degrees.
+    """Refuse angles beyond two turns, and rotations by more than pi, which are in degrees.
 
     Angles of one of the two conventions of wrapping may differ by up to a turn across its cut.
     """
@@ -202,7 +202,7 @@ def _refuse_degrees(before: Array, after: Array) -> None:
     if len(far) and not (signed or positive):
         raise InvalidValue(
             "poses_after", f"a rotation by {turn[far[0]]:.6g} radians, in pushes {listed(far)}",
-            "pushes that turn the object by less than half a turn", f"give radians: {TO_RADIANS}",
+            "pushes that rotate the object by less than pi", f"give radians: {TO_RADIANS}",
         )  # fmt: skip
 
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections import defaultdict
 from typing import Any
 
+from planar_pushing.evidence.golden.verdict import used_tolerance
 from planar_pushing.report.quantities import Quantity, significant
 from planar_pushing.report.results import Results
 
@@ -116,7 +116,7 @@ def _size(value: float | None) -> str:
 
 
 def _row(name: str, checks: list[Check]) -> dict[str, str]:
-    used = max(checks, key=_used)
+    used = max(checks, key=used_tolerance)
     return {
         "compared": name.replace("_", " "),
         "variables": str(len(checks)),
@@ -124,12 +124,3 @@ def _row(name: str, checks: list[Check]) -> dict[str, str]:
         "worst difference": _size(used["error"]),
         "allowed there": _size(used["allowed"]),
     }
-
-
-def _used(check: Check) -> float:
-    """Part of the tolerance that the worst difference uses."""
-    if check["error"] is None:
-        return math.inf
-    if not check["allowed"]:
-        return math.inf if check["error"] else 0.0
-    return float(check["error"] / check["allowed"])

@@ -20,6 +20,7 @@ from typing import Any
 
 import numpy as np
 
+from planar_pushing.evidence.golden.verdict import used_tolerance
 from planar_pushing.study.running.jobs import run_command
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_folder, study_name
 
@@ -62,17 +63,8 @@ def used_tolerances(verdicts: list[Path]) -> Ratios:
     found: Ratios = defaultdict(float)
     for path in verdicts:
         for check in json.loads(path.read_text(encoding="utf-8"))["checks"]:
-            found[check["file"]] = max(found[check["file"]], _used(check))
+            found[check["file"]] = max(found[check["file"]], used_tolerance(check))
     return found
-
-
-def _used(check: Mapping[str, Any]) -> float:
-    """Error in units of its tolerance; an exact comparison uses nothing, or everything."""
-    if check["problem"] or check["error"] is None:
-        return np.inf
-    if not check["allowed"]:
-        return np.inf if check["failed"] else 0.0
-    return float(check["error"] / check["allowed"])
 
 
 def table(ratios: Mapping[str, Ratios]) -> str:

@@ -97,3 +97,12 @@ def _worst(check: Mapping[str, Any]) -> str:
     ulp = f" ({check['ulp']:.3g} ulp)" if check["ulp"] else ""
     place = f" at {check['where']}" if check["where"] else ""
     return f"; worst {error:.2g}{ulp}, allowed {allowed:.2g}{place}"
+
+
+def used_tolerance(check: Mapping[str, Any]) -> float:
+    """Worst difference of a check as a part of its tolerance; infinite if it could not be made."""
+    if check["problem"] or check["error"] is None:
+        return math.inf
+    if not check["allowed"]:
+        return math.inf if check["error"] else 0.0
+    return float(check["error"] / check["allowed"])

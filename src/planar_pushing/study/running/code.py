@@ -37,6 +37,7 @@ PACKAGES = {
         "figures",
         "certified",
         "evidence.claims",
+        "evidence.golden",
         "evidence.writing",
         "report",
     ),
