@@ -97,7 +97,7 @@ ROTATES = "poses_after: 'a rotation by "
 @pytest.mark.parametrize(("before", "after", "said"), [
     ([0.0], [57.0], "poses_after: 'the angle 57, in pushes 0' given; allowed: angles in radians in"),
     ([90.0], [0.0], "poses_before: 'the angle 90, in pushes 0' given; allowed: angles in radians in"),
-    ([0.0], [-5.4], f"{ROTATES}-5.4 radians, in pushes 0' given; allowed: pushes that turn the object"),
+    ([0.0], [-5.4], f"{ROTATES}-5.4 radians, in pushes 0' given; allowed: pushes that rotate the object"),
     ([0.0, 0.0], [5.7, -4.4], f"{ROTATES}5.7 radians, in pushes 0, 1' given"),
     ([0.0, 0.0], [5.7, 8.0], f"{ROTATES}5.7 radians, in pushes 0, 1' given"),
     ([0.0, 0.0], [2 * np.pi + 0.1, 0.1], f"{ROTATES}6.38319 radians, in pushes 0' given"),
