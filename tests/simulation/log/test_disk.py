@@ -13,6 +13,7 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.simulation.log.disk import new_file
+from planar_pushing.simulation.log.interrupts import undisturbed
 from planar_pushing.study.files.replacing import replacing
 
 
@@ -28,7 +29,7 @@ def room(size):
 
 
 def write(path, count):
-    with new_file(path) as disk, h5py.File(disk, "w") as file:
+    with new_file(path) as disk, undisturbed(), h5py.File(disk, "w") as file:
         for i in range(count):
             file[f"part_{i}"] = np.full(1000, float(i))
             file.flush()
@@ -69,7 +70,7 @@ def test_a_place_that_cannot_be_written(tmp_path):
 def test_a_second_writer_is_refused_before_anything_is_lost(tmp_path):
     path, link = tmp_path / "file.nc", tmp_path / "link.nc"
     link.symlink_to(path)
-    with new_file(path) as disk, h5py.File(disk, "w") as file:
+    with new_file(path) as disk, undisturbed(), h5py.File(disk, "w") as file:
         file["part"] = np.arange(3)
         file.flush()
         content = path.read_bytes()
@@ -90,7 +91,7 @@ def test_a_second_writer_is_refused_before_anything_is_lost(tmp_path):
 
 def test_another_process_reads_while_it_is_written(tmp_path):
     reads = "import h5py; print(h5py.File('file.nc')['part'][:].tolist())"
-    with new_file(tmp_path / "file.nc") as disk, h5py.File(disk, "w") as file:
+    with new_file(tmp_path / "file.nc") as disk, undisturbed(), h5py.File(disk, "w") as file:
         file["part"] = np.arange(3)
         file.flush()
         found = subprocess.run(

@@ -1,5 +1,6 @@
 """Ctrl-C while a file is written."""
 
+import gc
 import signal
 import threading
 
@@ -55,3 +56,30 @@ def test_threads_hear_no_signals():
     thread.start()
     thread.join()
     assert done == [signal.getsignal(signal.SIGINT)]
+
+
+def test_no_garbage_is_collected_until_the_last_block_ends():
+    assert gc.isenabled()
+    with undisturbed():
+        with undisturbed():
+            assert not gc.isenabled()
+        assert not gc.isenabled()
+        inside = []
+        other = threading.Thread(target=lambda: inside.append(collects_in_a_block()))
+        other.start()
+        other.join()
+        assert inside == [False]
+        assert not gc.isenabled()
+    assert gc.isenabled()
+    gc.disable()
+    try:
+        with undisturbed():
+            pass
+        assert not gc.isenabled()
+    finally:
+        gc.enable()
+
+
+def collects_in_a_block():
+    with undisturbed():
+        return gc.isenabled()
