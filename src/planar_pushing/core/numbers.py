@@ -1,0 +1,33 @@
+"""Arrays of numbers, and the few functions of one or two numbers that everything uses."""
+
+from __future__ import annotations
+
+from typing import Protocol, overload
+
+
+class Numbers(Protocol):
+    """A row of floats: a memory view in Python, the address of its first number in compiled code."""
+
+    @overload
+    def __getitem__(self, place: int, /) -> float: ...
+    @overload
+    def __getitem__(self, place: slice, /) -> Numbers: ...
+    def __setitem__(self, place: int, number: float, /) -> None:
+        """Store a number."""
+
+
+def zeros(count: int) -> Numbers:
+    """A row of zeros for the time of a call; compiled code has it on the stack."""
+    row: Numbers = memoryview(bytearray(8 * count)).cast("d")
+    return row
+
+
+#: The distance from 1 to the next float.
+EPSILON = 2.220446049250313e-16
+INFINITY = float("inf")
+UNKNOWN = float("nan")
+
+
+def cross(x: float, y: float, other_x: float, other_y: float) -> float:
+    """The cross product of two vectors of the plane, a scalar."""
+    return x * other_y - y * other_x
