@@ -97,9 +97,7 @@ def _potential_value(effects: Effects, load: Vector, twist: Vector, square: bool
     return power + held * (held / 2.0 - 1.0)
 
 
-def _potential_gradient(
-    effects: Effects, load: Vector, twist: Vector, square: bool
-) -> Resistance:
+def _potential_gradient(effects: Effects, load: Vector, twist: Vector, square: bool) -> Resistance:
     """Derivatives of `_potential_value`; `limit` is the largest force that a point at rest takes."""
     friction = scale_effects(effects, 1.0, 0.0 if square else 1.0)
     total = resistance(friction, twist.x, twist.y, twist.spin, EPSILON * _size_of(twist))

@@ -130,7 +130,7 @@ def motion_with_norm(
 
 def is_ring_alone(effects: Effects) -> bool:
     """Whether the slider's own ring is the only effect."""
-    return effects.count == 1 and kind_of(effects.data, 0) == RING
+    return effects.length == 1 and kind_of(effects.data, 0) == RING
 
 
 def motion_on_ring(rod: Rod, contact: Contact, force: Direction) -> ContactMotion:
@@ -176,9 +176,7 @@ class MotionAngles(NamedTuple):
     converged: bool
 
 
-def motion_angles(
-    effects: Effects, rod: Rod, contact: Contact, force: Direction
-) -> MotionAngles:
+def motion_angles(effects: Effects, rod: Rod, contact: Contact, force: Direction) -> MotionAngles:
     """`MotionAngles` under a force in one direction, over all magnitudes."""
     if is_ring_alone(effects):
         angle = ring_motion_angle(rod, force, ring_spin_ratio(rod.length * force.across))
@@ -220,7 +218,7 @@ def _is_isotropic(effects: Effects) -> bool:
 
     The direction of the contact's motion is then monotone from slow to fast.
     """
-    if effects.count != 2 or kind_of(effects.data, 0) != RING or kind_of(effects.data, 1) != MASS:
+    if effects.length != 2 or kind_of(effects.data, 0) != RING or kind_of(effects.data, 1) != MASS:
         return False
     mass = effects.row[column_of(effects.data, 1) :]
     return mass[2] == 0.0 and mass[3] == 0.0

@@ -22,7 +22,7 @@ from planar_pushing.core.force import (
 )
 from planar_pushing.core.free import free_twist
 from planar_pushing.core.numbers import Numbers, zeros
-from planar_pushing.core.path import Path, sample_of
+from planar_pushing.core.path import Path, first_sample, sample_of
 from planar_pushing.core.psi import guess_spin, psi
 from planar_pushing.core.rows import NO_POINT
 from planar_pushing.core.slips import SLIP, SLIPS, find_slips
@@ -35,6 +35,7 @@ from planar_pushing.core.solution import (
     SLIP_RIGHT,
     SOLUTION,
     STICK,
+    TWIST,
     UNSOLVED,
     Push,
     copy_solution,
@@ -43,7 +44,7 @@ from planar_pushing.core.solution import (
     write_on_edge,
     write_solution,
 )
-from planar_pushing.core.tolerances import COINCIDENT, RESOLUTION, ROUNDING, SLOWEST
+from planar_pushing.core.tolerances import BEFORE_REST, COINCIDENT, RESOLUTION, ROUNDING, SLOWEST
 
 #: The square of a smaller normal motion underflows; the slips of the power of two that exceeds it are
 #: scaled, which is exact.
@@ -97,7 +98,7 @@ class Search(NamedTuple):
 class Count(NamedTuple):
     """Number of solutions so far, whether one of them is the stick, and whether a continuum touches it."""
 
-    count: int
+    number: int
     sticks: bool
     flat: bool
 
@@ -158,7 +159,7 @@ def _hold_at_rest(push: Push, law: Law, stick: ContactMotion, scale: float) -> C
 
 
 def contact_modes(
-    push: Push, law: Law, pusher: Direction, moves: bool, solutions: Numbers
+    push: Push, law: Law, pusher: Direction, solutions: Numbers
 ) -> tuple[int, bool]:
     """Write every consistent solution, in units of the pusher's motion.
 
@@ -167,9 +168,8 @@ def contact_modes(
     push : Push
     law : Law
     pusher : Direction
-        Direction of the pusher's motion, which has unit magnitude.
-    moves : bool
-        Whether the pusher moves at all.
+        Direction of the pusher's motion, which has unit magnitude; all components are zero for a pusher at
+        rest.
     solutions : Numbers
         Room for `MOST_SOLUTIONS` solutions, which are written in the order of the modes.
 
@@ -183,19 +183,20 @@ def contact_modes(
     Notes
     -----
     A force within rounding of an edge sticks unless a slip is found, and a slip of zero speed is the stick.
+    If pusher and slider are both at rest, so that the force is undetermined, they count as separate.
     """
     _separate(push, solutions)
-    if not moves:
-        return 1, False
     rest_x, rest_y = solutions[MOTION], solutions[MOTION + 1]
+    speed = 1.0 if pusher.x != 0.0 or pusher.y != 0.0 else 0.0
+    scale = max(speed, fabs(rest_x), fabs(rest_y))
+    if scale == 0.0 and solutions[TWIST + 2] == 0.0:
+        return 1, False
     place = 1 if pusher.y <= rest_y else 0  # index of the stick, which precedes the slips
     x, y = pusher.along, -pusher.across
     guess = guess_spin(push.effects, push.contact, x, y)
     root = psi(push.effects, push.contact, x, y, guess, NO_POINT, ROUNDING)
     if not root.converged:
         return UNSOLVED, False
-    speed = 1.0 if pusher.x != 0.0 or pusher.y != 0.0 else 0.0
-    scale = max(speed, fabs(rest_x), fabs(rest_y))
     stick = _settle(law, ContactMotion(
         x, y, root.v_x, root.v_y, root.spin, root.f_x, root.f_y, root.half_x, root.half_y,
         root.point, root.continuum, root.noise_x, root.noise_y, True,
@@ -207,9 +208,9 @@ def contact_modes(
     if law.slips:
         slips = _write_slips(search, law.left, SLIP_RIGHT, solutions, slips)
         slips = _write_slips(search, law.right, SLIP_LEFT, solutions, slips)
-        if slips.count < 0:
+        if slips.number < 0:
             return UNSOLVED, False
-    slides: bool = slips.count > place + 1
+    slides: bool = slips.number > place + 1
     inside = min(_across(law.right, stick.f_x, stick.f_y), -_across(law.left, stick.f_x, stick.f_y))
     rise = push.t_x * stick.f_y - push.t_y * stick.f_x
     noise = _noise_of(stick)
@@ -223,10 +224,10 @@ def contact_modes(
             write_solution(push, STICK, stick, solutions[place * SOLUTION :])
         if slips.flat:
             solutions[place * SOLUTION + CONTINUUM] = 1.0
-        return slips.count, slips.flat
-    for i in range(place, slips.count - 1):
+        return slips.number, slips.flat
+    for i in range(place, slips.number - 1):
         copy_solution(solutions[i * SOLUTION :], solutions[(i + 1) * SOLUTION :])
-    return slips.count - 1, slips.flat
+    return slips.number - 1, slips.flat
 
 
 def _noise_of(motion: ContactMotion) -> float:
@@ -250,7 +251,7 @@ def _write_slips(
     part = edge.x * (pusher.x - search.rest_x) + edge.y * (pusher.y - rest_y)
     force = push.t_x * search.f_x + push.t_y * search.f_y
     size = sqrt(search.f_x * search.f_x + search.f_y * search.f_y)
-    if slips.count < 0 or part <= 0.0 or side * force > COINCIDENT * size:
+    if slips.number < 0 or part <= 0.0 or side * force > COINCIDENT * size:
         return slips
     normal, shrink = pusher.y, 1.0
     while 0.0 < fabs(normal) < SMALLEST_NORMAL:
@@ -266,17 +267,20 @@ def _write_slips(
     unit = max(fabs(normal), fabs(search.rest_x), fabs(rest_y))
     if first == 0.0:
         first = SLOWEST * (unit if unit > 0.0 else 1.0)
-    last = sense * pusher.x
-    if not last > first:
+    if pusher.x == 0.0 and pusher.y == 0.0:
+        # The force of a contact at rest is not the limit of slow slips, so the search ends before it.
+        end = first_sample(path, sense * side * BEFORE_REST * search.scale)
+    else:
+        end = sample_of(path, sense * pusher.x, search.stick)
+    if not end.s > first:
         return slips
     roots = zeros(SLIPS * SLIP)
-    found = find_slips(path, unit, first, sample_of(path, last, search.stick), roots)
-    number, flat = found
+    number, flat = find_slips(path, unit, first, end, roots)
     for i in range(number):
         s, spin, point = roots[SLIP * i], roots[SLIP * i + 1], int(roots[SLIP * i + 3])
         motion = motion_at_root(path, s, spin, roots[SLIP * i + 2] != 0.0, point)
         slips = _write_slip_of(search, edge, mode, motion, shrink, solutions, slips)
-    return Count(slips.count if number >= 0 else UNSOLVED, slips.sticks, slips.flat or flat)
+    return Count(slips.number if number >= 0 else UNSOLVED, slips.sticks, slips.flat or flat)
 
 
 def _write_normal_slips(
@@ -305,7 +309,7 @@ def _write_normal_slips(
     else:
         slips = _write_slip_of(search, edge, mode, left, shrink, solutions, slips)
         slips = _write_slip_of(search, edge, mode, right, shrink, solutions, slips)
-    return Count(slips.count, slips.sticks, slips.flat or holds)
+    return Count(slips.number, slips.sticks, slips.flat or holds)
 
 
 def _speed_of(motion: ContactMotion) -> float:
@@ -320,20 +324,20 @@ def _write_slip_of(
     push, side = search.push, 1.0 if mode == SLIP_RIGHT else -1.0
     closest = COINCIDENT * search.scale
     slip = push.t_x * motion.u_x + push.t_y * motion.u_y - search.pusher.x
-    if not motion.converged or slips.count < 0:
+    if not motion.converged or slips.number < 0:
         return Count(UNSOLVED, slips.sticks, slips.flat)
     if force_along(edge, motion) <= motion.noise_x + motion.noise_y:
         return slips
     if fabs(slip) <= closest:
         place = search.stick_place
         write_on_edge(push, STICK, motion, edge, solutions[place * SOLUTION :])
-        return Count(slips.count, True, slips.flat)
+        return Count(slips.number, True, slips.flat)
     if side * slip <= closest:
         return slips
-    if slips.count == MOST_SOLUTIONS:
+    if slips.number == MOST_SOLUTIONS:
         return Count(UNSOLVED, slips.sticks, slips.flat)
-    solution = solutions[slips.count * SOLUTION :]
+    solution = solutions[slips.number * SOLUTION :]
     write_on_edge(push, mode, motion, edge, solution)
     if shrink != 1.0:
         shrink_solution(solution, shrink, 1.0 if push.effects.frictional else shrink)
-    return Count(slips.count + 1, slips.sticks, slips.flat)
+    return Count(slips.number + 1, slips.sticks, slips.flat)

@@ -85,9 +85,7 @@ def is_narrow(bracket: Bracket) -> bool:
     return fabs(bracket.b - bracket.a) <= 2.0 * RESOLVED * fabs(best_number(bracket))
 
 
-def _interpolate(
-    a: float, b: float, c: float, at_a: float, at_b: float, at_c: float
-) -> float:
+def _interpolate(a: float, b: float, c: float, at_a: float, at_b: float, at_c: float) -> float:
     """Fraction of the bracket from a to b at which inverse quadratic interpolation has its root, or 1/2."""
     part = 0.5
     if c != b and at_c != at_a and at_c != at_b:

@@ -44,7 +44,9 @@ def _count_cells(path: Path, unit: float, first: float, last: float) -> int:
     return max(int(ceil((asinh(last / unit) - asinh(first / unit)) / CELL_WIDTH)), FEWEST_CELLS)
 
 
-def find_slips(path: Path, unit: float, first: float, stick: Sample, slips: Numbers) -> tuple[int, bool]:
+def find_slips(
+    path: Path, unit: float, first: float, stick: Sample, slips: Numbers
+) -> tuple[int, bool]:
     """Write the roots from `first` to the stick, in this order.
 
     Parameters
