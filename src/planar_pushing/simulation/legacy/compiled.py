@@ -1,4 +1,4 @@
-"""The decorators of the compiled core, and the location of its cache.
+"""The decorators of compiled functions, and the location of their cache.
 
 A formula is a function of numbers. `compiled` makes it a part of compiled code, which Python enters through
 a `kernel`; with ``NUMBA_DISABLE_JIT=1`` all remain plain Python functions. `generic` chooses a body by the
