@@ -56,7 +56,7 @@ $(INSTALLED):
 	$(UV) --require-hashes -r requirements.lock && $(UV) --no-build-isolation --editable . && \
 	echo "$(STATE)" > $@; }
 
-$(COMPILED): $(shell find src/planar_pushing/mechanics src/planar_pushing/simulation -name '*.py') | $(INSTALLED)
+$(COMPILED): $(shell find src/planar_pushing/simulation -name '*.py') | $(INSTALLED)
 	@$(LOCK); $(BIN)/planar-pushing compile && touch $@
 
 PYTEST := $(BIN)/pytest --numprocesses=auto --dist=worksteal --benchmark-disable
