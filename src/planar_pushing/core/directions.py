@@ -6,13 +6,13 @@ components (along, across) in this record is (along, -across) in the body frame.
 
 from __future__ import annotations
 
-from math import copysign, cos, fabs, floor, pi, sin, sqrt
+from math import copysign, cos, fabs, floor, sin, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.numbers import INFINITY
 from planar_pushing.core.tolerances import TRANSLATION
 
-QUARTER_TURN = pi / 2.0
+QUARTER_TURN = 1.5707963267948966
 
 
 class Rod(NamedTuple):

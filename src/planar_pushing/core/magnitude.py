@@ -50,7 +50,8 @@ from planar_pushing.core.tolerances import RESOLUTION
 UNIT_MOTION, UNIT_SPEED, FORCE_SIZE, UNIT_ENERGY = range(4)
 #: Number of magnitudes at which the angle of the contact's motion is evaluated, on either side of the one
 #: at which the effects have equal magnitudes. Their logarithms are hyperbolic sines of multiples of APART.
-MAGNITUDES, APART = 32, 0.11
+MAGNITUDES = 32
+APART = 0.11
 #: Logarithm of a component along the line of force at which inertia is negligible relative to friction.
 LOWEST = -34.0
 #: Number of steps between the two neighbors of a magnitude with an extreme angle.
@@ -58,7 +59,8 @@ FINER = 16
 #: Offset that makes angles from the force positive.
 POSITIVE = 2.0
 #: Maximum number of steps to a bracket, and the factor from one to the next.
-DOUBLINGS, DOUBLING = 60, 8.0
+DOUBLINGS = 60
+DOUBLING = 8.0
 
 
 class ForceLine(NamedTuple):

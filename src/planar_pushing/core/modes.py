@@ -48,7 +48,8 @@ from planar_pushing.core.tolerances import BEFORE_REST, COINCIDENT, RESOLUTION, 
 
 #: The square of a smaller normal motion underflows; the slips of the power of two that exceeds it are
 #: scaled, which is exact.
-SMALLEST_NORMAL, STEP_OF_NORMAL = 1e-138, 1152921504606846976.0
+SMALLEST_NORMAL = 1e-138
+STEP_OF_NORMAL = 1152921504606846976.0
 
 
 class Law(NamedTuple):
@@ -124,7 +125,7 @@ def _settle(law: Law, stick: ContactMotion) -> ContactMotion:
         return stick
     low, high = -1.0, 1.0
     for i in range(0 if law.rough else 2):
-        edge, side = (law.right, 1.0) if i == 0 else (law.left, -1.0)
+        edge, side = law.right if i == 0 else law.left, 1.0 if i == 0 else -1.0
         depth = side * _across(edge, stick.f_x, stick.f_y)
         change = side * _across(edge, stick.half_x, stick.half_y)
         if change > 0.0:
@@ -146,7 +147,7 @@ def _hold_at_rest(push: Push, law: Law, stick: ContactMotion, scale: float) -> C
     of the slowest motion under that edge.
     """
     for i in range(0 if law.rough else 2):
-        edge, side = (law.right, 1.0) if i == 0 else (law.left, -1.0)
+        edge, side = law.right if i == 0 else law.left, 1.0 if i == 0 else -1.0
         if side * _across(edge, stick.f_x, stick.f_y) >= 0.0:
             continue
         slow = motion_under_force(
@@ -188,7 +189,7 @@ def contact_modes(
     _separate(push, solutions)
     rest_x, rest_y = solutions[MOTION], solutions[MOTION + 1]
     speed = 1.0 if pusher.x != 0.0 or pusher.y != 0.0 else 0.0
-    scale = max(speed, fabs(rest_x), fabs(rest_y))
+    scale = max(speed, max(fabs(rest_x), fabs(rest_y)))
     if scale == 0.0 and solutions[TWIST + 2] == 0.0:
         return 1, False
     place = 1 if pusher.y <= rest_y else 0  # index of the stick, which precedes the slips
@@ -264,7 +265,7 @@ def _write_slips(
         sense * push.t_x, sense * push.t_y,
     )  # fmt: skip
     first = sense * search.rest_x - edge.y * (normal - rest_y) / fabs(edge.x)
-    unit = max(fabs(normal), fabs(search.rest_x), fabs(rest_y))
+    unit = max(fabs(normal), max(fabs(search.rest_x), fabs(rest_y)))
     if first == 0.0:
         first = SLOWEST * (unit if unit > 0.0 else 1.0)
     if pusher.x == 0.0 and pusher.y == 0.0:
