@@ -12,6 +12,8 @@ from typing import NamedTuple
 from planar_pushing.core.numbers import INFINITY
 from planar_pushing.core.tolerances import TRANSLATION
 
+#: A smaller square of a length has lost digits.
+SMALLEST_SQUARE = 1e-290
 QUARTER_TURN = 1.5707963267948966
 
 
@@ -79,6 +81,15 @@ def direction_at(rod: Rod, angle: float) -> Direction:
     return Direction(angle, x, y, c - rounding * s, s + rounding * c)
 
 
+def length_of(x: float, y: float) -> float:
+    """The length of a vector, also of one whose square underflows."""
+    square = x * x + y * y
+    if square > SMALLEST_SQUARE:
+        return sqrt(square)
+    size = max(fabs(x), fabs(y))
+    return size * sqrt((x / size) * (x / size) + (y / size) * (y / size)) if size > 0.0 else 0.0
+
+
 class Center(NamedTuple):
     """A center of rotation."""
 
@@ -92,7 +103,7 @@ def motion_center(v_x: float, v_y: float, spin: float) -> Center:
     A translation, also one to rounding, has its center at infinity. In a translation along an axis the
     coordinate along that axis is zero.
     """
-    if fabs(spin) > TRANSLATION * sqrt(v_x * v_x + v_y * v_y):
+    if fabs(spin) > TRANSLATION * length_of(v_x, v_y):
         return Center(-v_y / spin, v_x / spin)
     x, y = 0.0, 0.0
     if fabs(v_y) > TRANSLATION * fabs(v_x):
@@ -107,5 +118,5 @@ def spin_ratio(v_x: float, v_y: float, spin: float) -> float:
     """R omega / v, 0 at rest."""
     if spin == 0.0:
         return 0.0
-    speed = sqrt(v_x * v_x + v_y * v_y)
+    speed = length_of(v_x, v_y)
     return spin / speed if speed > 0.0 else copysign(INFINITY, spin)

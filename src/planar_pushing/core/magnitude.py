@@ -120,7 +120,9 @@ def motion_with_norm(
     speed.
     """
     e_x, e_y = force.along, -force.across
-    if norm == UNIT_ENERGY:
+    if norm == UNIT_SPEED:
+        goal = 1.0
+    elif norm == UNIT_ENERGY:
         goal = kinetic_energy(effects, 1.0, 0.0, 0.0)
     if norm == UNIT_MOTION or (norm == UNIT_SPEED and is_steady(effects)) or goal == 0.0:
         return motion_under_force(effects, contact, e_x, e_y, 1.0)

@@ -51,6 +51,9 @@ from planar_pushing.core.tolerances import BEFORE_REST, COINCIDENT, RESOLUTION, 
 SMALLEST_NORMAL = 1e-138
 STEP_OF_NORMAL = 1152921504606846976.0
 
+#: Places of a force in the cone; the middle ones are within its rounding error of an edge.
+BEYOND, JUST_BEYOND, JUST_WITHIN, WITHIN = range(4)
+
 
 class Law(NamedTuple):
     """A contact law: the edges of its friction cone, and the behavior there.
@@ -97,11 +100,25 @@ class Search(NamedTuple):
 
 
 class Count(NamedTuple):
-    """Number of solutions so far, whether one of them is the stick, and whether a continuum touches it."""
+    """The solutions so far.
+
+    Attributes
+    ----------
+    number : int
+        Number of solutions.
+    sticks : bool
+        Whether one of the slips is the stick.
+    flat : bool
+        Whether a continuum of slips touches the stick.
+    touched : int
+        Mode of the slips that the stick, under an edge's force to within the resolution of motions, would
+        be one of; 0 without one.
+    """
 
     number: int
     sticks: bool
     flat: bool
+    touched: int
 
 
 def _across(edge: Direction, f_x: float, f_y: float) -> float:
@@ -205,25 +222,28 @@ def contact_modes(
     if x == 0.0 and y == 0.0 and stick.spin == 0.0:
         stick = _hold_at_rest(push, law, stick, scale)
     search = Search(push, pusher, rest_x, rest_y, scale, root, stick.f_x, stick.f_y, place)
-    slips = Count(place + 1, False, False)
+    slips = Count(place + 1, False, False, 0)
     if law.slips:
         slips = _write_slips(search, law.left, SLIP_RIGHT, solutions, slips)
         slips = _write_slips(search, law.right, SLIP_LEFT, solutions, slips)
         if slips.number < 0:
             return UNSOLVED, False
     slides: bool = slips.number > place + 1
-    inside = min(_across(law.right, stick.f_x, stick.f_y), -_across(law.left, stick.f_x, stick.f_y))
-    rise = push.t_x * stick.f_y - push.t_y * stick.f_x
-    noise = _noise_of(stick)
-    sticks: bool = law.rough or slips.sticks
-    if min(inside, rise) > (0.0 if law.closed and law.slips else noise):
+    place_in_cone = _place_in_cone(push, law, stick)
+    sticks: bool = law.rough or slips.sticks or place_in_cone == WITHIN
+    touches: bool = slips.touched > 0 or place_in_cone != BEYOND
+    if law.closed and touches and (slips.flat or not slides):
         sticks = True
-    elif law.closed and min(inside, rise) >= -noise and (slips.flat or not slides):
+    if law.closed and law.slips and place_in_cone == JUST_WITHIN:
         sticks = True
     if sticks:
         # A slip that is the stick has its force exactly on the edge.
-        if not slips.sticks or min(inside, rise) >= 0.0:
-            write_solution(push, STICK, stick, solutions[place * SOLUTION :])
+        solution = solutions[place * SOLUTION :]
+        if place_in_cone == BEYOND and slips.touched > 0 and not slips.sticks:
+            edge = law.left if slips.touched == SLIP_RIGHT else law.right
+            write_on_edge(push, STICK, stick, edge, solution)
+        elif not slips.sticks or place_in_cone >= JUST_WITHIN:
+            write_solution(push, STICK, stick, solution)
         if slips.flat:
             solutions[place * SOLUTION + CONTINUUM] = 1.0
         return slips.number, slips.flat
@@ -232,10 +252,26 @@ def contact_modes(
     return slips.number - 1, slips.flat
 
 
-def _noise_of(motion: ContactMotion) -> float:
-    """Rounding error of a force."""
-    size = sqrt(motion.f_x * motion.f_x + motion.f_y * motion.f_y)
-    return max(motion.noise_x, motion.noise_y) + RESOLUTION * size
+def _place_in_cone(push: Push, law: Law, motion: ContactMotion) -> int:
+    """Where a force is in the friction cone, and whether its rounding error reaches over an edge."""
+    place = WITHIN
+    for i in range(3):
+        # The third edge is along the fence: in a cone without width a force can be opposite to it.
+        e_x, e_y = push.t_x, push.t_y
+        if i < 2:
+            edge = law.right if i == 0 else law.left
+            e_x, e_y = edge.along, -edge.across
+        side = -1.0 if i == 1 else 1.0
+        inside = side * (e_x * motion.f_y - e_y * motion.f_x)
+        noise = fabs(e_x) * (motion.noise_y + RESOLUTION * fabs(motion.f_y))
+        noise += fabs(e_y) * (motion.noise_x + RESOLUTION * fabs(motion.f_x))
+        if inside < -noise:
+            place = min(place, BEYOND)
+        elif inside < 0.0:
+            place = min(place, JUST_BEYOND)
+        elif inside <= noise:
+            place = min(place, JUST_WITHIN)
+    return place
 
 
 def _write_slips(
@@ -274,6 +310,8 @@ def _write_slips(
         end = first_sample(path, sense * side * BEFORE_REST * search.scale)
     else:
         end = sample_of(path, sense * pusher.x, search.stick)
+        if end.before == end.after and fabs(end.after) <= fabs(end.slope) * COINCIDENT * search.scale:
+            slips = Count(slips.number, slips.sticks, slips.flat, mode)
     if not end.s > first:
         return slips
     roots = zeros(SLIPS * SLIP)
@@ -282,7 +320,8 @@ def _write_slips(
         s, spin, point = roots[SLIP * i], roots[SLIP * i + 1], int(roots[SLIP * i + 3])
         motion = motion_at_root(path, s, spin, roots[SLIP * i + 2] != 0.0, point)
         slips = _write_slip_of(search, edge, mode, motion, shrink, solutions, slips)
-    return Count(slips.number if number >= 0 else UNSOLVED, slips.sticks, slips.flat or flat)
+    count = slips.number if number >= 0 else UNSOLVED
+    return Count(count, slips.sticks, slips.flat or flat, slips.touched)
 
 
 def _write_normal_slips(
@@ -311,7 +350,7 @@ def _write_normal_slips(
     else:
         slips = _write_slip_of(search, edge, mode, left, shrink, solutions, slips)
         slips = _write_slip_of(search, edge, mode, right, shrink, solutions, slips)
-    return Count(slips.number, slips.sticks, slips.flat or holds)
+    return Count(slips.number, slips.sticks, slips.flat or holds, slips.touched)
 
 
 def _speed_of(motion: ContactMotion) -> float:
@@ -327,19 +366,19 @@ def _write_slip_of(
     closest = COINCIDENT * search.scale
     slip = push.t_x * motion.u_x + push.t_y * motion.u_y - search.pusher.x
     if not motion.converged or slips.number < 0:
-        return Count(UNSOLVED, slips.sticks, slips.flat)
+        return Count(UNSOLVED, slips.sticks, slips.flat, slips.touched)
     if force_along(edge, motion) <= motion.noise_x + motion.noise_y:
         return slips
     if fabs(slip) <= closest:
         place = search.stick_place
         write_on_edge(push, STICK, motion, edge, solutions[place * SOLUTION :])
-        return Count(slips.number, True, slips.flat)
+        return Count(slips.number, True, slips.flat, slips.touched)
     if side * slip <= closest:
         return slips
     if slips.number == MOST_SOLUTIONS:
-        return Count(UNSOLVED, slips.sticks, slips.flat)
+        return Count(UNSOLVED, slips.sticks, slips.flat, slips.touched)
     solution = solutions[slips.number * SOLUTION :]
     write_on_edge(push, mode, motion, edge, solution)
     if shrink != 1.0:
         shrink_solution(solution, shrink, 1.0 if push.effects.frictional else shrink)
-    return Count(slips.number + 1, slips.sticks, slips.flat)
+    return Count(slips.number + 1, slips.sticks, slips.flat, slips.touched)
