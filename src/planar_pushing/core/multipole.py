@@ -80,6 +80,8 @@ def distant_piece(data: Numbers, terms: int, x: float, y: float, radius: float) 
 
 def highest_order(ratio: float) -> int:
     """Highest power that counts at a ratio, below 1, of the radius to the distance."""
+    if ratio <= 0.0:
+        return 2
     order = DIGITS / -log(ratio)
     return min(ORDER, int(order) + 2) if order < ORDER else ORDER
 

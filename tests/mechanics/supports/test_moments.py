@@ -145,7 +145,8 @@ def test_calls_keep_no_reference_to_the_arrays():
     before = sys.getrefcount(table.data)
     for c in [(0.3, 0.2), (4.0, 3.0)] * 20:
         moments(table, *c)
-    assert sys.getrefcount(table.data) == before
+    after = sys.getrefcount(table.data)
+    assert after == before
 
 
 def test_atoms_at_one_place_are_one():

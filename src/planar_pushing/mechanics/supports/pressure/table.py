@@ -21,7 +21,12 @@ from planar_pushing.core.pieces import (
     SERIES,
     SPREAD,
 )
-from planar_pushing.mechanics.supports.pressure.assembly import Gathered, expand, gathered, stack
+from planar_pushing.mechanics.supports.pressure.assembly import (
+    Gathered,
+    gathered,
+    stack,
+    write_terms,
+)
 from planar_pushing.mechanics.supports.pressure.pieces import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue
 
@@ -89,7 +94,7 @@ class Table:
         return data
 
 
-def cache_results(function: Callable[[tuple[Any, ...]], Found]) -> Callable[[Iterable[Any]], Found]:
+def kept(function: Callable[[tuple[Any, ...]], Found]) -> Callable[[Iterable[Any]], Found]:
     """Cache a function of supports; for many supports, which can take gigabytes, the last result only."""
     few, many = lru_cache(KEPT)(function), lru_cache(1)(function)
 
@@ -117,7 +122,7 @@ def extent_of(support: Any) -> float:
     return float(extents_of([support])[0])
 
 
-@cache_results
+@kept
 def _gathered(supports: tuple[Any, ...]) -> Gathered:
     """The pieces of supports, none of which may be a single point."""
     found = gathered([support.pieces() for support in supports])
@@ -131,7 +136,7 @@ def _gathered(supports: tuple[Any, ...]) -> Gathered:
     return found
 
 
-@cache_results
+@kept
 def table_of(supports: tuple[Any, ...]) -> Table:
     """`Table` of supports, the same object while it is cached."""
     found = _gathered(supports)
@@ -149,7 +154,7 @@ def _table(found: Gathered, radii: Array) -> Table:
     count, size = len(radii), radii[:, None]
     first, terms = HEAD * count, HEAD * count + rows.size
     data = np.zeros(terms + 2 * ROWS * len(plates))
-    expand(rows, plates, data[terms:].reshape(-1, 2 * ROWS))
+    write_terms(found, rows, plates, data[terms:].reshape(-1, 2 * ROWS))
     rows[plates, COLUMNS - 2 :] = first + COLUMNS * rows[plates, COLUMNS - 2 :]
     data[first:terms] = rows.ravel()
     heads = data[:first].reshape(count, HEAD)
