@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 
+import numba
 import numpy as np
 import pytest
 from scipy.special import ellipe, ellipkm1
