@@ -80,8 +80,10 @@ def test_joined_tables_hold_the_effects_and_every_pressure():
     heads = data[: EFFECT * len(effects)].reshape(-1, EFFECT)
     assert heads[:, 0].tolist() == [7, 7, 7, 7]
     assert heads[:, 1].tolist() == [0, 3, 6, 9]
-    for table, (_, _, head, _) in zip(tables, heads.tolist(), strict=True):
+    for table, (_, _, head, _) in zip(tables, heads.astype(int).tolist(), strict=True):
         for i in range(table.count if table else 0):
+            places = slice(head + HEAD * i + ATOMS, head + HEAD * i + END + 1)
+            assert (data[places] - head).tolist() == table.heads[i, ATOMS : END + 1].tolist()
             for x, y in CENTERS:
                 expected = list(moments(table, x, y, i))
                 assert moments_at(data, head + HEAD * i, x, y) == expected
