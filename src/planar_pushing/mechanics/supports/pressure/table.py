@@ -22,7 +22,12 @@ from planar_pushing.core.pieces import (
     SPREAD,
 )
 from planar_pushing.core.rows import ENTRY, LAST
-from planar_pushing.mechanics.supports.pressure.assembly import Gathered, expand, gathered, stack
+from planar_pushing.mechanics.supports.pressure.assembly import (
+    Gathered,
+    gathered,
+    stack,
+    write_terms,
+)
 from planar_pushing.mechanics.supports.pressure.pieces import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue
 
@@ -88,7 +93,7 @@ class Table:
         return data
 
 
-def cache_results(function: Callable[[tuple[Any, ...]], Found]) -> Callable[[Iterable[Any]], Found]:
+def kept(function: Callable[[tuple[Any, ...]], Found]) -> Callable[[Iterable[Any]], Found]:
     """Cache a function of supports; for many supports, which can take gigabytes, the last result only."""
     few, many = lru_cache(KEPT)(function), lru_cache(1)(function)
 
@@ -116,7 +121,7 @@ def extent_of(support: Any) -> float:
     return float(extents_of([support])[0])
 
 
-@cache_results
+@kept
 def _gathered(supports: tuple[Any, ...]) -> Gathered:
     """The pieces of supports, none of which may be a single point."""
     found = gathered([support.pieces() for support in supports])
@@ -130,7 +135,7 @@ def _gathered(supports: tuple[Any, ...]) -> Gathered:
     return found
 
 
-@cache_results
+@kept
 def table_of(supports: tuple[Any, ...]) -> Table:
     """`Table` of supports, the same object while it is cached."""
     found = _gathered(supports)
@@ -148,7 +153,7 @@ def _table(found: Gathered, radii: Array) -> Table:
     count, size = len(radii), radii[:, None]
     first, terms = HEAD * count, HEAD * count + rows.size
     data = np.zeros(terms + 2 * ROWS * len(plates))
-    expand(rows, plates, data[terms:].reshape(-1, 2 * ROWS))
+    write_terms(found, rows, plates, data[terms:].reshape(-1, 2 * ROWS))
     rows[plates, COLUMNS - 2 :] = first + COLUMNS * rows[plates, COLUMNS - 2 :]
     data[first:terms] = rows.ravel()
     heads = data[:first].reshape(count, HEAD)
