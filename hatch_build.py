@@ -181,7 +181,7 @@ def run(tool: str, command: list[str], folder: Path) -> None:
         command, cwd=folder, capture_output=True, text=True, errors="replace", check=False
     )
     if done.returncode:
-        print(done.stdout + done.stderr, file=sys.stderr)
+        sys.stderr.write(done.stdout + done.stderr)
         raise MissingTool(f"{tool} failed ({shlex.join(command[:3])} ...)")
 
 

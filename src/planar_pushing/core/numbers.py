@@ -5,6 +5,13 @@ from __future__ import annotations
 from typing import Protocol, overload
 
 
+class Coefficients(Protocol):
+    """A tuple of floats at module level: an array of constants in compiled code."""
+
+    def __getitem__(self, place: int, /) -> float:
+        """Read a number."""
+
+
 class Numbers(Protocol):
     """A row of floats: a memory view in Python, the address of its first number in compiled code."""
 
