@@ -61,7 +61,7 @@ $(INSTALLED):
 $(CORE): $(shell find src/planar_pushing/core joiner -name '*.py') hatch_build.py | $(INSTALLED)
 	@$(LOCK); $(BIN)/python hatch_build.py
 
-$(COMPILED): $(shell find src/planar_pushing/mechanics src/planar_pushing/simulation -name '*.py') | $(INSTALLED) $(CORE)
+$(COMPILED): $(shell find src/planar_pushing/simulation -name '*.py') | $(INSTALLED) $(CORE)
 	@$(LOCK); $(BIN)/planar-pushing compile && touch $@
 
 PYTEST := $(BIN)/pytest --numprocesses=auto --dist=worksteal --benchmark-disable

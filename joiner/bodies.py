@@ -182,7 +182,7 @@ class Body:
         if "?" in (left, right):
             return "?"
         if "float" in (left, right):
-            return "float"
+            return "float" if not isinstance(operation, ast.FloorDiv) else self.refuse(node, "floordiv of float")
         return self.refuse(node, "quotient of two int") if isinstance(operation, ast.Div) else "int"
 
     def _typed(self, node: ast.expr) -> Typed:

@@ -33,7 +33,7 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 #: Packages whose sources are compiled. Numba's cache detects changes in a function's own file only; the
 #: digest of all these files excludes stale callees.
-SOURCES = ("mechanics", "simulation")
+SOURCES = ("mechanics",)
 #: Options of every function: it releases the GIL, divides as numpy does, and counts no references to
 #: arrays, which would take longer than many a formula.
 OPTIONS = {"nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True, "_nrt": False}
@@ -45,8 +45,6 @@ LOG = logging.getLogger("planar_pushing")
 SLOW = {
     "planar_pushing.mechanics.solve._modes": ("solve", 25),
     "planar_pushing.mechanics.cones._motion_cones": ("motion_cone", 10),
-    "planar_pushing.simulation.events.driver.advance": ("simulate", 25),
-    "planar_pushing.simulation.steps.driver.advance": ("simulate by time-stepping", 10),
 }
 #: Options of each function that is a part of kernels.
 _PARTS: dict[Any, dict[str, Any]] = {}

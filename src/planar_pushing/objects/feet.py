@@ -12,7 +12,7 @@ from planar_pushing.mechanics.effects import SupportFriction
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import Composite, Points, Ring
-from planar_pushing.mechanics.supports.pressure.record import Pieces
+from planar_pushing.mechanics.supports.pressure.pieces import Pieces
 from planar_pushing.mechanics.wrench import wrench
 
 #: Number of samples of a line, and of an area along x and along y, before it is divided among feet. They

@@ -18,7 +18,7 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.mechanics.supports import Ring
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent, shared
-from planar_pushing.mechanics.supports.pressure.record import ATOMS, Pieces
+from planar_pushing.mechanics.supports.pressure.pieces import ATOMS, Pieces
 from planar_pushing.mechanics.wrench import wrench
 from planar_pushing.terms.errors import InvalidValue
 

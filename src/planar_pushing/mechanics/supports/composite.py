@@ -15,7 +15,7 @@ from planar_pushing.mechanics.supports.pressure.assembly import (
     joined,
     shared,
 )
-from planar_pushing.mechanics.supports.pressure.record import Pieces
+from planar_pushing.mechanics.supports.pressure.pieces import Pieces
 from planar_pushing.terms.errors import InvalidValue
 
 

@@ -9,13 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, kernel
 from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.supports.base import Position, Support
 from planar_pushing.mechanics.supports.moments import moments
-from planar_pushing.mechanics.supports.pressure.assembly import assembled
-from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS, Array, Pressure
-from planar_pushing.mechanics.supports.pressure.table import extent_of
+from planar_pushing.mechanics.supports.pressure.pieces import Array
+from planar_pushing.mechanics.supports.pressure.table import Table, extent_of, table_of
 from planar_pushing.terms.errors import InvalidValue
 
 #: Number of motions at which the ellipsoid is compared; ten times as many change the means by under 1e-4.
@@ -99,25 +97,22 @@ def fit_ellipsoid(support: Support) -> EllipsoidFit:
             "support", support, "a support, such as Disc or Polygon",
             "for a scene give the support of its friction, scene.friction[0].support",
         )  # fmt: skip
-    extent = extent_of(support)
-    pressure = assembled(support.pieces(), extent)
-    constant = moments(pressure, pressure.center_x, pressure.center_y).torque
+    extent, table = extent_of(support), table_of([support])
+    constant = float(moments(table, *table.centers[0]).torque)
 
     def errors(motions: Array) -> Array:
-        found = np.empty((2, *motions.shape[:-1]))
-        _errors(pressure, constant, motions.reshape(-1, 3), *found.reshape(2, -1))
-        return found
+        return ellipsoid_errors(table, constant, motions)
 
     motions = _spread(MOTIONS)
     force, motion = errors(motions)
     return EllipsoidFit(
         center=support.center_of_pressure,
         extent=extent,
-        integration_constant=float(constant),
+        integration_constant=constant,
         matrix=np.diag([1.0, 1.0, 1.0 / (constant * extent) ** 2]),
-        worst_force_error=_worst(lambda each: errors(each)[0], motions, force, pressure),
+        worst_force_error=_worst(lambda each: errors(each)[0], motions, force, table),
         mean_force_error=float(force.mean()),
-        worst_motion_error=_worst(lambda each: errors(each)[1], motions, motion, pressure),
+        worst_motion_error=_worst(lambda each: errors(each)[1], motions, motion, table),
         mean_motion_error=float(motion.mean()),
     )
 
@@ -133,9 +128,7 @@ def _spread(count: int) -> Array:
     return np.column_stack([speed * np.cos(turn), speed * np.sin(turn), spin])
 
 
-def _worst(
-    error: Callable[[Array], Array], motions: Array, errors: Array, pressure: Pressure
-) -> float:
+def _worst(error: Callable[[Array], Array], motions: Array, errors: Array, table: Table) -> float:
     """Maximum of an error, searched from the largest of `errors` at `motions` and around every foot."""
 
     def of_motion(given: Array) -> Array:
@@ -151,9 +144,8 @@ def _worst(
     found = _climbed(
         of_motion, motions[np.argsort(errors)[-STARTS:]], FIRST, np.concatenate([half, -half])
     )
-    places = pressure.rows[pressure.starts[ATOMS] : pressure.starts[SEGMENTS], :2]
-    center = np.array([pressure.center_x, pressure.center_y])
-    feet, beside = places - center, BESIDE * (1.0 + np.abs(center).sum())
+    center = table.centers[0]
+    feet, beside = table.atoms(0)[:, :2] - center, BESIDE * (1.0 + np.abs(center).sum())
     if not len(feet):
         return found
     around = np.linspace(-pi, pi, DIRECTIONS)[:, None]
@@ -187,22 +179,36 @@ def _climbed(
     return float(best.max())
 
 
-@kernel
-@compiled
-def _errors(pressure, constant, motions, force, motion):
-    """Angles between the support and the ellipsoid at counterclockwise motions."""
-    square = constant * constant
-    for i in range(len(motions)):
-        v_x, v_y, spin = motions[i, 0], motions[i, 1], max(motions[i, 2], LEAST)
-        c_x, c_y = pressure.center_x - v_y / spin, pressure.center_y + v_x / spin
-        found = moments(pressure, c_x, c_y)
-        f_x, f_y, torque = -found.unit_y, found.unit_x, found.torque
-        force[i] = _angle(f_x, f_y, torque, v_x, v_y, square * spin)
-        motion[i] = _angle(v_x, v_y, spin, f_x, f_y, torque / square)
+def ellipsoid_errors(table: Table, constant: float, motions: Array) -> Array:
+    """Angles between a support and its ellipsoid at counterclockwise motions.
+
+    Parameters
+    ----------
+    table : Table
+        Of the support, in units of its extent.
+    constant : float
+        Torque of spinning about the center of pressure.
+    motions : ndarray, shape (..., 3)
+        Velocity of the center of pressure, and spin.
+
+    Returns
+    -------
+    ndarray, shape (2, ...)
+        Angle between the forces of a motion, and between the motions under the force.
+    """
+    (p_x, p_y), square = table.centers[0], constant * constant
+    v_x, v_y, spin = np.moveaxis(motions, -1, 0)
+    spin = np.maximum(spin, LEAST)
+    total = moments(table, p_x - v_y / spin, p_y + v_x / spin)
+    force_x, force_y, torque = -total.unit_y, total.unit_x, total.torque
+    force = _angle((force_x, force_y, torque), (v_x, v_y, square * spin))
+    motion = _angle((v_x, v_y, spin), (force_x, force_y, torque / square))
+    return np.stack([force, motion])
 
 
-@compiled
-def _angle(a_x, a_y, a_z, b_x, b_y, b_z):
-    """Angle between two vectors in space, accurate also when it is small."""
+def _angle(one: tuple[Array, Array, Array], other: tuple[Array, Array, Array]) -> Array:
+    """Angle between vectors in space, accurate also when it is small."""
+    (a_x, a_y, a_z), (b_x, b_y, b_z) = one, other
     x, y, z = a_y * b_z - a_z * b_y, a_z * b_x - a_x * b_z, a_x * b_y - a_y * b_x
-    return np.arctan2(sqrt(x * x + y * y + z * z), a_x * b_x + a_y * b_y + a_z * b_z)
+    angle: Array = np.arctan2(np.sqrt(x * x + y * y + z * z), a_x * b_x + a_y * b_y + a_z * b_z)
+    return angle

@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import sqrt
 from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, length, position
-from planar_pushing.mechanics.supports.pressure.record import DISCS, RINGS, Pieces
-from planar_pushing.mechanics.supports.pressure.sums import added, turned
-from planar_pushing.mechanics.supports.ring import ring_wrench
+from planar_pushing.mechanics.supports.pressure.pieces import Pieces
 from planar_pushing.terms.errors import InvalidValue
 
 
@@ -72,24 +68,3 @@ class Ring(Pictured):
 
     def pieces(self) -> Pieces:
         return Pieces(rings=np.array([[*self.center_of_pressure, self.extent, 1.0]]))
-
-
-@inlined
-def of_rings(total, pressure, x, y):
-    """Add the rings to the totals, whose torque is about p."""
-    rows, p_x, p_y = pressure.rows, pressure.center_x, pressure.center_y
-    for i in range(pressure.starts[RINGS], pressure.starts[DISCS]):
-        q_x, q_y, radius, share = rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3]
-        total = added(total, share, ring(x - q_x, y - q_y, radius), q_x - p_x, q_y - p_y)
-    return total
-
-
-@compiled
-def ring(x, y, radius):
-    """The piece of a uniform ring: Eqs. (2)-(3) at the spin ratio R / c."""
-    c = sqrt(x * x + y * y) / radius
-    force, torque, slope = ring_wrench(c, 1.0)
-    along = slope if c < 1.0 else slope / (c * c * c)
-    across = force / c if c > 0.0 else 0.5
-    distance = radius * (torque + c * force)
-    return turned(x, y, distance, force, radius * torque, along / radius, across / radius)

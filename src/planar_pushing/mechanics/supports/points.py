@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import sqrt
 from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, positions, weights
@@ -20,8 +18,7 @@ from planar_pushing.mechanics.supports.layouts import (
     regular_corners,
 )
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent
-from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS, Pieces
-from planar_pushing.mechanics.supports.pressure.sums import NOTHING
+from planar_pushing.mechanics.supports.pressure.pieces import Pieces
 from planar_pushing.terms.errors import InvalidValue, number_of
 
 
@@ -110,30 +107,3 @@ def _names(given: Any, count: int) -> tuple[str, ...] | None:
     if len(set(names)) < count:
         raise InvalidValue("names", given, "distinct names", "give each point its own name")
     return names
-
-
-@compiled
-def of_atoms(pressure, x, y, blur):
-    """Sum over the atoms, with the torque about p, and the atom at (x, y), or -1; it exerts no force.
-
-    `blur` is the square of the distance within which an atom counts as at (x, y).
-    """
-    rows, first, hit = pressure.rows, pressure.starts[ATOMS], -1
-    distance, unit_x, unit_y, torque, xx, xy, yy = NOTHING
-    for i in range(first, pressure.starts[SEGMENTS]):
-        q_x, q_y, share = rows[i, 0], rows[i, 1], rows[i, 2]
-        r_x, r_y = q_x - x, q_y - y
-        square = r_x * r_x + r_y * r_y
-        apart = square > max(rows[i, 3], blur)
-        hit = max(hit, -1 if apart else i - first)
-        # The square root and the division are independent, so the processor overlaps them.
-        away, bend = sqrt(square), (1.0 if apart else 0.0) / (square if apart else 1.0)
-        f_x, f_y = share * (away * bend) * r_x, share * (away * bend) * r_y
-        distance += share * away
-        unit_x += f_x
-        unit_y += f_y
-        torque += (q_x - pressure.center_x) * f_x + (q_y - pressure.center_y) * f_y
-        xx += bend * f_y * r_y
-        xy -= bend * f_x * r_y
-        yy += bend * f_x * r_x
-    return (distance, unit_x, unit_y, torque, xx, xy, yy), hit

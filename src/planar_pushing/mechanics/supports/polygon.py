@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, inlined, kernel
 from planar_pushing.mechanics.frames import Frame, moved_place
+from planar_pushing.mechanics.kernels import run
 from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, positions
 from planar_pushing.mechanics.supports.layouts import (
@@ -17,10 +17,7 @@ from planar_pushing.mechanics.supports.layouts import (
     regular_corners,
 )
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent
-from planar_pushing.mechanics.supports.pressure.multipole import far
-from planar_pushing.mechanics.supports.pressure.plate import FAR, near
-from planar_pushing.mechanics.supports.pressure.record import EDGES, PLATES, Array, Pieces
-from planar_pushing.mechanics.supports.pressure.sums import added
+from planar_pushing.mechanics.supports.pressure.pieces import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue
 
 #: Smallest area, relative to the square of the polygon's size; a smaller one is rounding error.
@@ -126,15 +123,9 @@ def _whole_area(outer: Array, inner: list[Array]) -> float:
     return float(abs(_area(outer)) - sum(abs(_area(each)) for each in inner))
 
 
-@kernel
-@compiled
-def _area(vertices):
+def _area(vertices: Array) -> float:
     """Area, positive where the vertices turn counterclockwise; also far from the origin."""
-    total, (corner_x, corner_y) = 0.0, vertices[0]
-    for i in range(1, len(vertices) - 1):
-        x, y = vertices[i, 0] - corner_x, vertices[i, 1] - corner_y
-        total += x * (vertices[i + 1, 1] - corner_y) - y * (vertices[i + 1, 0] - corner_x)
-    return total / 2.0
+    return float(run("polygon_area", vertices, [[0, len(vertices)]], 1)[0, 0])
 
 
 def simple_ring(name: str, given: Any) -> Array:
@@ -230,77 +221,14 @@ def _edge(vertices: Array, i: int) -> str:
     return f"from ({a:.4g}, {b:.4g}) to ({c:.4g}, {d:.4g})"
 
 
-@kernel
-@compiled
-def _crossing(vertices):
+def _crossing(vertices: Array) -> tuple[int, int]:
     """Numbers of two edges that meet anywhere but at a common vertex, or -1."""
-    count = len(vertices)
-    for i in range(count - 1):
-        for j in range(i + 1, count):
-            last = vertices[(j + 1) % count]
-            if j == i + 1:
-                meets = _folds(vertices[i], vertices[j], last)
-            else:
-                meets = _meet(vertices[i], vertices[i + 1], vertices[j], last)
-            if i == 0 and j == count - 1:
-                meets = _folds(vertices[j], last, vertices[1])
-            if meets:
-                return i, j
-    return -1, -1
+    i, j = run("crossing_edges", vertices, [[0, len(vertices)]], 2)[0]
+    return int(i), int(j)
 
 
-@kernel
-@compiled
-def _touching(one, other):
+def _touching(one: Array, other: Array) -> tuple[int, int]:
     """Numbers of an edge of one polygon and one of another that have a point in common, or -1."""
-    for i in range(len(one)):
-        for j in range(len(other)):
-            end, last = one[(i + 1) % len(one)], other[(j + 1) % len(other)]
-            if _meet(one[i], end, other[j], last):
-                return i, j
-    return -1, -1
-
-
-@compiled
-def _side(start, end, point):
-    """Side of a line on which a point is: 1 on the left, -1 on the right, 0 on the line."""
-    along, across = end[0] - start[0], end[1] - start[1]
-    left = along * (point[1] - start[1]) - across * (point[0] - start[0])
-    return np.sign(left)
-
-
-@compiled
-def _meet(start, end, first, last):
-    """Whether two edges have a point in common."""
-    for k in range(2):
-        if min(first[k], last[k]) > max(start[k], end[k]) or max(first[k], last[k]) < min(
-            start[k], end[k]
-        ):
-            return False
-    splits = _side(start, end, first) * _side(start, end, last) <= 0.0
-    return splits and _side(first, last, start) * _side(first, last, end) <= 0.0
-
-
-@compiled
-def _folds(first, corner, last):
-    """Whether an edge runs back along the one before it, or has no length."""
-    one_x, one_y = corner[0] - first[0], corner[1] - first[1]
-    other_x, other_y = last[0] - corner[0], last[1] - corner[1]
-    turn = one_x * other_y - one_y * other_x
-    return turn == 0.0 and one_x * other_x + one_y * other_y <= 0.0
-
-
-@inlined
-def of_plates(total, pressure, x, y):
-    """Add the polygons and the cells of pressure maps to the totals, whose torque is about p."""
-    rows, p_x, p_y = pressure.rows, pressure.center_x, pressure.center_y
-    first = pressure.starts[PLATES]
-    for i in range(first, pressure.starts[EDGES]):
-        q_x, q_y, radius, share = rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3]
-        r_x, r_y = x - q_x, y - q_y
-        if r_x * r_x + r_y * r_y < (FAR * radius) ** 2:
-            piece = near(rows, int(rows[i, 4]), int(rows[i, 5]), r_x, r_y)
-        else:
-            piece = far(pressure.multipoles, pressure.series + i - first, r_x, r_y, radius)
-        total = added(total, share, piece, q_x - p_x, q_y - p_y)
-    return total
+    rows = [[0, len(one), len(one), len(other)]]
+    i, j = run("touching_edges", np.concatenate([one, other]), rows, 2)[0]
+    return int(i), int(j)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from planar_pushing.mechanics.plane import Array, direction
-from planar_pushing.mechanics.supports.pressure.record import Pieces
+from planar_pushing.mechanics.supports.pressure.pieces import Pieces
 
 #: Number of places of a ring and of a segment, and approximate number of all areas together, if it carries
 #: the whole weight; one that carries a fraction has fewer, down to the minimum.

@@ -1,4 +1,4 @@
-"""Centers, extents, and rows of the compiled core, from the pieces of one or many supports."""
+"""Centers, extents and rows of numbers, from the pieces of one or many supports."""
 
 from __future__ import annotations
 
@@ -7,10 +7,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.supports.pressure.multipole import of_all
-from planar_pushing.mechanics.supports.pressure.record import (
+from planar_pushing.core.multipole import ROWS
+from planar_pushing.core.pieces import COLUMNS
+from planar_pushing.mechanics.kernels import run
+from planar_pushing.mechanics.numerics.arrays import in_threads
+from planar_pushing.mechanics.supports.pressure.pieces import (
     ATOMS,
-    COLUMNS,
     DISCS,
     EDGES,
     PLATES,
@@ -18,10 +20,11 @@ from planar_pushing.mechanics.supports.pressure.record import (
     SEGMENTS,
     Array,
     Pieces,
-    Pressure,
 )
 from planar_pushing.mechanics.supports.pressure.spread import spreads
 
+#: Plates per block of terms: a few milliseconds of work.
+BLOCK = 512
 #: A center of rotation closer to an atom than this, relative to the numbers in its computation, is on it.
 ROUNDING = 1e-15
 
@@ -147,51 +150,88 @@ def extent(pieces: Pieces) -> float:
     return float(gathered([pieces]).extents[0])
 
 
-def assembled(pieces: Pieces, radius: float) -> Pressure:
-    """`Pressure` of pieces, in units of the slider's radius."""
-    found = gathered([pieces])
-    starts, rows, multipoles = stacked(found, np.array([radius]))
-    (x, y), size = found.centers[0] / radius, found.extents[0] / radius
-    xx, xy, yy = (found.spreads[0] / radius**2).tolist()
-    first = tuple(starts[0, : EDGES + 1].tolist())
-    return Pressure(float(x), float(y), float(size), (xx, xy, yy), first, 0, rows, multipoles)
+class Stack(NamedTuple):
+    """Rows of the pieces of several supports, one support after the other.
 
-
-def stacked(found: Gathered, radii: Array) -> tuple[Any, Array, Array]:
-    """Starts, shape (supports, 7), rows and multipoles of supports, each in units of its own radius.
-
-    The starts are those of `Pressure`, followed by the number of the support's first multipoles.
+    Attributes
+    ----------
+    starts : ndarray of int, shape (supports, 7)
+        First row of each kind of piece, `ATOMS` to `EDGES`, and number of the support's first plate.
+    rows : ndarray, shape (n, COLUMNS)
+        As in `core.pieces`; but plates have the numbers of the rows at which their edges begin and end.
+    plates : ndarray of int
+        Numbers of the rows of plates.
     """
-    kinds, owners = _scaled_rows(found, radii)
+
+    starts: Any
+    rows: Array
+    plates: Any
+
+
+def stack(group: Gathered, radii: Array) -> Stack:
+    """Rows of supports, each in units of its own radius."""
+    kinds, owners = _scaled_rows(group, radii)
     count = len(radii)
     order = np.argsort(np.concatenate(owners), kind="stable")
     rows = np.concatenate([np.pad(each, ((0, 0), (0, COLUMNS - each.shape[1]))) for each in kinds])
     counts = np.column_stack([np.bincount(owner, minlength=count) for owner in owners])
     starts = (counts.cumsum() - counts.ravel()).reshape(counts.shape)
-    series = counts[:, PLATES].cumsum() - counts[:, PLATES]
+    first_plates = counts[:, PLATES].cumsum() - counts[:, PLATES]
     rows = np.ascontiguousarray(rows[order])
     # The edges of all supports follow the order of the plates, and so do these two arrays.
-    lengths, owner = np.diff(found.first), owners[PLATES]
-    inside = found.first[:-1] - (counts[:, EDGES].cumsum() - counts[:, EDGES])[owner]
+    lengths, owner = np.diff(group.first), owners[PLATES]
+    inside = group.first[:-1] - (counts[:, EDGES].cumsum() - counts[:, EDGES])[owner]
     begin = starts[owner, EDGES] + inside
-    plates = starts[owner, PLATES] + np.arange(len(owner)) - series[owner]
+    plates = starts[owner, PLATES] + np.arange(len(owner)) - first_plates[owner]
     rows[plates, COLUMNS - 2], rows[plates, COLUMNS - 1] = begin, begin + lengths
-    return np.column_stack([starts, series]), rows, of_all(rows, plates)
+    return Stack(np.column_stack([starts, first_plates]), rows, plates)
 
 
-def _scaled_rows(found: Gathered, radii: Array) -> tuple[list[Array], list[Any]]:
+def stacked(group: Gathered, radii: Array) -> tuple[Any, Array, Array]:
+    """Starts and rows as in `Stack`, and terms of the plates, shape (plates, ROWS, 2)."""
+    starts, rows, plates = stack(group, radii)
+    terms = np.empty((len(plates), 2 * ROWS))
+    expand(rows, plates, terms)
+    return starts, rows, terms.reshape(-1, ROWS, 2)
+
+
+def expand(rows: Array, plates: Any, terms: Array) -> None:
+    """Write the terms of plates far from them, given the numbers of their rows, on all cores.
+
+    Parameters
+    ----------
+    rows, plates : ndarray
+        As in `Stack`.
+    terms : ndarray, shape (plates, 2 * ROWS)
+        What is written.
+    """
+
+    def block(start: int) -> None:
+        part = slice(start, start + BLOCK)
+        numbers = rows[plates[part], 2:].copy()
+        numbers[:, 2:] *= COLUMNS
+        terms[part] = run("plate_terms", rows, numbers[:, [0, 2, 3]], 2 * ROWS)
+
+    starts = range(0, len(plates), BLOCK)
+    if len(starts) > 1:
+        in_threads(block, starts)
+    elif len(starts):
+        block(0)
+
+
+def _scaled_rows(group: Gathered, radii: Array) -> tuple[list[Array], list[Any]]:
     """Rows of each kind in units of the radii, and their owners; rows of plates lack their edge numbers."""
-    owners, unit = list(found.owners), [radii[owner, None] for owner in found.owners]
-    atoms, segments, rings, discs, plates, edges = found.rows
-    atoms, owners[ATOMS] = _atoms(found, atoms[:, :2] / unit[ATOMS], radii)
+    owners, unit = list(group.owners), [radii[owner, None] for owner in group.owners]
+    atoms, segments, rings, discs, plates, edges = group.rows
+    atoms, owners[ATOMS] = _atoms(group, atoms[:, :2] / unit[ATOMS], radii)
     lines = _lines(segments[:, :2] / unit[SEGMENTS], segments[:, 2:4] / unit[SEGMENTS])
-    plate = np.repeat(np.arange(len(plates)), np.diff(found.first))
+    plate = np.repeat(np.arange(len(plates)), np.diff(group.first))
     middle, size = plates[plate, :2], unit[EDGES]
     sides = _lines((edges[:, :2] - middle) / size, (edges[:, 2:4] - middle) / size)
     jumps = edges[:, 4] * size[:, 0] ** 2 / plates[plate, 3]
     whole = [
         np.column_stack([each[:, :3] / radii[owner, None], each[:, 3]])
-        for each, owner in zip((rings, discs, plates), found.owners[RINGS:EDGES], strict=True)
+        for each, owner in zip((rings, discs, plates), group.owners[RINGS:EDGES], strict=True)
     ]
     kinds = [
         atoms, np.column_stack([lines, segments[:, 4]]), *whole, np.column_stack([sides, jumps]),
@@ -199,17 +239,17 @@ def _scaled_rows(found: Gathered, radii: Array) -> tuple[list[Array], list[Any]]
     return kinds, owners
 
 
-def _atoms(found: Gathered, places: Array, radii: Array) -> tuple[Array, Any]:
+def _atoms(group: Gathered, places: Array, radii: Array) -> tuple[Array, Any]:
     """Atoms in their order, and their owners; atoms of one support at the same place are merged."""
-    owner: Any = found.owners[ATOMS]
-    shares: Any = found.rows[ATOMS][:, 2]
+    owner: Any = group.owners[ATOMS]
+    shares: Any = group.rows[ATOMS][:, 2]
     keys = np.column_stack([owner, places])
     merged, first, which = np.unique(keys, axis=0, return_index=True, return_inverse=True)
     shares = np.bincount(which.ravel(), shares, len(merged))
     order = np.argsort(first)
     own = owner[first[order]]
     places, shares = merged[order, 1:], shares[order]
-    size = (found.extents / radii)[own] + np.abs(places).sum(axis=1)
+    size = (group.extents / radii)[own] + np.abs(places).sum(axis=1)
     return np.column_stack([places, shares, (ROUNDING * size) ** 2]), own
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.supports.pressure.record import (
+from planar_pushing.mechanics.supports.pressure.pieces import (
     ATOMS,
     DISCS,
     EDGES,

@@ -1,16 +1,29 @@
-"""The pressures of several supports in one table, from which the compiled core picks one by number."""
+"""The pressures of several supports in one array of numbers, in which the core finds one by its place."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from functools import lru_cache, wraps
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import owning
-from planar_pushing.mechanics.supports.pressure.assembly import Gathered, gathered, stacked
-from planar_pushing.mechanics.supports.pressure.record import Array, Pressure
+from planar_pushing.core.multipole import ROWS
+from planar_pushing.core.pieces import (
+    ATOMS,
+    CENTER,
+    COLUMNS,
+    EDGES,
+    END,
+    HEAD,
+    SEGMENTS,
+    SERIES,
+    SPREAD,
+)
+from planar_pushing.core.rows import ENTRY, LAST
+from planar_pushing.mechanics.supports.pressure.assembly import Gathered, expand, gathered, stack
+from planar_pushing.mechanics.supports.pressure.pieces import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue
 
 #: Rounding error of a center of pressure, relative to its coordinates.
@@ -20,29 +33,62 @@ FEW, KEPT = 1000, 16
 Found = TypeVar("Found")
 
 
-class Table(NamedTuple):
+@dataclass(frozen=True, slots=True, eq=False)
+class Table:
     """Pressures stored one after the other, each in units of its own extent.
+
+    Tables are compared by identity, so that what is made from one can be cached.
 
     Attributes
     ----------
-    centers : ndarray, shape (n, 2)
-        Centers of pressure.
-    spreads : ndarray, shape (n, 3)
-        As `spread` in `Pressure`.
-    starts : ndarray of int, shape (n, 7)
-        First rows of the pieces of each support, as in `Pressure`, and number of its first multipoles.
-    rows, multipoles : ndarray
-        As in `Pressure`, for all supports.
+    data : ndarray
+        The heads of all pressures, the rows of their pieces, and the terms of their plates, as in
+        `core.pieces`; places are relative to the beginning of this array.
+    plates : ndarray of int
+        Places of the rows of plates.
+    count : int
+        Number of supports.
     """
 
-    centers: Array
-    spreads: Array
-    starts: Any
-    rows: Array
-    multipoles: Array
+    data: Array
+    plates: Any
+    count: int
+
+    @property
+    def heads(self) -> Array:
+        """The heads, shape (count, HEAD)."""
+        return self.data[: HEAD * self.count].reshape(self.count, HEAD)
+
+    @property
+    def centers(self) -> Array:
+        """Centers of pressure, shape (count, 2)."""
+        return self.heads[:, CENTER : CENTER + 2]
+
+    @property
+    def spreads(self) -> Array:
+        """Means of x x, x y and y y from the centers of pressure, shape (count, 3)."""
+        return self.heads[:, SPREAD : SPREAD + 3]
+
+    @property
+    def atom_counts(self) -> Any:
+        """Numbers of atoms, shape (count,)."""
+        return ((self.heads[:, SEGMENTS] - self.heads[:, ATOMS]) / COLUMNS).astype(np.int64)
+
+    def atoms(self, number: int) -> Array:
+        """Positions and shares of the atoms of a support, shape (n, 3)."""
+        first, last = self.heads[number, [ATOMS, SEGMENTS]].astype(int)
+        return self.data[first:last].reshape(-1, COLUMNS)[:, :3]
+
+    def data_from(self, place: int) -> Array:
+        """The data as they are if they begin at a place of a larger array."""
+        data = self.data.copy()
+        data[: HEAD * self.count].reshape(self.count, HEAD)[:, ATOMS : END + 1] += place
+        for column in (COLUMNS - 2, COLUMNS - 1):
+            data[self.plates + column] += place
+        return data
 
 
-def kept(function: Callable[[tuple[Any, ...]], Found]) -> Callable[[Iterable[Any]], Found]:
+def cache_results(function: Callable[[tuple[Any, ...]], Found]) -> Callable[[Iterable[Any]], Found]:
     """Cache a function of supports; for many supports, which can take gigabytes, the last result only."""
     few, many = lru_cache(KEPT)(function), lru_cache(1)(function)
 
@@ -70,7 +116,7 @@ def extent_of(support: Any) -> float:
     return float(extents_of([support])[0])
 
 
-@kept
+@cache_results
 def _gathered(supports: tuple[Any, ...]) -> Gathered:
     """The pieces of supports, none of which may be a single point."""
     found = gathered([support.pieces() for support in supports])
@@ -84,19 +130,70 @@ def _gathered(supports: tuple[Any, ...]) -> Gathered:
     return found
 
 
-@kept
+@cache_results
 def table_of(supports: tuple[Any, ...]) -> Table:
-    """`Table` of supports."""
+    """`Table` of supports, the same object while it is cached."""
     found = _gathered(supports)
-    starts, rows, multipoles = stacked(found, found.extents)
-    size = found.extents[:, None]
-    return Table(found.centers / size, found.spreads / size**2, starts, rows, multipoles)
+    return _table(found, found.extents)
 
 
-@owning
-def pressure_of(table, i):
-    """The i-th pressure of a table."""
-    x, y, at = table.centers[i, 0], table.centers[i, 1], table.starts[i]
-    spread = table.spreads[i, 0], table.spreads[i, 1], table.spreads[i, 2]
-    starts = at[0], at[1], at[2], at[3], at[4], at[5]
-    return Pressure(x, y, 1.0, spread, starts, at[6], table.rows, table.multipoles)
+def table_of_pieces(pieces: Pieces, radius: float) -> Table:
+    """`Table` of one support in units of a radius other than its extent."""
+    return _table(gathered([pieces]), np.array([radius]))
+
+
+def _table(found: Gathered, radii: Array) -> Table:
+    """`Table` of supports, each in units of its own radius."""
+    starts, rows, plates = stack(found, radii)
+    count, size = len(radii), radii[:, None]
+    first, terms = HEAD * count, HEAD * count + rows.size
+    data = np.zeros(terms + 2 * ROWS * len(plates))
+    expand(rows, plates, data[terms:].reshape(-1, 2 * ROWS))
+    rows[plates, COLUMNS - 2 :] = first + COLUMNS * rows[plates, COLUMNS - 2 :]
+    data[first:terms] = rows.ravel()
+    heads = data[:first].reshape(count, HEAD)
+    heads[:, CENTER : CENTER + 2], heads[:, SPREAD : SPREAD + 3] = (
+        found.centers / size,
+        found.spreads / size**2,
+    )
+    heads[:, ATOMS : EDGES + 1] = first + COLUMNS * starts[:, :-1]
+    heads[:, SERIES] = terms + 2 * ROWS * starts[:, -1]
+    heads[:, END] = np.append(heads[1:, ATOMS], terms)
+    return Table(data, first + COLUMNS * plates, count)
+
+
+def joined_data(effects: Sequence[tuple[int, int, Table | None]], columns: int) -> Array:
+    """The array that the rows of one call share: the effects, and the pressures of all supports.
+
+    Parameters
+    ----------
+    effects : sequence of (int, int, Table or None)
+        Of each effect its kind, the first of its columns in a row, and for a support the table.
+    columns : int
+        Number of columns of all effects.
+
+    Returns
+    -------
+    ndarray
+        ``ENTRY`` numbers for each effect: kind, column, and for a support the place of the head of its
+        first pressure; the kind ``LAST`` and the number of columns; then the tables. It is cached while the effects are the same, with tables compared
+        by identity, and must not be written to.
+    """
+    given = tuple(effects)
+    count = sum(table.count for _, _, table in given if table is not None)
+    return (_few_joined if count <= FEW else _many_joined)(given, columns)
+
+
+def _joined(effects: tuple[tuple[int, int, Table | None], ...], columns: int) -> Array:
+    parts = [np.zeros(ENTRY * (len(effects) + 1))]
+    parts[0][-ENTRY : 2 - ENTRY] = LAST, columns
+    place = len(parts[0])
+    for i, (kind, column, table) in enumerate(effects):
+        parts[0][ENTRY * i : ENTRY * i + 3] = kind, column, 0.0 if table is None else place
+        if table is not None:
+            parts.append(table.data_from(place))
+            place += len(table.data)
+    return np.concatenate(parts)
+
+
+_few_joined, _many_joined = lru_cache(KEPT)(_joined), lru_cache(1)(_joined)

@@ -11,8 +11,8 @@ from typing import NamedTuple
 import pytest
 from numba.core.caching import CompileResultCacheImpl, FunctionCache
 
-from planar_pushing.mechanics import compiled as core
-from planar_pushing.mechanics.compiled import compiled, generic, inlined, kernel
+from planar_pushing.simulation.legacy import compiled as core
+from planar_pushing.simulation.legacy.compiled import compiled, generic, inlined, kernel
 
 
 class Metres(NamedTuple):
@@ -75,12 +75,12 @@ def test_a_kind_without_a_body_is_refused():
 
 
 def test_the_digest_sees_every_compiled_source(tmp_path, monkeypatch):
-    for name in ("mechanics/a.py", "simulation/steps/b.py", "figures/c.py"):
+    for name in ("simulation/a.py", "simulation/steps/b.py", "figures/c.py"):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text("x = 1\n")
     monkeypatch.setattr(core, "PACKAGE", tmp_path)
     digests = [core._digest()]
-    for name in ("figures/c.py", "mechanics/a.py", "simulation/steps/b.py"):
+    for name in ("figures/c.py", "simulation/a.py", "simulation/steps/b.py"):
         (tmp_path / name).write_text("x = 2\n")
         digests.append(core._digest())
     assert digests[0] == digests[1]

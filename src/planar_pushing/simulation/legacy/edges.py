@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import log, sqrt
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.simulation.legacy.compiled import compiled
 
 #: Smallest product of distances, used on the line itself, where second derivatives are infinite.
 LEAST = 1e-300

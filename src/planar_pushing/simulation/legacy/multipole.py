@@ -1,4 +1,4 @@
-r"""Mean distance to a distant plate, in powers of the plate's size divided by the distance.
+"""Mean distance to a distant plate, in powers of the plate's size divided by the distance.
 
 Let z be positions in the complex plane relative to the plate's center of pressure, in units of its radius,
 and zeta the radius divided by the center of rotation c, relative to the same point. Then
@@ -15,112 +15,15 @@ a plate that is symmetric under rotation by 180 or 90 degrees.
 from __future__ import annotations
 
 from math import log, sqrt
-from typing import Any
 
-import numpy as np
-
-from planar_pushing.mechanics.compiled import compiled, kernel, owning
-from planar_pushing.mechanics.numerics.arrays import in_threads
-from planar_pushing.mechanics.numerics.root import EPSILON
-from planar_pushing.mechanics.supports.pressure.record import Array
+from planar_pushing.simulation.legacy.compiled import compiled
 
 #: Highest power n, enough for 1e-16 beyond `FAR` of `plate`.
 ORDER = 52
 TERMS = sum((ORDER - m) // 2 + 1 for m in range(ORDER + 1))
-#: Rows of a plate: its terms, and for each m whether they count.
-ROWS = TERMS + ORDER + 1
 #: Terms of power n count while ``n log(|c| / radius)`` is below this. Beyond it they were below 1e-16 in
 #: measurements on polygons with many kinds of corners.
 DIGITS = 28.0
-#: Coefficients of sqrt(1 - z).
-ROOT = tuple(np.cumprod([1.0] + [(2 * j - 3) / (2 * j) for j in range(1, ORDER + 1)]).tolist())
-
-
-#: Plates per block: a few milliseconds of work.
-BLOCK = 512
-
-
-def of_all(rows: Array, plates: Any) -> Array:
-    """Terms of all plates, given the rows of a record that hold them; shape (plates, ROWS, 2)."""
-    found = np.zeros((len(plates), ROWS, 2))
-
-    def block(start: int) -> None:
-        part = slice(start, start + BLOCK)
-        _expand(rows, plates[part], found[part])
-
-    block(0)
-    if len(plates) > BLOCK:
-        in_threads(block, range(BLOCK, len(plates), BLOCK))
-    return found
-
-
-@kernel
-@owning
-def _expand(rows, plates, found):
-    for i in range(len(plates)):
-        row = rows[plates[i]]
-        multipoles(rows[int(row[4]) : int(row[5])], row[2], found[i])
-
-
-@owning
-def multipoles(edges, radius, found):
-    """Write the terms of a plate, real and imaginary, into an array of zeros of shape (ROWS, 2)."""
-    sums = np.zeros((ORDER + 1, ORDER // 2 + 1), dtype=np.complex128)
-    for i in range(len(edges)):
-        x, y, t_x = edges[i, 0], edges[i, 1], edges[i, 2]
-        t_y, half, jump = edges[i, 3], edges[i, 4], edges[i, 5]
-        middle, along = complex(x, y) / radius, complex(t_x, t_y) * half / radius
-        area = (x * t_y - y * t_x) * (2.0 * half) * jump
-        _add_edge(sums, middle - along, middle + along, area)
-    _terms(sums, found)
-
-
-@owning
-def _add_edge(sums, start, end, area):
-    """Add an edge's contribution to the moments, over the triangle of the edge and the center.
-
-    The means of z^j conj(z)^k over the edge follow from those of lower powers by integration by parts.
-    """
-    means, power, square = np.empty_like(sums), _powers(end), _powers(end * end.conjugate())
-    for n in range(ORDER + 1):
-        # Division of a complex by a real number is slow.
-        part, whole = 1.0 / (n + 1.0), area / (n + 2.0)
-        for k in range(n // 2 + 1):
-            m = n - 2 * k
-            mean = square[k] * power[m]
-            if m > 0:
-                mean += (m + k) * start * means[m - 1, k]
-            elif k > 0:
-                mean += k * start * means[1, k - 1].conjugate()
-            if k > 0:
-                mean += k * start.conjugate() * means[m + 1, k - 1]
-            means[m, k] = part * mean
-            sums[m, k] += whole * means[m, k]
-
-
-@owning
-def _powers(z):
-    found = np.ones(ORDER + 1, dtype=np.complex128)
-    for n in range(ORDER):
-        found[n + 1] = found[n] * z
-    return found
-
-
-@compiled
-def _terms(sums, found):
-    """Coefficients of the series from the moments; those of power 1 are zero about the center."""
-    whole, place = sums[0, 0].real, 0
-    sums[1, 0] = 0.0
-    for m in range(ORDER + 1):
-        for k in range((ORDER - m) // 2 + 1):
-            factor = ROOT[m + k] * ROOT[k] / whole * (2.0 if m > 0 else 1.0)
-            found[place, 0] = factor * sums[m, k].real
-            found[place, 1] = factor * sums[m, k].imag
-            # The second term is the largest in the torque.
-            size = max(abs(found[place, 0]), abs(found[place, 1]))
-            if size > EPSILON * abs(found[1, 0]):
-                found[TERMS + m, 0] = 1.0
-            place += 1
 
 
 @compiled

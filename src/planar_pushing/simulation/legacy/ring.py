@@ -1,4 +1,4 @@
-r"""Friction of a ring with uniform pressure: force, torque and their slope in closed form (Eqs. 2-3).
+"""Friction of a ring with uniform pressure: force, torque and their slope in closed form (Eqs. 2-3).
 
 With ``m = k^2``, ``x = 1 - m`` and the complete elliptic integrals K, E of parameter m, inside the ring::
 
@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from math import log, pi, sqrt
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.simulation.legacy.compiled import compiled
 
 #: Above this spin ratio the series in x and log x are used, below it those of the Landen step.
 NEAR_RING = 0.9
@@ -59,22 +59,6 @@ TORQUE_REST = (
 #: wrench; and ``-log(x) / 2`` for x of rounding size, which bounds the slope so that a Newton step from the
 #: ring is not zero.
 LEAST, STEEPEST = 1e-300, 18.0
-#: First guess of the inverse, fitted to 2e-6 by least squares: below NEAR_ARM = H(NEAR_RING), ``k / (2 h)``
-#: in powers of h^2; above it, ``(1 - k) / (1 - h)`` in powers of ``1 - h`` (rows) and of
-#: ``1 / (3 - log(1 - h))``.
-NEAR_ARM = 0.7
-FAR_GUESS = (
-    0.999999760385, -1.49988611473, 3.7410008829, -11.1557958789, 33.9655182731, -91.5921831635,
-    191.508490522, -275.550931762, 236.605542579, -90.2721427178,
-)  # fmt: skip
-NEAR_GUESS = (
-    (0.000156516413, 0.970322332, -1.09258578, 12.5808268, -30.0963718),
-    (0.441440572, -5.0783755, 22.8687427),
-    (-1.89847635, 5.78040765),
-    (-1.29486139, 2.40357923),
-)
-#: Below this moment arm the spin ratio is twice the arm to the last digit.
-SMALL = 1e-9
 
 
 @compiled
@@ -164,37 +148,3 @@ def ring_response(speed, spin):
         return force, torque, k * k * ss, -k * ss, ss
     k, vv = speed / spin, slope / abs(spin)
     return force, torque, vv, -k * vv, k * k * vv
-
-
-@compiled
-def _guess(arm):
-    """Spin ratio to 2e-6; near the ring, its distance from 1 to 6e-6."""
-    if arm < NEAR_ARM:
-        return 2.0 * arm * polynomial(FAR_GUESS, arm * arm)
-    short = 1.0 - arm
-    part = 1.0 / (3.0 - log(short + LEAST))
-    first, second, third, fourth = NEAR_GUESS
-    rest = polynomial(third, part) + short * polynomial(fourth, part)
-    gap = polynomial(first, part) + short * (polynomial(second, part) + short * rest)
-    return 1.0 - short * gap
-
-
-@compiled
-def _inner_spin_ratio(arm):
-    """Root of ``t(k) - h f(k)`` for 0 <= h <= 1 by a Halley step, with ``t'' = (f / x - 2 t') / k``."""
-    if arm < SMALL:
-        return 2.0 * arm
-    k = _guess(arm)
-    force, torque, slope = inner(k, 1.0)
-    lever, x = 1.0 + arm * k, (1.0 - k) * (1.0 + k) + LEAST
-    excess, rate = torque - arm * force, slope * lever
-    bend = (force / x - 2.0 * slope) / k * lever + arm * slope
-    return min(k - excess * rate / (rate * rate - excess * bend / 2.0), 1.0)
-
-
-@compiled
-def ring_spin_ratio(arm):
-    """Spin ratio k under a force with this moment arm in radii: the inverse of ``H = t / f`` (Eq. 7)."""
-    size = abs(arm)
-    k = _inner_spin_ratio(size) if size <= 1.0 else 1.0 / _inner_spin_ratio(1.0 / size)
-    return k if arm >= 0.0 else -k

@@ -1,0 +1,197 @@
+"""The motion of a slider without a pusher: rest, or a motion caused by loads.
+
+It is the minimum of the total potential over all twists, which is strictly convex with inertia. The
+potential of friction has kinks: at rest, and at rotations about each support point, among which the minimum
+has a closed form. Newton's method with descent steps starts from the lowest of these and therefore meets no
+kink.
+
+If no start is below rest, friction may hold the loads. Half the square of friction's potential D, minus the
+power of the loads, has no kink at rest. Its minimum is at the twist whose friction is proportional to the
+loads.
+"""
+
+from __future__ import annotations
+
+from math import copysign, fabs, sqrt
+from typing import NamedTuple
+
+from planar_pushing.core.numbers import EPSILON, INFINITY
+from planar_pushing.core.rows import (
+    Effects,
+    Resistance,
+    Vector,
+    foot_position,
+    kinetic_energy,
+    load_wrench,
+    resistance,
+    rough_mass,
+    scale_effects,
+)
+from planar_pushing.core.tolerances import RESOLUTION, SHARE
+
+#: Maximum number of Newton steps, and of trials along one.
+DESCENTS = 60
+TRIALS = 120
+#: A step ends where the slope of the potential has fallen to this fraction of that at the start, or where
+#: the minimum is known to this fraction of the step.
+SLOPE_LEFT = 0.3
+STEP_LEFT = 1e-6
+
+
+class Level(NamedTuple):
+    """A twist, and the value of the potential there."""
+
+    twist: Vector
+    value: float
+
+
+def free_twist(effects: Effects) -> Vector:
+    """The twist without a net wrench of the effects; zero if friction holds the loads."""
+    rest = Vector(0.0, 0.0, 0.0)
+    if not effects.massive:
+        return rest
+    load, mass = load_wrench(effects), rough_mass(effects, INFINITY, 0.0, 0.0)
+    if mass.mass == 0.0 or (load.x == 0.0 and load.y == 0.0 and load.spin == 0.0):
+        return rest
+    fall = _solve_symmetric(mass.mass, 0.0, mass.mass, -mass.y, mass.x, mass.inertia, load)
+    level = _lowest_start(effects, load, fall, False)
+    if not level.value < 0.0:
+        start = _lowest_start(effects, load, fall, True).twist
+        level = _minimum_on_ray(effects, load, _descend(effects, load, start, True), False)
+    return _descend(effects, load, level.twist, False) if level.value < 0.0 else rest
+
+
+def _solve_symmetric(
+    xx: float, xy: float, yy: float, xs: float, ys: float, ss: float, wrench: Vector
+) -> Vector:
+    """The twist that a positive-definite matrix maps to a wrench."""
+    part, swing = xy / xx, xs / xx
+    rest_yy, rest_ys = yy - part * xy, ys - part * xs
+    right, turn = wrench.y - part * wrench.x, rest_ys / rest_yy
+    spin = (wrench.spin - swing * wrench.x - turn * right) / (ss - swing * xs - turn * rest_ys)
+    y = right / rest_yy - turn * spin
+    return Vector(wrench.x / xx - part * y - swing * spin, y, spin)
+
+
+def _power(wrench: Vector, twist: Vector) -> float:
+    return wrench.x * twist.x + wrench.y * twist.y + wrench.spin * twist.spin
+
+
+def _size_of(vector: Vector) -> float:
+    return fabs(vector.x) + fabs(vector.y) + fabs(vector.spin)
+
+
+def _step_from(twist: Vector, step: Vector, part: float) -> Vector:
+    return Vector(
+        twist.x + part * step.x, twist.y + part * step.y, twist.spin + part * step.spin
+    )  # fmt: skip
+
+
+def _potential_value(effects: Effects, load: Vector, twist: Vector, square: bool) -> float:
+    """The potential, or half the square of D minus the power of the loads."""
+    friction = scale_effects(effects, 1.0, 0.0 if square else 1.0)
+    total = resistance(friction, twist.x, twist.y, twist.spin, EPSILON * _size_of(twist))
+    power = _power(Vector(total.f_x, total.f_y, total.torque), twist)
+    if not square:
+        return power - kinetic_energy(effects, twist.x, twist.y, twist.spin)
+    wrench = Vector(total.f_x + load.x, total.f_y + load.y, total.torque + load.spin)
+    held = _power(wrench, twist)
+    return power + held * (held / 2.0 - 1.0)
+
+
+def _potential_gradient(effects: Effects, load: Vector, twist: Vector, square: bool) -> Resistance:
+    """Derivatives of `_potential_value`; `limit` is the largest force that a point at rest takes."""
+    friction = scale_effects(effects, 1.0, 0.0 if square else 1.0)
+    total = resistance(friction, twist.x, twist.y, twist.spin, EPSILON * _size_of(twist))
+    if not square:
+        return total
+    f_x, f_y, torque = total.f_x + load.x, total.f_y + load.y, total.torque + load.spin
+    held = _power(Vector(f_x, f_y, torque), twist)
+    xx, yy = f_x * f_x + held * total.xx, f_y * f_y + held * total.yy
+    ss = torque * torque + held * total.ss
+    # Stiffness in directions in which the square of D is flat.
+    stiff = SHARE * (xx + yy + ss)
+    return Resistance(
+        held * f_x - load.x, held * f_y - load.y, held * torque - load.spin,
+        xx + stiff, f_x * f_y + held * total.xy, yy + stiff, f_x * torque + held * total.xs,
+        f_y * torque + held * total.ys, ss + stiff, held * total.limit, total.point, total.terms,
+    )  # fmt: skip
+
+
+def _minimum_on_ray(effects: Effects, load: Vector, ray: Vector, square: bool) -> Level:
+    """The twist of minimum value along a ray, in either sense."""
+    rest = Vector(0.0, 0.0, 0.0)
+    power, friction = _power(load, ray), scale_effects(effects, 1.0, 0.0)
+    total = resistance(friction, ray.x, ray.y, ray.spin, EPSILON * _size_of(ray))
+    wrench = Vector(total.f_x + load.x, total.f_y + load.y, total.torque + load.spin)
+    held = _power(wrench, ray)
+    if square:
+        if held == 0.0:
+            return Level(rest, 0.0)
+        part = power / held
+        return Level(_step_from(rest, ray, power / (held * held)), -(part * part) / 2.0)
+    lack = fabs(power) - held
+    part = max(lack, 0.0) / (2.0 * kinetic_energy(effects, ray.x, ray.y, ray.spin))
+    twist = _step_from(rest, ray, copysign(part, power))
+    # A smaller ratio of momentum to load counts as held by friction.
+    return Level(twist, -lack * part / 2.0 if lack > SHARE * fabs(power) else 0.0)
+
+
+def _lowest_start(effects: Effects, load: Vector, ray: Vector, square: bool) -> Level:
+    """The twist of minimum value along a ray or about any support point."""
+    lowest = _minimum_on_ray(effects, load, ray, square)
+    for i in range(effects.feet):
+        foot = foot_position(effects, i)
+        level = _minimum_on_ray(effects, load, Vector(foot.y, -foot.x, 1.0), square)
+        if level.value < lowest.value:
+            lowest = level
+    return lowest
+
+
+def _descend(effects: Effects, load: Vector, twist: Vector, square: bool) -> Vector:
+    """The twist of minimum value, from a start not above the minimum about any support point."""
+    for _ in range(DESCENTS):
+        value = _potential_value(effects, load, twist, square)
+        total = _potential_gradient(effects, load, twist, square)
+        if total.limit > 0.0:
+            force = sqrt(total.f_x * total.f_x + total.f_y * total.f_y)
+            if force <= total.limit:
+                return twist
+            step, slope = Vector(-total.f_x / force, -total.f_y / force, 0.0), total.limit - force
+        else:
+            wrench = Vector(-total.f_x, -total.f_y, -total.torque)
+            step = _solve_symmetric(
+                total.xx, total.xy, total.yy, total.xs, total.ys, total.ss, wrench
+            )
+            slope = -_power(wrench, step)
+        rounding = RESOLUTION * _size_of(load) * _size_of(twist)
+        part = _part_of_step(effects, load, twist, step, value + rounding, slope, square)
+        twist = _step_from(twist, step, part)
+        if -slope <= rounding or part == 0.0:
+            break
+    return twist
+
+
+def _part_of_step(
+    effects: Effects, load: Vector, twist: Vector, step: Vector,
+    value: float, slope: float, square: bool,
+) -> float:  # fmt: skip
+    """Fraction of a step at which the value is nearly minimal; the whole step if it is good enough."""
+    low, high, part = 0.0, INFINITY, 1.0
+    if not slope < 0.0:  # from rounding
+        return part
+    for _ in range(TRIALS):
+        trial = _step_from(twist, step, part)
+        reached = _potential_value(effects, load, trial, square)
+        total = _potential_gradient(effects, load, trial, square)
+        rise = _power(Vector(total.f_x, total.f_y, total.torque), step)
+        if fabs(rise) <= -SLOPE_LEFT * slope and reached <= value:
+            return part
+        if rise < 0.0:
+            low = part
+        else:
+            high = part
+        if high - low <= STEP_LEFT * low:
+            return low
+        part = 4.0 * part if high == INFINITY else (low + high) / 2.0
+    return low

@@ -1,0 +1,267 @@
+"""What Python calls: loops over the rows of an array, one row for each problem.
+
+A row begins with the numbers of the effects, as `read_effects` reads them. What follows is described at each
+kernel. Angles are radians in the fence frame, lengths are in radii, and results are in the frame of the
+contact: x along the fence and y along its normal into the slider.
+"""
+
+from __future__ import annotations
+
+from math import fabs, sqrt
+
+from planar_pushing.core.about import contact_at
+from planar_pushing.core.directions import (
+    Direction,
+    Rod,
+    direction_at,
+    motion_center,
+    rod_at,
+    spin_ratio,
+    unit_x,
+    unit_y,
+)
+from planar_pushing.core.force import ContactMotion, motion_under_force, motions_under_force
+from planar_pushing.core.magnitude import (
+    UNIT_MOTION,
+    UNIT_SPEED,
+    angle_from_force,
+    is_ring_alone,
+    motion_angles,
+    motion_on_ring,
+    motion_with_norm,
+    ring_motion_angle,
+)
+from planar_pushing.core.modes import Law, contact_modes
+from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers, zeros
+from planar_pushing.core.ring import ring_spin_ratio, ring_wrench
+from planar_pushing.core.rows import count_columns, load_wrench, read_effects, resistance
+from planar_pushing.core.solution import CONTINUUM, MOST_SOLUTIONS, PIVOT, SOLUTION, TWIST, Push
+from planar_pushing.core.tolerances import RESOLUTION
+
+#: Status of the solutions of a row.
+NONE, CONSISTENT, PIVOTS, CONTINUA, NOT_SOLVED = range(5)
+#: Numbers of a solution in the results of `solve`.
+RESULT = SOLUTION + 3
+#: Distance, in radii, at which a force replaces a pure couple.
+FAR = 1e6
+
+
+def solve(
+    data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
+) -> None:
+    """Every consistent solution of each push.
+
+    After the effects, a row holds: length and angle of the rod; the edges of the law, right and left, and
+    whether it slips, is closed, and is rough; angle of the pusher's motion; whether the pusher moves. A row
+    of results holds: number of solutions; status; and as many solutions as fit, `RESULT` numbers each: those
+    of `SOLUTION`, spin ratio, and motion center relative to the contact, NaN at rest.
+    """
+    first = count_columns(data)
+    solutions = zeros(MOST_SOLUTIONS * SOLUTION)
+    for i in range(count):
+        row, result = rows[i * columns :], results[i * width :]
+        given = row[first:]
+        effects, rod = read_effects(data, row), rod_at(given[0], given[1])
+        law = Law(
+            direction_at(rod, given[2]), direction_at(rod, given[3]),
+            given[4] != 0.0, given[5] != 0.0, given[6] != 0.0,
+        )  # fmt: skip
+        push = Push(effects, contact_at(-rod.length, 0.0), rod.x, -rod.y)
+        pusher = direction_at(rod, given[7])
+        if given[8] == 0.0:
+            pusher = Direction(given[7], 0.0, 0.0, 0.0, 0.0)
+        number, flat = contact_modes(push, law, pusher, solutions)
+        status = CONTINUA if flat else NONE if number == 0 else CONSISTENT
+        if number < 0 or number > (width - 2) // RESULT:
+            number, status = 0, NOT_SOLVED
+        for j in range(number):
+            solution = solutions[j * SOLUTION :]
+            if solution[CONTINUUM] != 0.0:
+                status = CONTINUA
+            elif solution[PIVOT] >= 0.0 and status == CONSISTENT:
+                status = PIVOTS
+            _write_result(rod, solution, result[2 + j * RESULT :])
+        result[0], result[1] = float(number), float(status)
+        for k in range(2 + number * RESULT, width):
+            result[k] = UNKNOWN
+
+
+def _write_result(rod: Rod, solution: Numbers, result: Numbers) -> None:
+    """Write a solution, its spin ratio, and its motion center."""
+    for k in range(SOLUTION):
+        result[k] = solution[k]
+    v_x, v_y, spin = solution[TWIST], solution[TWIST + 1], solution[TWIST + 2]
+    center = motion_center(v_x, v_y, spin)
+    moves: bool = v_x != 0.0 or v_y != 0.0 or spin != 0.0
+    result[SOLUTION] = spin_ratio(v_x, v_y, spin)
+    result[SOLUTION + 1] = rod.length * rod.x + center.x if moves else UNKNOWN
+    result[SOLUTION + 2] = rod.length * rod.y + center.y if moves else UNKNOWN
+
+
+def force_motions(
+    data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
+) -> None:
+    """The motion under each force.
+
+    After the effects, a row holds: length and angle of the rod; angle of the force; the norm that fixes the
+    magnitude of the motion, `UNIT_MOTION` to `UNIT_ENERGY`, and the magnitude of the force for
+    `FORCE_SIZE`. A row of results holds: status, `NONE` if friction holds the slider; twist of the origin;
+    motion of the contact; force; angle of the contact's motion; number of the pivot; spin ratio; motion
+    center relative to the slider's center. All of them are NaN without a motion.
+    """
+    first = count_columns(data)
+    for i in range(count):
+        row, result = rows[i * columns :], results[i * width :]
+        given = row[first:]
+        effects, rod = read_effects(data, row), rod_at(given[0], given[1])
+        contact, force, norm = (
+            contact_at(-rod.length, 0.0),
+            direction_at(rod, given[2]),
+            int(given[3]),
+        )
+        e_x, e_y = force.along, -force.across
+        status = CONSISTENT
+        if norm == UNIT_SPEED and is_ring_alone(effects):
+            motion = motion_on_ring(rod, contact, force)
+            angle = ring_motion_angle(rod, force, ring_spin_ratio(rod.length * force.across))
+        else:
+            if norm == UNIT_MOTION:
+                ends = motions_under_force(effects, contact, e_x, e_y, 1.0)
+                motion = ends.first
+                if ends.first.continuum:
+                    status, motion = CONTINUA, motion_under_force(effects, contact, e_x, e_y, 1.0)
+            else:
+                motion = motion_with_norm(effects, contact, force, norm, given[4])
+            angle = force.angle + angle_from_force(motion, e_x, e_y)
+        if status != CONTINUA and motion.point >= 0:
+            status = PIVOTS
+        result[0], result[8], result[9] = float(status), angle, float(motion.point)
+        _write_motion(rod, motion, result[1:])
+        center = motion_center(result[1], result[2], result[3])
+        result[10] = _signed_spin_ratio(motion)
+        result[11], result[12] = center.x, center.y
+        if not motion.converged:
+            result[0] = float(NONE if given[4] > 0.0 else NOT_SOLVED)
+            for k in range(1, width):
+                result[k] = UNKNOWN
+
+
+def _signed_spin_ratio(motion: ContactMotion) -> float:
+    """R omega / v of a motion; a motion without a speed is a rotation."""
+    speed = sqrt(motion.v_x * motion.v_x + motion.v_y * motion.v_y)
+    if speed > 0.0:
+        return motion.spin / speed
+    return INFINITY if motion.spin > 0.0 else -INFINITY
+
+
+def _write_motion(rod: Rod, motion: ContactMotion, result: Numbers) -> None:
+    """Write twist, motion of the contact, and force."""
+    _write_vector(rod, motion.v_x, motion.v_y, result)
+    result[2] = motion.spin
+    _write_vector(rod, motion.u_x, motion.u_y, result[3:])
+    _write_vector(rod, motion.f_x, motion.f_y, result[5:])
+
+
+def _write_vector(rod: Rod, x: float, y: float, result: Numbers) -> None:
+    """Write a vector of the body frame in the frame of the contact."""
+    result[0], result[1] = rod.x * x - rod.y * y, rod.x * y + rod.y * x
+
+
+def motion_cones(
+    data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
+) -> None:
+    """The motion cone between two angles of forces.
+
+    After the effects, a row holds: length and angle of the rod; angles of the right and the left edge of
+    the friction cone. A row of results holds: right and left edge, whether they are reached, status.
+    """
+    first = count_columns(data)
+    for i in range(count):
+        row, result = rows[i * columns :], results[i * width :]
+        given = row[first:]
+        effects, rod = read_effects(data, row), rod_at(given[0], given[1])
+        contact = contact_at(-rod.length, 0.0)
+        low = motion_angles(effects, rod, contact, direction_at(rod, given[2]))
+        high = motion_angles(effects, rod, contact, direction_at(rod, given[3]))
+        continuum: bool = low.continuum or high.continuum
+        spread = max(low.greatest - low.least, high.greatest - high.least)
+        status = CONTINUA if continuum else PIVOTS if low.pivots or high.pivots else CONSISTENT
+        # Rounding can swap the edges of a long rod's cone, which can be narrower than an ulp.
+        result[0], result[1] = min(low.least, high.greatest), high.greatest
+        result[2] = 1.0 if continuum or spread <= RESOLUTION else 0.0
+        result[3] = float(status)
+        if not (low.converged and high.converged):
+            result[0], result[1], result[2], result[3] = UNKNOWN, UNKNOWN, 0.0, float(NOT_SOLVED)
+
+
+def wrenches(
+    data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
+) -> None:
+    """The wrench in the body frame that sustains each twist; at rest, that of the loads alone.
+
+    After the effects, a row holds the twist of the origin. A row of results holds force and torque.
+    """
+    first = count_columns(data)
+    for i in range(count):
+        row, result = rows[i * columns :], results[i * width :]
+        effects, twist = read_effects(data, row), row[first:]
+        if twist[0] != 0.0 or twist[1] != 0.0 or twist[2] != 0.0:
+            total = resistance(effects, twist[0], twist[1], twist[2], 0.0)
+            result[0], result[1], result[2] = total.f_x, total.f_y, total.torque
+        else:
+            load = load_wrench(effects)
+            result[0], result[1], result[2] = -load.x, -load.y, -load.spin
+
+
+def load_ratios(
+    data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
+) -> None:
+    """The ratio of each load to the largest one that friction holds.
+
+    After the effects of friction, a row holds the wrench of the load. A row of results holds the ratio.
+    """
+    first = count_columns(data)
+    for i in range(count):
+        row = rows[i * columns :]
+        effects, load = read_effects(data, row), row[first:]
+        x, y, torque = load[0], load[1], load[2]
+        if fabs(x) + fabs(y) <= fabs(torque) / FAR:
+            x, y = fabs(torque) / FAR, 0.0
+        size = sqrt(x * x + y * y)
+        results[i * width] = 0.0
+        if size > 0.0:
+            # The load is a force along a line, as of a pusher at the point of the line nearest the origin.
+            contact = contact_at(y * torque / (size * size), -x * torque / (size * size))
+            limit = motion_under_force(effects, contact, x / size, y / size, 1.0)
+            force = sqrt(limit.f_x * limit.f_x + limit.f_y * limit.f_y)
+            results[i * width] = size / force if force > 0.0 else INFINITY
+
+
+def unit_vectors(
+    data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
+) -> None:
+    """The unit vector at each angle, exact at multiples of 90 degrees."""
+    for i in range(count):
+        angle, result = rows[i * columns], results[i * width :]
+        result[0], result[1] = unit_x(angle), unit_y(angle)
+
+
+def ring_profiles(
+    data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
+) -> None:
+    """f(k) and t(k) of Eqs. (2)-(3) at each spin ratio, which can be infinite."""
+    for i in range(count):
+        ratio, result = rows[i * columns], results[i * width :]
+        if fabs(ratio) < INFINITY:
+            ring = ring_wrench(1.0, ratio)
+            result[0], result[1] = ring.force, ring.torque
+        else:
+            result[0], result[1] = 0.0, 1.0 if ratio > 0.0 else -1.0
+
+
+def ring_spin_ratios(
+    data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
+) -> None:
+    """The spin ratio under a force with each moment arm in radii (Eq. 7)."""
+    for i in range(count):
+        results[i * width] = ring_spin_ratio(rows[i * columns])

@@ -1,0 +1,344 @@
+"""Enumeration of the contact modes of one push from rest (Secs. 2-5).
+
+The force of the sticking motion is evaluated once. Its sign across each edge of the friction cone decides
+whether the contact sticks, and it is the end of the path on which the slips under that edge are searched.
+Psi is convex. With effects of one degree, a push into the slider therefore has exactly one of stick and
+slip, and with several degrees the sign gives the parity of the number of slips.
+"""
+
+from __future__ import annotations
+
+from math import copysign, fabs, sqrt
+from typing import NamedTuple
+
+from planar_pushing.core.about import Psi
+from planar_pushing.core.directions import Direction
+from planar_pushing.core.force import (
+    ContactMotion,
+    motion_at_root,
+    motion_under_force,
+    motions_under_force,
+    replace_force,
+)
+from planar_pushing.core.free import free_twist
+from planar_pushing.core.numbers import Numbers, zeros
+from planar_pushing.core.path import Path, first_sample, sample_of
+from planar_pushing.core.psi import guess_spin, psi
+from planar_pushing.core.rows import NO_POINT
+from planar_pushing.core.slips import SLIP, SLIPS, find_slips
+from planar_pushing.core.solution import (
+    CONTINUUM,
+    MOST_SOLUTIONS,
+    MOTION,
+    SEPARATE,
+    SLIP_LEFT,
+    SLIP_RIGHT,
+    SOLUTION,
+    STICK,
+    TWIST,
+    UNSOLVED,
+    Push,
+    copy_solution,
+    force_along,
+    shrink_solution,
+    write_on_edge,
+    write_solution,
+)
+from planar_pushing.core.tolerances import BEFORE_REST, COINCIDENT, RESOLUTION, ROUNDING, SLOWEST
+
+#: The square of a smaller normal motion underflows; the slips of the power of two that exceeds it are
+#: scaled, which is exact.
+SMALLEST_NORMAL = 1e-138
+STEP_OF_NORMAL = 1152921504606846976.0
+
+
+class Law(NamedTuple):
+    """A contact law: the edges of its friction cone, and the behavior there.
+
+    A `rough` law transmits every force, and the edges of a `closed` cone belong to it.
+    """
+
+    right: Direction
+    left: Direction
+    slips: bool
+    closed: bool
+    rough: bool
+
+
+class Search(NamedTuple):
+    """What the slips of a push have in common.
+
+    Attributes
+    ----------
+    push : Push
+    pusher : Direction
+        Motion of the pusher, of magnitude 0 or 1.
+    rest_x, rest_y : float
+        Motion of the contact without a pusher, in the frame of the contact.
+    scale : float
+        The larger of both motions.
+    stick : Psi
+        The sticking motion.
+    f_x, f_y : float
+        Its force, of a pivot one that the law transmits.
+    stick_place : int
+        Index of the stick in the solutions.
+    """
+
+    push: Push
+    pusher: Direction
+    rest_x: float
+    rest_y: float
+    scale: float
+    stick: Psi
+    f_x: float
+    f_y: float
+    stick_place: int
+
+
+class Count(NamedTuple):
+    """Number of solutions so far, whether one of them is the stick, and whether a continuum touches it."""
+
+    number: int
+    sticks: bool
+    flat: bool
+
+
+def _across(edge: Direction, f_x: float, f_y: float) -> float:
+    """The force across an edge, ``e x f``, positive to the left of it."""
+    return edge.along * f_y + edge.across * f_x
+
+
+def _separate(push: Push, solution: Numbers) -> None:
+    """Write the motion without a contact force."""
+    rest, contact = free_twist(push.effects), push.contact
+    u_x, u_y = rest.x - rest.spin * contact.y, rest.y + rest.spin * contact.x
+    motion = ContactMotion(
+        u_x, u_y, rest.x, rest.y, rest.spin, 0.0, 0.0, 0.0, 0.0, NO_POINT, False, 0.0, 0.0, True
+    )
+    write_solution(push, SEPARATE, motion, solution)
+
+
+def _settle(law: Law, stick: ContactMotion) -> ContactMotion:
+    """A pivot with its force at the middle of the forces that the law transmits, if there are any."""
+    if stick.half_x == 0.0 and stick.half_y == 0.0:
+        return stick
+    low, high = -1.0, 1.0
+    for i in range(0 if law.rough else 2):
+        edge, side = law.right if i == 0 else law.left, 1.0 if i == 0 else -1.0
+        depth = side * _across(edge, stick.f_x, stick.f_y)
+        change = side * _across(edge, stick.half_x, stick.half_y)
+        if change > 0.0:
+            low = max(low, -depth / change)
+        elif change < 0.0:
+            high = min(high, -depth / change)
+    part = min(max((low + high) / 2.0, -1.0), 1.0)
+    half = max((high - low) / 2.0, 0.0)
+    return replace_force(
+        stick, stick.f_x + part * stick.half_x, stick.f_y + part * stick.half_y,
+        half * stick.half_x, half * stick.half_y,
+    )  # fmt: skip
+
+
+def _hold_at_rest(push: Push, law: Law, stick: ContactMotion, scale: float) -> ContactMotion:
+    """A slider at rest; a force outside the cone is moved to an edge if friction can sustain it there.
+
+    Friction holds the slider under a convex set of forces. The largest of them along an edge is the force
+    of the slowest motion under that edge.
+    """
+    for i in range(0 if law.rough else 2):
+        edge, side = law.right if i == 0 else law.left, 1.0 if i == 0 else -1.0
+        if side * _across(edge, stick.f_x, stick.f_y) >= 0.0:
+            continue
+        slow = motion_under_force(
+            push.effects, push.contact, edge.along, -edge.across, SLOWEST * scale
+        )
+        moves = fabs(slow.u_x) + fabs(slow.u_y)
+        if slow.converged and moves <= COINCIDENT * scale and force_along(edge, slow) > 0.0:
+            return replace_force(stick, slow.f_x, slow.f_y, 0.0, 0.0)
+    return stick
+
+
+def contact_modes(
+    push: Push, law: Law, pusher: Direction, solutions: Numbers
+) -> tuple[int, bool]:
+    """Write every consistent solution, in units of the pusher's motion.
+
+    Parameters
+    ----------
+    push : Push
+    law : Law
+    pusher : Direction
+        Direction of the pusher's motion, which has unit magnitude; all components are zero for a pusher at
+        rest.
+    solutions : Numbers
+        Room for `MOST_SOLUTIONS` solutions, which are written in the order of the modes.
+
+    Returns
+    -------
+    count : int
+        Number of solutions, `UNSOLVED` if an iteration has not converged.
+    continuum : bool
+        Whether a continuum of slips touches the stick.
+
+    Notes
+    -----
+    A force within rounding of an edge sticks unless a slip is found, and a slip of zero speed is the stick.
+    If pusher and slider are both at rest, so that the force is undetermined, they count as separate.
+    """
+    _separate(push, solutions)
+    rest_x, rest_y = solutions[MOTION], solutions[MOTION + 1]
+    speed = 1.0 if pusher.x != 0.0 or pusher.y != 0.0 else 0.0
+    scale = max(speed, max(fabs(rest_x), fabs(rest_y)))
+    if scale == 0.0 and solutions[TWIST + 2] == 0.0:
+        return 1, False
+    place = 1 if pusher.y <= rest_y else 0  # index of the stick, which precedes the slips
+    x, y = pusher.along, -pusher.across
+    guess = guess_spin(push.effects, push.contact, x, y)
+    root = psi(push.effects, push.contact, x, y, guess, NO_POINT, ROUNDING)
+    if not root.converged:
+        return UNSOLVED, False
+    stick = _settle(law, ContactMotion(
+        x, y, root.v_x, root.v_y, root.spin, root.f_x, root.f_y, root.half_x, root.half_y,
+        root.point, root.continuum, root.noise_x, root.noise_y, True,
+    ))  # fmt: skip
+    if x == 0.0 and y == 0.0 and stick.spin == 0.0:
+        stick = _hold_at_rest(push, law, stick, scale)
+    search = Search(push, pusher, rest_x, rest_y, scale, root, stick.f_x, stick.f_y, place)
+    slips = Count(place + 1, False, False)
+    if law.slips:
+        slips = _write_slips(search, law.left, SLIP_RIGHT, solutions, slips)
+        slips = _write_slips(search, law.right, SLIP_LEFT, solutions, slips)
+        if slips.number < 0:
+            return UNSOLVED, False
+    slides: bool = slips.number > place + 1
+    inside = min(_across(law.right, stick.f_x, stick.f_y), -_across(law.left, stick.f_x, stick.f_y))
+    rise = push.t_x * stick.f_y - push.t_y * stick.f_x
+    noise = _noise_of(stick)
+    sticks: bool = law.rough or slips.sticks
+    if min(inside, rise) > (0.0 if law.closed and law.slips else noise):
+        sticks = True
+    elif law.closed and min(inside, rise) >= -noise and (slips.flat or not slides):
+        sticks = True
+    if sticks:
+        if not slips.sticks:
+            write_solution(push, STICK, stick, solutions[place * SOLUTION :])
+        if slips.flat:
+            solutions[place * SOLUTION + CONTINUUM] = 1.0
+        return slips.number, slips.flat
+    for i in range(place, slips.number - 1):
+        copy_solution(solutions[i * SOLUTION :], solutions[(i + 1) * SOLUTION :])
+    return slips.number - 1, slips.flat
+
+
+def _noise_of(motion: ContactMotion) -> float:
+    """Rounding error of a force."""
+    size = sqrt(motion.f_x * motion.f_x + motion.f_y * motion.f_y)
+    return max(motion.noise_x, motion.noise_y) + RESOLUTION * size
+
+
+def _write_slips(
+    search: Search, edge: Direction, mode: int, solutions: Numbers, slips: Count
+) -> Count:
+    """Write the slips of a mode after the solutions so far.
+
+    A slip is opposed by the edge's force along the fence. Its component along the force is therefore
+    positive and smaller than that of the pusher's motion, or equal if the force is normal to the fence. The
+    potential is convex, so the force along the fence increases with the motion along it: a slip to the
+    right takes a larger force than sticking.
+    """
+    side = 1.0 if mode == SLIP_RIGHT else -1.0
+    push, pusher, rest_y = search.push, search.pusher, search.rest_y
+    part = edge.x * (pusher.x - search.rest_x) + edge.y * (pusher.y - rest_y)
+    force = push.t_x * search.f_x + push.t_y * search.f_y
+    size = sqrt(search.f_x * search.f_x + search.f_y * search.f_y)
+    if slips.number < 0 or part <= 0.0 or side * force > COINCIDENT * size:
+        return slips
+    normal, shrink = pusher.y, 1.0
+    while 0.0 < fabs(normal) < SMALLEST_NORMAL:
+        normal, shrink = STEP_OF_NORMAL * normal, shrink / STEP_OF_NORMAL
+    if edge.x == 0.0:
+        return _write_normal_slips(search, edge, mode, normal, shrink, solutions, slips)
+    n_x, n_y, sense = -push.t_y * normal, push.t_x * normal, copysign(1.0, edge.x)
+    path = Path(
+        push.effects, push.contact, edge.along, -edge.across, n_x, n_y,
+        sense * push.t_x, sense * push.t_y,
+    )  # fmt: skip
+    first = sense * search.rest_x - edge.y * (normal - rest_y) / fabs(edge.x)
+    unit = max(fabs(normal), max(fabs(search.rest_x), fabs(rest_y)))
+    if first == 0.0:
+        first = SLOWEST * (unit if unit > 0.0 else 1.0)
+    if pusher.x == 0.0 and pusher.y == 0.0:
+        # The force of a contact at rest is not the limit of slow slips, so the search ends before it.
+        end = first_sample(path, sense * side * BEFORE_REST * search.scale)
+    else:
+        end = sample_of(path, sense * pusher.x, search.stick)
+    if not end.s > first:
+        return slips
+    roots = zeros(SLIPS * SLIP)
+    number, flat = find_slips(path, unit, first, end, roots)
+    for i in range(number):
+        s, spin, point = roots[SLIP * i], roots[SLIP * i + 1], int(roots[SLIP * i + 3])
+        motion = motion_at_root(path, s, spin, roots[SLIP * i + 2] != 0.0, point)
+        slips = _write_slip_of(search, edge, mode, motion, shrink, solutions, slips)
+    return Count(slips.number if number >= 0 else UNSOLVED, slips.sticks, slips.flat or flat)
+
+
+def _write_normal_slips(
+    search: Search, edge: Direction, mode: int, normal: float, shrink: float,
+    solutions: Numbers, slips: Count,
+) -> Count:  # fmt: skip
+    """Write the slips under an edge along the normal.
+
+    All motions of a continuum have this force: its ends are slips of this mode, or the stick is in it.
+    """
+    push, pusher = search.push, search.pusher
+    # The path across the force leads from right to left.
+    ends = motions_under_force(
+        push.effects, push.contact, edge.along, -edge.across, edge.y * normal
+    )
+    right, left = ends.first, ends.last
+    if right.u_x == left.u_x and right.u_y == left.u_y:
+        return _write_slip_of(search, edge, mode, right, shrink, solutions, slips)
+    closest = COINCIDENT * search.scale
+    holds: bool = push.t_x * right.u_x + push.t_y * right.u_y >= pusher.x - closest
+    holds = holds and push.t_x * left.u_x + push.t_y * left.u_y <= pusher.x + closest
+    # From slow to fast; then from right to left.
+    if _speed_of(right) <= (1.0 + COINCIDENT) * _speed_of(left):
+        slips = _write_slip_of(search, edge, mode, right, shrink, solutions, slips)
+        slips = _write_slip_of(search, edge, mode, left, shrink, solutions, slips)
+    else:
+        slips = _write_slip_of(search, edge, mode, left, shrink, solutions, slips)
+        slips = _write_slip_of(search, edge, mode, right, shrink, solutions, slips)
+    return Count(slips.number, slips.sticks, slips.flat or holds)
+
+
+def _speed_of(motion: ContactMotion) -> float:
+    return sqrt(motion.u_x * motion.u_x + motion.u_y * motion.u_y)
+
+
+def _write_slip_of(
+    search: Search, edge: Direction, mode: int, motion: ContactMotion, shrink: float,
+    solutions: Numbers, slips: Count,
+) -> Count:  # fmt: skip
+    """Write a slip if its force pushes, or the stick if it does not slip."""
+    push, side = search.push, 1.0 if mode == SLIP_RIGHT else -1.0
+    closest = COINCIDENT * search.scale
+    slip = push.t_x * motion.u_x + push.t_y * motion.u_y - search.pusher.x
+    if not motion.converged or slips.number < 0:
+        return Count(UNSOLVED, slips.sticks, slips.flat)
+    if force_along(edge, motion) <= motion.noise_x + motion.noise_y:
+        return slips
+    if fabs(slip) <= closest:
+        place = search.stick_place
+        write_on_edge(push, STICK, motion, edge, solutions[place * SOLUTION :])
+        return Count(slips.number, True, slips.flat)
+    if side * slip <= closest:
+        return slips
+    if slips.number == MOST_SOLUTIONS:
+        return Count(UNSOLVED, slips.sticks, slips.flat)
+    solution = solutions[slips.number * SOLUTION :]
+    write_on_edge(push, mode, motion, edge, solution)
+    if shrink != 1.0:
+        shrink_solution(solution, shrink, 1.0 if push.effects.frictional else shrink)
+    return Count(slips.number + 1, slips.sticks, slips.flat)

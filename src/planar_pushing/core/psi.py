@@ -1,0 +1,191 @@
+"""The reduced potential of the contact's motion: its gradient and Hessian, from one root for the rotation.
+
+With the rotation eliminated, ``Psi(u) = min over omega`` of the sum of the effects' potentials at the twist
+whose contact moves by `u` (Secs. 3 and 4). Psi is convex. Its gradient is the force of the pusher, and the
+torque about the contact is zero at the minimum. Everything is in the body frame, with lengths in radii.
+
+The torque increases with the rotation. At a center of rotation on a support point it jumps by twice the
+maximum torque of that point's friction. A root within the jump is a pivot, with an interval of forces.
+"""
+
+from __future__ import annotations
+
+from math import copysign, fabs, sqrt
+
+from planar_pushing.core.about import (
+    Contact,
+    Psi,
+    potential_at,
+    resistance_about,
+)
+from planar_pushing.core.line import rotation_on_line
+from planar_pushing.core.numbers import INFINITY, UNKNOWN
+from planar_pushing.core.pivot import pivot_psi, pivot_spin, refine_psi
+from planar_pushing.core.roots import is_last
+from planar_pushing.core.rows import (
+    NO_POINT,
+    Effects,
+    Resistance,
+    foot_position,
+    kinetic_energy,
+    load_wrench,
+    rough_mass,
+)
+from planar_pushing.core.tolerances import ALIGNED, BARELY, ROUNDING, SHARE
+
+#: Maximum number of steps to a rotation, enough for bisection over 16 orders of magnitude to the last
+#: digit.
+ROTATIONS = 120
+#: Factor by which a bracket without an end grows, and the longest Newton step relative to the motion.
+GROWTH = 8.0
+
+
+def guess_spin(effects: Effects, contact: Contact, x: float, y: float) -> float:
+    """A first guess of the rotation of a contact that moves by (x, y), exact for a mass."""
+    if x == 0.0 and y == 0.0:
+        return 0.0
+    rough = rough_mass(effects, sqrt(x * x + y * y), contact.x, contact.y)
+    return (rough.y * x - rough.x * y) / rough.inertia
+
+
+def spin_at_rest(effects: Effects, contact: Contact) -> float:
+    """The rotation about a contact at rest; NaN if nothing resists it.
+
+    About a fixed contact the torque of friction is constant, and that of inertia is proportional to the
+    rotation. The slider turns only if friction cannot hold the loads.
+    """
+    for i in range(2):
+        sense = 1.0 if i == 0 else -1.0
+        friction = resistance_about(
+            effects, contact, sense * contact.y, -sense * contact.x, sense, 0.0
+        )
+        inertia = 2.0 * kinetic_energy(effects, contact.y, -contact.x, 1.0)
+        lack = inertia - sense * friction.torque
+        if lack > 0.0:
+            return sense * lack / inertia if inertia > 0.0 else UNKNOWN
+    return 0.0
+
+
+def resistance_at_rest(effects: Effects, contact: Contact, spin: float) -> Resistance:
+    """`Resistance` at the rotation about a contact at rest; at rest, the opposite of the loads."""
+    if spin != 0.0 and spin == spin:
+        return resistance_about(effects, contact, spin * contact.y, -spin * contact.x, spin, 0.0)
+    load = load_wrench(effects)
+    return Resistance(
+        -load.x, -load.y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, NO_POINT, 0.0
+    )  # fmt: skip
+
+
+def _psi_at_rest(effects: Effects, contact: Contact) -> Psi:
+    """Psi of a contact at rest, where the gradient is a set: the force that takes the least friction.
+
+    For a slider at rest this force is the opposite of the loads; for one that rotates, it excludes the
+    friction of a point at the contact.
+    """
+    spin = spin_at_rest(effects, contact)
+    total = resistance_at_rest(effects, contact, spin)
+    v_x, v_y = spin * contact.y, -spin * contact.x
+    return potential_at(total, contact, v_x, v_y, spin, 0.0, 0.0, 0.0, 0.0, spin == spin)
+
+
+def psi(
+    effects: Effects, contact: Contact, x: float, y: float,
+    guess: float, point: int, tolerance: float,
+) -> Psi:  # fmt: skip
+    """Psi at a motion (x, y) of the contact, from a guess of the rotation.
+
+    For a long rod the unknown is the origin's motion, which is small, and the rotation follows from it; for
+    a short rod it is the rotation. If `point` is the number of a support point, that point is taken to lie
+    exactly across the motion from the contact, and others do to rounding; otherwise `tolerance` holds,
+    relative to the motion. A rotation that is one of an interval is the one of `rotation_on_line`.
+    """
+    if x == 0.0 and y == 0.0:
+        return _psi_at_rest(effects, contact)
+    on_line = rotation_on_line(effects, contact, x, y, guess)
+    if on_line.converged:
+        return on_line
+    along, speed = x * contact.a_x + y * contact.a_y, sqrt(x * x + y * y)
+    blurred = ALIGNED if point >= 0 else tolerance
+    if point >= 0:
+        spin = pivot_spin(effects, contact, x, y, point)
+        pivot = pivot_psi(effects, contact, x, y, point, spin, INFINITY)
+        if pivot.converged:
+            return pivot
+    rough = rough_mass(effects, speed, contact.x, contact.y)
+    start, rest = 0.0, along
+    if 2.0 * rough.mass * contact.reach * contact.reach > rough.inertia:
+        start, rest = -along / contact.reach, 0.0
+    p_x, p_y = x - along * contact.a_x, y - along * contact.a_y
+    q, low, high, last = guess - start, -INFINITY, INFINITY, INFINITY
+    spin, v_x, v_y = start, x, y
+    total = Resistance(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, NO_POINT, 0.0)
+    for _ in range(ROTATIONS):
+        spin, carried = start + q, rest + contact.reach * q
+        v_x, v_y = p_x + carried * contact.a_x, p_y + carried * contact.a_y
+        blur = ROUNDING * (speed + contact.reach * fabs(spin))
+        total = resistance_about(effects, contact, v_x, v_y, spin, blur)
+        torque = total.torque
+        if total.limit > 0.0:
+            hold = total.limit * speed / fabs(spin)
+            if fabs(torque) <= hold * (1.0 + SHARE):
+                spin = pivot_spin(effects, contact, x, y, total.point)
+                return pivot_psi(effects, contact, x, y, total.point, spin, blurred)
+            torque -= copysign(hold, torque)
+        step = -torque / total.ss if total.ss > 0.0 else copysign(INFINITY, -torque)
+        scale = (fabs(v_x) + fabs(v_y) + fabs(spin)) / (1.0 + contact.reach)
+        size = fabs(step) / scale if torque != 0.0 else 0.0
+        if is_last(size, last):
+            step = step if torque != 0.0 else 0.0
+            root = potential_at(total, contact, v_x, v_y, spin, step, x, y, fabs(q), True)
+            root = refine_psi(effects, contact, x, y, root, blurred)
+            if root.converged:
+                return root
+            step, size, last = copysign(GROWTH * BARELY * scale, -torque), 0.0, INFINITY
+        if torque > 0.0:
+            high = q
+        else:
+            low = q
+        target = q + step
+        if not (low < target < high) or size > last / 2.0:
+            if high - low <= ROUNDING * scale:
+                root = potential_at(total, contact, v_x, v_y, spin, 0.0, x, y, fabs(q), True)
+                return refine_psi(effects, contact, x, y, root, blurred)
+            last, target = INFINITY, _next_trial(effects, contact, x, y, low, high, start, q, scale)
+        elif not fabs(step) < GROWTH * (fabs(q) + scale):
+            last, target = INFINITY, q + copysign(GROWTH * (fabs(q) + scale), step)
+        else:
+            last = size
+        q = target
+    return potential_at(total, contact, v_x, v_y, spin, 0.0, x, y, fabs(q), False)
+
+
+def _next_trial(
+    effects: Effects, contact: Contact, x: float, y: float,
+    low: float, high: float, start: float, q: float, scale: float,
+) -> float:  # fmt: skip
+    """The next trial if Newton's method fails: beyond an open end of the bracket, or within it."""
+    if low == -INFINITY:
+        return q - GROWTH * (fabs(q) + scale)
+    if high == INFINITY:
+        return q + GROWTH * (fabs(q) + scale)
+    return _cut(effects, contact, x, y, low, high, start)
+
+
+def _cut(
+    effects: Effects, contact: Contact, x: float, y: float, low: float, high: float, start: float
+) -> float:
+    """Where to cut a bracket: at the rotation about the point nearest its middle, or at the middle.
+
+    The torque is steepest at rotations about a point. Rotations are relative to `start`.
+    """
+    middle, nearest = low + (high - low) / 2.0, (high - low) / 2.0
+    cut = middle
+    for i in range(effects.feet):
+        foot = foot_position(effects, i)
+        r_x, r_y = foot.x - contact.x, foot.y - contact.y
+        square = r_x * r_x + r_y * r_y
+        if square > 0.0:
+            turn = (x * r_y - y * r_x) / square - start
+            if low < turn < high and fabs(turn - middle) < nearest:
+                cut, nearest = turn, fabs(turn - middle)
+    return cut

@@ -1,0 +1,125 @@
+"""Roots of functions of one number, in brackets that the caller evaluates."""
+
+from __future__ import annotations
+
+from math import fabs
+from typing import NamedTuple
+
+from planar_pushing.core.numbers import EPSILON
+
+#: Newton steps converge quadratically once they are below NEAR_ROOT, relative to the root, and shrink by at
+#: least QUADRATIC. The next step is then estimated as the cube of this one over the square of the last, or,
+#: if larger, as the square of this one, because a single step can be small by chance. The iteration ends
+#: when the next step is below rounding or a step is below SETTLED. Near an infinite slope steps shrink
+#: slowly.
+NEAR_ROOT = 0.1
+QUADRATIC = 0.02
+SETTLED = 1e-13
+#: Relative resolution of a root, a few units in the last place.
+RESOLVED = 1e-15
+#: More steps than bisection takes to reach zero through all exponents.
+ITERATIONS = 2000
+#: Golden section, and the number of sections for the minimum of a dip: they reduce its width to 1e-7, which
+#: gives the value to 1e-14 of its depth.
+SECTION = 0.3819660112501051
+SECTIONS = 34
+
+
+def is_last(size: float, before: float) -> bool:
+    """Whether only rounding error is left after a Newton step, given its relative size and the last one."""
+    if size <= SETTLED:
+        return True
+    if before > NEAR_ROOT or size > QUADRATIC * before or size * size > EPSILON:
+        return False
+    return size * size * size <= EPSILON * (before * before)
+
+
+class Bracket(NamedTuple):
+    """Two numbers at which a function has opposite signs, the one before them, and the values there.
+
+    `part` is the fraction of the way from a, the latest one, to b at which to evaluate next.
+    """
+
+    a: float
+    b: float
+    c: float
+    at_a: float
+    at_b: float
+    at_c: float
+    part: float
+
+
+def open_bracket(low: float, high: float, at_low: float, at_high: float) -> Bracket:
+    """A bracket between two numbers at which the values have opposite signs."""
+    return Bracket(high, low, high, at_high, at_low, at_high, 0.5)
+
+
+def next_number(bracket: Bracket) -> float:
+    """The number at which the function is to be evaluated next."""
+    return bracket.a + bracket.part * (bracket.b - bracket.a)
+
+
+def narrow_bracket(bracket: Bracket, x: float, value: float) -> Bracket:
+    """The bracket with the value at the next number.
+
+    Chandrupatla's method (Advances in Engineering Software 28, 1997): inverse quadratic interpolation where
+    the function is smooth enough, bisection elsewhere.
+    """
+    a, at_a = bracket.a, bracket.at_a
+    b, c, at_b, at_c = bracket.b, bracket.a, bracket.at_b, bracket.at_a
+    if (value > 0.0) != (at_a > 0.0):
+        b, c, at_b, at_c = a, bracket.b, at_a, bracket.at_b
+    a, at_a = x, value
+    width, best = fabs(b - a), fabs(a if fabs(at_a) < fabs(at_b) else b)
+    limit = RESOLVED * best / width if width > 0.0 else 0.5
+    part = min(max(_interpolate(a, b, c, at_a, at_b, at_c), limit), 1.0 - limit)
+    return Bracket(a, b, c, at_a, at_b, at_c, part)
+
+
+def best_number(bracket: Bracket) -> float:
+    """The number with the smaller value."""
+    return bracket.a if fabs(bracket.at_a) < fabs(bracket.at_b) else bracket.b
+
+
+def is_narrow(bracket: Bracket) -> bool:
+    """Whether the root is known to the last digits."""
+    if bracket.at_a == 0.0 or bracket.at_b == 0.0:
+        return True
+    return fabs(bracket.b - bracket.a) <= 2.0 * RESOLVED * fabs(best_number(bracket))
+
+
+def _interpolate(a: float, b: float, c: float, at_a: float, at_b: float, at_c: float) -> float:
+    """Fraction of the bracket from a to b at which inverse quadratic interpolation has its root, or 1/2."""
+    part = 0.5
+    if c != b and at_c != at_a and at_c != at_b:
+        x, height = (a - b) / (c - b), (at_a - at_b) / (at_c - at_b)
+        if height * height < x and (1.0 - height) * (1.0 - height) < 1.0 - x:
+            part = at_a / (at_b - at_a) * at_c / (at_b - at_c)
+            part += (c - a) / (b - a) * at_a / (at_c - at_a) * at_b / (at_c - at_b)
+    return part
+
+
+class Dip(NamedTuple):
+    """Three numbers, the function at the middle one being the smallest, and its value there."""
+
+    low: float
+    middle: float
+    high: float
+    value: float
+
+
+def section_of(dip: Dip) -> float:
+    """The number at which the function is to be evaluated next, in the longer part (golden section)."""
+    if dip.middle - dip.low > dip.high - dip.middle:
+        return dip.middle - SECTION * (dip.middle - dip.low)
+    return dip.middle + SECTION * (dip.high - dip.middle)
+
+
+def narrow_dip(dip: Dip, x: float, value: float) -> Dip:
+    """The dip with the value at the next number."""
+    left: bool = dip.middle - dip.low > dip.high - dip.middle
+    if value < dip.value:
+        return Dip(dip.low, x, dip.middle, value) if left else Dip(dip.middle, x, dip.high, value)
+    return (
+        Dip(x, dip.middle, dip.high, dip.value) if left else Dip(dip.low, dip.middle, x, dip.value)
+    )

@@ -1,0 +1,86 @@
+"""A solution of a push, as a row of numbers in the frame of the contact."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from planar_pushing.core.about import Contact
+from planar_pushing.core.directions import Direction
+from planar_pushing.core.force import ContactMotion
+from planar_pushing.core.numbers import Numbers
+from planar_pushing.core.rows import Effects
+from planar_pushing.core.slips import SLIPS
+
+#: Contact modes.
+SEPARATE, STICK, SLIP_RIGHT, SLIP_LEFT = range(4)
+#: Maximum number of solutions of one push: separate, stick, and the slips under each edge.
+MOST_SOLUTIONS = 2 + 2 * SLIPS
+#: Replaces the number of solutions if an iteration has not converged or there are more slips than fit.
+UNSOLVED = -1
+#: Columns of a solution: mode, twist of the slider's origin, motion of the contact, force and the other end
+#: of its interval, number of the support point that is the pivot, and whether it is an end of a continuum.
+MODE = 0
+TWIST = 1
+MOTION = 4
+FORCE = 6
+FORCE_END = 8
+PIVOT = 10
+CONTINUUM = 11
+SOLUTION = 12
+
+
+class Push(NamedTuple):
+    """A push in the body frame: effects, contact, and the tangent of the pusher there.
+
+    The normal is the tangent rotated by +90 degrees.
+    """
+
+    effects: Effects
+    contact: Contact
+    t_x: float
+    t_y: float
+
+
+def write_solution(push: Push, mode: int, motion: ContactMotion, solution: Numbers) -> None:
+    """Write a motion as a solution."""
+    t_x, t_y = push.t_x, push.t_y
+    solution[MODE], solution[PIVOT] = float(mode), float(motion.point)
+    solution[CONTINUUM] = 1.0 if motion.continuum else 0.0
+    solution[TWIST] = t_x * motion.v_x + t_y * motion.v_y
+    solution[TWIST + 1] = t_x * motion.v_y - t_y * motion.v_x
+    solution[TWIST + 2] = motion.spin
+    solution[MOTION] = t_x * motion.u_x + t_y * motion.u_y
+    solution[MOTION + 1] = t_x * motion.u_y - t_y * motion.u_x
+    f_x, f_y = motion.f_x - motion.half_x, motion.f_y - motion.half_y
+    solution[FORCE], solution[FORCE + 1] = t_x * f_x + t_y * f_y, t_x * f_y - t_y * f_x
+    f_x, f_y = motion.f_x + motion.half_x, motion.f_y + motion.half_y
+    solution[FORCE_END], solution[FORCE_END + 1] = t_x * f_x + t_y * f_y, t_x * f_y - t_y * f_x
+
+
+def write_on_edge(
+    push: Push, mode: int, motion: ContactMotion, edge: Direction, solution: Numbers
+) -> None:
+    """Write a motion whose force is along an edge, without the rounding errors of the body frame."""
+    write_solution(push, mode, motion, solution)
+    force = force_along(edge, motion)
+    for k in range(0, 3, 2):
+        solution[FORCE + k], solution[FORCE + k + 1] = force * edge.x, force * edge.y
+
+
+def force_along(edge: Direction, motion: ContactMotion) -> float:
+    """The force along an edge, negative against it."""
+    return edge.along * motion.f_x - edge.across * motion.f_y
+
+
+def copy_solution(target: Numbers, source: Numbers) -> None:
+    """Overwrite a solution with another one."""
+    for k in range(SOLUTION):
+        target[k] = source[k]
+
+
+def shrink_solution(solution: Numbers, motion: float, force: float) -> None:
+    """Scale the magnitudes of a motion and its force."""
+    for k in range(TWIST, FORCE):
+        solution[k] = motion * solution[k]
+    for k in range(FORCE, PIVOT):
+        solution[k] = force * solution[k]
