@@ -44,6 +44,7 @@ cdef inline long int_(double x) noexcept nogil: return <long> x
 cdef inline long floor_(double x) noexcept nogil: return <long> floor(x)
 cdef inline long ceil_(double x) noexcept nogil: return <long> ceil(x)
 cdef inline double float_(double x) noexcept nogil: return x
+cdef inline long floor_div_(long a, long b) noexcept nogil: return a // b - (a % b < 0)
 cdef inline long min_int_(long a, long b) noexcept nogil: return b if b < a else a
 cdef inline long max_int_(long a, long b) noexcept nogil: return b if b > a else a
 cdef inline double min_float_(double a, double b) noexcept nogil: return b if b < a else a

@@ -28,7 +28,7 @@ def answer(
 def answer_row(data: Numbers, row: Numbers, result: Numbers) -> None:
     x, y, k = row[0], row[1], int(row[2])
     result[0], result[1] = elementary(x, y), arithmetic(x, y, k)
-    result[2] = k * k - 3 * k + CODES - ONE - TWO
+    result[2] = k * k - 3 * k + CODES - ONE - TWO + 100 * ((k - FEW) // 2) + (k - 1) // THREE
     result[3] = min(x, y)
     result[4] = max(x, y)
     result[5] = min(k, 1) - max(k, -FEW)
