@@ -161,8 +161,10 @@ def cython_version() -> str:
 
 def compiler_command() -> list[str]:
     """The C compiler of this Python, or the one of the variable CC, with its options."""
-    given = os.environ.get("CC")
-    commands = [given] if given else [sysconfig.get_config_var("CC") or "cc", "cc", "gcc", "clang"]
+    chosen = os.environ.get("CC")
+    commands = (
+        [chosen] if chosen else [sysconfig.get_config_var("CC") or "cc", "cc", "gcc", "clang"]
+    )
     usable = [command for command in commands if shutil.which((shlex.split(command) or [""])[0])]
     if not usable:
         raise MissingTool(f"no C compiler ({commands[0]} not found)")

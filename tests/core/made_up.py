@@ -38,8 +38,8 @@ def answer_row(data: Numbers, row: Numbers, result: Numbers) -> None:
     result[8] = weigh(body) + body.pair.linux + body.row[1] + body.data[k * k :][1]
     chosen = larger_body(body, Body(y, Pair(x, k + 1, y > x), data, row))
     result[9], result[10] = chosen.mass, chosen.pair.code
-    result[11], result[12], found = roots(x, y)
-    result[13] = found
+    result[11], result[12], real = roots(x, y)
+    result[13] = real
     sums: Numbers = zeros(HALF_SIZE)
     for j in range(HALF_SIZE):
         sums[j] = x * j

@@ -1,5 +1,7 @@
 """The core is compiled with the answers of the plain source, and is not used when it is out of date."""
 
+import array
+import contextlib
 import itertools
 import os
 import re
@@ -45,34 +47,35 @@ def answers(kernel, data, rows):
 def test_compiled_answers_are_those_of_the_plain_source_to_the_last_bit(made_up, monkeypatch):
     folder, module = made_up
     data = np.arange(6.0)
-    given = rows()
-    given = given[np.abs(given[:, :2]).max(axis=1) < 100.0]
-    there = answers(module.KERNELS["answer"], data, given)
+    inputs = rows()
+    inputs = inputs[np.abs(inputs[:, :2]).max(axis=1) < 100.0]
+    native = answers(module.KERNELS["answer"], data, inputs)
     kernel = plain(folder, monkeypatch)["apex"].answer
-    results = [5.0] * (len(given) * WIDTH)
-    here = np.array(results)
-    kernel(memoryview(data), memoryview(given.reshape(-1)), *given.shape, memoryview(here), WIDTH)
-    here = here.reshape(there.shape)
-    same = (here.view(np.int64) == there.view(np.int64)) | (np.isnan(here) & np.isnan(there))
+    interpreted = np.full(native.size, 5.0)
+    flat = memoryview(inputs.reshape(-1))
+    kernel(memoryview(data), flat, *inputs.shape, memoryview(interpreted), WIDTH)
+    interpreted = interpreted.reshape(native.shape)
+    same = interpreted.view(np.int64) == native.view(np.int64)
+    same |= np.isnan(interpreted) & np.isnan(native)
     assert same.all(), np.argwhere(~same)[:5]
     # Each construct is reached with more than one answer; infinities, NaN and signs of zeros occur.
-    constant = [column for column in range(WIDTH) if len({*map(repr, here[:, column])}) == 1]
+    constant = [column for column in range(WIDTH) if len({*map(repr, interpreted[:, column])}) == 1]
     assert constant == [14]
-    assert np.isneginf(here).any()
-    assert np.isnan(here).any()
-    assert (np.signbit(here) & (here == 0.0)).any()
+    assert np.isneginf(interpreted).any()
+    assert np.isnan(interpreted).any()
+    assert (np.signbit(interpreted) & (interpreted == 0.0)).any()
 
 
 def test_functions_may_be_in_any_module(tmp_path, made_up):
     _, module = made_up
     names = dict(zip(MODULES, reversed(MODULES), strict=True))
     renamed = {
-        names[name]: re.sub(r"(?<=core\.)(apex|middle|zenith)", lambda found: names[found[0]], text)
+        names[name]: re.sub(r"(?<=core\.)(apex|middle|zenith)", lambda match: names[match[0]], text)
         for name, text in MODULES.items()
     }
     other = compiled(write(tmp_path / "core", renamed))
-    given = rows()
-    one, two = (answers(each.KERNELS["answer"], np.arange(6.0), given) for each in (module, other))
+    inputs = rows()
+    one, two = (answers(core.KERNELS["answer"], np.arange(6.0), inputs) for core in (module, other))
     assert one.tobytes() == two.tobytes()
 
 
@@ -90,21 +93,28 @@ GOOD = np.arange(6.0)
     {"results": np.broadcast_to(0.0, (2, WIDTH))},
 ], ids=str)  # fmt: skip
 def test_arrays_of_another_type_layout_or_size_are_refused(made_up, arrays):
-    given = {
+    inputs = {
         "data": GOOD, "rows": np.ones((2, 3)), "count": 2, "columns": 3,
         "results": np.zeros((2, WIDTH)), "width": WIDTH,
     }  # fmt: skip
     kernel = made_up[1].KERNELS["answer"]
-    kernel(*given.values())
-    assert given["results"].any()
-    given["results"][:] = 0.0
-    given |= arrays
+    kernel(*inputs.values())
+    assert inputs["results"].any()
+    inputs["results"][:] = 0.0
+    inputs |= arrays
     with pytest.raises(ValueError, match="contiguous numbers of type float64 expected"):
-        kernel(*given.values())
-    assert not given["results"].any()
-    # Nothing holds the arrays afterwards.
-    for name in {"data", "rows", "results"} - arrays.keys():
-        given[name].resize(given[name].size + 1, refcheck=False)
+        kernel(*inputs.values())
+    assert not inputs["results"].any()
+
+
+@pytest.mark.parametrize("sizes", [(6, 6, 2 * WIDTH), (6, 5, 2 * WIDTH), (6, 6, WIDTH)], ids=str)
+def test_nothing_holds_the_arrays_afterwards(made_up, sizes):
+    data, rows, results = (array.array("d", bytes(8 * size)) for size in sizes)
+    # The kernel divides by no zero, and reads no more than six numbers of the data.
+    with contextlib.suppress(ValueError):
+        made_up[1].KERNELS["answer"](data, rows, 2, 3, results, WIDTH)
+    for numbers in (data, rows, results):
+        numbers.append(1.0)  # refused with a BufferError as long as somebody holds the array
 
 
 def test_an_array_that_cannot_be_written_and_what_is_no_array_are_refused(made_up):
@@ -121,9 +131,11 @@ def test_the_compiled_file_has_no_fused_multiplication_and_addition(made_up):
     if not shutil.which("objdump"):
         pytest.skip("no objdump")
     for path in filter(Path.exists, (folder / hatch_build.TARGET for folder in (made_up[0], CORE))):
-        shown = subprocess.run(["objdump", "-d", path], capture_output=True, text=True, check=True)
-        assert "mul" in shown.stdout or path.parent == CORE
-        assert re.findall(r"\bv?fn?m(?:add|sub|la|ls)\w*", shown.stdout) == []
+        listing = subprocess.run(
+            ["objdump", "-d", path], capture_output=True, text=True, check=True
+        )
+        assert "mul" in listing.stdout or path.parent == CORE
+        assert re.findall(r"\bv?fn?m(?:add|sub|la|ls)\w*", listing.stdout) == []
 
 
 def test_what_is_compiled_is_not_compiled_again_but_after_a_change(tmp_path, monkeypatch):
@@ -170,9 +182,9 @@ def test_without_a_tool_the_old_file_goes_and_one_line_says_so(
             monkeypatch.setattr(hatch_build.importlib.util, "find_spec", lambda _: None)
     assert hatch_build.build(folder) is None
     assert not old.exists()
-    said = capsys.readouterr()
-    assert said.out == ""
-    assert re.fullmatch(rf"planar-pushing: {reason}; {PLAIN}\n", said.err)
+    output = capsys.readouterr()
+    assert output.out == ""
+    assert re.fullmatch(rf"planar-pushing: {reason}; {PLAIN}\n", output.err)
 
 
 def test_a_build_that_fails_leaves_nothing_half_written(tmp_path, monkeypatch):
@@ -316,9 +328,9 @@ def test_the_wheel_is_for_one_platform_and_every_python_and_without_a_compiler_f
         env=os.environ | {"PYTHONPATH": str(tmp_path / "site")},
     )  # fmt: skip
     assert ran.stdout == "True\n"
-    path, said = wheel(tmp_path, CC="/nonexistent")
+    path, output = wheel(tmp_path, CC="/nonexistent")
     assert re.fullmatch(r"planar_pushing-[\d.]+-py3-none-any\.whl", path.name)
-    assert f"planar-pushing: no C compiler (/nonexistent not found); {PLAIN}" in said
+    assert f"planar-pushing: no C compiler (/nonexistent not found); {PLAIN}" in output
     with zipfile.ZipFile(path) as archive:
         assert not any("_compiled" in name for name in archive.namelist())
 

@@ -228,15 +228,15 @@ def refusals(tmp_path, text):
     folder = write(tmp_path / "core", {"snippet": text, "other": "far = 2.0\n"})
     with pytest.raises(hatch_build.RefusedSource) as refused:
         hatch_build.join(folder)
-    places = [
+    matches = [
         re.fullmatch(r"(.*):(\d+): (.*)", line).groups() for line in str(refused.value).split("\n")
     ]
-    return [(path.rsplit("/", 1)[-1], int(line), reason) for path, line, reason in places]
+    return [(path.rsplit("/", 1)[-1], int(line), reason) for path, line, reason in matches]
 
 
-def check(found, first, expected):
+def check(refused, first, expected):
     shift, reasons = re.fullmatch(r"(?:\+(\d+) )?(.*)", expected).groups()
-    assert sorted(found) == sorted(
+    assert sorted(refused) == sorted(
         ("snippet.py", first + int(shift or 0), reason) for reason in reasons.split(" AND ")
     )
 
