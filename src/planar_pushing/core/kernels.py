@@ -42,6 +42,8 @@ from planar_pushing.core.tolerances import RESOLUTION
 NONE, CONSISTENT, PIVOTS, CONTINUA, NOT_SOLVED = range(5)
 #: Numbers of a solution in the results of `solve`.
 RESULT = SOLUTION + 3
+#: Numbers of a motion in the results of `force_motions`.
+MOTION_WIDTH = 13
 #: Distance, in radii, at which a force replaces a pure couple.
 FAR = 1e6
 

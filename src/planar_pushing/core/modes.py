@@ -221,7 +221,8 @@ def contact_modes(
     elif law.closed and min(inside, rise) >= -noise and (slips.flat or not slides):
         sticks = True
     if sticks:
-        if not slips.sticks:
+        # A slip that is the stick has its force exactly on the edge.
+        if not slips.sticks or min(inside, rise) >= 0.0:
             write_solution(push, STICK, stick, solutions[place * SOLUTION :])
         if slips.flat:
             solutions[place * SOLUTION + CONTINUUM] = 1.0

@@ -159,6 +159,18 @@ def strengths_of(entries: Sequence[Entry], columns: Sequence[Any]) -> list[Any]:
     return strengths
 
 
+def in_units(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> tuple[Any, list[Any]]:
+    """Unit of force, and the columns of the effects for motions in units of `size` and forces in that unit."""
+    strengths = [
+        strength * size if entry.degree == 2 else np.abs(strength)
+        for entry, strength in zip(entries, strengths_of(entries, columns), strict=True)
+    ]
+    unit = strengths[0]
+    for strength in strengths[1:]:
+        unit = np.maximum(unit, strength)
+    return unit, scale_forces(entries, columns, (1.0, size), (unit, unit))
+
+
 def _entry(effect: Any, scene: Any, number: int) -> Entry:
     radius = scene.slider.radius
     if isinstance(effect, Inertia):
