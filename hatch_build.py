@@ -44,6 +44,7 @@ cdef inline long int_(double x) noexcept nogil: return <long> x
 cdef inline long floor_(double x) noexcept nogil: return <long> floor(x)
 cdef inline long ceil_(double x) noexcept nogil: return <long> ceil(x)
 cdef inline double float_(double x) noexcept nogil: return x
+cdef inline long floor_div_(long a, long b) noexcept nogil: return a // b - (a % b < 0)
 cdef inline long min_int_(long a, long b) noexcept nogil: return b if b < a else a
 cdef inline long max_int_(long a, long b) noexcept nogil: return b if b > a else a
 cdef inline double min_float_(double a, double b) noexcept nogil: return b if b < a else a
@@ -160,8 +161,10 @@ def cython_version() -> str:
 
 def compiler_command() -> list[str]:
     """The C compiler of this Python, or the one of the variable CC, with its options."""
-    given = os.environ.get("CC")
-    commands = [given] if given else [sysconfig.get_config_var("CC") or "cc", "cc", "gcc", "clang"]
+    chosen = os.environ.get("CC")
+    commands = (
+        [chosen] if chosen else [sysconfig.get_config_var("CC") or "cc", "cc", "gcc", "clang"]
+    )
     usable = [command for command in commands if shutil.which((shlex.split(command) or [""])[0])]
     if not usable:
         raise MissingTool(f"no C compiler ({commands[0]} not found)")
@@ -181,7 +184,7 @@ def run(tool: str, command: list[str], folder: Path) -> None:
         command, cwd=folder, capture_output=True, text=True, errors="replace", check=False
     )
     if done.returncode:
-        print(done.stdout + done.stderr, file=sys.stderr)
+        sys.stderr.write(done.stdout + done.stderr)
         raise MissingTool(f"{tool} failed ({shlex.join(command[:3])} ...)")
 
 

@@ -182,8 +182,16 @@ class Body:
         if "?" in (left, right):
             return "?"
         if "float" in (left, right):
-            return "float" if not isinstance(operation, ast.FloorDiv) else self.refuse(node, "floordiv of float")
+            return "float"
         return self.refuse(node, "quotient of two int") if isinstance(operation, ast.Div) else "int"
+
+    def _halves(self, node: ast.BinOp, left: Kind, right: Kind) -> Typed:
+        """A quotient of integers rounded down; C rounds towards zero, and zero ends the process."""
+        positive = ast.unparse(node.right).strip("0").isdigit()
+        if not {left, right} <= {"?", "int"} or not positive:
+            kinds = f"{spell(left)} and {spell(right)}"
+            return self.refuse(node, f"// of {kinds}, not of int and a positive constant"), node
+        return "int", ast.Call(ast.Name("floor_div_"), [node.left, node.right], [])
 
     def _typed(self, node: ast.expr) -> Typed:
         """The kind of an expression, and the expression in Cython."""
@@ -208,6 +216,8 @@ class Body:
             case ast.BinOp():
                 left, node.left = self._typed(node.left)
                 right, node.right = self._typed(node.right)
+                if isinstance(node.op, ast.FloorDiv):
+                    return self._halves(node, left, right)
                 return self._arithmetic(node, node.op, left, right), node
             case ast.BoolOp(values=values):
                 values[:] = [

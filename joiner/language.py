@@ -23,7 +23,7 @@ RESERVED = {*C, *MATH, *BUILTINS, *PROVIDED, "len", "range"}
 INSTEAD = {"abs": "fabs", "hypot": "sqrt(x * x + y * y)", "isnan": "x != x", "pow": "x * x"}
 
 NUMBER = {"?", "float", "int"}
-ARITHMETIC = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.FloorDiv)
+ARITHMETIC = (ast.Add, ast.Sub, ast.Mult, ast.Div)
 EQUALITY = (ast.Eq, ast.NotEq)
 COMPARISON = (*EQUALITY, ast.Lt, ast.LtE, ast.Gt, ast.GtE)
 

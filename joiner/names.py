@@ -27,7 +27,7 @@ class Names:
         self.assignments: dict[str, ast.expr] = {}
         self.functions: dict[str, ast.FunctionDef] = {}
         self.constants: dict[str, Any] = {}
-        self._places: dict[str, str] = {}
+        self._defined: dict[str, str] = {}
         paths = sorted(folder.glob("[!_]*.py"))
         self._modules = {PACKAGE + path.stem for path in paths}
         for path in paths:
@@ -43,8 +43,8 @@ class Names:
 
     def refuse(self, node: ast.AST, reason: str) -> str:
         """Note a place outside the language, and return the unknown kind."""
-        place: Any = node
-        self.refusals.add((os.path.relpath(place.path), getattr(place, "lineno", 1), reason))
+        source: Any = node
+        self.refusals.add((os.path.relpath(source.path), getattr(source, "lineno", 1), reason))
         return "?"
 
     def _collect(self, node: ast.stmt, path: Path) -> None:
@@ -77,11 +77,11 @@ class Names:
 
     def _define(self, table: dict[str, Any], name: str, node: ast.stmt, value: ast.AST) -> None:
         """Note what a name is; the modules are one name space."""
-        if name in self._places or name in RESERVED or name.endswith("_"):
-            self.refuse(node, f"{name} is also defined {self._places.get(name, 'by Python or C')}")
+        if name in self._defined or name in RESERVED or name.endswith("_"):
+            self.refuse(node, f"{name} is also defined {self._defined.get(name, 'by Python or C')}")
             return
-        place: Any = node
-        self._places[name] = f"in {place.path.name}, line {node.lineno}"
+        source: Any = node
+        self._defined[name] = f"in {source.path.name}, line {node.lineno}"
         table[name] = value
 
     def _fields(self, node: ast.ClassDef) -> dict[str, Kind]:

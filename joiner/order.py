@@ -33,8 +33,8 @@ def _operands(node: ast.AST) -> Iterable[ast.AST]:
         case ast.Call(args=arguments):
             return arguments
         case ast.Assign(targets=targets, value=value):
-            places = [part for target in targets for part in ast.walk(target)]
-            return [value, *(part.slice for part in places if isinstance(part, ast.Subscript))]
+            nodes = [part for target in targets for part in ast.walk(target)]
+            return [value, *(part.slice for part in nodes if isinstance(part, ast.Subscript))]
     return []
 
 
