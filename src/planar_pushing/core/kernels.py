@@ -33,7 +33,7 @@ from planar_pushing.core.magnitude import (
 )
 from planar_pushing.core.modes import Law, contact_modes
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers, zeros
-from planar_pushing.core.ring import ring_spin_ratio, ring_wrench
+from planar_pushing.core.ring import ring_spin_ratio
 from planar_pushing.core.rows import count_columns, load_wrench, read_effects, resistance
 from planar_pushing.core.solution import CONTINUUM, MOST_SOLUTIONS, PIVOT, SOLUTION, TWIST, Push
 from planar_pushing.core.tolerances import RESOLUTION
@@ -246,24 +246,3 @@ def unit_vectors(
     for i in range(count):
         angle, result = rows[i * columns], results[i * width :]
         result[0], result[1] = unit_x(angle), unit_y(angle)
-
-
-def ring_profiles(
-    data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
-) -> None:
-    """f(k) and t(k) of Eqs. (2)-(3) at each spin ratio, which can be infinite."""
-    for i in range(count):
-        ratio, result = rows[i * columns], results[i * width :]
-        if fabs(ratio) < INFINITY:
-            ring = ring_wrench(1.0, ratio)
-            result[0], result[1] = ring.force, ring.torque
-        else:
-            result[0], result[1] = 0.0, 1.0 if ratio > 0.0 else -1.0
-
-
-def ring_spin_ratios(
-    data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
-) -> None:
-    """The spin ratio under a force with each moment arm in radii (Eq. 7)."""
-    for i in range(count):
-        results[i * width] = ring_spin_ratio(rows[i * columns])

@@ -16,7 +16,6 @@ from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import Number, as_numbers, is_lazy
 
 
-
 @dataclass(frozen=True, slots=True)
 class AngleInterval:
     """Directions from `right` counterclockwise to `left`, radians, unwrapped: right <= left.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+
 from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.terms.domain import Number, require_fields, required
 from planar_pushing.terms.errors import InvalidValue
