@@ -109,7 +109,7 @@ class MissingTool(Exception):
 def build(core: Path = CORE) -> Path | None:
     """Compile the core unless that is done; without the tools, say so and remove what is out of date."""
     # The digest is taken first: a module that is edited meanwhile then makes the library out of date.
-    digest = runpy.run_path(str(CORE / "__init__.py"))["digest"](core)
+    digest = runpy.run_path(str(CORE / "__init__.py"))["digest"](sorted(core.glob("[!_]*.py")))
     source, target = joined_source(join(core)), core / TARGET
     try:
         compile_source(source, digest, target)

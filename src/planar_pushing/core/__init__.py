@@ -8,10 +8,14 @@ rod and away from the contact.
 """
 
 import hashlib
+from collections.abc import Sequence
 from pathlib import Path
 
+#: Files of the modules.
+MODULES = sorted(Path(__file__).parent.glob("[!_]*.py"))
 
-def digest(folder: Path = Path(__file__).parent) -> str:
-    """A digest of the modules; the compiled module has that of the text from which it was made."""
-    texts = (path.read_bytes() for path in sorted(folder.glob("[!_]*.py")))
+
+def digest(paths: Sequence[Path] = MODULES) -> str:
+    """A digest of modules; the compiled module has that of the text from which it was made."""
+    texts = (path.read_bytes() for path in paths)
     return hashlib.sha256(b"\0".join(texts)).hexdigest()

@@ -1,8 +1,8 @@
 """What Python calls: loops over the rows of an array, one row for each problem.
 
 A row begins with the numbers of the effects, as `read_effects` reads them. What follows is described at
-each kernel. Angles are radians in the fence frame, lengths are in radii, and results are in the frame of the
-contact: x along the fence and y along its normal into the slider.
+each kernel. Angles are radians in the fence frame, lengths are in radii, and results are in the frame of
+the contact: x along the fence and y along its normal into the slider.
 """
 
 from __future__ import annotations

@@ -88,7 +88,7 @@ def level(scene: Scene, solution: Solution | None) -> float:
     turn, radius = float(scene.slider.rod_angle), scene.slider.radius
     v_x, v_y, spin = solution.twist[0], solution.twist[1], radius * solution.twist[2]
     energy = whole = 0.0
-    for entry in scene.from_rest:
+    for entry in scene.rows.entries:
         if entry.degree == 2:
             (mass,), (ratio, x, y) = entry.forces, entry.others
             own_x, own_y = np.cos(turn) * x - np.sin(turn) * y, np.sin(turn) * x + np.cos(turn) * y

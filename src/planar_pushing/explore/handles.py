@@ -35,7 +35,7 @@ def unit_of_magnitude(scene: Scene) -> float:
     """W / m, or W / c with viscous friction, if the magnitude of a push matters; otherwise 1."""
     if not is_magnitude_open(scene):
         return 1.0
-    return float(scene.weight / sum(each.forces[0] for each in scene.from_rest if each.degree == 2))
+    return float(scene.weight / scene.rows.strength(2))
 
 
 def arrow_length(state: State) -> float:

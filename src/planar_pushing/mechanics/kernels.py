@@ -12,17 +12,17 @@ import importlib
 import os
 import warnings
 from collections.abc import Callable, Mapping
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing import core
+from planar_pushing.core import MODULES, digest
 from planar_pushing.terms.errors import PlainCoreWarning
 
 Array = npt.NDArray[np.float64]
 Kernel = Callable[..., None]
+CORE = digest.__module__
 
 
 def run(name: str, data: npt.ArrayLike, rows: npt.ArrayLike, width: int) -> Array:
@@ -66,12 +66,12 @@ def _flat(array: Array) -> memoryview:
 @functools.cache
 def plain_kernel(name: str) -> Kernel:
     """The function of a kernel as it is written, from whichever module of the core has it."""
-    for path in sorted(Path(core.__file__).parent.glob("[!_]*.py")):
-        module = importlib.import_module(f"{core.__name__}.{path.stem}")
+    for path in MODULES:
+        module = importlib.import_module(f"{CORE}.{path.stem}")
         if hasattr(module, name):
             kernel: Kernel = getattr(module, name)
             return kernel
-    raise LookupError(f"no function {name} in {core.__name__}")
+    raise LookupError(f"no function {name} in {CORE}")
 
 
 def load_kernels() -> Mapping[str, Kernel] | None:
@@ -79,14 +79,14 @@ def load_kernels() -> Mapping[str, Kernel] | None:
     if os.environ.get("PLANAR_PUSHING_PLAIN", "") not in ("", "0"):
         return None
     try:
-        compiled = importlib.import_module(f"{core.__name__}._compiled")
+        compiled = importlib.import_module(f"{CORE}._compiled")
     except ModuleNotFoundError:
         reason = "it is not compiled"
         remedy = "install a C compiler and Python's headers, then install the package again"
     except ImportError as error:
         reason, remedy = f"it cannot be loaded ({error})", "install the package again"
     else:
-        if core.digest() == compiled.DIGEST:
+        if digest() == compiled.DIGEST:
             kernels: Mapping[str, Kernel] = compiled.KERNELS
             return kernels
         reason, remedy = "it has changed since it was compiled", "compile it"

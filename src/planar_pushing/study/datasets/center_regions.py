@@ -7,10 +7,11 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from planar_pushing.core.directions import motion_center
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.centers import conservative_spin_ratios, motion_centers
 from planar_pushing.mechanics.contact import InfiniteFriction
-from planar_pushing.mechanics.plane import Array, direction, motion_center, rod
+from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.study.datasets.base import axis, pushing
 from planar_pushing.study.files.study_model import Part
@@ -21,21 +22,15 @@ BOUND_ENDS = ("inner", "outer")
 EXACT_ENDS = (str(EffectKind.SUPPORT_FRICTION), str(EffectKind.INERTIA))
 
 
-# Compiled functions carry no type annotations.
-_spin_ratios: Any = conservative_spin_ratios
-_center: Any = motion_center
-_rod: Any = rod
-
-
 def _bound(length: float, angle: float, force_angle: float) -> Array:
     """Ends of the paper's bound for one line of force, in radii from the contact, shape (end, xy)."""
     arm = length * np.sin(angle - force_angle)  # Eq. (10)
     # Rounding of the sine must not move a line that is tangent to the ring inside or outside.
     if abs(abs(arm) - 1.0) <= RESOLUTION * max(length, 1.0):
         arm = np.copysign(1.0, arm)
-    outer, inner = _spin_ratios(arm)
-    own, along = _rod(length, angle), direction(force_angle)
-    ends = np.array([_center(own, *along, ratio) for ratio in (inner, outer)])
+    outer, inner = conservative_spin_ratios(arm)
+    rod, (x, y) = length * direction(angle), direction(force_angle).tolist()
+    ends = np.array([rod + motion_center(x, y, float(ratio)) for ratio in (inner, outer)])
     # The center of a translation is at both ends of a line; choose the end that the region approaches.
     return np.where(np.isinf(ends) & (arm < 0), -ends, ends)
 
