@@ -6,6 +6,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/installed
 COMPILED := $(VENV)/compiled
+CORE := src/planar_pushing/core/_compiled.abi3.so
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
 	$$p -E -c 'import sys; sys.exit(not (3, 11) <= sys.version_info < (3, 15))' 2>/dev/null && echo $$p && break; done)
 
@@ -56,7 +57,11 @@ $(INSTALLED):
 	$(UV) --require-hashes -r requirements.lock && $(UV) --no-build-isolation --editable . && \
 	echo "$(STATE)" > $@; }
 
-$(COMPILED): $(shell find src/planar_pushing/mechanics src/planar_pushing/simulation -name '*.py') | $(INSTALLED)
+# Without a compiler there is no such file, and each make says so.
+$(CORE): $(shell find src/planar_pushing/core joiner -name '*.py') hatch_build.py | $(INSTALLED)
+	@$(LOCK); $(BIN)/python hatch_build.py
+
+$(COMPILED): $(shell find src/planar_pushing/simulation -name '*.py') | $(INSTALLED) $(CORE)
 	@$(LOCK); $(BIN)/planar-pushing compile && touch $@
 
 PYTEST := $(BIN)/pytest --numprocesses=auto --dist=worksteal --benchmark-disable
@@ -79,8 +84,8 @@ test-drags: $(COMPILED) ## drag parts of the explorer 20,000 times in Chromium; 
 	$(BIN)/pytest -s tests/browser/many_drags.py
 
 lint: $(INSTALLED)
-	$(BIN)/ruff check src tests workflow/scripts paper/manual
-	$(BIN)/ruff format --check src tests workflow/scripts paper/manual
+	$(BIN)/ruff check src tests workflow/scripts paper/manual hatch_build.py joiner
+	$(BIN)/ruff format --check src tests workflow/scripts paper/manual hatch_build.py joiner
 	$(BIN)/snakefmt --check --diff Snakefile workflow
 	$(BIN)/mypy --num-workers=auto
 	$(BIN)/lint-imports --no-cache
@@ -115,7 +120,8 @@ lock: $(INSTALLED) ## update requirements.lock to the newest versions of the dep
 
 clean: ## remove all generated files
 	rm -rf $(VENV) .making .snakemake .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache build dist
-	find src tests -name __pycache__ -prune -exec rm -rf {} +
+	find src tests joiner -name __pycache__ -prune -exec rm -rf {} +
+	rm -f src/planar_pushing/core/_compiled.*
 	find results -mindepth 1 -not -name README.md -delete
 
 help:

@@ -76,6 +76,7 @@ from .study.store import open_dataset
 from .terms.errors import (
     InvalidFile,
     InvalidValue,
+    PlainCoreWarning,
     PlanarPushingError,
 )
 from .terms.options import Event
@@ -105,6 +106,7 @@ __all__ = [
     "Outcome",
     "PerfectlyRough",
     "Placement",
+    "PlainCoreWarning",
     "PlanarPushingError",
     "Points",
     "Polygon",

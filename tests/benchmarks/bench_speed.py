@@ -17,7 +17,7 @@ from scipy.special import ellipe, ellipkm1
 
 import planar_pushing as pp
 from planar_pushing.mechanics.supports.moments import moments
-from planar_pushing.mechanics.supports.pressure.assembly import assembled
+from planar_pushing.mechanics.supports.pressure.table import table_of_pieces
 from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios
 
 pytestmark = pytest.mark.benchmark(timer=time.process_time)
@@ -157,14 +157,6 @@ def test_simulate_a_scene(ratio, effects):
     )
 
 
-@numba.njit(nogil=True, error_model="numpy")
-def elements(pressure, centers, found):
-    """Sums of D, G and T, so that the compiler drops none of them."""
-    for i in range(len(centers)):
-        now = moments(pressure, centers[i, 0], centers[i, 1])
-        found[i] = now.distance + now.unit_x + now.unit_y + now.torque
-
-
 def around(count):
     angle = np.linspace(0, 2 * np.pi, count, endpoint=False)
     return np.stack([np.cos(angle), np.sin(angle)], axis=-1)
@@ -183,13 +175,11 @@ ELEMENTS = {
 @pytest.mark.parametrize("name", ELEMENTS)
 def test_element_of_a_support(ratio, name):
     support, (nearest, farthest), bar = ELEMENTS[name]
-    count, record = COUNT // 10, assembled(support.pieces(), 1.0)
+    count, table = COUNT // 10, table_of_pieces(support.pieces(), 1.0)
     angle, away = RANDOM.uniform(0, 2 * np.pi, count), RANDOM.uniform(nearest, farthest, count)
-    centers = np.stack([away * np.cos(angle), away * np.sin(angle)], axis=-1)
-    floor, found = two_integrals(ARRAYS["even in direction"]), np.empty(count)
-    ratio(
-        lambda: elements(record, centers, found), floor, bar / FLOOR, scale=COUNT / count, rounds=10
-    )
+    x, y = away * np.cos(angle), away * np.sin(angle)
+    floor = two_integrals(ARRAYS["even in direction"])
+    ratio(lambda: moments(table, x, y), floor, bar / FLOOR, scale=COUNT / count, rounds=10)
 
 
 SOLVED = {

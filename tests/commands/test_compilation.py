@@ -11,13 +11,12 @@ from pathlib import Path
 import pytest
 
 from mechanics.builders import needs_compiler
-from planar_pushing.mechanics import compiled as core
+from planar_pushing.simulation import machine_code
 from signals import interruptible
 
 pytestmark = needs_compiler
 COMMAND = [sys.executable, "-m", "planar_pushing.commands"]
 SCENES = Path("workflow/scenes").resolve()
-SOLVED = ("box", "plate", "stool", "tripod", "figure_09a", "figure_11")
 FOLLOWED = (
     "box",
     "plate",
@@ -29,9 +28,6 @@ FOLLOWED = (
     "pulling_with_inertia",
 )
 EXAMPLES = [
-    *(["solve", f"{SCENES}/{name}.yaml", "--pusher-angle", "90"] for name in SOLVED),
-    *(["cone", f"{SCENES}/{name}.yaml"] for name in SOLVED),
-    *(["draw", f"{SCENES}/{name}.yaml", "--pusher-angle", "90", "-o", "a.svg"] for name in SOLVED),
     *(["simulate", f"{SCENES}/{name}.yaml", "-o", "a.nc"] for name in FOLLOWED),
     *(
         ["simulate", f"{SCENES}/{name}.yaml", "-o", "a.nc", "--pusher-shape", "finger"]
@@ -42,7 +38,7 @@ EXAMPLES = [
 
 def compiled_files():
     """Names of the files of machine code, to which no other process may add."""
-    return {path.name for path in core.CACHE.rglob("*.nbc")}
+    return {path.name for path in machine_code.folder().rglob("*.nbc")}
 
 
 @pytest.mark.alone

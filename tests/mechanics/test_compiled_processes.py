@@ -1,4 +1,4 @@
-"""The core in new processes: what is compiled and cached, and the formulas without the compiler."""
+"""The core in new processes: what is compiled, and the formulas without the compiler."""
 
 from __future__ import annotations
 
@@ -14,10 +14,9 @@ import pytest
 
 import planar_pushing as pp
 from mechanics.builders import EFFECT_SETS, make_scene, needs_compiler
-from planar_pushing.mechanics import compiled as core
 from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 
-SOURCES = Path(core.__file__).parents[1]
+SOURCES = Path(pp.__file__).parent
 TESTS = Path(__file__).parents[1]
 EPS = np.finfo(float).eps
 
@@ -186,95 +185,3 @@ def test_both_modes_give_the_same_numbers_to_a_few_ulp():
         assert np.array_equal(each.pop("mode"), python[name]["mode"])
         for key, value in each.items():
             np.testing.assert_allclose(value, python[name][key], rtol=16 * EPS, atol=8 * EPS)
-
-
-# --- The cache -------------------------------------------------------------------------------------
-
-
-PROFILE = """
-import json
-from planar_pushing.mechanics import wrench
-force, _ = wrench.ring_profile(0.5)
-print(json.dumps([float(force), sum(wrench._profiles.stats.cache_hits.values())]))
-"""
-
-
-@needs_compiler
-def test_a_changed_callee_leaves_no_stale_code(copy):
-    """Numba's cache looks at the caller's file alone, which stays as it is."""
-    force, hits = run(PROFILE, copy)
-    assert (force, hits) == (pytest.approx(0.934215457667694, rel=1e-14, abs=0), 0)
-    assert run(PROFILE, copy) == [force, 1]
-    callee = copy / SOURCES.name / "mechanics/supports/ring.py"
-    text = callee.read_text()
-    changed = text.replace(
-        "    return force, bracket / ends", "    return 2.0 * force, bracket / ends"
-    )
-    assert changed != text
-    callee.write_text(changed)
-    assert run(PROFILE, copy) == [2.0 * force, 0]
-
-
-# --- What is said of a compilation, and a damaged cache ------------------------------------------------
-
-FRESH = """
-import sys
-from pathlib import Path
-from planar_pushing.mechanics import compiled as core
-
-core.CACHE = Path(sys.argv[1])
-core.SLOW["planar_pushing.mechanics.wrench._spin_ratios"] = "ring_spin_ratios", 1
-from planar_pushing.mechanics import solve, wrench
-"""
-INVERT = "wrench.ring_spin_ratios(1.0); wrench.ring_spin_ratios([2.0])"
-SOLVE = """
-from planar_pushing.commands import main
-
-index = Path(solve._modes._cache._cache_file._index_path)
-index.parent.mkdir(parents=True)
-index.touch()
-sys.exit(main(["solve", "workflow/scenes/figure_02.yaml", "--pusher-angle", "90"]))
-"""
-
-
-def run_fresh(code, folder):
-    """A process whose cache is in a folder."""
-    return subprocess.run(
-        [sys.executable, "-W", "error", "-c", FRESH + code, folder], capture_output=True, text=True,
-        check=False, cwd=TESTS.parent,
-    )  # fmt: skip
-
-
-@pytest.fixture(scope="module")
-def inverted(tmp_path_factory):
-    """A cache that a process has filled, and what that process said."""
-    folder = tmp_path_factory.mktemp("inverted")
-    return folder, run_fresh(INVERT, folder).stderr
-
-
-@needs_compiler
-def test_a_long_compilation_is_announced_once(inverted):
-    folder, said = inverted
-    assert (
-        said == "compiling ring_spin_ratios for this kind of slider, once; this takes about 1 s\n"
-    )
-    assert run_fresh(INVERT, folder).stderr == ""
-
-
-@needs_compiler
-@pytest.mark.parametrize("suffix", ["nbi", "nbc"])
-def test_a_truncated_cache_is_named(inverted, tmp_path, suffix):
-    folder = shutil.copytree(inverted[0], tmp_path / "cache")
-    for path in folder.rglob(f"*.{suffix}"):
-        path.write_bytes(path.read_bytes()[:20])
-    found = run_fresh(INVERT, folder)
-    assert found.stderr.endswith(f"OSError: {folder}: damaged compiled code; remove this folder\n")
-
-
-@needs_compiler
-def test_the_command_line_names_a_damaged_cache_in_a_line(tmp_path):
-    found = run_fresh(SOLVE, tmp_path)
-    assert found.returncode == 2
-    assert (
-        found.stderr == f"planar-pushing: {tmp_path}: damaged compiled code; remove this folder\n"
-    )

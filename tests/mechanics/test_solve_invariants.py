@@ -190,7 +190,7 @@ def test_modes_do_not_see_the_unit_of_length(scene, angle, magnitude, factor):
 # --- Coincidence ---------------------------------------------------------------------------------
 
 
-@given(scenes(length=lengths, effects=one_effect), st.booleans(), st.integers(-2, 2))
+@given(scenes(length=lengths, effects=one_effect), st.booleans(), st.integers(-1, 1))
 def test_solutions_that_coincide_at_a_cone_edge_count_once(scene, right, steps):
     cone = pp.motion_cone(scene)
     assume(cone.closed)

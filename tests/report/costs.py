@@ -21,7 +21,7 @@ COMPUTED = {
 }
 #: Functions and evaluations of friction and inertia by listed effects.
 COUNTS = {"support_friction": (3, 0), "inertia": (0, 5), "support_friction+inertia": (70, 90)}
-OPERATIONS = ("solve", "motion_cone", "simulate", "simulate by time-stepping")
+OPERATIONS = ("simulate", "simulate by time-stepping")
 METHODS = ("event-driven", "time-stepping")
 
 

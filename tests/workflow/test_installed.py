@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from commands.test_run import TINY
-from planar_pushing.mechanics.compiled import CACHE
+from planar_pushing.simulation import machine_code
 from workflow.conftest import PROJECT
 
 pytestmark = pytest.mark.slow
@@ -25,9 +25,9 @@ def installed(tmp_path_factory):
     (wheel,) = (folder / "dist").glob("*.whl")
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(folder / "site")
-    compiled = folder / "site" / CACHE.relative_to(PROJECT / "src")
+    compiled = folder / "site" / machine_code.folder().relative_to(PROJECT / "src")
     compiled.parent.mkdir(parents=True)
-    compiled.symlink_to(CACHE)  # what is compiled serves every place
+    compiled.symlink_to(machine_code.folder())  # what is compiled serves every place
     return folder / "site"
 
 

@@ -26,10 +26,10 @@ done
 
 @pytest.fixture
 def folder(tmp_path):
-    for name in ("Makefile", "requirements.lock", "pyproject.toml"):
+    for name in ("Makefile", "requirements.lock", "pyproject.toml", "hatch_build.py"):
         shutil.copy(PROJECT / name, tmp_path / name)
-    for name in ("mechanics", "simulation"):
-        (tmp_path / "src/planar_pushing" / name).mkdir(parents=True)
+    for name in ("joiner", "src/planar_pushing/core", "src/planar_pushing/simulation"):
+        (tmp_path / name).mkdir(parents=True)
     (tmp_path / "python").write_text(PYTHON.format(python=sys.executable), encoding="utf-8")
     (tmp_path / "python").chmod(0o755)
     return tmp_path

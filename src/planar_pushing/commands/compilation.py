@@ -12,7 +12,6 @@ import threading
 import time
 from collections.abc import Callable
 from contextlib import ExitStack
-from dataclasses import replace
 from typing import Any
 
 from planar_pushing.commands.words.arguments import Commands, command
@@ -21,17 +20,19 @@ from planar_pushing.terms.options import Method, Shape
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
-    about = "Compile the core ahead of time for the kinds of sliders in the paper and the examples."
-    command(commands, "compile", compile_core, about)
+    about = (
+        "Compile simulations ahead of time for the kinds of sliders in the paper and the examples."
+    )
+    command(commands, "compile", compile_simulations, about)
 
 
-def compile_core(args: argparse.Namespace) -> dict[str, Any]:
-    """Call every compiled function once; the machine code is cached next to the sources."""
+def compile_simulations(args: argparse.Namespace) -> dict[str, Any]:
+    """Simulate each kind of slider once; the machine code is cached next to the sources."""
     from concurrent.futures import ProcessPoolExecutor, as_completed
 
     from tqdm import tqdm
 
-    from planar_pushing.mechanics.compiled import CACHE
+    from planar_pushing.simulation.machine_code import folder
 
     start = time.perf_counter()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
@@ -48,7 +49,7 @@ def compile_core(args: argparse.Namespace) -> dict[str, Any]:
             for child in multiprocessing.active_children():
                 child.terminate()
             raise
-    return {"compiled": str(CACHE), "seconds": round(time.perf_counter() - start, 1)}
+    return {"compiled": str(folder()), "seconds": round(time.perf_counter() - start, 1)}
 
 
 def _begin() -> None:
@@ -79,35 +80,6 @@ def _call(kind: str, call: Callable[[Any], None]) -> None:
     call(pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=listed))
 
 
-def evaluate(scene: Any) -> None:
-    """Solve a scene, and evaluate its derivatives, cones, curves and wrenches."""
-    import planar_pushing as pp
-    from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
-    from planar_pushing.mechanics.plane import direction
-    from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios
-
-    ratio = None if len(scene.effects) == 1 else 0.5
-    pp.solve(scene, 1.0, derivatives=True)
-    pp.motion_of_force(scene, 1.0, ratio, derivatives=True)
-    curve_of_unit_motions(scene, 1.0)
-    pp.motion_cone(scene)
-    for function in (pp.spin_ratio, pp.motion_angle, pp.motion_centers):
-        function(scene, 1.0, force_ratio=ratio)
-    for effect in scene.effects:
-        alone = replace(scene, effects=(effect,))
-        pp.motion_cone(alone)
-        pp.motion_angle(alone, 1.0)
-        pp.motion_centers(alone, 1.0)
-        pp.wrench(effect, (1.0, 0.0, 1.0))
-    direction(1.0)
-    if scene.isotropic:
-        pp.conservative_motion_cone(scene)
-        ring_profile(1.0)
-        ring_spin_ratios(1.0)
-    elif scene.friction:
-        pp.fit_ellipsoid(scene.friction[0].support)
-
-
 def under_fence(scene: Any) -> None:
     """Simulate a scene under a fence, alone and in a batch."""
     _simulate(scene, Shape.FENCE)
@@ -134,7 +106,7 @@ def by_steps(scene: Any) -> None:
 
 
 #: The calls for each kind of slider; a box represents every support other than a ring.
-RINGS, BOXES = (evaluate, under_fence, by_steps), (evaluate, under_fence, under_finger)
+RINGS, BOXES = (under_fence, by_steps), (under_fence, under_finger)
 #: Work for each of two processes, balanced in time. Functions of a kind share most of the code that they
 #: call, which is compiled once per process.
 HALVES = (

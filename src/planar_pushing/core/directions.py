@@ -6,10 +6,15 @@ components (along, across) in this record is (along, -across) in the body frame.
 
 from __future__ import annotations
 
-from math import copysign, cos, fabs, floor, pi, sin
+from math import copysign, cos, fabs, floor, sin, sqrt
 from typing import NamedTuple
 
-QUARTER_TURN = pi / 2.0
+from planar_pushing.core.numbers import INFINITY
+from planar_pushing.core.tolerances import TRANSLATION
+
+#: A smaller square of a length has lost digits.
+SMALLEST_SQUARE = 1e-290
+QUARTER_TURN = 1.5707963267948966
 
 
 class Rod(NamedTuple):
@@ -74,3 +79,44 @@ def direction_at(rod: Rod, angle: float) -> Direction:
     rounding = (rod.angle - (lean - back)) - (angle + back)
     c, s = cos(lean), sin(lean)
     return Direction(angle, x, y, c - rounding * s, s + rounding * c)
+
+
+def length_of(x: float, y: float) -> float:
+    """The length of a vector, also of one whose square underflows."""
+    square = x * x + y * y
+    if square > SMALLEST_SQUARE:
+        return sqrt(square)
+    size = max(fabs(x), fabs(y))
+    return size * sqrt((x / size) * (x / size) + (y / size) * (y / size)) if size > 0.0 else 0.0
+
+
+class Center(NamedTuple):
+    """A center of rotation."""
+
+    x: float
+    y: float
+
+
+def motion_center(v_x: float, v_y: float, spin: float) -> Center:
+    """Motion center of a twist, relative to the point whose velocity it holds.
+
+    A translation, also one to rounding, has its center at infinity. In a translation along an axis the
+    coordinate along that axis is zero.
+    """
+    if fabs(spin) > TRANSLATION * length_of(v_x, v_y):
+        return Center(-v_y / spin, v_x / spin)
+    x, y = 0.0, 0.0
+    if fabs(v_y) > TRANSLATION * fabs(v_x):
+        x = -copysign(INFINITY, v_y)
+    if fabs(v_x) > TRANSLATION * fabs(v_y) or x == 0.0:
+        # Adding zero gives a negative zero the positive sign.
+        y = copysign(INFINITY, v_x + 0.0)
+    return Center(x, y)
+
+
+def spin_ratio(v_x: float, v_y: float, spin: float) -> float:
+    """R omega / v, 0 at rest."""
+    if spin == 0.0:
+        return 0.0
+    speed = length_of(v_x, v_y)
+    return spin / speed if speed > 0.0 else copysign(INFINITY, spin)

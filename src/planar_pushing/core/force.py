@@ -100,9 +100,7 @@ def sticking_motion(
     )  # fmt: skip
 
 
-def motion_at_root(
-    path: Path, s: float, spin: float, continuum: bool, point: int
-) -> ContactMotion:
+def motion_at_root(path: Path, s: float, spin: float, continuum: bool, point: int) -> ContactMotion:
     """The motion at a root of a path, or at the kink of a point, with its force along the edge.
 
     The force on a long rod depends on small components of a motion that the sum ``p + s d`` rounds away.

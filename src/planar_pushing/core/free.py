@@ -30,10 +30,12 @@ from planar_pushing.core.rows import (
 from planar_pushing.core.tolerances import RESOLUTION, SHARE
 
 #: Maximum number of Newton steps, and of trials along one.
-DESCENTS, TRIALS = 60, 120
+DESCENTS = 60
+TRIALS = 120
 #: A step ends where the slope of the potential has fallen to this fraction of that at the start, or where
 #: the minimum is known to this fraction of the step.
-SLOPE_LEFT, STEP_LEFT = 0.3, 1e-6
+SLOPE_LEFT = 0.3
+STEP_LEFT = 1e-6
 
 
 class Level(NamedTuple):
@@ -97,9 +99,7 @@ def _potential_value(effects: Effects, load: Vector, twist: Vector, square: bool
     return power + held * (held / 2.0 - 1.0)
 
 
-def _potential_gradient(
-    effects: Effects, load: Vector, twist: Vector, square: bool
-) -> Resistance:
+def _potential_gradient(effects: Effects, load: Vector, twist: Vector, square: bool) -> Resistance:
     """Derivatives of `_potential_value`; `limit` is the largest force that a point at rest takes."""
     friction = scale_effects(effects, 1.0, 0.0 if square else 1.0)
     total = resistance(friction, twist.x, twist.y, twist.spin, EPSILON * _size_of(twist))

@@ -10,7 +10,16 @@ from __future__ import annotations
 from math import fabs, sqrt
 
 from planar_pushing.core.about import contact_at
-from planar_pushing.core.directions import Rod, direction_at, rod_at, unit_x, unit_y
+from planar_pushing.core.directions import (
+    Direction,
+    Rod,
+    direction_at,
+    motion_center,
+    rod_at,
+    spin_ratio,
+    unit_x,
+    unit_y,
+)
 from planar_pushing.core.force import ContactMotion, motion_under_force, motions_under_force
 from planar_pushing.core.magnitude import (
     UNIT_MOTION,
@@ -24,13 +33,17 @@ from planar_pushing.core.magnitude import (
 )
 from planar_pushing.core.modes import Law, contact_modes
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers, zeros
-from planar_pushing.core.ring import ring_spin_ratio, ring_wrench
+from planar_pushing.core.ring import ring_spin_ratio
 from planar_pushing.core.rows import count_columns, load_wrench, read_effects, resistance
-from planar_pushing.core.solution import CONTINUUM, MOST_SOLUTIONS, PIVOT, SOLUTION, Push
+from planar_pushing.core.solution import CONTINUUM, MOST_SOLUTIONS, PIVOT, SOLUTION, TWIST, Push
 from planar_pushing.core.tolerances import RESOLUTION
 
 #: Status of the solutions of a row.
 NONE, CONSISTENT, PIVOTS, CONTINUA, NOT_SOLVED = range(5)
+#: Numbers of a solution in the results of `solve`.
+RESULT = SOLUTION + 3
+#: Numbers of a motion in the results of `force_motions`.
+MOTION_WIDTH = 13
 #: Distance, in radii, at which a force replaces a pure couple.
 FAR = 1e6
 
@@ -42,7 +55,8 @@ def solve(
 
     After the effects, a row holds: length and angle of the rod; the edges of the law, right and left, and
     whether it slips, is closed, and is rough; angle of the pusher's motion; whether the pusher moves. A row
-    of results holds: number of solutions; status; and as many solutions as fit.
+    of results holds: number of solutions; status; and as many solutions as fit, `RESULT` numbers each: those
+    of `SOLUTION`, spin ratio, and motion center relative to the contact, NaN at rest.
     """
     first = count_columns(data)
     solutions = zeros(MOST_SOLUTIONS * SOLUTION)
@@ -55,10 +69,12 @@ def solve(
             given[4] != 0.0, given[5] != 0.0, given[6] != 0.0,
         )  # fmt: skip
         push = Push(effects, contact_at(-rod.length, 0.0), rod.x, -rod.y)
-        answer = contact_modes(push, law, direction_at(rod, given[7]), given[8] != 0.0, solutions)
-        number, flat = answer
+        pusher = direction_at(rod, given[7])
+        if given[8] == 0.0:
+            pusher = Direction(given[7], 0.0, 0.0, 0.0, 0.0)
+        number, flat = contact_modes(push, law, pusher, solutions)
         status = CONTINUA if flat else NONE if number == 0 else CONSISTENT
-        if number < 0 or number > (width - 2) // SOLUTION:
+        if number < 0 or number > (width - 2) // RESULT:
             number, status = 0, NOT_SOLVED
         for j in range(number):
             solution = solutions[j * SOLUTION :]
@@ -66,11 +82,22 @@ def solve(
                 status = CONTINUA
             elif solution[PIVOT] >= 0.0 and status == CONSISTENT:
                 status = PIVOTS
+            _write_result(rod, solution, result[2 + j * RESULT :])
         result[0], result[1] = float(number), float(status)
-        for k in range(number * SOLUTION):
-            result[2 + k] = solutions[k]
-        for k in range(2 + number * SOLUTION, width):
+        for k in range(2 + number * RESULT, width):
             result[k] = UNKNOWN
+
+
+def _write_result(rod: Rod, solution: Numbers, result: Numbers) -> None:
+    """Write a solution, its spin ratio, and its motion center."""
+    for k in range(SOLUTION):
+        result[k] = solution[k]
+    v_x, v_y, spin = solution[TWIST], solution[TWIST + 1], solution[TWIST + 2]
+    center = motion_center(v_x, v_y, spin)
+    moves: bool = v_x != 0.0 or v_y != 0.0 or spin != 0.0
+    result[SOLUTION] = spin_ratio(v_x, v_y, spin)
+    result[SOLUTION + 1] = rod.length * rod.x + center.x if moves else UNKNOWN
+    result[SOLUTION + 2] = rod.length * rod.y + center.y if moves else UNKNOWN
 
 
 def force_motions(
@@ -81,15 +108,19 @@ def force_motions(
     After the effects, a row holds: length and angle of the rod; angle of the force; the norm that fixes the
     magnitude of the motion, `UNIT_MOTION` to `UNIT_ENERGY`, and the magnitude of the force for
     `FORCE_SIZE`. A row of results holds: status, `NONE` if friction holds the slider; twist of the origin;
-    motion of the contact; force; angle of the contact's motion; number of the pivot. All of them are NaN
-    without a motion.
+    motion of the contact; force; angle of the contact's motion; number of the pivot; spin ratio; motion
+    center relative to the slider's center. All of them are NaN without a motion.
     """
     first = count_columns(data)
     for i in range(count):
         row, result = rows[i * columns :], results[i * width :]
         given = row[first:]
         effects, rod = read_effects(data, row), rod_at(given[0], given[1])
-        contact, force, norm = contact_at(-rod.length, 0.0), direction_at(rod, given[2]), int(given[3])
+        contact, force, norm = (
+            contact_at(-rod.length, 0.0),
+            direction_at(rod, given[2]),
+            int(given[3]),
+        )
         e_x, e_y = force.along, -force.across
         status = CONSISTENT
         if norm == UNIT_SPEED and is_ring_alone(effects):
@@ -108,10 +139,21 @@ def force_motions(
             status = PIVOTS
         result[0], result[8], result[9] = float(status), angle, float(motion.point)
         _write_motion(rod, motion, result[1:])
+        center = motion_center(result[1], result[2], result[3])
+        result[10] = _signed_spin_ratio(motion)
+        result[11], result[12] = center.x, center.y
         if not motion.converged:
             result[0] = float(NONE if given[4] > 0.0 else NOT_SOLVED)
-            for k in range(1, 10):
+            for k in range(1, width):
                 result[k] = UNKNOWN
+
+
+def _signed_spin_ratio(motion: ContactMotion) -> float:
+    """R omega / v of a motion; a motion without a speed is a rotation."""
+    speed = sqrt(motion.v_x * motion.v_x + motion.v_y * motion.v_y)
+    if speed > 0.0:
+        return motion.spin / speed
+    return INFINITY if motion.spin > 0.0 else -INFINITY
 
 
 def _write_motion(rod: Rod, motion: ContactMotion, result: Numbers) -> None:
@@ -204,24 +246,3 @@ def unit_vectors(
     for i in range(count):
         angle, result = rows[i * columns], results[i * width :]
         result[0], result[1] = unit_x(angle), unit_y(angle)
-
-
-def ring_profiles(
-    data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
-) -> None:
-    """f(k) and t(k) of Eqs. (2)-(3) at each spin ratio, which can be infinite."""
-    for i in range(count):
-        ratio, result = rows[i * columns], results[i * width :]
-        if fabs(ratio) < INFINITY:
-            ring = ring_wrench(1.0, ratio)
-            result[0], result[1] = ring.force, ring.torque
-        else:
-            result[0], result[1] = 0.0, 1.0 if ratio > 0.0 else -1.0
-
-
-def ring_spin_ratios(
-    data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
-) -> None:
-    """The spin ratio under a force with each moment arm in radii (Eq. 7)."""
-    for i in range(count):
-        results[i * width] = ring_spin_ratio(rows[i * columns])

@@ -76,7 +76,7 @@ class Line(NamedTuple):
     ----------
     effects : Effects
     contact : Contact
-    count : int
+    pieces : int
         Number of pieces; 0 if they are not on a line through the contact, or not nearly.
     x, y : float
         Unit vector along the line.
@@ -88,7 +88,7 @@ class Line(NamedTuple):
 
     effects: Effects
     contact: Contact
-    count: int
+    pieces: int
     x: float
     y: float
     exact: bool
@@ -147,7 +147,7 @@ class Means(NamedTuple):
 def _count_pieces(effects: Effects) -> int:
     """Number of points and segments."""
     count = 0
-    for effect in range(effects.count):
+    for effect in range(effects.length):
         if kind_of(effects.data, effect) == SUPPORT:
             head = head_of(effects.data, effects.row, effect)
             count += (int(effects.data[head + RINGS]) - int(effects.data[head + ATOMS])) // COLUMNS
@@ -156,12 +156,15 @@ def _count_pieces(effects: Effects) -> int:
 
 def _ends_of(effects: Effects, number: int) -> Ends:
     """The ends of a piece."""
-    for effect in range(effects.count):
+    for effect in range(effects.length):
         if kind_of(effects.data, effect) == SUPPORT:
             head = head_of(effects.data, effects.row, effect)
             first = int(effects.data[head + ATOMS]) + COLUMNS * number
             if first < int(effects.data[head + RINGS]):
-                numbers, piece = effects.row[column_of(effects.data, effect) :], effects.data[first:]
+                numbers, piece = (
+                    effects.row[column_of(effects.data, effect) :],
+                    effects.data[first:],
+                )
                 weight, extent = effects.one * numbers[0], numbers[1]
                 x, y = extent * piece[0], extent * piece[1]
                 if first < int(effects.data[head + SEGMENTS]):
@@ -228,7 +231,7 @@ def _interval_at(line: Line, spin: float, below: bool) -> Interval:
     If it is one of them itself, the interval is the one below or above it.
     """
     low, high = -INFINITY, INFINITY
-    for i in range(line.count):
+    for i in range(line.pieces):
         seat = _seat_of(line, i)
         for k in range(2):
             x = seat.x - seat.half if k == 0 else seat.x + seat.half
@@ -247,7 +250,7 @@ def _first_sum(line: Line, spin: float) -> FirstSum:
     load = wrench.spin - (line.contact.x * wrench.y - line.contact.y * wrench.x)
     constant: bool = True
     total, terms = -load, fabs(load)
-    for i in range(line.count):
+    for i in range(line.pieces):
         seat = _seat_of(line, i)
         first = seat.across + spin * (seat.x - seat.half)
         last = seat.across + spin * (seat.x + seat.half)
@@ -267,7 +270,7 @@ def _first_sum(line: Line, spin: float) -> FirstSum:
 def _second_sum(line: Line, first_sum: float, spin: float) -> float:
     """The second sum less the first one, relative to the terms; NaN if the center is in a segment."""
     total, terms = -first_sum, fabs(first_sum)
-    for i in range(line.count):
+    for i in range(line.pieces):
         seat = _seat_of(line, i)
         first = seat.across + spin * (seat.x - seat.half)
         last = seat.across + spin * (seat.x + seat.half)
@@ -331,7 +334,7 @@ def _root_in(line: Line, first_sum: float, low: float, high: float) -> float:
 def _level_rotation(line: Line, guess: float) -> float:
     """The rotation without torque, from the second sum; NaN if the torque itself determines it."""
     interval, last = _interval_at(line, guess, False), 0.0
-    for _ in range(2 * line.count + 1):
+    for _ in range(2 * line.pieces + 1):
         low, high = interval.low, interval.high
         if low == -INFINITY or high == INFINITY:  # the torque has the sign of the rotation
             sense = 1.0 if low == -INFINITY else -1.0
@@ -356,7 +359,7 @@ def rotation_on_line(effects: Effects, contact: Contact, x: float, y: float, gue
         return unknown_psi()
     line = _line_of(effects, contact, x, y)
     # If the contact rather moves along the line, the torque itself determines the rotation well.
-    if line.count == 0 or fabs(line.along) > fabs(line.across):
+    if line.pieces == 0 or fabs(line.along) > fabs(line.across):
         return unknown_psi()
     spin = _level_rotation(line, guess)
     if spin != spin:

@@ -50,7 +50,8 @@ from planar_pushing.core.tolerances import RESOLUTION
 UNIT_MOTION, UNIT_SPEED, FORCE_SIZE, UNIT_ENERGY = range(4)
 #: Number of magnitudes at which the angle of the contact's motion is evaluated, on either side of the one
 #: at which the effects have equal magnitudes. Their logarithms are hyperbolic sines of multiples of APART.
-MAGNITUDES, APART = 32, 0.11
+MAGNITUDES = 32
+APART = 0.11
 #: Logarithm of a component along the line of force at which inertia is negligible relative to friction.
 LOWEST = -34.0
 #: Number of steps between the two neighbors of a magnitude with an extreme angle.
@@ -58,7 +59,8 @@ FINER = 16
 #: Offset that makes angles from the force positive.
 POSITIVE = 2.0
 #: Maximum number of steps to a bracket, and the factor from one to the next.
-DOUBLINGS, DOUBLING = 60, 8.0
+DOUBLINGS = 60
+DOUBLING = 8.0
 
 
 class ForceLine(NamedTuple):
@@ -118,7 +120,9 @@ def motion_with_norm(
     speed.
     """
     e_x, e_y = force.along, -force.across
-    if norm == UNIT_ENERGY:
+    if norm == UNIT_SPEED:
+        goal = 1.0
+    elif norm == UNIT_ENERGY:
         goal = kinetic_energy(effects, 1.0, 0.0, 0.0)
     if norm == UNIT_MOTION or (norm == UNIT_SPEED and is_steady(effects)) or goal == 0.0:
         return motion_under_force(effects, contact, e_x, e_y, 1.0)
@@ -130,7 +134,7 @@ def motion_with_norm(
 
 def is_ring_alone(effects: Effects) -> bool:
     """Whether the slider's own ring is the only effect."""
-    return effects.count == 1 and kind_of(effects.data, 0) == RING
+    return effects.length == 1 and kind_of(effects.data, 0) == RING
 
 
 def motion_on_ring(rod: Rod, contact: Contact, force: Direction) -> ContactMotion:
@@ -176,9 +180,7 @@ class MotionAngles(NamedTuple):
     converged: bool
 
 
-def motion_angles(
-    effects: Effects, rod: Rod, contact: Contact, force: Direction
-) -> MotionAngles:
+def motion_angles(effects: Effects, rod: Rod, contact: Contact, force: Direction) -> MotionAngles:
     """`MotionAngles` under a force in one direction, over all magnitudes."""
     if is_ring_alone(effects):
         angle = ring_motion_angle(rod, force, ring_spin_ratio(rod.length * force.across))
@@ -220,7 +222,7 @@ def _is_isotropic(effects: Effects) -> bool:
 
     The direction of the contact's motion is then monotone from slow to fast.
     """
-    if effects.count != 2 or kind_of(effects.data, 0) != RING or kind_of(effects.data, 1) != MASS:
+    if effects.length != 2 or kind_of(effects.data, 0) != RING or kind_of(effects.data, 1) != MASS:
         return False
     mass = effects.row[column_of(effects.data, 1) :]
     return mass[2] == 0.0 and mass[3] == 0.0

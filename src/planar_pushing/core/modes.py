@@ -22,7 +22,7 @@ from planar_pushing.core.force import (
 )
 from planar_pushing.core.free import free_twist
 from planar_pushing.core.numbers import Numbers, zeros
-from planar_pushing.core.path import Path, sample_of
+from planar_pushing.core.path import Path, first_sample, sample_of
 from planar_pushing.core.psi import guess_spin, psi
 from planar_pushing.core.rows import NO_POINT
 from planar_pushing.core.slips import SLIP, SLIPS, find_slips
@@ -35,6 +35,7 @@ from planar_pushing.core.solution import (
     SLIP_RIGHT,
     SOLUTION,
     STICK,
+    TWIST,
     UNSOLVED,
     Push,
     copy_solution,
@@ -43,11 +44,15 @@ from planar_pushing.core.solution import (
     write_on_edge,
     write_solution,
 )
-from planar_pushing.core.tolerances import COINCIDENT, RESOLUTION, ROUNDING, SLOWEST
+from planar_pushing.core.tolerances import BEFORE_REST, COINCIDENT, RESOLUTION, ROUNDING, SLOWEST
 
 #: The square of a smaller normal motion underflows; the slips of the power of two that exceeds it are
 #: scaled, which is exact.
-SMALLEST_NORMAL, STEP_OF_NORMAL = 1e-138, 1152921504606846976.0
+SMALLEST_NORMAL = 1e-138
+STEP_OF_NORMAL = 1152921504606846976.0
+
+#: Places of a force in the cone; the middle ones are within its rounding error of an edge.
+BEYOND, JUST_BEYOND, JUST_WITHIN, WITHIN = range(4)
 
 
 class Law(NamedTuple):
@@ -95,11 +100,25 @@ class Search(NamedTuple):
 
 
 class Count(NamedTuple):
-    """Number of solutions so far, whether one of them is the stick, and whether a continuum touches it."""
+    """The solutions so far.
 
-    count: int
+    Attributes
+    ----------
+    number : int
+        Number of solutions.
+    sticks : bool
+        Whether one of the slips is the stick.
+    flat : bool
+        Whether a continuum of slips touches the stick.
+    touched : int
+        Mode of the slips that the stick, under an edge's force to within the resolution of motions, would
+        be one of; 0 without one.
+    """
+
+    number: int
     sticks: bool
     flat: bool
+    touched: int
 
 
 def _across(edge: Direction, f_x: float, f_y: float) -> float:
@@ -123,7 +142,7 @@ def _settle(law: Law, stick: ContactMotion) -> ContactMotion:
         return stick
     low, high = -1.0, 1.0
     for i in range(0 if law.rough else 2):
-        edge, side = (law.right, 1.0) if i == 0 else (law.left, -1.0)
+        edge, side = law.right if i == 0 else law.left, 1.0 if i == 0 else -1.0
         depth = side * _across(edge, stick.f_x, stick.f_y)
         change = side * _across(edge, stick.half_x, stick.half_y)
         if change > 0.0:
@@ -145,7 +164,7 @@ def _hold_at_rest(push: Push, law: Law, stick: ContactMotion, scale: float) -> C
     of the slowest motion under that edge.
     """
     for i in range(0 if law.rough else 2):
-        edge, side = (law.right, 1.0) if i == 0 else (law.left, -1.0)
+        edge, side = law.right if i == 0 else law.left, 1.0 if i == 0 else -1.0
         if side * _across(edge, stick.f_x, stick.f_y) >= 0.0:
             continue
         slow = motion_under_force(
@@ -158,7 +177,7 @@ def _hold_at_rest(push: Push, law: Law, stick: ContactMotion, scale: float) -> C
 
 
 def contact_modes(
-    push: Push, law: Law, pusher: Direction, moves: bool, solutions: Numbers
+    push: Push, law: Law, pusher: Direction, solutions: Numbers
 ) -> tuple[int, bool]:
     """Write every consistent solution, in units of the pusher's motion.
 
@@ -167,9 +186,8 @@ def contact_modes(
     push : Push
     law : Law
     pusher : Direction
-        Direction of the pusher's motion, which has unit magnitude.
-    moves : bool
-        Whether the pusher moves at all.
+        Direction of the pusher's motion, which has unit magnitude; all components are zero for a pusher at
+        rest.
     solutions : Numbers
         Room for `MOST_SOLUTIONS` solutions, which are written in the order of the modes.
 
@@ -183,19 +201,20 @@ def contact_modes(
     Notes
     -----
     A force within rounding of an edge sticks unless a slip is found, and a slip of zero speed is the stick.
+    If pusher and slider are both at rest, so that the force is undetermined, they count as separate.
     """
     _separate(push, solutions)
-    if not moves:
-        return 1, False
     rest_x, rest_y = solutions[MOTION], solutions[MOTION + 1]
+    speed = 1.0 if pusher.x != 0.0 or pusher.y != 0.0 else 0.0
+    scale = max(speed, max(fabs(rest_x), fabs(rest_y)))
+    if scale == 0.0 and solutions[TWIST + 2] == 0.0:
+        return 1, False
     place = 1 if pusher.y <= rest_y else 0  # index of the stick, which precedes the slips
     x, y = pusher.along, -pusher.across
     guess = guess_spin(push.effects, push.contact, x, y)
     root = psi(push.effects, push.contact, x, y, guess, NO_POINT, ROUNDING)
     if not root.converged:
         return UNSOLVED, False
-    speed = 1.0 if pusher.x != 0.0 or pusher.y != 0.0 else 0.0
-    scale = max(speed, fabs(rest_x), fabs(rest_y))
     stick = _settle(law, ContactMotion(
         x, y, root.v_x, root.v_y, root.spin, root.f_x, root.f_y, root.half_x, root.half_y,
         root.point, root.continuum, root.noise_x, root.noise_y, True,
@@ -203,36 +222,56 @@ def contact_modes(
     if x == 0.0 and y == 0.0 and stick.spin == 0.0:
         stick = _hold_at_rest(push, law, stick, scale)
     search = Search(push, pusher, rest_x, rest_y, scale, root, stick.f_x, stick.f_y, place)
-    slips = Count(place + 1, False, False)
+    slips = Count(place + 1, False, False, 0)
     if law.slips:
         slips = _write_slips(search, law.left, SLIP_RIGHT, solutions, slips)
         slips = _write_slips(search, law.right, SLIP_LEFT, solutions, slips)
-        if slips.count < 0:
+        if slips.number < 0:
             return UNSOLVED, False
-    slides: bool = slips.count > place + 1
-    inside = min(_across(law.right, stick.f_x, stick.f_y), -_across(law.left, stick.f_x, stick.f_y))
-    rise = push.t_x * stick.f_y - push.t_y * stick.f_x
-    noise = _noise_of(stick)
-    sticks: bool = law.rough or slips.sticks
-    if min(inside, rise) > (0.0 if law.closed and law.slips else noise):
+    slides: bool = slips.number > place + 1
+    place_in_cone = _place_in_cone(push, law, stick)
+    sticks: bool = law.rough or slips.sticks or place_in_cone == WITHIN
+    touches: bool = slips.touched > 0 or place_in_cone != BEYOND
+    if law.closed and touches and (slips.flat or not slides):
         sticks = True
-    elif law.closed and min(inside, rise) >= -noise and (slips.flat or not slides):
+    if law.closed and law.slips and place_in_cone == JUST_WITHIN:
         sticks = True
     if sticks:
-        if not slips.sticks:
-            write_solution(push, STICK, stick, solutions[place * SOLUTION :])
+        # A slip that is the stick has its force exactly on the edge.
+        solution = solutions[place * SOLUTION :]
+        if place_in_cone == BEYOND and slips.touched > 0 and not slips.sticks:
+            edge = law.left if slips.touched == SLIP_RIGHT else law.right
+            write_on_edge(push, STICK, stick, edge, solution)
+        elif not slips.sticks or place_in_cone >= JUST_WITHIN:
+            write_solution(push, STICK, stick, solution)
         if slips.flat:
             solutions[place * SOLUTION + CONTINUUM] = 1.0
-        return slips.count, slips.flat
-    for i in range(place, slips.count - 1):
+        return slips.number, slips.flat
+    for i in range(place, slips.number - 1):
         copy_solution(solutions[i * SOLUTION :], solutions[(i + 1) * SOLUTION :])
-    return slips.count - 1, slips.flat
+    return slips.number - 1, slips.flat
 
 
-def _noise_of(motion: ContactMotion) -> float:
-    """Rounding error of a force."""
-    size = sqrt(motion.f_x * motion.f_x + motion.f_y * motion.f_y)
-    return max(motion.noise_x, motion.noise_y) + RESOLUTION * size
+def _place_in_cone(push: Push, law: Law, motion: ContactMotion) -> int:
+    """Where a force is in the friction cone, and whether its rounding error reaches over an edge."""
+    place = WITHIN
+    for i in range(3):
+        # The third edge is along the fence: in a cone without width a force can be opposite to it.
+        e_x, e_y = push.t_x, push.t_y
+        if i < 2:
+            edge = law.right if i == 0 else law.left
+            e_x, e_y = edge.along, -edge.across
+        side = -1.0 if i == 1 else 1.0
+        inside = side * (e_x * motion.f_y - e_y * motion.f_x)
+        noise = fabs(e_x) * (motion.noise_y + RESOLUTION * fabs(motion.f_y))
+        noise += fabs(e_y) * (motion.noise_x + RESOLUTION * fabs(motion.f_x))
+        if inside < -noise:
+            place = min(place, BEYOND)
+        elif inside < 0.0:
+            place = min(place, JUST_BEYOND)
+        elif inside <= noise:
+            place = min(place, JUST_WITHIN)
+    return place
 
 
 def _write_slips(
@@ -250,7 +289,7 @@ def _write_slips(
     part = edge.x * (pusher.x - search.rest_x) + edge.y * (pusher.y - rest_y)
     force = push.t_x * search.f_x + push.t_y * search.f_y
     size = sqrt(search.f_x * search.f_x + search.f_y * search.f_y)
-    if slips.count < 0 or part <= 0.0 or side * force > COINCIDENT * size:
+    if slips.number < 0 or part <= 0.0 or side * force > COINCIDENT * size:
         return slips
     normal, shrink = pusher.y, 1.0
     while 0.0 < fabs(normal) < SMALLEST_NORMAL:
@@ -263,20 +302,26 @@ def _write_slips(
         sense * push.t_x, sense * push.t_y,
     )  # fmt: skip
     first = sense * search.rest_x - edge.y * (normal - rest_y) / fabs(edge.x)
-    unit = max(fabs(normal), fabs(search.rest_x), fabs(rest_y))
+    unit = max(fabs(normal), max(fabs(search.rest_x), fabs(rest_y)))
     if first == 0.0:
         first = SLOWEST * (unit if unit > 0.0 else 1.0)
-    last = sense * pusher.x
-    if not last > first:
+    if pusher.x == 0.0 and pusher.y == 0.0:
+        # The force of a contact at rest is not the limit of slow slips, so the search ends before it.
+        end = first_sample(path, sense * side * BEFORE_REST * search.scale)
+    else:
+        end = sample_of(path, sense * pusher.x, search.stick)
+        if end.before == end.after and fabs(end.after) <= fabs(end.slope) * COINCIDENT * search.scale:
+            slips = Count(slips.number, slips.sticks, slips.flat, mode)
+    if not end.s > first:
         return slips
     roots = zeros(SLIPS * SLIP)
-    found = find_slips(path, unit, first, sample_of(path, last, search.stick), roots)
-    number, flat = found
+    number, flat = find_slips(path, unit, first, end, roots)
     for i in range(number):
         s, spin, point = roots[SLIP * i], roots[SLIP * i + 1], int(roots[SLIP * i + 3])
         motion = motion_at_root(path, s, spin, roots[SLIP * i + 2] != 0.0, point)
         slips = _write_slip_of(search, edge, mode, motion, shrink, solutions, slips)
-    return Count(slips.count if number >= 0 else UNSOLVED, slips.sticks, slips.flat or flat)
+    count = slips.number if number >= 0 else UNSOLVED
+    return Count(count, slips.sticks, slips.flat or flat, slips.touched)
 
 
 def _write_normal_slips(
@@ -305,7 +350,7 @@ def _write_normal_slips(
     else:
         slips = _write_slip_of(search, edge, mode, left, shrink, solutions, slips)
         slips = _write_slip_of(search, edge, mode, right, shrink, solutions, slips)
-    return Count(slips.count, slips.sticks, slips.flat or holds)
+    return Count(slips.number, slips.sticks, slips.flat or holds, slips.touched)
 
 
 def _speed_of(motion: ContactMotion) -> float:
@@ -320,20 +365,20 @@ def _write_slip_of(
     push, side = search.push, 1.0 if mode == SLIP_RIGHT else -1.0
     closest = COINCIDENT * search.scale
     slip = push.t_x * motion.u_x + push.t_y * motion.u_y - search.pusher.x
-    if not motion.converged or slips.count < 0:
-        return Count(UNSOLVED, slips.sticks, slips.flat)
+    if not motion.converged or slips.number < 0:
+        return Count(UNSOLVED, slips.sticks, slips.flat, slips.touched)
     if force_along(edge, motion) <= motion.noise_x + motion.noise_y:
         return slips
     if fabs(slip) <= closest:
         place = search.stick_place
         write_on_edge(push, STICK, motion, edge, solutions[place * SOLUTION :])
-        return Count(slips.count, True, slips.flat)
+        return Count(slips.number, True, slips.flat, slips.touched)
     if side * slip <= closest:
         return slips
-    if slips.count == MOST_SOLUTIONS:
-        return Count(UNSOLVED, slips.sticks, slips.flat)
-    solution = solutions[slips.count * SOLUTION :]
+    if slips.number == MOST_SOLUTIONS:
+        return Count(UNSOLVED, slips.sticks, slips.flat, slips.touched)
+    solution = solutions[slips.number * SOLUTION :]
     write_on_edge(push, mode, motion, edge, solution)
     if shrink != 1.0:
         shrink_solution(solution, shrink, 1.0 if push.effects.frictional else shrink)
-    return Count(slips.count + 1, slips.sticks, slips.flat)
+    return Count(slips.number + 1, slips.sticks, slips.flat, slips.touched)

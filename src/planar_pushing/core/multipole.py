@@ -80,6 +80,8 @@ def distant_piece(data: Numbers, terms: int, x: float, y: float, radius: float) 
 
 def highest_order(ratio: float) -> int:
     """Highest power that counts at a ratio, below 1, of the radius to the distance."""
+    if ratio <= 0.0:
+        return 2
     order = DIGITS / -log(ratio)
     return min(ORDER, int(order) + 2) if order < ORDER else ORDER
 
@@ -87,7 +89,8 @@ def highest_order(ratio: float) -> int:
 def sum_powers(data: Numbers, terms: int, ratio: float, cosine: float, sine: float) -> PowerSums:
     """The sums over all terms at a ratio and a direction."""
     order = highest_order(ratio)
-    y, re, im, first = ratio * ratio, 1.0, 0.0, terms
+    y, re, im = ratio * ratio, 1.0, 0.0
+    first, step, drop = terms, MOMENT_STEP, 2
     one, n, nn, m_i, mn_i, mm = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for m in range(order + 1):
         if data[terms + 2 * (TERMS + m)] > 0.0:
@@ -100,7 +103,8 @@ def sum_powers(data: Numbers, terms: int, ratio: float, cosine: float, sine: flo
             mn_i += m * (re * row.n_b + im * row.n_a)
             mm += m * m * real
         re, im = ratio * (re * cosine - im * sine), ratio * (re * sine + im * cosine)
-        first += 2 * terms_of_order(ORDER, m)
+        # An odd m has as many terms as the next one.
+        first, step, drop = first + step, step - drop, 2 - drop
     return PowerSums(one, n, nn, m_i, mn_i, mm)
 
 

@@ -105,6 +105,17 @@ def place_of(pressure: Pressure, field: int) -> int:
     return int(pressure.data[pressure.head + field])
 
 
+def count_atoms(pressure: Pressure) -> int:
+    """Number of atoms of a pressure."""
+    head = pressure.data[pressure.head :]
+    return int((head[SEGMENTS] - head[ATOMS]) / COLUMNS)
+
+
+def place_of_atom(pressure: Pressure, number: int) -> int:
+    """Place in `data` of the row of an atom: x, y, share."""
+    return place_of(pressure, ATOMS) + COLUMNS * number
+
+
 def pressure_moments(pressure: Pressure, x: float, y: float, blur: float) -> Moments:
     """Moments of a pressure at a center of rotation in the body frame, per unit weight.
 

@@ -17,7 +17,7 @@ from __future__ import annotations
 from math import fabs, log, sqrt
 from typing import NamedTuple
 
-from planar_pushing.core.numbers import INFINITY, Coefficients
+from planar_pushing.core.numbers import INFINITY, Coefficients, Numbers
 
 TWO_BY_PI = 2.0 / 3.141592653589793
 #: Above this spin ratio the series in x and log x are used, below it those of the Landen step.
@@ -215,3 +215,23 @@ def ring_spin_ratio(arm: float) -> float:
     if size > 1.0:
         k = 1.0 / k if k > 0.0 else INFINITY
     return k if arm >= 0.0 else -k
+
+
+def ring_profiles(
+    data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
+) -> None:
+    """Force along the motion and torque at spin ratios, one a row, of any size including infinity."""
+    for i in range(count):
+        k, result = rows[i * columns], results[i * width :]
+        result[0], result[1] = 0.0, 1.0 if k > 0.0 else -1.0
+        if fabs(k) < INFINITY:
+            curve = ring_wrench(1.0, k)
+            result[0], result[1] = curve.force, curve.torque
+
+
+def ring_spin_ratios(
+    data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
+) -> None:
+    """Spin ratios under forces with moment arms in radii, one a row."""
+    for i in range(count):
+        results[i * width] = ring_spin_ratio(rows[i * columns])

@@ -12,14 +12,17 @@ from planar_pushing.core.numbers import EPSILON
 #: if larger, as the square of this one, because a single step can be small by chance. The iteration ends
 #: when the next step is below rounding or a step is below SETTLED. Near an infinite slope steps shrink
 #: slowly.
-NEAR_ROOT, QUADRATIC, SETTLED = 0.1, 0.02, 1e-13
+NEAR_ROOT = 0.1
+QUADRATIC = 0.02
+SETTLED = 1e-13
 #: Relative resolution of a root, a few units in the last place.
 RESOLVED = 1e-15
 #: More steps than bisection takes to reach zero through all exponents.
 ITERATIONS = 2000
 #: Golden section, and the number of sections for the minimum of a dip: they reduce its width to 1e-7, which
 #: gives the value to 1e-14 of its depth.
-SECTION, SECTIONS = 0.3819660112501051, 34
+SECTION = 0.3819660112501051
+SECTIONS = 34
 
 
 def is_last(size: float, before: float) -> bool:
@@ -85,9 +88,7 @@ def is_narrow(bracket: Bracket) -> bool:
     return fabs(bracket.b - bracket.a) <= 2.0 * RESOLVED * fabs(best_number(bracket))
 
 
-def _interpolate(
-    a: float, b: float, c: float, at_a: float, at_b: float, at_c: float
-) -> float:
+def _interpolate(a: float, b: float, c: float, at_a: float, at_b: float, at_c: float) -> float:
     """Fraction of the bracket from a to b at which inverse quadratic interpolation has its root, or 1/2."""
     part = 0.5
     if c != b and at_c != at_a and at_c != at_b:

@@ -2,7 +2,7 @@
 
 A call has one flat array `data` for all its scenes, and a row of numbers for each. The data begin with four
 numbers for each effect: its kind, the column of the row at which its numbers begin, and for a support the
-place of its pressures in the data; the kind `END` ends the list, and its column is the first one after the
+place of its pressures in the data; the kind `LAST` ends the list, and its column is the first one after the
 effects. What an effect does not have, it does not compute: a loop over the listed effects is all there is.
 """
 
@@ -28,7 +28,7 @@ from planar_pushing.core.ring import ring_response
 #: Kinds of effects: friction of the slider's own ring, friction of any pressure, a constant wrench, and a
 #: mass, which is also the form of viscous friction.
 RING, SUPPORT, LOAD, MASS = range(4)
-END = -1
+LAST = -1
 #: Numbers of an effect at the beginning of the data.
 ENTRY = 4
 #: Number of a support point if there is none.
@@ -48,7 +48,7 @@ class Effects(NamedTuple):
     Attributes
     ----------
     row, data : Numbers
-    count : int
+    length : int
         Number of effects.
     feet : int
         Number of support points.
@@ -62,7 +62,7 @@ class Effects(NamedTuple):
 
     row: Numbers
     data: Numbers
-    count: int
+    length: int
     feet: int
     frictional: bool
     massive: bool
@@ -132,7 +132,7 @@ def read_effects(data: Numbers, row: Numbers) -> Effects:
     massive: bool = False
     linear: bool = True
     count, feet = 0, 0
-    while kind_of(data, count) != END:
+    while kind_of(data, count) != LAST:
         kind = kind_of(data, count)
         if kind == MASS:
             massive = True
@@ -151,7 +151,7 @@ def read_effects(data: Numbers, row: Numbers) -> Effects:
 def count_columns(data: Numbers) -> int:
     """Number of columns of a row that belong to the effects."""
     effect = 0
-    while kind_of(data, effect) != END:
+    while kind_of(data, effect) != LAST:
         effect += 1
     return column_of(data, effect)
 
@@ -187,7 +187,7 @@ def pressure_of(effects: Effects, effect: int) -> Pressure:
 def scale_effects(effects: Effects, one: float, two: float) -> Effects:
     """The effects with forces multiplied by a factor for each degree; a factor of zero removes a degree."""
     return Effects(
-        effects.row, effects.data, effects.count, effects.feet,
+        effects.row, effects.data, effects.length, effects.feet,
         effects.frictional, effects.massive, effects.linear, one * effects.one, two * effects.two,
     )  # fmt: skip
 
@@ -207,7 +207,7 @@ def resistance(effects: Effects, x: float, y: float, spin: float, blur: float) -
     blur : float
         Rounding error of x and y, within which points are at the center of rotation.
     """
-    effect = effects.count - 1
+    effect = effects.length - 1
     total = effect_resistance(effects, effect, x, y, spin, blur)
     while effect > 0:
         effect -= 1
@@ -233,9 +233,7 @@ def effect_resistance(
         return _ring_resistance(effects.one * numbers[0], x, y, spin)
     if kind == SUPPORT:
         pressure = pressure_of(effects, effect)
-        return support_resistance(
-            effects.one * numbers[0], numbers[1], pressure, x, y, spin, blur
-        )
+        return support_resistance(effects.one * numbers[0], numbers[1], pressure, x, y, spin, blur)
     if kind == MASS:
         return _mass_resistance(
             effects.two * numbers[0], numbers[1], numbers[2], numbers[3], x, y, spin
@@ -318,7 +316,7 @@ def _spread_along(pressure: Pressure, x: float, y: float) -> float:
 
 def rough_mass(effects: Effects, speed: float, x: float, y: float) -> Mass:
     """A mass that roughly matches the effects at a speed, about (x, y), for first guesses."""
-    effect = effects.count - 1
+    effect = effects.length - 1
     total = _rough_mass_of(effects, effect, speed, x, y)
     while effect > 0:
         effect -= 1
@@ -359,7 +357,7 @@ def _count_feet(effects: Effects, effect: int) -> int:
 
 def foot_position(effects: Effects, number: int) -> Position:
     """Position of a support point in the body frame."""
-    for effect in range(effects.count):
+    for effect in range(effects.length):
         if kind_of(effects.data, effect) == SUPPORT:
             head = head_of(effects.data, effects.row, effect)
             count = _count_atoms(effects.data, head)
@@ -374,8 +372,8 @@ def foot_position(effects: Effects, number: int) -> Position:
 def load_wrench(effects: Effects) -> Vector:
     """Wrench about the origin that acts on the slider at rest and in any motion."""
     x, y, torque = 0.0, 0.0, 0.0
-    for i in range(effects.count):
-        effect = effects.count - 1 - i
+    for i in range(effects.length):
+        effect = effects.length - 1 - i
         if kind_of(effects.data, effect) == LOAD:
             numbers = effects.row[column_of(effects.data, effect) :]
             x, y = effects.one * numbers[0] + x, effects.one * numbers[1] + y
@@ -386,8 +384,8 @@ def load_wrench(effects: Effects) -> Vector:
 def kinetic_energy(effects: Effects, x: float, y: float, spin: float) -> float:
     """Potential of degree 2 at a twist: the kinetic energy for inertia."""
     energy = 0.0
-    for i in range(effects.count):
-        effect = effects.count - 1 - i
+    for i in range(effects.length):
+        effect = effects.length - 1 - i
         if kind_of(effects.data, effect) == MASS:
             numbers = effects.row[column_of(effects.data, effect) :]
             v_x, v_y = x - spin * numbers[3], y + spin * numbers[2]

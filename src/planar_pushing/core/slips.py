@@ -27,14 +27,16 @@ from planar_pushing.core.rows import is_steady
 from planar_pushing.core.tolerances import COINCIDENT, FLAT, SLOWEST, TURN
 
 #: Width of a cell in asinh(s / normal component), and minimum number of cells.
-CELL_WIDTH, FEWEST_CELLS = 0.5, 3
+CELL_WIDTH = 0.5
+FEWEST_CELLS = 3
 #: Position on a path: at its start, outside a continuum, inside one.
 AT_START, OUTSIDE, INSIDE = range(3)
 #: Maximum number of times that a dip is halved.
 HALVINGS = 60
 #: Maximum number of slips under one edge, and the numbers of one: s, rotation, whether it is an end of a
 #: continuum, number of its pivot.
-SLIPS, SLIP = 8, 4
+SLIPS = 8
+SLIP = 4
 
 
 def _count_cells(path: Path, unit: float, first: float, last: float) -> int:
@@ -44,7 +46,9 @@ def _count_cells(path: Path, unit: float, first: float, last: float) -> int:
     return max(int(ceil((asinh(last / unit) - asinh(first / unit)) / CELL_WIDTH)), FEWEST_CELLS)
 
 
-def find_slips(path: Path, unit: float, first: float, stick: Sample, slips: Numbers) -> tuple[int, bool]:
+def find_slips(
+    path: Path, unit: float, first: float, stick: Sample, slips: Numbers
+) -> tuple[int, bool]:
     """Write the roots from `first` to the stick, in this order.
 
     Parameters

@@ -19,7 +19,14 @@ MOST_SOLUTIONS = 2 + 2 * SLIPS
 UNSOLVED = -1
 #: Columns of a solution: mode, twist of the slider's origin, motion of the contact, force and the other end
 #: of its interval, number of the support point that is the pivot, and whether it is an end of a continuum.
-MODE, TWIST, MOTION, FORCE, FORCE_END, PIVOT, CONTINUUM, SOLUTION = 0, 1, 4, 6, 8, 10, 11, 12
+MODE = 0
+TWIST = 1
+MOTION = 4
+FORCE = 6
+FORCE_END = 8
+PIVOT = 10
+CONTINUUM = 11
+SOLUTION = 12
 
 
 class Push(NamedTuple):

@@ -13,6 +13,9 @@ ROUNDING = 4.0 * EPSILON
 #: Rounding error of a value that is computed in a few dozen operations, and of an angle: directions closer
 #: than this (radians) are one.
 RESOLUTION = 8.0 * EPSILON
+#: Rounding error of the direction of a translation, and of R omega relative to the speed: a slower rotation
+#: is a translation, whose center is at infinity.
+TRANSLATION = 1e-15
 #: Rounding error of a scalar product: vectors are perpendicular, and points on a line, to within this.
 ALIGNED = 16.0 * EPSILON
 #: Rounding error of a rotation and of a sum over some dozens of points: a force within this of the limit of
@@ -21,6 +24,8 @@ SHARE = 1e-13
 #: Motions closer than this are one motion: the root of a force along a path is known to about 1e-13, and a
 #: slip this slow is a stick.
 COINCIDENT = 9e-13
+#: The slowest slip of a contact whose pusher is at rest: more than what counts as one motion.
+BEFORE_REST = 1e-11
 #: Smallest part of a number that is resolved beside the rest of it after a square: the root of a rounding
 #: error.
 SMALL_PART = 1e-8

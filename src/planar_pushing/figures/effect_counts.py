@@ -34,12 +34,7 @@ PANELS = (
     (
         "functions",
         "functions in machine code",
-        {
-            "motion_cone": "motion cone",
-            "solve": "one push",
-            "simulate": "motion\nby events",
-            "simulate by time-stepping": "motion\nby steps",
-        },
+        {"simulate": "motion\nby events", "simulate by time-stepping": "motion\nby steps"},
     ),
     (
         "evaluations",
@@ -54,7 +49,7 @@ def caption(data: xr.Dataset) -> str:
     """Caption of the figure."""
     return (
         "Only the effects that a scene lists are computed: functions of support friction and of "
-        "inertia in the machine code of each computation, and their evaluations in the log of a "
+        "inertia in the machine code of a simulation, and their evaluations in the log of a "
         "motion over time, for scenes that list support friction, inertia, or both. An effect that "
         "is not listed has none. With both effects the motion under a force depends on its "
         "magnitude as well, and a search for it takes more evaluations."
@@ -65,7 +60,7 @@ def draw(figure: Any, data: xr.Dataset) -> None:
     """Draw the counts as bars, a row for each set of effects that a scene lists."""
     narrow = is_column(figure)
     if narrow:
-        axes = figure.subplots(2, 1, height_ratios=(2, 1))
+        axes = figure.subplots(2, 1)
         figure.subplots_adjust(left=0.36, right=0.97, bottom=0.03, top=0.86, hspace=0.2)
     else:
         axes = figure.subplots(1, 2)

@@ -8,15 +8,12 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from planar_pushing.core.tolerances import RESOLUTION as RESOLUTION
 from planar_pushing.mechanics.numerics.arrays import dataset, is_labeled, named, same
-from planar_pushing.mechanics.numerics.root import EPSILON
 from planar_pushing.mechanics.status import Status
 from planar_pushing.terms.domain import RADIANS, TO_RADIANS, TURNS, required
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import Number, as_numbers, is_lazy
-
-#: Directions closer than this (radians) are one direction: a few ulp of pi.
-RESOLUTION = 8 * EPSILON
 
 
 @dataclass(frozen=True, slots=True)

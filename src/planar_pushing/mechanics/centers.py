@@ -2,29 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import StrEnum
-from math import asin, copysign, inf, nan, pi
-from typing import TYPE_CHECKING, Literal, overload
+from typing import TYPE_CHECKING, Any, Literal, overload
 
+import numpy as np
+
+from planar_pushing.core.kernels import MOTION_WIDTH
 from planar_pushing.mechanics.angles import AngleInterval, interval
-from planar_pushing.mechanics.compiled import compiled, kernel, owning
-from planar_pushing.mechanics.cones import (
-    direction_in,
-    force_columns,
-    sight_in,
-    under_force,
-    unit_columns,
-)
-from planar_pushing.mechanics.effects.base import count_fields
-from planar_pushing.mechanics.numerics.arrays import Output, evaluated, is_labeled
-from planar_pushing.mechanics.plane import (
-    Array,
-    center_from,
-    contact_motion_angle,
-    moment_arm,
-    rod,
-    seen,
-)
+from planar_pushing.mechanics.cones import force_columns
+from planar_pushing.mechanics.numerics.arrays import Output, elementwise, evaluated, is_labeled
+from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, Numbers, Scalar, required_ratio
 from planar_pushing.terms.errors import InvalidValue, require_option
@@ -50,21 +38,10 @@ CENTER = (Output("center", (("xy", 2),)),)
 CONE = (Output("conservative_cone_right"), Output("conservative_cone_left"))
 
 
-@kernel
-@owning
-def _centers(kinds, rows, centers):
-    """After the directions a row holds the radius, and the rod's length from the origin of the centers."""
-    last = count_fields(kinds) + 4
-    for i in range(len(rows)):
-        effects, own, at, force, ratio = under_force(kinds, rows[i])
-        found, radius, reach = (
-            direction_in(effects, own, at, force, ratio),
-            rows[i, last],
-            rows[i, last + 1],
-        )
-        v_x, v_y = found.v_x * own.x - found.v_y * own.y, found.v_x * own.y + found.v_y * own.x
-        x, y = center_from(v_x, v_y, found.spin) if found.found else (nan, nan)
-        centers[i, 0], centers[i, 1] = radius * (x + reach * own.x), radius * (y + reach * own.y)
+def _decode(results: Array, columns: Sequence[Any]) -> list[Any]:
+    """Centers in the user's unit; the last columns of a row are the radius and the contact's distance."""
+    radius, reach, angle = (np.asarray(each)[..., None] for each in columns[-3:])
+    return [radius * (results[:, 11:13] + reach * direction(angle[..., 0]))]
 
 
 @overload
@@ -129,65 +106,57 @@ def motion_centers(
     origin = renamed_value(origin, FORMER)
     origin = require_option("origin", origin, Origin, "name one of these points")
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
-    reach = scene.slider.length_ratio if origin == Origin.CONTACT else 0.0
-    found = evaluated(_centers, scene.kinds, [*columns, scene.slider.radius, reach], CENTER)[0]
+    reach, angle = scene.rows.body[0] if origin == Origin.CONTACT else 0.0, scene.slider.rod_angle
+    columns += [scene.slider.radius, reach, angle]
+    found = evaluated("force_motions", scene.rows.data, columns, CENTER, MOTION_WIDTH, _decode)[0]
     return named_units(found, scene.units) if is_labeled(found) else found
 
 
-@compiled
-def conservative_spin_ratios(arm):
-    """Limits of the spin ratio in the paper's seven cases, for a moment arm in units of R.
+def conservative_spin_ratios(arm: Array) -> tuple[Array, Array]:
+    """Limits of the spin ratio in the paper's seven cases, for moment arms in units of R.
 
     The motion center is inside the ring (1 .. inf) for a line of force outside it, on the ring for a
     tangent line, outside it (0 .. 1) for a line through the ring, and at infinity (0) for a line through
     the ring center. It lies across the ring center from the line, so negative arms mirror the cases.
     """
-    size = abs(arm)
-    near = 1.0 if size >= 1.0 else 0.0
-    far = inf if size > 1.0 else 0.0 if size == 0.0 else 1.0
-    return copysign(near, arm), copysign(far, arm)
+    size = np.abs(arm)
+    near = np.where(size >= 1.0, 1.0, 0.0)
+    far = np.where(size > 1.0, np.inf, np.where(size == 0.0, 0.0, 1.0))
+    return np.copysign(near, arm), np.copysign(far, arm)
 
 
-@compiled
-def _widened(own, force, ratio, right, left):
-    angle = contact_motion_angle(own, force, ratio)
-    return min(right, angle), max(left, angle)
-
-
-@compiled
-def _conservative(own, low, high):
+def _conservative_cones(length: Array, rod_angle: Array, low: Array, high: Array) -> list[Array]:
     """Bounds of the motion angle over the lines of force from `low` to `high`.
 
     At a fixed spin ratio the motion angle increases with the force angle, so a bound is attained on an
     edge of the friction cone or where the line of force touches the ring. On such a tangent the cases on
     both sides meet: the spin ratio takes every value from 0 to infinity.
     """
-    right, left = inf, -inf
-    for edge in (low, high):
-        force = seen(own, edge)
-        for ratio in conservative_spin_ratios(moment_arm(own, force)):
-            right, left = _widened(own, force, ratio, right, left)
-    if own.length <= 1.0:
-        return right, left
-    lean = asin(1.0 / own.length)
-    for first in (lean, -lean, pi - lean, lean - pi):
-        for turn in (-2.0 * pi, 0.0, 2.0 * pi):
-            tangent = own.angle - (first + turn)
-            if low < tangent < high:
-                force = seen(own, tangent)
-                for size in (0.0, inf):
-                    ratio = copysign(size, force.aside)
-                    right, left = _widened(own, force, ratio, right, left)
-    return right, left
+    length, rod_angle, low, high = np.broadcast_arrays(length, rod_angle, low, high)
+    angles = [
+        ring_motion_angles(length, rod_angle, edge, ratio)
+        for edge in (low, high)
+        for ratio in conservative_spin_ratios(length * np.sin(rod_angle - edge))
+    ]
+    lean = np.arcsin(1.0 / np.maximum(length, 1.0))
+    for first in (lean, -lean, np.pi - lean, lean - np.pi):
+        for turn in (-2.0 * np.pi, 0.0, 2.0 * np.pi):
+            tangent = rod_angle - (first + turn)
+            inside = (length > 1.0) & (low < tangent) & (tangent < high)
+            for size in (0.0, np.inf):
+                ratio = np.copysign(size, np.sin(first))
+                angle = ring_motion_angles(length, rod_angle, tangent, ratio)
+                angles.append(np.where(inside, angle, angles[0]))
+    return [np.minimum.reduce(angles), np.maximum.reduce(angles)]
 
 
-@kernel
-@compiled
-def _conservative_cones(kinds, rows, right, left):
-    for i in range(len(rows)):
-        sight = sight_in(rows[i], count_fields(kinds))
-        own = rod(sight.length, sight.angle)
-        right[i], left[i] = _conservative(own, sight.first, sight.second)
+def ring_motion_angles(length: Array, rod_angle: Array, force_angle: Array, ratio: Array) -> Array:
+    """Angles of the contact's motion at spin ratios, which can be infinite (Eqs. 11-12)."""
+    lean = rod_angle - force_angle
+    pull = ratio * length
+    finite = np.isfinite(pull)
+    pull, part = np.where(finite, pull, np.sign(ratio)), np.where(finite, 1.0, 0.0)
+    return np.asarray(force_angle - np.arctan2(pull * np.cos(lean), part + pull * np.sin(lean)))
 
 
 def conservative_motion_cone(scene: Scene) -> AngleInterval:
@@ -211,9 +180,7 @@ def conservative_motion_cone(scene: Scene) -> AngleInterval:
         )  # fmt: skip
     if scene.stores_energy:
         required_ratio("conservative_gyration", scene.inertia[1] ** 0.5)
-    law = scene.law
-    columns, rod_columns = unit_columns(scene)
-    columns += [*rod_columns, law.right, law.left]
-    right, left = evaluated(_conservative_cones, scene.kinds, columns, CONE)
+    columns = [*scene.rows.body[:2], scene.law.right, scene.law.left]
+    right, left = elementwise(_conservative_cones, columns, CONE)
     cone: AngleInterval = interval(right, left, closed=False)
     return cone

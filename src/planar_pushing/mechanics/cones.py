@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from math import nan
-from typing import Any, NamedTuple
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
+from planar_pushing.core.kernels import MOTION_WIDTH
+from planar_pushing.core.magnitude import FORCE_SIZE, UNIT_SPEED
 from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval, interval
-from planar_pushing.mechanics.compiled import compiled, kernel, owning
-from planar_pushing.mechanics.contact import Status
-from planar_pushing.mechanics.effects.base import count_fields, made
 from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.numerics.arrays import Output, evaluated, named
-from planar_pushing.mechanics.plane import rod, seen
-from planar_pushing.mechanics.reduced.magnitude import angles_under, direction_at, direction_under
-from planar_pushing.mechanics.reduced.psi import contact_at
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.rows import scale_forces
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.mechanics.typed import of_force
 from planar_pushing.terms.domain import Number, required
@@ -25,17 +23,6 @@ CONE = (
     Output("motion_cone_right"), Output("motion_cone_left"), Output("closed", (), "?"),
     Output("status", (), "i1"),
 )  # fmt: skip
-CONSISTENT, PIVOTS, CONTINUUM = int(Status.CONSISTENT), int(Status.PIVOTS), int(Status.CONTINUUM)
-UNSOLVED = int(Status.UNSOLVED)
-
-
-class Sight(NamedTuple):
-    """The rod and two directions, in the columns of a row after those of the effects."""
-
-    length: float
-    angle: float
-    first: float
-    second: float
 
 
 def friction_cone(scene: Scene) -> AngleInterval:
@@ -52,43 +39,32 @@ def friction_cone(scene: Scene) -> AngleInterval:
     return cone
 
 
-def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> tuple[list[Number], list[Number]]:
-    """Columns of the effects in units of their forces in a translation, and of the rod.
+def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> list[Number]:
+    """Columns of the effects in units of their forces in a translation, then those of the rod.
 
     If there are effects of degrees 1 and 2, those of degree 2 have the share `inertia_share` of the force.
     """
     require_held(scene)
-    found: list[Any] = []
-    entries = scene.from_rest
-    degrees = {entry.degree for entry in entries}
-    if not any(entry.degree == 1 and len(entry.forces) == 1 for entry in entries) and scene.loads:
+    rows = scene.rows
+    if scene.loads and not scene.friction:
         raise InvalidValue(
             "effects", scene.effects, "friction together with a load", "use solve: under a load without "
             "friction the motion depends on the magnitude of the force",
         )  # fmt: skip
-    for degree in sorted(degrees, reverse=True):
-        share = 1.0 if len(degrees) == 1 else inertia_share if degree == 2 else 1.0 - inertia_share
-        unit = sum(
-            entry.forces[0]
-            for entry in entries
-            if entry.degree == degree and len(entry.forces) == 1
-        )
-        for entry in entries:
-            if entry.degree == degree:
-                forces = [share * each / unit for each in entry.forces]
-                found.append((entries.index(entry), [*forces, *entry.others]))
-    columns = [each for _, numbers in sorted(found, key=lambda pair: pair[0]) for each in numbers]
-    slider = scene.slider
-    return columns, [slider.length_ratio, slider.rod_angle]
+    shares = (1.0, 1.0) if rows.is_steady else (1.0 - inertia_share, inertia_share)
+    units = [rows.strength(degree) for degree in (1, 2)]
+    return [*scale_forces(rows.entries, rows.columns, shares, units), *rows.body[:2]]
 
 
 def force_columns(
     scene: Scene, force_angle: Number, inertia_share: Number | None, force_ratio: Number | None
 ) -> list[Number]:
-    """The columns of a scene under a force; its |f| / W is 0 if an inertia share is given."""
+    """The columns of a scene under a force, of the magnitude that fits an inertia share or a ratio."""
     share, ratio = _required_magnitude(scene, inertia_share, force_ratio)
-    columns, rod_columns = unit_columns(scene, share)
-    return [*columns, *rod_columns, required("force_angle", force_angle), ratio]
+    norm = UNIT_SPEED if force_ratio is None else FORCE_SIZE
+    # With shares of one half, the unit of force is half the weight.
+    force = [required("force_angle", force_angle), float(norm), np.divide(ratio, 2)]
+    return [*unit_columns(scene, share), *force]
 
 
 def _required_magnitude(
@@ -123,51 +99,7 @@ def _required_magnitude(
 
 def is_magnitude_open(scene: Scene) -> bool:
     """Whether the direction of a motion depends on its magnitude."""
-    return len({entry.degree for entry in scene.from_rest}) > 1
-
-
-@compiled
-def direction_in(effects, own, at, force, ratio):
-    """Direction of the motion under a force; a nonzero ratio is its |f| / W."""
-    # With shares of one half, the unit of force is half the weight.
-    return (
-        direction_under(effects, own, at, force)
-        if ratio == 0.0
-        else direction_at(effects, at, force, ratio / 2)
-    )
-
-
-@compiled
-def sight_in(row, i):
-    """The rod and the directions in the columns of a row, starting at i."""
-    return Sight(row[i], row[i + 1], row[i + 2], row[i + 3])
-
-
-@owning
-def under_force(kinds, row):
-    """Effects, rod, contact, force along the first direction of a row, and the row's last number."""
-    sight = sight_in(row, count_fields(kinds))
-    own = rod(sight.length, sight.angle)
-    at = contact_at(-sight.length, 0.0)
-    return made(kinds, row, 0), own, at, seen(own, sight.first), sight.second
-
-
-@kernel
-@owning
-def _spin_ratios(kinds, rows, ratios):
-    for i in range(len(rows)):
-        effects, own, at, force, ratio = under_force(kinds, rows[i])
-        found = direction_in(effects, own, at, force, ratio)
-        ratios[i] = found.ratio if found.found else nan
-
-
-@kernel
-@owning
-def _motion_angles(kinds, rows, angles):
-    for i in range(len(rows)):
-        effects, own, at, force, ratio = under_force(kinds, rows[i])
-        found = direction_in(effects, own, at, force, ratio)
-        angles[i] = found.angle if found.found else nan
+    return not scene.rows.is_steady
 
 
 @of_force
@@ -208,7 +140,7 @@ def spin_ratio(
     ``h / R = (t(k) + s (rho/R)^2 k) / (f(k) + s)``.
     """
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
-    return evaluated(_spin_ratios, scene.kinds, columns, [Output("spin_ratio")])[0]
+    return _of_motion(scene, columns, "spin_ratio", 10)
 
 
 @of_force
@@ -234,27 +166,20 @@ def motion_angle(
         Of the type of the arguments; an array for an array of scenes, a DataArray for a labeled scene.
     """
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
-    return evaluated(_motion_angles, scene.kinds, columns, [Output("motion_angle")])[0]
+    return _of_motion(scene, columns, "motion_angle", 8)
 
 
-@kernel
-@owning
-def _motion_cones(kinds, rows, right, left, closed, status):
-    for i in range(len(rows)):
-        effects, own, at, first, left_edge = under_force(kinds, rows[i])
-        second = seen(own, left_edge)
-        low, high = angles_under(effects, own, at, first), angles_under(effects, own, at, second)
-        # Rounding can swap the edges of a long rod's cone, which can be narrower than an ulp.
-        right[i], left[i] = min(low.least, high.greatest), high.greatest
-        spread = max(low.greatest - low.least, high.greatest - high.least)
-        closed[i] = low.continuum or high.continuum or spread <= RESOLUTION
-        status[i] = CONSISTENT
-        if low.pivots or high.pivots:
-            status[i] = PIVOTS
-        if low.continuum or high.continuum:
-            status[i] = CONTINUUM
-        if not (low.found and high.found):
-            right[i], left[i], closed[i], status[i] = nan, nan, False, UNSOLVED
+def _of_motion(scene: Scene, columns: Sequence[Any], name: str, column: int) -> Number:
+    """One column of the results of `force_motions`."""
+
+    def decode(results: Array, given: Sequence[Any]) -> list[Array]:
+        return [results[:, column]]
+
+    outputs = [Output(name)]
+    value: Number = evaluated(
+        "force_motions", scene.rows.data, columns, outputs, MOTION_WIDTH, decode
+    )[0]
+    return value
 
 
 def motion_cone(scene: Scene) -> AngleInterval:
@@ -267,9 +192,8 @@ def motion_cone(scene: Scene) -> AngleInterval:
     `friction_cone`.
     """
     law = required_scene(scene).law
-    columns, rod_columns = unit_columns(scene)
-    given = [*columns, *rod_columns, law.right, law.left]
-    right, left, reached, status = evaluated(_motion_cones, scene.kinds, given, CONE)
+    columns = [*unit_columns(scene), law.right, law.left]
+    right, left, reached, status = evaluated("motion_cones", scene.rows.data, columns, CONE)
     cone: AngleInterval = interval(right, left, law.closed & reached, status)
     return cone
 

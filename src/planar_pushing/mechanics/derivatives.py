@@ -9,6 +9,7 @@ from typing import Any, Self
 
 import numpy as np
 
+from planar_pushing.core.sensitivity import FREE_CASE, SLIP_CASE, STICK_CASE
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.numerics.arrays import is_labeled, same
 from planar_pushing.mechanics.parameters import (
@@ -20,7 +21,6 @@ from planar_pushing.mechanics.parameters import (
     shared,
 )
 from planar_pushing.mechanics.plane import Array, direction
-from planar_pushing.mechanics.response import FREE, SLIP, STICK
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.status import formatted, name_of
 from planar_pushing.terms.errors import InvalidValue
@@ -166,17 +166,17 @@ def solution_derivatives(scene: Scene, given: Sequence[Any], found: dict[str, An
     found : dict of arrays
         Results of `solve_arrays` by name.
     """
-    entries, places = scene.from_rest, np.asarray(found["mode"]) >= 0
-    own = sum(len(entry.columns) for entry in entries) + 3
+    rows, places = scene.rows, np.asarray(found["mode"]) >= 0
+    own = len(rows.columns) + 3
     columns = [at_places(places, each) for each in given]
     names = "mode", "twist", "force", "contact_motion", "pivot", "continuum"
     motions, by_mu = _motions(columns[own:], *(found[name][places] for name in names))
     spread = [
-        from_places(places, each) for each in (*responses(entries, columns[:own], motions), by_mu)
+        from_places(places, each) for each in (*responses(rows, columns[:own], motions), by_mu)
     ]
     response, by_mu = Response(*spread[:3]), spread[3][..., None]
     return Derivatives(
-        **shared(scene, entries, response),
+        **shared(scene, response),
         twist_by_motion=response.twist[..., :2], twist_by_mu=response.twist[..., 4] * by_mu,
         force_by_motion=response.force[..., :2], force_by_mu=response.force[..., 4] * by_mu,
     )  # fmt: skip
@@ -195,7 +195,7 @@ def _motions(
     least = np.minimum(_cross(direction(right), force), -_cross(direction(left), force))
     on_edge = (least <= EDGE * np.hypot(force[:, 0], force[:, 1])) & (np.asarray(rough) == 0)
     changes = flat | (rests & grazes) | (sticks & on_edge)
-    condition = np.select([rests, sticks], [FREE, STICK], SLIP)
+    condition = np.select([rests, sticks], [FREE_CASE, STICK_CASE], SLIP_CASE)
     rate = np.select([rests | sticks, is_right], [0.0, 1.0], -1.0) * np.sin(right) ** 2
     return Motions(twist, force, np.where(is_right, left, right), condition, pivot, changes), rate
 

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from math import nan, sqrt
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.compiled import compiled, generic, kernel, owning
-from planar_pushing.mechanics.cones import is_magnitude_open, under_force, unit_columns
+from planar_pushing.core.kernels import MOTION_WIDTH
+from planar_pushing.core.magnitude import FORCE_SIZE, UNIT_MOTION
+from planar_pushing.core.sensitivity import FIRST, FORCE_CASE, LINE_CASE
+from planar_pushing.mechanics.cones import is_magnitude_open, unit_columns
 from planar_pushing.mechanics.contact import Status
-from planar_pushing.mechanics.core import Entry
 from planar_pushing.mechanics.derivatives import ForceDerivatives, require_unlabeled
-from planar_pushing.mechanics.effects.base import KINDS, count_fields, is_steady
 from planar_pushing.mechanics.numerics.arrays import (
     Output,
     component_labels,
@@ -33,15 +32,13 @@ from planar_pushing.mechanics.parameters import (
     shared,
 )
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.reduced.magnitude import at_force
-from planar_pushing.mechanics.reduced.under import pushed, pushed_ends
-from planar_pushing.mechanics.response import FIRST, FORCE, LINE
+from planar_pushing.mechanics.rows import Entry
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import required
 from planar_pushing.terms.errors import InvalidValue, require_flag
 from planar_pushing.terms.units import named_units
 
-NONE, CONSISTENT, PIVOTS = int(Status.NONE), int(Status.CONSISTENT), int(Status.PIVOTS)
+NONE = int(Status.NONE)
 CONTINUUM, UNSOLVED = int(Status.CONTINUUM), int(Status.UNSOLVED)
 OUTPUTS = (
     Output("status", (), "i1"), Output("twist", (("twist_component", 3),)), Output("force", (("xy", 2),)),
@@ -81,75 +78,20 @@ class ForceMotion:
         return same(self, other)
 
 
-@generic
-def _under_force(kinds: Any) -> Callable[..., Any]:
-    """The motion under a force, and whether it is one of a continuum: effects, contact, e_x, e_y, size."""
-    return _of_unit_motion if is_steady(kinds) else _of_size
+def _decode(results: Array, columns: Sequence[Any]) -> list[Any]:
+    """The outputs of a block of results of `force_motions`, in the units in the last columns of a row.
 
-
-@compiled
-def _of_unit_motion(effects, at, e_x, e_y, size):
-    """The motion with a unit component along the line of force."""
-    first, _ = pushed_ends(effects, at, e_x, e_y, 1.0)
-    if first.continuum:
-        return pushed(effects, at, e_x, e_y, 1.0), True
-    return first, False
-
-
-@compiled
-def _of_size(effects, at, e_x, e_y, size):
-    return at_force(effects, at, e_x, e_y, size), False
-
-
-@generic
-def _factors(kinds: Any) -> Callable[..., Any]:
-    """Factors that scale motion and force to a unit motion of the contact: effects, motion."""
-    if not is_steady(kinds):
-        return _as_they_are
-    return _both if all(KINDS[kind].DEGREE == 2 for kind in kinds) else _motion_alone
-
-
-@compiled
-def _as_they_are(effects, moved):
-    return 1.0, 1.0
-
-
-@compiled
-def _both(effects, moved):
-    factor = 1.0 / sqrt(moved.u_x * moved.u_x + moved.u_y * moved.u_y)
-    return factor, factor
-
-
-@compiled
-def _motion_alone(effects, moved):
-    return 1.0 / sqrt(moved.u_x * moved.u_x + moved.u_y * moved.u_y), 1.0
-
-
-@compiled
-def _write(own, x, y, factor, target):
-    """Write a vector of the body frame, times a factor, in the frame of the contact."""
-    target[0], target[1] = factor * (own.x * x - own.y * y), factor * (own.x * y + own.y * x)
-
-
-@kernel
-@owning
-def _motions(kinds, rows, status, twists, forces, contacts, pivots):
-    """Motions; the columns after those of `under_force` are the units of motion, force and length."""
-    units = count_fields(kinds) + 4
-    for i in range(len(rows)):
-        effects, own, at, force, size = under_force(kinds, rows[i])
-        moved, flat = _under_force(effects, at, force.along, -force.aside, size)
-        one, other = _factors(effects, moved)
-        motion, strength = one * rows[i, units], other * rows[i, units + 1]
-        status[i] = CONTINUUM if flat else CONSISTENT if moved.point < 0 else PIVOTS
-        _write(own, moved.v_x, moved.v_y, motion, twists[i])
-        twists[i, 2] = motion * moved.spin / rows[i, units + 2]
-        _write(own, moved.u_x, moved.u_y, motion, contacts[i])
-        _write(own, moved.f_x, moved.f_y, strength, forces[i])
-        pivots[i] = moved.point
-        if not moved.found:
-            status[i], pivots[i] = NONE if size > 0.0 else UNSOLVED, -1
-            twists[i], forces[i], contacts[i] = nan, nan, nan
+    With potentials of one degree the contact moves at unit speed.
+    """
+    motion, force, radius, degree = (np.asarray(each)[..., None] for each in columns[-4:])
+    u = results[:, 4:6]
+    speed = np.sqrt(u[:, :1] * u[:, :1] + u[:, 1:] * u[:, 1:])
+    factor = np.where(degree > 0.0, 1.0 / np.where(speed > 0.0, speed, np.nan), 1.0)
+    motion, force = factor * motion, np.where(degree == 2.0, factor, 1.0) * force
+    twist = motion * results[:, 1:4]
+    twist[:, 2:] /= radius
+    pivot = np.where(np.isnan(results[:, 9]), -1.0, results[:, 9])
+    return [results[:, 0], twist, force * results[:, 6:8], motion * u, pivot]
 
 
 def motion_of_force(
@@ -192,11 +134,14 @@ def motion_of_force(
     """
     ratio = _required_ratio(required_scene(scene), force_ratio)
     angle = required("force_angle", force_angle)
-    columns, rod = unit_columns(scene)
-    given = [*columns, *rod, angle, np.divide(ratio, 2), *_units(scene), scene.slider.radius]
+    norm = FORCE_SIZE if is_magnitude_open(scene) else UNIT_MOTION
+    # With shares of one half, the unit of force is half the weight.
+    given = [*unit_columns(scene), angle, float(norm), np.divide(ratio, 2)]
+    given += [*_units(scene), scene.slider.radius, _degree(scene)]
     if require_flag("derivatives", derivatives):
         require_unlabeled(given)
-    results = evaluated(_motions, scene.kinds, given, OUTPUTS)
+    rows = scene.rows
+    results = evaluated("force_motions", rows.data, given, OUTPUTS, MOTION_WIDTH, _decode)
     if is_labeled(results[0]):
         found = dataset(results).assign_coords(component_labels())
         return named_units(found, scene.units, inertia=scene.stores_energy)
@@ -226,35 +171,33 @@ def _required_ratio(scene: Scene, ratio: Any) -> Any:
 
 def _units(scene: Scene) -> tuple[Any, Any]:
     """Units of motion and force in the columns of `unit_columns` for an inertia share of one half."""
-    one, two = _strength(scene, 1), _strength(scene, 2)
+    one, two = scene.rows.strength(1), scene.rows.strength(2)
     if is_magnitude_open(scene):
         return one / two, 2.0 * one
     return 1.0, one + two
 
 
-def _strength(scene: Scene, degree: int) -> Any:
-    """Sum of the strengths of the effects of a degree, without loads."""
-    own = [each for each in scene.from_rest if each.degree == degree and len(each.forces) == 1]
-    return sum(each.forces[0] for each in own)
+def _degree(scene: Scene) -> float:
+    """Degree of all potentials, 0 if they have several."""
+    return 0.0 if is_magnitude_open(scene) else float(scene.rows.entries[0].degree)
 
 
 def _derivatives(scene: Scene, angle: Any, ratio: Any, found: dict[str, Any]) -> ForceDerivatives:
-    entries, slider = scene.from_rest, scene.slider
+    rows = scene.rows
     status = np.asarray(found["status"])[..., None]
     places = (status != NONE) & (status != UNSOLVED)
     twist, force = (np.asarray(found[name])[..., None, :][places] for name in ("twist", "force"))
-    body = slider.rod_length, slider.rod_angle, slider.radius
-    columns = [at_places(places, each) for each in (*scene.numbers, *body)]
+    columns = [at_places(places, each) for each in (*rows.columns, *rows.body)]
     motions = Motions(
-        twist, force, at_places(places, angle), np.full(len(twist), FORCE if np.any(ratio) else LINE),
+        twist, force, at_places(places, angle), np.full(len(twist), FORCE_CASE if np.any(ratio) else LINE_CASE),
         np.asarray(found["pivot"])[..., None][places], status[places] == CONTINUUM,
     )  # fmt: skip
-    by = [from_places(places, each) for each in responses(entries, columns, motions)]
+    by = [from_places(places, each) for each in responses(rows, columns, motions)]
     response = Response(*(np.take(each, 0, places.ndim - 1) for each in by))
-    _hold_ratio(entries, response, np.asarray(ratio, dtype=float))
-    weight = np.asarray(_strength(scene, 1), dtype=float)[..., None]
+    _hold_ratio(rows.entries, response, np.asarray(ratio, dtype=float))
+    weight = np.asarray(rows.strength(1), dtype=float)[..., None]
     return ForceDerivatives(
-        **shared(scene, entries, response),
+        **shared(scene, response),
         twist_by_angle=response.twist[..., 4], twist_by_ratio=weight * response.twist[..., 0],
         force_by_angle=response.force[..., 4], force_by_ratio=weight * response.force[..., 0],
     )  # fmt: skip
@@ -263,7 +206,7 @@ def _derivatives(scene: Scene, angle: Any, ratio: Any, found: dict[str, Any]) ->
 def _hold_ratio(entries: Sequence[Entry], response: Response, ratio: Array) -> None:
     """Add the change of the force with the weight, at a fixed ratio of the two."""
     feet = FIRST + len(entries)
-    friction = [i for i, each in enumerate(entries) if each.degree == 1 and len(each.forces) == 1]
+    friction = [i for i, each in enumerate(entries) if each.degree == 1 and each.resists]
     for by in (response.twist, response.force):
         more = ratio[..., None] * by[..., 0]
         for i in (*(FIRST + i for i in friction), *range(feet, by.shape[-1])):

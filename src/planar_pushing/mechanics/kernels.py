@@ -1,38 +1,99 @@
-"""Calls of the kernels of the core: flat rows of numbers in, flat rows of numbers out."""
+"""The kernels of the core, compiled or as plain Python, with arrays in and out.
+
+The compiled module has the digest of the sources from which it was made. If they have changed since, or if
+there is none, the sources run as they are, with the same results; a warning says so. With the environment
+variable ``PLANAR_PUSHING_PLAIN=1`` they do without a warning.
+"""
 
 from __future__ import annotations
 
+import functools
 import importlib
-import pkgutil
-from collections.abc import Callable
-from functools import cache
+import os
+import warnings
+from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from planar_pushing import core
+from planar_pushing.terms.errors import PlainCoreWarning
 
 Array = npt.NDArray[np.float64]
+Kernel = Callable[..., None]
 
 
-@cache
-def _kernel(name: str) -> Callable[..., None]:
-    for module in pkgutil.iter_modules(core.__path__, f"{core.__name__}."):
-        found = getattr(importlib.import_module(module.name), name, None)
-        if found is not None and found.__module__ == module.name:
-            return found  # type: ignore[no-any-return]
-    raise AttributeError(name)
+def run(name: str, data: npt.ArrayLike, rows: npt.ArrayLike, width: int) -> Array:
+    """What a kernel answers to each row.
 
+    Parameters
+    ----------
+    name : str
+        A function of the core whose arguments are data, rows, count, columns, results and width.
+    data : array_like, shape (n,)
+        Numbers that all rows share.
+    rows : array_like, shape (count, columns)
+    width : int
+        How many numbers the kernel writes for each row.
 
-def run(name: str, data: Any, rows: Any, width: int) -> Array:
-    """Results of a kernel, shape (len(rows), width), for rows of numbers and the data that they share."""
-    table = np.ascontiguousarray(rows, dtype=float)
-    results = np.zeros((len(table), width))
-    flat = [
-        memoryview(np.ascontiguousarray(each, dtype=float).reshape(-1))
-        for each in (data, table, results)
-    ]
-    if len(table):
-        _kernel(name)(flat[0], flat[1], *table.shape, flat[2], width)
+    Returns
+    -------
+    ndarray, shape (count, width)
+        NaN where the kernel writes nothing.
+    """
+    data = np.ascontiguousarray(data, np.float64)
+    rows = np.ascontiguousarray(rows, np.float64)
+    count, columns = rows.shape
+    results = np.empty((count, width))
+    results.fill(np.nan)
+    if COMPILED is not None:
+        COMPILED[name](data, rows, count, columns, results, width)
+    else:
+        # The numbers of a memory view are floats of Python, those of an array are of numpy.
+        numbers, inputs, outputs = map(_flat, (data, rows, results))
+        plain_kernel(name)(numbers, inputs, count, columns, outputs, width)
     return results
+
+
+def _flat(array: Array) -> memoryview:
+    """All numbers of an array in one row, which refers to them."""
+    flat: Any = array.reshape(-1)
+    return memoryview(flat)
+
+
+@functools.cache
+def plain_kernel(name: str) -> Kernel:
+    """The function of a kernel as it is written, from whichever module of the core has it."""
+    for path in sorted(Path(core.__file__).parent.glob("[!_]*.py")):
+        module = importlib.import_module(f"{core.__name__}.{path.stem}")
+        if hasattr(module, name):
+            kernel: Kernel = getattr(module, name)
+            return kernel
+    raise LookupError(f"no function {name} in {core.__name__}")
+
+
+def load_kernels() -> Mapping[str, Kernel] | None:
+    """The compiled kernels by name; none, with a warning, if they are missing or out of date."""
+    if os.environ.get("PLANAR_PUSHING_PLAIN", "") not in ("", "0"):
+        return None
+    try:
+        compiled = importlib.import_module(f"{core.__name__}._compiled")
+    except ModuleNotFoundError:
+        reason = "it is not compiled"
+        remedy = "install a C compiler and Python's headers, then install the package again"
+    except ImportError as error:
+        reason, remedy = f"it cannot be loaded ({error})", "install the package again"
+    else:
+        if core.digest() == compiled.DIGEST:
+            kernels: Mapping[str, Kernel] = compiled.KERNELS
+            return kernels
+        reason, remedy = "it has changed since it was compiled", "compile it"
+    slower = "the core runs as plain Python, about 100 times slower"
+    message = f"{slower}, as {reason}; {remedy} (in a clone: make)"
+    warnings.warn(PlainCoreWarning(message), stacklevel=2)
+    return None
+
+
+COMPILED = load_kernels()

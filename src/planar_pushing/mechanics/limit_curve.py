@@ -8,24 +8,18 @@ to the curve at the force. For the sum of both, this curve is one of many, one f
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from math import nan, sqrt
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import kernel, owning
-from planar_pushing.mechanics.cones import (
-    CONSISTENT,
-    PIVOTS,
-    UNSOLVED,
-    is_magnitude_open,
-    under_force,
-)
+from planar_pushing.core.kernels import MOTION_WIDTH
+from planar_pushing.core.magnitude import UNIT_ENERGY
+from planar_pushing.mechanics.cones import is_magnitude_open
 from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.numerics.arrays import Output, dataset, evaluated, is_labeled, same
 from planar_pushing.mechanics.plane import Array, direction
-from planar_pushing.mechanics.reduced.magnitude import on_curve, turned
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, Numbers, Scalar, required
 from planar_pushing.terms.errors import InvalidValue
@@ -78,18 +72,11 @@ class LimitCurve:
         return direction(self.motion_angle)
 
 
-@kernel
-@owning
-def _curve(kinds, rows, angles, magnitudes, ratios, motions, status):
-    for i in range(len(rows)):
-        effects, _, at, force, _ = under_force(kinds, rows[i])
-        moved = on_curve(effects, at, force.along, -force.aside)
-        found = turned(moved, force)
-        angles[i], ratios[i], motions[i] = force.angle, found.ratio, found.angle
-        magnitudes[i] = sqrt(moved.f_x * moved.f_x + moved.f_y * moved.f_y)
-        status[i] = CONSISTENT if moved.point < 0 else PIVOTS
-        if not moved.found:
-            magnitudes[i], ratios[i], motions[i], status[i] = nan, nan, nan, UNSOLVED
+def _decode(results: Array, columns: Sequence[Any]) -> list[Any]:
+    """The outputs of a block of results of `force_motions`."""
+    angle, force = columns[-3], results[:, 6:8]
+    magnitude = np.sqrt(force[:, 0] * force[:, 0] + force[:, 1] * force[:, 1])
+    return [angle, magnitude, results[:, 10], results[:, 8], results[:, 0]]
 
 
 @overload
@@ -134,9 +121,9 @@ def curve_of_unit_motions(scene: Scene, force_angle: Number) -> Any:
     """As `limit_curve`; with friction and inertia, the curve of one of many magnitudes of motion."""
     scene, angle = required_scene(scene), required("force_angle", force_angle)
     require_held(scene)
-    slider = scene.slider
-    columns = [*scene.numbers, slider.length_ratio, slider.rod_angle, angle, 0.0]
-    found = evaluated(_curve, scene.kinds, columns, OUTPUTS)
+    rows = scene.rows
+    columns = [*rows.columns, *rows.body[:2], angle, float(UNIT_ENERGY), 0.0]
+    found = evaluated("force_motions", rows.data, columns, OUTPUTS, MOTION_WIDTH, _decode)
     if is_labeled(found[0]):
         return named_units(dataset(found[1:]), scene.units, inertia=scene.stores_energy)
     return LimitCurve(**dict(zip(LimitCurve.__slots__, found, strict=True)))

@@ -8,13 +8,11 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.core import Entry
-from planar_pushing.mechanics.effects.any_support import Supports
+from planar_pushing.core.sensitivity import FIRST, FORCE_CASE
 from planar_pushing.mechanics.numerics.arrays import Output, mapped
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.response import FIRST, FORCE, respond
+from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.mechanics.supports.pressure.record import ATOMS, SEGMENTS
 
 
 class Motions(NamedTuple):
@@ -60,87 +58,67 @@ def from_places(places: npt.NDArray[np.bool_], values: Array) -> Array:
     return found
 
 
-def responses(entries: Sequence[Entry], columns: Sequence[Any], motions: Motions) -> Response:
+def responses(rows: Rows, columns: Sequence[Any], motions: Motions) -> Response:
     """Responses of motions to each parameter.
 
     Parameters
     ----------
-    entries : sequence of Entry
+    rows : Rows
     columns : sequence of float or ndarray, shape (n,)
-        Columns of the entries; length and angle of the rod, radius.
+        Columns of the effects; length of the rod in radii, its angle, and the radius.
     motions : Motions
     """
     *numbers, length, angle, radius = columns
     v_x, v_y, omega = motions.twist.T
     size = np.maximum(np.hypot(v_x, v_y), np.abs(radius * omega))
     size = np.where(size > 0, size, 1.0)
-    strengths, unit, numbers = _dimensionless(entries, numbers, size)
+    unit, scaled = in_units(rows.entries, numbers, size)
+    unit = np.broadcast_to(unit, size.shape)
     motion, force = np.column_stack([size, size, size / radius]), np.column_stack([unit, unit])
-    rows = [
-        *numbers, length / radius, angle, *(motions.twist / motion).T, *(motions.force / force).T,
-        *motions[2:],
+    scaled += [
+        length, angle, *(motions.twist / motion).T, *(motions.force / force).T, *motions[2:],
     ]  # fmt: skip
-    count = (("parameter", FIRST + len(entries) + _count_feet(entries)),)
+    count = (("parameter", FIRST + len(rows.entries) + _count_feet(rows.entries)),)
     outputs = (
         Output("status", (), "i1"),
         Output("twist", (("twist_component", 3), *count)),
         Output("force", (("xy", 2), *count)),
     )
-    status, by_twist, by_force = mapped(
-        respond, tuple(each.kind for each in entries), rows, outputs
-    )
+    status, by_twist, by_force = mapped("responses", rows.data, scaled, outputs)
     of = np.ones((len(size), by_twist.shape[2]))  # units of the parameters in the kernel
-    of[:, 0] = np.where(motions.condition == FORCE, unit, size)
+    of[:, 0] = np.where(motions.condition == FORCE_CASE, unit, size)
     of[:, 1], of[:, 2], of[:, 3] = size, radius, radius
-    for i, strength in enumerate(strengths):
-        of[:, FIRST + i] = strength
-    of[:, FIRST + len(entries) :] = unit[:, None]
+    strengths = strengths_of(rows.entries, numbers)
+    for i, (entry, strength) in enumerate(zip(rows.entries, strengths, strict=True)):
+        of[:, FIRST + i] = strength if entry.resists else 1.0
+    of[:, FIRST + len(rows.entries) :] = unit[:, None]
     by = of[:, None, :]
     return Response(status, by_twist * motion[..., None] / by, by_force * force[..., None] / by)
 
 
-def _dimensionless(
-    entries: Sequence[Entry], columns: Sequence[Any], size: Array
-) -> tuple[list[Any], Array, list[Any]]:
-    """Strengths, 1 for loads; unit of force; columns in this unit, for motions in units of `size`."""
-    left, strengths, forces, found = list(columns), [], [], []
-    for entry in entries:
-        own = [left.pop(0) for _ in entry.forces]
-        strengths.append(own[0] if len(own) == 1 else 1.0)
-        scaled = [each * size ** (entry.degree - 1) for each in own]
-        forces.append(np.abs(scaled[0]) if len(own) == 1 else np.hypot(scaled[0], scaled[1]))
-        found.append((scaled, [left.pop(0) for _ in entry.others]))
-    unit = np.max(np.broadcast_arrays(*forces, size * 0.0), axis=0)
-    return strengths, unit, [
-        each for scaled, others in found for each in (*(f / unit for f in scaled), *others)
-    ]  # fmt: skip
-
-
 def _count_feet(entries: Sequence[Entry]) -> int:
     """Number of support points, the maximum for each array of supports."""
-    tables = [entry.kind.table for entry in entries if isinstance(entry.kind, Supports)]
-    return sum(int((each.starts[:, SEGMENTS] - each.starts[:, ATOMS]).max()) for each in tables)
+    return sum(int(each.table.atom_counts.max()) for each in entries if each.table is not None)
 
 
-def by_effect(scene: Scene, entries: Sequence[Entry], responses: Array) -> Array:
+def by_effect(scene: Scene, responses: Array) -> Array:
     """Derivatives with respect to the strength of each effect of a scene; 0 for one absent from rest."""
     found = np.zeros((*responses.shape[:-1], len(scene.effects)))
     found[np.isnan(responses[..., 0])] = np.nan
-    listed = scene.resisting
-    for i, entry in enumerate(entries):
-        found[..., listed[entry.number]] = responses[..., FIRST + i]
+    for i, entry in enumerate(scene.rows.entries):
+        found[..., entry.number] = responses[..., FIRST + i]
     return found
 
 
-def shared(scene: Scene, entries: Sequence[Entry], response: Response) -> dict[str, Array]:
+def shared(scene: Scene, response: Response) -> dict[str, Array]:
     """The fields that the derivatives of every problem share."""
-    feet = FIRST + len(entries)
+    feet = FIRST + len(scene.rows.entries)
     return {
         "status": response.status,
         "twist_by_point": response.twist[..., 2:4],
-        "twist_by_strength": by_effect(scene, entries, response.twist),
+        "twist_by_strength": by_effect(scene, response.twist),
         "twist_by_foot": response.twist[..., feet:],
         "force_by_point": response.force[..., 2:4],
-        "force_by_strength": by_effect(scene, entries, response.force),
+        "force_by_strength": by_effect(scene, response.force),
         "force_by_foot": response.force[..., feet:],
     }

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.contact.laws import ContactLaw, as_numbers, is_law
-from planar_pushing.mechanics.core import Entry, entries, extents, is_own_ring
 from planar_pushing.mechanics.effects import (
     Effect,
     Inertia,
@@ -23,6 +23,7 @@ from planar_pushing.mechanics.frames import Frame, Kind, Placement, changed
 from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.mechanics.pictures import picture
 from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.mechanics.rows import Rows, extents, is_own_ring
 from planar_pushing.terms.domain import (
     Number,
     require_fields,
@@ -90,7 +91,7 @@ class Slider:
         return required_ratio("length_ratio", self.rod_length / self.radius)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True)  # without slots, as the rows and the law are kept
 class Scene:
     """A slider, the contact through which it is pushed, and the effects that resist the motion.
 
@@ -241,15 +242,10 @@ class Scene:
         absent = Viscous if self.stores_energy else ()
         return [i for i, each in enumerate(self.effects) if not isinstance(each, absent)]
 
-    @property
-    def from_rest(self) -> list[Entry]:
-        """The effects of a push from rest, in the form of the compiled core."""
-        return entries([self.effects[i] for i in self.resisting], self)
-
-    @property
-    def kinds(self) -> tuple[Any, ...]:
-        """The kinds of the effects of a push from rest."""
-        return tuple(entry.kind for entry in self.from_rest)
+    @cached_property
+    def rows(self) -> Rows:
+        """The effects of a push from rest in the form of the core."""
+        return Rows.of(self)
 
     @property
     def weight(self) -> Number:
@@ -284,12 +280,7 @@ class Scene:
         x, y = (sum(each.mass * each.center[i] for each in self.masses) / whole for i in (0, 1))
         return x, y
 
-    @property
-    def numbers(self) -> list[Number]:
-        """All numbers of the effects of a push from rest."""
-        return [each for entry in self.from_rest for each in entry.columns]
-
-    @property
+    @cached_property
     def law(self) -> Any:
         """The contact law in numbers."""
         return as_numbers(self.contact)
@@ -318,7 +309,7 @@ def required_single(scene: Scene) -> Scene:
     """The scene if its parameters are scalars, or `InvalidValue`."""
     slider = scene.slider
     rod = slider.rod_length, slider.rod_angle, slider.radius, *slider.side
-    if any(map(np.ndim, (*rod, *scene.numbers, *scene.law))):
+    if any(map(np.ndim, (*rod, *scene.rows.columns, *scene.law))):
         raise InvalidValue(
             "scene", "an array of scenes", "one scene, whose parameters are numbers",
             "take the scenes one by one, or call simulate_batch",

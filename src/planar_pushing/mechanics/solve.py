@@ -4,32 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cache
-from math import hypot, inf, nan
-from typing import TYPE_CHECKING, Any, NamedTuple, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.compiled import compiled, kernel, owning
-from planar_pushing.mechanics.contact import Status
-from planar_pushing.mechanics.contact.laws import Law
-from planar_pushing.mechanics.core import Entry
-from planar_pushing.mechanics.derivatives import (
-    require_unlabeled,
-    solution_derivatives,
+from planar_pushing.core.kernels import RESULT
+from planar_pushing.core.solution import (
+    CONTINUUM,
+    FORCE,
+    FORCE_END,
+    MODE,
+    MOTION,
+    PIVOT,
+    SOLUTION,
+    TWIST,
 )
-from planar_pushing.mechanics.effects.base import count_fields, made
+from planar_pushing.mechanics.derivatives import require_unlabeled, solution_derivatives
 from planar_pushing.mechanics.held import require_held
-from planar_pushing.mechanics.modes import MOST, SOLUTION, Push, contact_modes
-from planar_pushing.mechanics.numerics.arrays import (
-    Output,
-    elementwise,
-    is_labeled,
-    mapped,
-)
-from planar_pushing.mechanics.plane import motion_center, rod, toward
-from planar_pushing.mechanics.reduced.psi import contact_at
-from planar_pushing.mechanics.reduced.slips import ENTRIES, SLIPS
+from planar_pushing.mechanics.numerics.arrays import Output, elementwise, is_labeled, mapped
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.mechanics.solutions import SolutionArrays, Solutions, as_dataset, listed
 from planar_pushing.terms.domain import Number, Numbers, Scalar, required, required_ratio
@@ -41,26 +36,7 @@ if TYPE_CHECKING:
 
 #: Length of the axis `solution`, by whether all potentials have one degree.
 SOLUTIONS = {True: 4, False: 8}
-NO_MODE, NO_PIVOT = -1, -1
-NONE, CONSISTENT, PIVOTS = int(Status.NONE), int(Status.CONSISTENT), int(Status.PIVOTS)
-CONTINUUM, UNSOLVED = int(Status.CONTINUUM), int(Status.UNSOLVED)
 XY = ("xy", 2)
-
-
-class Given(NamedTuple):
-    """A push, in the columns of a row after those of the effects."""
-
-    length: float
-    angle: float
-    right: float
-    left: float
-    slips: float
-    closed: float
-    rough: float
-    toward: float
-    size: float
-    unit: float
-    radius: float
 
 
 @cache
@@ -82,153 +58,61 @@ def outputs(steady: bool) -> tuple[Output, ...]:
     )
 
 
-@compiled
-def given_in(row, i):
-    """The push in the columns of a row, starting at i."""
-    return Given(
-        row[i], row[i + 1], row[i + 2], row[i + 3], row[i + 4], row[i + 5], row[i + 6], row[i + 7],
-        row[i + 8], row[i + 9], row[i + 10],
-    )  # fmt: skip
+def _decode(results: Array, columns: Sequence[Any]) -> list[Any]:
+    """The outputs in the units of the scene; the last columns of a row are its units."""
+    size, unit, radius = (np.asarray(each)[..., None] for each in columns[-3:])
+    solutions = results[:, 2:].reshape(len(results), -1, RESULT)
+    size, unit, radius = size[..., None], unit[..., None], radius[..., None]
+    twist = size * solutions[..., TWIST:MOTION]
+    twist[..., 2:] /= radius
+    return [
+        results[:, 0], results[:, 1], _integers(solutions[..., MODE]),
+        unit * solutions[..., FORCE:FORCE_END], unit * solutions[..., FORCE_END:PIVOT], twist,
+        size * solutions[..., MOTION:FORCE], solutions[..., SOLUTION],
+        radius * solutions[..., SOLUTION + 1 :], _integers(solutions[..., PIVOT]),
+        solutions[..., CONTINUUM] == 1.0,
+    ]  # fmt: skip
 
 
-@compiled
-def spin_ratio(speed, spin):
-    """R omega / v, 0 at rest."""
-    if spin == 0.0:
-        return 0.0
-    return spin / speed if speed > 0.0 else inf if spin > 0.0 else -inf
+def _integers(numbers: Array) -> Array:
+    """Integers, -1 where there is none."""
+    return np.where(np.isnan(numbers), -1.0, numbers)
 
 
-@compiled
-def _write(own, given, found, force, end, twist, contact, center):
-    """Write one solution in the units of the scene, with no center at rest; return its spin ratio."""
-    size, unit, radius = given.size, given.unit, given.radius
-    v_x, v_y, spin = found.twist[0], found.twist[1], found.twist[2]
-    for k in range(2):
-        force[k], end[k] = unit * found.force[k], unit * found.force_end[k]
-        contact[k] = size * found.motion[k]
-    twist[0], twist[1], twist[2] = size * v_x, size * v_y, size * spin / radius
-    x, y = motion_center(own, v_x, v_y, spin)
-    center[0], center[1] = radius * x, radius * y
-    if twist[0] == 0.0 and twist[1] == 0.0 and twist[2] == 0.0:
-        center[0], center[1] = nan, nan
-    return spin_ratio(hypot(v_x, v_y), spin)
-
-
-@kernel
-@owning
-def _modes(
-    kinds,
-    rows,
-    counts,
-    status,
-    modes,
-    forces,
-    ends,
-    twists,
-    contacts,
-    ratios,
-    centers,
-    pivots,
-    continua,
-):
-    scratch, solutions = np.empty((SLIPS, ENTRIES)), np.empty(MOST, SOLUTION)
-    for i in range(len(rows)):
-        given = given_in(rows[i], count_fields(kinds))
-        own = rod(given.length, given.angle)
-        law = Law(
-            given.right, given.left, given.slips != 0.0, given.closed != 0.0, given.rough != 0.0
-        )
-        push = Push(made(kinds, rows[i], 0), contact_at(-given.length, 0.0), own.x, -own.y)
-        edges = toward(own, law.right), toward(own, law.left)
-        pusher = toward(own, given.toward)
-        count, flat = contact_modes(push, law, edges, pusher, given.size > 0.0, scratch, solutions)
-        fits = count <= modes.shape[1]
-        status[i] = CONTINUUM if flat else NONE if count == 0 else CONSISTENT
-        if count < 0 or not fits:
-            count, status[i] = 0, UNSOLVED
-        counts[i], modes[i], pivots[i], continua[i] = count, NO_MODE, NO_PIVOT, False
-        forces[i], ends[i], twists[i], contacts[i] = nan, nan, nan, nan
-        ratios[i], centers[i] = nan, nan
-        for j in range(count):
-            found = solutions[j]
-            modes[i, j], pivots[i, j], continua[i, j] = found.mode, found.pivot, found.continuum
-            if found.continuum:
-                status[i] = CONTINUUM
-            elif found.pivot >= 0 and status[i] == CONSISTENT:
-                status[i] = PIVOTS
-            ratios[i, j] = _write(
-                own,
-                given,
-                found,
-                forces[i, j],
-                ends[i, j],
-                twists[i, j],
-                contacts[i, j],
-                centers[i, j],
-            )
-
-
-def _in_units(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> tuple[Any, list[Any]]:
-    """Unit of force, and the columns of the effects for motions in units of `size` and forces in that unit.
-
-    For a pusher at rest the unit of motion is 1.
-    """
-    moves = np.asarray(size) > 0
-    size = np.where(moves, size, 1.0)
-    left, strengths, found = list(columns), [], []
-    for entry in entries:
-        own = [left.pop(0) * size ** (entry.degree - 1) for _ in entry.forces]
-        found.append([*own, *(left.pop(0) for _ in entry.others)])
-        strengths.append(np.abs(own[0]) if len(own) == 1 else np.hypot(own[0], own[1]))
-    unit = strengths[0]
-    for strength in strengths[1:]:
-        unit = np.maximum(unit, strength)
-    _require_ratio(entries, strengths, moves)
-    for entry, numbers in zip(entries, found, strict=True):
-        for i in range(len(entry.forces)):
-            numbers[i] = numbers[i] / unit
-    return unit, [each for numbers in found for each in numbers]
-
-
-def _require_ratio(entries: Sequence[Entry], strengths: Sequence[Any], moves: Any) -> None:
+def _require_ratio(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> None:
     """Refuse friction and inertia out of proportion under a moving pusher; loads can have any magnitude."""
     by_degree: dict[int, Any] = {}
-    for entry, strength in zip(entries, strengths, strict=True):
-        if len(entry.forces) == 1:
+    for entry, strength in zip(entries, strengths_of(entries, columns), strict=True):
+        if entry.resists:
             by_degree[entry.degree] = by_degree.get(entry.degree, 0.0) + strength
     if len(by_degree) == 2:
-        required_ratio("force_ratio", np.where(moves, by_degree[2] / by_degree[1], 1.0)[()])
+        ratio = by_degree[2] * size / by_degree[1]
+        required_ratio("force_ratio", np.where(np.asarray(size) > 0, ratio, 1.0)[()])
 
 
-def solve_arrays(entries: Sequence[Entry], *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
+def solve_arrays(rows: Rows, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
     """Every consistent solution of arrays of scenes, with broadcasting.
 
     Parameters
     ----------
-    entries : sequence of Entry
-        The effects.
+    rows : Rows
     *given : array_like
-        Columns of the entries; length and angle of the rod, radius; the five entries of `Law`; angle and
-        magnitude of the pusher's motion, all within their ranges.
+        Columns of the entries; length of the rod in radii, its angle, and the radius; the five entries of
+        `Law`; angle and magnitude of the pusher's motion, all within their ranges.
 
     Returns
     -------
     list of ndarray
         As `outputs`; places without a solution hold NaN.
     """
-    count = sum(len(entry.columns) for entry in entries)
-    length, angle, radius, *law, towards, size = given[count:]
-    unit, columns = _in_units(entries, given[:count], size)
-    ratio = required_ratio("length_ratio", np.divide(length, radius))
-    columns += [ratio, angle, *law, towards, size, unit, radius]
-    kinds = tuple(entry.kind for entry in entries)
-    return mapped(_modes, kinds, columns, outputs(is_steady(entries)))
-
-
-def is_steady(entries: Sequence[Entry]) -> bool:
-    """Whether all potentials have one degree."""
-    return len({entry.degree for entry in entries}) == 1
+    *columns, length, angle, radius, right, left, slips, closed, rough, toward, size = given
+    _require_ratio(rows.entries, columns, size)
+    moves = np.asarray(size) > 0
+    size = np.where(moves, size, 1.0)
+    unit, scaled = in_units(rows.entries, columns, size)
+    scaled += [length, angle, right, left, slips, closed, rough, toward, moves, size, unit, radius]
+    width = 2 + SOLUTIONS[rows.is_steady] * RESULT
+    return mapped("solve", rows.data, scaled, outputs(rows.is_steady), width, _decode)
 
 
 @overload
@@ -301,15 +185,13 @@ def solve(
         with a DataArray. An angle beyond 4 pi is refused because it is most likely in degrees, and a tuple
         because it is most likely a velocity.
     """
-    entries, slider = required_scene(scene).from_rest, scene.slider
+    rows = required_scene(scene).rows
     require_held(scene)
     push = _push(scene, pusher_angle, pusher_magnitude)
-    body = slider.rod_length, slider.rod_angle, slider.radius
-    columns = [each for entry in entries for each in entry.columns]
-    given, results = [*columns, *body, *scene.law, *push], outputs(is_steady(entries))
+    given, results = [*rows.columns, *rows.body, *rows.law, *push], outputs(rows.is_steady)
     if require_flag("derivatives", derivatives):
         require_unlabeled(given)
-    found = elementwise(lambda *each: solve_arrays(entries, *each), given, results)
+    found = elementwise(lambda *each: solve_arrays(rows, *each), given, results)
     by_name = {output.name: each for output, each in zip(results, found, strict=True)}
     if is_labeled(found[0]):
         return named_units(as_dataset(by_name), scene.units, inertia=scene.stores_energy)

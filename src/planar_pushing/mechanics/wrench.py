@@ -2,39 +2,20 @@
 
 from __future__ import annotations
 
-from math import inf
-
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.compiled import compiled, kernel, owning
 from planar_pushing.mechanics.contact import PerfectlyRough
-from planar_pushing.mechanics.core import entries
 from planar_pushing.mechanics.effects import Effect, Load
-from planar_pushing.mechanics.effects.base import count_fields, made, pull, resistance
 from planar_pushing.mechanics.numerics.arrays import Output, mapped
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.rows import data_of, entries_of
 from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.mechanics.supports.ring import ring_spin_ratio, ring_wrench
 from planar_pushing.terms.domain import required
 from planar_pushing.terms.errors import InvalidValue
 
+NO_DATA = np.zeros(0)
 WRENCH = (Output("wrench", (("wrench_component", 3),)),)
-
-
-@kernel
-@owning
-def _wrenches(kinds, rows, wrenches):
-    """Wrenches that sustain twists; at rest, those of the loads alone."""
-    first = count_fields(kinds)
-    for i in range(len(rows)):
-        v_x, v_y, spin = rows[i, first], rows[i, first + 1], rows[i, first + 2]
-        effects = made(kinds, rows[i], 0)
-        x, y, torque = pull(effects)
-        wrenches[i, 0], wrenches[i, 1], wrenches[i, 2] = -x, -y, -torque
-        if v_x != 0.0 or v_y != 0.0 or spin != 0.0:
-            now = resistance(effects, v_x, v_y, spin, 0.0)
-            wrenches[i, 0], wrenches[i, 1], wrenches[i, 2] = now.f_x, now.f_y, now.torque
 
 
 def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -> Array:
@@ -70,9 +51,9 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
     # Scaled to about 1 so that squares neither overflow nor underflow; a power of two is exact.
     _, size = np.frexp(np.abs(twists).max(axis=-1, keepdims=True))
     v_x, v_y, omega = np.moveaxis(np.ldexp(twists, -size), -1, 0)
-    (entry,) = entries([effect], scene)
-    columns = [*entry.columns, v_x, v_y, radius * omega]
-    found = mapped(_wrenches, (entry.kind,), columns, WRENCH)[0]
+    entries = entries_of([(0, effect)], scene)
+    columns = [*entries[0].columns, v_x, v_y, radius * omega]
+    found = mapped("wrenches", data_of(entries), columns, WRENCH)[0]
     found[..., 2] *= radius
     return np.asarray(np.ldexp(found, (effect.degree - 1) * size))
 
@@ -94,30 +75,12 @@ def potential(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None
     return np.asarray((np.asarray(twist, dtype=float) * force).sum(axis=-1) / effect.degree)
 
 
-@kernel
-@compiled
-def _profiles(kinds, rows, forces, torques):
-    for i in range(len(rows)):
-        k = rows[i, 0]
-        if abs(k) < inf:
-            forces[i], torques[i], _ = ring_wrench(1.0, k)
-        else:
-            forces[i], torques[i] = 0.0, 1.0 if k > 0.0 else -1.0
-
-
 def ring_profile(spin_ratio: npt.ArrayLike) -> tuple[Array, Array]:
     """f(k) and t(k) of Eqs. (2)-(3), per unit weight and radius, for any k including infinity."""
-    force, torque = mapped(_profiles, (), [spin_ratio], (Output("force"), Output("torque")))
+    force, torque = mapped("ring_profiles", NO_DATA, [spin_ratio], (Output("force"), Output("torque")))
     return force, torque
-
-
-@kernel
-@compiled
-def _spin_ratios(kinds, rows, ratios):
-    for i in range(len(rows)):
-        ratios[i] = ring_spin_ratio(rows[i, 0])
 
 
 def ring_spin_ratios(moment_arm: npt.ArrayLike) -> Array:
     """Spin ratios under forces with these moment arms in radii: the inverse of ``t(k) / f(k)`` (Eq. 7)."""
-    return mapped(_spin_ratios, (), [moment_arm], (Output("spin_ratio"),))[0]
+    return mapped("ring_spin_ratios", NO_DATA, [moment_arm], (Output("spin_ratio"),))[0]

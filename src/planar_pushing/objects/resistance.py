@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.contact import PerfectlyRough
-from planar_pushing.mechanics.core import extents
+from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
 from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.plane import Array

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactLaw
-from planar_pushing.mechanics.core import extents
+from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
 from planar_pushing.mechanics.frames import Frame, Placement, moved_place
 from planar_pushing.mechanics.outline import placed, required_outline

@@ -9,11 +9,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from tqdm import tqdm
 
-from planar_pushing.mechanics.compiled import inlined, kernel, owning
 from planar_pushing.mechanics.numerics.arrays import in_threads
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.events.driver import ENDED, advance, begin
 from planar_pushing.simulation.events.run import STATE, Task, run_type
+from planar_pushing.simulation.legacy.compiled import inlined, kernel, owning
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import records, row_type
 from planar_pushing.simulation.systems.base import BODY, Inertial, QuasiStatic

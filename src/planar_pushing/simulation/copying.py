@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.simulation.legacy.compiled import compiled
 
 
 @compiled

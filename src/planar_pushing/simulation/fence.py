@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.simulation.legacy.compiled import compiled
 
 #: Rows of a piece's coefficients; each quantity has one row along the fence and one normal to it.
 VELOCITY, ACCELERATION, MEAN = 0, 2, 4

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.outline import Corners, size
 from planar_pushing.mechanics.scene import Slider
+from planar_pushing.simulation.legacy.compiled import compiled
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
 

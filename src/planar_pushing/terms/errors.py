@@ -62,6 +62,10 @@ class MissingExtra(PlanarPushingError, ImportError):
     """A feature whose dependencies are not installed; the message names the extra."""
 
 
+class PlainCoreWarning(UserWarning):
+    """The mechanics run as plain Python, about 100 times slower; the message says why, and what to do."""
+
+
 def shown(given: object) -> str:
     """A value as one line of a message, truncated if too long."""
     try:

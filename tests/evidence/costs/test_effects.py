@@ -1,6 +1,5 @@
 """A scene pays for the effects that it lists, and for no other."""
 
-import json
 import os
 import subprocess
 import sys
@@ -10,8 +9,6 @@ import numpy as np
 import pytest
 
 from planar_pushing.evidence.costs import effects
-from planar_pushing.mechanics import wrench
-from planar_pushing.mechanics.effects import Inertia, RingFriction
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.options import Method
 
@@ -47,51 +44,6 @@ def test_logs_hold_what_is_listed_and_nothing_else(found):
 def test_a_step_evaluates_the_motion_once(found):
     steps = found.evaluations.sel(integrator="time-stepping").values
     assert np.array_equal(steps, effects.STEPS * listed(found))
-
-
-def test_code_of_one_effect_would_show_in_that_of_another():
-    """The same look at kernels that hold one effect each tells them apart."""
-    for effect, names in ((RingFriction(), ["RingSupport"]), (Inertia(), ["Mass"])):
-        wrench.wrench(effect, (1.0, 2.0, 3.0))
-        (code,) = (
-            each
-            for each in wrench._wrenches.overloads
-            if all(name in str(each[0]) for name in names) and len(each[0]) == 1
-        )
-        linked = effects.linked(wrench._wrenches, code)
-        assert any("10resistance" in name for name in linked)
-        assert any("supports4ring" in name for name in linked) == isinstance(effect, RingFriction)
-        assert any("effects7inertia" in name for name in linked) == isinstance(effect, Inertia)
-
-
-#: Counts functions of inertia's wrench in code that is new, and then from the cache.
-TWICE = """
-import json, sys
-from pathlib import Path
-from planar_pushing.mechanics import compiled
-compiled.CACHE = Path(sys.argv[1])
-import planar_pushing as pp
-from planar_pushing.evidence.costs.effects import linked
-from planar_pushing.mechanics import wrench
-pp.wrench(pp.Inertia(), (1.0, 2.0, 3.0))
-(code,) = wrench._wrenches.overloads
-cached = sum(wrench._wrenches.stats.cache_hits.values())
-print(json.dumps([cached, sorted(linked(wrench._wrenches, code))]))
-"""
-
-
-def test_new_code_and_code_from_the_cache_hold_the_same_functions(tmp_path):
-    (none, new), (one, cached) = (
-        json.loads(
-            subprocess.run(
-                [sys.executable, "-c", TWICE, tmp_path], check=True, capture_output=True, text=True
-            ).stdout
-        )
-        for _ in range(2)
-    )
-    assert (none, one) == (0, 1)
-    assert new == cached
-    assert new
 
 
 def test_without_the_compiler_there_is_nothing_to_look_at():

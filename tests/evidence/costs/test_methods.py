@@ -9,10 +9,10 @@ from mpmath import mp, mpf
 from scipy.interpolate import CubicSpline
 
 import reference as straight
+from planar_pushing.core.ring import ring_spin_ratio
 from planar_pushing.evidence.costs import tables
 from planar_pushing.evidence.costs.inverses import ROD_ANGLE, edges, linear, tabulated
 from planar_pushing.evidence.costs.methods import METHODS, rows
-from planar_pushing.mechanics.supports.ring import ring_spin_ratio
 from planar_pushing.mechanics.wrench import ring_spin_ratios
 
 EPS = np.finfo(float).eps

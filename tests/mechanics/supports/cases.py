@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from planar_pushing.core.pieces import COLUMNS
 from planar_pushing.mechanics.supports.annulus import Annulus
 from planar_pushing.mechanics.supports.composite import Composite
 from planar_pushing.mechanics.supports.disc import Disc
@@ -14,9 +15,10 @@ from planar_pushing.mechanics.supports.pressure_map import PressureMap
 from planar_pushing.mechanics.supports.segment import Segment
 
 
-def rows_of(pressure, kind):
-    """Rows of one kind of pieces but edges."""
-    return pressure.rows[pressure.starts[kind] : pressure.starts[kind + 1]]
+def rows_of(table, kind):
+    """Rows of one kind of pieces but edges, by the name of their place in the head of a pressure."""
+    first, last = table.heads[0, kind : kind + 2].astype(int)
+    return table.data[first:last].reshape(-1, COLUMNS)
 
 
 def rectangle(half_length, half_width):

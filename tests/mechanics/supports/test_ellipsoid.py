@@ -7,14 +7,14 @@ import pytest
 from mpmath import mp
 
 from mechanics.supports.cases import SQUARE, SUPPORTS, TRIPOD, rectangle
+from planar_pushing.core.ring import ring_wrench
 from planar_pushing.mechanics.effects import RingFriction
 from planar_pushing.mechanics.supports.disc import Disc
-from planar_pushing.mechanics.supports.ellipsoid import _errors, _spread, fit_ellipsoid
+from planar_pushing.mechanics.supports.ellipsoid import _spread, ellipsoid_errors, fit_ellipsoid
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.mechanics.supports.points import Points
 from planar_pushing.mechanics.supports.polygon import Polygon
-from planar_pushing.mechanics.supports.pressure.assembly import assembled
-from planar_pushing.mechanics.supports.ring import ring_wrench
+from planar_pushing.mechanics.supports.pressure.table import table_of
 from planar_pushing.mechanics.supports.segment import Segment
 from planar_pushing.terms.errors import InvalidValue
 
@@ -113,11 +113,8 @@ def test_the_worst_error_of_a_tripod_is_that_of_full_friction_at_a_foot():
 @pytest.mark.parametrize("name", SUPPORTS)
 def test_no_motion_errs_by_more_than_the_worst(name):
     support, _ = SUPPORTS[name]
-    extent, found = support.extent, fit_ellipsoid(support)
-    pressure = assembled(support.pieces(), extent)
-    count = 20_000 if name == "peak" else 400_000
-    motions, errors = _spread(count), np.empty((2, count))
-    _errors(pressure, found.integration_constant, motions, *errors)
+    found, count = fit_ellipsoid(support), 20_000 if name == "peak" else 400_000
+    errors = ellipsoid_errors(table_of([support]), found.integration_constant, _spread(count))
     worst = found.worst_force_error, found.worst_motion_error
     for sampled, error in zip(errors.max(axis=1), worst, strict=True):
         assert sampled <= error + 1e-12

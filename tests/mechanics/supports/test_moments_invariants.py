@@ -8,13 +8,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mechanics.supports.cases import regular, rows_of
+from planar_pushing.core.pieces import ATOMS
 from planar_pushing.mechanics.supports.composite import Composite
 from planar_pushing.mechanics.supports.disc import Disc
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.points import Points
 from planar_pushing.mechanics.supports.polygon import Polygon
-from planar_pushing.mechanics.supports.pressure.assembly import assembled
-from planar_pushing.mechanics.supports.pressure.record import ATOMS
+from planar_pushing.mechanics.supports.pressure.table import table_of_pieces
 from planar_pushing.mechanics.supports.pressure_map import PressureMap
 from planar_pushing.mechanics.supports.segment import Segment
 
@@ -74,7 +74,7 @@ def moved(support, matrix, shift=(0.0, 0.0)):
 
 
 def at(support, c):
-    return moments(assembled(support.pieces(), 1.0), float(c[0]), float(c[1]))
+    return moments(table_of_pieces(support.pieces(), 1.0), float(c[0]), float(c[1]))
 
 
 def same(found, expected, distance):
@@ -114,7 +114,12 @@ def test_rotation_and_reflection(support, c, angle):
         expected = [found.distance, *(np.array(matrix) @ found[1:3]), found.torque]
         if found.atom < 0 and other.atom < 0:
             near = min(
-                [1.0, *np.hypot(*(rows_of(assembled(support.pieces(), 1.0), ATOMS)[:, :2] - c).T)]
+                [
+                    1.0,
+                    *np.hypot(
+                        *(rows_of(table_of_pieces(support.pieces(), 1.0), ATOMS)[:, :2] - c).T
+                    ),
+                ]
             )
             assert np.array(other[:4]) == pytest.approx(expected, abs=1e-13 / near + 1e-13)
 

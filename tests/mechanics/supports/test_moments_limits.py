@@ -12,13 +12,13 @@ from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.points import Points
 from planar_pushing.mechanics.supports.polygon import Polygon
-from planar_pushing.mechanics.supports.pressure.assembly import assembled
+from planar_pushing.mechanics.supports.pressure.table import table_of_pieces
 from planar_pushing.mechanics.supports.pressure_map import PressureMap
 from planar_pushing.mechanics.supports.segment import Segment
 
 
 def at(support, c):
-    return np.array(moments(assembled(support.pieces(), 1.0), float(c[0]), float(c[1]))[:4])
+    return np.array(moments(table_of_pieces(support.pieces(), 1.0), float(c[0]), float(c[1]))[:4])
 
 
 def gaps(make, limit, c, counts):

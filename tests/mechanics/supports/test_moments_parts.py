@@ -18,13 +18,13 @@ from mechanics.supports.test_moments_invariants import (
     sizes,
     supports,
 )
+from planar_pushing.core.pieces import ATOMS
 from planar_pushing.mechanics.supports.annulus import Annulus
 from planar_pushing.mechanics.supports.composite import Composite
 from planar_pushing.mechanics.supports.disc import Disc
 from planar_pushing.mechanics.supports.points import Points
 from planar_pushing.mechanics.supports.polygon import Polygon
-from planar_pushing.mechanics.supports.pressure.assembly import assembled
-from planar_pushing.mechanics.supports.pressure.record import ATOMS
+from planar_pushing.mechanics.supports.pressure.table import table_of_pieces
 from planar_pushing.mechanics.supports.pressure_map import PressureMap
 from planar_pushing.mechanics.supports.segment import Segment
 
@@ -35,7 +35,7 @@ def agree(parts, support, c):
     """Whether a mixture of parts has the moments of the support, away from where they jump."""
     together = Composite(parts)
     assert together.center_of_pressure == pytest.approx(support.center_of_pressure, abs=1e-14)
-    atoms = rows_of(assembled(support.pieces(), 1.0), ATOMS)[:, :2]
+    atoms = rows_of(table_of_pieces(support.pieces(), 1.0), ATOMS)[:, :2]
     if not len(atoms) or np.hypot(*(atoms - c).T).min() > 1e-6:
         found, expected = at(together, c), at(support, c)
         same(found[:4], expected[:4], np.hypot(*c))

@@ -9,7 +9,7 @@ import planar_pushing as pp
 from mechanics.supports.cases import SUPPORTS
 from mechanics.supports.quadrature import sampled
 from planar_pushing.mechanics.supports.moments import moments
-from planar_pushing.mechanics.supports.pressure.assembly import assembled
+from planar_pushing.mechanics.supports.pressure.table import table_of_pieces
 
 #: Centers of rotation away from the supports, in reaches: the narrow ones on their long sides' axis.
 PLACES = [(3.0, 0.4), (2.2, -2.6), (-9.0, 30.0)]
@@ -36,7 +36,7 @@ def test_moments_are_sums_over_points(name, place):
     rho = np.hypot(*away.T)
     unit = away / rho[:, None]
     torque = shares @ ((places - middle) * unit).sum(axis=1)
-    found = moments(assembled(support.pieces(), 1.0), *c)
+    found = moments(table_of_pieces(support.pieces(), 1.0), *c)
     assert found.distance == pytest.approx(shares @ rho, rel=1e-13, abs=0)
     assert found[1:3] == pytest.approx(shares @ unit, abs=1e-13)
     assert found.torque == pytest.approx(torque, abs=1e-12 * support.extent)

@@ -7,15 +7,15 @@ import pytest
 from mpmath import mp, mpf
 
 import reference
-from planar_pushing.mechanics.numerics.arrays import BLOCK
-from planar_pushing.mechanics.supports.ring import (
+from planar_pushing.core.ring import (
     NEAR_ARM,
     NEAR_RING,
-    SMALL,
-    inner,
+    SMALL_ARM,
+    inner_ring,
     ring_response,
     ring_spin_ratio,
 )
+from planar_pushing.mechanics.numerics.arrays import BLOCK
 from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios
 
 LONG = np.longdouble
@@ -52,7 +52,7 @@ ARMS = np.minimum(
     np.concatenate(
         [
             neighbors(NEAR_ARM, 6),
-            neighbors(SMALL, 6),
+            neighbors(SMALL_ARM, 6),
             neighbors(1.0, 6)[:7],
             1 - 10 ** RANDOM.uniform(-16, -1, 40),
             10 ** RANDOM.uniform(-12, 0, 40),
@@ -79,7 +79,7 @@ def test_wrench_inside_the_ring_to_4_ulp_and_its_slope_to_6():
     """Eqs. (2)-(3) in 60 digits; next to the ring K and E are two terms of the slope."""
     with mp.workdps(60):
         for k in map(float, INNER):
-            force, torque, slope = inner(k, 1.0)
+            force, torque, slope = inner_ring(k, 1.0)
             assert ulps(force, reference.ring_force(k)) <= 4, k
             assert ulps(torque, reference.ring_torque(k)) <= 4, k
             assert k == 1 or ulps(slope, exact_slope(mpf(k))) <= 6, k

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from mpmath import mp, mpf
 
-from planar_pushing.mechanics.supports import ring
+from planar_pushing.core import ring
 
 DIGITS = 60
 #: What an interpolant's error may move in the result.
@@ -74,8 +74,8 @@ def test_the_series_are_those_of_the_integrals(x):
 
 #: Of each series the function, the end of its range, and its factor in the result.
 SERIES = {
-    "FIRST": (first, landen_top, lambda y: y),
-    "SECOND": (second, landen_top, lambda y: y**2),
+    "FAR_FIRST": (first, landen_top, lambda y: y),
+    "FAR_SECOND": (second, landen_top, lambda y: y**2),
 }
 for _place, _name in enumerate(NEAR):
     SERIES[_name] = (

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from mechanics.supports.cases import SUPPORTS, TRIPOD, rectangle, rows_of
+from planar_pushing.core.pieces import ATOMS, DISCS, END, PLATES, RINGS, SEGMENTS
 from planar_pushing.mechanics.supports.annulus import Annulus
 from planar_pushing.mechanics.supports.base import Support
 from planar_pushing.mechanics.supports.composite import Composite
@@ -16,14 +17,7 @@ from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.points import Points
 from planar_pushing.mechanics.supports.polygon import Polygon
-from planar_pushing.mechanics.supports.pressure.assembly import assembled
-from planar_pushing.mechanics.supports.pressure.record import (
-    ATOMS,
-    DISCS,
-    PLATES,
-    RINGS,
-    SEGMENTS,
-)
+from planar_pushing.mechanics.supports.pressure.table import extents_of, table_of_pieces
 from planar_pushing.mechanics.supports.pressure_map import PressureMap
 from planar_pushing.mechanics.supports.segment import Segment
 from planar_pushing.terms.errors import InvalidValue
@@ -59,9 +53,9 @@ def test_center_of_pressure_and_extent(support, center, extent):
     assert isinstance(support, Support)
     assert support.center_of_pressure == pytest.approx(center, abs=1e-15)
     assert support.extent == pytest.approx(extent, rel=1e-15, abs=0)
-    record = assembled(support.pieces(), 2.0)
-    assert (record.center_x * 2.0, record.center_y * 2.0) == pytest.approx(center, abs=1e-15)
-    assert record.extent * 2.0 == pytest.approx(extent, rel=1e-15, abs=0)
+    table = table_of_pieces(support.pieces(), 2.0)
+    assert table.centers[0] * 2.0 == pytest.approx(center, abs=1e-15)
+    assert extents_of([support]) == pytest.approx([extent], rel=1e-15, abs=0)
 
 
 @pytest.mark.parametrize("name", SUPPORTS)
@@ -74,28 +68,30 @@ def test_supports_are_plain_values(name):
 
 @pytest.mark.parametrize("name", SUPPORTS)
 def test_shares_add_to_1(name):
-    record = assembled(SUPPORTS[name][0].pieces(), 1.0)
+    table = table_of_pieces(SUPPORTS[name][0].pieces(), 1.0)
     shares = {ATOMS: 2, SEGMENTS: 5, RINGS: 3, DISCS: 3, PLATES: 3}
-    whole = sum(rows_of(record, kind)[:, column].sum() for kind, column in shares.items())
+    whole = sum(rows_of(table, kind)[:, column].sum() for kind, column in shares.items())
     assert whole == pytest.approx(1.0, rel=1e-14, abs=0)
 
 
 def test_a_ring_is_the_unit_of_length_or_has_its_own_radius():
     for ring, radius in ((Ring(), 1.0), (Ring(3.5), 3.5)):
-        (row,) = rows_of(assembled(ring.pieces(), 1.0), RINGS).tolist()
+        (row,) = rows_of(table_of_pieces(ring.pieces(), 1.0), RINGS).tolist()
         assert row == [0.0, 0.0, radius, 1.0, 0.0, 0.0]
 
 
 def test_the_direction_of_a_polygon_and_the_unit_of_weights_do_not_matter():
     there, back = SUPPORTS["L"][0], Polygon(SUPPORTS["L"][0].vertices[::-1])
-    assert moments(assembled(back.pieces(), 1.0), 0.3, 0.2) == pytest.approx(
-        moments(assembled(there.pieces(), 1.0), 0.3, 0.2)
+    assert moments(table_of_pieces(back.pieces(), 1.0), 0.3, 0.2) == pytest.approx(
+        moments(table_of_pieces(there.pieces(), 1.0), 0.3, 0.2)
     )
-    heavy = assembled(Points(TRIPOD.positions, [5.0, 5.0, 5.0]).pieces(), 1.0)
-    assert np.array_equal(heavy.rows, assembled(TRIPOD.pieces(), 1.0).rows)
-    loud = assembled(PressureMap([0, 1, 3], [0, 2], [[1e-300, 2e-300]]).pieces(), 1.0)
-    quiet = assembled(PressureMap([0, 1, 3], [0, 2], [[1e300, 2e300]]).pieces(), 1.0)
-    assert np.allclose(loud.rows, quiet.rows, rtol=1e-14, atol=0)
+    heavy = table_of_pieces(Points(TRIPOD.positions, [5.0, 5.0, 5.0]).pieces(), 1.0)
+    assert np.array_equal(heavy.data, table_of_pieces(TRIPOD.pieces(), 1.0).data)
+    loud = table_of_pieces(PressureMap([0, 1, 3], [0, 2], [[1e-300, 2e-300]]).pieces(), 1.0)
+    quiet = table_of_pieces(PressureMap([0, 1, 3], [0, 2], [[1e300, 2e300]]).pieces(), 1.0)
+    assert np.allclose(
+        *(each.data[: int(each.heads[0, END])] for each in (loud, quiet)), rtol=1e-14, atol=0
+    )
 
 
 NAN, INF = math.nan, math.inf
@@ -219,10 +215,11 @@ def test_bad_input_is_refused_with_what_was_given_and_what_to_do(make, words):
     lambda r: PressureMap([0, r], [0, r], [[1]]),
 ])  # fmt: skip
 def test_sizes_far_from_one_are_computed_without_a_warning(make, size):
-    one, other = (assembled(make(each).pieces(), each) for each in (size, 1.0))
-    assert (one.extent, *one.spread) == pytest.approx(
-        (other.extent, *other.spread), rel=1e-12, abs=0
+    one, other = (
+        [*extents_of([make(each)]) / each, *table_of_pieces(make(each).pieces(), each).spreads[0]]
+        for each in (size, 1.0)
     )
+    assert one == pytest.approx(other, rel=1e-12, abs=0)
 
 
 @pytest.mark.parametrize("size", [1e-9, 1.0, 1e9])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from planar_pushing.mechanics.reduced.psi import contact_at
+from planar_pushing.simulation.legacy.motion import contact_at
 from planar_pushing.simulation.rows import records
 from planar_pushing.simulation.systems import base, contact
 from planar_pushing.simulation.systems.frame import contact_motion, frame_of, pose_at

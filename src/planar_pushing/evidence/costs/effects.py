@@ -1,50 +1,36 @@
 """Cost of the effects that a scene lists: in machine code, in the logs of motion over time, and in time.
 
-The compiler generates machine code for each list of effects. Numba names the functions in this code,
-and a log counts the evaluations of each effect that its scene lists.
+The compiler generates machine code of the simulations for each list of effects, and a log counts the
+evaluations of each effect that its scene lists.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from pkgutil import resolve_name
 from typing import Any
 
-import numba
 import numpy as np
 import xarray as xr
 
 from planar_pushing.evidence.costs.times import seconds, stamped
-from planar_pushing.mechanics.compiled import SLOW
 from planar_pushing.mechanics.cones import motion_cone
 from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 from planar_pushing.mechanics.plane import direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
+from planar_pushing.simulation import machine_code
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
-from planar_pushing.simulation.systems.setup import KINDS, kinds_of
 from planar_pushing.study.build import build_dataset
 from planar_pushing.study.describe import describe
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.study.slices import study_slice
-from planar_pushing.terms.errors import PlanarPushingError
-from planar_pushing.terms.options import EFFECT_CLASSES, STUDIED, EffectKind, Method
+from planar_pushing.terms.options import EFFECT_CLASSES, STUDIED, Method
 from planar_pushing.terms.quantities import EVALUATIONS
 
-#: Modules and packages that contain the formulas of each effect.
-FORMULAS = {
-    EffectKind.SUPPORT_FRICTION: (
-        "planar_pushing.mechanics.effects.ring",
-        "planar_pushing.mechanics.effects.any_support",
-        "planar_pushing.mechanics.supports",
-    ),
-    EffectKind.INERTIA: ("planar_pushing.mechanics.effects.inertia",),
-}
 #: A push, and the duration and the number of steps of its simulation.
 FRICTION_COEFFICIENT, PUSHER_ANGLE = 2.0, np.deg2rad(-10.0)
 DURATION, STEPS = 1.0, 100
@@ -76,12 +62,10 @@ def followed(scene: Scene, method: Method) -> xr.Dataset:
     return simulate(scene, pusher=fence, duration=DURATION, method=method, step=step)
 
 
-#: Compiled operations, by the names that the library gives them.
-COMPILED: dict[str, Callable[[Scene], object]] = {
-    "solve": OPERATIONS["solve"],
-    "motion_cone": motion_cone,
-    "simulate": partial(followed, method=Method.EVENT_DRIVEN),
-    "simulate by time-stepping": partial(followed, method=Method.TIME_STEPPING),
+#: Methods of the operations that are compiled, by the names that the library gives them.
+COMPILED = {
+    "simulate": Method.EVENT_DRIVEN,
+    "simulate by time-stepping": Method.TIME_STEPPING,
 }
 
 
@@ -101,8 +85,7 @@ def evaluations(study: StudyFile) -> xr.Dataset:
     PlanarPushingError
         If nothing is compiled.
     """
-    if numba.config.DISABLE_JIT:
-        raise PlanarPushingError("there is no machine code to inspect; unset NUMBA_DISABLE_JIT")
+    machine_code.require_machine_code()
     scenes = [one_slider(study, effects) for effects in study.grid.effects]
     counted = [[functions(each, scene) for scene in scenes] for each in COMPILED]
     logged = [[_logged(followed(scene, method)) for scene in scenes] for method in Method]
@@ -129,41 +112,9 @@ def evaluations(study: StudyFile) -> xr.Dataset:
 
 def functions(operation: str, scene: Scene) -> list[int]:
     """Number of functions of each effect in the machine code of an operation on a scene."""
-    COMPILED[operation](scene)
-    (kernel,) = (resolve_name(path) for path, (name, _) in SLOW.items() if name == operation)
-    wanted = _is_system_of if operation.startswith("simulate") else _are_kinds_of
-    codes = [each for each in kernel.overloads if wanted(scene, each[0])]
-    names = set[str]().union(*(linked(kernel, each) for each in codes))
-    return [
-        sum(name.startswith(tuple(map(_mangled, FORMULAS[kind]))) for name in names)
-        for kind in STUDIED
-    ]
-
-
-def linked(kernel: Any, signature: Any) -> set[str]:
-    """Mangled names of the functions in the machine code of a kernel, without their types.
-
-    Numba keeps the names in code that it has read from its cache, and prints code that it has just
-    compiled.
-    """
-    kept = kernel.overloads[signature].referenced_envs
-    text = " ".join(each.env_name for each in kept) if kept else kernel.inspect_llvm(signature)
-    return set(re.findall(r"_ZN08NumbaEnv(\w+?)B\d+v\d+", text))
-
-
-def _mangled(module: str) -> str:
-    return "".join(f"{len(part)}{part}" for part in module.split("."))
-
-
-def _are_kinds_of(scene: Scene, argument: Any) -> bool:
-    """Whether the first argument of a kernel of the mechanics matches the kinds of a scene's effects."""
-    return bool(argument == numba.typeof(scene.kinds))
-
-
-def _is_system_of(scene: Scene, argument: Any) -> bool:
-    """Whether the first argument of a kernel of the simulations matches the kind of a scene's system."""
-    kinds = numba.typeof(kinds_of(scene)).types
-    return argument.instance_class is KINDS[scene.stores_energy] and argument.types[:4] == kinds
+    followed(scene, COMPILED[operation])
+    found = machine_code.count_functions(scene, COMPILED[operation])
+    return [found[kind] for kind in STUDIED]
 
 
 def _logged(log: xr.Dataset) -> list[int]:

@@ -1,6 +1,5 @@
 """Effects, which resist or drive the motion: each is a convex potential of the slider's twist."""
 
-from planar_pushing.mechanics.effects import any_support, base, inertia, load, ring
 from planar_pushing.mechanics.effects.base import Effect
 from planar_pushing.mechanics.effects.inertia import Inertia
 from planar_pushing.mechanics.effects.load import Load
@@ -10,15 +9,5 @@ from planar_pushing.mechanics.effects.support_friction import (
     weight,
 )
 from planar_pushing.mechanics.effects.viscous import Viscous
-
-base.KINDS.update(
-    {
-        inertia.Mass: inertia,
-        ring.RingSupport: ring,
-        any_support.Support: any_support,
-        any_support.Supports: any_support,
-        load.Wrench: load,
-    }
-)
 
 __all__ = ["Effect", "Inertia", "Load", "RingFriction", "SupportFriction", "Viscous", "weight"]

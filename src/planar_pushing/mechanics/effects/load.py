@@ -3,16 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import Any
 
-from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.effects.base import (
-    Moment,
-    Resistance,
-    no_energy,
-    no_place,
-    no_points,
-)
 from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.terms.domain import Number, required
 from planar_pushing.terms.errors import InvalidValue
@@ -59,50 +51,3 @@ def _pair(name: str, given: Any) -> tuple[Number, Number]:
         raise InvalidValue(name, given, "two finite numbers", "give its components along x and y")
     x, y = (required(f"load_{name}", each) for each in given)
     return x, y
-
-
-class Wrench(NamedTuple):
-    """A constant wrench about the origin, in the body frame."""
-
-    x: float
-    y: float
-    torque: float
-
-
-#: Degree of homogeneity.
-DEGREE = 1
-
-
-@compiled
-def made(effect, row, i):
-    return Wrench(row[i], row[i + 1], row[i + 2])
-
-
-@compiled
-def count_fields(effect):
-    return 3
-
-
-@compiled
-def scaled(effect, one, two):
-    return Wrench(one * effect.x, one * effect.y, one * effect.torque)
-
-
-@compiled
-def resistance(effect, x, y, spin, blur):
-    return Resistance(
-        -effect.x, -effect.y, -effect.torque, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1, 0.0
-    )
-
-
-@compiled
-def moment(effect, speed, x, y):
-    return Moment(0.0, 0.0, 0.0, 0.0)
-
-
-@compiled
-def pull(effect):
-    return effect.x, effect.y, effect.torque
-
-
-count_points, place, energy = no_points, no_place, no_energy

@@ -1,12 +1,13 @@
-"""From public arguments to compiled kernels and back: floats, numpy arrays and `xarray.DataArray`.
+"""From public arguments to kernels of the core and back: floats, numpy arrays and `xarray.DataArray`.
 
-A kernel is a compiled loop over the rows of an array, one row per scene. Arguments are broadcast (by name
-if their dimensions are named, lazily if they are lazy), cut into blocks of rows, and mapped by threads.
+A kernel is a loop over the rows of an array, one row per scene. Arguments are broadcast (by name if their
+dimensions are named, lazily if they are lazy), cut into blocks of rows, and mapped by threads.
 """
 
 from __future__ import annotations
 
 import math
+import os
 import sys
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -14,13 +15,13 @@ from contextvars import ContextVar
 from dataclasses import fields
 from typing import Any, NamedTuple
 
-import numba
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.kernels import run
 from planar_pushing.mechanics.status import FLAGS, flag_attributes
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.quantities import MECHANICS, TWIST, TWIST_UNITS, attributes
 
 #: Rows per block: 1 to 100 ms of work, so that Ctrl-C is noticed and threads cost little.
@@ -37,19 +38,29 @@ class Output(NamedTuple):
     dtype: str = "f8"
 
 
+#: From the results of a kernel, shape (n, width), and the columns of its rows to arrays of n values.
+Decode = Callable[[Array, Sequence[Any]], Sequence[Any]]
+
+
 def mapped(
-    kernel: Callable[..., None], kinds: Any, columns: Sequence[Any], outputs: Sequence[Output]
-) -> list[npt.NDArray[Any]]:
-    """Call ``kernel(kinds, rows, *results)`` for blocks of rows, on all cores.
+    kernel: str, data: Array, columns: Sequence[Any], outputs: Sequence[Output],
+    width: int = 0, decode: Decode | None = None,
+) -> list[npt.NDArray[Any]]:  # fmt: skip
+    """Results of a kernel for blocks of rows, on all cores.
 
     Parameters
     ----------
-    kernel : compiled function
-    kinds : tuple
-        Kinds for which its body is compiled.
+    kernel : str
+        Its name.
+    data : ndarray
+        What the rows share.
     columns : sequence of array_like
         The columns of a row, broadcast together to shape S.
     outputs : sequence of Output
+    width : int, optional
+        Width of a row of results, by default that of the outputs.
+    decode : callable, optional
+        Makes the outputs of a block; by default a row of results holds them one after the other.
 
     Returns
     -------
@@ -60,22 +71,34 @@ def mapped(
     shape = np.broadcast_shapes(*(array.shape for array in arrays))
     size = math.prod(shape)
     tails = [tuple(length for _, length in output.tail) for output in outputs]
-    found = [np.empty((size, *t), o.dtype) for o, t in zip(outputs, tails, strict=True)]
+    filled = [np.empty((size, *t), o.dtype) for o, t in zip(outputs, tails, strict=True)]
     flat = [_flat(array, shape) for array in arrays]
+    width = width or sum(math.prod(tail) for tail in tails)
 
     def block(start: int) -> None:
         part = slice(start, min(start + BLOCK, size))
+        given = [column[part] if column.ndim else column for column in flat]
         rows = np.empty((part.stop - start, len(flat)))
-        for i, column in enumerate(flat):
-            rows[:, i] = column[part] if column.ndim else column
-        kernel(kinds, rows, *(each[part] for each in found))
+        for i, column in enumerate(given):
+            rows[:, i] = column
+        results = run(kernel, data, rows, width)
+        found = decode(results, given) if decode else _split(results, tails)
+        for each, values in zip(filled, found, strict=True):
+            each[part] = values
 
     starts = range(0, size, BLOCK)
-    if size:
-        block(0)  # compiles the kernel, if necessary, before the threads start
     if len(starts) > 1:
-        in_threads(block, starts[1:])
-    return [each.reshape(shape + tail) for each, tail in zip(found, tails, strict=True)]
+        in_threads(block, starts)
+    elif size:
+        block(0)
+    return [each.reshape(shape + tail) for each, tail in zip(filled, tails, strict=True)]
+
+
+def _split(results: Array, tails: Sequence[tuple[int, ...]]) -> list[Array]:
+    """Results of a kernel, one array for each output."""
+    ends = np.cumsum([math.prod(tail) for tail in tails])
+    parts = np.split(results, ends[:-1], axis=1)
+    return [part.reshape(len(results), *tail) for part, tail in zip(parts, tails, strict=True)]
 
 
 def _flat(array: Array, shape: tuple[int, ...]) -> Array:
@@ -85,7 +108,7 @@ def _flat(array: Array, shape: tuple[int, ...]) -> Array:
 
 def in_threads(block: Callable[[int], None], starts: Sequence[int]) -> None:
     """Call a function for each start on all cores; Ctrl-C takes effect when the current calls end."""
-    cores = CORES.get(numba.config.NUMBA_NUM_THREADS)
+    cores = CORES.get(os.cpu_count() or 1)
     if cores == 1:
         for start in starts:
             block(start)
@@ -152,10 +175,13 @@ def _require_shapes(arguments: Sequence[Any]) -> None:
 
 
 def evaluated(
-    kernel: Callable[..., None], kinds: Any, columns: Sequence[Any], outputs: Sequence[Output]
-) -> list[Any]:
+    kernel: str, data: Array, columns: Sequence[Any], outputs: Sequence[Output],
+    width: int = 0, decode: Decode | None = None,
+) -> list[Any]:  # fmt: skip
     """Results of a kernel that is called by `mapped`, in the types of `elementwise`."""
-    return elementwise(lambda *given: mapped(kernel, kinds, given, outputs), columns, outputs)
+    return elementwise(
+        lambda *given: mapped(kernel, data, given, outputs, width, decode), columns, outputs
+    )
 
 
 def named(name: str, value: Any) -> Any:

@@ -26,8 +26,6 @@ PLACES = {
 }
 #: Names of the counts for each effect, by variable, axis and label.
 COUNTED = {
-    ("functions", "operation", "motion_cone"): "functions, motion cone",
-    ("functions", "operation", "solve"): "functions, one push",
     ("functions", "operation", "simulate"): "functions, motion by events",
     ("functions", "operation", "simulate by time-stepping"): "functions, motion by steps",
     ("evaluations", "integrator", "event-driven"): "evaluations, motion by events",

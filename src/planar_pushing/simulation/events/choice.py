@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.fence import span
+from planar_pushing.simulation.legacy.compiled import compiled, inlined
 from planar_pushing.simulation.systems import base, equations
 
 #: A margin this close to zero is judged by its trend.

@@ -7,12 +7,12 @@ return rows and continue at any time.
 
 from __future__ import annotations
 
-from planar_pushing.mechanics.compiled import compiled, inlined, kernel
 from planar_pushing.simulation.copying import copy
 from planar_pushing.simulation.events import choice, step, watch
 from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.events.explicit import interpolate
 from planar_pushing.simulation.fence import displacement, span
+from planar_pushing.simulation.legacy.compiled import compiled, inlined, kernel
 from planar_pushing.simulation.rows import NO_MODE, Stop
 from planar_pushing.simulation.systems import base
 from planar_pushing.simulation.systems.shapes.base import room

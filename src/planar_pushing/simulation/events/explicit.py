@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from math import sqrt
 
-from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.events.sizes import norm
 from planar_pushing.simulation.events.tableau import ERRORS, STAGES, STEP, WEIGHTS, A, C
+from planar_pushing.simulation.legacy.compiled import compiled, inlined
 from planar_pushing.simulation.systems import equations
 
 #: Order of the error of a step.

@@ -7,11 +7,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.modes import MOST
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.events.tableau import STAGES
 from planar_pushing.simulation.fence import span
+from planar_pushing.simulation.legacy.compiled import compiled
+from planar_pushing.simulation.legacy.record import MOST
 from planar_pushing.simulation.systems import base
 
 #: Fractions of a step at which the guards are evaluated if it may contain an event.

@@ -6,8 +6,8 @@ from math import inf, log, sqrt
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.simulation.events import run as at
+from planar_pushing.simulation.legacy.compiled import compiled, inlined
 from planar_pushing.simulation.systems import equations
 
 #: Safety factor, and limits for the change of the step size.

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from math import sqrt
 
-from planar_pushing.mechanics.compiled import inlined
 from planar_pushing.simulation.copying import copy
 from planar_pushing.simulation.events import explicit, sizes, watch
 from planar_pushing.simulation.events import run as at
+from planar_pushing.simulation.legacy.compiled import inlined
 from planar_pushing.simulation.systems import base, equations
 
 #: Above this error, in units of the tolerance, a trial step gives no information.

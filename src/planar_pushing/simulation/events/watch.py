@@ -5,11 +5,11 @@ from __future__ import annotations
 from math import inf
 from typing import Any, NamedTuple
 
-from planar_pushing.mechanics.compiled import compiled, inlined
-from planar_pushing.mechanics.numerics.root import RESOLUTION, dip, root
 from planar_pushing.simulation.copying import copy
 from planar_pushing.simulation.events import run as at
 from planar_pushing.simulation.events.explicit import PART, interpolate
+from planar_pushing.simulation.legacy.compiled import compiled, inlined
+from planar_pushing.simulation.legacy.root import RESOLUTION, dip, root
 from planar_pushing.simulation.systems import base, equations
 
 #: Maximum number of halvings in the search for a time at which a margin that starts at zero is positive.

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.modes import MOST
+from planar_pushing.simulation.legacy.compiled import compiled
+from planar_pushing.simulation.legacy.record import MOST
 from planar_pushing.simulation.systems import base
 from planar_pushing.simulation.systems.shapes import base as shapes
 

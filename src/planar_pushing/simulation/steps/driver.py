@@ -19,11 +19,13 @@ from __future__ import annotations
 from math import atan2, inf, sqrt
 from typing import NamedTuple
 
-from planar_pushing.mechanics.compiled import compiled, inlined, kernel
-from planar_pushing.mechanics.modes import Push, contact_modes
-from planar_pushing.mechanics.plane import Array, Direction, toward
+from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.copying import copy
 from planar_pushing.simulation.fence import span, way
+from planar_pushing.simulation.legacy.compiled import compiled, inlined, kernel
+from planar_pushing.simulation.legacy.modes import contact_modes
+from planar_pushing.simulation.legacy.plane import Direction, toward
+from planar_pushing.simulation.legacy.record import Push
 from planar_pushing.simulation.rows import NO_MODE, Stop
 from planar_pushing.simulation.steps.clock import seen
 from planar_pushing.simulation.steps.energies import account, settle

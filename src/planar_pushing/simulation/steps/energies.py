@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from planar_pushing.mechanics.compiled import compiled, inlined
+from planar_pushing.simulation.legacy.compiled import compiled, inlined
 from planar_pushing.simulation.steps.clock import seen
 from planar_pushing.simulation.systems import base
 from planar_pushing.simulation.systems.drag import drag, powers

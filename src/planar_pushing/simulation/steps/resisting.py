@@ -6,9 +6,9 @@ from collections.abc import Callable
 from math import sqrt
 from typing import Any
 
-from planar_pushing.mechanics.compiled import compiled, generic
-from planar_pushing.mechanics.effects.inertia import Mass
-from planar_pushing.mechanics.effects.load import Wrench
+from planar_pushing.simulation.legacy.compiled import compiled, generic
+from planar_pushing.simulation.legacy.load import Wrench
+from planar_pushing.simulation.legacy.mass import Mass
 from planar_pushing.simulation.steps.clock import seen
 from planar_pushing.simulation.systems import base
 from planar_pushing.simulation.systems.drag import load_at, scaled_films, with_loads

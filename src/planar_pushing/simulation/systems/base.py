@@ -11,10 +11,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import by_kind, compiled
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation import fence
 from planar_pushing.simulation.fence import Span
+from planar_pushing.simulation.legacy.compiled import by_kind, compiled
 from planar_pushing.simulation.systems.drag import load_at
 from planar_pushing.simulation.systems.frame import (
     center_motion,

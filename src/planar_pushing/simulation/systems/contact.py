@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from math import atan2, sqrt
 
-from planar_pushing.mechanics.compiled import compiled
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.contact.laws import Law
+from planar_pushing.simulation.legacy.compiled import compiled
+from planar_pushing.simulation.legacy.record import Law
 from planar_pushing.simulation.rows import Stop
 from planar_pushing.simulation.systems import base
 

@@ -9,8 +9,7 @@ from collections.abc import Callable
 from math import cos, inf, log, nan, sin, sqrt
 from typing import Any
 
-from planar_pushing.mechanics.compiled import compiled, generic, generic_owning, owning
-from planar_pushing.mechanics.effects.base import (
+from planar_pushing.simulation.legacy.base import (
     KINDS,
     Resistance,
     count_fields,
@@ -19,10 +18,16 @@ from planar_pushing.mechanics.effects.base import (
     place,
     resistance,
 )
-from planar_pushing.mechanics.effects.inertia import Mass
-from planar_pushing.mechanics.effects.load import Wrench
-from planar_pushing.mechanics.effects.ring import RingSupport
-from planar_pushing.mechanics.reduced.motion import ROUNDING
+from planar_pushing.simulation.legacy.compiled import (
+    compiled,
+    generic,
+    generic_owning,
+    owning,
+)
+from planar_pushing.simulation.legacy.load import Wrench
+from planar_pushing.simulation.legacy.mass import Mass
+from planar_pushing.simulation.legacy.motion import ROUNDING
+from planar_pushing.simulation.legacy.own_ring import RingSupport
 
 
 @generic_owning

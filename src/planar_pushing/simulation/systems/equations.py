@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import inf, nan
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.simulation.legacy.compiled import compiled
 from planar_pushing.simulation.systems import base
 from planar_pushing.simulation.systems.drag import powers
 from planar_pushing.simulation.systems.frame import frame_of, to_body

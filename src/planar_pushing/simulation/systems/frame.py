@@ -5,9 +5,9 @@ from __future__ import annotations
 from math import cos, sin, sqrt
 from typing import NamedTuple
 
-from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.plane import Rod
-from planar_pushing.mechanics.reduced.psi import Contact
+from planar_pushing.simulation.legacy.compiled import compiled
+from planar_pushing.simulation.legacy.motion import Contact
+from planar_pushing.simulation.legacy.plane import Rod
 
 
 class Pose(NamedTuple):

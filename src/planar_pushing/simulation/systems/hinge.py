@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import copysign, sqrt
 
-from planar_pushing.mechanics.compiled import compiled
+from planar_pushing.simulation.legacy.compiled import compiled
 from planar_pushing.simulation.systems import base, contact
 from planar_pushing.simulation.systems.shapes.base import relative
 

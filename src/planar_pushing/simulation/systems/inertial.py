@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from math import nan, sqrt
 
-from planar_pushing.mechanics.compiled import compiled, inlined
 from planar_pushing.simulation.fence import span, velocity
+from planar_pushing.simulation.legacy.compiled import compiled, inlined
 from planar_pushing.simulation.systems import base, contact, rest
 from planar_pushing.simulation.systems.drag import drag, foot_at, load_at, slowest_foot
 from planar_pushing.simulation.systems.frame import (

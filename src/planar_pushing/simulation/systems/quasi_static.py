@@ -9,14 +9,20 @@ from collections.abc import Callable
 from math import copysign, inf, nan, sqrt
 from typing import Any
 
-from planar_pushing.mechanics.compiled import compiled, generic
-from planar_pushing.mechanics.effects.base import KINDS
-from planar_pushing.mechanics.effects.load import Wrench
-from planar_pushing.mechanics.plane import toward
-from planar_pushing.mechanics.reduced.psi import NOWHERE, psi, spin_guess
-from planar_pushing.mechanics.reduced.slips import slips_along
-from planar_pushing.mechanics.reduced.under import moved_at, pushed
-from planar_pushing.mechanics.reduced.way import Way, at_infinity, crossing, first_node
+from planar_pushing.simulation.legacy.base import KINDS
+from planar_pushing.simulation.legacy.compiled import compiled, generic
+from planar_pushing.simulation.legacy.load import Wrench
+from planar_pushing.simulation.legacy.motion import NOWHERE
+from planar_pushing.simulation.legacy.plane import toward
+from planar_pushing.simulation.legacy.psi import psi, spin_guess
+from planar_pushing.simulation.legacy.slips import slips_along
+from planar_pushing.simulation.legacy.under import moved_at, pushed
+from planar_pushing.simulation.legacy.way import (
+    Way,
+    at_infinity,
+    crossing,
+    first_node,
+)
 from planar_pushing.simulation.systems import base, contact
 from planar_pushing.simulation.systems.drag import kink, with_loads
 from planar_pushing.simulation.systems.frame import Motion, at_rest, to_body, to_contact

@@ -6,11 +6,12 @@ from collections.abc import Callable
 from math import atan2, sqrt
 from typing import Any
 
-from planar_pushing.mechanics.compiled import compiled, generic, inlined
-from planar_pushing.mechanics.effects.inertia import Mass
-from planar_pushing.mechanics.modes import Push, contact_modes
-from planar_pushing.mechanics.plane import Direction, rod, toward
-from planar_pushing.mechanics.reduced.free import free
+from planar_pushing.simulation.legacy.compiled import compiled, generic, inlined
+from planar_pushing.simulation.legacy.free import free
+from planar_pushing.simulation.legacy.mass import Mass
+from planar_pushing.simulation.legacy.modes import contact_modes
+from planar_pushing.simulation.legacy.plane import Direction, rod, toward
+from planar_pushing.simulation.legacy.record import Push
 from planar_pushing.simulation.systems import base, contact, equations
 from planar_pushing.simulation.systems.drag import with_loads
 from planar_pushing.simulation.systems.frame import (

@@ -7,14 +7,15 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.compiled import compiled, kernel, owning
-from planar_pushing.mechanics.core import Entry, entries
-from planar_pushing.mechanics.effects.load import Wrench
-from planar_pushing.mechanics.modes import MOST, SOLUTION
-from planar_pushing.mechanics.plane import Array, unit_vector
-from planar_pushing.mechanics.reduced.slips import ENTRIES, SLIPS
+from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.simulation.fence import typical_speed
+from planar_pushing.simulation.legacy.compiled import compiled, kernel, owning
+from planar_pushing.simulation.legacy.core import Entry, entries
+from planar_pushing.simulation.legacy.load import Wrench
+from planar_pushing.simulation.legacy.plane import unit_vector
+from planar_pushing.simulation.legacy.record import MOST, SOLUTION
+from planar_pushing.simulation.legacy.slips import ENTRIES, SLIPS
 from planar_pushing.simulation.outlines import tolerance
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.rows import records

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import cos, sin, sqrt
 
-from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.solve import spin_ratio
+from planar_pushing.simulation.legacy.compiled import compiled
+from planar_pushing.simulation.legacy.plane import spin_ratio
 from planar_pushing.simulation.systems import base
 from planar_pushing.simulation.systems.drag import load_work
 from planar_pushing.simulation.systems.frame import kinetic_energy

@@ -4,9 +4,17 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
+from planar_pushing.core.multipole import ROWS
+from planar_pushing.core.pieces import ATOMS, COLUMNS, EDGES, END, HEAD, SERIES
+from planar_pushing.mechanics.kernels import run
 from planar_pushing.mechanics.supports.moments import moments
-from planar_pushing.mechanics.supports.pressure.assembly import assembled
-from planar_pushing.mechanics.supports.pressure.table import FEW, pressure_of, table_of
+from planar_pushing.mechanics.supports.pressure.table import (
+    EFFECT,
+    FEW,
+    joined_data,
+    table_of,
+    table_of_pieces,
+)
 
 SQUARE = pp.Polygon([(-1, -1), (1, -1), (1, 1), (-1, 1)])
 SUPPORTS = [
@@ -16,19 +24,18 @@ SUPPORTS = [
     pp.Annulus(0.5, 1.0),
     pp.Segment((0, -1), (0, 1)),
 ]
+CENTERS = ((0.1, 0.3), (-2.0, 0.4), (50.0, 7.0))
 
 
 @pytest.mark.parametrize("i", range(len(SUPPORTS)))
 def test_each_pressure_is_that_of_its_support(i):
     """In units of its own extent, whatever stands before and behind it."""
-    found, support = pressure_of(table_of(SUPPORTS), i), SUPPORTS[i]
-    alone = assembled(support.pieces(), support.extent)
-    center = found.center_x, found.center_y
-    assert center == pytest.approx(
-        np.array(support.center_of_pressure) / support.extent, rel=1e-15, abs=0
-    )
-    for x, y in ((0.1, 0.3), (-2.0, 0.4), (50.0, 7.0)):
-        assert moments(found, x, y) == moments(alone, x, y)
+    table, support = table_of(SUPPORTS), SUPPORTS[i]
+    alone = table_of_pieces(support.pieces(), support.extent)
+    center = np.array(support.center_of_pressure) / support.extent
+    assert table.centers[i] == pytest.approx(center, rel=1e-15, abs=0)
+    for x, y in CENTERS:
+        assert moments(table, x, y, i) == moments(alone, x, y)
 
 
 def test_tables_of_few_supports_are_kept_and_of_many_the_last_alone():
@@ -40,6 +47,57 @@ def test_tables_of_few_supports_are_kept_and_of_many_the_last_alone():
     table_of(others)
     assert table_of(many) is not first
     assert all(table_of([each]) is table for each, table in zip(SUPPORTS, few, strict=True))
+
+
+def test_the_pieces_fill_the_array_without_gaps():
+    table = table_of(SUPPORTS)
+    heads = table.heads.astype(int)
+    assert heads[0, ATOMS] == HEAD * len(SUPPORTS)
+    assert heads[1:, ATOMS].tolist() == heads[:-1, END].tolist()
+    counts = np.diff(heads[:, [*range(ATOMS, EDGES + 1), END]]) // COLUMNS
+    assert counts.tolist() == [
+        [0, 0, 0, 0, 1, 4], [3, 0, 0, 0, 0, 0], [0, 0, 1, 0, 2, 7], [0, 0, 0, 2, 0, 0],
+        [0, 1, 0, 0, 0, 0],
+    ]  # fmt: skip
+    terms = heads[-1, END] + 2 * ROWS * np.array([0, 1, 1, 3, 3])
+    assert heads[:, SERIES].tolist() == terms.tolist()
+    assert len(table.data) == heads[-1, END] + 2 * ROWS * 3
+    assert table.atom_counts.tolist() == [0, 3, 0, 0, 0]
+    places = np.array(SUPPORTS[1].positions) / SUPPORTS[1].extent
+    assert table.atoms(1) == pytest.approx(np.column_stack([places, [0.2, 0.3, 0.5]]), rel=1e-15)
+    assert len(table.atoms(0)) == 0
+
+
+def moments_at(data, head, x, y):
+    return run("moments", data, [[head, x, y]], 8)[0].tolist()
+
+
+def test_joined_tables_hold_the_effects_and_every_pressure():
+    """The same bits from each place of an array."""
+    tables = table_of(SUPPORTS), None, table_of(SUPPORTS[:1]), table_of(SUPPORTS[1:3])
+    effects = [(7, 3 * i, table) for i, table in enumerate(tables)]
+    data = joined_data(effects)
+    heads = data[: EFFECT * len(effects)].reshape(-1, EFFECT)
+    assert heads[:, 0].tolist() == [7, 7, 7, 7]
+    assert heads[:, 1].tolist() == [0, 3, 6, 9]
+    for table, (_, _, head, _) in zip(tables, heads.astype(int).tolist(), strict=True):
+        for i in range(table.count if table else 0):
+            places = slice(head + HEAD * i + ATOMS, head + HEAD * i + END + 1)
+            assert (data[places] - head).tolist() == table.heads[i, ATOMS : END + 1].tolist()
+            for x, y in CENTERS:
+                expected = list(moments(table, x, y, i))
+                assert moments_at(data, head + HEAD * i, x, y) == expected
+
+
+def test_joined_tables_are_kept_while_tables_and_kinds_are_the_same():
+    table, other = table_of(SUPPORTS), table_of(SUPPORTS[1:])
+    data = joined_data([(1, 0, None), (2, 1, table)])
+    assert joined_data(((1, 0, None), (2, 1, table))) is data
+    before = table.data.copy()
+    for effects in ([(1, 0, None), (3, 1, table)], [(1, 0, None), (2, 1, other)], [(2, 1, table)]):
+        assert joined_data(effects) is not data
+    assert np.array_equal(table.data, before)
+    assert joined_data([]).tolist() == []
 
 
 POINT = pp.Points([(1, 2), (1, 2)], [1, 3])

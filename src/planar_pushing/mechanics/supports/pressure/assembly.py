@@ -41,6 +41,8 @@ class Gathered(NamedTuple):
         Index at which the edges of each plate begin, then the total number of edges.
     centers, extents, spreads : ndarray
         Of the supports: centers of pressure, largest distances from them, second moments.
+    terms : ndarray, optional
+        Terms of the plates, shape (plates, ROWS, 2), if they are known.
     """
 
     rows: list[Array]
@@ -49,6 +51,7 @@ class Gathered(NamedTuple):
     centers: Array
     extents: Array
     spreads: Array
+    terms: Array | None = None
 
 
 def shared(pieces: Pieces, share: float) -> Pieces:
@@ -191,26 +194,30 @@ def stacked(group: Gathered, radii: Array) -> tuple[Any, Array, Array]:
     """Starts and rows as in `Stack`, and terms of the plates, shape (plates, ROWS, 2)."""
     starts, rows, plates = stack(group, radii)
     terms = np.empty((len(plates), 2 * ROWS))
-    expand(rows, plates, terms)
+    write_terms(group, rows, plates, terms)
     return starts, rows, terms.reshape(-1, ROWS, 2)
 
 
-def expand(rows: Array, plates: Any, terms: Array) -> None:
-    """Write the terms of plates far from them, given the numbers of their rows, on all cores.
+def write_terms(group: Gathered, rows: Array, plates: Any, terms: Array) -> None:
+    """Write the terms of plates far from them, which are known or computed on all cores.
 
     Parameters
     ----------
+    group : Gathered
     rows, plates : ndarray
         As in `Stack`.
     terms : ndarray, shape (plates, 2 * ROWS)
         What is written.
     """
+    if group.terms is not None:
+        terms[:] = group.terms.reshape(terms.shape)
+        return
 
     def block(start: int) -> None:
         part = slice(start, start + BLOCK)
-        numbers = rows[plates[part], 2:].copy()
-        numbers[:, 2:] *= COLUMNS
-        terms[part] = run("plate_terms", rows, numbers[:, [0, 2, 3]], 2 * ROWS)
+        _, _, radius, _, first, last = rows[plates[part]].T
+        edges = np.column_stack([radius, COLUMNS * first, COLUMNS * last])
+        terms[part] = run("plate_terms", rows, edges, 2 * ROWS)
 
     starts = range(0, len(plates), BLOCK)
     if len(starts) > 1:

@@ -21,7 +21,13 @@ from planar_pushing.core.pieces import (
     SERIES,
     SPREAD,
 )
-from planar_pushing.mechanics.supports.pressure.assembly import Gathered, expand, gathered, stack
+from planar_pushing.core.rows import ENTRY, LAST
+from planar_pushing.mechanics.supports.pressure.assembly import (
+    Gathered,
+    gathered,
+    stack,
+    write_terms,
+)
 from planar_pushing.mechanics.supports.pressure.pieces import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue
 
@@ -29,8 +35,6 @@ from planar_pushing.terms.errors import InvalidValue
 ROUNDING = 1e-14
 #: Maximum number of supports in a small tuple, and number of small tuples whose results are cached.
 FEW, KEPT = 1000, 16
-#: Numbers of an effect at the beginning of the data of a scene.
-EFFECT = 4
 Found = TypeVar("Found")
 
 
@@ -89,7 +93,7 @@ class Table:
         return data
 
 
-def cache_results(function: Callable[[tuple[Any, ...]], Found]) -> Callable[[Iterable[Any]], Found]:
+def kept(function: Callable[[tuple[Any, ...]], Found]) -> Callable[[Iterable[Any]], Found]:
     """Cache a function of supports; for many supports, which can take gigabytes, the last result only."""
     few, many = lru_cache(KEPT)(function), lru_cache(1)(function)
 
@@ -117,7 +121,7 @@ def extent_of(support: Any) -> float:
     return float(extents_of([support])[0])
 
 
-@cache_results
+@kept
 def _gathered(supports: tuple[Any, ...]) -> Gathered:
     """The pieces of supports, none of which may be a single point."""
     found = gathered([support.pieces() for support in supports])
@@ -131,7 +135,7 @@ def _gathered(supports: tuple[Any, ...]) -> Gathered:
     return found
 
 
-@cache_results
+@kept
 def table_of(supports: tuple[Any, ...]) -> Table:
     """`Table` of supports, the same object while it is cached."""
     found = _gathered(supports)
@@ -149,7 +153,7 @@ def _table(found: Gathered, radii: Array) -> Table:
     count, size = len(radii), radii[:, None]
     first, terms = HEAD * count, HEAD * count + rows.size
     data = np.zeros(terms + 2 * ROWS * len(plates))
-    expand(rows, plates, data[terms:].reshape(-1, 2 * ROWS))
+    write_terms(found, rows, plates, data[terms:].reshape(-1, 2 * ROWS))
     rows[plates, COLUMNS - 2 :] = first + COLUMNS * rows[plates, COLUMNS - 2 :]
     data[first:terms] = rows.ravel()
     heads = data[:first].reshape(count, HEAD)
@@ -163,31 +167,34 @@ def _table(found: Gathered, radii: Array) -> Table:
     return Table(data, first + COLUMNS * plates, count)
 
 
-def joined_data(effects: Sequence[tuple[int, int, Table | None]]) -> Array:
+def joined_data(effects: Sequence[tuple[int, int, Table | None]], columns: int) -> Array:
     """The array that the rows of one call share: the effects, and the pressures of all supports.
 
     Parameters
     ----------
     effects : sequence of (int, int, Table or None)
         Of each effect its kind, the first of its columns in a row, and for a support the table.
+    columns : int
+        Number of columns of all effects.
 
     Returns
     -------
     ndarray
-        ``EFFECT`` numbers for each effect: kind, column, and for a support the place of the head of its
-        first pressure; then the tables. It is cached while the effects are the same, with tables compared
+        ``ENTRY`` numbers for each effect: kind, column, and for a support the place of the head of its
+        first pressure; the kind ``LAST`` and the number of columns; then the tables. It is cached while the effects are the same, with tables compared
         by identity, and must not be written to.
     """
     given = tuple(effects)
     count = sum(table.count for _, _, table in given if table is not None)
-    return (_few_joined if count <= FEW else _many_joined)(given)
+    return (_few_joined if count <= FEW else _many_joined)(given, columns)
 
 
-def _joined(effects: tuple[tuple[int, int, Table | None], ...]) -> Array:
-    parts = [np.zeros(EFFECT * len(effects))]
-    place = EFFECT * len(effects)
+def _joined(effects: tuple[tuple[int, int, Table | None], ...], columns: int) -> Array:
+    parts = [np.zeros(ENTRY * (len(effects) + 1))]
+    parts[0][-ENTRY : 2 - ENTRY] = LAST, columns
+    place = len(parts[0])
     for i, (kind, column, table) in enumerate(effects):
-        parts[0][EFFECT * i : EFFECT * i + 3] = kind, column, 0.0 if table is None else place
+        parts[0][ENTRY * i : ENTRY * i + 3] = kind, column, 0.0 if table is None else place
         if table is not None:
             parts.append(table.data_from(place))
             place += len(table.data)

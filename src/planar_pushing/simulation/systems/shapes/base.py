@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from planar_pushing.mechanics.compiled import by_kind
+from planar_pushing.simulation.legacy.compiled import by_kind
 
 #: Module of each kind of shape.
 SHAPES: dict[type, Any] = {}

@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import cos, inf, nan, sin
 from typing import NamedTuple
 
-from planar_pushing.mechanics.compiled import compiled
-from planar_pushing.mechanics.reduced.psi import contact_at
+from planar_pushing.simulation.legacy.compiled import compiled
+from planar_pushing.simulation.legacy.motion import contact_at
 from planar_pushing.simulation.systems.frame import pose_at
 
 

@@ -1,0 +1,45 @@
+"""Join the modules of the core into one of Cython.
+
+The language of the core is a small part of Python. The joiner translates it statement by statement, knows
+the kind of each expression and declares it in C, so that nothing is left to inference. Whatever else it
+meets, and whatever would mean something else in C, it refuses with file, line and reason.
+"""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+from typing import NamedTuple
+
+from .bodies import Body
+from .language import MATH, RefusedSource
+from .names import Names
+from .order import check_order
+
+__all__ = ["Joined", "RefusedSource", "join"]
+
+KERNEL = "data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int"
+
+
+class Joined(NamedTuple):
+    """The text of the module, the functions of math that it uses, and those that Python calls."""
+
+    source: str
+    math: list[str]
+    kernels: list[str]
+
+
+def join(folder: Path) -> Joined:
+    """Join the modules of a folder, or raise `RefusedSource`."""
+    names = Names(folder)
+    bodies = [Body(names, function) for function in names.functions.values()]
+    check_order(names, bodies)
+    if names.refusals:
+        lines = (f"{path}:{line}: {reason}" for path, line, reason in sorted(names.refusals))
+        raise RefusedSource("\n".join(lines))
+    kernels = [
+        name for name, function in names.functions.items()
+        if ast.unparse(function.args) == KERNEL and names.signatures[name][1] == "None"
+    ]  # fmt: skip
+    texts = [*names.structs_in_c(), *names.constants_in_c(), *(body.text() for body in bodies)]
+    return Joined("\n".join(texts), [*MATH], kernels)

@@ -1,1 +1,0 @@
-"""The effects as a function of the contact's motion, with the rotation eliminated."""

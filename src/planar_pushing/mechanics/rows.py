@@ -1,0 +1,235 @@
+"""A scene as rows of numbers: the effects of a push from rest, in the form that the core reads.
+
+The numbers of a scene are columns, which are arrays for an array of scenes. They are made dimensionless in
+one place: lengths are divided by the slider's radius once, and forces by the unit of a call.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from planar_pushing.core.rows import LOAD, MASS, RING, SUPPORT
+from planar_pushing.mechanics.contact.laws import Law
+from planar_pushing.mechanics.effects import Inertia, Load, Viscous
+from planar_pushing.mechanics.supports.even_ring import Ring
+from planar_pushing.mechanics.supports.pressure.table import (
+    Table,
+    extents_of,
+    joined_data,
+    table_of,
+)
+from planar_pushing.terms.domain import Number, required_ratio
+from planar_pushing.terms.numbers import Array
+
+
+class Entry(NamedTuple):
+    """An effect in the form of the core.
+
+    Attributes
+    ----------
+    kind : int
+        `RING`, `SUPPORT`, `LOAD` or `MASS`.
+    degree : int
+        Degree of homogeneity of its potential: if the motion is multiplied by a factor, the force is
+        multiplied by the factor to the power ``degree - 1``.
+    forces : list
+        Columns of forces, or of forces divided by motions.
+    others : list
+        All other columns, which follow: lengths in radii of the slider.
+    number : int
+        Index in the scene's list of effects.
+    table : Table, optional
+        Pressures of a support.
+    """
+
+    kind: int
+    degree: int
+    forces: list[Number]
+    others: list[Number]
+    number: int
+    table: Table | None = None
+
+    @property
+    def columns(self) -> list[Number]:
+        """All columns."""
+        return [*self.forces, *self.others]
+
+    @property
+    def resists(self) -> bool:
+        """Whether the effect resists a motion, unlike a load."""
+        return self.kind != LOAD
+
+
+#: Order of the kinds in a row.
+ORDER = {LOAD: 0, SUPPORT: 1, RING: 2, MASS: 3}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Rows:
+    """The effects of a push from rest as rows of numbers.
+
+    Attributes
+    ----------
+    entries : tuple of Entry
+        The effects, grouped by kind.
+    data : ndarray
+        What the rows of a call share: the kinds, and the pressures of the supports.
+    body : tuple
+        Length of the rod in radii, its angle in radians, and the radius.
+    law : Law
+    """
+
+    entries: tuple[Entry, ...]
+    data: Array
+    body: tuple[Number, Number, Number]
+    law: Law
+
+    @classmethod
+    def of(cls, scene: Any) -> Rows:
+        """The rows of a scene; callers take `scene.rows`, which keeps them."""
+        slider = scene.slider
+        entries = entries_of(((i, scene.effects[i]) for i in scene.resisting), scene)
+        body = slider.length_ratio, slider.rod_angle, slider.radius
+        return cls(entries, data_of(entries), body, scene.law)
+
+    @property
+    def columns(self) -> list[Number]:
+        """The columns of the effects, with forces in the scene's units."""
+        return [each for entry in self.entries for each in entry.columns]
+
+    @property
+    def is_steady(self) -> bool:
+        """Whether all potentials have one degree, so that directions do not depend on magnitudes."""
+        return len({entry.degree for entry in self.entries}) == 1
+
+    def strength(self, degree: int) -> Number:
+        """Sum of the strengths of the effects of a degree, without loads; 0 without one."""
+        return sum(each.forces[0] for each in self.entries if each.degree == degree and each.resists)
+
+
+def entries_of(effects: Iterable[tuple[int, Any]], scene: Any) -> tuple[Entry, ...]:
+    """The entries of numbered effects of a scene, grouped by kind."""
+    entries = [_entry(effect, scene, number) for number, effect in effects]
+    return tuple(sorted(entries, key=lambda entry: ORDER[entry.kind]))
+
+
+def data_of(entries: Sequence[Entry]) -> Array:
+    """What the rows of entries share."""
+    column, effects = 0, []
+    for entry in entries:
+        effects.append((entry.kind, column, entry.table))
+        column += len(entry.forces) + len(entry.others)
+    return joined_data(effects, column)
+
+
+def scale_forces(
+    entries: Sequence[Entry], columns: Sequence[Any], factors: Sequence[Any], units: Sequence[Any]
+) -> list[Any]:
+    """Dimensionless columns of effects.
+
+    Parameters
+    ----------
+    entries : sequence of Entry
+    columns : sequence
+        The columns of the entries, as numbers or arrays.
+    factors, units : sequence of two
+        Factor and unit of the forces of degree 1, and of degree 2.
+    """
+    scaled, place = [], 0
+    for entry in entries:
+        factor, unit = factors[entry.degree - 1], units[entry.degree - 1]
+        end = place + len(entry.forces)
+        scaled += [factor * each / unit for each in columns[place:end]]
+        place = end + len(entry.others)
+        scaled += columns[end:place]
+    return scaled
+
+
+def strengths_of(entries: Sequence[Entry], columns: Sequence[Any]) -> list[Any]:
+    """The strength of each effect: its weight, mass or coefficient, and the magnitude of a load."""
+    strengths, place = [], 0
+    for entry in entries:
+        force = columns[place]
+        strengths.append(np.hypot(force, columns[place + 1]) if entry.kind == LOAD else force)
+        place += len(entry.forces) + len(entry.others)
+    return strengths
+
+
+def in_units(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> tuple[Any, list[Any]]:
+    """Unit of force, and the columns of the effects for motions in units of `size` and forces in that unit."""
+    strengths = [
+        strength * size if entry.degree == 2 else np.abs(strength)
+        for entry, strength in zip(entries, strengths_of(entries, columns), strict=True)
+    ]
+    unit = strengths[0]
+    for strength in strengths[1:]:
+        unit = np.maximum(unit, strength)
+    return unit, scale_forces(entries, columns, (1.0, size), (unit, unit))
+
+
+def _entry(effect: Any, scene: Any, number: int) -> Entry:
+    radius = scene.slider.radius
+    if isinstance(effect, Inertia):
+        ratio = required_ratio("gyration_ratio", effect.gyration_radius / radius)
+        center = [each / radius for each in effect.center]
+        return Entry(MASS, 2, [effect.mass], [ratio**2, *center], number)
+    if isinstance(effect, Viscous):
+        x, y, square = _spread_of(effect.support, radius)
+        return Entry(MASS, 2, [effect.coefficient], [square, x, y], number)
+    if isinstance(effect, Load):
+        return Entry(LOAD, 1, _wrench_of(effect, scene), [], number)
+    if is_own_ring(effect.support, radius):
+        return Entry(RING, 1, [effect.weight], [], number)
+    support = effect.support
+    pressure = np.arange(float(np.size(support))).reshape(np.shape(support))
+    others = [extents(support) / radius, alike(support, pressure)]
+    return Entry(SUPPORT, 1, [effect.weight], others, number, table_of(listed(support)))
+
+
+def _wrench_of(load: Load, scene: Any) -> list[Number]:
+    """Wrench of a load about the slider's center, in the body frame; lengths in radii."""
+    c, s = np.cos(scene.slider.rod_angle), np.sin(scene.slider.rod_angle)
+    (x, y), point = load.force, scene.mass_center
+    if load.center is not None:
+        point = tuple(each / scene.slider.radius for each in load.center)
+    g_x, g_y = x * c + y * s, y * c - x * s
+    return [g_x, g_y, point[0] * g_y - point[1] * g_x]
+
+
+def _spread_of(support: Any, radius: Number) -> tuple[Number, Number, Number]:
+    """Center of pressure in radii, and mean square of the distance from it."""
+    size = radius if isinstance(support, Ring) and support.radius is None else 1.0
+    table, extent = table_of([support]), extents_of([support])[0] * size / radius
+    x, y = table.centers[0]
+    return x * extent, y * extent, (table.spreads[0, 0] + table.spreads[0, 2]) * extent**2
+
+
+def is_own_ring(support: Any, radius: Number) -> bool:
+    """Whether supports are rings of the slider's radius."""
+    return all(
+        isinstance(ring, Ring)
+        and ring.center is None
+        and (ring.radius is None or np.all(np.asarray(radius) == ring.radius))
+        for ring in listed(support)
+    )
+
+
+def listed(support: Any) -> Any:
+    """A support, or an array of supports, as a flat array."""
+    return np.ravel(np.array(support, dtype=object))
+
+
+def alike(support: Any, numbers: Any) -> Any:
+    """Numbers of supports: a scalar for one support, labeled if the supports are."""
+    if hasattr(support, "dims"):
+        return support.copy(data=numbers)
+    return numbers if np.ndim(numbers) else float(numbers)
+
+
+def extents(support: Any) -> Number:
+    """Largest distance of a support, or of each support of an array, from its center of pressure."""
+    return alike(support, extents_of(listed(support)).reshape(np.shape(support)))
