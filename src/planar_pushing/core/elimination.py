@@ -6,8 +6,9 @@ from math import fabs
 
 from planar_pushing.core.numbers import Numbers, zeros
 
-#: Number of unknowns and equations.
+#: Number of unknowns and equations, and of numbers in a matrix.
 SIDE = 5
+SQUARE = SIDE * SIDE
 
 
 def factor_matrix(matrix: Numbers, noise: Numbers, order: Numbers) -> bool:

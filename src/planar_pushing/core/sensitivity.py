@@ -16,7 +16,7 @@ from math import fabs, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.directions import Rod, direction_at, rod_at
-from planar_pushing.core.elimination import SIDE, factor_matrix, solve_factored
+from planar_pushing.core.elimination import SIDE, SQUARE, factor_matrix, solve_factored
 from planar_pushing.core.numbers import UNKNOWN, Numbers, cross, zeros
 from planar_pushing.core.rows import (
     FAR_CENTER,
@@ -33,14 +33,14 @@ from planar_pushing.core.rows import (
     pressure_of,
     read_effects,
     resistance,
+    rough_mass,
     support_resistance,
 )
 from planar_pushing.core.tolerances import BALANCED, SINGULAR, SLOW
 
-#: Conditions at the contact, of which the first two depend on the pusher's motion, and the second and third
-#: demand a line of force: it moves with the pusher; it has the pusher's normal motion
-#: and a force along an edge; a force along a line, with a contact motion of constant magnitude; a given
-#: force; none.
+#: Conditions at the contact, in an order that counts: it moves with the pusher; it has the pusher's normal
+#: motion and a force along an edge; a force along a line, with a contact motion of constant magnitude; a
+#: given force; none.
 STICK_CASE, SLIP_CASE, LINE_CASE, FORCE_CASE, FREE_CASE = range(5)
 #: Status of the derivatives of a row; the last one is that of a solution about to change its mode.
 NO_MOTION, SMOOTH, ABOUT_POINT, OPEN, CHANGE = range(5)
@@ -73,6 +73,8 @@ class State(NamedTuple):
         Force, and the unit vector of its edge or line.
     m_x, m_y : float
         Direction in which the condition fixes the contact's motion: the pusher's normal, or the motion.
+    unit : float
+        Force, per motion, in whose units the unknown force is of the order of the unknown motion.
     pivots : bool
     pivot : Position
         Position of the support point about which the slider turns, otherwise the origin.
@@ -94,23 +96,9 @@ class State(NamedTuple):
     e_y: float
     m_x: float
     m_y: float
+    unit: float
     pivots: bool
     pivot: Position
-
-
-class Cause(NamedTuple):
-    """A change of the problem.
-
-    Changes of what the condition demands of the contact's motion, of a given force, of the angle of the
-    edge, and of the wrench that resists, all at the same twist and force.
-    """
-
-    u_x: float
-    u_y: float
-    f_x: float
-    f_y: float
-    turn: float
-    wrench: Vector
 
 
 def responses(
@@ -128,44 +116,46 @@ def responses(
     first, parameters = count_columns(data), (width - 1) // 5
     for i in range(count):
         row, result = rows[i * columns :], results[i * width :]
-        given = row[first:]
+        solution = row[first:]
         result[0] = float(CHANGE)
         for k in range(1, width):
             result[k] = UNKNOWN
         effects = read_effects(data, row)
-        known = min(parameters, FIRST + effects.count + effects.feet)
-        if given[10] != 0.0:
+        known = min(parameters, FIRST + effects.length + effects.feet)
+        if solution[10] != 0.0:
             continue
-        if given[2] == 0.0 and given[3] == 0.0 and given[4] == 0.0:
+        if solution[2] == 0.0 and solution[3] == 0.0 and solution[4] == 0.0:
             result[0] = float(SMOOTH)
             for k in range(known):
                 for component in range(5):
                     result[1 + component * parameters + k] = 0.0
         else:
-            state = _state_at(effects, rod_at(given[0], given[1]), given)
+            state = _state_at(effects, rod_at(solution[0], solution[1]), solution)
             if not _is_changing(state):
                 _write_responses(state, known, parameters, result)
 
 
-def _state_at(effects: Effects, rod: Rod, given: Numbers) -> State:
+def _state_at(effects: Effects, rod: Rod, solution: Numbers) -> State:
     """The solution in the columns after the effects."""
-    t_x, t_y, condition = rod.x, -rod.y, int(given[8])
-    x, y, spin = t_x * given[2] - t_y * given[3], t_y * given[2] + t_x * given[3], given[4]
-    pivots: bool = given[9] >= 0.0
+    t_x, t_y, condition = rod.x, -rod.y, int(solution[8])
+    x, y = t_x * solution[2] - t_y * solution[3], t_y * solution[2] + t_x * solution[3]
+    spin = solution[4]
+    pivots: bool = solution[9] >= 0.0
     pivot = Position(0.0, 0.0)
     if pivots:
-        pivot = foot_position(effects, int(given[9]))
+        pivot = foot_position(effects, int(solution[9]))
         x, y = spin * pivot.y, -spin * pivot.x
-    edge = direction_at(rod, given[7])
+    edge = direction_at(rod, solution[7])
     m_x, m_y = -t_y, t_x
     if condition == LINE_CASE:
         m_x, m_y = x, y - spin * rod.length
     blur = SLOW * (sqrt(x * x + y * y) + fabs(spin))
+    total = _sharp_resistance(effects, x, y, spin, blur)
     return State(
-        effects, _sharp_resistance(effects, x, y, spin, blur), condition,
-        x, y, spin, blur, rod.length, t_x, t_y,
-        t_x * given[5] - t_y * given[6], t_y * given[5] + t_x * given[6],
-        edge.along, -edge.across, m_x, m_y, pivots, pivot,
+        effects, total, condition, x, y, spin, blur, rod.length, t_x, t_y,
+        t_x * solution[5] - t_y * solution[6], t_y * solution[5] + t_x * solution[6],
+        edge.along, -edge.across, m_x, m_y,
+        fabs(total.xx) + fabs(total.xy) + fabs(total.yy), pivots, pivot,
     )  # fmt: skip
 
 
@@ -177,7 +167,7 @@ def _sharp_resistance(effects: Effects, x: float, y: float, spin: float, blur: f
     """
     total = resistance(effects, x, y, spin, blur)
     xs, ys, ss = total.xs, total.ys, total.ss
-    for effect in range(effects.count):
+    for effect in range(effects.length):
         if kind_of(effects.data, effect) == SUPPORT:
             more = _far_terms(effects, effect, x, y, spin)
             xs, ys, ss = xs + more.x, ys + more.y, ss + more.spin
@@ -234,9 +224,10 @@ def _is_changing(state: State) -> bool:
 
 def _write_responses(state: State, known: int, parameters: int, result: Numbers) -> None:
     """Write status and derivatives by the parameters that exist; nothing if the system is singular."""
-    matrix, noise, order = zeros(25), zeros(25), zeros(SIDE)
+    matrix, noise, order = zeros(SQUARE), zeros(SQUARE), zeros(SIDE)
     right, change = zeros(SIDE), zeros(SIDE)
-    unit = _force_unit(state)
+    if not state.unit > 0.0:
+        return
     _write_system(state, matrix)
     _write_noise(state, matrix, noise)
     if not factor_matrix(matrix, noise, order):
@@ -244,44 +235,61 @@ def _write_responses(state: State, known: int, parameters: int, result: Numbers)
     open_force: bool = state.pivots and state.condition == STICK_CASE
     result[0] = float(OPEN if open_force else ABOUT_POINT if state.pivots else SMOOTH)
     for k in range(known):
-        cause = _cause_of(state, k)
-        if open_force and _makes_point_slide(state, cause):
+        _write_change(state, k, right)
+        if open_force and _makes_point_slide(state, right[3], right[4]):
             continue
-        _write_change(state, cause, right)
         solve_factored(matrix, order, right, change)
         x, y = change[0], change[1]
         result[1 + k] = state.t_x * x + state.t_y * y
         result[1 + parameters + k] = state.t_x * y - state.t_y * x
         result[1 + 2 * parameters + k] = change[2]
         if not open_force:
-            x, y = unit * change[3], unit * change[4]
+            x, y = state.unit * change[3], state.unit * change[4]
             result[1 + 3 * parameters + k] = state.t_x * x + state.t_y * y
             result[1 + 4 * parameters + k] = state.t_x * y - state.t_y * x
 
 
-def _cause_of(state: State, k: int) -> Cause:
-    """The change of the problem with its k-th parameter."""
-    still, condition = Vector(0.0, 0.0, 0.0), state.condition
-    if k >= FIRST:
-        return Cause(0.0, 0.0, 0.0, 0.0, 0.0, _wrench_of(state, k - FIRST))
-    if k == 4:
-        force = state.e_x * state.f_x + state.e_y * state.f_y
-        if condition == FORCE_CASE:
-            return Cause(0.0, 0.0, -force * state.e_y, force * state.e_x, 0.0, still)
-        turn = 1.0 if SLIP_CASE <= condition <= LINE_CASE else 0.0
-        return Cause(0.0, 0.0, 0.0, 0.0, turn, still)
-    x, y = state.t_x, state.t_y
+def _write_change(state: State, k: int, right: Numbers) -> None:
+    """Write the right-hand sides of a change of the k-th parameter, at the same twist and force."""
+    for i in range(SIDE):
+        right[i] = 0.0
+    x, y, condition = state.t_x, state.t_y, state.condition
     if k == 1 or k == 3:
         x, y = -state.t_y, state.t_x
-    if k >= 2:
-        # The new contact moves otherwise, and the force has another lever.
-        lever = Vector(0.0, 0.0, -cross(x, y, state.f_x, state.f_y))
-        return Cause(state.spin * y, -state.spin * x, 0.0, 0.0, 0.0, lever)
-    if condition <= SLIP_CASE:
-        return Cause(x, y, 0.0, 0.0, 0.0, still)
-    if condition == FORCE_CASE and k == 0:
-        return Cause(0.0, 0.0, state.e_x, state.e_y, 0.0, still)
-    return Cause(0.0, 0.0, 0.0, 0.0, 0.0, still)
+    if k >= FIRST:
+        wrench = _wrench_of(state, k - FIRST)
+        right[0] = cross(state.pivot.x, state.pivot.y, wrench.x, wrench.y) - wrench.spin
+        if not state.pivots:
+            right[1], right[2] = -wrench.x, -wrench.y
+    elif k == 4:
+        force = (state.e_x * state.f_x + state.e_y * state.f_y) / state.unit
+        if condition == FORCE_CASE:
+            right[3], right[4] = -force * state.e_y, force * state.e_x
+        elif SLIP_CASE <= condition <= LINE_CASE:
+            right[4] = force
+    elif k >= 2:
+        # At the new contact, the force has another lever, and the slider another motion.
+        right[0] = cross(x, y, state.f_x, state.f_y)
+        _write_motion_change(state, state.spin * y, -state.spin * x, right)
+    elif condition <= SLIP_CASE:
+        _write_motion_change(state, x, y, right)
+    elif condition == FORCE_CASE and k == 0:
+        right[3], right[4] = state.e_x / state.unit, state.e_y / state.unit
+
+
+def _write_motion_change(state: State, x: float, y: float, right: Numbers) -> None:
+    """Write the right-hand sides of a change of the motion of the pusher at the contact."""
+    if state.condition == STICK_CASE:
+        right[3], right[4] = x, y
+    elif state.condition <= LINE_CASE:
+        right[3] = state.m_x * x + state.m_y * y
+
+
+def _makes_point_slide(state: State, x: float, y: float) -> bool:
+    """Whether a change of a sticking contact's motion moves the pivot along its line to the contact."""
+    r_x, r_y = state.pivot.x + state.lever, state.pivot.y
+    ahead, size = x * r_x + y * r_y, fabs(x) + fabs(y)
+    return fabs(ahead) > SINGULAR * sqrt(r_x * r_x + r_y * r_y) * size
 
 
 def _wrench_of(state: State, number: int) -> Vector:
@@ -290,10 +298,10 @@ def _wrench_of(state: State, number: int) -> Vector:
     The friction of a point at rest is below its limit, so a change of the limit has no effect.
     """
     x, y, spin, effects = state.x, state.y, state.spin, state.effects
-    if number < effects.count:
+    if number < effects.length:
         part = effect_resistance(effects, number, x, y, spin, state.blur)
         return Vector(part.f_x, part.f_y, part.torque)
-    foot = foot_position(effects, number - effects.count)
+    foot = foot_position(effects, number - effects.length)
     w_x, w_y = x - spin * foot.y, y + spin * foot.x
     speed = sqrt(w_x * w_x + w_y * w_y)
     if speed <= state.blur:
@@ -302,21 +310,9 @@ def _wrench_of(state: State, number: int) -> Vector:
     return Vector(w_x, w_y, cross(foot.x, foot.y, w_x, w_y))
 
 
-def _makes_point_slide(state: State, cause: Cause) -> bool:
-    """Whether a change moves a pivot that sticks along its line to the contact."""
-    r_x, r_y = state.pivot.x + state.lever, state.pivot.y
-    ahead, size = cause.u_x * r_x + cause.u_y * r_y, fabs(cause.u_x) + fabs(cause.u_y)
-    return fabs(ahead) > SINGULAR * sqrt(r_x * r_x + r_y * r_y) * size
-
-
-def _force_unit(state: State) -> float:
-    """The force, per motion, in whose units the unknown force is of the order of the unknown motion."""
-    return fabs(state.total.xx) + fabs(state.total.xy) + fabs(state.total.yy)
-
-
 def _write_system(state: State, matrix: Numbers) -> None:
     """Write the matrix: balance of torques; balance of forces, or a pivot at rest; the condition."""
-    total, unit = state.total, _force_unit(state)
+    total, unit = state.total, state.unit
     p_x, p_y = state.pivot.x, state.pivot.y
     r_x, r_y = p_x + state.lever, p_y
     torque, one, other = matrix, matrix[SIDE:], matrix[2 * SIDE :]
@@ -349,30 +345,14 @@ def _write_condition(state: State, one: Numbers, other: Numbers) -> None:
         one[3], other[4] = 1.0, 1.0
 
 
-def _write_change(state: State, cause: Cause, right: Numbers) -> None:
-    """Write the right-hand side of a change of the problem; a pivot rests whatever changes."""
-    wrench, unit = cause.wrench, _force_unit(state)
-    right[0] = cross(state.pivot.x, state.pivot.y, wrench.x, wrench.y) - wrench.spin
-    if not state.pivots:
-        right[1], right[2] = -wrench.x, -wrench.y
-    if state.condition == STICK_CASE:
-        right[3], right[4] = cause.u_x, cause.u_y
-    elif state.condition <= LINE_CASE:
-        force = state.e_x * state.f_x + state.e_y * state.f_y
-        right[3] = state.m_x * cause.u_x + state.m_y * cause.u_y
-        right[4] = cause.turn * force / unit
-    else:
-        right[3], right[4] = cause.f_x / unit, cause.f_y / unit
-
-
 def _write_noise(state: State, matrix: Numbers, noise: Numbers) -> None:
     """Write the errors of the matrix: rounding, and for sums of second derivatives that of their terms."""
-    total, unit = state.total, _force_unit(state)
-    for i in range(SIDE * SIDE):
+    for i in range(SQUARE):
         noise[i] = SINGULAR * fabs(matrix[i])
-    extent = sqrt(fabs(total.ss) / unit) if unit > 0.0 else 0.0
+    rough = rough_mass(state.effects, 1.0, 0.0, 0.0)
+    extent = sqrt(rough.inertia / rough.mass)
     arm = extent + fabs(state.pivot.x) + fabs(state.pivot.y)
     for i in range(1 if state.pivots else 3):
         for j in range(3):
-            size = unit * (arm if i == 0 else 1.0) * (extent if j == 2 else 1.0)
-            noise[SIDE * i + j] = SINGULAR * max(fabs(matrix[SIDE * i + j]), size)
+            terms = state.unit * (arm if i == 0 else 1.0) * (extent if j == 2 else 1.0)
+            noise[SIDE * i + j] = max(noise[SIDE * i + j], SINGULAR * terms)
