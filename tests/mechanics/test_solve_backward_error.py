@@ -6,7 +6,7 @@ force and twist against the conditions of their mode, relative to |f| and to |v|
 
 from __future__ import annotations
 
-import numba
+
 import numpy as np
 import pytest
 
@@ -15,7 +15,7 @@ from mechanics.builders import BOTH, EVERY_EFFECT, INERTIA, make_scene
 from planar_pushing.mechanics.plane import direction
 
 #: In each test; few where Python runs the formulas.
-SCENES = 300 if numba.config.DISABLE_JIT else 20_000
+SCENES = 20_000
 TOLERANCE = 1e-12
 SEPARATE, STICK, SLIP_RIGHT, SLIP_LEFT = pp.ContactMode
 LAWS = ("Coulomb", "infinite friction", "definition 2", "perfectly rough")

@@ -22,7 +22,7 @@ from planar_pushing.core.force import (
 )
 from planar_pushing.core.free import free_twist
 from planar_pushing.core.numbers import Numbers, zeros
-from planar_pushing.core.path import Path, first_sample, sample_of
+from planar_pushing.core.path import Path, Sample, first_sample, sample_of
 from planar_pushing.core.psi import guess_spin, psi
 from planar_pushing.core.rows import NO_POINT
 from planar_pushing.core.slips import SLIP, SLIPS, find_slips
@@ -110,15 +110,11 @@ class Count(NamedTuple):
         Whether one of the slips is the stick.
     flat : bool
         Whether a continuum of slips touches the stick.
-    touched : int
-        Mode of the slips that the stick, under an edge's force to within the resolution of motions, would
-        be one of; 0 without one.
     """
 
     number: int
     sticks: bool
     flat: bool
-    touched: int
 
 
 def _across(edge: Direction, f_x: float, f_y: float) -> float:
@@ -222,7 +218,7 @@ def contact_modes(
     if x == 0.0 and y == 0.0 and stick.spin == 0.0:
         stick = _hold_at_rest(push, law, stick, scale)
     search = Search(push, pusher, rest_x, rest_y, scale, root, stick.f_x, stick.f_y, place)
-    slips = Count(place + 1, False, False, 0)
+    slips = Count(place + 1, False, False)
     if law.slips:
         slips = _write_slips(search, law.left, SLIP_RIGHT, solutions, slips)
         slips = _write_slips(search, law.right, SLIP_LEFT, solutions, slips)
@@ -231,19 +227,14 @@ def contact_modes(
     slides: bool = slips.number > place + 1
     place_in_cone = _place_in_cone(push, law, stick)
     sticks: bool = law.rough or slips.sticks or place_in_cone == WITHIN
-    touches: bool = slips.touched > 0 or place_in_cone != BEYOND
-    if law.closed and touches and (slips.flat or not slides):
+    if law.closed and place_in_cone != BEYOND and (slips.flat or not slides):
         sticks = True
     if law.closed and law.slips and place_in_cone == JUST_WITHIN:
         sticks = True
     if sticks:
         # A slip that is the stick has its force exactly on the edge.
-        solution = solutions[place * SOLUTION :]
-        if place_in_cone == BEYOND and slips.touched > 0 and not slips.sticks:
-            edge = law.left if slips.touched == SLIP_RIGHT else law.right
-            write_on_edge(push, STICK, stick, edge, solution)
-        elif not slips.sticks or place_in_cone >= JUST_WITHIN:
-            write_solution(push, STICK, stick, solution)
+        if not slips.sticks or place_in_cone >= JUST_WITHIN:
+            write_solution(push, STICK, stick, solutions[place * SOLUTION :])
         if slips.flat:
             solutions[place * SOLUTION + CONTINUUM] = 1.0
         return slips.number, slips.flat
@@ -310,8 +301,7 @@ def _write_slips(
         end = first_sample(path, sense * side * BEFORE_REST * search.scale)
     else:
         end = sample_of(path, sense * pusher.x, search.stick)
-        if end.before == end.after and fabs(end.after) <= fabs(end.slope) * COINCIDENT * search.scale:
-            slips = Count(slips.number, slips.sticks, slips.flat, mode)
+        slips = _write_touching_stick(search, path, edge, mode, end, solutions, slips)
     if not end.s > first:
         return slips
     roots = zeros(SLIPS * SLIP)
@@ -321,7 +311,20 @@ def _write_slips(
         motion = motion_at_root(path, s, spin, roots[SLIP * i + 2] != 0.0, point)
         slips = _write_slip_of(search, edge, mode, motion, shrink, solutions, slips)
     count = slips.number if number >= 0 else UNSOLVED
-    return Count(count, slips.sticks, slips.flat or flat, slips.touched)
+    return Count(count, slips.sticks, slips.flat or flat)
+
+
+def _write_touching_stick(
+    search: Search, path: Path, edge: Direction, mode: int, end: Sample,
+    solutions: Numbers, slips: Count,
+) -> Count:  # fmt: skip
+    """Write the stick if the root of the force across the edge is one motion with it, on either side."""
+    if end.before != end.after or fabs(end.after) > fabs(end.slope) * COINCIDENT * search.scale:
+        return slips
+    step = -end.after / end.slope if end.slope != 0.0 else 0.0
+    spin = end.spin + step * end.swing
+    motion = motion_at_root(path, end.s + step, spin, False, NO_POINT)
+    return _write_slip_of(search, edge, mode, motion, 1.0, solutions, slips)
 
 
 def _write_normal_slips(
@@ -350,7 +353,7 @@ def _write_normal_slips(
     else:
         slips = _write_slip_of(search, edge, mode, left, shrink, solutions, slips)
         slips = _write_slip_of(search, edge, mode, right, shrink, solutions, slips)
-    return Count(slips.number, slips.sticks, slips.flat or holds, slips.touched)
+    return Count(slips.number, slips.sticks, slips.flat or holds)
 
 
 def _speed_of(motion: ContactMotion) -> float:
@@ -366,19 +369,19 @@ def _write_slip_of(
     closest = COINCIDENT * search.scale
     slip = push.t_x * motion.u_x + push.t_y * motion.u_y - search.pusher.x
     if not motion.converged or slips.number < 0:
-        return Count(UNSOLVED, slips.sticks, slips.flat, slips.touched)
+        return Count(UNSOLVED, slips.sticks, slips.flat)
     if force_along(edge, motion) <= motion.noise_x + motion.noise_y:
         return slips
     if fabs(slip) <= closest:
         place = search.stick_place
         write_on_edge(push, STICK, motion, edge, solutions[place * SOLUTION :])
-        return Count(slips.number, True, slips.flat, slips.touched)
+        return Count(slips.number, True, slips.flat)
     if side * slip <= closest:
         return slips
     if slips.number == MOST_SOLUTIONS:
-        return Count(UNSOLVED, slips.sticks, slips.flat, slips.touched)
+        return Count(UNSOLVED, slips.sticks, slips.flat)
     solution = solutions[slips.number * SOLUTION :]
     write_on_edge(push, mode, motion, edge, solution)
     if shrink != 1.0:
         shrink_solution(solution, shrink, 1.0 if push.effects.frictional else shrink)
-    return Count(slips.number + 1, slips.sticks, slips.flat, slips.touched)
+    return Count(slips.number + 1, slips.sticks, slips.flat)

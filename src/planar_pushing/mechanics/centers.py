@@ -153,7 +153,8 @@ def _conservative_cones(length: Array, rod_angle: Array, low: Array, high: Array
 def ring_motion_angles(length: Array, rod_angle: Array, force_angle: Array, ratio: Array) -> Array:
     """Angles of the contact's motion at spin ratios, which can be infinite (Eqs. 11-12)."""
     lean = rod_angle - force_angle
-    pull = ratio * length
+    with np.errstate(invalid="ignore"):
+        pull = np.where(length > 0.0, ratio * length, 0.0)
     finite = np.isfinite(pull)
     pull, part = np.where(finite, pull, np.sign(ratio)), np.where(finite, 1.0, 0.0)
     return np.asarray(force_angle - np.arctan2(pull * np.cos(lean), part + pull * np.sin(lean)))
