@@ -197,7 +197,7 @@ def motions_under_force(
 
 
 def _is_in_continuum(path: Path, root: Sample, scale: float) -> bool:
-    """Whether the root of a force that is along the line but for rounding is in a continuum or at its end."""
+    """Whether a root is in a continuum, or at its end, where the force is along the line but for rounding."""
     if is_flat(path, root, scale):
         return True
     if is_flat(path, sample_near(path, root, root.s - FLAT * scale), scale):

@@ -1,7 +1,7 @@
 """What Python calls: loops over the rows of an array, one row for each problem.
 
-A row begins with the numbers of the effects, as `read_effects` reads them. What follows is described at each
-kernel. Angles are radians in the fence frame, lengths are in radii, and results are in the frame of the
+A row begins with the numbers of the effects, as `read_effects` reads them. What follows is described at
+each kernel. Angles are radians in the fence frame, lengths are in radii, and results are in the frame of the
 contact: x along the fence and y along its normal into the slider.
 """
 
@@ -35,13 +35,34 @@ from planar_pushing.core.modes import Law, contact_modes
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers, zeros
 from planar_pushing.core.ring import ring_spin_ratio
 from planar_pushing.core.rows import count_columns, load_wrench, read_effects, resistance
-from planar_pushing.core.solution import CONTINUUM, MOST_SOLUTIONS, PIVOT, SOLUTION, TWIST, Push
+from planar_pushing.core.solution import (
+    CONTINUUM,
+    FORCE,
+    FORCE_END,
+    MODE,
+    MOST_SOLUTIONS,
+    MOTION,
+    PIVOT,
+    SOLUTION,
+    TWIST,
+    Push,
+)
 from planar_pushing.core.tolerances import RESOLUTION
 
 #: Status of the solutions of a row.
 NONE, CONSISTENT, PIVOTS, CONTINUA, NOT_SOLVED = range(5)
-#: Numbers of a solution in the results of `solve`.
-RESULT = SOLUTION + 3
+#: Numbers of a solution in the results of `solve`, and how many numbers precede each of its fields after
+#: the mode: force, the other end of its interval, twist, motion of the contact, spin ratio, center, pivot,
+#: and whether it is an end of a continuum.
+RESULT = 15
+AT_FORCE = 1
+AT_FORCE_END = 3
+AT_TWIST = 5
+AT_MOTION = 8
+AT_RATIO = 10
+AT_CENTER = 11
+AT_PIVOT = 13
+AT_CONTINUUM = 14
 #: Numbers of a motion in the results of `force_motions`.
 MOTION_WIDTH = 13
 #: Distance, in radii, at which a force replaces a pure couple.
@@ -55,8 +76,9 @@ def solve(
 
     After the effects, a row holds: length and angle of the rod; the edges of the law, right and left, and
     whether it slips, is closed, and is rough; angle of the pusher's motion; whether the pusher moves. A row
-    of results holds: number of solutions; status; and as many solutions as fit, `RESULT` numbers each: those
-    of `SOLUTION`, spin ratio, and motion center relative to the contact, NaN at rest.
+    of results holds: number of solutions; status; and for as many solutions as fit all modes, all forces,
+    and so on, in the order of `AT_FORCE` to `AT_CONTINUUM`. The motion center is relative to the contact,
+    and NaN at rest.
     """
     first = count_columns(data)
     solutions = zeros(MOST_SOLUTIONS * SOLUTION)
@@ -74,30 +96,40 @@ def solve(
             pusher = Direction(given[7], 0.0, 0.0, 0.0, 0.0)
         number, flat = contact_modes(push, law, pusher, solutions)
         status = CONTINUA if flat else NONE if number == 0 else CONSISTENT
-        if number < 0 or number > (width - 2) // RESULT:
+        room = (width - 2) // RESULT
+        if number < 0 or number > room:
             number, status = 0, NOT_SOLVED
+        for k in range(2, width):
+            result[k] = UNKNOWN
         for j in range(number):
             solution = solutions[j * SOLUTION :]
             if solution[CONTINUUM] != 0.0:
                 status = CONTINUA
             elif solution[PIVOT] >= 0.0 and status == CONSISTENT:
                 status = PIVOTS
-            _write_result(rod, solution, result[2 + j * RESULT :])
+            _write_result(rod, solution, room, j, result[2:])
         result[0], result[1] = float(number), float(status)
-        for k in range(2 + number * RESULT, width):
-            result[k] = UNKNOWN
 
 
-def _write_result(rod: Rod, solution: Numbers, result: Numbers) -> None:
-    """Write a solution, its spin ratio, and its motion center."""
-    for k in range(SOLUTION):
-        result[k] = solution[k]
+def _write_result(rod: Rod, solution: Numbers, room: int, j: int, result: Numbers) -> None:
+    """Write the j-th solution, its spin ratio, and its motion center."""
     v_x, v_y, spin = solution[TWIST], solution[TWIST + 1], solution[TWIST + 2]
     center = motion_center(v_x, v_y, spin)
     moves: bool = v_x != 0.0 or v_y != 0.0 or spin != 0.0
-    result[SOLUTION] = spin_ratio(v_x, v_y, spin)
-    result[SOLUTION + 1] = rod.length * rod.x + center.x if moves else UNKNOWN
-    result[SOLUTION + 2] = rod.length * rod.y + center.y if moves else UNKNOWN
+    result[j] = solution[MODE]
+    for k in range(2):
+        result[AT_FORCE * room + 2 * j + k] = solution[FORCE + k]
+        result[AT_FORCE_END * room + 2 * j + k] = solution[FORCE_END + k]
+        result[AT_MOTION * room + 2 * j + k] = solution[MOTION + k]
+    for k in range(3):
+        result[AT_TWIST * room + 3 * j + k] = solution[TWIST + k]
+    result[AT_RATIO * room + j] = spin_ratio(v_x, v_y, spin)
+    result[AT_CENTER * room + 2 * j] = rod.length * rod.x + center.x if moves else UNKNOWN
+    result[AT_CENTER * room + 2 * j + 1] = rod.length * rod.y + center.y if moves else UNKNOWN
+    result[AT_PIVOT * room + j], result[AT_CONTINUUM * room + j] = (
+        solution[PIVOT],
+        solution[CONTINUUM],
+    )
 
 
 def force_motions(

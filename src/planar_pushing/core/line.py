@@ -137,7 +137,7 @@ class FirstSum(NamedTuple):
 
 
 class Means(NamedTuple):
-    """Means over the motions of a segment: of ``g = 1 / (h (h + w))``, of g times x in [-1, 1], of 1 / h."""
+    """Means over the motions of a segment of ``g = 1 / (h (h + w))``, g times x in [-1, 1], and 1 / h."""
 
     mean: float
     slope: float

@@ -172,9 +172,7 @@ def _hold_at_rest(push: Push, law: Law, stick: ContactMotion, scale: float) -> C
     return stick
 
 
-def contact_modes(
-    push: Push, law: Law, pusher: Direction, solutions: Numbers
-) -> tuple[int, bool]:
+def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -> tuple[int, bool]:
     """Write every consistent solution, in units of the pusher's motion.
 
     Parameters

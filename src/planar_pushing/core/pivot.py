@@ -89,10 +89,9 @@ def pivot_psi(
         f_x, f_y = f_x + sense * half * r_x, f_y + sense * half * r_y
         n_x = (-half * r_y - sense * part * r_x) / limit
         n_y = (half * r_x - sense * part * r_y) / limit
+        slack = (fabs(ahead) + fabs(across)) / limit
         if half > SMALL_PART * limit:
             slack = fabs(ahead) / half
-        else:
-            slack = (fabs(ahead) + fabs(across)) / limit
         turns = reach * half / limit
     stiff = slack * rest.ss + turns * turns
     stiff = stiff if stiff > 0.0 else INFINITY  # nothing resists the rotation

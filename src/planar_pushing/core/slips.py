@@ -43,7 +43,7 @@ def _count_cells(path: Path, unit: float, first: float, last: float) -> int:
     """Number of cells between two positions on a path: one if the force across the edge is monotone."""
     if is_steady(path.effects):
         return 1
-    return max(int(ceil((asinh(last / unit) - asinh(first / unit)) / CELL_WIDTH)), FEWEST_CELLS)
+    return max(ceil((asinh(last / unit) - asinh(first / unit)) / CELL_WIDTH), FEWEST_CELLS)
 
 
 def find_slips(

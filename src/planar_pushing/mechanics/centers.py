@@ -38,10 +38,10 @@ CENTER = (Output("center", (("xy", 2),)),)
 CONE = (Output("conservative_cone_right"), Output("conservative_cone_left"))
 
 
-def _decode(results: Array, columns: Sequence[Any]) -> list[Any]:
-    """Centers in the user's unit; the last columns of a row are the radius and the contact's distance."""
+def _decode(results: Array, columns: Sequence[Any], outputs: Sequence[Any]) -> None:
+    """Centers in the user's unit; the last columns of a row are the radius and the contact's position."""
     radius, reach, angle = (np.asarray(each)[..., None] for each in columns[-3:])
-    return [radius * (results[:, 11:13] + reach * direction(angle[..., 0]))]
+    outputs[0][:] = radius * (results[:, 11:13] + reach * direction(angle[..., 0]))
 
 
 @overload

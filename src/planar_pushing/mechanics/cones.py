@@ -172,8 +172,8 @@ def motion_angle(
 def _of_motion(scene: Scene, columns: Sequence[Any], name: str, column: int) -> Number:
     """One column of the results of `force_motions`."""
 
-    def decode(results: Array, given: Sequence[Any]) -> list[Array]:
-        return [results[:, column]]
+    def decode(results: Array, given: Sequence[Any], outputs: Sequence[Any]) -> None:
+        outputs[0][:] = results[:, column]
 
     outputs = [Output(name)]
     value: Number = evaluated(

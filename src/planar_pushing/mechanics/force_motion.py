@@ -78,8 +78,8 @@ class ForceMotion:
         return same(self, other)
 
 
-def _decode(results: Array, columns: Sequence[Any]) -> list[Any]:
-    """The outputs of a block of results of `force_motions`, in the units in the last columns of a row.
+def _decode(results: Array, columns: Sequence[Any], outputs: Sequence[Any]) -> None:
+    """Write the outputs of a block of results of `force_motions`; the last columns of a row are units.
 
     With potentials of one degree the contact moves at unit speed.
     """
@@ -88,10 +88,15 @@ def _decode(results: Array, columns: Sequence[Any]) -> list[Any]:
     speed = np.sqrt(u[:, :1] * u[:, :1] + u[:, 1:] * u[:, 1:])
     factor = np.where(degree > 0.0, 1.0 / np.where(speed > 0.0, speed, np.nan), 1.0)
     motion, force = factor * motion, np.where(degree == 2.0, factor, 1.0) * force
-    twist = motion * results[:, 1:4]
+    status, twist, forces, contact_motion, pivot = outputs
+    status[:], twist[:], forces[:] = (
+        results[:, 0],
+        motion * results[:, 1:4],
+        force * results[:, 6:8],
+    )
     twist[:, 2:] /= radius
-    pivot = np.where(np.isnan(results[:, 9]), -1.0, results[:, 9])
-    return [results[:, 0], twist, force * results[:, 6:8], motion * u, pivot]
+    contact_motion[:] = motion * u
+    pivot[:] = np.where(np.isnan(results[:, 9]), -1.0, results[:, 9])
 
 
 def motion_of_force(
@@ -188,8 +193,9 @@ def _derivatives(scene: Scene, angle: Any, ratio: Any, found: dict[str, Any]) ->
     places = (status != NONE) & (status != UNSOLVED)
     twist, force = (np.asarray(found[name])[..., None, :][places] for name in ("twist", "force"))
     columns = [at_places(places, each) for each in (*rows.columns, *rows.body)]
+    condition = np.full(len(twist), FORCE_CASE if np.any(ratio) else LINE_CASE)
     motions = Motions(
-        twist, force, at_places(places, angle), np.full(len(twist), FORCE_CASE if np.any(ratio) else LINE_CASE),
+        twist, force, at_places(places, angle), condition,
         np.asarray(found["pivot"])[..., None][places], status[places] == CONTINUUM,
     )  # fmt: skip
     by = [from_places(places, each) for each in responses(rows, columns, motions)]

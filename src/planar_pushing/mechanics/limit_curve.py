@@ -72,11 +72,12 @@ class LimitCurve:
         return direction(self.motion_angle)
 
 
-def _decode(results: Array, columns: Sequence[Any]) -> list[Any]:
-    """The outputs of a block of results of `force_motions`."""
-    angle, force = columns[-3], results[:, 6:8]
-    magnitude = np.sqrt(force[:, 0] * force[:, 0] + force[:, 1] * force[:, 1])
-    return [angle, magnitude, results[:, 10], results[:, 8], results[:, 0]]
+def _decode(results: Array, columns: Sequence[Any], outputs: Sequence[Any]) -> None:
+    """Write the outputs of a block of results of `force_motions`."""
+    angle, magnitude, ratio, motion_angle, status = outputs
+    f_x, f_y = results[:, 6], results[:, 7]
+    angle[:], magnitude[:] = columns[-3], np.sqrt(f_x * f_x + f_y * f_y)
+    ratio[:], motion_angle[:], status[:] = results[:, 10], results[:, 8], results[:, 0]
 
 
 @overload

@@ -81,12 +81,18 @@ class Rows:
     body : tuple
         Length of the rod in radii, its angle in radians, and the radius.
     law : Law
+    columns : tuple
+        The columns of the effects, with forces in the scene's units.
+    is_single : bool
+        Whether all of these are numbers, not arrays.
     """
 
     entries: tuple[Entry, ...]
     data: Array
     body: tuple[Number, Number, Number]
     law: Law
+    columns: tuple[Number, ...]
+    is_single: bool
 
     @classmethod
     def of(cls, scene: Any) -> Rows:
@@ -94,12 +100,9 @@ class Rows:
         slider = scene.slider
         entries = entries_of(((i, scene.effects[i]) for i in scene.resisting), scene)
         body = slider.length_ratio, slider.rod_angle, slider.radius
-        return cls(entries, data_of(entries), body, scene.law)
-
-    @property
-    def columns(self) -> list[Number]:
-        """The columns of the effects, with forces in the scene's units."""
-        return [each for entry in self.entries for each in entry.columns]
+        columns = tuple(each for entry in entries for each in entry.columns)
+        single = all(isinstance(each, (float, int)) for each in (*columns, *body, *scene.law))
+        return cls(entries, data_of(entries), body, scene.law, columns, single)
 
     @property
     def is_steady(self) -> bool:
@@ -108,7 +111,9 @@ class Rows:
 
     def strength(self, degree: int) -> Number:
         """Sum of the strengths of the effects of a degree, without loads; 0 without one."""
-        return sum(each.forces[0] for each in self.entries if each.degree == degree and each.resists)
+        return sum(
+            each.forces[0] for each in self.entries if each.degree == degree and each.resists
+        )
 
 
 def entries_of(effects: Iterable[tuple[int, Any]], scene: Any) -> tuple[Entry, ...]:
@@ -160,14 +165,12 @@ def strengths_of(entries: Sequence[Entry], columns: Sequence[Any]) -> list[Any]:
 
 
 def in_units(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> tuple[Any, list[Any]]:
-    """Unit of force, and the columns of the effects for motions in units of `size` and forces in that unit."""
-    strengths = [
-        strength * size if entry.degree == 2 else np.abs(strength)
-        for entry, strength in zip(entries, strengths_of(entries, columns), strict=True)
-    ]
-    unit = strengths[0]
-    for strength in strengths[1:]:
-        unit = np.maximum(unit, strength)
+    """Unit of force, and the columns of effects in it, for motions in units of `size`."""
+    unit: Any = 0.0
+    for entry, strength in zip(entries, strengths_of(entries, columns), strict=True):
+        force = strength * size if entry.degree == 2 else strength
+        is_number = type(force) is float and type(unit) is float
+        unit = max(unit, force) if is_number else np.maximum(unit, force)
     return unit, scale_forces(entries, columns, (1.0, size), (unit, unit))
 
 

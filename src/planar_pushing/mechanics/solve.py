@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, overload
@@ -9,24 +10,32 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.kernels import RESULT
-from planar_pushing.core.solution import (
-    CONTINUUM,
-    FORCE,
-    FORCE_END,
-    MODE,
-    MOTION,
-    PIVOT,
-    SOLUTION,
-    TWIST,
+from planar_pushing.core.kernels import (
+    AT_CENTER,
+    AT_CONTINUUM,
+    AT_FORCE,
+    AT_FORCE_END,
+    AT_MOTION,
+    AT_PIVOT,
+    AT_RATIO,
+    AT_TWIST,
+    RESULT,
 )
+from planar_pushing.mechanics.contact import ContactMode, Status
 from planar_pushing.mechanics.derivatives import require_unlabeled, solution_derivatives
 from planar_pushing.mechanics.held import require_held
+from planar_pushing.mechanics.kernels import run
 from planar_pushing.mechanics.numerics.arrays import Output, elementwise, is_labeled, mapped
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of
 from planar_pushing.mechanics.scene import Scene, required_scene
-from planar_pushing.mechanics.solutions import SolutionArrays, Solutions, as_dataset, listed
+from planar_pushing.mechanics.solutions import (
+    Solution,
+    SolutionArrays,
+    Solutions,
+    as_dataset,
+    listed,
+)
 from planar_pushing.terms.domain import Number, Numbers, Scalar, required, required_ratio
 from planar_pushing.terms.errors import InvalidValue, require_flag
 from planar_pushing.terms.units import named_units
@@ -37,6 +46,12 @@ if TYPE_CHECKING:
 #: Length of the axis `solution`, by whether all potentials have one degree.
 SOLUTIONS = {True: 4, False: 8}
 XY = ("xy", 2)
+MODES = tuple(ContactMode)
+#: Where each field begins in the results of the kernel for room for one solution, and for more.
+FIELDS = (
+    AT_FORCE, AT_FORCE_END, AT_TWIST, AT_MOTION, AT_RATIO, AT_CENTER, AT_PIVOT, AT_CONTINUUM,
+)  # fmt: skip
+PLACES = {room: [2 + room * field for field in FIELDS] for room in SOLUTIONS.values()}
 
 
 @cache
@@ -58,25 +73,23 @@ def outputs(steady: bool) -> tuple[Output, ...]:
     )
 
 
-def _decode(results: Array, columns: Sequence[Any]) -> list[Any]:
-    """The outputs in the units of the scene; the last columns of a row are its units."""
+def _decode(results: Array, columns: Sequence[Any], outputs: Sequence[npt.NDArray[Any]]) -> None:
+    """Write the outputs in the units of the scene; the last columns of a row are its units."""
     size, unit, radius = (np.asarray(each)[..., None] for each in columns[-3:])
-    solutions = results[:, 2:].reshape(len(results), -1, RESULT)
-    size, unit, radius = size[..., None], unit[..., None], radius[..., None]
-    twist = size * solutions[..., TWIST:MOTION]
-    twist[..., 2:] /= radius
-    return [
-        results[:, 0], results[:, 1], _integers(solutions[..., MODE]),
-        unit * solutions[..., FORCE:FORCE_END], unit * solutions[..., FORCE_END:PIVOT], twist,
-        size * solutions[..., MOTION:FORCE], solutions[..., SOLUTION],
-        radius * solutions[..., SOLUTION + 1 :], _integers(solutions[..., PIVOT]),
-        solutions[..., CONTINUUM] == 1.0,
-    ]  # fmt: skip
-
-
-def _integers(numbers: Array) -> Array:
-    """Integers, -1 where there is none."""
-    return np.where(np.isnan(numbers), -1.0, numbers)
+    counts, status, mode, *_, pivot, flat = outputs
+    counts[:], status[:] = results[:, 0], results[:, 1]
+    twist, ratio, room = outputs[5], outputs[7], mode.shape[1]
+    ends = room * np.array([0, *FIELDS, RESULT]) + 2
+    fields = [results[:, first:last] for first, last in itertools.pairwise(ends)]
+    scales = None, unit, unit, size, size, None, radius, None, None
+    for values, scale, output in zip(fields, scales, outputs[2:], strict=True):
+        if scale is not None:
+            np.multiply(values, scale, out=output.reshape(values.shape))
+    twist[:, :, 2] /= radius
+    ratio[:] = fields[5]
+    for numbers, output in ((fields[0], mode), (fields[7], pivot)):
+        output[:] = np.where(np.isnan(numbers), -1.0, numbers)
+    flat[:] = fields[8] == 1.0
 
 
 def _require_ratio(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> None:
@@ -87,7 +100,11 @@ def _require_ratio(entries: Sequence[Entry], columns: Sequence[Any], size: Any) 
             by_degree[entry.degree] = by_degree.get(entry.degree, 0.0) + strength
     if len(by_degree) == 2:
         ratio = by_degree[2] * size / by_degree[1]
-        required_ratio("force_ratio", np.where(np.asarray(size) > 0, ratio, 1.0)[()])
+        if type(ratio) is not float:
+            ratio = np.where(np.asarray(size) > 0, ratio, 1.0)[()]
+        elif size == 0.0:
+            ratio = 1.0
+        required_ratio("force_ratio", ratio)
 
 
 def solve_arrays(rows: Rows, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
@@ -113,6 +130,40 @@ def solve_arrays(rows: Rows, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
     scaled += [length, angle, right, left, slips, closed, rough, toward, moves, size, unit, radius]
     width = 2 + SOLUTIONS[rows.is_steady] * RESULT
     return mapped("solve", rows.data, scaled, outputs(rows.is_steady), width, _decode)
+
+
+def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> Solutions:
+    """The solutions of one push of one scene, in a tenth of the time of arrays; the same numbers."""
+    _require_ratio(rows.entries, rows.columns, magnitude)
+    moves = magnitude > 0.0
+    size = magnitude if moves else 1.0
+    unit, row = in_units(rows.entries, rows.columns, size)
+    row += [*rows.body[:2], *rows.law, angle, moves]
+    room = SOLUTIONS[rows.is_steady]
+    results = run("solve", rows.data, [row], 2 + room * RESULT)[0].tolist()
+    radius, found = rows.body[2], []
+    forces, ends, twists, motions, ratios, centers, pivots, continua = PLACES[room]
+    for j in range(int(results[0])):
+        v_x, v_y, spin = results[twists + 3 * j : twists + 3 * j + 3]
+        found.append(
+            Solution(
+                mode=MODES[int(results[2 + j])],
+                force=_vector(unit, results, forces + 2 * j),
+                force_end=_vector(unit, results, ends + 2 * j),
+                contact_motion=_vector(size, results, motions + 2 * j),
+                twist=np.array([size * v_x, size * v_y, size * spin / radius]),
+                spin_ratio=results[ratios + j],
+                center=_vector(radius, results, centers + 2 * j),
+                pivot=int(results[pivots + j]),
+                continuum=results[continua + j] == 1.0,
+            )
+        )
+    return Solutions(tuple(found), Status(int(results[1])), (scene, angle, magnitude))
+
+
+def _vector(unit: float, numbers: Sequence[float], place: int) -> Array:
+    """A vector in a unit."""
+    return np.array([unit * numbers[place], unit * numbers[place + 1]])
 
 
 @overload
@@ -188,8 +239,11 @@ def solve(
     rows = required_scene(scene).rows
     require_held(scene)
     push = _push(scene, pusher_angle, pusher_magnitude)
+    derivatives = require_flag("derivatives", derivatives)
+    if rows.is_single and not derivatives and type(push[0]) is type(push[1]) is float:
+        return _solve_single(scene, rows, *push)
     given, results = [*rows.columns, *rows.body, *rows.law, *push], outputs(rows.is_steady)
-    if require_flag("derivatives", derivatives):
+    if derivatives:
         require_unlabeled(given)
     found = elementwise(lambda *each: solve_arrays(rows, *each), given, results)
     by_name = {output.name: each for output, each in zip(results, found, strict=True)}

@@ -77,7 +77,9 @@ def potential(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None
 
 def ring_profile(spin_ratio: npt.ArrayLike) -> tuple[Array, Array]:
     """f(k) and t(k) of Eqs. (2)-(3), per unit weight and radius, for any k including infinity."""
-    force, torque = mapped("ring_profiles", NO_DATA, [spin_ratio], (Output("force"), Output("torque")))
+    force, torque = mapped(
+        "ring_profiles", NO_DATA, [spin_ratio], (Output("force"), Output("torque"))
+    )
     return force, torque
 
 

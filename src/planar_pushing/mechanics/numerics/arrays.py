@@ -38,8 +38,8 @@ class Output(NamedTuple):
     dtype: str = "f8"
 
 
-#: From the results of a kernel, shape (n, width), and the columns of its rows to arrays of n values.
-Decode = Callable[[Array, Sequence[Any]], Sequence[Any]]
+#: Writes outputs from the results of a kernel, shape (n, width), and the columns of its rows.
+Decode = Callable[[Array, Sequence[Any], Sequence[npt.NDArray[Any]]], None]
 
 
 def mapped(
@@ -60,7 +60,7 @@ def mapped(
     width : int, optional
         Width of a row of results, by default that of the outputs.
     decode : callable, optional
-        Makes the outputs of a block; by default a row of results holds them one after the other.
+        Writes the outputs of a block; by default a row of results holds them one after the other.
 
     Returns
     -------
@@ -74,6 +74,7 @@ def mapped(
     filled = [np.empty((size, *t), o.dtype) for o, t in zip(outputs, tails, strict=True)]
     flat = [_flat(array, shape) for array in arrays]
     width = width or sum(math.prod(tail) for tail in tails)
+    decode = decode or _split
 
     def block(start: int) -> None:
         part = slice(start, min(start + BLOCK, size))
@@ -82,9 +83,7 @@ def mapped(
         for i, column in enumerate(given):
             rows[:, i] = column
         results = run(kernel, data, rows, width)
-        found = decode(results, given) if decode else _split(results, tails)
-        for each, values in zip(filled, found, strict=True):
-            each[part] = values
+        decode(results, given, [each[part] for each in filled])
 
     starts = range(0, size, BLOCK)
     if len(starts) > 1:
@@ -94,11 +93,13 @@ def mapped(
     return [each.reshape(shape + tail) for each, tail in zip(filled, tails, strict=True)]
 
 
-def _split(results: Array, tails: Sequence[tuple[int, ...]]) -> list[Array]:
-    """Results of a kernel, one array for each output."""
-    ends = np.cumsum([math.prod(tail) for tail in tails])
-    parts = np.split(results, ends[:-1], axis=1)
-    return [part.reshape(len(results), *tail) for part, tail in zip(parts, tails, strict=True)]
+def _split(results: Array, columns: Sequence[Any], outputs: Sequence[npt.NDArray[Any]]) -> None:
+    """Write outputs that follow one another in the results."""
+    first = 0
+    for output in outputs:
+        last = first + math.prod(output.shape[1:])
+        output[...] = results[:, first:last].reshape(output.shape)
+        first = last
 
 
 def _flat(array: Array, shape: tuple[int, ...]) -> Array:
