@@ -47,3 +47,9 @@ TURN = 1e-9
 BESIDE_LINE = 1e-4
 #: Resistance to rotation, relative to that of a mass, below which its derivatives are rounding error.
 SLIGHT = 1e-10
+#: Rounding error of a sum of second derivatives, relative to its terms: a matrix that a change of its
+#: numbers by this much makes singular is so.
+SINGULAR = 1e-14
+#: A support point slower than this, relative to the twist, is about to become the center of rotation, or
+#: was it.
+SLOW = 1e-11
