@@ -135,7 +135,7 @@ def choice(options: type[StrEnum]) -> Any:
 
 
 #: Corners of a regular polygon.
-CornerCount = number(
+CornerCount: Any = number(
     "a whole number >= 3", lambda x: x >= 3 and x == int(x), type="integer", minimum=3
 )
 #: Counting numbers.
@@ -261,31 +261,31 @@ def axis(item: Any) -> Any:
     ]
 
 
-Positive = number(
+Positive: Any = number(
     "a finite number > 0", lambda x: 0 < x < math.inf, type="number", exclusiveMinimum=0
 )
-NonNegative = number("a finite number >= 0", lambda x: 0 <= x < math.inf, type="number", minimum=0)
-RodAngle = number(
+NonNegative: Any = number("a finite number >= 0", lambda x: 0 <= x < math.inf, type="number", minimum=0)
+RodAngle: Any = number(
     "degrees in the open interval (0, 180)", lambda x: 0 < x < 180,
     type="number", exclusiveMinimum=0, exclusiveMaximum=180,
 )  # fmt: skip
-Degrees = number("a finite number of degrees", math.isfinite)
-FiniteNumber = number("a finite number", math.isfinite)
-RelativeTolerance = number(
+Degrees: Any = number("a finite number of degrees", math.isfinite)
+FiniteNumber: Any = number("a finite number", math.isfinite)
+RelativeTolerance: Any = number(
     TOLERANCE.allowed, TOLERANCE.holds,
     type="number", minimum=TOLERANCE.least, maximum=TOLERANCE.most,
 )  # fmt: skip
-SampleCount = number(
+SampleCount: Any = number(
     SAMPLES.allowed, lambda n: SAMPLES.holds(n) and n == int(n),
     type="integer", minimum=SAMPLES.least, maximum=int(SAMPLES.most),
 )  # fmt: skip
-Number = number("a number, or inf", lambda x: not math.isnan(x))
-Share = number("a number in [0, 1]", lambda x: 0 <= x <= 1, type="number", minimum=0, maximum=1)
-FrictionCoefficient = number(
+Number: Any = number("a number, or inf", lambda x: not math.isnan(x))
+Share: Any = number("a number in [0, 1]", lambda x: 0 <= x <= 1, type="number", minimum=0, maximum=1)
+FrictionCoefficient: Any = number(
     "a number >= 0, or inf", lambda x: x >= 0,
     anyOf=[{"type": "number", "minimum": 0}, {"const": "inf"}],
 )  # fmt: skip
-FiniteFrictionCoefficient = number(
+FiniteFrictionCoefficient: Any = number(
     "a finite number >= 0; infinite friction is a separate law, law: infinite_friction",
     lambda x: 0 <= x < math.inf, type="number", minimum=0,
 )  # fmt: skip
@@ -296,20 +296,20 @@ Count = Annotated[
     WithJsonSchema({"type": "integer", "minimum": 1, "description": COUNT}),
 ]
 
-PolicyName = choice(Policy)
-MethodName = choice(Method)
-ShapeName = spelled(Shape)
-FrameName = spelled(PusherFrame)
+PolicyName: Any = choice(Policy)
+MethodName: Any = choice(Method)
+ShapeName: Any = spelled(Shape)
+FrameName: Any = spelled(PusherFrame)
 EventName = named(tuple(event.name for event in Event if event is not Event.NONE), FORMER_EVENTS)
 ModeName = named(tuple(mode.name for mode in ContactMode))
-AtZeroNormalName = choice(AtZeroNormal)
-EffectsName = choice(EffectSet)
+AtZeroNormalName: Any = choice(AtZeroNormal)
+EffectsName: Any = choice(EffectSet)
 
-Coordinates = axis(FiniteNumber)
-Lengths = axis(NonNegative)
-Magnitudes = axis(Positive)
-RodAngles = axis(RodAngle)
-Angles = axis(Degrees)
-Shares = axis(Share)
-FrictionCoefficients = axis(FrictionCoefficient)
-FiniteFrictionCoefficients = axis(FiniteFrictionCoefficient)
+Coordinates: Any = axis(FiniteNumber)
+Lengths: Any = axis(NonNegative)
+Magnitudes: Any = axis(Positive)
+RodAngles: Any = axis(RodAngle)
+Angles: Any = axis(Degrees)
+Shares: Any = axis(Share)
+FrictionCoefficients: Any = axis(FrictionCoefficient)
+FiniteFrictionCoefficients: Any = axis(FiniteFrictionCoefficient)
