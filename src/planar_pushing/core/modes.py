@@ -44,7 +44,7 @@ from planar_pushing.core.solution import (
     write_on_edge,
     write_solution,
 )
-from planar_pushing.core.tolerances import BEFORE_REST, COINCIDENT, RESOLUTION, ROUNDING, SLOWEST
+from planar_pushing.core.tolerances import COINCIDENT, RESOLUTION, ROUNDING, SLOW, SLOWEST
 
 #: The square of a smaller normal motion underflows; the slips of the power of two that exceeds it are
 #: scaled, which is exact.
@@ -296,7 +296,7 @@ def _write_slips(
         first = SLOWEST * (unit if unit > 0.0 else 1.0)
     if pusher.x == 0.0 and pusher.y == 0.0:
         # The force of a contact at rest is not the limit of slow slips, so the search ends before it.
-        end = first_sample(path, sense * side * BEFORE_REST * search.scale)
+        end = first_sample(path, sense * side * SLOW * search.scale)
     else:
         end = sample_of(path, sense * pusher.x, search.stick)
         slips = _write_touching_stick(search, path, edge, mode, end, solutions, slips)
