@@ -73,10 +73,10 @@ def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> tuple[list[Number
             for entry in entries
             if entry.degree == degree and len(entry.forces) == 1
         )
-        for entry in entries:
+        for i, entry in enumerate(entries):
             if entry.degree == degree:
                 forces = [share * each / unit for each in entry.forces]
-                found.append((entries.index(entry), [*forces, *entry.others]))
+                found.append((i, [*forces, *entry.others]))
     columns = [each for _, numbers in sorted(found, key=lambda pair: pair[0]) for each in numbers]
     slider = scene.slider
     return columns, [slider.length_ratio, slider.rod_angle]
