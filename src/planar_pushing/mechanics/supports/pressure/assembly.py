@@ -38,6 +38,8 @@ class Gathered(NamedTuple):
         Index at which the edges of each plate begin, then the total number of edges.
     centers, extents, spreads : ndarray
         Of the supports: centers of pressure, largest distances from them, second moments.
+    terms : ndarray, optional
+        Terms of the plates, as `multipole.of_all` computes them, if they are known.
     """
 
     rows: list[Array]
@@ -46,6 +48,7 @@ class Gathered(NamedTuple):
     centers: Array
     extents: Array
     spreads: Array
+    terms: Array | None = None
 
 
 def shared(pieces: Pieces, share: float) -> Pieces:
@@ -75,11 +78,29 @@ def gathered(supports: Sequence[Pieces]) -> Gathered:
     owners = [np.repeat(np.arange(len(supports)), count) for count in counts]
     plates = [edges for pieces in supports for edges in pieces.plates]
     lengths = np.array([len(edges) for edges in plates], dtype=np.int64)
-    first = np.concatenate([[0], lengths.cumsum()])
     edges = np.concatenate([np.empty((0, 5)), *plates])
-    rows += [_places(edges, lengths, first[:-1]), edges]
     owners += [np.repeat(owners[PLATES], lengths)]
-    centers = _centers(rows, owners, len(supports))
+    return measure_pieces(rows, edges, owners, lengths, len(supports))
+
+
+def measure_pieces(
+    rows: list[Array], edges: Array, owners: list[Any], lengths: Any, count: int
+) -> Gathered:
+    """`Gathered` from the rows of each kind before the plates, their edges, and the owners of all.
+
+    Parameters
+    ----------
+    rows, owners : list of ndarray
+        As in `Gathered`; of plates and edges the owners only.
+    edges : ndarray, shape (m, 5)
+    lengths : ndarray of int, shape (plates,)
+        Number of edges of each plate.
+    count : int
+        Number of supports.
+    """
+    first = np.concatenate([[0], lengths.cumsum()])
+    rows = [*rows, _places(edges, lengths, first[:-1]), edges]
+    centers = _centers(rows, owners, count)
     extents, found = _extents(rows, owners, centers), spreads(rows, owners, centers)
     return Gathered(rows, owners, first, centers, extents, found)
 
@@ -176,7 +197,8 @@ def stacked(found: Gathered, radii: Array) -> tuple[Any, Array, Array]:
     begin = starts[owner, EDGES] + inside
     plates = starts[owner, PLATES] + np.arange(len(owner)) - series[owner]
     rows[plates, COLUMNS - 2], rows[plates, COLUMNS - 1] = begin, begin + lengths
-    return np.column_stack([starts, series]), rows, of_all(rows, plates)
+    terms = of_all(rows, plates) if found.terms is None else found.terms
+    return np.column_stack([starts, series]), rows, terms
 
 
 def _scaled_rows(found: Gathered, radii: Array) -> tuple[list[Array], list[Any]]:
