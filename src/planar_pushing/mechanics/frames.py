@@ -87,7 +87,8 @@ def components(vectors: Array, frame: Frame) -> tuple[Number, Number]:
     if not frame.shape:
         x, y = vectors.tolist()
         return x, y
-    return labeled_like(frame.axis[0], vectors[..., 0]), labeled_like(frame.axis[0], vectors[..., 1])
+    other = frame.axis[0]
+    return labeled_like(other, vectors[..., 0]), labeled_like(other, vectors[..., 1])
 
 
 def labeled_like(other: Number, numbers: npt.NDArray[Any]) -> Number:
