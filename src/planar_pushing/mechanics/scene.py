@@ -199,7 +199,7 @@ class Scene:
 
     def _repr_svg_(self) -> str | None:
         """Picture of the slider with its cones, for a notebook."""
-        return picture("scene_svg", self)
+        return picture("scene", self)
 
     @property
     def friction(self) -> list[Any]:

@@ -183,7 +183,7 @@ class Solutions:
 
     def _repr_html_(self) -> str:
         """Picture and table for a notebook."""
-        drawn = picture("push_svg", *self.problem, self) if self.problem else None
+        drawn = picture("push", *self.problem, self) if self.problem else None
         title = f"{drawn or ''}<p>{self._title}</p>"
         return f"{title}\n{self._table().to_html()}" if self.solutions else title
 

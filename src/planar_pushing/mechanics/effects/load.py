@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from planar_pushing.mechanics.frames import Frame, moved_place
+from planar_pushing.mechanics.frames import Frame, components, moved_place
 from planar_pushing.terms.domain import Number, required
 from planar_pushing.terms.errors import InvalidValue
 
@@ -37,9 +37,9 @@ class Load:
 
     def moved(self, body: Frame, fence: Frame) -> Load:
         """The same effect, with force in the fence frame and center in the body frame."""
-        x, y = fence.vector_in(self.force).tolist()
+        force = components(fence.vector_in(self.force), fence)
         center = None if self.center is None else moved_place(self.center, body)
-        return replace(self, force=(x, y), center=center)
+        return replace(self, force=force, center=center)
 
     @property
     def degree(self) -> int:

@@ -10,6 +10,7 @@ import numpy as np
 from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.supports.base import is_kind, moved_support
 from planar_pushing.mechanics.supports.even_ring import Ring
+from planar_pushing.mechanics.supports.in_frames import SupportInFrames, listed
 from planar_pushing.terms.domain import Number, require_fields, required, required_ratio
 from planar_pushing.terms.errors import InvalidValue
 
@@ -37,7 +38,8 @@ class SupportFriction:
 
     def __post_init__(self) -> None:
         require_fields(self, "weight")
-        supports = np.ravel(np.array(self.support, dtype=object))
+        own = self.support
+        supports = [own.support] if isinstance(own, SupportInFrames) else listed(own)
         if not len(supports) or not all(map(is_kind, map(type, supports))):
             raise InvalidValue(
                 "support", self.support,

@@ -9,6 +9,7 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 
 from planar_pushing.mechanics.frames import Frame
+from planar_pushing.mechanics.supports.in_frames import SupportInFrames
 from planar_pushing.mechanics.supports.pressure.pieces import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue, number_of, require_positive
 from planar_pushing.terms.numbers import required_array
@@ -41,19 +42,23 @@ class Support(Protocol):
 
 
 def moved_support(support: Any, frame: Frame) -> Any:
-    """A support expressed in another frame.
+    """A support expressed in another frame, or in each of an array of frames.
 
     Raises
     ------
     InvalidValue
-        If the support is of a user-defined kind without a method `moved`.
+        If the support is of a user-defined kind without a method `moved`, or cannot be moved.
     """
     if not hasattr(support, "moved"):
         raise InvalidValue(
             "support", support, "a support with a method moved(frame)",
             "add one that returns the support with its positions transformed by frame.point_in",
         )  # fmt: skip
-    return support.moved(frame)
+    if not frame.shape:
+        return support.moved(frame)
+    found = SupportInFrames(support, frame)
+    support.moved(found.frames[0])
+    return found
 
 
 @lru_cache

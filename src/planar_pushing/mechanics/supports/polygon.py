@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.frames import Frame, moved_place
+from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.kernels import run
 from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, positions
@@ -80,9 +80,7 @@ class Polygon(Pictured):
 
     def moved(self, frame: Frame) -> Polygon:
         """The same polygon expressed in another frame."""
-        vertices, *holes = (
-            [moved_place(each, frame) for each in ring] for ring in (self.vertices, *self.holes)
-        )
+        vertices, *holes = (frame.point_in(ring) + 0.0 for ring in (self.vertices, *self.holes))
         return Polygon(vertices, holes)
 
     @property

@@ -81,11 +81,29 @@ def gathered(supports: Sequence[Pieces]) -> Gathered:
     owners = [np.repeat(np.arange(len(supports)), count) for count in counts]
     plates = [edges for pieces in supports for edges in pieces.plates]
     lengths = np.array([len(edges) for edges in plates], dtype=np.int64)
-    first = np.concatenate([[0], lengths.cumsum()])
     edges = np.concatenate([np.empty((0, 5)), *plates])
-    rows += [_places(edges, lengths, first[:-1]), edges]
     owners += [np.repeat(owners[PLATES], lengths)]
-    centers = _centers(rows, owners, len(supports))
+    return measure_pieces(rows, edges, owners, lengths, len(supports))
+
+
+def measure_pieces(
+    rows: list[Array], edges: Array, owners: list[Any], lengths: Any, count: int
+) -> Gathered:
+    """`Gathered` from the rows of each kind before the plates, their edges, and the owners of all.
+
+    Parameters
+    ----------
+    rows, owners : list of ndarray
+        As in `Gathered`; of plates and edges the owners only.
+    edges : ndarray, shape (m, 5)
+    lengths : ndarray of int, shape (plates,)
+        Number of edges of each plate.
+    count : int
+        Number of supports.
+    """
+    first = np.concatenate([[0], lengths.cumsum()])
+    rows = [*rows, _places(edges, lengths, first[:-1]), edges]
+    centers = _centers(rows, owners, count)
     extents, found = _extents(rows, owners, centers), spreads(rows, owners, centers)
     return Gathered(rows, owners, first, centers, extents, found)
 

@@ -22,12 +22,14 @@ from planar_pushing.core.pieces import (
     SPREAD,
 )
 from planar_pushing.core.rows import ENTRY, LAST
+from planar_pushing.mechanics.supports.in_frames import SupportInFrames
 from planar_pushing.mechanics.supports.pressure.assembly import (
     Gathered,
     gathered,
     stack,
     write_terms,
 )
+from planar_pushing.mechanics.supports.pressure.in_frames import gather_in_frames
 from planar_pushing.mechanics.supports.pressure.pieces import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue
 
@@ -93,12 +95,14 @@ class Table:
         return data
 
 
-def kept(function: Callable[[tuple[Any, ...]], Found]) -> Callable[[Iterable[Any]], Found]:
+def kept(function: Callable[[Any], Found]) -> Callable[[Iterable[Any]], Found]:
     """Cache a function of supports; for many supports, which can take gigabytes, the last result only."""
     few, many = lru_cache(KEPT)(function), lru_cache(1)(function)
 
     @wraps(function)
-    def found(supports: Iterable[Any]) -> Found:
+    def found(supports: Iterable[Any] | SupportInFrames) -> Found:
+        if isinstance(supports, SupportInFrames):
+            return (few if supports.size <= FEW else many)(supports)
         each = tuple(supports)
         return (few if len(each) <= FEW else many)(each)
 
@@ -122,9 +126,18 @@ def extent_of(support: Any) -> float:
 
 
 @kept
-def _gathered(supports: tuple[Any, ...]) -> Gathered:
+def _gathered(supports: tuple[Any, ...] | SupportInFrames) -> Gathered:
     """The pieces of supports, none of which may be a single point."""
-    found = gathered([support.pieces() for support in supports])
+    if not isinstance(supports, SupportInFrames):
+        return _required_extents(gathered([each.pieces() for each in supports]), supports)
+    if not supports.is_rigid:
+        return _gathered(supports.supports)
+    found = gather_in_frames(supports.support.pieces(), supports.origins, supports.axes)
+    return _required_extents(found, [supports.support] * supports.size)
+
+
+def _required_extents(found: Gathered, supports: Sequence[Any]) -> Gathered:
+    """Pieces of supports, or `InvalidValue` if a support is a single point."""
     # Rounding of the weights moves the center of pressure of a single point by a few ulp.
     points = np.flatnonzero(found.extents <= ROUNDING * np.abs(found.centers).sum(axis=1))
     if len(points):
@@ -136,7 +149,7 @@ def _gathered(supports: tuple[Any, ...]) -> Gathered:
 
 
 @kept
-def table_of(supports: tuple[Any, ...]) -> Table:
+def table_of(supports: tuple[Any, ...] | SupportInFrames) -> Table:
     """`Table` of supports, the same object while it is cached."""
     found = _gathered(supports)
     return _table(found, found.extents)
