@@ -6,7 +6,6 @@ force and twist against the conditions of their mode, relative to |f| and to |v|
 
 from __future__ import annotations
 
-
 import numpy as np
 import pytest
 

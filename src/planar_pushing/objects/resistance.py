@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.contact import PerfectlyRough
-from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
 from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.mechanics.supports import Ring
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent, shared

@@ -10,11 +10,11 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactLaw
-from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
 from planar_pushing.mechanics.frames import Frame, Placement
 from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.objects.many import Contacts, required_contacts
 from planar_pushing.objects.on_outline import on_outline

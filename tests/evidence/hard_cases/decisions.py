@@ -7,6 +7,7 @@ from enum import Enum, auto
 
 import numpy as np
 from flint import arb, ctx, fmpq
+from planar_pushing.mechanics.modes import COINCIDENCE
 
 import planar_pushing as pp
 from evidence.hard_cases.adversarial import angles, rod_angles
@@ -15,7 +16,6 @@ from planar_pushing.certified.contact import modes as certified
 from planar_pushing.certified.setting import Effects
 from planar_pushing.certified.setting import Slider as ExactSlider
 from planar_pushing.evidence.hard_cases.cases import make_scene
-from planar_pushing.mechanics.modes import COINCIDENCE
 
 #: Relative change of an input within which a decision may hang on rounding.
 NEXT_TO = (0.0, -(2.0**-44), 2.0**-44)

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
+from planar_pushing.mechanics.numerics.root import is_last
 
 import planar_pushing as pp
-from planar_pushing.mechanics.numerics.root import is_last
 
 
 @pytest.mark.parametrize(

@@ -258,7 +258,9 @@ def axis(item: Any) -> Any:
 Positive: Any = number(
     "a finite number > 0", lambda x: 0 < x < math.inf, type="number", exclusiveMinimum=0
 )
-NonNegative: Any = number("a finite number >= 0", lambda x: 0 <= x < math.inf, type="number", minimum=0)
+NonNegative: Any = number(
+    "a finite number >= 0", lambda x: 0 <= x < math.inf, type="number", minimum=0
+)
 RodAngle: Any = number(
     "degrees in the open interval (0, 180)", lambda x: 0 < x < 180,
     type="number", exclusiveMinimum=0, exclusiveMaximum=180,
@@ -274,7 +276,9 @@ SampleCount: Any = number(
     type="integer", minimum=SAMPLES.least, maximum=int(SAMPLES.most),
 )  # fmt: skip
 Number: Any = number("a number, or inf", lambda x: not math.isnan(x))
-Share: Any = number("a number in [0, 1]", lambda x: 0 <= x <= 1, type="number", minimum=0, maximum=1)
+Share: Any = number(
+    "a number in [0, 1]", lambda x: 0 <= x <= 1, type="number", minimum=0, maximum=1
+)
 FrictionCoefficient: Any = number(
     "a number >= 0, or inf", lambda x: x >= 0,
     anyOf=[{"type": "number", "minimum": 0}, {"const": "inf"}],
