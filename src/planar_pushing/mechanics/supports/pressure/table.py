@@ -194,8 +194,8 @@ def joined_data(effects: Sequence[tuple[int, int, Table | None]], columns: int) 
     -------
     ndarray
         ``ENTRY`` numbers for each effect: kind, column, and for a support the place of the head of its
-        first pressure; the kind ``LAST`` and the number of columns; then the tables. It is cached while the effects are the same, with tables compared
-        by identity, and must not be written to.
+        first pressure; the kind ``LAST`` and the number of columns; then the tables. It is cached while the
+        effects are the same, with tables compared by identity, and must not be written to.
     """
     given = tuple(effects)
     count = sum(table.count for _, _, table in given if table is not None)
