@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -41,8 +41,8 @@ class Gathered(NamedTuple):
         Index at which the edges of each plate begin, then the total number of edges.
     centers, extents, spreads : ndarray
         Of the supports: centers of pressure, largest distances from them, second moments.
-    terms : ndarray, optional
-        Terms of the plates, shape (plates, ROWS, 2), if they are known.
+    write_terms : callable, optional
+        Writes the terms of the plates into an array of shape (plates, 2 * ROWS), if they are known.
     """
 
     rows: list[Array]
@@ -51,7 +51,7 @@ class Gathered(NamedTuple):
     centers: Array
     extents: Array
     spreads: Array
-    terms: Array | None = None
+    write_terms: Callable[[Array], None] | None = None
 
 
 def shared(pieces: Pieces, share: float) -> Pieces:
@@ -227,8 +227,8 @@ def write_terms(group: Gathered, rows: Array, plates: Any, terms: Array) -> None
     terms : ndarray, shape (plates, 2 * ROWS)
         What is written.
     """
-    if group.terms is not None:
-        terms[:] = group.terms.reshape(terms.shape)
+    if group.write_terms is not None:
+        group.write_terms(terms)
         return
 
     def block(start: int) -> None:

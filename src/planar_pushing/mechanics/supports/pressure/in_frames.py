@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
 from planar_pushing.core.multipole import ORDER, TERMS
@@ -47,22 +49,21 @@ def gather_in_frames(pieces: Pieces, origins: Array, axes: Array) -> Gathered:
     if not len(lengths):
         return found
     _, _, terms = stacked(one, one.extents)
-    return found._replace(terms=_rotate_terms(terms, axes))
+    return found._replace(write_terms=partial(_rotate_terms, terms, axes))
 
 
-def _rotate_terms(terms: Array, axes: Array) -> Array:
-    """Terms of a support's plates, as in `multipole.of_all`, in frames of other directions.
+def _rotate_terms(terms: Array, axes: Array, rotated: Array) -> None:
+    """Write the terms of a support's plates in frames of other directions.
 
     Positions z become ``z conj(a)`` for an axis a, so the means of z^j conj(z)^k are multiplied by
     ``conj(a)^(j - k)``.
     """
-    found = np.empty((len(axes), *terms.shape))
-    found[..., TERMS:, :] = terms[:, TERMS:]
-    before, behind = (np.ascontiguousarray(each).view(complex)[..., 0] for each in (terms, found))
-    factors, start = np.ones(len(axes), dtype=complex), 0
-    for m in range(ORDER + 1):
-        stop = start + (ORDER - m) // 2 + 1
-        behind[..., start:stop] = before[:, start:stop] * factors[:, None, None]
-        factors = factors * (axes[:, 0] - 1j * axes[:, 1])
-        start = stop
-    return found.reshape(-1, *terms.shape[1:])
+    before, after = terms.view(complex)[..., 0], rotated.view(complex)
+    after = after.reshape(len(axes), *before.shape)
+    orders = np.repeat(np.arange(ORDER + 1), (ORDER - np.arange(ORDER + 1)) // 2 + 1)
+    powers = np.ones((len(axes), ORDER + 1), dtype=complex)
+    np.cumprod(
+        np.broadcast_to((axes @ [1, -1j])[:, None], (len(axes), ORDER)), axis=1, out=powers[:, 1:]
+    )
+    np.multiply(before[:, :TERMS], powers[:, None, orders], out=after[..., :TERMS])
+    after[..., TERMS:] = before[:, TERMS:]

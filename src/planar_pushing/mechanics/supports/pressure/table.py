@@ -35,6 +35,8 @@ from planar_pushing.terms.errors import InvalidValue
 
 #: Rounding error of a center of pressure, relative to its coordinates.
 ROUNDING = 1e-14
+#: Room in front of a table for the entries of 15 effects.
+FRONT = 16 * ENTRY
 #: Maximum number of supports in a small tuple, and number of small tuples whose results are cached.
 FEW, KEPT = 1000, 16
 Found = TypeVar("Found")
@@ -51,15 +53,18 @@ class Table:
     data : ndarray
         The heads of all pressures, the rows of their pieces, and the terms of their plates, as in
         `core.pieces`; places are relative to the beginning of this array.
-    plates : ndarray of int
-        Places of the rows of plates.
     count : int
         Number of supports.
+    memory : ndarray
+        The data, and in front of them room for the entries of a call that has no other table.
+    entries : list
+        The entries that are there, or none.
     """
 
     data: Array
-    plates: Any
     count: int
+    memory: Array
+    entries: list[Array]
 
     @property
     def heads(self) -> Array:
@@ -86,13 +91,16 @@ class Table:
         first, last = self.heads[number, [ATOMS, SEGMENTS]].astype(int)
         return self.data[first:last].reshape(-1, COLUMNS)[:, :3]
 
-    def data_from(self, place: int) -> Array:
-        """The data as they are if they begin at a place of a larger array."""
-        data = self.data.copy()
-        data[: HEAD * self.count].reshape(self.count, HEAD)[:, ATOMS : END + 1] += place
-        for column in (COLUMNS - 2, COLUMNS - 1):
-            data[self.plates + column] += place
-        return data
+    def behind(self, entries: Array) -> Array:
+        """The data behind entries, in the table's own memory if these are the first ones."""
+        if len(entries) > FRONT:
+            return np.concatenate([entries, self.data])
+        self.entries.append(entries)
+        if not np.array_equal(self.entries[0], entries):
+            return np.concatenate([entries, self.data])
+        front = self.memory[FRONT - len(entries) :]
+        front[: len(entries)] = entries
+        return front
 
 
 def kept(function: Callable[[Any], Found]) -> Callable[[Iterable[Any]], Found]:
@@ -165,7 +173,9 @@ def _table(found: Gathered, radii: Array) -> Table:
     starts, rows, plates = stack(found, radii)
     count, size = len(radii), radii[:, None]
     first, terms = HEAD * count, HEAD * count + rows.size
-    data = np.zeros(terms + 2 * ROWS * len(plates))
+    memory = np.empty(FRONT + terms + 2 * ROWS * len(plates))
+    data = memory[FRONT:]
+    data[:first] = 0.0
     write_terms(found, rows, plates, data[terms:].reshape(-1, 2 * ROWS))
     rows[plates, COLUMNS - 2 :] = first + COLUMNS * rows[plates, COLUMNS - 2 :]
     data[first:terms] = rows.ravel()
@@ -177,7 +187,7 @@ def _table(found: Gathered, radii: Array) -> Table:
     heads[:, ATOMS : EDGES + 1] = first + COLUMNS * starts[:, :-1]
     heads[:, SERIES] = terms + 2 * ROWS * starts[:, -1]
     heads[:, END] = np.append(heads[1:, ATOMS], terms)
-    return Table(data, first + COLUMNS * plates, count)
+    return Table(data, count, memory, [])
 
 
 def joined_data(effects: Sequence[tuple[int, int, Table | None]], columns: int) -> Array:
@@ -193,9 +203,9 @@ def joined_data(effects: Sequence[tuple[int, int, Table | None]], columns: int) 
     Returns
     -------
     ndarray
-        ``ENTRY`` numbers for each effect: kind, column, and for a support the place of the head of its
-        first pressure; the kind ``LAST`` and the number of columns; then the tables. It is cached while the
-        effects are the same, with tables compared by identity, and must not be written to.
+        ``ENTRY`` numbers for each effect: kind, column, and for a support the place of its table, whose own
+        places count from there; the kind ``LAST`` and the number of columns; then the tables. It is cached
+        while the effects are the same, with tables compared by identity, and must not be written to.
     """
     given = tuple(effects)
     count = sum(table.count for _, _, table in given if table is not None)
@@ -203,15 +213,15 @@ def joined_data(effects: Sequence[tuple[int, int, Table | None]], columns: int) 
 
 
 def _joined(effects: tuple[tuple[int, int, Table | None], ...], columns: int) -> Array:
-    parts = [np.zeros(ENTRY * (len(effects) + 1))]
-    parts[0][-ENTRY : 2 - ENTRY] = LAST, columns
-    place = len(parts[0])
+    entries = np.zeros((len(effects) + 1, ENTRY))
+    tables = [table for _, _, table in effects if table is not None]
+    entries[-1, :2], place = (LAST, columns), entries.size
     for i, (kind, column, table) in enumerate(effects):
-        parts[0][ENTRY * i : ENTRY * i + 3] = kind, column, 0.0 if table is None else place
-        if table is not None:
-            parts.append(table.data_from(place))
-            place += len(table.data)
-    return np.concatenate(parts)
+        entries[i, :3] = kind, column, 0.0 if table is None else place
+        place += 0 if table is None else len(table.data)
+    if len(tables) == 1:
+        return tables[0].behind(entries.ravel())
+    return np.concatenate([entries.ravel(), *(table.data for table in tables)])
 
 
 _few_joined, _many_joined = lru_cache(KEPT)(_joined), lru_cache(1)(_joined)
