@@ -118,7 +118,7 @@ class Law(NamedTuple):
 
 
 def in_numbers(law: ContactLaw) -> Law:
-    """A law in the form of the compiled core."""
+    """A law in the form of the core."""
     cone = law.force_angles
     rough = np.ndim(cone.right) == 0 and cone.span > math.pi
     return Law(cone.right, cone.left, law.slips, cone.closed, rough)
@@ -130,7 +130,7 @@ def is_law(law: object) -> bool:
 
 
 def as_numbers(contact: Number) -> Law:
-    """A law, or an array of laws of any kinds, in the form of the compiled core."""
+    """A law, or an array of laws of any kinds, in the form of the core."""
     if not isinstance(contact, (list, tuple)) and not hasattr(contact, "ndim"):
         return in_numbers(contact)
     laws = np.asarray(contact, dtype=object)
