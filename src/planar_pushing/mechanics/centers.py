@@ -104,8 +104,8 @@ def motion_centers(
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
     reach, angle = scene.rows.body[0] if origin == Origin.CONTACT else 0.0, scene.slider.rod_angle
     columns += [scene.slider.radius, reach, angle]
-    found = evaluated("force_motions", scene.rows.data, columns, CENTER, MOTION_WIDTH, _decode)[0]
-    return named_units(found, scene.units) if is_labeled(found) else found
+    centers = evaluated("force_motions", scene.rows.data, columns, CENTER, MOTION_WIDTH, _decode)[0]
+    return named_units(centers, scene.units) if is_labeled(centers) else centers
 
 
 def conservative_spin_ratios(arm: Array) -> tuple[Array, Array]:

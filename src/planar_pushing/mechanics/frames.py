@@ -71,9 +71,9 @@ class Frame(NamedTuple):
 
 def _vectors(x: Number, y: Number) -> Array:
     """Vectors of shape S + (2,) from their components."""
-    found = np.empty((*np.broadcast(x, y).shape, 2))
-    found[..., 0], found[..., 1] = x, y
-    return found
+    vectors = np.empty((*np.broadcast(x, y).shape, 2))
+    vectors[..., 0], vectors[..., 1] = x, y
+    return vectors
 
 
 def moved_place(place: tuple[float, float], frame: Frame) -> tuple[Number, Number]:
@@ -147,10 +147,10 @@ def _pair(name: str, given: Any) -> tuple[Number, Number]:
 
 def _plain(given: Any) -> Number:
     """A number or an array without negative zeros; NaN if it is not numeric."""
-    found = as_numbers(given)
-    if found is None:
+    numbers = as_numbers(given)
+    if numbers is None:
         return math.nan
-    return found + 0.0 if np.ndim(found) else float(found) + 0.0
+    return numbers + 0.0 if np.ndim(numbers) else float(numbers) + 0.0
 
 
 def changed(value: npt.ArrayLike, kind: str, to: Frame, center: Array, into: bool) -> Array:

@@ -141,11 +141,11 @@ def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> S
     row += [*rows.body[:2], *rows.law, angle, moves]
     room = SOLUTIONS[rows.is_steady]
     results = run("solve", rows.data, [row], 2 + room * RESULT)[0].tolist()
-    radius, found = rows.body[2], []
+    radius, solutions = rows.body[2], []
     forces, ends, twists, motions, ratios, centers, pivots, continua = PLACES[room]
     for j in range(int(results[0])):
         v_x, v_y, spin = results[twists + 3 * j : twists + 3 * j + 3]
-        found.append(
+        solutions.append(
             Solution(
                 mode=MODES[int(results[2 + j])],
                 force=_vector(unit, results, forces + 2 * j),
@@ -158,7 +158,7 @@ def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> S
                 continuum=results[continua + j] == 1.0,
             )
         )
-    return Solutions(tuple(found), Status(int(results[1])), (scene, angle, magnitude))
+    return Solutions(tuple(solutions), Status(int(results[1])), (scene, angle, magnitude))
 
 
 def _vector(unit: float, numbers: Sequence[float], place: int) -> Array:
@@ -245,12 +245,12 @@ def solve(
     given, results = [*rows.columns, *rows.body, *rows.law, *push], outputs(rows.is_steady)
     if derivatives:
         require_unlabeled(given)
-    found = elementwise(lambda *each: solve_arrays(rows, *each), given, results)
-    by_name = {output.name: each for output, each in zip(results, found, strict=True)}
-    if is_labeled(found[0]):
+    arrays = elementwise(lambda *each: solve_arrays(rows, *each), given, results)
+    by_name = {output.name: each for output, each in zip(results, arrays, strict=True)}
+    if is_labeled(arrays[0]):
         return named_units(as_dataset(by_name), scene.units, inertia=scene.stores_energy)
     by = solution_derivatives(scene, given, by_name) if derivatives else None
-    if np.ndim(found[0]):
+    if np.ndim(arrays[0]):
         return SolutionArrays(**by_name, derivatives=by)
     angle, magnitude = map(float, push)
     return listed(by_name, (scene, angle, magnitude), by)

@@ -112,5 +112,5 @@ def weight(mass: Number, support_friction: Number, gravity: Number = 9.80665) ->
     """
     own, coefficient = required("mass", mass), required("support_friction", support_friction)
     with np.errstate(over="ignore", under="ignore"):
-        found = own * coefficient * required("gravity", gravity)
-    return required_ratio("weight", found)
+        force = own * coefficient * required("gravity", gravity)
+    return required_ratio("weight", force)

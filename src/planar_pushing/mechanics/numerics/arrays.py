@@ -145,8 +145,8 @@ def elementwise(
     """
     if not any(map(is_labeled, arguments)):
         _require_shapes(arguments)
-        found = function(*arguments)
-        return [each.item() if each.ndim == 0 else each for each in found]
+        results = function(*arguments)
+        return [each.item() if each.ndim == 0 else each for each in results]
     import xarray as xr
 
     labeled = xr.apply_ufunc(

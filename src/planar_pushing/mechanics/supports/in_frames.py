@@ -83,10 +83,10 @@ class SupportInFrames:
         return labeled_like(self.frame.axis[0], values)
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> npt.NDArray[Any]:
-        found = np.empty(self.size, dtype=object)
+        supports = np.empty(self.size, dtype=object)
         for i, support in enumerate(self.supports):
-            found[i] = support
-        return found.reshape(self.shape)
+            supports[i] = support
+        return supports.reshape(self.shape)
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):

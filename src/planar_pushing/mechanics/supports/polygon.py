@@ -144,15 +144,15 @@ def simple_ring(name: str, given: Any) -> Array:
             "outline the part that is pushed",
         )  # fmt: skip
     ring = getattr(given, "coords", getattr(given, "vertices", given))
-    found = np.array(positions(name, list(ring) if ring is not given else ring, remedy)).reshape(
+    vertices = np.array(positions(name, list(ring) if ring is not given else ring, remedy)).reshape(
         -1, 2
     )
-    if len(found) > 1 and (found[0] == found[-1]).all():
-        found = found[:-1]
-    if len(found) < 3:
+    if len(vertices) > 1 and (vertices[0] == vertices[-1]).all():
+        vertices = vertices[:-1]
+    if len(vertices) < 3:
         raise InvalidValue(name, given, "at least three vertices", remedy)
-    _require_simple(name, found)
-    return found
+    _require_simple(name, vertices)
+    return vertices
 
 
 def _require_holes(outer: Array, inner: list[Array]) -> None:

@@ -104,8 +104,8 @@ def measure_pieces(
     first = np.concatenate([[0], lengths.cumsum()])
     rows = [*rows, _places(edges, lengths, first[:-1]), edges]
     centers = _centers(rows, owners, count)
-    extents, found = _extents(rows, owners, centers), spreads(rows, owners, centers)
-    return Gathered(rows, owners, first, centers, extents, found)
+    extents, moments = _extents(rows, owners, centers), spreads(rows, owners, centers)
+    return Gathered(rows, owners, first, centers, extents, moments)
 
 
 def _places(edges: Array, lengths: Any, first: Any) -> Array:
@@ -151,13 +151,13 @@ def _extents(rows: list[Array], owners: list[Any], centers: Array) -> Array:
         (RINGS, 0),
         (DISCS, 0),
     )
-    found = np.zeros(len(centers))
+    extents = np.zeros(len(centers))
     for kind, column in ends:
         reach = _distance(rows[kind][:, column : column + 2], centers[owners[kind]])
         if kind in (RINGS, DISCS):
             reach += rows[kind][:, 2]
-        np.maximum.at(found, owners[kind], reach)
-    return found
+        np.maximum.at(extents, owners[kind], reach)
+    return extents
 
 
 def center(pieces: Pieces) -> tuple[float, float]:

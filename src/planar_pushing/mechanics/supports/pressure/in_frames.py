@@ -45,11 +45,11 @@ def gather_in_frames(pieces: Pieces, origins: Array, axes: Array) -> Gathered:
             rows[kind][:, ends] = places.reshape(-1, 2)
     owners = [np.repeat(np.arange(count), len(each)) for each in one.rows]
     lengths = np.tile(np.diff(one.first), count)
-    found = measure_pieces(rows[:PLATES], rows[-1], owners, lengths, count)
+    group = measure_pieces(rows[:PLATES], rows[-1], owners, lengths, count)
     if not len(lengths):
-        return found
+        return group
     _, _, terms = stacked(one, one.extents)
-    return found._replace(write_terms=partial(_rotate_terms, terms, axes))
+    return group._replace(write_terms=partial(_rotate_terms, terms, axes))
 
 
 def _rotate_terms(terms: Array, axes: Array, rotated: Array) -> None:

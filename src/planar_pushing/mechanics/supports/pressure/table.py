@@ -108,13 +108,13 @@ def kept(function: Callable[[Any], Found]) -> Callable[[Iterable[Any]], Found]:
     few, many = lru_cache(KEPT)(function), lru_cache(1)(function)
 
     @wraps(function)
-    def found(supports: Iterable[Any] | SupportInFrames) -> Found:
+    def cached(supports: Iterable[Any] | SupportInFrames) -> Found:
         if isinstance(supports, SupportInFrames):
             return (few if supports.size <= FEW else many)(supports)
         each = tuple(supports)
         return (few if len(each) <= FEW else many)(each)
 
-    return found
+    return cached
 
 
 def extents_of(supports: Iterable[Any]) -> Array:
@@ -140,27 +140,27 @@ def _gathered(supports: tuple[Any, ...] | SupportInFrames) -> Gathered:
         return _required_extents(gathered([each.pieces() for each in supports]), supports)
     if not supports.is_rigid:
         return _gathered(supports.supports)
-    found = gather_in_frames(supports.support.pieces(), supports.origins, supports.axes)
-    return _required_extents(found, [supports.support] * supports.size)
+    group = gather_in_frames(supports.support.pieces(), supports.origins, supports.axes)
+    return _required_extents(group, [supports.support] * supports.size)
 
 
-def _required_extents(found: Gathered, supports: Sequence[Any]) -> Gathered:
+def _required_extents(group: Gathered, supports: Sequence[Any]) -> Gathered:
     """Pieces of supports, or `InvalidValue` if a support is a single point."""
     # Rounding of the weights moves the center of pressure of a single point by a few ulp.
-    points = np.flatnonzero(found.extents <= ROUNDING * np.abs(found.centers).sum(axis=1))
+    points = np.flatnonzero(group.extents <= ROUNDING * np.abs(group.centers).sum(axis=1))
     if len(points):
         raise InvalidValue(
             "support", supports[points[0]], "a support with more than one point",
             "a point resists no rotation: its force is opposite to its motion",
         )  # fmt: skip
-    return found
+    return group
 
 
 @kept
 def table_of(supports: tuple[Any, ...] | SupportInFrames) -> Table:
     """`Table` of supports, the same object while it is cached."""
-    found = _gathered(supports)
-    return _table(found, found.extents)
+    group = _gathered(supports)
+    return _table(group, group.extents)
 
 
 def table_of_pieces(pieces: Pieces, radius: float) -> Table:
@@ -168,21 +168,21 @@ def table_of_pieces(pieces: Pieces, radius: float) -> Table:
     return _table(gathered([pieces]), np.array([radius]))
 
 
-def _table(found: Gathered, radii: Array) -> Table:
+def _table(group: Gathered, radii: Array) -> Table:
     """`Table` of supports, each in units of its own radius."""
-    starts, rows, plates = stack(found, radii)
+    starts, rows, plates = stack(group, radii)
     count, size = len(radii), radii[:, None]
     first, terms = HEAD * count, HEAD * count + rows.size
     memory = np.empty(FRONT + terms + 2 * ROWS * len(plates))
     data = memory[FRONT:]
     data[:first] = 0.0
-    write_terms(found, rows, plates, data[terms:].reshape(-1, 2 * ROWS))
+    write_terms(group, rows, plates, data[terms:].reshape(-1, 2 * ROWS))
     rows[plates, COLUMNS - 2 :] = first + COLUMNS * rows[plates, COLUMNS - 2 :]
     data[first:terms] = rows.ravel()
     heads = data[:first].reshape(count, HEAD)
     heads[:, CENTER : CENTER + 2], heads[:, SPREAD : SPREAD + 3] = (
-        found.centers / size,
-        found.spreads / size**2,
+        group.centers / size,
+        group.spreads / size**2,
     )
     heads[:, ATOMS : EDGES + 1] = first + COLUMNS * starts[:, :-1]
     heads[:, SERIES] = terms + 2 * ROWS * starts[:, -1]
