@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from functools import lru_cache, wraps
+from functools import wraps
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
@@ -13,6 +13,7 @@ from planar_pushing.mechanics.supports.in_frames import SupportInFrames
 from planar_pushing.mechanics.supports.pressure.assembly import Gathered, gathered, stacked
 from planar_pushing.mechanics.supports.pressure.in_frames import gather_in_frames
 from planar_pushing.mechanics.supports.pressure.record import Array, Pressure
+from planar_pushing.terms.caches import cached
 from planar_pushing.terms.errors import InvalidValue
 
 #: Rounding error of a center of pressure, relative to its coordinates.
@@ -46,7 +47,7 @@ class Table(NamedTuple):
 
 def kept(function: Callable[[Any], Found]) -> Callable[[Iterable[Any]], Found]:
     """Cache a function of supports; for many supports, which can take gigabytes, the last result only."""
-    few, many = lru_cache(KEPT)(function), lru_cache(1)(function)
+    few, many = cached(KEPT)(function), cached(1)(function)
 
     @wraps(function)
     def found(supports: Iterable[Any] | SupportInFrames) -> Found:
