@@ -33,17 +33,18 @@ NORMALS = np.array([
 ANGLES = np.array([0.3, np.pi / 2, 2.5])[:, None, None]
 
 
-def own_kind(support):
+def own_kind(support, hash_of=object.__hash__):
     """The same support as a class of a user, with no more than the manual asks for."""
 
     class Own:
+        __hash__ = hash_of
         center_of_pressure, extent = support.center_of_pressure, support.extent
 
         def pieces(self):
             return support.pieces()
 
         def moved(self, frame):
-            return own_kind(support.moved(frame))
+            return own_kind(support.moved(frame), hash_of)
 
     return Own()
 
@@ -318,3 +319,29 @@ def test_the_cones_of_two_supports():
         own = pp.motion_cone(one)
         assert found.right[there] == pytest.approx(own.right, abs=1e-12)
         assert found.left[there] == pytest.approx(own.left, abs=1e-12)
+
+
+def test_arrays_of_scenes_are_compared():
+    given = {"effects": effects_of(SQUARE), "contact": pp.Coulomb(0.5)}
+    one, other = (pp.scene_at(POINTS, NORMALS, **given) for _ in range(2))
+    assert (one == other) is True
+    assert (one == pp.scene_at(POINTS, NORMALS[..., ::-1], **given)) is False
+    assert (one == pp.scene_at(POINTS, NORMALS, **given | {"contact": pp.Coulomb(1.0)})) is False
+    disc = given | {"effects": effects_of(pp.Disc(2.0**0.5))}
+    assert (one == pp.scene_at(POINTS, NORMALS, **disc)) is False
+
+
+def test_supports_that_cannot_be_hashed():
+    own = own_kind(SQUARE, None)
+    given = {"effects": [pp.SupportFriction(support=own)], "contact": pp.Coulomb(0.5)}
+    with pytest.raises(TypeError, match="unhashable"):
+        hash(own)
+    scene = pp.scene_at((0.5, -1.0), (0.0, 1.0), **given)
+    other = pp.scene_at(
+        (0.5, -1.0), (0.0, 1.0), **given | {"effects": [pp.SupportFriction(support=SQUARE)]}
+    )
+    assert pp.solve(scene, 1.2)[0].force.tolist() == pp.solve(other, 1.2)[0].force.tolist()
+    assert scene._repr_svg_().count("<svg") == 1
+    assert len(pp.pushes_for(given["effects"], (0.0, 1.0, 0.1), SQUARE)) == len(
+        pp.pushes_for([pp.SupportFriction(support=SQUARE)], (0.0, 1.0, 0.1), SQUARE)
+    )

@@ -14,6 +14,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.errors import InvalidValue, has_entries
 from planar_pushing.terms.numbers import Number, as_array, as_numbers
@@ -129,6 +130,9 @@ class Placement:
         length = np.where(abs(length - 1.0) <= UNIT, 1.0, length)[()]
         object.__setattr__(self, "point", (x, y))
         object.__setattr__(self, "normal", (_plain(n_x / length), _plain(n_y / length)))
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
 
     @property
     def fence(self) -> Frame:

@@ -20,6 +20,7 @@ from planar_pushing.mechanics.effects import (
     Viscous,
 )
 from planar_pushing.mechanics.frames import Frame, Kind, Placement, changed
+from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.mechanics.pictures import picture
 from planar_pushing.mechanics.plane import Array, direction
@@ -32,6 +33,7 @@ from planar_pushing.terms.domain import (
     required_side,
 )
 from planar_pushing.terms.errors import InvalidValue, require_kind
+from planar_pushing.terms.numbers import pair_of
 from planar_pushing.terms.units import Units
 
 if TYPE_CHECKING:
@@ -80,6 +82,9 @@ class Slider:
         object.__setattr__(self, "side", required_side(self.side))
         if self.outline is not None:
             object.__setattr__(self, "outline", required_outline(self.outline))
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
 
     @property
     def length_ratio(self) -> Number:
@@ -156,6 +161,9 @@ class Scene:
         for name, kind in (("placement", Placement), ("units", Units)):
             if getattr(self, name) is not None:
                 require_kind(name, getattr(self, name), kind)
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
 
     def to_object(self, value: npt.ArrayLike, kind: Kind) -> Array:
         """Transform numbers from the fence frame at time 0 to the object's frame.
@@ -295,9 +303,10 @@ def _is_off(coordinate: Number) -> bool:
 
 def _required_push(given: Any) -> tuple[Number, Number]:
     """Angle and magnitude of a push, or `InvalidValue`."""
-    if not isinstance(given, (tuple, list)) or len(given) != 2:
+    pair = pair_of(given)
+    if pair is None:
         raise InvalidValue("push", given, "(angle, magnitude)", "give the angle in radians")
-    return required("pusher_angle", given[0]), required("pusher_magnitude", given[1])
+    return required("pusher_angle", pair[0]), required("pusher_magnitude", pair[1])
 
 
 def required_scene(given: object) -> Scene:

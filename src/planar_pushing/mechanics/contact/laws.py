@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Literal, NamedTuple, Protocol, runtime_checkable
+from typing import Any, Literal, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 
 from planar_pushing.mechanics.angles import AngleInterval
+from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.terms.domain import Number, require_fields
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import AtZeroNormal
@@ -43,6 +44,9 @@ class Coulomb:
 
     def __post_init__(self) -> None:
         require_fields(self, "friction_coefficient")
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
 
     @property
     def force_angles(self) -> AngleInterval:

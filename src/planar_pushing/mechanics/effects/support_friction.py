@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.frames import Frame
+from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.supports.base import is_kind, moved_support
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.mechanics.supports.in_frames import SupportInFrames, listed
@@ -47,6 +48,9 @@ class SupportFriction:
                 "construct one of these supports",
             )  # fmt: skip
 
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
+
     def moved(self, body: Frame, fence: Frame) -> SupportFriction:
         """The same effect expressed in the body frame instead of the object's frame."""
         return replace(self, support=moved_support(self.support, body))
@@ -75,6 +79,9 @@ class RingFriction:
 
     def __post_init__(self) -> None:
         require_fields(self, "weight")
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
 
     @property
     def support(self) -> Ring:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache, wraps
+from functools import wraps
 from typing import Any, TypeVar
 
 import numpy as np
@@ -31,6 +31,7 @@ from planar_pushing.mechanics.supports.pressure.assembly import (
 )
 from planar_pushing.mechanics.supports.pressure.in_frames import gather_in_frames
 from planar_pushing.mechanics.supports.pressure.pieces import Array, Pieces
+from planar_pushing.terms.caches import cached
 from planar_pushing.terms.errors import InvalidValue
 
 #: Rounding error of a center of pressure, relative to its coordinates.
@@ -105,16 +106,16 @@ class Table:
 
 def kept(function: Callable[[Any], Found]) -> Callable[[Iterable[Any]], Found]:
     """Cache a function of supports; for many supports, which can take gigabytes, the last result only."""
-    few, many = lru_cache(KEPT)(function), lru_cache(1)(function)
+    few, many = cached(KEPT)(function), cached(1)(function)
 
     @wraps(function)
-    def cached(supports: Iterable[Any] | SupportInFrames) -> Found:
+    def call(supports: Iterable[Any] | SupportInFrames) -> Found:
         if isinstance(supports, SupportInFrames):
             return (few if supports.size <= FEW else many)(supports)
         each = tuple(supports)
         return (few if len(each) <= FEW else many)(each)
 
-    return cached
+    return call
 
 
 def extents_of(supports: Iterable[Any]) -> Array:
@@ -224,4 +225,4 @@ def _joined(effects: tuple[tuple[int, int, Table | None], ...], columns: int) ->
     return np.concatenate([entries.ravel(), *(table.data for table in tables)])
 
 
-_few_joined, _many_joined = lru_cache(KEPT)(_joined), lru_cache(1)(_joined)
+_few_joined, _many_joined = cached(KEPT)(_joined), cached(1)(_joined)
