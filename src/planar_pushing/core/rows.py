@@ -2,8 +2,9 @@
 
 A call has one flat array `data` for all its scenes, and a row of numbers for each. The data begin with four
 numbers for each effect: its kind, the column of the row at which its numbers begin, and for a support the
-place at which the table of its pressures begins, whose own places count from there; the kind `LAST` ends the list, and its column is the first one after the
-effects. What an effect does not have, it does not compute: a loop over the listed effects is all there is.
+place at which the table of its pressures begins, whose own places count from there. The kind `LAST` ends
+the list, and its column is the first one after the effects. What an effect does not have, it does not
+compute: a loop over the listed effects is all there is.
 """
 
 from __future__ import annotations
