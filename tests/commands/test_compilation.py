@@ -8,13 +8,15 @@ import sys
 import time
 from pathlib import Path
 
+import numba
 import pytest
 
-from mechanics.builders import needs_compiler
 from planar_pushing.simulation import machine_code
 from signals import interruptible
 
-pytestmark = needs_compiler
+pytestmark = pytest.mark.skipif(
+    bool(numba.config.DISABLE_JIT), reason="the compiler is off: NUMBA_DISABLE_JIT is set"
+)
 COMMAND = [sys.executable, "-m", "planar_pushing.commands"]
 SCENES = Path("workflow/scenes").resolve()
 FOLLOWED = (

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 
-import numba
 import numpy as np
 import pytest
 
@@ -18,10 +17,6 @@ INERTIA = (pp.Inertia(),)
 BOTH = FRICTION + INERTIA
 EFFECT_SETS = {"friction": FRICTION, "inertia": INERTIA, "both": BOTH}
 EVERY_EFFECT = pytest.mark.parametrize("effects", EFFECT_SETS.values(), ids=EFFECT_SETS)
-#: For tests that look at compiled code, or that start the core without the compiler beside this process.
-needs_compiler = pytest.mark.skipif(
-    bool(numba.config.DISABLE_JIT), reason="the compiler is off: NUMBA_DISABLE_JIT is set"
-)
 
 
 def make_scene(length, contact=INFINITE, effects=FRICTION, psi=PSI, radius=1.0):

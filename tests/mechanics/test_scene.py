@@ -10,6 +10,7 @@ import xarray as xr
 
 import planar_pushing as pp
 from mechanics.builders import BOTH, PSI, make_scene, names
+from planar_pushing.core.rows import MASS, RING
 from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 
 PHI = np.linspace(0, np.pi, 13)
@@ -29,13 +30,7 @@ SUMS = {
         WHOLE_RING + WHOLE_MASS,
     ),
 }
-#: Sums whose kind of slider is compiled for them alone; two rings and two masses are summed alike.
-RARE = ("inertia", "split friction", "split inertia")
-EVERY_SUM = pytest.mark.parametrize(
-    ("parts", "whole"),
-    [pytest.param(*each, marks=[pytest.mark.slow] * (name in RARE)) for name, each in SUMS.items()],
-    ids=SUMS,
-)
+EVERY_SUM = pytest.mark.parametrize(("parts", "whole"), SUMS.values(), ids=SUMS)
 
 
 @EVERY_SUM
@@ -117,9 +112,9 @@ def test_scene_in_numbers():
     )
     assert scene.slider.length_ratio == 1.5
     assert (scene.weight, scene.inertia) == (7.0, (5.0, 2.25))
-    assert [type(each).__name__ for each in scene.kinds] == ["RingSupport", "Mass"]
-    assert len(make_scene(1.0, effects=BOTH[:1]).kinds) == 1
-    assert len(make_scene(1.0, effects=BOTH[1:]).kinds) == 1
+    assert [(each.kind, each.number) for each in scene.rows.entries] == [(RING, 1), (MASS, 0)]
+    assert len(make_scene(1.0, effects=BOTH[:1]).rows.entries) == 1
+    assert len(make_scene(1.0, effects=BOTH[1:]).rows.entries) == 1
     assert scene.stores_energy
     assert not make_scene(1.0, effects=BOTH[:1]).stores_energy
     assert scene.friction == [pp.RingFriction(weight=7.0)]

@@ -37,8 +37,13 @@ def test_a_mode_is_no_index(three):
 
 def test_solutions_are_equal_where_every_number_is(three):
     assert three == pp.solve(make_scene(2.0, 2.0), PULL)
-    assert three != pp.solve(make_scene(2.0, 2.0), np.nextafter(PULL, 0.0))
     assert three != pp.solve(make_scene(2.0, 2.0), 1.0)
+    for name in ("force", "force_end", "contact_motion", "twist", "center"):
+        last = getattr(three[2], name)
+        other = replace(three[2], **{name: np.nextafter(last, [*last[:-1], np.inf])})
+        assert three != replace(three, solutions=(*three[:2], other))
+    for name, value in (("spin_ratio", 0.86), ("pivot", 0), ("continuum", True)):
+        assert three[2] != replace(three[2], **{name: value})
     assert three[0] == three[0]
     assert three[1] != three[2]
     assert (three == 3, three[0] == 3) == (False, False)

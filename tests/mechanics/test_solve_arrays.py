@@ -10,7 +10,7 @@ import xarray as xr
 import planar_pushing as pp
 from mechanics.builders import BOTH, EFFECT_SETS, EVERY_EFFECT, FRICTION, INERTIA, make_scene
 from mechanics.test_public_arrays import BASE, VALUES, call
-from planar_pushing.mechanics.solve import NO_MODE, SOLUTIONS
+from planar_pushing.mechanics.solve import SOLUTIONS
 from planar_pushing.terms.quantities import unit_of
 
 FIELDS = ("force", "force_end", "twist", "contact_motion", "spin_ratio", "center")
@@ -30,7 +30,7 @@ def same(found, place, single):
     count = len(single)
     assert found.solutions[place] == count
     assert tuple(found.mode[place][:count]) == single.modes
-    assert np.all(found.mode[place][count:] == NO_MODE)
+    assert np.all(found.mode[place][count:] == -1)
     assert found.outcome[place] == single.outcome
     assert np.array_equal(found.consistent[place], np.arange(found.mode.shape[-1]) < count)
     for name in FIELDS:

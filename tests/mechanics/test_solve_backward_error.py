@@ -13,7 +13,7 @@ import planar_pushing as pp
 from mechanics.builders import BOTH, EVERY_EFFECT, INERTIA, make_scene
 from planar_pushing.mechanics.plane import direction
 
-#: In each test; few where Python runs the formulas.
+#: In each test.
 SCENES = 20_000
 TOLERANCE = 1e-12
 SEPARATE, STICK, SLIP_RIGHT, SLIP_LEFT = pp.ContactMode

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextvars
 import threading
 
-import numba
 import numpy as np
 import pytest
 import xarray as xr
@@ -15,57 +14,86 @@ from mechanics.builders import BOTH, make_scene
 from planar_pushing.mechanics.numerics import arrays
 from planar_pushing.mechanics.numerics.arrays import BLOCK, Output, elementwise, mapped
 
-
-def kernel(kinds, rows, sums, parts):
-    """Write down the sum of a row and its entries doubled."""
-    for i in range(len(rows)):
-        sums[i] = rows[i].sum()
-        parts[i] = 2 * rows[i]
-
-
 OUTPUTS = (Output("sum"), Output("parts", (("part", 2),), "f4"))
 
 
-@pytest.mark.parametrize("size", [0, 1, BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK + 3])
-@pytest.mark.parametrize("threads", [1, 3])
-def test_blocks_cover_every_row_once(size, threads, monkeypatch):
-    monkeypatch.setattr(numba.config, "NUMBA_NUM_THREADS", threads)
-    column = np.arange(size, dtype=float)
-    sums, parts = mapped(kernel, (), [column, 1.0], OUTPUTS)
-    assert np.array_equal(sums, column + 1)
-    assert parts.shape == (size, 2)
-    assert parts.dtype == np.float32
-    assert np.array_equal(parts[:, 1], np.full(size, 2.0))
-
-
-@pytest.mark.parametrize("cores", [1, 2])
-def test_a_call_uses_the_cores_that_its_caller_gives_it(cores):
-    threads = set()
-
-    def noting(kinds, rows, sums):
-        threads.add(threading.get_ident())
+def on_cores(cores, function, *arguments):
+    """Call a function that may use a number of cores."""
 
     def call():
         arrays.CORES.set(cores)
-        mapped(noting, (), [np.arange(8.0 * BLOCK)], OUTPUTS[:1])
+        return function(*arguments)
 
-    contextvars.copy_context().run(call)
+    return contextvars.copy_context().run(call)
+
+
+@pytest.fixture
+def kernel(monkeypatch):
+    """A kernel that writes what the rows share plus the sum of a row, and the row's entries doubled."""
+
+    def run(name, data, rows, width):
+        assert (name, width, rows.shape[1]) == ("kernel", 3, 2)
+        return np.column_stack([data[0] + rows.sum(axis=1), 2.0 * rows])
+
+    monkeypatch.setattr(arrays, "run", run)
+
+
+@pytest.mark.parametrize("size", [0, 1, BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK + 3])
+@pytest.mark.parametrize("cores", [1, 3])
+@pytest.mark.usefixtures("kernel")
+def test_blocks_cover_every_row_once(size, cores):
+    column = np.arange(size, dtype=float)
+    sums, parts = on_cores(cores, mapped, "kernel", np.array([0.5]), [column, 1.0], OUTPUTS)
+    assert np.array_equal(sums, column + 1.5)
+    assert parts.shape == (size, 2)
+    assert parts.dtype == np.float32
+    assert np.array_equal(parts, 2 * np.column_stack([column, np.ones(size)]))
+
+
+@pytest.mark.parametrize("cores", [1, 2])
+def test_a_call_uses_the_cores_that_its_caller_gives_it(cores, monkeypatch):
+    threads = set()
+
+    def run(name, data, rows, width):
+        threads.add(threading.get_ident())
+        return rows
+
+    monkeypatch.setattr(arrays, "run", run)
+    on_cores(cores, mapped, "kernel", np.zeros(0), [np.arange(8.0 * BLOCK)], OUTPUTS[:1])
     assert (threads == {threading.get_ident()}) == (cores == 1)
+    assert len(threads) <= cores
 
 
+@pytest.mark.usefixtures("kernel")
 def test_rows_of_broadcast_columns():
-    sums, parts = mapped(kernel, (), [np.arange(3.0)[:, None], np.arange(4.0) * 10], OUTPUTS)
-    assert np.array_equal(sums, np.add.outer(np.arange(3.0), 10 * np.arange(4.0)))
+    columns = np.arange(3.0)[:, None], np.arange(4.0) * 10
+    sums, parts = mapped("kernel", np.zeros(1), columns, OUTPUTS)
+    assert np.array_equal(sums, np.add.outer(*map(np.ravel, columns)))
     assert parts.shape == (3, 4, 2)
 
 
-def test_an_error_in_a_block_is_raised():
-    def broken(kinds, rows, sums):
+@pytest.mark.usefixtures("kernel")
+def test_outputs_are_decoded_from_the_results_and_the_columns_of_each_block(monkeypatch):
+    """A scalar stays a scalar, so that it is not compared a hundred thousand times."""
+    monkeypatch.setattr(arrays, "BLOCK", 4)
+
+    def decode(results, columns, outputs):
+        outputs[0][:] = results[:, 2] - columns[0] + np.ndim(columns[1])
+
+    (found,) = mapped("kernel", np.zeros(1), [np.arange(11.0), 7.0], OUTPUTS[:1], 3, decode)
+    assert np.array_equal(found, 14.0 - np.arange(11.0))
+
+
+def test_an_error_in_a_block_is_raised(monkeypatch):
+    def broken(name, data, rows, width):
         if rows[0, 0] > 0:
             raise OSError("no room")
+        return rows
 
-    with pytest.raises(OSError, match="no room"):
-        mapped(broken, (), [np.arange(3.0 * BLOCK)], OUTPUTS[:1])
+    monkeypatch.setattr(arrays, "run", broken)
+    for cores in (1, 2):
+        with pytest.raises(OSError, match="no room"):
+            on_cores(cores, mapped, "kernel", np.zeros(0), [np.arange(3.0 * BLOCK)], OUTPUTS[:1])
 
 
 def test_elementwise_gives_what_it_is_given():
@@ -88,7 +116,6 @@ def test_blocks_and_threads_do_not_change_a_bit(block, monkeypatch):
     angle = random.uniform(-3, 3, 64)
     whole = pp.solve(scene, angle)
     monkeypatch.setattr(arrays, "BLOCK", block)
-    monkeypatch.setattr(numba.config, "NUMBA_NUM_THREADS", 4)
-    cut = pp.solve(scene, angle)
+    cut = on_cores(4, pp.solve, scene, angle)
     for name in set(whole.__slots__) - {"derivatives"}:
         assert getattr(whole, name).tobytes() == getattr(cut, name).tobytes()

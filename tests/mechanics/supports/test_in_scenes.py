@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import sys
-
 import numpy as np
 import pytest
 import xarray as xr
 
 import planar_pushing as pp
 from mechanics.supports.cases import SUPPORTS, TRIPOD, rectangle
-from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 
 TWISTS = np.array([(0.3, -0.2, 0.5), (0.0, 0.0, -1.0), (1.0, 0.4, 0.0)])
 BOX = rectangle(2.0, 1.0)
@@ -55,27 +52,6 @@ def test_the_radius_is_the_unit_of_the_spin_ratio_alone(radius):
         assert mine.force == pytest.approx(reference.force, rel=1e-10)
         scale = radius / BOX.extent
         assert mine.spin_ratio == pytest.approx(scale * reference.spin_ratio, rel=1e-10)
-
-
-def arrays_of(kinds):
-    """The arrays in nested tuples."""
-    if isinstance(kinds, np.ndarray):
-        return [kinds]
-    return [each for kind in kinds for each in arrays_of(kind)] if isinstance(kinds, tuple) else []
-
-
-@pytest.mark.parametrize("more", [(), (pp.Inertia(),)], ids=["friction", "both"])
-def test_calls_neither_keep_nor_drop_references_to_the_arrays_of_a_support(more):
-    each = scene(BOX)
-    each = pp.Scene(slider=each.slider, contact=each.contact, effects=(*each.effects, *more))
-    arrays = arrays_of(each.kinds)
-    before = [sys.getrefcount(array) for array in arrays]
-    for angle in np.linspace(-1.0, 3.0, 20):
-        pp.solve(each, angle)
-        pp.motion_cone(each)
-        curve_of_unit_motions(each, angle)
-    assert len(arrays) > 1
-    assert [sys.getrefcount(array) for array in arrays] == before
 
 
 def test_labeled_supports_keep_their_names():

@@ -1,17 +1,14 @@
-"""Supports of a user's own class: they are moved, drawn and simulated, and files refuse them."""
+"""Supports of a user's own class: they are drawn, and files refuse them."""
 
 from __future__ import annotations
-
-import json
 
 import numpy as np
 import pytest
 
 import planar_pushing as pp
-from mechanics.supports.cases import FRAME, SUPPORTS
+from mechanics.supports.cases import SUPPORTS
 from planar_pushing.figures.marks import Area, Dot, Line, Picture
 from planar_pushing.figures.supports import Ink, Pose, add_support
-from planar_pushing.figures.timeline import plotted
 
 POSE = Pose((0.3, -0.2), 0.7, 0.5)
 ALONE = [name for name in SUPPORTS if name not in ("map", "peak", "composite")]
@@ -81,31 +78,6 @@ def test_edges_that_are_no_polygon_are_drawn_as_lines():
     assert len(lines) == len(marks) == len(edges)
     for line, (a, b, c, d, _) in zip(lines, edges, strict=True):
         assert line == pytest.approx(POSE.at([(a, b), (c, d)]))
-
-
-@pytest.mark.parametrize(
-    "own", [Own(FRAME), pp.Composite([(2.0, Own(FRAME))])], ids=["own", "member"]
-)
-def test_it_is_simulated_and_no_file_holds_it(own, tmp_path):
-    push = {"pusher": pp.Pusher(velocity=(0.1, 1.0)), "duration": 0.2, "samples": 3}
-    log, wanted = (pp.simulate(scene(each), **push) for each in (own, FRAME))
-    assert np.array_equal(log["rod_angle"], wanted["rod_angle"])
-    (effect,) = json.loads(log.attrs["scene"])["effects"]
-    entry = (
-        effect["support"]["members"][0]["support"]
-        if own.__class__ is not Own
-        else effect["support"]
-    )
-    (plate,) = FRAME.pieces().plates
-    assert entry == {"shape": "Own", "pieces": {"plates": [plate.tolist()]}}
-    assert pp.draw(scene(own), 1.4).figure
-    with pytest.raises(pp.InvalidFile, match=r"support of your own class.* Composite of them"):
-        plotted(log)
-    with pytest.raises(
-        pp.InvalidValue, match=r"support: .*allowed: the shapes of scene files: .*Composite"
-    ):
-        pp.save_scene(scene(own), tmp_path / "scene.yaml")
-    assert not list(tmp_path.iterdir())
 
 
 def test_a_class_that_extends_one_of_the_package_is_ones_own(tmp_path):

@@ -6,10 +6,10 @@ import pytest
 import planar_pushing as pp
 from planar_pushing.core.multipole import ROWS
 from planar_pushing.core.pieces import ATOMS, COLUMNS, EDGES, END, HEAD, SERIES
+from planar_pushing.core.rows import ENTRY, LAST
 from planar_pushing.mechanics.kernels import run
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.pressure.table import (
-    EFFECT,
     FEW,
     joined_data,
     table_of,
@@ -76,11 +76,10 @@ def test_joined_tables_hold_the_effects_and_every_pressure():
     """The same bits from each place of an array."""
     tables = table_of(SUPPORTS), None, table_of(SUPPORTS[:1]), table_of(SUPPORTS[1:3])
     effects = [(7, 3 * i, table) for i, table in enumerate(tables)]
-    data = joined_data(effects)
-    heads = data[: EFFECT * len(effects)].reshape(-1, EFFECT)
-    assert heads[:, 0].tolist() == [7, 7, 7, 7]
-    assert heads[:, 1].tolist() == [0, 3, 6, 9]
-    for table, (_, _, head, _) in zip(tables, heads.astype(int).tolist(), strict=True):
+    data = joined_data(effects, 12)
+    heads = data[: ENTRY * 5].reshape(5, ENTRY).astype(int).tolist()
+    assert [each[:2] for each in heads] == [[7, 0], [7, 3], [7, 6], [7, 9], [LAST, 12]]
+    for table, (_, _, head, _) in zip(tables, heads[:-1], strict=True):
         for i in range(table.count if table else 0):
             places = slice(head + HEAD * i + ATOMS, head + HEAD * i + END + 1)
             assert (data[places] - head).tolist() == table.heads[i, ATOMS : END + 1].tolist()
@@ -91,13 +90,14 @@ def test_joined_tables_hold_the_effects_and_every_pressure():
 
 def test_joined_tables_are_kept_while_tables_and_kinds_are_the_same():
     table, other = table_of(SUPPORTS), table_of(SUPPORTS[1:])
-    data = joined_data([(1, 0, None), (2, 1, table)])
-    assert joined_data(((1, 0, None), (2, 1, table))) is data
+    data = joined_data([(1, 0, None), (2, 1, table)], 4)
+    assert joined_data(((1, 0, None), (2, 1, table)), 4) is data
     before = table.data.copy()
     for effects in ([(1, 0, None), (3, 1, table)], [(1, 0, None), (2, 1, other)], [(2, 1, table)]):
-        assert joined_data(effects) is not data
+        assert joined_data(effects, 4) is not data
+    assert joined_data([(1, 0, None), (2, 1, table)], 5) is not data
     assert np.array_equal(table.data, before)
-    assert joined_data([]).tolist() == []
+    assert joined_data([], 0).tolist() == [LAST, 0.0, 0.0, 0.0]
 
 
 POINT = pp.Points([(1, 2), (1, 2)], [1, 3])
@@ -115,4 +115,4 @@ def test_a_single_point_is_no_support_of_a_scene(support, radius):
     ):
         _ = pp.Scene(
             slider=slider, contact=pp.Coulomb(1.0), effects=(pp.SupportFriction(support=support),)
-        ).kinds  # fmt: skip
+        ).rows  # fmt: skip
