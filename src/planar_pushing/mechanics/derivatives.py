@@ -197,8 +197,9 @@ def _motions(
     least = np.minimum(_cross(direction(right), force), -_cross(direction(left), force))
     on_edge = (least <= EDGE * np.hypot(force[:, 0], force[:, 1])) & (np.asarray(rough) == 0)
     changes = flat | (rests & grazes) | (sticks & on_edge)
-    condition = np.select([rests, sticks], [FREE_CASE, STICK_CASE], SLIP_CASE)
-    rate = np.select([rests | sticks, is_right], [0.0, 1.0], -1.0) * np.sin(right) ** 2
+    condition = np.where(rests, FREE_CASE, np.where(sticks, STICK_CASE, SLIP_CASE))
+    sense = np.where(is_right, 1.0, np.where(rests | sticks, 0.0, -1.0))
+    rate = sense * np.sin(right) ** 2
     return Motions(twist, force, np.where(is_right, left, right), condition, pivot, changes), rate
 
 

@@ -45,7 +45,7 @@ class Response(NamedTuple):
 
 def at_places(places: npt.NDArray[np.bool_], column: Any) -> Any:
     """The numbers of a column of problems at the places of their solutions; a scalar is left unchanged."""
-    if not np.ndim(column):
+    if isinstance(column, (float, int)) or not np.ndim(column):
         return column
     return np.broadcast_to(np.asarray(column)[..., None], places.shape)[places]
 
@@ -98,7 +98,7 @@ def responses(rows: Rows, columns: Sequence[Any], motions: Motions) -> Response:
 
 def _count_feet(entries: Sequence[Entry]) -> int:
     """Number of support points, the maximum for each array of supports."""
-    return sum(int(each.table.atom_counts.max()) for each in entries if each.table is not None)
+    return sum(each.table.most_atoms for each in entries if each.table is not None)
 
 
 def by_effect(scene: Scene, responses: Array) -> Array:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 import itertools
 from collections.abc import Sequence
-from functools import cache
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
@@ -54,7 +54,7 @@ FIELDS = (
 PLACES = {room: [2 + room * field for field in FIELDS] for room in SOLUTIONS.values()}
 
 
-@cache
+@functools.cache
 def outputs(steady: bool) -> tuple[Output, ...]:
     """The results of each scene; `steady` if all potentials have one degree."""
     many = ("solution", SOLUTIONS[steady])
@@ -240,12 +240,14 @@ def solve(
     require_held(scene)
     push = _push(scene, pusher_angle, pusher_magnitude)
     derivatives = require_flag("derivatives", derivatives)
-    if rows.is_single and not derivatives and type(push[0]) is type(push[1]) is float:
+    single = rows.is_single and type(push[0]) is type(push[1]) is float
+    if single and not derivatives:
         return _solve_single(scene, rows, *push)
     given, results = [*rows.columns, *rows.body, *rows.law, *push], outputs(rows.is_steady)
     if derivatives:
         require_unlabeled(given)
-    arrays = elementwise(lambda *each: solve_arrays(rows, *each), given, results)
+    answer = functools.partial(solve_arrays, rows)
+    arrays = answer(*given) if single else elementwise(answer, given, results)
     by_name = {output.name: each for output, each in zip(results, arrays, strict=True)}
     if is_labeled(arrays[0]):
         return named_units(as_dataset(by_name), scene.units, inertia=scene.stores_energy)

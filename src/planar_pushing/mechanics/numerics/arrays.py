@@ -104,7 +104,9 @@ def _split(results: Array, columns: Sequence[Any], outputs: Sequence[npt.NDArray
 
 def _flat(array: Array, shape: tuple[int, ...]) -> Array:
     """An array broadcast to a shape and flattened; a scalar is returned unchanged."""
-    return np.broadcast_to(array, shape).reshape(-1) if array.ndim else array
+    if array.shape == shape or not array.ndim:
+        return array.reshape(-1) if array.ndim else array
+    return np.broadcast_to(array, shape).reshape(-1)
 
 
 def in_threads(block: Callable[[int], None], starts: Sequence[int]) -> None:

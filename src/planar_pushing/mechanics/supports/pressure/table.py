@@ -60,12 +60,15 @@ class Table:
         The data, and in front of them room for the entries of a call that has no other table.
     entries : list
         The entries that are there, or none.
+    most_atoms : int
+        Maximum number of atoms of a support.
     """
 
     data: Array
     count: int
     memory: Array
     entries: list[Array]
+    most_atoms: int
 
     @property
     def heads(self) -> Array:
@@ -188,7 +191,7 @@ def _table(group: Gathered, radii: Array) -> Table:
     heads[:, ATOMS : EDGES + 1] = first + COLUMNS * starts[:, :-1]
     heads[:, SERIES] = terms + 2 * ROWS * starts[:, -1]
     heads[:, END] = np.append(heads[1:, ATOMS], terms)
-    return Table(data, count, memory, [])
+    return Table(data, count, memory, [], int((starts[:, 1] - starts[:, 0]).max()))
 
 
 def joined_data(effects: Sequence[tuple[int, int, Table | None]], columns: int) -> Array:
