@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import pickle
 
 import numpy as np
 import pytest
@@ -194,3 +195,13 @@ def test_arrays_of_laws_and_supports_are_compared():
     assert (scene(1.0, 2.0) == scene(1.0, 3.0)) is False
     assert (scene(1.0, 2.0) == scene(1.0)) is False
     assert (scene(1.0, 2.0) == dataclasses.replace(scene(1.0, 2.0), push=(1.0, 1.0))) is True
+
+
+def test_a_copy_in_another_process_computes_its_rows_itself():
+    scene = make_scene(2.0, 0.5, [pp.RingFriction()])
+    solutions = pp.solve(scene, 1.0)
+    copied = pickle.loads(pickle.dumps(scene))
+    assert "rows" in vars(scene)
+    assert "rows" not in vars(copied)
+    assert copied == scene
+    assert pp.solve(copied, 1.0) == solutions

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -249,6 +249,10 @@ class Scene:
         """
         absent = Viscous if self.stores_energy else ()
         return [i for i, each in enumerate(self.effects) if not isinstance(each, absent)]
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What a copy in another process needs; it computes its rows itself."""
+        return {each.name: getattr(self, each.name) for each in fields(self)}
 
     @cached_property
     def rows(self) -> Rows:
