@@ -19,6 +19,7 @@ from planar_pushing.core.force import (
     motion_under_force,
     motions_under_force,
     replace_force,
+    sticking_motion,
 )
 from planar_pushing.core.free import free_twist
 from planar_pushing.core.numbers import Numbers, zeros
@@ -209,10 +210,7 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
     root = psi(push.effects, push.contact, x, y, guess, NO_POINT, ROUNDING)
     if not root.converged:
         return UNSOLVED, False
-    stick = _settle(law, ContactMotion(
-        x, y, root.v_x, root.v_y, root.spin, root.f_x, root.f_y, root.half_x, root.half_y,
-        root.point, root.continuum, root.noise_x, root.noise_y, True,
-    ))  # fmt: skip
+    stick = _settle(law, sticking_motion(x, y, root))
     if x == 0.0 and y == 0.0 and stick.spin == 0.0:
         stick = _hold_at_rest(push, law, stick, scale)
     search = Search(push, pusher, rest_x, rest_y, scale, root, stick.f_x, stick.f_y, place)
