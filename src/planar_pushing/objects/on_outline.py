@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 import numpy.typing as npt
 
@@ -21,6 +23,25 @@ EXACT = 1e-12
 ALIGNED = 1e-3
 
 
+class Nearest(NamedTuple):
+    """The sides of an outline nearest to points, as arrays over the points.
+
+    Attributes
+    ----------
+    point, inward : ndarray, shape (n, 2)
+        Nearest points of the sides, and inward unit normals.
+    before, behind : ndarray, shape (n,)
+        Distances along the side to its start and its end.
+    distance : ndarray, shape (n,)
+    """
+
+    point: Array
+    inward: Array
+    before: Array
+    behind: Array
+    distance: Array
+
+
 def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[Number, Number]]:
     """The placements of contacts, and the ends of their sides from there, infinite at a corner.
 
@@ -34,31 +55,37 @@ def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[N
         first contact that is refused by the check that fails.
     """
     points, starts = contacts.points, np.array(corners)
-    scale, every = size(starts), np.arange(len(points))
+    scale, sides = size(starts), _nearest(points, starts)
+    _require_on(contacts, sides.distance <= ON * scale, sides.point)
+    away = points[:, None] - starts
+    near = np.hypot(away[..., 0], away[..., 1]) <= ON * scale
+    at_corner, corner = near.any(axis=1), near.argmax(axis=1)
+    _require_between(contacts, at_corner, starts, corner)
+    _require_aligned(contacts, ~at_corner, sides.inward)
+    target = np.where(at_corner[:, None], starts[corner], sides.point)
+    is_exact = np.hypot(*(target - points).T) <= EXACT * scale
+    ends = np.column_stack([-sides.before, sides.behind])
+    ends[at_corner] = -np.inf, np.inf
+    # Without normals, no contact is at a corner.
+    normals = np.where(at_corner[:, None], contacts.normals, sides.inward)
+    points = np.where(is_exact[:, None], points, target)
+    return Placement(contacts.pair(points), contacts.pair(normals)), contacts.pair(ends)
+
+
+def _nearest(points: Array, starts: Array) -> Nearest:
+    """The nearest sides of an outline with these corners."""
     along = np.roll(starts, -1, axis=0) - starts
     lengths = np.hypot(*along.T)
     away = points[:, None] - starts
     places = (away * along).sum(axis=-1) / lengths
     across = (along[:, 0] * away[..., 1] - along[:, 1] * away[..., 0]) / lengths
-    reach = np.hypot(across, np.maximum(np.maximum(-places, places - lengths), 0.0))
-    side = reach.argmin(axis=1)
-    reach, place, length = reach[every, side], places[every, side], lengths[side]
-    nearest = starts[side] + (np.clip(place, 0.0, length)[:, None] * along[side] / length[:, None])
-    _require_on(contacts, reach <= ON * scale, nearest)
-    inward = np.column_stack([0.0 - along[side, 1] / length, along[side, 0] / length + 0.0])
-    near = np.hypot(away[..., 0], away[..., 1]) <= ON * scale
-    at_corner, corner = near.any(axis=1), near.argmax(axis=1)
-    _require_between(contacts, at_corner, starts, corner)
-    _require_aligned(contacts, ~at_corner, inward)
-    onto = np.where(at_corner[:, None], starts[corner], nearest)
-    gap = np.hypot(onto[:, 0] - points[:, 0], onto[:, 1] - points[:, 1])
-    ends = np.column_stack([-place, length - place])
-    ends[at_corner] = -np.inf, np.inf
-    normals = inward if contacts.normal is None else np.where(
-        at_corner[:, None], contacts.normals, inward
-    )  # fmt: skip
-    points = np.where((gap <= EXACT * scale)[:, None], points, onto)
-    return Placement(contacts.pair(points), contacts.pair(normals)), contacts.pair(ends)
+    distances = np.hypot(across, np.maximum(np.maximum(-places, places - lengths), 0.0))
+    side = distances.argmin(axis=1)
+    chosen = np.arange(len(points)), side
+    place, along, length = places[chosen], along[side], lengths[side]
+    nearest = starts[side] + (np.clip(place, 0.0, length)[:, None] * along / length[:, None])
+    inward = np.column_stack([0.0 - along[:, 1] / length, along[:, 0] / length + 0.0])
+    return Nearest(nearest, inward, place, length - place, distances[chosen])
 
 
 def _require_on(contacts: Contacts, touches: npt.NDArray[np.bool_], nearest: Array) -> None:
@@ -107,8 +134,8 @@ def _require_between(
     (a, b), (c, d) = (each.T / np.hypot(*each.T) for each in (before, behind))
     x, y = normals.T
     # At a reflex corner a finger can push one of the sides.
-    own = np.maximum(b * x - a * y, c * y - d * x)
-    reflex = (a * d - b * c > 0.0) & (own > 1.0 - ALIGNED**2)
+    aligned = np.maximum(b * x - a * y, c * y - d * x)
+    reflex = (a * d - b * c > 0.0) & (aligned > 1.0 - ALIGNED**2)
     refused = (np.minimum(a * x + b * y, c * x + d * y) < -ALIGNED) & ~reflex
     if refused.any():
         i = int(refused.argmax())
