@@ -10,10 +10,8 @@ from math import copysign, cos, fabs, floor, sin, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.numbers import INFINITY
-from planar_pushing.core.tolerances import RESOLVED
+from planar_pushing.core.tolerances import RESOLVED, UNDERFLOW
 
-#: A smaller square of a length has lost digits.
-SMALLEST_SQUARE = 1e-290
 QUARTER_TURN = 1.5707963267948966
 
 
@@ -84,7 +82,7 @@ def direction_at(rod: Rod, angle: float) -> Direction:
 def length_of(x: float, y: float) -> float:
     """The length of a vector, also of one whose square underflows."""
     square = x * x + y * y
-    if square > SMALLEST_SQUARE:
+    if square > UNDERFLOW:
         return sqrt(square)
     size = max(fabs(x), fabs(y))
     return size * sqrt((x / size) * (x / size) + (y / size) * (y / size)) if size > 0.0 else 0.0

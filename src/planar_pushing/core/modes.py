@@ -51,6 +51,9 @@ from planar_pushing.core.tolerances import COINCIDENT, RESOLUTION, ROUNDING, SLO
 #: scaled, which is exact.
 SMALLEST_NORMAL = 1e-138
 STEP_OF_NORMAL = 1152921504606846976.0
+#: A slip faster than this is not in proportion to such a normal motion, but one along the fence at which
+#: friction and inertia balance across the edge.
+FAINT = 1e-60
 
 #: Places of a force in the cone; the middle ones are within its rounding error of an edge.
 BEYOND, JUST_BEYOND, JUST_WITHIN, WITHIN = range(4)
@@ -378,6 +381,8 @@ def _write_slip_of(
         return Count(UNSOLVED, slips.sticks, slips.flat)
     solution = solutions[slips.number * SOLUTION :]
     write_on_edge(push, mode, motion, edge, solution)
-    if shrink != 1.0:
+    if shrink != 1.0 and _speed_of(motion) < FAINT * search.scale:
         shrink_solution(solution, shrink, 1.0 if push.effects.frictional else shrink)
+    elif shrink != 1.0:
+        solution[MOTION + 1] = search.pusher.y
     return Count(slips.number + 1, slips.sticks, slips.flat)

@@ -13,6 +13,8 @@ ROUNDING = 4.0 * EPSILON
 #: Rounding error of a value that is computed in a few dozen operations, and of an angle: directions closer
 #: than this (radians) are one.
 RESOLUTION = 8.0 * EPSILON
+#: A smaller number has lost digits (absolute): the square of a length, or a force in units of the largest.
+UNDERFLOW = 1e-290
 #: The last digits of a root, and of the direction of a translation: a rotation slower than this, relative
 #: to the speed, is a translation, whose center is at infinity.
 RESOLVED = 1e-15
