@@ -163,8 +163,7 @@ def motion_under_force(
     """The motion under a line of force with a given component along it; any motion of a continuum."""
     path = path_across(effects, contact, e_x, e_y, along)
     root = _root_of(path, along)
-    motion = motion_at_root(path, root.s, root.spin, False, root.point)
-    return motion if root.converged else unsolved(motion)
+    return motion_at_root(path, root.s, root.spin, False, root.point)
 
 
 def unsolved(motion: ContactMotion) -> ContactMotion:

@@ -323,7 +323,15 @@ def _write_touching_stick(
     step = -end.after / end.slope if end.slope != 0.0 else 0.0
     spin = end.spin + step * end.swing
     motion = motion_at_root(path, end.s + step, spin, False, NO_POINT)
+    if fabs(_slip_of(search, motion)) > COINCIDENT * search.scale:
+        return slips
     return _write_slip_of(search, edge, mode, motion, 1.0, solutions, slips)
+
+
+def _slip_of(search: Search, motion: ContactMotion) -> float:
+    """Motion of the slider along the fence relative to the pusher, positive to the right."""
+    push = search.push
+    return push.t_x * motion.u_x + push.t_y * motion.u_y - search.pusher.x
 
 
 def _write_normal_slips(
@@ -366,7 +374,7 @@ def _write_slip_of(
     """Write a slip if its force pushes, or the stick if it does not slip."""
     push, side = search.push, 1.0 if mode == SLIP_RIGHT else -1.0
     closest = COINCIDENT * search.scale
-    slip = push.t_x * motion.u_x + push.t_y * motion.u_y - search.pusher.x
+    slip = _slip_of(search, motion)
     if not motion.converged or slips.number < 0:
         return Count(UNSOLVED, slips.sticks, slips.flat)
     if force_along(edge, motion) <= motion.noise_x + motion.noise_y:
