@@ -8,7 +8,7 @@ import threading
 import numpy as np
 import pytest
 import xarray as xr
-from planar_pushing.mechanics.numerics import arrays
+from planar_pushing.mechanics import arrays
 
 import planar_pushing as pp
 from mechanics.builders import BOTH, make_scene
