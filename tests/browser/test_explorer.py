@@ -182,7 +182,7 @@ def test_widgets_change_the_scene(page):
     agrees(page)
     found = state(page)
     assert isinstance(found.scene.contact, pp.InfiniteFriction)
-    assert len(found.scene.kinds) == 2
+    assert len(found.scene.rows.entries) == 2
     page.get_by_role("button", name="Finger").click()
     page.wait_for_function("location.search.includes('finger')")
     agrees(page)

@@ -41,7 +41,7 @@ def test_coefficients_of_a_distant_disc_are_those_of_its_series():
 def terms_of(vertices):
     """Terms of a polygon as complex numbers, and whether each m counts; its vertices in radii."""
     table = table_of([Polygon(vertices)])
-    (plate,) = table.plates
+    plate = int(table.heads[0, pieces.PLATES])
     x, y, radius = table.data[plate : plate + 3]
     numbers = table.data[int(table.heads[0, pieces.SERIES]) :].reshape(ROWS, 2)
     size = Polygon(vertices).extent
@@ -93,7 +93,8 @@ def test_only_the_orders_of_a_symmetry_count(half_width, symmetry):
 
 def test_results_do_not_depend_on_what_was_in_their_memory():
     table = table_of([FRAME, SQUARE])
-    rows = table.data[table.plates[:, None] + [2, 4, 5]]
+    plates = table.heads[:, pieces.PLATES].astype(int)  # one for each support
+    rows = table.data[plates[:, None] + [2, 4, 5]]
     results = np.full((2, 2 * ROWS), np.nan)
     multipole.plate_terms(
         memoryview(table.data),

@@ -79,7 +79,7 @@ def test_a_slow_picture_is_said_to_be_compiled(page, slow, monkeypatch):
     monkeypatch.setattr(module, "SLOW", 0.0)
     page.draw()
     page._look()
-    assert page.told["note"] == module.COMPILING
+    assert page.told["note"] == module.COMPUTING
     slow.may.set()
     rest(page)
     page._look()

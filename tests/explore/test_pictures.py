@@ -79,7 +79,7 @@ def test_the_force_lies_on_the_limit_curve_and_the_motion_is_its_normal(name, ma
     (solution,) = (each for each in solved(state).solutions if each.mode == pp.ContactMode.STICK)
     found = curve.curve_at(state.scene, curve.level(state.scene, solution))
     angle = np.arctan2(*solution.force[::-1]) % (2 * np.pi)
-    if len(state.scene.kinds) > 1:
+    if len(state.scene.rows.entries) > 1:
         there = np.interp(angle, found.force_angle, found.magnitude)
         assert there == pytest.approx(np.hypot(*solution.force), rel=3e-3)
     normal = np.interp(angle, found.force_angle, np.unwrap(found.motion_angle))

@@ -2,6 +2,7 @@
 
 import base64
 import io
+import subprocess
 import sys
 
 import matplotlib.pyplot as plt
@@ -21,6 +22,7 @@ from planar_pushing.figures import over_time
 from planar_pushing.figures.animate import resampled, status
 from planar_pushing.figures.colors import FORCE, GUIDE, IMPACT
 from planar_pushing.figures.timeline import impacts, pivots, plotted
+from planar_pushing.mechanics import pictures
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.terms import extras
 
@@ -352,3 +354,27 @@ def test_without_matplotlib_there_is_a_table_and_no_picture(monkeypatch):
         assert (found is None) == (name != "solutions")
     with pytest.raises(pp.PlanarPushingError, match="install the extra figures"):
         import planar_pushing.figures.notebook  # noqa: F401
+
+
+def test_pictures_after_a_plain_import():
+    code = (
+        "import sys, planar_pushing as pp; disc = pp.Disc(1.0); print('matplotlib' in sys.modules, "
+        "disc._repr_svg_().count('<svg'))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == "False 1\n"
+
+
+def test_pictures_are_those_that_are_registered(monkeypatch):
+    monkeypatch.setattr(pictures, "LOADERS", [])
+    monkeypatch.setattr(pictures, "PICTURES", {})
+    for name, found in pictured():
+        assert "<svg" not in (found or ""), name
+    monkeypatch.setattr(
+        pictures,
+        "LOADERS",
+        [lambda: pictures.PICTURES.update(support=lambda of: f"<svg>{of}</svg>")],
+    )
+    disc = pp.Disc(1.0)
+    assert disc._repr_svg_() == f"<svg>{disc}</svg>"
+    assert SLIDER._repr_svg_() is None

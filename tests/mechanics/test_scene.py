@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
+import pickle
 
 import numpy as np
 import pytest
+import xarray as xr
 
 import planar_pushing as pp
 from mechanics.builders import BOTH, PSI, make_scene, names
@@ -117,3 +119,89 @@ def test_scene_in_numbers():
     assert scene.stores_energy
     assert not make_scene(1.0, effects=BOTH[:1]).stores_energy
     assert scene.friction == [pp.RingFriction(weight=7.0)]
+
+
+def test_pairs_can_be_arrays_of_numpy():
+    pair = np.array([-1, 2], "i4")
+    for value, name in (
+        (pp.Load(force=pair), "force"), (pp.Load(force=(0.0, 1.0), center=pair), "center"),
+        (pp.Inertia(center=pair), "center"),
+        (pp.Slider(rod_length=1.0, rod_angle=PSI, side=pair), "side"),
+        (dataclasses.replace(make_scene(1.0), push=np.array([-1.0, 2.0])), "push"),
+    ):  # fmt: skip
+        found = getattr(value, name)
+        assert found == (-1.0, 2.0)
+        assert list(map(type, found)) == [float, float]
+
+
+@pytest.mark.parametrize("given", [np.ones(3), np.ones((2, 2)), np.array([1.0, np.nan])])
+def test_other_arrays_are_no_pairs(given):
+    for make in (
+        lambda: pp.Load(force=given), lambda: pp.Load(force=(1.0, 0.0), center=given),
+        lambda: pp.Inertia(center=given),
+        lambda: pp.Slider(rod_length=1.0, rod_angle=PSI, side=given),
+        lambda: dataclasses.replace(make_scene(1.0), push=given),
+    ):  # fmt: skip
+        with pytest.raises(pp.InvalidValue):
+            make()
+
+
+def labeled(numbers, dim="case"):
+    return xr.DataArray(numbers, dims=dim)
+
+
+ONES, OTHERS = np.array([1.0, 2.0]), np.array([1.0, 2.5])
+#: Makers of values from numbers.
+VALUES = {
+    "Coulomb": pp.Coulomb,
+    "Slider": lambda x: pp.Slider(rod_length=x, rod_angle=1.0),
+    "side": lambda x: pp.Slider(rod_length=1.0, rod_angle=1.0, side=(-x, 1.0)),
+    "Inertia": lambda x: pp.Inertia(center=(0.0, x)),
+    "Load": lambda x: pp.Load(force=(x, 1.0)),
+    "RingFriction": lambda x: pp.RingFriction(weight=x),
+    "SupportFriction": lambda x: pp.SupportFriction(weight=x),
+    "Viscous": lambda x: pp.Viscous(support=pp.Disc(1.0), coefficient=x),
+    "law of a scene": lambda x: dataclasses.replace(make_scene(1.0), contact=pp.Coulomb(x)),
+    "effect of a scene": lambda x: make_scene(1.0, effects=(pp.RingFriction(weight=x),)),
+}
+
+
+@pytest.mark.parametrize("make", VALUES.values(), ids=VALUES)
+def test_values_with_arrays_are_equal_or_not(make):
+    one = make(ONES)
+    assert (one == make(ONES.copy())) is True
+    assert (one != make(ONES.copy())) is False
+    for other in (OTHERS, 1.0, ONES[:1], labeled(ONES)):
+        assert (one == make(other)) is False
+        assert (make(other) == one) is False
+    assert (make(labeled(ONES)) == make(labeled(ONES))) is True
+    assert (make(labeled(ONES)) == make(labeled(ONES, "other"))) is False
+    assert (make(labeled(ONES).chunk()) == make(labeled(ONES))) is True
+    assert one != 1.0
+    assert make(1.0) == make(np.float64(1.0))
+    assert hash(make(1.0)) == hash(make(1))
+
+
+def test_arrays_of_laws_and_supports_are_compared():
+    def scene(*numbers):
+        support = np.array([pp.Disc(each) for each in numbers], dtype=object)
+        return pp.Scene(
+            slider=pp.Slider(rod_length=1.0, rod_angle=1.0),
+            contact=[pp.Coulomb(each) for each in numbers],
+            effects=(pp.SupportFriction(support=support),),
+        )
+
+    assert (scene(1.0, 2.0) == scene(1.0, 2.0)) is True
+    assert (scene(1.0, 2.0) == scene(1.0, 3.0)) is False
+    assert (scene(1.0, 2.0) == scene(1.0)) is False
+    assert (scene(1.0, 2.0) == dataclasses.replace(scene(1.0, 2.0), push=(1.0, 1.0))) is True
+
+
+def test_a_copy_in_another_process_computes_its_rows_itself():
+    scene = make_scene(2.0, 0.5, [pp.RingFriction()])
+    solutions = pp.solve(scene, 1.0)
+    copied = pickle.loads(pickle.dumps(scene))
+    assert "rows" in vars(scene)
+    assert "rows" not in vars(copied)
+    assert copied == scene
+    assert pp.solve(copied, 1.0) == solutions

@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import planar_pushing as pp
+from planar_pushing.simulation.legacy.core import entries
 from simulation.runs import check, final, run, run_slow_uncompiled
 
 #: A ring that takes the general route.
@@ -129,5 +130,6 @@ def test_runs_neither_keep_nor_drop_references_to_the_arrays_of_a_support(masses
 def arrays_of(friction):
     """The arrays that the core has of a support, which are the same ones in every scene."""
     slider = pp.Slider(rod_length=1.0, rod_angle=1.0, radius=1.0)
-    (kind,) = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=(friction,)).kinds
-    return [each for each in kind.table if isinstance(each, np.ndarray)]
+    scene = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=(friction,))
+    (entry,) = entries(scene.effects, scene)
+    return [each for each in entry.kind.table if isinstance(each, np.ndarray)]

@@ -9,14 +9,16 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numba
 import pytest
 
 import planar_pushing as pp
-from mechanics.builders import needs_compiler
 
 PACKAGE = Path(pp.__file__).parent
 TESTS = Path(__file__).parents[1]
-pytestmark = needs_compiler
+pytestmark = pytest.mark.skipif(
+    bool(numba.config.DISABLE_JIT), reason="the compiler is off: NUMBA_DISABLE_JIT is set"
+)
 
 
 def run(code, folder):

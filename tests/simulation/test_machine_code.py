@@ -6,7 +6,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-from mechanics.builders import needs_compiler
+import numba
+import pytest
+
 from planar_pushing.simulation import machine_code
 from planar_pushing.simulation.legacy.mass import Mass
 from planar_pushing.simulation.legacy.own_ring import RingSupport
@@ -15,7 +17,9 @@ from simulation.kernels import force
 
 TESTS = Path(__file__).parents[1]
 PACKAGE = Path(machine_code.__file__).parents[1]
-pytestmark = needs_compiler
+pytestmark = pytest.mark.skipif(
+    bool(numba.config.DISABLE_JIT), reason="the compiler is off: NUMBA_DISABLE_JIT is set"
+)
 
 
 def test_the_formulas_of_effects_are_in_modules_of_the_package():

@@ -14,7 +14,13 @@ import pytest
 import xarray as xr
 
 from planar_pushing.terms.errors import InvalidValue, as_float, as_floats, require_flag
-from planar_pushing.terms.numbers import as_array, as_numbers, in_radians, required_array
+from planar_pushing.terms.numbers import (
+    as_array,
+    as_numbers,
+    in_radians,
+    pair_of,
+    required_array,
+)
 
 LABELED = xr.DataArray([1, 2], dims="case", coords={"case": [7, 8]}, attrs={"units": "m"})
 #: Values, and the doubles that they are.
@@ -131,3 +137,17 @@ def test_radians_within_two_turns_are_those_of_numpy(degrees):
 def test_radians_beyond_two_turns_lose_whole_turns(degrees, less):
     assert in_radians(degrees) == np.deg2rad(less)
     assert np.array_equal(in_radians(np.array([degrees, 30.0])), np.deg2rad([less, 30.0]))
+
+
+@pytest.mark.parametrize(
+    ("given", "pair"),
+    [
+        ((1, "b"), (1, "b")), ([1.0, None], (1.0, None)), (np.array([1, 2], "u1"), (1, 2)),
+        (np.array([1.5, 2.5], "f4"), (1.5, 2.5)), (np.ones(3), None), (np.ones((2, 1)), None),
+        (np.ones(()), None), ((1,), None), ("ab", None), ({1: 2, 3: 4}, None), (LABELED, None),
+    ],
+)  # fmt: skip
+def test_pairs(given, pair):
+    found = pair_of(given)
+    assert found == pair
+    assert pair is None or list(map(type, found)) == list(map(type, pair))

@@ -10,10 +10,8 @@ from math import copysign, cos, fabs, floor, sin, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.numbers import INFINITY
-from planar_pushing.core.tolerances import TRANSLATION
+from planar_pushing.core.tolerances import RESOLVED, UNDERFLOW
 
-#: A smaller square of a length has lost digits.
-SMALLEST_SQUARE = 1e-290
 QUARTER_TURN = 1.5707963267948966
 
 
@@ -84,7 +82,7 @@ def direction_at(rod: Rod, angle: float) -> Direction:
 def length_of(x: float, y: float) -> float:
     """The length of a vector, also of one whose square underflows."""
     square = x * x + y * y
-    if square > SMALLEST_SQUARE:
+    if square > UNDERFLOW:
         return sqrt(square)
     size = max(fabs(x), fabs(y))
     return size * sqrt((x / size) * (x / size) + (y / size) * (y / size)) if size > 0.0 else 0.0
@@ -103,12 +101,12 @@ def motion_center(v_x: float, v_y: float, spin: float) -> Center:
     A translation, also one to rounding, has its center at infinity. In a translation along an axis the
     coordinate along that axis is zero.
     """
-    if fabs(spin) > TRANSLATION * length_of(v_x, v_y):
+    if fabs(spin) > RESOLVED * length_of(v_x, v_y):
         return Center(-v_y / spin, v_x / spin)
     x, y = 0.0, 0.0
-    if fabs(v_y) > TRANSLATION * fabs(v_x):
+    if fabs(v_y) > RESOLVED * fabs(v_x):
         x = -copysign(INFINITY, v_y)
-    if fabs(v_x) > TRANSLATION * fabs(v_y) or x == 0.0:
+    if fabs(v_x) > RESOLVED * fabs(v_y) or x == 0.0:
         # Adding zero gives a negative zero the positive sign.
         y = copysign(INFINITY, v_x + 0.0)
     return Center(x, y)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from math import fabs
 from typing import NamedTuple
 
-from planar_pushing.core.about import Contact
+from planar_pushing.core.about import Contact, Psi
 from planar_pushing.core.numbers import INFINITY
 from planar_pushing.core.path import (
     Path,
@@ -26,7 +26,7 @@ from planar_pushing.core.path import (
 )
 from planar_pushing.core.psi import psi
 from planar_pushing.core.rows import NO_POINT, Effects, rough_mass
-from planar_pushing.core.tolerances import COINCIDENT, FLAT, ROUNDING
+from planar_pushing.core.tolerances import COINCIDENT, FLAT
 
 #: Number of Newton steps that polish a root within the rounding of its motion.
 POLISHES = 2
@@ -89,11 +89,8 @@ def replace_force(
     )  # fmt: skip
 
 
-def sticking_motion(
-    effects: Effects, contact: Contact, x: float, y: float, guess: float
-) -> ContactMotion:
-    """The motion of a contact that moves by (x, y), to rounding, from a guess of the rotation."""
-    root = psi(effects, contact, x, y, guess, NO_POINT, ROUNDING)
+def sticking_motion(x: float, y: float, root: Psi) -> ContactMotion:
+    """The motion of a contact that moves by (x, y), from Psi there."""
     return ContactMotion(
         x, y, root.v_x, root.v_y, root.spin, root.f_x, root.f_y, root.half_x, root.half_y,
         root.point, root.continuum, root.noise_x, root.noise_y, root.converged,
@@ -166,8 +163,7 @@ def motion_under_force(
     """The motion under a line of force with a given component along it; any motion of a continuum."""
     path = path_across(effects, contact, e_x, e_y, along)
     root = _root_of(path, along)
-    motion = motion_at_root(path, root.s, root.spin, False, root.point)
-    return motion if root.converged else unsolved(motion)
+    return motion_at_root(path, root.s, root.spin, False, root.point)
 
 
 def unsolved(motion: ContactMotion) -> ContactMotion:

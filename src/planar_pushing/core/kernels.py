@@ -84,16 +84,16 @@ def solve(
     solutions = zeros(MOST_SOLUTIONS * SOLUTION)
     for i in range(count):
         row, result = rows[i * columns :], results[i * width :]
-        given = row[first:]
-        effects, rod = read_effects(data, row), rod_at(given[0], given[1])
+        inputs = row[first:]
+        effects, rod = read_effects(data, row), rod_at(inputs[0], inputs[1])
         law = Law(
-            direction_at(rod, given[2]), direction_at(rod, given[3]),
-            given[4] != 0.0, given[5] != 0.0, given[6] != 0.0,
+            direction_at(rod, inputs[2]), direction_at(rod, inputs[3]),
+            inputs[4] != 0.0, inputs[5] != 0.0, inputs[6] != 0.0,
         )  # fmt: skip
         push = Push(effects, contact_at(-rod.length, 0.0), rod.x, -rod.y)
-        pusher = direction_at(rod, given[7])
-        if given[8] == 0.0:
-            pusher = Direction(given[7], 0.0, 0.0, 0.0, 0.0)
+        pusher = direction_at(rod, inputs[7])
+        if inputs[8] == 0.0:
+            pusher = Direction(inputs[7], 0.0, 0.0, 0.0, 0.0)
         number, flat = contact_modes(push, law, pusher, solutions)
         status = CONTINUA if flat else NONE if number == 0 else CONSISTENT
         room = (width - 2) // RESULT
@@ -146,12 +146,12 @@ def force_motions(
     first = count_columns(data)
     for i in range(count):
         row, result = rows[i * columns :], results[i * width :]
-        given = row[first:]
-        effects, rod = read_effects(data, row), rod_at(given[0], given[1])
+        inputs = row[first:]
+        effects, rod = read_effects(data, row), rod_at(inputs[0], inputs[1])
         contact, force, norm = (
             contact_at(-rod.length, 0.0),
-            direction_at(rod, given[2]),
-            int(given[3]),
+            direction_at(rod, inputs[2]),
+            int(inputs[3]),
         )
         e_x, e_y = force.along, -force.across
         status = CONSISTENT
@@ -165,7 +165,7 @@ def force_motions(
                 if ends.first.continuum:
                     status, motion = CONTINUA, motion_under_force(effects, contact, e_x, e_y, 1.0)
             else:
-                motion = motion_with_norm(effects, contact, force, norm, given[4])
+                motion = motion_with_norm(effects, contact, force, norm, inputs[4])
             angle = force.angle + angle_from_force(motion, e_x, e_y)
         if status != CONTINUA and motion.point >= 0:
             status = PIVOTS
@@ -175,7 +175,7 @@ def force_motions(
         result[10] = _signed_spin_ratio(motion)
         result[11], result[12] = center.x, center.y
         if not motion.converged:
-            result[0] = float(NONE if given[4] > 0.0 else NOT_SOLVED)
+            result[0] = float(NONE if inputs[4] > 0.0 else NOT_SOLVED)
             for k in range(1, width):
                 result[k] = UNKNOWN
 
@@ -212,11 +212,11 @@ def motion_cones(
     first = count_columns(data)
     for i in range(count):
         row, result = rows[i * columns :], results[i * width :]
-        given = row[first:]
-        effects, rod = read_effects(data, row), rod_at(given[0], given[1])
+        inputs = row[first:]
+        effects, rod = read_effects(data, row), rod_at(inputs[0], inputs[1])
         contact = contact_at(-rod.length, 0.0)
-        low = motion_angles(effects, rod, contact, direction_at(rod, given[2]))
-        high = motion_angles(effects, rod, contact, direction_at(rod, given[3]))
+        low = motion_angles(effects, rod, contact, direction_at(rod, inputs[2]))
+        high = motion_angles(effects, rod, contact, direction_at(rod, inputs[3]))
         continuum: bool = low.continuum or high.continuum
         spread = max(low.greatest - low.least, high.greatest - high.least)
         status = CONTINUA if continuum else PIVOTS if low.pivots or high.pivots else CONSISTENT

@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 from planar_pushing.core.about import Contact, Psi, potential_at, resistance_about, unknown_psi
 from planar_pushing.core.numbers import INFINITY, UNKNOWN
-from planar_pushing.core.pieces import ATOMS, COLUMNS, RINGS, SEGMENTS
+from planar_pushing.core.pieces import ATOMS, COLUMNS, RINGS, SEGMENTS, place_of
 from planar_pushing.core.roots import (
     ITERATIONS,
     best_number,
@@ -37,9 +37,9 @@ from planar_pushing.core.rows import (
     Effects,
     Resistance,
     column_of,
-    head_of,
     kind_of,
     load_wrench,
+    pressure_of,
     rough_mass,
 )
 from planar_pushing.core.tolerances import ALIGNED, BESIDE_LINE, SLIGHT
@@ -149,8 +149,8 @@ def _count_pieces(effects: Effects) -> int:
     count = 0
     for effect in range(effects.length):
         if kind_of(effects.data, effect) == SUPPORT:
-            head = head_of(effects.data, effects.row, effect)
-            count += (int(effects.data[head + RINGS]) - int(effects.data[head + ATOMS])) // COLUMNS
+            pressure = pressure_of(effects, effect)
+            count += (place_of(pressure, RINGS) - place_of(pressure, ATOMS)) // COLUMNS
     return count
 
 
@@ -158,21 +158,19 @@ def _ends_of(effects: Effects, number: int) -> Ends:
     """The ends of a piece."""
     for effect in range(effects.length):
         if kind_of(effects.data, effect) == SUPPORT:
-            head = head_of(effects.data, effects.row, effect)
-            first = int(effects.data[head + ATOMS]) + COLUMNS * number
-            if first < int(effects.data[head + RINGS]):
-                numbers, piece = (
-                    effects.row[column_of(effects.data, effect) :],
-                    effects.data[first:],
-                )
+            pressure = pressure_of(effects, effect)
+            first = place_of(pressure, ATOMS) + COLUMNS * number
+            if first < place_of(pressure, RINGS):
+                numbers = effects.row[column_of(effects.data, effect) :]
+                piece = pressure.data[first:]
                 weight, extent = effects.one * numbers[0], numbers[1]
                 x, y = extent * piece[0], extent * piece[1]
-                if first < int(effects.data[head + SEGMENTS]):
+                if first < place_of(pressure, SEGMENTS):
                     return Ends(x, y, x, y, weight * piece[2])
                 half = extent * piece[4]
                 t_x, t_y = half * piece[2], half * piece[3]
                 return Ends(x - t_x, y - t_y, x + t_x, y + t_y, weight * piece[5])
-            number -= (int(effects.data[head + RINGS]) - int(effects.data[head + ATOMS])) // COLUMNS
+            number -= (place_of(pressure, RINGS) - place_of(pressure, ATOMS)) // COLUMNS
     return Ends(0.0, 0.0, 0.0, 0.0, 0.0)
 
 

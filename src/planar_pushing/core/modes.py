@@ -19,6 +19,7 @@ from planar_pushing.core.force import (
     motion_under_force,
     motions_under_force,
     replace_force,
+    sticking_motion,
 )
 from planar_pushing.core.free import free_twist
 from planar_pushing.core.numbers import Numbers, zeros
@@ -44,12 +45,15 @@ from planar_pushing.core.solution import (
     write_on_edge,
     write_solution,
 )
-from planar_pushing.core.tolerances import BEFORE_REST, COINCIDENT, RESOLUTION, ROUNDING, SLOWEST
+from planar_pushing.core.tolerances import COINCIDENT, RESOLUTION, ROUNDING, SLOW, SLOWEST
 
 #: The square of a smaller normal motion underflows; the slips of the power of two that exceeds it are
 #: scaled, which is exact.
 SMALLEST_NORMAL = 1e-138
 STEP_OF_NORMAL = 1152921504606846976.0
+#: A slip faster than this is not in proportion to such a normal motion, but one along the fence at which
+#: friction and inertia balance across the edge.
+FAINT = 1e-60
 
 #: Places of a force in the cone; the middle ones are within its rounding error of an edge.
 BEYOND, JUST_BEYOND, JUST_WITHIN, WITHIN = range(4)
@@ -209,10 +213,7 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
     root = psi(push.effects, push.contact, x, y, guess, NO_POINT, ROUNDING)
     if not root.converged:
         return UNSOLVED, False
-    stick = _settle(law, ContactMotion(
-        x, y, root.v_x, root.v_y, root.spin, root.f_x, root.f_y, root.half_x, root.half_y,
-        root.point, root.continuum, root.noise_x, root.noise_y, True,
-    ))  # fmt: skip
+    stick = _settle(law, sticking_motion(x, y, root))
     if x == 0.0 and y == 0.0 and stick.spin == 0.0:
         stick = _hold_at_rest(push, law, stick, scale)
     search = Search(push, pusher, rest_x, rest_y, scale, root, stick.f_x, stick.f_y, place)
@@ -296,7 +297,7 @@ def _write_slips(
         first = SLOWEST * (unit if unit > 0.0 else 1.0)
     if pusher.x == 0.0 and pusher.y == 0.0:
         # The force of a contact at rest is not the limit of slow slips, so the search ends before it.
-        end = first_sample(path, sense * side * BEFORE_REST * search.scale)
+        end = first_sample(path, sense * side * SLOW * search.scale)
     else:
         end = sample_of(path, sense * pusher.x, search.stick)
         slips = _write_touching_stick(search, path, edge, mode, end, solutions, slips)
@@ -322,7 +323,15 @@ def _write_touching_stick(
     step = -end.after / end.slope if end.slope != 0.0 else 0.0
     spin = end.spin + step * end.swing
     motion = motion_at_root(path, end.s + step, spin, False, NO_POINT)
+    if fabs(_slip_of(search, motion)) > COINCIDENT * search.scale:
+        return slips
     return _write_slip_of(search, edge, mode, motion, 1.0, solutions, slips)
+
+
+def _slip_of(search: Search, motion: ContactMotion) -> float:
+    """Motion of the slider along the fence relative to the pusher, positive to the right."""
+    push = search.push
+    return push.t_x * motion.u_x + push.t_y * motion.u_y - search.pusher.x
 
 
 def _write_normal_slips(
@@ -365,7 +374,7 @@ def _write_slip_of(
     """Write a slip if its force pushes, or the stick if it does not slip."""
     push, side = search.push, 1.0 if mode == SLIP_RIGHT else -1.0
     closest = COINCIDENT * search.scale
-    slip = push.t_x * motion.u_x + push.t_y * motion.u_y - search.pusher.x
+    slip = _slip_of(search, motion)
     if not motion.converged or slips.number < 0:
         return Count(UNSOLVED, slips.sticks, slips.flat)
     if force_along(edge, motion) <= motion.noise_x + motion.noise_y:
@@ -380,6 +389,8 @@ def _write_slip_of(
         return Count(UNSOLVED, slips.sticks, slips.flat)
     solution = solutions[slips.number * SOLUTION :]
     write_on_edge(push, mode, motion, edge, solution)
-    if shrink != 1.0:
+    if shrink != 1.0 and _speed_of(motion) < FAINT * search.scale:
         shrink_solution(solution, shrink, 1.0 if push.effects.frictional else shrink)
+    elif shrink != 1.0:
+        solution[MOTION + 1] = search.pusher.y
     return Count(slips.number + 1, slips.sticks, slips.flat)

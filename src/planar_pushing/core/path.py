@@ -20,7 +20,7 @@ from planar_pushing.core.numbers import EPSILON, INFINITY, UNKNOWN
 from planar_pushing.core.psi import guess_spin, psi
 from planar_pushing.core.roots import is_last
 from planar_pushing.core.rows import NO_POINT, Effects, Position, foot_position
-from planar_pushing.core.tolerances import ALIGNED, FLAT
+from planar_pushing.core.tolerances import ALIGNED, FLAT, UNDERFLOW
 
 #: Maximum number of steps to a root.
 STEPS = 200
@@ -108,7 +108,7 @@ def sample_of(path: Path, s: float, root: Psi) -> Sample:
             # The whole path is across the line to the point; its friction can bring the force to the edge.
             before = copysign(max(fabs(across) - fabs(half), 0.0), across)
             after, slope = before, 0.0
-    noise = fabs(e_x) * root.noise_y + fabs(e_y) * root.noise_x
+    noise = fabs(e_x) * root.noise_y + fabs(e_y) * root.noise_x + UNDERFLOW
     return Sample(
         s, before, after, slope, noise, root.spin, swing, root.point, root.converged
     )  # fmt: skip

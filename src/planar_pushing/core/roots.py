@@ -6,17 +6,15 @@ from math import fabs
 from typing import NamedTuple
 
 from planar_pushing.core.numbers import EPSILON
+from planar_pushing.core.tolerances import RESOLVED, SHARE
 
 #: Newton steps converge quadratically once they are below NEAR_ROOT, relative to the root, and shrink by at
 #: least QUADRATIC. The next step is then estimated as the cube of this one over the square of the last, or,
 #: if larger, as the square of this one, because a single step can be small by chance. The iteration ends
-#: when the next step is below rounding or a step is below SETTLED. Near an infinite slope steps shrink
+#: when the next step is below rounding or a step is below `SHARE`. Near an infinite slope steps shrink
 #: slowly.
 NEAR_ROOT = 0.1
 QUADRATIC = 0.02
-SETTLED = 1e-13
-#: Relative resolution of a root, a few units in the last place.
-RESOLVED = 1e-15
 #: More steps than bisection takes to reach zero through all exponents.
 ITERATIONS = 2000
 #: Golden section, and the number of sections for the minimum of a dip: they reduce its width to 1e-7, which
@@ -27,7 +25,7 @@ SECTIONS = 34
 
 def is_last(size: float, before: float) -> bool:
     """Whether only rounding error is left after a Newton step, given its relative size and the last one."""
-    if size <= SETTLED:
+    if size <= SHARE:
         return True
     if before > NEAR_ROOT or size > QUADRATIC * before or size * size > EPSILON:
         return False

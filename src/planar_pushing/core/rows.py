@@ -2,8 +2,9 @@
 
 A call has one flat array `data` for all its scenes, and a row of numbers for each. The data begin with four
 numbers for each effect: its kind, the column of the row at which its numbers begin, and for a support the
-place of its pressures in the data; the kind `LAST` ends the list, and its column is the first one after the
-effects. What an effect does not have, it does not compute: a loop over the listed effects is all there is.
+place at which the table of its pressures begins, whose own places count from there. The kind `LAST` ends
+the list, and its column is the first one after the effects. What an effect does not have, it does not
+compute: a loop over the listed effects is all there is.
 """
 
 from __future__ import annotations
@@ -13,14 +14,15 @@ from typing import NamedTuple
 
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.pieces import (
-    ATOMS,
-    COLUMNS,
     EDGES,
     HEAD,
     RINGS,
-    SEGMENTS,
     SPREAD,
     Pressure,
+    count_atoms,
+    place_of,
+    place_of_atom,
+    pressure_at,
     pressure_moments,
 )
 from planar_pushing.core.ring import ring_response
@@ -139,9 +141,9 @@ def read_effects(data: Numbers, row: Numbers) -> Effects:
         else:
             frictional = True
         if kind == SUPPORT:
-            head = head_of(data, row, count)
-            feet += _count_atoms(data, head)
-            linear = linear and data[head + RINGS] == data[head + EDGES]
+            pressure = pressure_in(data, row, count)
+            feet += count_atoms(pressure)
+            linear = linear and place_of(pressure, RINGS) == place_of(pressure, EDGES)
         elif kind != LOAD:
             linear = False
         count += 1
@@ -166,22 +168,15 @@ def column_of(data: Numbers, effect: int) -> int:
     return int(data[ENTRY * effect + 1])
 
 
-def head_of(data: Numbers, row: Numbers, effect: int) -> int:
-    """Place of the pressure of a support in the data."""
-    number = int(row[column_of(data, effect) + 2])
-    return int(data[ENTRY * effect + 2]) + HEAD * number
-
-
-def _count_atoms(data: Numbers, head: int) -> int:
-    """Number of support points of a pressure."""
-    room = int(data[head + SEGMENTS]) - int(data[head + ATOMS])
-    return room // COLUMNS
+def pressure_in(data: Numbers, row: Numbers, effect: int) -> Pressure:
+    """The pressure of a support; its places are those in the table of the support's pressures."""
+    table = data[int(data[ENTRY * effect + 2]) :]
+    return pressure_at(table, HEAD * int(row[column_of(data, effect) + 2]))
 
 
 def pressure_of(effects: Effects, effect: int) -> Pressure:
     """The pressure of a support."""
-    head = head_of(effects.data, effects.row, effect)
-    return Pressure(effects.data, head, effects.data[head], effects.data[head + 1])
+    return pressure_in(effects.data, effects.row, effect)
 
 
 def scale_effects(effects: Effects, one: float, two: float) -> Effects:
@@ -287,8 +282,7 @@ def support_resistance(
     moments = pressure_moments(pressure, p_x + c_x, p_y + c_y, blur / fabs(turn))
     limit = 0.0
     if moments.atom >= 0:
-        atoms = int(pressure.data[pressure.head + ATOMS])
-        limit = weight * pressure.data[atoms + COLUMNS * moments.atom + 2]
+        limit = weight * pressure.data[place_of_atom(pressure, moments.atom) + 2]
     sign, part = copysign(weight, turn), weight / fabs(turn)
     f_x, f_y = -sign * moments.unit_y, sign * moments.unit_x
     xx, xy, yy = part * moments.yy, -part * moments.xy, part * moments.xx
@@ -352,18 +346,18 @@ def _count_feet(effects: Effects, effect: int) -> int:
     """Number of support points of an effect."""
     if kind_of(effects.data, effect) != SUPPORT:
         return 0
-    return _count_atoms(effects.data, head_of(effects.data, effects.row, effect))
+    return count_atoms(pressure_of(effects, effect))
 
 
 def foot_position(effects: Effects, number: int) -> Position:
     """Position of a support point in the body frame."""
     for effect in range(effects.length):
         if kind_of(effects.data, effect) == SUPPORT:
-            head = head_of(effects.data, effects.row, effect)
-            count = _count_atoms(effects.data, head)
+            pressure = pressure_of(effects, effect)
+            count = count_atoms(pressure)
             if number < count:
                 extent = effects.row[column_of(effects.data, effect) + 1]
-                atom = effects.data[int(effects.data[head + ATOMS]) + COLUMNS * number :]
+                atom = pressure.data[place_of_atom(pressure, number) :]
                 return Position(extent * atom[0], extent * atom[1])
             number -= count
     return Position(0.0, 0.0)

@@ -13,19 +13,23 @@ ROUNDING = 4.0 * EPSILON
 #: Rounding error of a value that is computed in a few dozen operations, and of an angle: directions closer
 #: than this (radians) are one.
 RESOLUTION = 8.0 * EPSILON
-#: Rounding error of the direction of a translation, and of R omega relative to the speed: a slower rotation
-#: is a translation, whose center is at infinity.
-TRANSLATION = 1e-15
+#: A smaller number has lost digits (absolute): the square of a length, or a force in units of the largest.
+UNDERFLOW = 1e-290
+#: The last digits of a root, and of the direction of a translation: a rotation slower than this, relative
+#: to the speed, is a translation, whose center is at infinity.
+RESOLVED = 1e-15
 #: Rounding error of a scalar product: vectors are perpendicular, and points on a line, to within this.
 ALIGNED = 16.0 * EPSILON
 #: Rounding error of a rotation and of a sum over some dozens of points: a force within this of the limit of
-#: a point's friction is at the limit.
+#: a point's friction is at the limit, a step this small ends Newton's method, and a load that exceeds
+#: friction by less is held.
 SHARE = 1e-13
 #: Motions closer than this are one motion: the root of a force along a path is known to about 1e-13, and a
 #: slip this slow is a stick.
 COINCIDENT = 9e-13
-#: The slowest slip of a contact whose pusher is at rest: more than what counts as one motion.
-BEFORE_REST = 1e-11
+#: The slowest motion that is told from rest, more than what counts as one motion: a slip of a contact whose
+#: pusher is at rest, or a support point that is not about to become the center of rotation.
+SLOW = 1e-11
 #: Smallest part of a number that is resolved beside the rest of it after a square: the root of a rounding
 #: error.
 SMALL_PART = 1e-8
@@ -50,6 +54,3 @@ SLIGHT = 1e-10
 #: Rounding error of a sum of second derivatives, relative to its terms: a matrix that a change of its
 #: numbers by this much makes singular is so.
 SINGULAR = 1e-14
-#: A support point slower than this, relative to the twist, is about to become the center of rotation, or
-#: was it.
-SLOW = 1e-11

@@ -43,7 +43,7 @@ SAVES = {
     "log.nc": "Log (netCDF)",
     "scene.py": "Python",
 }
-COMPILING = "Compiling this kind of scene, which happens once and takes about half a minute \u2026"
+COMPUTING = "Computing \u2026"
 FOLLOWING = "Following the push; compiling a new kind of scene takes about half a minute \u2026"
 CLOSED = "The explorer is closed. You can close this page."
 
@@ -264,7 +264,7 @@ class Page:
         motion, following = self.view.motion, self.state.time is not None
         note = motion.log.attrs["stopped"] if motion is not None and following else ""
         if self.painter.seconds > SLOW or self.mapper.seconds > SLOW_MAP:
-            note = FOLLOWING if following else COMPILING
+            note = FOLLOWING if following else COMPUTING
         self.fixed["note"] = escape(note)
         self.screen.tell(self.fixed)
         rested = time.monotonic() - self.changed_at > REST and not self.painter.seconds

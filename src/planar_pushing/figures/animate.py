@@ -28,7 +28,6 @@ from planar_pushing.figures.style import paper_style
 from planar_pushing.figures.timeline import announce_end, plotted
 from planar_pushing.study.files.replacing import replacing
 from planar_pushing.terms.errors import InvalidValue, require_number, require_path
-from planar_pushing.terms.renamed import renamed_keywords
 
 #: Size of a picture in inches, its pixels per inch, and the padding around the drawing in points.
 SIZE, DPI, PAD = (4.2, 3.2), 120, 16.0
@@ -49,7 +48,6 @@ class Animation:
         return f'<img alt="motion over time" src="data:image/gif;base64,{data}">'
 
 
-@renamed_keywords(rate="frames_per_second")
 def animate(
     log: xr.Dataset,
     path: PathLike | None = None,

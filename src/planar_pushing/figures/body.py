@@ -19,6 +19,7 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import Polygon, Ring
 from planar_pushing.study.datasets.rubbing import support_of
 from planar_pushing.study.files.scene_model import SceneFile
+from planar_pushing.terms.caches import cached
 
 #: Keys of a scene file that do not concern a motion over time.
 OWN = ("slider", "contact", "effects")
@@ -71,7 +72,7 @@ class Body:
         return np.array([np.min(points, axis=0) - rim, np.max(points, axis=0) + rim])
 
 
-@lru_cache(maxsize=32)
+@cached(32)
 def _bounds(support: Any, outline: tuple[tuple[float, float], ...]) -> Array:
     every = np.array([*extents(support, Pose((0.0, 0.0), 0.0)), *outline])
     return np.array([every.min(axis=0), every.max(axis=0)])

@@ -26,7 +26,6 @@ from planar_pushing.mechanics.scene import Scene, required_scene, required_singl
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.terms.domain import required
 from planar_pushing.terms.errors import InvalidValue, require_flag, require_kind, require_number
-from planar_pushing.terms.renamed import renamed_keywords
 
 #: Sizes of the pictures of a scene and of a log, inches; padding, points.
 SCENE, LOG, PAD = (4.2, 4.0), (7.0, 3.2), 24.0
@@ -40,7 +39,6 @@ SERIES = {
 }
 
 
-@renamed_keywords(magnitude="pusher_magnitude")
 def draw(
     scene: Scene,
     pusher_angle: float | None = None,

@@ -11,6 +11,7 @@ from planar_pushing.figures.scene import add_scale, scene_picture
 from planar_pushing.figures.sketch import Sketch
 from planar_pushing.figures.supports import Ink, Pose, add_support, extents
 from planar_pushing.figures.svg import to_svg
+from planar_pushing.mechanics.pictures import PICTURES
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, required_single
 
@@ -46,3 +47,6 @@ def _svg(picture: Picture, box: Array, unit: str = "") -> str:
     room = WIDTH - 2 * PAD * POINT
     needed = room * high / max(wide, 1e-12 * high) + 2.6 * PAD * POINT
     return to_svg(picture, box, (WIDTH, min(HEIGHT, needed)), PAD, POINT)
+
+
+PICTURES.update(scene=scene_svg, push=push_svg, support=support_svg)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,6 +11,7 @@ from planar_pushing.figures.colors import SLIDER, tint
 from planar_pushing.figures.marks import AREAS, LINES, Picture, Place, arc
 from planar_pushing.mechanics import supports
 from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.terms.caches import cached
 
 #: Strength of the color of a uniform area, of a map's highest pressure, and of a support point.
 EVEN, HIGHEST, POINT = 0.1, 0.62, 0.5
@@ -56,7 +56,7 @@ def extents(support: Any, pose: Pose) -> Array:
     return np.array([every.min(axis=0), every.max(axis=0)])
 
 
-@lru_cache(maxsize=32)
+@cached(32)
 def _rim(support: Any) -> tuple[Array, Array]:
     """Points and vertices of a support, and its circles as x, y and radius."""
     if isinstance(support, supports.Composite):

@@ -16,7 +16,6 @@ from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, Numbers, Scalar, required_ratio
 from planar_pushing.terms.errors import InvalidValue, require_option
-from planar_pushing.terms.renamed import renamed_value
 from planar_pushing.terms.units import named_units
 
 if TYPE_CHECKING:
@@ -32,8 +31,6 @@ class Origin(StrEnum):
 
 #: The enum, or its value.
 OriginName = Origin | Literal["contact", "slider-center"]
-#: Names of `Origin` by their former names.
-FORMER = {"ring-center": "slider-center"}
 CENTER = (Output("center", (("xy", 2),)),)
 CONE = (Output("conservative_cone_right"), Output("conservative_cone_left"))
 
@@ -103,13 +100,12 @@ def motion_centers(
     ndarray or DataArray
         A DataArray if an argument, or a parameter of the scene, is one.
     """
-    origin = renamed_value(origin, FORMER)
     origin = require_option("origin", origin, Origin, "name one of these points")
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
     reach, angle = scene.rows.body[0] if origin == Origin.CONTACT else 0.0, scene.slider.rod_angle
     columns += [scene.slider.radius, reach, angle]
-    found = evaluated("force_motions", scene.rows.data, columns, CENTER, MOTION_WIDTH, _decode)[0]
-    return named_units(found, scene.units) if is_labeled(found) else found
+    centers = evaluated("force_motions", scene.rows.data, columns, CENTER, MOTION_WIDTH, _decode)[0]
+    return named_units(centers, scene.units) if is_labeled(centers) else centers
 
 
 def conservative_spin_ratios(arm: Array) -> tuple[Array, Array]:

@@ -70,10 +70,10 @@ class _Common:
 
     def __getitem__(self, index: Any) -> Self:
         """The derivatives of selected solutions, by an index into their shape S."""
-        found = {each.name: np.asarray(getattr(self, each.name))[index] for each in fields(self)}
-        if found["status"].ndim == 0:
-            found["status"] = Smoothness(found["status"])
-        return type(self)(**found)
+        values = {each.name: np.asarray(getattr(self, each.name))[index] for each in fields(self)}
+        if values["status"].ndim == 0:
+            values["status"] = Smoothness(values["status"])
+        return type(self)(**values)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -155,7 +155,9 @@ def require_unlabeled(given: Sequence[Any]) -> None:
         )  # fmt: skip
 
 
-def solution_derivatives(scene: Scene, given: Sequence[Any], found: dict[str, Any]) -> Derivatives:
+def solution_derivatives(
+    scene: Scene, given: Sequence[Any], solutions: dict[str, Any]
+) -> Derivatives:
     """The derivatives of solutions.
 
     Parameters
@@ -163,14 +165,14 @@ def solution_derivatives(scene: Scene, given: Sequence[Any], found: dict[str, An
     scene : Scene
     given : sequence
         Columns passed to `solve_arrays`.
-    found : dict of arrays
+    solutions : dict of arrays
         Results of `solve_arrays` by name.
     """
-    rows, places = scene.rows, np.asarray(found["mode"]) >= 0
+    rows, places = scene.rows, np.asarray(solutions["mode"]) >= 0
     own = len(rows.columns) + 3
     columns = [at_places(places, each) for each in given]
     names = "mode", "twist", "force", "contact_motion", "pivot", "continuum"
-    motions, by_mu = _motions(columns[own:], *(found[name][places] for name in names))
+    motions, by_mu = _motions(columns[own:], *(solutions[name][places] for name in names))
     spread = [
         from_places(places, each) for each in (*responses(rows, columns[:own], motions), by_mu)
     ]
@@ -195,8 +197,9 @@ def _motions(
     least = np.minimum(_cross(direction(right), force), -_cross(direction(left), force))
     on_edge = (least <= EDGE * np.hypot(force[:, 0], force[:, 1])) & (np.asarray(rough) == 0)
     changes = flat | (rests & grazes) | (sticks & on_edge)
-    condition = np.select([rests, sticks], [FREE_CASE, STICK_CASE], SLIP_CASE)
-    rate = np.select([rests | sticks, is_right], [0.0, 1.0], -1.0) * np.sin(right) ** 2
+    condition = np.where(rests, FREE_CASE, np.where(sticks, STICK_CASE, SLIP_CASE))
+    sense = np.where(is_right, 1.0, np.where(rests | sticks, 0.0, -1.0))
+    rate = sense * np.sin(right) ** 2
     return Motions(twist, force, np.where(is_right, left, right), condition, pivot, changes), rate
 
 

@@ -69,15 +69,15 @@ def scene_entry(scene: Scene, title: str = "") -> dict[str, Any]:
 
 def _place_entry(scene: Scene) -> dict[str, Any]:
     """Placement and units of a scene, if it has them."""
-    found: dict[str, Any] = {}
+    section: dict[str, Any] = {}
     if scene.placement is not None:
         point, normal = scene.placement.point, scene.placement.normal
-        found["placement"] = {"point": list(point), "normal": list(normal)}
+        section["placement"] = {"point": list(point), "normal": list(normal)}
     if scene.units is not None:
-        found["units"] = {
+        section["units"] = {
             each.name: getattr(scene.units, each.name) for each in fields(scene.units)
         }
-    return found
+    return section
 
 
 def _side_entry(side: tuple[Any, Any]) -> dict[str, list[float]]:
@@ -114,15 +114,15 @@ def _effect_entry(effect: object) -> dict[str, Any]:
             support = support_entry(support)
             return {"type": "support_friction", "weight": float(weight), "support": support}
         case Inertia(mass=mass, gyration_radius=radius, center=(x, y)):
-            found = {"type": "inertia", "mass": float(mass), "gyration_radius": float(radius)}
-            return found | ({"center": [float(x), float(y)]} if x or y else {})
+            entry = {"type": "inertia", "mass": float(mass), "gyration_radius": float(radius)}
+            return entry | ({"center": [float(x), float(y)]} if x or y else {})
         case Viscous(support=support, coefficient=coefficient):
             support = support_entry(support)
             return {"type": "viscous", "coefficient": float(coefficient), "support": support}
         case Load(force=force, center=center):
-            found = {"type": "load", "force": [float(each) for each in force]}
+            entry = {"type": "load", "force": [float(each) for each in force]}
             own = {} if center is None else {"center": [float(each) for each in center]}
-            return found | own
+            return entry | own
     allowed = "SupportFriction, RingFriction, Inertia, Viscous and Load"
     raise InvalidValue("effects", effect, allowed, "save a scene of these effects")
 
@@ -145,11 +145,11 @@ def support_entry(support: Any) -> dict[str, Any]:
         pieces = {kind: rows.tolist() for kind, rows in lines.items() if len(rows)}
         pieces |= {"plates": [edges.tolist() for edges in plates]} if plates else {}
         return {"shape": type(support).__name__, "pieces": pieces}
-    found: dict[str, Any] = {"shape": names[type(support)]}
+    entry: dict[str, Any] = {"shape": names[type(support)]}
     for each in fields(support):
         value = getattr(support, each.name)
         if each.name == "members":
             value = [{"share": share, "support": support_entry(one)} for share, one in value]
         if value not in (None, ()):
-            found[each.name] = value
-    return found
+            entry[each.name] = value
+    return entry

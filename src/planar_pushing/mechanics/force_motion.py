@@ -148,13 +148,13 @@ def motion_of_force(
     rows = scene.rows
     results = evaluated("force_motions", rows.data, given, OUTPUTS, MOTION_WIDTH, _decode)
     if is_labeled(results[0]):
-        found = dataset(results).assign_coords(component_labels())
-        return named_units(found, scene.units, inertia=scene.stores_energy)
-    found = {each.name: result for each, result in zip(OUTPUTS, results, strict=True)}
-    by = _derivatives(scene, angle, ratio, found) if derivatives else None
-    if np.ndim(found["status"]) == 0:
-        found["status"], by = Status(found["status"]), by and by[()]
-    return ForceMotion(**found, derivatives=by)
+        motions = dataset(results).assign_coords(component_labels())
+        return named_units(motions, scene.units, inertia=scene.stores_energy)
+    fields = {each.name: result for each, result in zip(OUTPUTS, results, strict=True)}
+    by = _derivatives(scene, angle, ratio, fields) if derivatives else None
+    if np.ndim(fields["status"]) == 0:
+        fields["status"], by = Status(fields["status"]), by and by[()]
+    return ForceMotion(**fields, derivatives=by)
 
 
 def _required_ratio(scene: Scene, ratio: Any) -> Any:
@@ -187,16 +187,16 @@ def _degree(scene: Scene) -> float:
     return 0.0 if is_magnitude_open(scene) else float(scene.rows.entries[0].degree)
 
 
-def _derivatives(scene: Scene, angle: Any, ratio: Any, found: dict[str, Any]) -> ForceDerivatives:
+def _derivatives(scene: Scene, angle: Any, ratio: Any, fields: dict[str, Any]) -> ForceDerivatives:
     rows = scene.rows
-    status = np.asarray(found["status"])[..., None]
+    status = np.asarray(fields["status"])[..., None]
     places = (status != NONE) & (status != UNSOLVED)
-    twist, force = (np.asarray(found[name])[..., None, :][places] for name in ("twist", "force"))
+    twist, force = (np.asarray(fields[name])[..., None, :][places] for name in ("twist", "force"))
     columns = [at_places(places, each) for each in (*rows.columns, *rows.body)]
     condition = np.full(len(twist), FORCE_CASE if np.any(ratio) else LINE_CASE)
     motions = Motions(
         twist, force, at_places(places, angle), condition,
-        np.asarray(found["pivot"])[..., None][places], status[places] == CONTINUUM,
+        np.asarray(fields["pivot"])[..., None][places], status[places] == CONTINUUM,
     )  # fmt: skip
     by = [from_places(places, each) for each in responses(rows, columns, motions)]
     response = Response(*(np.take(each, 0, places.ndim - 1) for each in by))

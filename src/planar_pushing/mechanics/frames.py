@@ -14,6 +14,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.errors import InvalidValue, has_entries
 from planar_pushing.terms.numbers import Number, as_array, as_numbers
@@ -34,15 +35,15 @@ class Frame(NamedTuple):
 
     def vector_in(self, vector: npt.ArrayLike) -> Array:
         """Vectors of shape S + (2,) from the parent frame to this frame."""
-        x, y = np.moveaxis(np.asarray(vector, dtype=float), -1, 0)
-        a, b = self.axis
-        return np.stack(np.broadcast_arrays(x * a + y * b, y * a - x * b), axis=-1)
+        vectors = np.asarray(vector, dtype=float)
+        (x, y), (a, b) = (vectors[..., 0], vectors[..., 1]), self.axis
+        return _vectors(x * a + y * b, y * a - x * b)
 
     def vector_out(self, vector: npt.ArrayLike) -> Array:
         """Vectors of shape S + (2,) from this frame to the parent frame."""
-        x, y = np.moveaxis(np.asarray(vector, dtype=float), -1, 0)
-        a, b = self.axis
-        return np.stack(np.broadcast_arrays(x * a - y * b, y * a + x * b), axis=-1)
+        vectors = np.asarray(vector, dtype=float)
+        (x, y), (a, b) = (vectors[..., 0], vectors[..., 1]), self.axis
+        return _vectors(x * a - y * b, y * a + x * b)
 
     def point_in(self, point: npt.ArrayLike) -> Array:
         """Points of shape S + (2,) from the parent frame to this frame."""
@@ -53,8 +54,13 @@ class Frame(NamedTuple):
         return self.vector_out(point) + self._origin
 
     @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of an array of frames."""
+        return np.shape(self.axis[0])
+
+    @property
     def _origin(self) -> Array:
-        return np.stack(np.broadcast_arrays(*self.origin), axis=-1)
+        return _vectors(*self.origin)
 
     @property
     def inverse(self) -> Frame:
@@ -64,10 +70,31 @@ class Frame(NamedTuple):
         return Frame((x.T, y.T), (a, -b))
 
 
-def moved_place(place: tuple[float, float], frame: Frame) -> tuple[float, float]:
-    """A position expressed in another frame."""
-    x, y = frame.point_in(place).tolist()
+def _vectors(x: Number, y: Number) -> Array:
+    """Vectors of shape S + (2,) from their components."""
+    vectors = np.empty((*np.broadcast(x, y).shape, 2))
+    vectors[..., 0], vectors[..., 1] = x, y
+    return vectors
+
+
+def moved_place(place: tuple[float, float], frame: Frame) -> tuple[Number, Number]:
+    """A position expressed in another frame, or in each of an array of frames."""
+    x, y = components(frame.point_in(place), frame)
     return x + 0.0, y + 0.0
+
+
+def components(vectors: Array, frame: Frame) -> tuple[Number, Number]:
+    """Components of a vector in a frame, or of one in each frame, labeled if the frames are."""
+    if not frame.shape:
+        x, y = vectors.tolist()
+        return x, y
+    other = frame.axis[0]
+    return labeled_like(other, vectors[..., 0]), labeled_like(other, vectors[..., 1])
+
+
+def labeled_like(other: Number, numbers: npt.NDArray[Any]) -> Number:
+    """An array with the labels of another one of its shape, if that has labels."""
+    return other.copy(data=numbers) if hasattr(other, "dims") else numbers
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,6 +131,9 @@ class Placement:
         object.__setattr__(self, "point", (x, y))
         object.__setattr__(self, "normal", (_plain(n_x / length), _plain(n_y / length)))
 
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
+
     @property
     def fence(self) -> Frame:
         """The fence frame in the object's: +y is the normal, +x the normal rotated by -90 degrees."""
@@ -121,10 +151,10 @@ def _pair(name: str, given: Any) -> tuple[Number, Number]:
 
 def _plain(given: Any) -> Number:
     """A number or an array without negative zeros; NaN if it is not numeric."""
-    found = as_numbers(given)
-    if found is None:
+    numbers = as_numbers(given)
+    if numbers is None:
         return math.nan
-    return found + 0.0 if np.ndim(found) else float(found) + 0.0
+    return numbers + 0.0 if np.ndim(numbers) else float(numbers) + 0.0
 
 
 def changed(value: npt.ArrayLike, kind: str, to: Frame, center: Array, into: bool) -> Array:

@@ -124,7 +124,7 @@ def curve_of_unit_motions(scene: Scene, force_angle: Number) -> Any:
     require_held(scene)
     rows = scene.rows
     columns = [*rows.columns, *rows.body[:2], angle, float(UNIT_ENERGY), 0.0]
-    found = evaluated("force_motions", rows.data, columns, OUTPUTS, MOTION_WIDTH, _decode)
-    if is_labeled(found[0]):
-        return named_units(dataset(found[1:]), scene.units, inertia=scene.stores_energy)
-    return LimitCurve(**dict(zip(LimitCurve.__slots__, found, strict=True)))
+    arrays = evaluated("force_motions", rows.data, columns, OUTPUTS, MOTION_WIDTH, _decode)
+    if is_labeled(arrays[0]):
+        return named_units(dataset(arrays[1:]), scene.units, inertia=scene.stores_energy)
+    return LimitCurve(**dict(zip(LimitCurve.__slots__, arrays, strict=True)))

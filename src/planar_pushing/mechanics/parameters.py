@@ -49,7 +49,7 @@ class Response(NamedTuple):
 
 def at_places(places: npt.NDArray[np.bool_], column: Any) -> Any:
     """The numbers of a column of problems at the places of their solutions; a scalar is left unchanged."""
-    if not np.ndim(column):
+    if isinstance(column, (float, int)) or not np.ndim(column):
         return column
     return np.broadcast_to(np.asarray(column)[..., None], places.shape)[places]
 
@@ -57,9 +57,9 @@ def at_places(places: npt.NDArray[np.bool_], column: Any) -> Any:
 def from_places(places: npt.NDArray[np.bool_], values: Array) -> Array:
     """Values of solutions at their places; elsewhere NaN, or 0 for integers."""
     empty = np.nan if values.dtype.kind == "f" else 0
-    found = np.full(places.shape + values.shape[1:], empty, values.dtype)
-    found[places] = values
-    return found
+    spread = np.full(places.shape + values.shape[1:], empty, values.dtype)
+    spread[places] = values
+    return spread
 
 
 def responses(rows: Rows, columns: Sequence[Any], motions: Motions) -> Response:
@@ -103,16 +103,16 @@ def responses(rows: Rows, columns: Sequence[Any], motions: Motions) -> Response:
 
 def _count_feet(entries: Sequence[Entry]) -> int:
     """Number of support points, the maximum for each array of supports."""
-    return sum(int(each.table.atom_counts.max()) for each in entries if each.table is not None)
+    return sum(each.table.most_atoms for each in entries if each.table is not None)
 
 
 def by_effect(scene: Scene, responses: Array) -> Array:
     """Derivatives with respect to the strength of each effect of a scene; 0 for one absent from rest."""
-    found = np.zeros((*responses.shape[:-1], len(scene.effects)))
-    found[np.isnan(responses[..., 0])] = np.nan
+    derivatives = np.zeros((*responses.shape[:-1], len(scene.effects)))
+    derivatives[np.isnan(responses[..., 0])] = np.nan
     for i, entry in enumerate(scene.rows.entries):
-        found[..., entry.number] = responses[..., FIRST + i]
-    return found
+        derivatives[..., entry.number] = responses[..., FIRST + i]
+    return derivatives
 
 
 def shared(scene: Scene, response: Response) -> dict[str, Array]:

@@ -1,20 +1,26 @@
-"""Notebook pictures of scenes, solutions and supports, if the extra for figures is installed."""
+"""Notebook pictures of scenes, solutions and supports, drawn by functions that are registered here."""
 
 from __future__ import annotations
 
-from importlib import import_module
+from collections.abc import Callable
 
 from planar_pushing.terms.errors import InvalidValue, MissingExtra
 
+#: Functions that return the SVG of a scene, a push or a support, by these words.
+PICTURES: dict[str, Callable[..., str]] = {}
+#: Functions that register pictures, called when a picture is needed.
+LOADERS: list[Callable[[], object]] = []
 
-def picture(name: str, *of: object) -> str | None:
-    """SVG from a function of the figures; None for arrays, or without the extra for figures.
 
-    The figures import the mechanics, so their module is looked up by name.
+def picture(kind: str, *of: object) -> str | None:
+    """SVG of a scene, a push or a support; None for arrays, or if nothing draws it.
+
+    A loader whose dependencies are not installed raises `MissingExtra`.
     """
     try:
-        module = import_module("planar_pushing.figures.notebook")
-        return str(getattr(module, name)(*of))
+        for load in LOADERS:
+            load()
+        return PICTURES[kind](*of) if kind in PICTURES else None
     except (MissingExtra, InvalidValue):
         return None
 
@@ -25,4 +31,4 @@ class Pictured:
     __slots__ = ()
 
     def _repr_svg_(self) -> str | None:
-        return picture("support_svg", self)
+        return picture("support", self)

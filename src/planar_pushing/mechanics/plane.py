@@ -16,7 +16,7 @@ A twist is ``(v_x, v_y, omega)`` and a wrench ``(f_x, f_y, tau)``, both at the s
 the force of the pusher on the slider. The moment arm ``h = l sin(psi - phi)`` is the signed distance of
 the line of force from the slider's center, and the spin ratio ``k = R omega / v`` compares the rotation
 with the center's speed `v` along `f`. "Motion" is velocity in a quasi-static scene and initial
-acceleration from rest otherwise. Angles are radians. The compiled core has lengths in units of R.
+acceleration from rest otherwise. Angles are radians. The core has lengths in units of R.
 """
 
 from __future__ import annotations

@@ -16,6 +16,7 @@ from planar_pushing.core.rows import LOAD, MASS, RING, SUPPORT
 from planar_pushing.mechanics.contact.laws import Law
 from planar_pushing.mechanics.effects import Inertia, Load, Viscous
 from planar_pushing.mechanics.supports.even_ring import Ring
+from planar_pushing.mechanics.supports.in_frames import SupportInFrames, listed
 from planar_pushing.mechanics.supports.pressure.table import (
     Table,
     extents_of,
@@ -220,22 +221,23 @@ def _spread_of(support: Any, radius: Number) -> tuple[Number, Number, Number]:
 
 
 def is_own_ring(support: Any, radius: Number) -> bool:
-    """Whether supports are rings of the slider's radius."""
-    return all(
+    """Whether supports are rings of the slider's radius, about its center."""
+    in_frames = isinstance(support, SupportInFrames)
+    rings = [support.support] if in_frames else listed(support)
+    same = all(
         isinstance(ring, Ring)
-        and ring.center is None
         and (ring.radius is None or np.all(np.asarray(radius) == ring.radius))
-        for ring in listed(support)
+        for ring in rings
     )
-
-
-def listed(support: Any) -> Any:
-    """A support, or an array of supports, as a flat array."""
-    return np.ravel(np.array(support, dtype=object))
+    if same and in_frames:
+        return not support.frame.point_in(rings[0].center_of_pressure).any()
+    return same and all(ring.center is None for ring in rings)
 
 
 def alike(support: Any, numbers: Any) -> Any:
     """Numbers of supports: a scalar for one support, labeled if the supports are."""
+    if isinstance(support, SupportInFrames):
+        return support.alike(numbers)
     if hasattr(support, "dims"):
         return support.copy(data=numbers)
     return numbers if np.ndim(numbers) else float(numbers)

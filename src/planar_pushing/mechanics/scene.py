@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +20,7 @@ from planar_pushing.mechanics.effects import (
     Viscous,
 )
 from planar_pushing.mechanics.frames import Frame, Kind, Placement, changed
+from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.mechanics.pictures import picture
 from planar_pushing.mechanics.plane import Array, direction
@@ -32,6 +33,7 @@ from planar_pushing.terms.domain import (
     required_side,
 )
 from planar_pushing.terms.errors import InvalidValue, require_kind
+from planar_pushing.terms.numbers import pair_of
 from planar_pushing.terms.units import Units
 
 if TYPE_CHECKING:
@@ -80,6 +82,9 @@ class Slider:
         object.__setattr__(self, "side", required_side(self.side))
         if self.outline is not None:
             object.__setattr__(self, "outline", required_outline(self.outline))
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
 
     @property
     def length_ratio(self) -> Number:
@@ -157,6 +162,9 @@ class Scene:
             if getattr(self, name) is not None:
                 require_kind(name, getattr(self, name), kind)
 
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
+
     def to_object(self, value: npt.ArrayLike, kind: Kind) -> Array:
         """Transform numbers from the fence frame at time 0 to the object's frame.
 
@@ -199,7 +207,7 @@ class Scene:
 
     def _repr_svg_(self) -> str | None:
         """Picture of the slider with its cones, for a notebook."""
-        return picture("scene_svg", self)
+        return picture("scene", self)
 
     @property
     def friction(self) -> list[Any]:
@@ -241,6 +249,10 @@ class Scene:
         """
         absent = Viscous if self.stores_energy else ()
         return [i for i, each in enumerate(self.effects) if not isinstance(each, absent)]
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What a copy in another process needs; it computes its rows itself."""
+        return {each.name: getattr(self, each.name) for each in fields(self)}
 
     @cached_property
     def rows(self) -> Rows:
@@ -295,9 +307,10 @@ def _is_off(coordinate: Number) -> bool:
 
 def _required_push(given: Any) -> tuple[Number, Number]:
     """Angle and magnitude of a push, or `InvalidValue`."""
-    if not isinstance(given, (tuple, list)) or len(given) != 2:
+    pair = pair_of(given)
+    if pair is None:
         raise InvalidValue("push", given, "(angle, magnitude)", "give the angle in radians")
-    return required("pusher_angle", given[0]), required("pusher_magnitude", given[1])
+    return required("pusher_angle", pair[0]), required("pusher_magnitude", pair[1])
 
 
 def required_scene(given: object) -> Scene:

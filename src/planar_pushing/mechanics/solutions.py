@@ -94,8 +94,8 @@ class Solution:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values by name: the name of the mode, numbers, lists of numbers, and any derivatives."""
-        found = {name: _plain(value) for name, value in _values(self).items() if value is not None}
-        return found | {"adhesive": self.adhesive}
+        values = {name: _plain(value) for name, value in _values(self).items() if value is not None}
+        return values | {"adhesive": self.adhesive}
 
     def to_json(self) -> str:
         """JSON of `to_dict`; inf, -inf and nan, which JSON lacks, are written as words."""
@@ -183,15 +183,15 @@ class Solutions:
 
     def _repr_html_(self) -> str:
         """Picture and table for a notebook."""
-        drawn = picture("push_svg", *self.problem, self) if self.problem else None
+        drawn = picture("push", *self.problem, self) if self.problem else None
         title = f"{drawn or ''}<p>{self._title}</p>"
         return f"{title}\n{self._table().to_html()}" if self.solutions else title
 
     @property
     def _title(self) -> str:
         count = len(self.solutions)
-        found = f"{self.outcome}: {count} consistent solution{'' if count == 1 else 's'}"
-        return f"{found}, of a continuum" if self.status is Status.CONTINUUM else found
+        title = f"{self.outcome}: {count} consistent solution{'' if count == 1 else 's'}"
+        return f"{title}, of a continuum" if self.status is Status.CONTINUUM else title
 
     def _table(self) -> Any:
         """A pandas table with one row per number and one column per solution."""
@@ -220,22 +220,20 @@ def printed(solutions: Solutions) -> list[dict[str, Array]]:
     larger, with the other coordinate.
     """
     names = (*NUMBERS, "force_end")
-    found = [{name: np.asarray(getattr(one, name)) for name in names} for one in solutions]
-    force = _largest(each[name] for each in found for name in ("force", "force_end"))
-    motion = _largest(
-        part for each in found for part in (each["contact_motion"], each["twist"][:2])
-    )
+    rows = [{name: np.asarray(getattr(one, name)) for name in names} for one in solutions]
+    force = _largest(each[name] for each in rows for name in ("force", "force_end"))
+    motion = _largest(part for each in rows for part in (each["contact_motion"], each["twist"][:2]))
     reach = _reach(solutions.problem)
     turn = motion / reach if reach else 0.0
     scales: dict[str, Any] = {
         "force": force, "force_end": force, "contact_motion": motion, "spin_ratio": 1.0,
         "twist": np.array([motion, motion, turn]),
     }  # fmt: skip
-    for each in found:
+    for each in rows:
         for name, value in each.items():
             scale = scales.get(name, max(reach, _largest([value])))
             each[name] = np.where(np.abs(value) < ROUNDING * scale, 0.0, value) + 0.0
-    return found
+    return rows
 
 
 def _largest(vectors: Iterable[Array]) -> float:
@@ -300,8 +298,8 @@ class SolutionArrays:
     @property
     def outcome(self) -> npt.NDArray[np.int8]:
         """Values of `Outcome`, shape S."""
-        found: npt.NDArray[np.int8] = _outcome(self.solutions, self.status).astype(np.int8)
-        return found
+        outcomes: npt.NDArray[np.int8] = _outcome(self.solutions, self.status).astype(np.int8)
+        return outcomes
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -318,10 +316,12 @@ class SolutionArrays:
                 "find a mode with arrays.mode == mode",
             )  # fmt: skip
         places = np.arange(self.solutions.size).reshape(self.shape)[index]
-        found = {name: self._flat(value)[places] for name, value in self._fields().items()}
+        values = {name: self._flat(value)[places] for name, value in self._fields().items()}
         by = self.derivatives and self.derivatives[np.unravel_index(places, self.shape)]
         return (
-            SolutionArrays(**found, derivatives=by) if np.ndim(places) else listed(found, None, by)
+            SolutionArrays(**values, derivatives=by)
+            if np.ndim(places)
+            else listed(values, None, by)
         )
 
     def __repr__(self) -> str:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 import itertools
 from collections.abc import Sequence
-from functools import cache
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
@@ -54,7 +54,7 @@ FIELDS = (
 PLACES = {room: [2 + room * field for field in FIELDS] for room in SOLUTIONS.values()}
 
 
-@cache
+@functools.cache
 def outputs(steady: bool) -> tuple[Output, ...]:
     """The results of each scene; `steady` if all potentials have one degree."""
     many = ("solution", SOLUTIONS[steady])
@@ -154,11 +154,11 @@ def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> S
     row += [*rows.body[:2], *rows.law, angle, moves]
     room = SOLUTIONS[rows.is_steady]
     results = run("solve", rows.data, [row], 2 + room * RESULT)[0].tolist()
-    radius, found = rows.body[2], []
+    radius, solutions = rows.body[2], []
     forces, ends, twists, motions, ratios, centers, pivots, continua = PLACES[room]
     for j in range(int(results[0])):
         v_x, v_y, spin = results[twists + 3 * j : twists + 3 * j + 3]
-        found.append(
+        solutions.append(
             Solution(
                 mode=MODES[int(results[2 + j])],
                 force=_vector(unit, results, forces + 2 * j),
@@ -171,7 +171,7 @@ def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> S
                 continuum=results[continua + j] == 1.0,
             )
         )
-    return Solutions(tuple(found), Status(int(results[1])), (scene, angle, magnitude))
+    return Solutions(tuple(solutions), Status(int(results[1])), (scene, angle, magnitude))
 
 
 def _vector(unit: float, numbers: Sequence[float], place: int) -> Array:
@@ -253,17 +253,19 @@ def solve(
     require_held(scene)
     push = _push(scene, pusher_angle, pusher_magnitude)
     derivatives = require_flag("derivatives", derivatives)
-    if rows.is_single and not derivatives and type(push[0]) is type(push[1]) is float:
+    single = rows.is_single and type(push[0]) is type(push[1]) is float
+    if single and not derivatives:
         return _solve_single(scene, rows, *push)
     given, results = [*rows.columns, *rows.body, *rows.law, *push], outputs(rows.is_steady)
     if derivatives:
         require_unlabeled(given)
-    found = elementwise(lambda *each: solve_arrays(rows, *each), given, results)
-    by_name = {output.name: each for output, each in zip(results, found, strict=True)}
-    if is_labeled(found[0]):
+    answer = functools.partial(solve_arrays, rows)
+    arrays = answer(*given) if single else elementwise(answer, given, results)
+    by_name = {output.name: each for output, each in zip(results, arrays, strict=True)}
+    if is_labeled(arrays[0]):
         return named_units(as_dataset(by_name), scene.units, inertia=scene.stores_energy)
     by = solution_derivatives(scene, given, by_name) if derivatives else None
-    if np.ndim(found[0]):
+    if np.ndim(arrays[0]):
         return SolutionArrays(**by_name, derivatives=by)
     angle, magnitude = map(float, push)
     return listed(by_name, (scene, angle, magnitude), by)

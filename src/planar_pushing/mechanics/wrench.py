@@ -53,9 +53,9 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
     v_x, v_y, omega = np.moveaxis(np.ldexp(twists, -size), -1, 0)
     entries = entries_of([(0, effect)], scene)
     columns = [*entries[0].columns, v_x, v_y, radius * omega]
-    found = mapped("wrenches", data_of(entries), columns, WRENCH)[0]
-    found[..., 2] *= radius
-    return np.asarray(np.ldexp(found, (effect.degree - 1) * size))
+    wrenches = mapped("wrenches", data_of(entries), columns, WRENCH)[0]
+    wrenches[..., 2] *= radius
+    return np.asarray(np.ldexp(wrenches, (effect.degree - 1) * size))
 
 
 def potential(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -> Array:

@@ -14,13 +14,11 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.terms.errors import InvalidValue, require_number
 from planar_pushing.terms.numbers import required_array
-from planar_pushing.terms.renamed import renamed_attributes
 
 #: Rounding error of positions, relative to the numbers from which they are computed.
 ROUNDING = 1e-12
 
 
-@renamed_attributes(way="fraction")
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Touch:
     """First touches of a moving disc, as arrays over the pushes.

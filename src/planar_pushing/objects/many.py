@@ -1,103 +1,128 @@
-"""One object at many contacts: an array of scenes."""
+"""One contact of an object, or an array of contacts: their numbers as flat arrays, and back."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import fields, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.effects import Viscous
-from planar_pushing.mechanics.frames import Placement
+from planar_pushing.mechanics.frames import Placement, labeled_like
 from planar_pushing.mechanics.numerics.arrays import is_labeled
-from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import required_array
 
+#: Allowed points and normals, and remedy.
+PAIR = "two finite numbers", "give x and y in the object's frame"
 
-def scenes_at(points: Any, normals: Any, make: Callable[[Any, Any], Scene]) -> Scene:
-    """The scenes of one object at points of shape S + (2,), as a scene of arrays of shape S.
+
+class Contacts(NamedTuple):
+    """Contacts of an object; their shape S is () for a single one.
+
+    Attributes
+    ----------
+    place : Placement
+        Of numbers, or of arrays of shape S with the labels of the points; normals along +y if none are
+        given.
+    point, normal : array_like, shape S + (2,)
+        As given, for messages; the normal can be None.
+    """
+
+    place: Placement
+    point: Any
+    normal: Any
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape S."""
+        return np.shape(self.place.point[0])
+
+    @property
+    def points(self) -> Array:
+        """Points, shape (n, 2)."""
+        return _flat(self.place.point)
+
+    @property
+    def normals(self) -> Array:
+        """Unit normals, shape (n, 2)."""
+        return _flat(self.place.normal)
+
+    def given(self, name: str, i: int) -> Any:
+        """The i-th point or normal, as given."""
+        value = getattr(self, name)
+        return value if not self.shape else np.reshape(value, (-1, 2))[i]
+
+    def number(self, values: Array) -> Number:
+        """A number of a single contact, or an array of shape S, from a flat array."""
+        x = self.place.point[0]
+        return labeled_like(x, values.reshape(self.shape)) if self.shape else float(values[0])
+
+    def pair(self, vectors: Array) -> tuple[Number, Number]:
+        """As `number`, for both components of vectors of shape (n, 2)."""
+        return self.number(vectors[:, 0]), self.number(vectors[:, 1])
+
+
+def required_contacts(point: Any, normal: Any) -> Contacts:
+    """Contacts at points of shape S + (2,), with one normal or normals of this shape.
 
     Raises
     ------
     InvalidValue
-        As in `make`, for the first contact that is refused; also if the shape differs, or the object has
-        viscous friction, whose support cannot be an array.
+        If a shape differs, a number is not finite, or a normal is zero.
     """
-    places = required_array("point", points, "finite numbers", "give x and y")
-    if places.shape[-1:] != (2,) or not places.size:
+    points = required_array("point", point, *PAIR)
+    if points.ndim > 1 and (points.shape[-1] != 2 or not points.size):
         raise InvalidValue(
-            "point", places.shape, "shape S + (2,)", "give x and y along the last axis"
+            "point", points.shape, "shape S + (2,)", "give x and y along the last axis"
         )
-    shape = places.shape[:-1]
-    every = None if normals is None else _for_each("normal", normals, places.shape)
-    scenes = [
-        make(places[index], None if every is None else every[index]) for index in np.ndindex(shape)
-    ]
-
-    def array(values: Any) -> Any:
-        """Values of the scenes over their dimensions."""
-        found = np.empty(len(scenes), dtype=object)
-        found[:] = values
-        plain = found if not isinstance(values[0], (int, float)) else found.astype(float)
-        return _labeled(plain.reshape(shape), points)
-
-    def pair(values: Any) -> tuple[Any, Any]:
-        return array([each[0] for each in values]), array([each[1] for each in values])
-
-    first, sliders = scenes[0], [each.slider for each in scenes]
-    slider = Slider(
-        rod_length=array([each.rod_length for each in sliders]),
-        rod_angle=array([each.rod_angle for each in sliders]),
-        radius=first.slider.radius,
-        side=pair([each.side for each in sliders]),
-    )
-    effects = tuple(
-        _stacked([each.effects[k] for each in scenes], array, pair)
-        for k in range(len(first.effects))
-    )
-    placement = Placement(
-        pair([each.placement.point for each in scenes if each.placement]),
-        pair([each.placement.normal for each in scenes if each.placement]),
-    )
-    return replace(first, slider=slider, effects=effects, placement=placement)
+    if normal is not None:
+        normal = _required_normal(normal, points)
+    upright = (0.0, 1.0) if normal is None else normal
+    if points.ndim > 1:
+        every = np.broadcast_to(upright, points.shape)
+        return Contacts(_placements(points, every, point), point, normal)
+    return Contacts(Placement(point, upright), point, normal)
 
 
-def _for_each(name: str, given: Any, shape: tuple[int, ...]) -> Any:
-    """Vectors that are broadcast to the shape of the points."""
-    vectors = required_array(name, given, "finite numbers", "give x and y")
+def _required_normal(given: Any, points: Array) -> Any:
+    """The normal of a single contact as given, or normals of the shape of many points."""
+    vectors = required_array("normal", given, *PAIR)
+    if points.ndim <= 1:
+        if vectors.shape != (2,):
+            raise InvalidValue("normal", given, *PAIR)
+        return given
     try:
-        return np.broadcast_to(vectors, shape)
+        return np.broadcast_to(vectors, points.shape)
     except ValueError:
         remedy = "give one vector, or one for each point"
-        raise InvalidValue(name, vectors.shape, f"shape (2,) or {shape}", remedy) from None
-
-
-def _stacked(effects: list[Any], array: Callable[..., Any], pair: Callable[..., Any]) -> Any:
-    """One effect of all scenes, with its support, center and force as arrays."""
-    if isinstance(effects[0], Viscous):
         raise InvalidValue(
-            "effects", effects[0], "effects without viscous friction for an array of contacts",
-            "make the scenes one by one",
-        )  # fmt: skip
-    names = {each.name for each in fields(effects[0])}
-    found: dict[str, Any] = {}
-    if "support" in names:
-        found["support"] = array([each.support for each in effects])
-    for name in ("center", "force"):
-        if name in names and getattr(effects[0], name) is not None:
-            found[name] = pair([getattr(each, name) for each in effects])
-    return replace(effects[0], **found)
+            "normal", vectors.shape, f"shape (2,) or {points.shape}", remedy
+        ) from None
 
 
-def _labeled(values: Any, points: Any) -> Any:
-    """Values over the dimensions of labeled points."""
+def _placements(points: Array, normals: Array, given: Any) -> Placement:
+    """Placements at points of shape S + (2,); errors as in `Placement`, for the first that is refused."""
+    try:
+        return Placement(_labeled(points, given), _labeled(normals, given))
+    except InvalidValue:
+        for point, normal in zip(points.reshape(-1, 2), normals.reshape(-1, 2), strict=True):
+            Placement(tuple(point.tolist()), tuple(normal.tolist()))
+        raise
+
+
+def _labeled(vectors: Array, points: Any) -> tuple[Number, Number]:
+    """Components of vectors, over the dimensions of the points if these are labeled."""
+    x, y = vectors[..., 0], vectors[..., 1]
     if not is_labeled(points):
-        return values
+        return x, y
     import xarray as xr
 
-    coords = {
-        name: each for name, each in points.coords.items() if points.dims[-1] not in each.dims
-    }
-    return xr.DataArray(values, dims=points.dims[:-1], coords=coords)
+    *dims, last = points.dims
+    coords = {name: each for name, each in points.coords.items() if last not in each.dims}
+    return xr.DataArray(x, coords, dims), xr.DataArray(y, coords, dims)
+
+
+def _flat(pair: tuple[Number, Number]) -> Array:
+    """Pairs of numbers, shape (n, 2)."""
+    return np.column_stack([np.ravel(each) for each in pair])

@@ -4,22 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from math import pi
 from typing import Any
 
 import numpy as np
 
 from planar_pushing.mechanics.contact import PerfectlyRough
-from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
 from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.mechanics.supports import Ring
 from planar_pushing.mechanics.supports.pressure.assembly import center, extent, shared
 from planar_pushing.mechanics.supports.pressure.pieces import ATOMS, Pieces
 from planar_pushing.mechanics.wrench import wrench
+from planar_pushing.terms.caches import cached
 from planar_pushing.terms.errors import InvalidValue
 
 #: Number of supports that are cached without their feet.
@@ -46,7 +46,7 @@ class Footless:
         return self.rest
 
 
-@lru_cache(KEPT)
+@cached(KEPT)
 def parted(support: Any) -> tuple[Array, float, Any]:
     """Feet of a support (x, y, share), the share of the rest, and the rest, or None without one."""
     pieces = support.pieces()

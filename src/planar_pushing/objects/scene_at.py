@@ -4,30 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactLaw
-from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
-from planar_pushing.mechanics.frames import Frame, Placement, moved_place
-from planar_pushing.mechanics.outline import placed, required_outline
+from planar_pushing.mechanics.frames import Frame, Placement
+from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.objects.many import scenes_at
+from planar_pushing.objects.many import Contacts, required_contacts
+from planar_pushing.objects.on_outline import on_outline
+from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
-from planar_pushing.terms.numbers import required_array
 from planar_pushing.terms.units import Units
 
 #: A center closer to the fence than this, relative to the extent, counts as on it: its rod would be flat.
 LEAST_HEIGHT = 1e-9
 #: Largest distance of a contact from the center, in extents of the support: no object's handle is longer.
 FARTHEST = 500.0
-#: Allowed points and normals, and remedy.
-PAIR = "two finite numbers", "give x and y in the object's frame"
 
 
 def scene_at(
@@ -77,59 +75,82 @@ def scene_at(
     it is not above the fence, as for a hook, c is instead the point above the contact at the height of the
     support's extent. The rod goes from the contact to c.
     """
-    if required_array("point", point, *PAIR).ndim > 1:
-        return scenes_at(point, normal, partial(
-            scene_at, effects=effects, contact=contact, outline=outline, units=units
-        ))  # fmt: skip
-    if normal is not None and required_array("normal", normal, *PAIR).shape != (2,):
-        raise InvalidValue("normal", normal, *PAIR)
+    contacts = required_contacts(point, normal)
+    many = bool(contacts.shape)
     if outline is None:
-        place, side, corners = _free(point, normal), None, None
+        place, side, corners = *_free(contacts), None
     else:
         corners = required_outline(outline)
-        place, side = placed(point, normal, corners)
-    listed = _required_effects(effects)
+        place, side = on_outline(contacts, corners)
+    listed = _required_effects(effects, many)
     center, extent = _middle(listed)
-    body, length, angle = _body(place, np.array(center), extent)
-    _require_one_unit(length, extent)
+    rods = _rods(place.fence, center, extent)
+    _require_one_unit(rods.length, extent)
+    body = Frame(contacts.pair(rods.origin), contacts.pair(rods.axis))
     slider = Slider(
-        rod_length=length, rod_angle=angle,
-        radius=None if any(hasattr(each, "support") for each in listed) else extent,
-        outline=None if corners is None else [moved_place(each, body) for each in corners],
-        **({} if side is None else {"side": side}),
-    )  # fmt: skip
+        rod_length=contacts.number(rods.length),
+        rod_angle=contacts.number(rods.angle),
+        # By default that of the moved support, which is the same for many contacts.
+        radius=extent if many or not any(hasattr(each, "support") for each in listed) else None,
+        side=side,
+        outline=None if many or corners is None else body.point_in(corners) + 0.0,
+    )
     loaded = [_with_center(each, center, listed) for each in listed]
     moved = tuple(each.moved(body, place.fence) for each in loaded)
     return Scene(slider=slider, contact=contact, effects=moved, placement=place, units=units)
 
 
-def _require_one_unit(length: float, extent: float) -> None:
+class Rods(NamedTuple):
+    """Rods of contacts: the center and the direction of each in the object's frame, length and angle.
+
+    Attributes
+    ----------
+    origin, axis : ndarray, shape (n, 2)
+    length, angle : ndarray, shape (n,)
+    """
+
+    origin: Array
+    axis: Array
+    length: Array
+    angle: Array
+
+
+def _require_one_unit(lengths: Array, extent: float) -> None:
     """Refuse a contact so far from the support that the units of length must differ."""
-    if not length <= FARTHEST * extent:
+    far = ~(lengths <= FARTHEST * extent)
+    if far.any():
         raise InvalidValue(
-            "point", f"a contact {length:.6g} from the center of a support of size {extent:.6g}",
+            "point",
+            f"a contact {lengths[far][0]:.6g} from the center of a support of size {extent:.6g}",
             f"at most {FARTHEST:g} times its size", "give all lengths in one unit",
         )  # fmt: skip
 
 
-def _free(point: Any, normal: Any) -> Placement:
-    if normal is None:
+def _free(contacts: Contacts) -> tuple[Placement, tuple[Number, Number]]:
+    """Placements and sides of contacts of an object whose outline is unknown."""
+    if contacts.normal is None:
         raise InvalidValue(
             "normal",
             None,
             "(n_x, n_y) without an outline",
             "give the inward normal",
         )
-    return Placement(point, normal)
+    return contacts.place, contacts.pair(np.full(contacts.points.shape, (-np.inf, np.inf)))
 
 
-def _required_effects(given: Any) -> tuple[Any, ...]:
-    """Effects that can be moved, or `InvalidValue`."""
+def _required_effects(given: Any, many: bool) -> tuple[Any, ...]:
+    """Effects that can be moved, to one or many contacts, or `InvalidValue`."""
     found = tuple(given) if isinstance(given, (list, tuple)) else ()
     if not found or not all(hasattr(each, "moved") for each in found):
         raise InvalidValue(
             "effects", given, "a sequence of SupportFriction, Viscous, Inertia and Load",
             "list what resists the motion; for a ring give the radius: SupportFriction(support=Ring(1.0))",
+        )  # fmt: skip
+    films = [each for each in found if isinstance(each, Viscous)]
+    if many and films:
+        raise InvalidValue(
+            "effects", films[0], "effects without viscous friction for an array of contacts",
+            "make the scenes one by one",
         )  # fmt: skip
     return found
 
@@ -163,12 +184,13 @@ def _middle(effects: tuple[Any, ...]) -> tuple[Array, float]:
     ].gyration_radius
 
 
-def _body(place: Placement, center: Array, extent: float) -> tuple[Frame, float, float]:
-    """The body frame in the object's frame, and the length and angle of the rod."""
-    along, height = place.fence.point_in(center).tolist()
-    if height <= LEAST_HEIGHT * extent:
-        along, height = 0.0, extent
-    length = float(np.hypot(along, height))
-    x, y = place.fence.vector_out((along / length, height / length)).tolist()
-    c_x, c_y = place.fence.point_out((along, height)).tolist()
-    return Frame((c_x, c_y), (x, y)), length, float(np.arctan2(height, along))
+def _rods(fences: Frame, center: Array, extent: float) -> Rods:
+    """The rods from contacts to the object's center."""
+    origin, axis = (tuple(map(np.ravel, pair)) for pair in fences)
+    fence = Frame((origin[0], origin[1]), (axis[0], axis[1]))
+    along, height = fence.point_in(center).T
+    low = height <= LEAST_HEIGHT * extent
+    rod = np.column_stack([np.where(low, 0.0, along), np.where(low, extent, height)])
+    length = np.hypot(rod[:, 0], rod[:, 1])
+    angle = np.arctan2(rod[:, 1], rod[:, 0])
+    return Rods(fence.point_out(rod), fence.vector_out(rod / length[:, None]), length, angle)

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.effects import Effect, Inertia
 from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.rows import extents
 from planar_pushing.objects.resistance import (
     feet_of,
     motion_at,
@@ -22,7 +22,6 @@ from planar_pushing.objects.resistance import (
 )
 from planar_pushing.terms.errors import InvalidValue, as_floats, require_number, require_positive
 from planar_pushing.terms.numbers import Number, as_array
-from planar_pushing.terms.renamed import renamed_attributes, renamed_keywords
 
 #: Distance within which the center of rotation is on a foot, relative to the numbers from which it is
 #: computed: the rounding error of a twist transformed between frames.
@@ -32,7 +31,6 @@ ROUNDING = 1e-12
 STEPS = 50
 
 
-@renamed_attributes(rest="offset")
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WrenchSet:
     """The wrenches that sustain a twist: ``offset + {(g, r x g): |g| <= radius}``.
@@ -156,7 +154,6 @@ def _multiplier(parts: Array, stiff: Array, radius: float) -> Array:
     return np.asarray(shift)
 
 
-@renamed_keywords(within="tolerance")
 def wrench_set(
     effects: tuple[Effect, ...], twist: npt.ArrayLike, *, tolerance: float = 0.0
 ) -> WrenchSet:

@@ -76,8 +76,6 @@ def pressure_map(outline: Array, spacing: float) -> Family:
 FAMILIES: dict[str, Callable[[Array, float], Family]] = {
     "points": points, "uniform_and_corners": uniform_and_corners, "ellipse": ellipse, "map": pressure_map,
 }  # fmt: skip
-#: Names of families by their former names.
-FORMER = {"even_and_corners": "uniform_and_corners"}
 
 
 def inside(outline: Array, spacing: float, offset: float = 0.0) -> Array:

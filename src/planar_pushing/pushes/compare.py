@@ -12,7 +12,6 @@ import xarray as xr
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points, Polygon, fit_ellipsoid
 from planar_pushing.mechanics.supports.base import Support
-from planar_pushing.pushes.candidates import FORMER as FORMER_FAMILIES
 from planar_pushing.pushes.combine import of_object
 from planar_pushing.pushes.contacts import Model, final_poses
 from planar_pushing.pushes.ellipsoid import Ellipsoid
@@ -25,7 +24,6 @@ from planar_pushing.pushes.schema import required_pushes, without_padding
 from planar_pushing.pushes.statistics import QUANTITIES, REFERENCE, statistics
 from planar_pushing.pushes.supported import OnSupport
 from planar_pushing.terms.errors import InvalidValue, number_of, require_flag, suggestion
-from planar_pushing.terms.renamed import renamed_value
 
 #: Candidate contact friction coefficients for a given support, if no measured force determines it.
 FRICTIONS = np.geomspace(0.05, 1.2, 20)
@@ -83,8 +81,6 @@ MODELS: dict[str, Callable[[Half], tuple[Model, float] | None]] = {
     "known_feet_ellipsoid": _known_feet_ellipsoid, "uniform_ellipsoid": _uniform_ellipsoid,
     REFERENCE: _fitted_ellipsoid,
 }  # fmt: skip
-#: Names of models by their former names.
-FORMER = {"exact": "known_feet", "exact_ellipsoid": "known_feet_ellipsoid"}
 
 
 def compare(
@@ -144,7 +140,6 @@ def compare(
     draws, seed = whole("resamples", resamples, 1, MOST), whole("seed", seed, 0)
     require_flag("progress", progress)
     fits = _required_models(models)
-    family = renamed_value(family, FORMER_FAMILIES)
     options = {"spacing": spacing, "family": family, "progress": progress}
     count, lengths = checked.sizes["push"], []
     errors = np.full((len(QUANTITIES), len(fits), count), np.nan)
@@ -228,7 +223,6 @@ def _required_models(given: Any) -> dict[str, Callable[[Half], tuple[Model, floa
     if given is None:
         return dict(MODELS)
     names = list(given) if isinstance(given, (list, tuple)) else []
-    names = [renamed_value(each, FORMER) for each in names]
     unknown = [each for each in names if each not in MODELS]
     if unknown or not isinstance(given, (list, tuple, Mapping)):
         wrong = unknown[0] if unknown else given

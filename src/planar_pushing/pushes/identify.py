@@ -9,7 +9,7 @@ import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
-from planar_pushing.pushes.candidates import FAMILIES, FORMER, Family
+from planar_pushing.pushes.candidates import FAMILIES, Family
 from planar_pushing.pushes.combine import with_outline
 from planar_pushing.pushes.estimate import Estimate, from_forces, from_motions
 from planar_pushing.pushes.given import MOST, whole
@@ -23,7 +23,6 @@ from planar_pushing.terms.errors import (
     require_number,
     suggestion,
 )
-from planar_pushing.terms.renamed import renamed_value
 
 #: Default candidates along the outline's extent, with and without forces; fewer if there are few pushes.
 WITH_FORCES, WITHOUT = 15, 5
@@ -90,7 +89,7 @@ def identify(
     poses. If only some pushes have forces, both methods are combined. Final poses of pushes that touch a
     corner first are not used.
     """
-    checked, family = required_pushes(pushes), renamed_value(family, FORMER)
+    checked = required_pushes(pushes)
     every = measured(checked if outline is None else with_outline(checked, outline))
     count = whole("resamples", resamples, 1, MOST)
     require_flag("progress", progress)

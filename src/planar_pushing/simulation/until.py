@@ -15,8 +15,7 @@ from planar_pushing.simulation.log.variables import arrays
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms.domain import TURNS
 from planar_pushing.terms.errors import InvalidValue, require_positive, suggestion
-from planar_pushing.terms.options import FORMER_EVENTS, Event, Method
-from planar_pushing.terms.renamed import renamed_value
+from planar_pushing.terms.options import Event, Method
 
 #: Events and contact modes by the names that are flag meanings in a log.
 EVENTS = {event.name: event for event in Event if event is not Event.NONE}
@@ -79,7 +78,6 @@ def required_condition(given: Any, problem: Problem, method: str) -> Condition:
     """Validate `until` and convert it to a condition."""
     if isinstance(given, Until):
         return Condition(lambda now: _reached(given, now, problem), _goal(given))
-    given = renamed_value(given, FORMER_EVENTS)
     named = {**EVENTS, **MODES}.get(given) if isinstance(given, str) else given
     if isinstance(named, Event) and named is not Event.NONE:
         if method == Method.TIME_STEPPING:

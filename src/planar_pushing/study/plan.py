@@ -75,7 +75,7 @@ def measured_rates(name: str, values: dict[str, Any]) -> tuple[float, float]:
     found = chunks.blocks(sizes(name, values), SAMPLE)
     number = min(SAMPLES, len(found))
     chosen = [found[(2 * i + 1) * len(found) // (2 * number)] for i in range(number)]
-    # The first block has one point and compiles or loads the code for the others.
+    # The first block has one point and imports what the others need.
     _measured(name, cut(values, {dim: slice(0, 1) for dim in found[0]}))
     rows = [_measured(name, cut(values, part)) for part in chosen]
     count = sum(row[0] for row in rows)

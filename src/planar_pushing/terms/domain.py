@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import Number as Number
-from planar_pushing.terms.numbers import as_numbers, remedy_for
+from planar_pushing.terms.numbers import as_numbers, pair_of, remedy_for
 from planar_pushing.terms.numbers import is_lazy as is_lazy
 from planar_pushing.terms.options import SPEED
 
@@ -167,9 +167,10 @@ def required_ratio(ratio: str, values: Number) -> Number:
 
 def required_side(given: Any) -> tuple[Number, Number]:
     """Ends of a side, measured from the contact, which lies between them; errors as in `required`."""
-    if not isinstance(given, (list, tuple)) or len(given) != 2:
+    pair = pair_of(given)
+    if pair is None:
         raise InvalidValue("side", given, *SIDE)
-    start, end = given
+    start, end = pair
     before, behind = Range(lambda x: x < 0, *SIDE), Range(lambda x: x > 0, *SIDE)
     ends = _required("side", start, before), _required("side", end, behind)
     if any(0 in np.shape(each) for each in ends):

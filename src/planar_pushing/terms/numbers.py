@@ -81,6 +81,14 @@ def required_array(name: str, given: Any, allowed: str, remedy: str) -> Array:
     return found
 
 
+def pair_of(given: Any) -> tuple[Any, Any] | None:
+    """The two entries of a tuple, a list or a flat array of numpy; None for anything else."""
+    entries = given.tolist() if isinstance(given, np.ndarray) and given.ndim == 1 else given
+    if not isinstance(entries, (tuple, list)) or len(entries) != 2:
+        return None
+    return entries[0], entries[1]
+
+
 def remedy_for(given: Any, remedy: str) -> str:
     """Remedy for a value that is not plain numbers; another one if entries are masked."""
     return MASKED if np.ma.is_masked(given) else remedy

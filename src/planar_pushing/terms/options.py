@@ -5,10 +5,8 @@ An option is given as the enum or as its value.
 
 from __future__ import annotations
 
-from enum import EnumType, IntEnum, StrEnum
-from typing import TYPE_CHECKING, Literal, NamedTuple
-
-from planar_pushing.terms.renamed import renamed_value
+from enum import IntEnum, StrEnum
+from typing import Literal, NamedTuple
 
 
 class Policy(StrEnum):
@@ -123,36 +121,7 @@ MOST_STEPS = 1e9
 TOLERANCE = Range(1e-13, 1e-2, "a number in [1e-13, 1e-2]")
 
 
-#: Members of `Event` by their former names.
-FORMER_EVENTS = {
-    "STARTS": "PUSH_STARTS",
-    "LIFTS": "SEPARATION_CHANGES",
-    "HINGE_YIELDS": "PIVOT_YIELDS",
-    "LIES": "SLIDER_CENTER_REACHES_FENCE",
-    "STOPS": "SLIDER_STOPS",
-    "ARRIVES": "MOTION_CENTER_AT_POINT",
-    "TURNS": "NORMAL_VELOCITY_REVERSES",
-    "TURNS_ALONG": "TANGENTIAL_VELOCITY_REVERSES",
-}
-
-
-class EventType(EnumType):
-    """Type of `Event`, whose members can also be read by their former names."""
-
-    if not TYPE_CHECKING:
-
-        def __getitem__(cls, name):
-            return super().__getitem__(renamed_value(name, FORMER_EVENTS))
-
-        def __getattr__(cls, name):
-            if name in FORMER_EVENTS:
-                return cls[name]
-            # Python 3.11 reads the members here.
-            missing = getattr(EnumType, "__getattr__", type.__getattribute__)
-            return missing(cls, name)
-
-
-class Event(IntEnum, metaclass=EventType):
+class Event(IntEnum):
     """Reason why a contact mode ends or the modes are enumerated again: values of `event` in a log."""
 
     NONE = -1

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from certified.effects.check import check
 from planar_pushing.certified.balls import rational
 from planar_pushing.certified.effects import given
-from planar_pushing.certified.effects.check import check
 from planar_pushing.mechanics.entries import scene_entry
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
+from certified.effects.check import check
 from certified.effects.scenes import faults, push_of
 from mechanics.degenerate import (
     EFFECTS,
@@ -19,7 +20,6 @@ from mechanics.degenerate import (
     regular,
 )
 from mechanics.degenerate import _single as single
-from planar_pushing.certified.effects.check import check
 
 KINDS = ("feet", *SYMMETRIC)
 SLIDER = pp.Slider(rod_length=2.0, rod_angle=np.pi / 4, radius=1.0)

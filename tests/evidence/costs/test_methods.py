@@ -163,7 +163,7 @@ def test_our_inverse_evaluates_the_ring_once():
         profile = cProfile.Profile()
         profile.runcall(ring_spin_ratio, arm)
         calls = {name: count for (*_, name), (count, *_) in pstats.Stats(profile).stats.items()}
-        assert calls["curves"] == 1
+        assert calls["inner_ring"] == 1
 
 
 def test_settings_go_from_coarse_to_fine():

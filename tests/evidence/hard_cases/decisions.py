@@ -14,8 +14,8 @@ from planar_pushing.certified.balls import Undecided
 from planar_pushing.certified.contact import modes as certified
 from planar_pushing.certified.setting import Effects
 from planar_pushing.certified.setting import Slider as ExactSlider
+from planar_pushing.core.tolerances import COINCIDENT
 from planar_pushing.evidence.hard_cases.cases import make_scene
-from planar_pushing.mechanics.modes import COINCIDENCE
 
 #: Relative change of an input within which a decision may hang on rounding.
 NEXT_TO = (0.0, -(2.0**-44), 2.0**-44)
@@ -60,14 +60,14 @@ def is_on_an_edge(scene, pusher):
         for share in shares
     ]
     nearest = min(abs(math.remainder(edge - pusher, math.tau)) for edge in edges)
-    return nearest <= 2 * COINCIDENCE
+    return nearest <= 2 * COINCIDENT
 
 
 def decided(rng):
     """Compare one scene with the certified decisions.
 
     A tie hangs on rounding: a change of the pusher's angle by 2^-44 turns the certified modes into those
-    found, or the pusher is so close to a cone's edge that the slip is below `COINCIDENCE`: a stick.
+    found, or the pusher is so close to a cone's edge that the slip is below `COINCIDENT`: a stick.
     """
     length, rho, mu, size = (float(10.0 ** rng.uniform(-reach, reach)) for reach in (3, 3, 3, 4))
     anywhere = rng.uniform(0.05, np.pi - 0.05)

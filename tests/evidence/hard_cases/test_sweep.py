@@ -60,25 +60,31 @@ def test_every_solution_meets_the_conditions_of_its_mode(count):
     assert known <= KNOWN * count
 
 
-#: Those: rod length, rod angle, share of inertia, coefficient of friction, radius of gyration, angle and
-#: magnitude of the pusher's motion.
+#: Rod length, rod angle, share of inertia, coefficient of friction, radius of gyration, angle and magnitude
+#: of the motion of the pusher.
 NEXT_TO_THE_FENCE = [
     (1.475539160433814, 2.9267942400678755, 0.0, np.inf, 1.0, 7.394776373906945e-123, 1.0),
     (2849.796732307775, 3.1415926535897927, 0.0, 1.0, 1.0, 2.536555895490716e-112, 1.0),
-    (0.0008937328726408202, 5e-324, 1.0, np.inf, 0.0001, 3.197e-320, 1.0),
     (2.5091916720664624, np.pi / 4, 0.5, 1.6332347, 6722.35, 1.2078113855950405e-145, 1.0893359768e10),
 ]  # fmt: skip
+SUBNORMAL = (0.0008937328726408202, 5e-324, 1.0, np.inf, 0.0001, 3.197e-320, 1.0)
 
 
-@pytest.mark.xfail(
-    reason="known defect: within 1e-100 rad of the fence a slip may lose its rotation or be missed"
-)
-@pytest.mark.parametrize("given", NEXT_TO_THE_FENCE)
-def test_pushes_next_to_the_fence(given):
-    length, psi, share, mu, rho, angle, magnitude = given
+def is_wrong_next_to_the_fence(case):
+    length, psi, share, mu, rho, angle, magnitude = case
     scene = make_scene(length, psi, share=share, mu=mu, rho=rho)
     push = Pushes(scene, np.array([angle]), np.array([magnitude]))
-    assert not wrong(push, pp.solve(*push)).any()
+    return wrong(push, pp.solve(*push)).any()
+
+
+@pytest.mark.parametrize("case", NEXT_TO_THE_FENCE)
+def test_pushes_next_to_the_fence(case):
+    assert not is_wrong_next_to_the_fence(case)
+
+
+@pytest.mark.xfail(reason="known defect: a slip loses its rotation among subnormal numbers")
+def test_a_push_of_subnormal_numbers():
+    assert not is_wrong_next_to_the_fence(SUBNORMAL)
 
 
 @sizes(150, 10_000)

@@ -177,8 +177,8 @@ import sys, time
 import numpy as np, xarray as xr
 from planar_pushing.study.store import write_dataset
 from planar_pushing.terms.errors import InvalidFile
-saved, refusals, end = 0, set(), time.monotonic() + 1.5
-while time.monotonic() < end:
+saved, refusals, start = 0, set(), time.monotonic()
+while time.monotonic() < start + (1.5 if saved else 60.0):
     try:
         write_dataset(xr.Dataset({"a": ("x", np.full(20_000, float(sys.argv[1])))}), "o.nc")
         saved += 1

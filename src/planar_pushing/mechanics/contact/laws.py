@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Literal, NamedTuple, Protocol, runtime_checkable
+from typing import Any, Literal, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 
 from planar_pushing.mechanics.angles import AngleInterval
+from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.terms.domain import Number, require_fields
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import AtZeroNormal
@@ -43,6 +44,9 @@ class Coulomb:
 
     def __post_init__(self) -> None:
         require_fields(self, "friction_coefficient")
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
 
     @property
     def force_angles(self) -> AngleInterval:
@@ -118,7 +122,7 @@ class Law(NamedTuple):
 
 
 def in_numbers(law: ContactLaw) -> Law:
-    """A law in the form of the compiled core."""
+    """A law in the form of the core."""
     cone = law.force_angles
     rough = np.ndim(cone.right) == 0 and cone.span > math.pi
     return Law(cone.right, cone.left, law.slips, cone.closed, rough)
@@ -130,7 +134,7 @@ def is_law(law: object) -> bool:
 
 
 def as_numbers(contact: Number) -> Law:
-    """A law, or an array of laws of any kinds, in the form of the compiled core."""
+    """A law, or an array of laws of any kinds, in the form of the core."""
     if not isinstance(contact, (list, tuple)) and not hasattr(contact, "ndim"):
         return in_numbers(contact)
     laws = np.asarray(contact, dtype=object)

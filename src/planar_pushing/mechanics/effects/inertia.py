@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 from planar_pushing.mechanics.frames import Frame, moved_place
+from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.terms.domain import Number, require_fields, required
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.numbers import pair_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,12 +38,16 @@ class Inertia:
 
     def __post_init__(self) -> None:
         require_fields(self, "mass", "gyration_radius")
-        if not isinstance(self.center, (tuple, list)) or len(self.center) != 2:
+        center = pair_of(self.center)
+        if center is None:
             raise InvalidValue(
                 "center", self.center, "two finite numbers", "give x and y in the body frame"
             )
-        center = tuple(required("mass_center", each) for each in self.center)
+        center = tuple(required("mass_center", each) for each in center)
         object.__setattr__(self, "center", center)
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
 
     def moved(self, body: Frame, fence: Frame) -> Inertia:
         """The same effect expressed in the body frame instead of the object's frame."""

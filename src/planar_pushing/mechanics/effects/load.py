@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from planar_pushing.mechanics.frames import Frame, moved_place
+from planar_pushing.mechanics.frames import Frame, components, moved_place
+from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.terms.domain import Number, required
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.numbers import pair_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,11 +37,14 @@ class Load:
         if self.center is not None:
             object.__setattr__(self, "center", _pair("center", self.center))
 
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
+
     def moved(self, body: Frame, fence: Frame) -> Load:
         """The same effect, with force in the fence frame and center in the body frame."""
-        x, y = fence.vector_in(self.force).tolist()
+        force = components(fence.vector_in(self.force), fence)
         center = None if self.center is None else moved_place(self.center, body)
-        return replace(self, force=(x, y), center=center)
+        return replace(self, force=force, center=center)
 
     @property
     def degree(self) -> int:
@@ -47,7 +52,8 @@ class Load:
 
 
 def _pair(name: str, given: Any) -> tuple[Number, Number]:
-    if not isinstance(given, (tuple, list)) or len(given) != 2:
+    pair = pair_of(given)
+    if pair is None:
         raise InvalidValue(name, given, "two finite numbers", "give its components along x and y")
-    x, y = (required(f"load_{name}", each) for each in given)
+    x, y = (required(f"load_{name}", each) for each in pair)
     return x, y

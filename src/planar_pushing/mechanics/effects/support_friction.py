@@ -8,8 +8,10 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.frames import Frame
+from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.supports.base import is_kind, moved_support
 from planar_pushing.mechanics.supports.even_ring import Ring
+from planar_pushing.mechanics.supports.in_frames import SupportInFrames, listed
 from planar_pushing.terms.domain import Number, require_fields, required, required_ratio
 from planar_pushing.terms.errors import InvalidValue
 
@@ -37,13 +39,17 @@ class SupportFriction:
 
     def __post_init__(self) -> None:
         require_fields(self, "weight")
-        supports = np.ravel(np.array(self.support, dtype=object))
+        own = self.support
+        supports = [own.support] if isinstance(own, SupportInFrames) else listed(own)
         if not len(supports) or not all(map(is_kind, map(type, supports))):
             raise InvalidValue(
                 "support", self.support,
                 "Ring, Points, Segment, Disc, Annulus, Polygon, PressureMap or Composite",
                 "construct one of these supports",
             )  # fmt: skip
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
 
     def moved(self, body: Frame, fence: Frame) -> SupportFriction:
         """The same effect expressed in the body frame instead of the object's frame."""
@@ -73,6 +79,9 @@ class RingFriction:
 
     def __post_init__(self) -> None:
         require_fields(self, "weight")
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
 
     @property
     def support(self) -> Ring:
@@ -110,5 +119,5 @@ def weight(mass: Number, support_friction: Number, gravity: Number = 9.80665) ->
     """
     own, coefficient = required("mass", mass), required("support_friction", support_friction)
     with np.errstate(over="ignore", under="ignore"):
-        found = own * coefficient * required("gravity", gravity)
-    return required_ratio("weight", found)
+        force = own * coefficient * required("gravity", gravity)
+    return required_ratio("weight", force)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from planar_pushing.mechanics.frames import Frame
+from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.supports.base import is_kind, moved_support
 from planar_pushing.terms.domain import Number, require_fields
 from planar_pushing.terms.errors import InvalidValue
@@ -43,6 +44,9 @@ class Viscous:
                 "Ring, Points, Segment, Disc, Annulus, Polygon, PressureMap or Composite",
                 "construct one of these supports",
             )  # fmt: skip
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
 
     def moved(self, body: Frame, fence: Frame) -> Viscous:
         """The same effect expressed in the body frame instead of the object's frame."""

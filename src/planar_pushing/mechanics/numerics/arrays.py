@@ -104,7 +104,9 @@ def _split(results: Array, columns: Sequence[Any], outputs: Sequence[npt.NDArray
 
 def _flat(array: Array, shape: tuple[int, ...]) -> Array:
     """An array broadcast to a shape and flattened; a scalar is returned unchanged."""
-    return np.broadcast_to(array, shape).reshape(-1) if array.ndim else array
+    if array.shape == shape or not array.ndim:
+        return array.reshape(-1) if array.ndim else array
+    return np.broadcast_to(array, shape).reshape(-1)
 
 
 def in_threads(block: Callable[[int], None], starts: Sequence[int]) -> None:
@@ -145,8 +147,8 @@ def elementwise(
     """
     if not any(map(is_labeled, arguments)):
         _require_shapes(arguments)
-        found = function(*arguments)
-        return [each.item() if each.ndim == 0 else each for each in found]
+        results = function(*arguments)
+        return [each.item() if each.ndim == 0 else each for each in results]
     import xarray as xr
 
     labeled = xr.apply_ufunc(
@@ -200,11 +202,25 @@ def component_labels() -> dict[str, Any]:
 
 
 def same(one: Any, other: Any) -> Any:
-    """Whether two values of one dataclass hold the same numbers: a single answer, also for arrays."""
+    """Whether two values of one dataclass hold the same numbers: a single answer, also for arrays.
+
+    Labels must be the same, too. NaN equals NaN.
+    """
     if type(one) is not type(other):
         return NotImplemented
-    pairs = ((getattr(one, field.name), getattr(other, field.name)) for field in fields(one))
-    return all(np.array_equal(a, b, equal_nan=np.asarray(a).dtype.kind == "f") for a, b in pairs)
+    names = [field.name for field in fields(one) if field.compare]
+    return all(_are_same(getattr(one, name), getattr(other, name)) for name in names)
+
+
+def _are_same(one: Any, other: Any) -> bool:
+    if isinstance(one, (tuple, list)) and isinstance(other, (tuple, list)):
+        return len(one) == len(other) and all(map(_are_same, one, other))
+    if is_labeled(one) or is_labeled(other):
+        return is_labeled(one) and bool(one.equals(other))
+    if hasattr(one, "shape") or hasattr(other, "shape"):
+        floats = np.asarray(one).dtype.kind == "f"
+        return bool(np.array_equal(one, other, equal_nan=floats))
+    return bool(one == other or (one != one and other != other))
 
 
 def dataset(arrays: Sequence[Any]) -> Any:

@@ -5,6 +5,7 @@ from planar_pushing.mechanics.supports.composite import Composite
 from planar_pushing.mechanics.supports.disc import Disc
 from planar_pushing.mechanics.supports.ellipsoid import EllipsoidFit, fit_ellipsoid
 from planar_pushing.mechanics.supports.even_ring import Ring
+from planar_pushing.mechanics.supports.in_frames import KINDS
 from planar_pushing.mechanics.supports.points import Points
 from planar_pushing.mechanics.supports.polygon import Polygon
 from planar_pushing.mechanics.supports.pressure_map import PressureMap
@@ -21,6 +22,7 @@ SHAPES = {
     "ring": Ring,
     "segment": Segment,
 }
+KINDS.update(SHAPES.values())
 
 __all__ = [
     "SHAPES",

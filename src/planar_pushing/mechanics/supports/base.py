@@ -9,6 +9,7 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 
 from planar_pushing.mechanics.frames import Frame
+from planar_pushing.mechanics.supports.in_frames import SupportInFrames
 from planar_pushing.mechanics.supports.pressure.pieces import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue, number_of, require_positive
 from planar_pushing.terms.numbers import required_array
@@ -41,19 +42,23 @@ class Support(Protocol):
 
 
 def moved_support(support: Any, frame: Frame) -> Any:
-    """A support expressed in another frame.
+    """A support expressed in another frame, or in each of an array of frames.
 
     Raises
     ------
     InvalidValue
-        If the support is of a user-defined kind without a method `moved`.
+        If the support is of a user-defined kind without a method `moved`, or cannot be moved.
     """
     if not hasattr(support, "moved"):
         raise InvalidValue(
             "support", support, "a support with a method moved(frame)",
             "add one that returns the support with its positions transformed by frame.point_in",
         )  # fmt: skip
-    return support.moved(frame)
+    if not frame.shape:
+        return support.moved(frame)
+    moved = SupportInFrames(support, frame)
+    support.moved(moved.frames[0])
+    return moved
 
 
 @lru_cache
@@ -74,7 +79,7 @@ def array(
     """
     numbers = required_array(name, given, allowed, remedy)
     fits = numbers.ndim == len(shape) and all(
-        length in (None, found) for length, found in zip(shape, numbers.shape, strict=True)
+        length in (None, actual) for length, actual in zip(shape, numbers.shape, strict=True)
     )
     if not fits:
         raise InvalidValue(name, given, allowed, remedy)
@@ -97,9 +102,9 @@ def coordinates(
     name: str, given: object, shape: tuple[int | None, ...], allowed: str, remedy: str
 ) -> Array:
     """Array of coordinates whose squares do not overflow; errors as in `array`."""
-    found = array(name, given, shape, allowed, remedy)
-    require_all(name, found, lambda x: np.abs(x) <= LENGTHS[1], f"at most {LENGTHS[1]:g}", UNIT)
-    return found
+    numbers = array(name, given, shape, allowed, remedy)
+    require_all(name, numbers, lambda x: np.abs(x) <= LENGTHS[1], f"at most {LENGTHS[1]:g}", UNIT)
+    return numbers
 
 
 def require_size(name: str, size: float) -> None:
@@ -111,9 +116,9 @@ def require_size(name: str, size: float) -> None:
 
 def length(name: str, given: object, remedy: str) -> float:
     """A positive length whose square neither underflows nor overflows."""
-    found = require_positive(name, given, remedy)
-    require_size(name, found)
-    return found
+    size = require_positive(name, given, remedy)
+    require_size(name, size)
+    return size
 
 
 def position(name: str, given: object) -> Position:
@@ -125,17 +130,17 @@ def position(name: str, given: object) -> Position:
 
 def positions(name: str, given: object, remedy: str) -> tuple[Position, ...]:
     """Positions in the plane."""
-    found = coordinates(name, given, (None, 2), "pairs of finite numbers", remedy)
-    if len(found) and (span := float(np.ptp(found, axis=0).max())):
+    places = coordinates(name, given, (None, 2), "pairs of finite numbers", remedy)
+    if len(places) and (span := float(np.ptp(places, axis=0).max())):
         require_size(name, span)
-    return tuple((x, y) for x, y in found.tolist())
+    return tuple((x, y) for x, y in places.tolist())
 
 
 def weights(name: str, given: object, count: int, remedy: str) -> tuple[float, ...]:
     """Positive weights, one per member, whose sum is finite."""
-    found = array(name, given, (count,), number_of(count, "positive number"), remedy)
-    require_all(name, found, lambda x: x > 0, "a number > 0", "leave out what carries no weight")
-    if found.max(initial=0.0) > np.finfo(float).max / count:
+    loads = array(name, given, (count,), number_of(count, "positive number"), remedy)
+    require_all(name, loads, lambda x: x > 0, "a number > 0", "leave out what carries no weight")
+    if loads.max(initial=0.0) > np.finfo(float).max / count:
         allowed = "numbers with a finite sum"
-        raise InvalidValue(name, float(found.max()), allowed, "choose another unit")
-    return tuple(found.tolist())
+        raise InvalidValue(name, float(loads.max()), allowed, "choose another unit")
+    return tuple(loads.tolist())

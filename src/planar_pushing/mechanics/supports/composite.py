@@ -38,21 +38,21 @@ class Composite(Pictured):
 
     def __post_init__(self) -> None:
         try:
-            found = tuple((share, support) for share, support in self.members)
+            pairs = tuple((share, support) for share, support in self.members)
         except (TypeError, ValueError):
-            found = ()
-        kinds: list[Any] = [type(support) for _, support in found]
-        if not found or not all(map(is_kind, kinds)):
+            pairs = ()
+        kinds: list[Any] = [type(support) for _, support in pairs]
+        if not pairs or not all(map(is_kind, kinds)):
             raise InvalidValue(
                 "members", self.members, "at least one pair of a share and a support",
                 "give for instance [(0.5, Disc(1.0)), (0.5, Points([(2.0, 0.0)], [1.0]))]",
             )  # fmt: skip
-        if any(isinstance(each, Ring) and each.radius is None for _, each in found):
+        if any(isinstance(each, Ring) and each.radius is None for _, each in pairs):
             raise InvalidValue(
                 "members", Ring(), "a ring with a radius", "give the radius, as in Ring(1.0)"
             )
-        shares = weights("share", [share for share, _ in found], len(found), "give one for each")
-        members = tuple((share, support) for share, (_, support) in zip(shares, found, strict=True))
+        shares = weights("share", [share for share, _ in pairs], len(pairs), "give one for each")
+        members = tuple((share, support) for share, (_, support) in zip(shares, pairs, strict=True))
         object.__setattr__(self, "members", members)
 
     @property

@@ -141,15 +141,15 @@ def _worst(error: Callable[[Array], Array], motions: Array, errors: Array, table
         return of_motion(np.stack([away[..., 1], -away[..., 0], np.ones(away.shape[:-1])], axis=-1))
 
     half = _spread(DIRECTIONS)
-    found = _climbed(
+    worst = _climbed(
         of_motion, motions[np.argsort(errors)[-STARTS:]], FIRST, np.concatenate([half, -half])
     )
     center = table.centers[0]
     feet, beside = table.atoms(0)[:, :2] - center, BESIDE * (1.0 + np.abs(center).sum())
     if not len(feet):
-        return found
+        return worst
     around = np.linspace(-pi, pi, DIRECTIONS)[:, None]
-    return max(found, _climbed(beside_feet, np.zeros((len(feet), 1)), 1.0, around))
+    return max(worst, _climbed(beside_feet, np.zeros((len(feet), 1)), 1.0, around))
 
 
 def _climbed(

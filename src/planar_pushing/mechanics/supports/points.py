@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.frames import Frame, moved_place
+from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, positions, weights
 from planar_pushing.mechanics.supports.layouts import (
@@ -80,7 +80,7 @@ class Points(Pictured):
 
     def moved(self, frame: Frame) -> Points:
         """The same points expressed in another frame."""
-        return replace(self, positions=[moved_place(each, frame) for each in self.positions])
+        return replace(self, positions=frame.point_in(self.positions) + 0.0)
 
     @property
     def center_of_pressure(self) -> Position:

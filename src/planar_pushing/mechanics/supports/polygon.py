@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.frames import Frame, moved_place
+from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.kernels import run
 from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.supports.base import Position, positions
@@ -80,9 +80,7 @@ class Polygon(Pictured):
 
     def moved(self, frame: Frame) -> Polygon:
         """The same polygon expressed in another frame."""
-        vertices, *holes = (
-            [moved_place(each, frame) for each in ring] for ring in (self.vertices, *self.holes)
-        )
+        vertices, *holes = (frame.point_in(ring) + 0.0 for ring in (self.vertices, *self.holes))
         return Polygon(vertices, holes)
 
     @property
@@ -146,15 +144,15 @@ def simple_ring(name: str, given: Any) -> Array:
             "outline the part that is pushed",
         )  # fmt: skip
     ring = getattr(given, "coords", getattr(given, "vertices", given))
-    found = np.array(positions(name, list(ring) if ring is not given else ring, remedy)).reshape(
+    vertices = np.array(positions(name, list(ring) if ring is not given else ring, remedy)).reshape(
         -1, 2
     )
-    if len(found) > 1 and (found[0] == found[-1]).all():
-        found = found[:-1]
-    if len(found) < 3:
+    if len(vertices) > 1 and (vertices[0] == vertices[-1]).all():
+        vertices = vertices[:-1]
+    if len(vertices) < 3:
         raise InvalidValue(name, given, "at least three vertices", remedy)
-    _require_simple(name, found)
-    return found
+    _require_simple(name, vertices)
+    return vertices
 
 
 def _require_holes(outer: Array, inner: list[Array]) -> None:

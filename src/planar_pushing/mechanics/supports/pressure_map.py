@@ -132,11 +132,11 @@ def _turned(plate: Array, frame: Frame) -> Array:
 def _edges(name: str, given: object) -> Array:
     """Edges of cells along an axis."""
     remedy = "give the edges of the cells in increasing order"
-    found = coordinates(name, given, (None,), "a sequence of finite numbers", remedy)
-    if len(found) < 2 or not (np.diff(found) > 0).all():
-        raise InvalidValue(name, found.tolist(), "at least two increasing numbers", remedy)
-    require_size(name, float(np.diff(found).min()))
-    return found
+    edges = coordinates(name, given, (None,), "a sequence of finite numbers", remedy)
+    if len(edges) < 2 or not (np.diff(edges) > 0).all():
+        raise InvalidValue(name, edges.tolist(), "at least two increasing numbers", remedy)
+    require_size(name, float(np.diff(edges).min()))
+    return edges
 
 
 def _block(x: Array, y: Array, cells: Array) -> Array:

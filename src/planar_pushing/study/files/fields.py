@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from enum import StrEnum
 from typing import Annotated, Any, Literal
 
@@ -22,7 +22,6 @@ from pydantic_core import PydanticCustomError
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.terms.domain import SIDE
 from planar_pushing.terms.options import (
-    FORMER_EVENTS,
     SAMPLES,
     TOLERANCE,
     AtZeroNormal,
@@ -33,7 +32,6 @@ from planar_pushing.terms.options import (
     PusherFrame,
     Shape,
 )
-from planar_pushing.terms.renamed import renamed_value
 
 
 def refuse(allowed: str) -> PydanticCustomError:
@@ -151,15 +149,11 @@ def spelled(options: type[StrEnum]) -> Any:
     return named(tuple(map(str, options)))
 
 
-def named(names: tuple[str, ...], former: Mapping[str, str] = {}) -> Any:
-    """Type of a text that must be one of these names; the error for an unknown name suggests one.
-
-    `former` maps former names to present ones.
-    """
+def named(names: tuple[str, ...]) -> Any:
+    """Type of a text that must be one of these names; the error for an unknown name suggests one."""
     context = {"allowed": " or ".join(map(repr, names)), "names": names}
 
     def known(given: object) -> object:
-        given = renamed_value(given, former)
         if given not in names:
             raise PydanticCustomError("unknown_option", "{allowed}", context)
         return given
@@ -264,7 +258,9 @@ def axis(item: Any) -> Any:
 Positive: Any = number(
     "a finite number > 0", lambda x: 0 < x < math.inf, type="number", exclusiveMinimum=0
 )
-NonNegative: Any = number("a finite number >= 0", lambda x: 0 <= x < math.inf, type="number", minimum=0)
+NonNegative: Any = number(
+    "a finite number >= 0", lambda x: 0 <= x < math.inf, type="number", minimum=0
+)
 RodAngle: Any = number(
     "degrees in the open interval (0, 180)", lambda x: 0 < x < 180,
     type="number", exclusiveMinimum=0, exclusiveMaximum=180,
@@ -280,7 +276,9 @@ SampleCount: Any = number(
     type="integer", minimum=SAMPLES.least, maximum=int(SAMPLES.most),
 )  # fmt: skip
 Number: Any = number("a number, or inf", lambda x: not math.isnan(x))
-Share: Any = number("a number in [0, 1]", lambda x: 0 <= x <= 1, type="number", minimum=0, maximum=1)
+Share: Any = number(
+    "a number in [0, 1]", lambda x: 0 <= x <= 1, type="number", minimum=0, maximum=1
+)
 FrictionCoefficient: Any = number(
     "a number >= 0, or inf", lambda x: x >= 0,
     anyOf=[{"type": "number", "minimum": 0}, {"const": "inf"}],
@@ -300,7 +298,7 @@ PolicyName: Any = choice(Policy)
 MethodName: Any = choice(Method)
 ShapeName: Any = spelled(Shape)
 FrameName: Any = spelled(PusherFrame)
-EventName = named(tuple(event.name for event in Event if event is not Event.NONE), FORMER_EVENTS)
+EventName = named(tuple(event.name for event in Event if event is not Event.NONE))
 ModeName = named(tuple(mode.name for mode in ContactMode))
 AtZeroNormalName: Any = choice(AtZeroNormal)
 EffectsName: Any = choice(EffectSet)

@@ -1,1 +1,1 @@
-"""Pressure of a support in the compiled core, and its pieces."""
+"""Pressure of a support in the core, and its pieces."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -41,8 +41,8 @@ class Gathered(NamedTuple):
         Index at which the edges of each plate begin, then the total number of edges.
     centers, extents, spreads : ndarray
         Of the supports: centers of pressure, largest distances from them, second moments.
-    terms : ndarray, optional
-        Terms of the plates, shape (plates, ROWS, 2), if they are known.
+    write_terms : callable, optional
+        Writes the terms of the plates into an array of shape (plates, 2 * ROWS), if they are known.
     """
 
     rows: list[Array]
@@ -51,7 +51,7 @@ class Gathered(NamedTuple):
     centers: Array
     extents: Array
     spreads: Array
-    terms: Array | None = None
+    write_terms: Callable[[Array], None] | None = None
 
 
 def shared(pieces: Pieces, share: float) -> Pieces:
@@ -81,13 +81,31 @@ def gathered(supports: Sequence[Pieces]) -> Gathered:
     owners = [np.repeat(np.arange(len(supports)), count) for count in counts]
     plates = [edges for pieces in supports for edges in pieces.plates]
     lengths = np.array([len(edges) for edges in plates], dtype=np.int64)
-    first = np.concatenate([[0], lengths.cumsum()])
     edges = np.concatenate([np.empty((0, 5)), *plates])
-    rows += [_places(edges, lengths, first[:-1]), edges]
     owners += [np.repeat(owners[PLATES], lengths)]
-    centers = _centers(rows, owners, len(supports))
-    extents, found = _extents(rows, owners, centers), spreads(rows, owners, centers)
-    return Gathered(rows, owners, first, centers, extents, found)
+    return measure_pieces(rows, edges, owners, lengths, len(supports))
+
+
+def measure_pieces(
+    rows: list[Array], edges: Array, owners: list[Any], lengths: Any, count: int
+) -> Gathered:
+    """`Gathered` from the rows of each kind before the plates, their edges, and the owners of all.
+
+    Parameters
+    ----------
+    rows, owners : list of ndarray
+        As in `Gathered`; of plates and edges the owners only.
+    edges : ndarray, shape (m, 5)
+    lengths : ndarray of int, shape (plates,)
+        Number of edges of each plate.
+    count : int
+        Number of supports.
+    """
+    first = np.concatenate([[0], lengths.cumsum()])
+    rows = [*rows, _places(edges, lengths, first[:-1]), edges]
+    centers = _centers(rows, owners, count)
+    extents, moments = _extents(rows, owners, centers), spreads(rows, owners, centers)
+    return Gathered(rows, owners, first, centers, extents, moments)
 
 
 def _places(edges: Array, lengths: Any, first: Any) -> Array:
@@ -133,13 +151,13 @@ def _extents(rows: list[Array], owners: list[Any], centers: Array) -> Array:
         (RINGS, 0),
         (DISCS, 0),
     )
-    found = np.zeros(len(centers))
+    extents = np.zeros(len(centers))
     for kind, column in ends:
         reach = _distance(rows[kind][:, column : column + 2], centers[owners[kind]])
         if kind in (RINGS, DISCS):
             reach += rows[kind][:, 2]
-        np.maximum.at(found, owners[kind], reach)
-    return found
+        np.maximum.at(extents, owners[kind], reach)
+    return extents
 
 
 def center(pieces: Pieces) -> tuple[float, float]:
@@ -209,8 +227,8 @@ def write_terms(group: Gathered, rows: Array, plates: Any, terms: Array) -> None
     terms : ndarray, shape (plates, 2 * ROWS)
         What is written.
     """
-    if group.terms is not None:
-        terms[:] = group.terms.reshape(terms.shape)
+    if group.write_terms is not None:
+        group.write_terms(terms)
         return
 
     def block(start: int) -> None:

@@ -23,7 +23,7 @@ ROUND = {RINGS: 1 / 2, DISCS: 1 / 4}
 
 def spreads(rows: list[Array], owners: list[Any], centers: Array) -> Array:
     """Means of x x, x y and y y from the centers of pressure, shape (supports, 3)."""
-    found = np.zeros((len(centers), 3))
+    totals = np.zeros((len(centers), 3))
     for kind, first, last in ENDS:
         pieces, around = rows[kind], centers[owners[kind]]
         start, end = pieces[:, first : first + 2] - around, pieces[:, last : last + 2] - around
@@ -33,8 +33,8 @@ def spreads(rows: list[Array], owners: list[Any], centers: Array) -> Array:
         if kind == EDGES:
             # Moments of the triangle from the center to the edge, weighted by its share of the pressure.
             share = share * (start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0]) / 4
-        np.add.at(found, owners[kind], share[:, None] * means)
-    return found
+        np.add.at(totals, owners[kind], share[:, None] * means)
+    return totals
 
 
 def _along(start: Array, end: Array) -> Array:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache, wraps
+from functools import wraps
 from typing import Any, TypeVar
 
 import numpy as np
@@ -22,17 +22,22 @@ from planar_pushing.core.pieces import (
     SPREAD,
 )
 from planar_pushing.core.rows import ENTRY, LAST
+from planar_pushing.mechanics.supports.in_frames import SupportInFrames
 from planar_pushing.mechanics.supports.pressure.assembly import (
     Gathered,
     gathered,
     stack,
     write_terms,
 )
+from planar_pushing.mechanics.supports.pressure.in_frames import gather_in_frames
 from planar_pushing.mechanics.supports.pressure.pieces import Array, Pieces
+from planar_pushing.terms.caches import cached
 from planar_pushing.terms.errors import InvalidValue
 
 #: Rounding error of a center of pressure, relative to its coordinates.
 ROUNDING = 1e-14
+#: Room in front of a table for the entries of 15 effects.
+FRONT = 16 * ENTRY
 #: Maximum number of supports in a small tuple, and number of small tuples whose results are cached.
 FEW, KEPT = 1000, 16
 Found = TypeVar("Found")
@@ -49,15 +54,21 @@ class Table:
     data : ndarray
         The heads of all pressures, the rows of their pieces, and the terms of their plates, as in
         `core.pieces`; places are relative to the beginning of this array.
-    plates : ndarray of int
-        Places of the rows of plates.
     count : int
         Number of supports.
+    memory : ndarray
+        The data, and in front of them room for the entries of a call that has no other table.
+    entries : list
+        The entries that are there, or none.
+    most_atoms : int
+        Maximum number of atoms of a support.
     """
 
     data: Array
-    plates: Any
     count: int
+    memory: Array
+    entries: list[Array]
+    most_atoms: int
 
     @property
     def heads(self) -> Array:
@@ -84,25 +95,30 @@ class Table:
         first, last = self.heads[number, [ATOMS, SEGMENTS]].astype(int)
         return self.data[first:last].reshape(-1, COLUMNS)[:, :3]
 
-    def data_from(self, place: int) -> Array:
-        """The data as they are if they begin at a place of a larger array."""
-        data = self.data.copy()
-        data[: HEAD * self.count].reshape(self.count, HEAD)[:, ATOMS : END + 1] += place
-        for column in (COLUMNS - 2, COLUMNS - 1):
-            data[self.plates + column] += place
-        return data
+    def behind(self, entries: Array) -> Array:
+        """The data behind entries, in the table's own memory if these are the first ones."""
+        if len(entries) > FRONT:
+            return np.concatenate([entries, self.data])
+        self.entries.append(entries)
+        if not np.array_equal(self.entries[0], entries):
+            return np.concatenate([entries, self.data])
+        front = self.memory[FRONT - len(entries) :]
+        front[: len(entries)] = entries
+        return front
 
 
-def kept(function: Callable[[tuple[Any, ...]], Found]) -> Callable[[Iterable[Any]], Found]:
+def kept(function: Callable[[Any], Found]) -> Callable[[Iterable[Any]], Found]:
     """Cache a function of supports; for many supports, which can take gigabytes, the last result only."""
-    few, many = lru_cache(KEPT)(function), lru_cache(1)(function)
+    few, many = cached(KEPT)(function), cached(1)(function)
 
     @wraps(function)
-    def found(supports: Iterable[Any]) -> Found:
+    def call(supports: Iterable[Any] | SupportInFrames) -> Found:
+        if isinstance(supports, SupportInFrames):
+            return (few if supports.size <= FEW else many)(supports)
         each = tuple(supports)
         return (few if len(each) <= FEW else many)(each)
 
-    return found
+    return call
 
 
 def extents_of(supports: Iterable[Any]) -> Array:
@@ -122,24 +138,33 @@ def extent_of(support: Any) -> float:
 
 
 @kept
-def _gathered(supports: tuple[Any, ...]) -> Gathered:
+def _gathered(supports: tuple[Any, ...] | SupportInFrames) -> Gathered:
     """The pieces of supports, none of which may be a single point."""
-    found = gathered([support.pieces() for support in supports])
+    if not isinstance(supports, SupportInFrames):
+        return _required_extents(gathered([each.pieces() for each in supports]), supports)
+    if not supports.is_rigid:
+        return _gathered(supports.supports)
+    group = gather_in_frames(supports.support.pieces(), supports.origins, supports.axes)
+    return _required_extents(group, [supports.support] * supports.size)
+
+
+def _required_extents(group: Gathered, supports: Sequence[Any]) -> Gathered:
+    """Pieces of supports, or `InvalidValue` if a support is a single point."""
     # Rounding of the weights moves the center of pressure of a single point by a few ulp.
-    points = np.flatnonzero(found.extents <= ROUNDING * np.abs(found.centers).sum(axis=1))
+    points = np.flatnonzero(group.extents <= ROUNDING * np.abs(group.centers).sum(axis=1))
     if len(points):
         raise InvalidValue(
             "support", supports[points[0]], "a support with more than one point",
             "a point resists no rotation: its force is opposite to its motion",
         )  # fmt: skip
-    return found
+    return group
 
 
 @kept
-def table_of(supports: tuple[Any, ...]) -> Table:
+def table_of(supports: tuple[Any, ...] | SupportInFrames) -> Table:
     """`Table` of supports, the same object while it is cached."""
-    found = _gathered(supports)
-    return _table(found, found.extents)
+    group = _gathered(supports)
+    return _table(group, group.extents)
 
 
 def table_of_pieces(pieces: Pieces, radius: float) -> Table:
@@ -147,24 +172,26 @@ def table_of_pieces(pieces: Pieces, radius: float) -> Table:
     return _table(gathered([pieces]), np.array([radius]))
 
 
-def _table(found: Gathered, radii: Array) -> Table:
+def _table(group: Gathered, radii: Array) -> Table:
     """`Table` of supports, each in units of its own radius."""
-    starts, rows, plates = stack(found, radii)
+    starts, rows, plates = stack(group, radii)
     count, size = len(radii), radii[:, None]
     first, terms = HEAD * count, HEAD * count + rows.size
-    data = np.zeros(terms + 2 * ROWS * len(plates))
-    write_terms(found, rows, plates, data[terms:].reshape(-1, 2 * ROWS))
+    memory = np.empty(FRONT + terms + 2 * ROWS * len(plates))
+    data = memory[FRONT:]
+    data[:first] = 0.0
+    write_terms(group, rows, plates, data[terms:].reshape(-1, 2 * ROWS))
     rows[plates, COLUMNS - 2 :] = first + COLUMNS * rows[plates, COLUMNS - 2 :]
     data[first:terms] = rows.ravel()
     heads = data[:first].reshape(count, HEAD)
     heads[:, CENTER : CENTER + 2], heads[:, SPREAD : SPREAD + 3] = (
-        found.centers / size,
-        found.spreads / size**2,
+        group.centers / size,
+        group.spreads / size**2,
     )
     heads[:, ATOMS : EDGES + 1] = first + COLUMNS * starts[:, :-1]
     heads[:, SERIES] = terms + 2 * ROWS * starts[:, -1]
     heads[:, END] = np.append(heads[1:, ATOMS], terms)
-    return Table(data, first + COLUMNS * plates, count)
+    return Table(data, count, memory, [], int((starts[:, 1] - starts[:, 0]).max()))
 
 
 def joined_data(effects: Sequence[tuple[int, int, Table | None]], columns: int) -> Array:
@@ -180,9 +207,9 @@ def joined_data(effects: Sequence[tuple[int, int, Table | None]], columns: int) 
     Returns
     -------
     ndarray
-        ``ENTRY`` numbers for each effect: kind, column, and for a support the place of the head of its
-        first pressure; the kind ``LAST`` and the number of columns; then the tables. It is cached while the effects are the same, with tables compared
-        by identity, and must not be written to.
+        ``ENTRY`` numbers for each effect: kind, column, and for a support the place of its table, whose own
+        places count from there; the kind ``LAST`` and the number of columns; then the tables. It is cached
+        while the effects are the same, with tables compared by identity, and must not be written to.
     """
     given = tuple(effects)
     count = sum(table.count for _, _, table in given if table is not None)
@@ -190,15 +217,15 @@ def joined_data(effects: Sequence[tuple[int, int, Table | None]], columns: int) 
 
 
 def _joined(effects: tuple[tuple[int, int, Table | None], ...], columns: int) -> Array:
-    parts = [np.zeros(ENTRY * (len(effects) + 1))]
-    parts[0][-ENTRY : 2 - ENTRY] = LAST, columns
-    place = len(parts[0])
+    entries = np.zeros((len(effects) + 1, ENTRY))
+    tables = [table for _, _, table in effects if table is not None]
+    entries[-1, :2], place = (LAST, columns), entries.size
     for i, (kind, column, table) in enumerate(effects):
-        parts[0][ENTRY * i : ENTRY * i + 3] = kind, column, 0.0 if table is None else place
-        if table is not None:
-            parts.append(table.data_from(place))
-            place += len(table.data)
-    return np.concatenate(parts)
+        entries[i, :3] = kind, column, 0.0 if table is None else place
+        place += 0 if table is None else len(table.data)
+    if len(tables) == 1:
+        return tables[0].behind(entries.ravel())
+    return np.concatenate([entries.ravel(), *(table.data for table in tables)])
 
 
-_few_joined, _many_joined = lru_cache(KEPT)(_joined), lru_cache(1)(_joined)
+_few_joined, _many_joined = cached(KEPT)(_joined), cached(1)(_joined)

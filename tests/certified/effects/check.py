@@ -14,9 +14,9 @@ from dataclasses import dataclass
 
 from flint import ctx, fmpq
 
+from certified.effects.conditions import Claim, Conditions
 from planar_pushing.certified.balls import Undecided, rational
 from planar_pushing.certified.contact.modes import Law
-from planar_pushing.certified.effects.conditions import Claim, Conditions
 from planar_pushing.certified.potential.direction import Direction
 from planar_pushing.certified.potential.resistance import Scene, resistance
 
