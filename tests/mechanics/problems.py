@@ -13,7 +13,10 @@ from mechanics.friction_transcription import Pressure, pressure_of
 
 @dataclass(frozen=True)
 class Problem:
-    """Scenes and pushes as flat arrays; edges of the cone and the pusher's motion are vectors."""
+    """Scenes and pushes as flat arrays; edges of the cone and the pusher's motion are vectors.
+
+    `load` is the wrench of all loads about the slider's origin, in the body frame.
+    """
 
     pressure: Pressure | None
     length: Any
@@ -22,6 +25,7 @@ class Problem:
     mass: Any
     gyration: Any
     mass_center: Any
+    load: Any
     right: Any
     left: Any
     slips: Any
@@ -68,27 +72,35 @@ def turned(vector, angle):
 
 
 def problem_of(scene, angle, magnitude=1.0):
-    """A scene, or an array of scenes of one support, with its pushes; at most one of each effect."""
-    friction = [each for each in scene.effects if not isinstance(each, pp.Inertia)]
+    """A scene, or an array of scenes of one support, with its pushes; at most one of friction and inertia."""
+    loads = [each for each in scene.effects if isinstance(each, pp.Load)]
+    friction = [each for each in scene.effects if not isinstance(each, pp.Inertia | pp.Load)]
     masses = [each for each in scene.effects if isinstance(each, pp.Inertia)] or [
         pp.Inertia(mass=1.0)
     ]
-    absent = 0.0 if len(masses) + len(friction) > len(scene.effects) else 1.0
+    absent = 0.0 if len(masses) + len(friction) + len(loads) > len(scene.effects) else 1.0
     given = [
         scene.slider.rod_length, scene.slider.rod_angle,
         friction[0].weight if friction else 0.0, absent * np.asarray(masses[0].mass),
         masses[0].gyration_radius, *masses[0].center, angle, magnitude,
     ]  # fmt: skip
+    for each in loads:
+        given += [*each.force, *(each.center or masses[0].center)]
     laws = np.asarray(scene.contact, dtype=object)
     mu = laws.item().friction_coefficient if _is_one_coulomb(laws) else 0.0
     shape = np.broadcast_shapes(laws.shape, np.shape(mu), *map(np.shape, given))
     columns = [np.broadcast_to(each, shape).ravel().astype(float) for each in given]
-    length, psi, weight, mass, gyration, x, y, angle, magnitude = columns
+    length, psi, weight, mass, gyration, x, y, angle, magnitude = columns[:9]
+    wrench = np.zeros((len(length), 3))
+    for i in range(9, len(columns), 4):
+        g_x, g_y, place_x, place_y = columns[i : i + 4]
+        g_x, g_y = turned(np.stack([g_x, g_y], axis=-1), -psi).T
+        wrench += np.stack([g_x, g_y, place_x * g_y - place_y * g_x], axis=-1)
     pusher = magnitude[:, None] * np.stack(unit(angle), axis=-1)
     pressure = pressure_of(friction[0].support, scene.slider.radius) if friction else None
     law = _law_of(laws, shape, mu)
     return Problem(
-        pressure, length, psi, weight, mass, gyration, np.stack([x, y], axis=-1), *law, pusher
+        pressure, length, psi, weight, mass, gyration, np.stack([x, y], axis=-1), wrench, *law, pusher
     )
 
 

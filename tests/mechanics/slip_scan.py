@@ -15,7 +15,8 @@ from mechanics.transcription import gradient
 ROUNDING = 1e-15
 #: Steps of the bracket, of which every third halves it.
 STEPS = 150
-#: Distances from the pusher's motion over its magnitude, and from rest over its normal part.
+#: Distances from the pusher's motion over its magnitude, and from the free motion over the normal part
+#: between them.
 FROM_PUSHER, FROM_REST = np.logspace(-8, 4, 240), np.logspace(-3, 4, 120)
 
 
@@ -66,19 +67,23 @@ def force_at(problem, motion):
     return turned(one + np.clip(part, 0, 1)[:, None] * (other - one), problem.psi)
 
 
-def places_of(pusher, sense):
+def places_of(pusher, free, sense):
     """Motions along the fence on one side of the pusher's, outwards, shape (n, places)."""
-    size, normal = np.hypot(*pusher.T)[:, None], np.abs(pusher[:, 1:])
+    size, normal = np.hypot(*pusher.T)[:, None], np.abs(pusher[:, 1:] - free[:, 1:])
+    size = np.maximum(size, np.hypot(*free.T)[:, None])
     near = pusher[:, :1] + sense * size * FROM_PUSHER
-    rest = np.concatenate([normal * FROM_REST, -normal * FROM_REST], axis=1)
+    rest = free[:, :1] + np.concatenate([normal * FROM_REST, -normal * FROM_REST], axis=1)
     beyond = sense * (rest - pusher[:, :1]) > 1e-8 * size
     rest = np.where(beyond, rest, near[:, :1])
     return sense * np.sort(sense * np.concatenate([near, rest], axis=1), axis=1)
 
 
-def slips_by_scan(problem, sense):
-    """How many slips there are to the right (sense 1, on the left edge) or to the left (-1)."""
-    x = places_of(problem.pusher, sense)
+def slips_by_scan(problem, sense, free=None):
+    """How many slips there are to the right (sense 1, on the left edge) or to the left (-1).
+
+    `free` is the motion of the contact under the loads alone, by default zero.
+    """
+    x = places_of(problem.pusher, np.zeros((len(problem), 2)) if free is None else free, sense)
     count = x.shape[1]
     edge = np.repeat(problem.left if sense > 0 else problem.right, count, axis=0)
     motion = np.column_stack([x.ravel(), np.repeat(problem.pusher[:, 1], count)])

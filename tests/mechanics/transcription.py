@@ -31,7 +31,7 @@ SAME = 1e-11
 
 
 def gradient(problem, twist):
-    """Force of the effects, and their torque about the contact, in the body frame; twists likewise.
+    """Force that sustains twists, and its torque about the contact, in the body frame; twists likewise.
 
     Force and torque are of everything but the atoms.
     """
@@ -43,6 +43,7 @@ def gradient(problem, twist):
     own = twist[:, :2] + twist[:, 2:] * np.stack([-y, x], axis=-1)
     pull, spin = problem.mass[:, None] * own, problem.mass * problem.gyration**2 * twist[:, 2]
     force, torque = force + pull, torque + cross(problem.mass_center, pull) + spin
+    force, torque = force - problem.load[:, :2], torque - problem.load[:, 2]
     return force, torque + problem.length * force[:, 1]
 
 
@@ -62,7 +63,7 @@ def imbalance(problem, twist, force, rounding=ROUNDING):
     lacks, torque = gradient(problem, body)
     lacks = lacks - turned(force, -problem.psi)
     speed = speed_of(problem, twist)
-    slack = size_of(force) + problem.mass * speed
+    slack = size_of(force) + problem.mass * speed + size_of(problem.load)
     if problem.pressure is not None:
         middle = size_of(point_velocities(body, problem.pressure.center[None])[:, 0])
         turn = problem.pressure.extent * np.abs(twist[:, 2])
@@ -170,8 +171,12 @@ def of_numbers(problem, found):
     return {
         "not finite": ~np.isfinite(numbers).all(axis=-1),
         "contact motion is not that of the twist": off > slack,
-        "separate with a force, a motion or a push into the slider": rests
-        & (numbers.any(axis=-1) | (w[:, 1] > 0)),
+        "separate with a force, or in the way of the pusher": rests
+        & (found.force.any(axis=-1) | found.force_end.any(axis=-1) | (gap[:, 1] < -slack)),
+        "separate that moves without a load": rests
+        & ~problem.load.any(axis=-1) & (motion.any(axis=-1) | found.twist.any(axis=-1)),
+        "separate that does not balance": rests
+        & found.twist.any(axis=-1) & ~(imbalance(problem, found.twist, found.force) <= 1),
         "stick that does not follow the pusher": (mode == STICK) & (size_of(gap) > slack),
         "slip that leaves the fence": slip & (np.abs(gap[:, 1]) > slack),
         "slip to the wrong side": ((mode == SLIP_RIGHT) & (gap[:, 0] <= 0))
@@ -246,6 +251,9 @@ def of_existence(problem, found):
 
     *One effect, and a push with w_y > 0*: the angle of the motion rises with that of the force, so there is
     one solution; unless the support is on a line, where one force has an interval of motions.
+
+    *With loads* and inertia, u and w are to be taken relative to the free motion a, where the force is zero:
+    as the potential is convex, f . (u - a) >= 0. So a closed cone has a solution for every push, too.
     """
     count = np.bincount(found.place, minlength=len(problem))
     has = {
@@ -260,15 +268,16 @@ def of_existence(problem, found):
     followed = np.where(force[:, 0] > 0, has[SLIP_LEFT][place], has[SLIP_RIGHT][place]) > 0
     lonely = np.zeros(len(problem), dtype=bool)
     lonely[place[pull.slips & inside & ~followed]] = True
-    into = problem.pusher[:, 1] > 0
+    loaded, into = problem.load.any(axis=-1), problem.pusher[:, 1] > 0
     simple = ((problem.mass == 0) & ~_on_a_line(problem.pressure)) | (problem.weight == 0)
+    at_rest = ~problem.pusher.any(axis=-1)
     return {
-        "no separation": ~into & (has[SEPARATE] != 1),
+        "no separation": ~loaded & ~into & (has[SEPARATE] != 1),
         "no solution": problem.closed & (count == 0),
-        "a rough contact that does not stick once": problem.rough & (has[STICK] != 1),
+        "a rough contact that does not stick once": problem.rough & ~at_rest & (has[STICK] != 1),
         "two sticks": has[STICK] > 1,
-        "a pull that sticks without a slip": lonely,
-        "several solutions of one effect": into & simple & (count > 1),
+        "a pull that sticks without a slip": ~loaded & lonely,
+        "several solutions of one effect": ~loaded & into & simple & (count > 1),
     }
 
 

@@ -32,6 +32,9 @@ from planar_pushing.core.tolerances import RESOLUTION, SHARE
 #: Maximum number of Newton steps, and of trials along one.
 DESCENTS = 60
 TRIALS = 120
+#: A smaller load, in units of the largest force, counts as none: squares of the motions that it causes, and of
+#: slips much slower than these, would underflow.
+SLIGHTEST_LOAD = 1e-100
 #: A step ends where the slope of the potential has fallen to this fraction of that at the start, or where
 #: the minimum is known to this fraction of the step.
 SLOPE_LEFT = 0.3
@@ -50,10 +53,10 @@ def free_twist(effects: Effects) -> Vector:
     rest = Vector(0.0, 0.0, 0.0)
     if not effects.massive:
         return rest
-    load, mass = load_wrench(effects), rough_mass(effects, INFINITY, 0.0, 0.0)
-    if mass.mass == 0.0 or (load.x == 0.0 and load.y == 0.0 and load.spin == 0.0):
+    load = load_wrench(effects)
+    if _size_of(load) < SLIGHTEST_LOAD:
         return rest
-    fall = _solve_symmetric(mass.mass, 0.0, mass.mass, -mass.y, mass.x, mass.inertia, load)
+    fall = _fall_of(effects, load)
     level = _lowest_start(effects, load, fall, False)
     if not level.value < 0.0:
         start = _lowest_start(effects, load, fall, True).twist
@@ -61,14 +64,26 @@ def free_twist(effects: Effects) -> Vector:
     return _descend(effects, load, level.twist, False) if level.value < 0.0 else rest
 
 
+def _fall_of(effects: Effects, load: Vector) -> Vector:
+    """The twist under loads without friction."""
+    mass = rough_mass(effects, INFINITY, 0.0, 0.0)
+    x, y = mass.x / mass.mass, mass.y / mass.mass
+    # About the center of mass, which can be far away, the moment of inertia has all its digits.
+    inertia = rough_mass(effects, INFINITY, x, y).inertia
+    spin = (load.spin - (x * load.y - y * load.x)) / inertia
+    return Vector(load.x / mass.mass + spin * y, load.y / mass.mass - spin * x, spin)
+
+
 def _solve_symmetric(
     xx: float, xy: float, yy: float, xs: float, ys: float, ss: float, wrench: Vector
 ) -> Vector:
-    """The twist that a positive-definite matrix maps to a wrench."""
+    """The twist that a positive-definite matrix maps to a wrench; without rotation if that is rounded away."""
     part, swing = xy / xx, xs / xx
     rest_yy, rest_ys = yy - part * xy, ys - part * xs
     right, turn = wrench.y - part * wrench.x, rest_ys / rest_yy
-    spin = (wrench.spin - swing * wrench.x - turn * right) / (ss - swing * xs - turn * rest_ys)
+    rest_ss, spin = ss - swing * xs - turn * rest_ys, 0.0
+    if rest_ss > 0.0:
+        spin = (wrench.spin - swing * wrench.x - turn * right) / rest_ss
     y = right / rest_yy - turn * spin
     return Vector(wrench.x / xx - part * y - swing * spin, y, spin)
 

@@ -58,9 +58,10 @@ LOWEST = -34.0
 FINER = 16
 #: Offset that makes angles from the force positive.
 POSITIVE = 2.0
-#: Maximum number of steps to a bracket, and the factor from one to the next.
-DOUBLINGS = 60
+#: Factor from one step to a bracket to the next, and the logarithm of the largest and smallest component
+#: along the line of force: the squares of larger and smaller motions overflow and underflow.
 DOUBLING = 8.0
+FARTHEST = 300.0
 
 
 class ForceLine(NamedTuple):
@@ -90,16 +91,16 @@ def _excess(line: ForceLine, z: float) -> float:
 
 
 def _motion_with_goal(line: ForceLine) -> ContactMotion:
-    """The motion that has what it is to have, which increases with its size."""
+    """The motion that has what it is to have, which increases with its size; not converged if none has."""
     low, at_low, step = 0.0, _excess(line, 0.0), 1.0
     sense = -1.0 if at_low > 0.0 else 1.0
     high, at_high = low, at_low
-    for _ in range(DOUBLINGS):
-        high = low + sense * step
-        at_high = _excess(line, high)
-        if at_low == 0.0 or (at_high > 0.0) != (at_low > 0.0):
-            break
-        low, at_low, step = high, at_high, DOUBLING * step
+    while at_low != 0.0 and (at_high > 0.0) == (at_low > 0.0):
+        if fabs(high) == FARTHEST:
+            return unsolved(motion_of_size(line, high))
+        low, at_low = high, at_high
+        high = min(max(low + sense * step, -FARTHEST), FARTHEST)
+        at_high, step = _excess(line, high), DOUBLING * step
     if at_low == 0.0:
         return motion_of_size(line, low)
     bracket = open_bracket(low, high, at_low, at_high)

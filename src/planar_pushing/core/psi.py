@@ -88,6 +88,25 @@ def _psi_at_rest(effects: Effects, contact: Contact) -> Psi:
     return potential_at(total, contact, v_x, v_y, spin, 0.0, 0.0, 0.0, 0.0, spin == spin)
 
 
+def _with_foot_at_contact(
+    effects: Effects, contact: Contact, total: Resistance, x: float, y: float
+) -> Resistance:
+    """`Resistance` with the friction of a support point at the contact, if that is the one at rest.
+
+    It moves by (x, y), however slow that is beside the rotation, and has no torque about the contact.
+    """
+    foot = foot_position(effects, total.point)
+    if foot.x != contact.x or foot.y != contact.y:
+        return total
+    speed = sqrt(x * x + y * y)
+    u_x, u_y, part = x / speed, y / speed, total.limit / speed
+    return Resistance(
+        total.f_x + total.limit * u_x, total.f_y + total.limit * u_y, total.torque,
+        total.xx + part * u_y * u_y, total.xy - part * u_x * u_y, total.yy + part * u_x * u_x,
+        total.xs, total.ys, total.ss, 0.0, NO_POINT, total.terms + total.limit,
+    )  # fmt: skip
+
+
 def psi(
     effects: Effects, contact: Contact, x: float, y: float,
     guess: float, point: int, tolerance: float,
@@ -124,6 +143,8 @@ def psi(
         v_x, v_y = p_x + carried * contact.a_x, p_y + carried * contact.a_y
         blur = ROUNDING * (speed + contact.reach * fabs(spin))
         total = resistance_about(effects, contact, v_x, v_y, spin, blur)
+        if total.limit > 0.0:
+            total = _with_foot_at_contact(effects, contact, total, x, y)
         torque = total.torque
         if total.limit > 0.0:
             hold = total.limit * speed / fabs(spin)

@@ -67,7 +67,7 @@ def find_slips(
     flat : bool
         Whether the last motions belong to a continuum.
     """
-    straight: bool = unit == 0.0
+    straight: bool = path.p_x == 0.0 and path.p_y == 0.0
     flat: bool = False
     last = stick.s
     unit = unit if unit > 0.0 else SLOWEST
@@ -246,8 +246,8 @@ def _part_of_bracket(low: Sample, high: Sample) -> float:
     rise, width = high.before - low.after, high.s - low.s
     if rise == 0.0:
         return 0.5
-    part = -low.after / rise
-    if low.slope * rise > 0.0 and high.slope * rise > 0.0:
-        start, end, rest = rise / (width * low.slope), rise / (width * high.slope), 1.0 - part
+    part, at_low, at_high = -low.after / rise, width * low.slope, width * high.slope
+    if at_low * rise > 0.0 and at_high * rise > 0.0:
+        start, end, rest = rise / at_low, rise / at_high, 1.0 - part
         part *= part * (3.0 - 2.0 * part) + rest * (rest * start - part * end)
     return part

@@ -15,6 +15,10 @@ from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of
 from planar_pushing.mechanics.scene import Scene
 
 
+#: A motion of this size or less is about to change: derivatives of its force overflow.
+SMALLEST = 1e-290
+
+
 class Motions(NamedTuple):
     """A list of motions, in the fence frame.
 
@@ -71,12 +75,13 @@ def responses(rows: Rows, columns: Sequence[Any], motions: Motions) -> Response:
     *numbers, length, angle, radius = columns
     v_x, v_y, omega = motions.twist.T
     size = np.maximum(np.hypot(v_x, v_y), np.abs(radius * omega))
-    size = np.where(size > 0, size, 1.0)
+    changes = np.asarray(motions.changes) | ((size > 0.0) & (size <= SMALLEST))
+    size = np.where(size > SMALLEST, size, 1.0)
     unit, scaled = in_units(rows.entries, numbers, size)
     unit = np.broadcast_to(unit, size.shape)
     motion, force = np.column_stack([size, size, size / radius]), np.column_stack([unit, unit])
     scaled += [
-        length, angle, *(motions.twist / motion).T, *(motions.force / force).T, *motions[2:],
+        length, angle, *(motions.twist / motion).T, *(motions.force / force).T, *motions[2:5], changes,
     ]  # fmt: skip
     count = (("parameter", FIRST + len(rows.entries) + _count_feet(rows.entries)),)
     outputs = (

@@ -196,12 +196,20 @@ def _entry(effect: Any, scene: Any, number: int) -> Entry:
 
 def _wrench_of(load: Load, scene: Any) -> list[Number]:
     """Wrench of a load about the slider's center, in the body frame; lengths in radii."""
-    c, s = np.cos(scene.slider.rod_angle), np.sin(scene.slider.rod_angle)
+    c, s = _unit_of(scene.slider.rod_angle)
     (x, y), point = load.force, scene.mass_center
     if load.center is not None:
         point = tuple(each / scene.slider.radius for each in load.center)
     g_x, g_y = x * c + y * s, y * c - x * s
     return [g_x, g_y, point[0] * g_y - point[1] * g_x]
+
+
+def _unit_of(angle: Number) -> Any:
+    """Cosine and sine of an angle, exact at a right angle: a load along the fence then has no part across."""
+    if hasattr(angle, "dims"):
+        upright = angle == np.pi / 2
+        return np.cos(angle).where(~upright, 0.0), np.sin(angle)
+    return np.where(np.equal(angle, np.pi / 2), 0.0, np.cos(angle))[()], np.sin(angle)
 
 
 def _spread_of(support: Any, radius: Number) -> tuple[Number, Number, Number]:

@@ -107,6 +107,19 @@ def _require_ratio(entries: Sequence[Entry], columns: Sequence[Any], size: Any) 
         required_ratio("force_ratio", ratio)
 
 
+def _size_of_fall(entries: Sequence[Entry], columns: Sequence[Any]) -> Any:
+    """Magnitude of the motion of a mass under the loads alone, the unit for a pusher at rest; 1 without them."""
+    load: Any = 0.0
+    mass: Any = 0.0
+    for entry, strength in zip(entries, strengths_of(entries, columns), strict=True):
+        if not entry.resists:
+            load = load + strength
+        elif entry.degree == 2:
+            mass = mass + strength
+    moves = (np.asarray(load) > 0.0) & (np.asarray(mass) > 0.0)
+    return np.where(moves, load, 1.0) / np.where(moves, mass, 1.0)
+
+
 def solve_arrays(rows: Rows, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
     """Every consistent solution of arrays of scenes, with broadcasting.
 
@@ -125,7 +138,7 @@ def solve_arrays(rows: Rows, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
     *columns, length, angle, radius, right, left, slips, closed, rough, toward, size = given
     _require_ratio(rows.entries, columns, size)
     moves = np.asarray(size) > 0
-    size = np.where(moves, size, 1.0)
+    size = np.where(moves, size, _size_of_fall(rows.entries, columns))
     unit, scaled = in_units(rows.entries, columns, size)
     scaled += [length, angle, right, left, slips, closed, rough, toward, moves, size, unit, radius]
     width = 2 + SOLUTIONS[rows.is_steady] * RESULT
@@ -136,7 +149,7 @@ def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> S
     """The solutions of one push of one scene, in a tenth of the time of arrays; the same numbers."""
     _require_ratio(rows.entries, rows.columns, magnitude)
     moves = magnitude > 0.0
-    size = magnitude if moves else 1.0
+    size = magnitude if moves else float(_size_of_fall(rows.entries, rows.columns))
     unit, row = in_units(rows.entries, rows.columns, size)
     row += [*rows.body[:2], *rows.law, angle, moves]
     room = SOLUTIONS[rows.is_steady]
