@@ -8,10 +8,10 @@ import threading
 import numpy as np
 import pytest
 import xarray as xr
-from planar_pushing.mechanics import arrays
 
 import planar_pushing as pp
 from mechanics.builders import BOTH, make_scene
+from planar_pushing.mechanics import arrays
 from planar_pushing.mechanics.arrays import BLOCK, Output, elementwise, mapped
 
 OUTPUTS = (Output("sum"), Output("parts", (("part", 2),), "f4"))

@@ -32,8 +32,8 @@ from planar_pushing.core.tolerances import RESOLUTION, SHARE
 #: Maximum number of Newton steps, and of trials along one.
 DESCENTS = 60
 TRIALS = 120
-#: A smaller load, in units of the largest force, counts as none: squares of the motions that it causes, and of
-#: slips much slower than these, would underflow.
+#: A smaller load, in units of the largest force, counts as none: squares of the motions that it causes, and
+#: of slips much slower than these, would underflow.
 SLIGHTEST_LOAD = 1e-100
 #: A step ends where the slope of the potential has fallen to this fraction of that at the start, or where
 #: the minimum is known to this fraction of the step.
@@ -77,7 +77,7 @@ def _fall_of(effects: Effects, load: Vector) -> Vector:
 def _solve_symmetric(
     xx: float, xy: float, yy: float, xs: float, ys: float, ss: float, wrench: Vector
 ) -> Vector:
-    """The twist that a positive-definite matrix maps to a wrench; without rotation if that is rounded away."""
+    """The twist that a positive-definite matrix maps to a wrench, without a rotation that is rounded away."""
     part, swing = xy / xx, xs / xx
     rest_yy, rest_ys = yy - part * xy, ys - part * xs
     right, turn = wrench.y - part * wrench.x, rest_ys / rest_yy
