@@ -77,7 +77,7 @@ def _fall_of(effects: Effects, load: Vector) -> Vector:
 def _solve_symmetric(
     xx: float, xy: float, yy: float, xs: float, ys: float, ss: float, wrench: Vector
 ) -> Vector:
-    """The twist that a positive-definite matrix maps to a wrench, without a rotation that is rounded away."""
+    """The twist that a positive-definite matrix maps to a wrench; its rotation can be rounded away."""
     part, swing = xy / xx, xs / xx
     rest_yy, rest_ys = yy - part * xy, ys - part * xs
     right, turn = wrench.y - part * wrench.x, rest_ys / rest_yy
