@@ -100,7 +100,16 @@ def problem_of(scene, angle, magnitude=1.0):
     pressure = pressure_of(friction[0].support, scene.slider.radius) if friction else None
     law = _law_of(laws, shape, mu)
     return Problem(
-        pressure, length, psi, weight, mass, gyration, np.stack([x, y], axis=-1), wrench, *law, pusher
+        pressure,
+        length,
+        psi,
+        weight,
+        mass,
+        gyration,
+        np.stack([x, y], axis=-1),
+        wrench,
+        *law,
+        pusher,
     )
 
 

@@ -174,9 +174,11 @@ def of_numbers(problem, found):
         "separate with a force, or in the way of the pusher": rests
         & (found.force.any(axis=-1) | found.force_end.any(axis=-1) | (gap[:, 1] < -slack)),
         "separate that moves without a load": rests
-        & ~problem.load.any(axis=-1) & (motion.any(axis=-1) | found.twist.any(axis=-1)),
+        & ~problem.load.any(axis=-1)
+        & (motion.any(axis=-1) | found.twist.any(axis=-1)),
         "separate that does not balance": rests
-        & found.twist.any(axis=-1) & ~(imbalance(problem, found.twist, found.force) <= 1),
+        & found.twist.any(axis=-1)
+        & ~(imbalance(problem, found.twist, found.force) <= 1),
         "stick that does not follow the pusher": (mode == STICK) & (size_of(gap) > slack),
         "slip that leaves the fence": slip & (np.abs(gap[:, 1]) > slack),
         "slip to the wrong side": ((mode == SLIP_RIGHT) & (gap[:, 0] <= 0))
