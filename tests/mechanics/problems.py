@@ -72,7 +72,7 @@ def turned(vector, angle):
 
 
 def problem_of(scene, angle, magnitude=1.0):
-    """A scene, or an array of scenes of one support, with its pushes; at most one of friction and inertia."""
+    """A scene, or an array of scenes of one support, with its pushes; friction and inertia at most once."""
     loads = [each for each in scene.effects if isinstance(each, pp.Load)]
     friction = [each for each in scene.effects if not isinstance(each, pp.Inertia | pp.Load)]
     masses = [each for each in scene.effects if isinstance(each, pp.Inertia)] or [
@@ -100,7 +100,16 @@ def problem_of(scene, angle, magnitude=1.0):
     pressure = pressure_of(friction[0].support, scene.slider.radius) if friction else None
     law = _law_of(laws, shape, mu)
     return Problem(
-        pressure, length, psi, weight, mass, gyration, np.stack([x, y], axis=-1), wrench, *law, pusher
+        pressure,
+        length,
+        psi,
+        weight,
+        mass,
+        gyration,
+        np.stack([x, y], axis=-1),
+        wrench,
+        *law,
+        pusher,
     )
 
 

@@ -174,9 +174,11 @@ def of_numbers(problem, found):
         "separate with a force, or in the way of the pusher": rests
         & (found.force.any(axis=-1) | found.force_end.any(axis=-1) | (gap[:, 1] < -slack)),
         "separate that moves without a load": rests
-        & ~problem.load.any(axis=-1) & (motion.any(axis=-1) | found.twist.any(axis=-1)),
+        & ~problem.load.any(axis=-1)
+        & (motion.any(axis=-1) | found.twist.any(axis=-1)),
         "separate that does not balance": rests
-        & found.twist.any(axis=-1) & ~(imbalance(problem, found.twist, found.force) <= 1),
+        & found.twist.any(axis=-1)
+        & ~(imbalance(problem, found.twist, found.force) <= 1),
         "stick that does not follow the pusher": (mode == STICK) & (size_of(gap) > slack),
         "slip that leaves the fence": slip & (np.abs(gap[:, 1]) > slack),
         "slip to the wrong side": ((mode == SLIP_RIGHT) & (gap[:, 0] <= 0))
@@ -252,8 +254,8 @@ def of_existence(problem, found):
     *One effect, and a push with w_y > 0*: the angle of the motion rises with that of the force, so there is
     one solution; unless the support is on a line, where one force has an interval of motions.
 
-    *With loads* and inertia, u and w are to be taken relative to the free motion a, where the force is zero:
-    as the potential is convex, f . (u - a) >= 0. So a closed cone has a solution for every push, too.
+    *With loads* and inertia, u and w are to be taken relative to the motion a without a pusher, where the
+    force is zero: as the potential is convex, f . (u - a) >= 0. So a closed cone has a solution, too.
     """
     count = np.bincount(found.place, minlength=len(problem))
     has = {

@@ -14,7 +14,6 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of
 from planar_pushing.mechanics.scene import Scene
 
-
 #: A motion of this size or less is about to change: derivatives of its force overflow.
 SMALLEST = 1e-290
 

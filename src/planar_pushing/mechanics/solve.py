@@ -108,7 +108,7 @@ def _require_ratio(entries: Sequence[Entry], columns: Sequence[Any], size: Any) 
 
 
 def _size_of_fall(entries: Sequence[Entry], columns: Sequence[Any]) -> Any:
-    """Magnitude of the motion of a mass under the loads alone, the unit for a pusher at rest; 1 without them."""
+    """Magnitude of the motion of a mass under loads, the unit for a pusher at rest; 1 without loads."""
     load: Any = 0.0
     mass: Any = 0.0
     for entry, strength in zip(entries, strengths_of(entries, columns), strict=True):
