@@ -72,7 +72,7 @@ def turned(vector, angle):
 
 
 def problem_of(scene, angle, magnitude=1.0):
-    """A scene, or an array of scenes of one support, with its pushes; friction or inertia, not both."""
+    """A scene, or an array of scenes of one support, with its pushes; friction and inertia at most once."""
     loads = [each for each in scene.effects if isinstance(each, pp.Load)]
     friction = [each for each in scene.effects if not isinstance(each, pp.Inertia | pp.Load)]
     masses = [each for each in scene.effects if isinstance(each, pp.Inertia)] or [

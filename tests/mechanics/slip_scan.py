@@ -92,5 +92,6 @@ def slips_by_scan(problem, sense, free=None):
     along = np.sum(edge * force, axis=-1).reshape(x.shape)
     passes = (across[:, 1:] > 0) != (across[:, :-1] > 0)
     part = across[:, :-1] / np.where(passes, across[:, :-1] - across[:, 1:], 1.0)
-    passes &= along[:, :-1] + part * (along[:, 1:] - along[:, :-1]) > 0
+    noise = 1e-12 * np.hypot(*problem.load[:, :2].T)[:, None]
+    passes &= along[:, :-1] + part * (along[:, 1:] - along[:, :-1]) > noise
     return np.where(problem.slips, passes.sum(axis=1), 0)

@@ -254,8 +254,8 @@ def of_existence(problem, found):
     *One effect, and a push with w_y > 0*: the angle of the motion rises with that of the force, so there is
     one solution; unless the support is on a line, where one force has an interval of motions.
 
-    *With loads* and inertia, u and w are to be taken relative to the free motion a, where the force is
-    zero: as the potential is convex, f . (u - a) >= 0. So a closed cone has a solution for every push, too.
+    *With loads* and inertia, u and w are to be taken relative to the motion a without a pusher, where the
+    force is zero: as the potential is convex, f . (u - a) >= 0. So a closed cone has a solution, too.
     """
     count = np.bincount(found.place, minlength=len(problem))
     has = {

@@ -48,20 +48,35 @@ class Level(NamedTuple):
     value: float
 
 
-def free_twist(effects: Effects) -> Vector:
-    """The twist without a net wrench of the effects; zero if friction holds the loads."""
+class Loads(NamedTuple):
+    """The wrench of all loads about the origin, and the part of it that is not among the effects."""
+
+    total: Vector
+    more: Vector
+
+
+def free_twist(effects: Effects, more: Vector) -> Vector:
+    """The twist without a net wrench; zero if friction holds the loads.
+
+    Parameters
+    ----------
+    effects : Effects
+    more : Vector
+        Wrench about the origin that acts on the slider besides the effects.
+    """
     rest = Vector(0.0, 0.0, 0.0)
     if not effects.massive:
         return rest
-    load = load_wrench(effects)
-    if _size_of(load) < SLIGHTEST_LOAD:
+    listed = load_wrench(effects)
+    total = Vector(listed.x + more.x, listed.y + more.y, listed.spin + more.spin)
+    if _size_of(total) < SLIGHTEST_LOAD:
         return rest
-    fall = _fall_of(effects, load)
-    level = _lowest_start(effects, load, fall, False)
+    loads, fall = Loads(total, more), _fall_of(effects, total)
+    level = _lowest_start(effects, loads, fall, False)
     if not level.value < 0.0:
-        start = _lowest_start(effects, load, fall, True).twist
-        level = _minimum_on_ray(effects, load, _descend(effects, load, start, True), False)
-    return _descend(effects, load, level.twist, False) if level.value < 0.0 else rest
+        start = _lowest_start(effects, loads, fall, True).twist
+        level = _minimum_on_ray(effects, loads, _descend(effects, loads, start, True), False)
+    return _descend(effects, loads, level.twist, False) if level.value < 0.0 else rest
 
 
 def _fall_of(effects: Effects, load: Vector) -> Vector:
@@ -102,10 +117,20 @@ def _step_from(twist: Vector, step: Vector, part: float) -> Vector:
     )  # fmt: skip
 
 
-def _potential_value(effects: Effects, load: Vector, twist: Vector, square: bool) -> float:
+def _net_resistance(effects: Effects, loads: Loads, twist: Vector, two: float) -> Resistance:
+    """`Resistance` less all loads, with a factor for the effects of degree 2."""
+    scaled, more = scale_effects(effects, 1.0, two), loads.more
+    total = resistance(scaled, twist.x, twist.y, twist.spin, EPSILON * _size_of(twist))
+    return Resistance(
+        total.f_x - more.x, total.f_y - more.y, total.torque - more.spin,
+        total.xx, total.xy, total.yy, total.xs, total.ys, total.ss,
+        total.limit, total.point, total.terms,
+    )  # fmt: skip
+
+
+def _potential_value(effects: Effects, loads: Loads, twist: Vector, square: bool) -> float:
     """The potential, or half the square of D minus the power of the loads."""
-    friction = scale_effects(effects, 1.0, 0.0 if square else 1.0)
-    total = resistance(friction, twist.x, twist.y, twist.spin, EPSILON * _size_of(twist))
+    total, load = _net_resistance(effects, loads, twist, 0.0 if square else 1.0), loads.total
     power = _power(Vector(total.f_x, total.f_y, total.torque), twist)
     if not square:
         return power - kinetic_energy(effects, twist.x, twist.y, twist.spin)
@@ -114,10 +139,9 @@ def _potential_value(effects: Effects, load: Vector, twist: Vector, square: bool
     return power + held * (held / 2.0 - 1.0)
 
 
-def _potential_gradient(effects: Effects, load: Vector, twist: Vector, square: bool) -> Resistance:
+def _potential_gradient(effects: Effects, loads: Loads, twist: Vector, square: bool) -> Resistance:
     """Derivatives of `_potential_value`; `limit` is the largest force that a point at rest takes."""
-    friction = scale_effects(effects, 1.0, 0.0 if square else 1.0)
-    total = resistance(friction, twist.x, twist.y, twist.spin, EPSILON * _size_of(twist))
+    total, load = _net_resistance(effects, loads, twist, 0.0 if square else 1.0), loads.total
     if not square:
         return total
     f_x, f_y, torque = total.f_x + load.x, total.f_y + load.y, total.torque + load.spin
@@ -133,11 +157,10 @@ def _potential_gradient(effects: Effects, load: Vector, twist: Vector, square: b
     )  # fmt: skip
 
 
-def _minimum_on_ray(effects: Effects, load: Vector, ray: Vector, square: bool) -> Level:
+def _minimum_on_ray(effects: Effects, loads: Loads, ray: Vector, square: bool) -> Level:
     """The twist of minimum value along a ray, in either sense."""
-    rest = Vector(0.0, 0.0, 0.0)
-    power, friction = _power(load, ray), scale_effects(effects, 1.0, 0.0)
-    total = resistance(friction, ray.x, ray.y, ray.spin, EPSILON * _size_of(ray))
+    rest, load, power = Vector(0.0, 0.0, 0.0), loads.total, _power(loads.total, ray)
+    total = _net_resistance(effects, loads, ray, 0.0)
     wrench = Vector(total.f_x + load.x, total.f_y + load.y, total.torque + load.spin)
     held = _power(wrench, ray)
     if square:
@@ -152,22 +175,22 @@ def _minimum_on_ray(effects: Effects, load: Vector, ray: Vector, square: bool) -
     return Level(twist, -lack * part / 2.0 if lack > SHARE * fabs(power) else 0.0)
 
 
-def _lowest_start(effects: Effects, load: Vector, ray: Vector, square: bool) -> Level:
+def _lowest_start(effects: Effects, loads: Loads, ray: Vector, square: bool) -> Level:
     """The twist of minimum value along a ray or about any support point."""
-    lowest = _minimum_on_ray(effects, load, ray, square)
+    lowest = _minimum_on_ray(effects, loads, ray, square)
     for i in range(effects.feet):
         foot = foot_position(effects, i)
-        level = _minimum_on_ray(effects, load, Vector(foot.y, -foot.x, 1.0), square)
+        level = _minimum_on_ray(effects, loads, Vector(foot.y, -foot.x, 1.0), square)
         if level.value < lowest.value:
             lowest = level
     return lowest
 
 
-def _descend(effects: Effects, load: Vector, twist: Vector, square: bool) -> Vector:
+def _descend(effects: Effects, loads: Loads, twist: Vector, square: bool) -> Vector:
     """The twist of minimum value, from a start not above the minimum about any support point."""
     for _ in range(DESCENTS):
-        value = _potential_value(effects, load, twist, square)
-        total = _potential_gradient(effects, load, twist, square)
+        value = _potential_value(effects, loads, twist, square)
+        total = _potential_gradient(effects, loads, twist, square)
         if total.limit > 0.0:
             force = sqrt(total.f_x * total.f_x + total.f_y * total.f_y)
             if force <= total.limit:
@@ -179,8 +202,8 @@ def _descend(effects: Effects, load: Vector, twist: Vector, square: bool) -> Vec
                 total.xx, total.xy, total.yy, total.xs, total.ys, total.ss, wrench
             )
             slope = -_power(wrench, step)
-        rounding = RESOLUTION * _size_of(load) * _size_of(twist)
-        part = _part_of_step(effects, load, twist, step, value + rounding, slope, square)
+        rounding = RESOLUTION * _size_of(loads.total) * _size_of(twist)
+        part = _part_of_step(effects, loads, twist, step, value + rounding, slope, square)
         twist = _step_from(twist, step, part)
         if -slope <= rounding or part == 0.0:
             break
@@ -188,7 +211,7 @@ def _descend(effects: Effects, load: Vector, twist: Vector, square: bool) -> Vec
 
 
 def _part_of_step(
-    effects: Effects, load: Vector, twist: Vector, step: Vector,
+    effects: Effects, loads: Loads, twist: Vector, step: Vector,
     value: float, slope: float, square: bool,
 ) -> float:  # fmt: skip
     """Fraction of a step at which the value is nearly minimal; the whole step if it is good enough."""
@@ -197,8 +220,8 @@ def _part_of_step(
         return part
     for _ in range(TRIALS):
         trial = _step_from(twist, step, part)
-        reached = _potential_value(effects, load, trial, square)
-        total = _potential_gradient(effects, load, trial, square)
+        reached = _potential_value(effects, loads, trial, square)
+        total = _potential_gradient(effects, loads, trial, square)
         rise = _power(Vector(total.f_x, total.f_y, total.torque), step)
         if fabs(rise) <= -SLOPE_LEFT * slope and reached <= value:
             return part

@@ -15,9 +15,13 @@ from planar_pushing.core.force import (
     ContactMotion,
     motion_under_force,
     motions_under_force,
+    replace_force,
+    sticking_motion,
     unsolved,
 )
+from planar_pushing.core.free import free_twist
 from planar_pushing.core.numbers import INFINITY, Numbers, zeros
+from planar_pushing.core.psi import psi
 from planar_pushing.core.ring import ring_spin_ratio
 from planar_pushing.core.roots import (
     ITERATIONS,
@@ -36,13 +40,14 @@ from planar_pushing.core.rows import (
     NO_POINT,
     RING,
     Effects,
+    Vector,
     column_of,
     is_steady,
     kind_of,
     kinetic_energy,
     scale_effects,
 )
-from planar_pushing.core.tolerances import RESOLUTION
+from planar_pushing.core.tolerances import RESOLUTION, ROUNDING
 
 #: What fixes the magnitude of the motion under a line of force: a unit component of the contact's motion
 #: along the line, unit speed of the origin, the magnitude of the force, or the kinetic energy of a unit
@@ -112,6 +117,26 @@ def _motion_with_goal(line: ForceLine) -> ContactMotion:
     return motion_of_size(line, best_number(bracket))
 
 
+def _moves_freely(effects: Effects) -> bool:
+    """Whether loads move the slider, because friction does not hold them."""
+    twist = free_twist(effects, Vector(0.0, 0.0, 0.0))
+    return twist.x != 0.0 or twist.y != 0.0 or twist.spin != 0.0
+
+
+def _motion_of_force(line: ForceLine) -> ContactMotion:
+    """The motion under a force together with loads that friction does not hold.
+
+    The contact can move against this force, which is one more load.
+    """
+    f_x, f_y, contact = line.goal * line.e_x, line.goal * line.e_y, line.contact
+    twist = free_twist(line.effects, Vector(f_x, f_y, contact.x * f_y - contact.y * f_x))
+    x, y = twist.x - twist.spin * contact.y, twist.y + twist.spin * contact.x
+    root = psi(line.effects, contact, x, y, twist.spin, NO_POINT, ROUNDING)
+    motion = replace_force(sticking_motion(x, y, root), f_x, f_y, 0.0, 0.0)
+    moves: bool = twist.x != 0.0 or twist.y != 0.0 or twist.spin != 0.0
+    return motion if moves else unsolved(motion)
+
+
 def motion_with_norm(
     effects: Effects, contact: Contact, force: Direction, norm: int, goal: float
 ) -> ContactMotion:
@@ -128,6 +153,8 @@ def motion_with_norm(
     if norm == UNIT_MOTION or (norm == UNIT_SPEED and is_steady(effects)) or goal == 0.0:
         return motion_under_force(effects, contact, e_x, e_y, 1.0)
     line = ForceLine(effects, contact, e_x, e_y, norm, goal)
+    if norm == FORCE_SIZE and _moves_freely(effects):
+        return _motion_of_force(line)
     if norm == FORCE_SIZE and _excess(line, LOWEST) >= 0.0:
         return unsolved(motion_of_size(line, LOWEST))
     return _motion_with_goal(line)

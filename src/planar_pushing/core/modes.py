@@ -25,7 +25,7 @@ from planar_pushing.core.free import free_twist
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.path import Path, Sample, first_sample, sample_of
 from planar_pushing.core.psi import guess_spin, psi
-from planar_pushing.core.rows import NO_POINT
+from planar_pushing.core.rows import NO_POINT, Vector, scale_effects
 from planar_pushing.core.slips import SLIP, SLIPS, find_slips
 from planar_pushing.core.solution import (
     CONTINUUM,
@@ -54,6 +54,15 @@ STEP_OF_NORMAL = 1152921504606846976.0
 #: A slip faster than this is not in proportion to such a normal motion, but one along the fence at which
 #: friction and inertia balance across the edge.
 FAINT = 1e-60
+
+#: A slip along the fence that is slower than this, relative to the motions of pusher and slider, is rest.
+NOISE = 1e-24
+
+#: Maximum number of times that a way into the friction cone is halved.
+HALVES = 40
+#: Unit of the cells of a path whose motions have no part into the slider, relative to the motion without a
+#: pusher: friction turns where the contact is this slow beside a rotation.
+FINE = 1e-4
 
 #: Places of a force in the cone; the middle ones are within its rounding error of an edge.
 BEYOND, JUST_BEYOND, JUST_WITHIN, WITHIN = range(4)
@@ -128,7 +137,7 @@ def _across(edge: Direction, f_x: float, f_y: float) -> float:
 
 def _separate(push: Push, solution: Numbers) -> None:
     """Write the motion without a contact force."""
-    rest, contact = free_twist(push.effects), push.contact
+    rest, contact = free_twist(push.effects, Vector(0.0, 0.0, 0.0)), push.contact
     u_x, u_y = rest.x - rest.spin * contact.y, rest.y + rest.spin * contact.x
     motion = ContactMotion(
         u_x, u_y, rest.x, rest.y, rest.spin, 0.0, 0.0, 0.0, 0.0, NO_POINT, False, 0.0, 0.0, True
@@ -158,21 +167,44 @@ def _settle(law: Law, stick: ContactMotion) -> ContactMotion:
 
 
 def _hold_at_rest(push: Push, law: Law, stick: ContactMotion, scale: float) -> ContactMotion:
-    """A slider at rest; a force outside the cone is moved to an edge if friction can sustain it there.
+    """A slider at rest; a force outside the cone is moved into it if friction can sustain that.
 
     Friction holds the slider under a convex set of forces. The largest of them along an edge is the force
     of the slowest motion under that edge.
     """
-    for i in range(0 if law.rough else 2):
+    if law.rough or _place_in_cone(push, law, stick) == WITHIN:
+        return stick
+    for i in range(2):
         edge, side = law.right if i == 0 else law.left, 1.0 if i == 0 else -1.0
-        if side * _across(edge, stick.f_x, stick.f_y) >= 0.0:
+        if law.closed and side * _across(edge, stick.f_x, stick.f_y) >= 0.0:
             continue
         slow = motion_under_force(
             push.effects, push.contact, edge.along, -edge.across, SLOWEST * scale
         )
         moves = fabs(slow.u_x) + fabs(slow.u_y)
         if slow.converged and moves <= COINCIDENT * scale and force_along(edge, slow) > 0.0:
-            return replace_force(stick, slow.f_x, slow.f_y, 0.0, 0.0)
+            held = replace_force(stick, slow.f_x, slow.f_y, 0.0, 0.0)
+            return held if law.closed else _move_inside(push, law, held, edge, side)
+    return stick
+
+
+def _move_inside(
+    push: Push, law: Law, stick: ContactMotion, edge: Direction, side: float
+) -> ContactMotion:
+    """A slider at rest with its force moved from an edge into the cone, as far as friction sustains it.
+
+    Of the forces that friction holds, that of the slowest motion across the edge is the farthest from it.
+    """
+    x, y, part = side * edge.across, side * edge.along, 1.0
+    effects = scale_effects(push.effects, 1.0, 0.0)
+    guess = guess_spin(effects, push.contact, x, y)
+    root = psi(effects, push.contact, x, y, guess, NO_POINT, 0.0)
+    for _ in range(HALVES):
+        f_x = stick.f_x + part * (root.f_x - stick.f_x)
+        f_y = stick.f_y + part * (root.f_y - stick.f_y)
+        if _across(law.right, f_x, f_y) > 0.0 and _across(law.left, f_x, f_y) < 0.0:
+            return replace_force(stick, f_x, f_y, 0.0, 0.0)
+        part /= 2.0
     return stick
 
 
@@ -279,7 +311,11 @@ def _write_slips(
     part = edge.x * (pusher.x - search.rest_x) + edge.y * (pusher.y - rest_y)
     force = push.t_x * search.f_x + push.t_y * search.f_y
     size = sqrt(search.f_x * search.f_x + search.f_y * search.f_y)
-    if slips.number < 0 or part <= 0.0 or side * force > COINCIDENT * size:
+    rests: bool = pusher.x == 0.0 and pusher.y == 0.0
+    if slips.number < 0 or part <= 0.0:
+        return slips
+    # The force of a contact at rest is one of a set, which reaches beyond it.
+    if side * force > COINCIDENT * size and not rests:
         return slips
     normal, shrink = pusher.y, 1.0
     while 0.0 < fabs(normal) < SMALLEST_NORMAL:
@@ -292,11 +328,13 @@ def _write_slips(
         sense * push.t_x, sense * push.t_y,
     )  # fmt: skip
     first = sense * search.rest_x - edge.y * (normal - rest_y) / fabs(edge.x)
-    unit = max(fabs(normal), max(fabs(search.rest_x), fabs(rest_y)))
+    unit = max(fabs(normal), FINE * max(fabs(search.rest_x), fabs(rest_y)))
     if first == 0.0:
         first = SLOWEST * (unit if unit > 0.0 else 1.0)
-    if pusher.x == 0.0 and pusher.y == 0.0:
-        # The force of a contact at rest is not the limit of slow slips, so the search ends before it.
+    elif first == sense * search.rest_x and normal == rest_y:
+        first += SLOW * search.scale  # the motion without a pusher has no force
+    if rests:
+        # It is not the limit of slow slips either, so the search ends before it.
         end = first_sample(path, sense * side * SLOW * search.scale)
     else:
         end = sample_of(path, sense * pusher.x, search.stick)
@@ -308,6 +346,7 @@ def _write_slips(
     for i in range(number):
         s, spin, point = roots[SLIP * i], roots[SLIP * i + 1], int(roots[SLIP * i + 3])
         motion = motion_at_root(path, s, spin, roots[SLIP * i + 2] != 0.0, point)
+        motion = _without_noise(search, edge, normal, motion)
         slips = _write_slip_of(search, edge, mode, motion, shrink, solutions, slips)
     count = slips.number if number >= 0 else UNSOLVED
     return Count(count, slips.sticks, slips.flat or flat)
@@ -348,6 +387,9 @@ def _write_normal_slips(
         push.effects, push.contact, edge.along, -edge.across, edge.y * normal
     )
     right, left = ends.first, ends.last
+    if ends.first.converged and not ends.first.continuum:
+        right = _without_noise(search, edge, normal, right)
+        left = right
     if right.u_x == left.u_x and right.u_y == left.u_y:
         return _write_slip_of(search, edge, mode, right, shrink, solutions, slips)
     closest = COINCIDENT * search.scale
@@ -361,6 +403,24 @@ def _write_normal_slips(
         slips = _write_slip_of(search, edge, mode, left, shrink, solutions, slips)
         slips = _write_slip_of(search, edge, mode, right, shrink, solutions, slips)
     return Count(slips.number, slips.sticks, slips.flat or holds)
+
+
+def _without_noise(
+    search: Search, edge: Direction, normal: float, motion: ContactMotion
+) -> ContactMotion:
+    """A slip along the fence, or the contact at rest if the root is there but for rounding.
+
+    At rest the force across the edge jumps over zero. Friction sustains forces along the edge up to that of
+    the slowest motion under it.
+    """
+    push = search.push
+    if normal != 0.0 or _speed_of(motion) > NOISE * search.scale:
+        return motion
+    slow = motion_under_force(
+        push.effects, push.contact, edge.along, -edge.across, SLOWEST * search.scale
+    )
+    root = psi(push.effects, push.contact, 0.0, 0.0, 0.0, NO_POINT, 0.0)
+    return replace_force(sticking_motion(0.0, 0.0, root), slow.f_x, slow.f_y, 0.0, 0.0)
 
 
 def _speed_of(motion: ContactMotion) -> float:

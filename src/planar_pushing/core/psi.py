@@ -18,6 +18,7 @@ from planar_pushing.core.about import (
     potential_at,
     resistance_about,
 )
+from planar_pushing.core.free import free_twist
 from planar_pushing.core.line import rotation_on_line
 from planar_pushing.core.numbers import INFINITY, UNKNOWN
 from planar_pushing.core.pivot import pivot_psi, pivot_spin, refine_psi
@@ -26,10 +27,12 @@ from planar_pushing.core.rows import (
     NO_POINT,
     Effects,
     Resistance,
+    Vector,
     foot_position,
     kinetic_energy,
     load_wrench,
     rough_mass,
+    scale_effects,
 )
 from planar_pushing.core.tolerances import ALIGNED, BARELY, ROUNDING, SHARE
 
@@ -66,26 +69,51 @@ def spin_at_rest(effects: Effects, contact: Contact) -> float:
     return 0.0
 
 
-def resistance_at_rest(effects: Effects, contact: Contact, spin: float) -> Resistance:
-    """`Resistance` at the rotation about a contact at rest; at rest, the opposite of the loads."""
-    if spin != 0.0 and spin == spin:
-        return resistance_about(effects, contact, spin * contact.y, -spin * contact.x, spin, 0.0)
-    load = load_wrench(effects)
-    return Resistance(
-        -load.x, -load.y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, NO_POINT, 0.0
-    )  # fmt: skip
-
-
 def _psi_at_rest(effects: Effects, contact: Contact) -> Psi:
-    """Psi of a contact at rest, where the gradient is a set: the force that takes the least friction.
+    """Psi of a contact at rest, where the gradient is a set: one of its forces.
 
-    For a slider at rest this force is the opposite of the loads; for one that rotates, it excludes the
-    friction of a point at the contact.
+    For a slider that rotates about the contact, it is that without the friction of a point at the contact.
+    For one at rest, it is the opposite of the loads, if friction holds the couple that they then leave.
     """
-    spin = spin_at_rest(effects, contact)
-    total = resistance_at_rest(effects, contact, spin)
+    spin, load = spin_at_rest(effects, contact), load_wrench(effects)
+    if spin == 0.0:
+        force = Vector(-load.x, -load.y, 0.0)
+        if not _holds_couple(effects, contact, load):
+            force = _middle_force(effects, contact, load)
+        total = Resistance(
+            force.x, force.y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, NO_POINT, 0.0
+        )  # fmt: skip
+    else:
+        total = resistance_about(effects, contact, spin * contact.y, -spin * contact.x, spin, 0.0)
     v_x, v_y = spin * contact.y, -spin * contact.x
     return potential_at(total, contact, v_x, v_y, spin, 0.0, 0.0, 0.0, 0.0, spin == spin)
+
+
+def _holds_couple(effects: Effects, contact: Contact, load: Vector) -> bool:
+    """Whether friction holds what is left of the loads if a force at the contact is their opposite."""
+    if load.x == 0.0 and load.y == 0.0 and load.spin == 0.0:
+        return True
+    torque = contact.y * load.x - contact.x * load.y
+    twist = free_twist(effects, Vector(-load.x, -load.y, torque))
+    return effects.massive and twist.x == 0.0 and twist.y == 0.0 and twist.spin == 0.0
+
+
+def _middle_force(effects: Effects, contact: Contact, load: Vector) -> Vector:
+    """The middle between the forces of the slowest motions along the loads and against them.
+
+    Both are among the forces under which friction holds a contact at rest, which are a convex set.
+    """
+    friction, size = scale_effects(effects, 1.0, 0.0), sqrt(load.x * load.x + load.y * load.y)
+    x, y = 1.0, 0.0
+    if size > 0.0:
+        x, y = load.x / size, load.y / size
+    one = _psi_of_motion(
+        friction, contact, x, y, guess_spin(friction, contact, x, y), NO_POINT, 0.0
+    )
+    other = _psi_of_motion(
+        friction, contact, -x, -y, guess_spin(friction, contact, -x, -y), NO_POINT, 0.0
+    )
+    return Vector((one.f_x + other.f_x) / 2.0, (one.f_y + other.f_y) / 2.0, 0.0)
 
 
 def _with_foot_at_contact(
@@ -120,6 +148,14 @@ def psi(
     """
     if x == 0.0 and y == 0.0:
         return _psi_at_rest(effects, contact)
+    return _psi_of_motion(effects, contact, x, y, guess, point, tolerance)
+
+
+def _psi_of_motion(
+    effects: Effects, contact: Contact, x: float, y: float,
+    guess: float, point: int, tolerance: float,
+) -> Psi:  # fmt: skip
+    """Psi at a motion of the contact that is not zero; arguments as in `psi`."""
     on_line = rotation_on_line(effects, contact, x, y, guess)
     if on_line.converged:
         return on_line
