@@ -1,8 +1,8 @@
 """Random scenes with pushes that are hard for rounding: everything follows from a seed.
 
 Supports are on the contact, on its normal and tangent, on a line through it, or have points at one place;
-rods are up to 1e6 radii long; pushes are along the fence, beside it by the smallest numbers there are, at the
-edges of the motion cone, and at rest.
+rods are up to 1e6 radii long; pushes are along the fence, beside it by the smallest numbers there are, at
+the edges of the motion cone, and at rest.
 """
 
 from __future__ import annotations
