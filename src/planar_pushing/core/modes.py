@@ -318,6 +318,9 @@ def _write_slips(
     if side * force > COINCIDENT * size and not rests:
         return slips
     normal, shrink = pusher.y, 1.0
+    falls: bool = search.rest_x != 0.0 or rest_y != 0.0
+    if falls and fabs(normal) < SMALLEST_NORMAL:
+        normal = 0.0  # beside the motion without a pusher
     while 0.0 < fabs(normal) < SMALLEST_NORMAL:
         normal, shrink = STEP_OF_NORMAL * normal, shrink / STEP_OF_NORMAL
     if edge.x == 0.0:

@@ -7,7 +7,7 @@ from math import copysign, fabs, sqrt
 from planar_pushing.core.about import Contact, Psi, resistance_about, unknown_psi
 from planar_pushing.core.numbers import INFINITY
 from planar_pushing.core.rows import NO_POINT, Effects, foot_position
-from planar_pushing.core.tolerances import BALANCED, BARELY, ROUNDING, SMALL_PART
+from planar_pushing.core.tolerances import BALANCED, BARELY, ROUNDING, SHARE, SMALL_PART
 
 
 def pivot_spin(effects: Effects, contact: Contact, x: float, y: float, point: int) -> float:
@@ -75,8 +75,9 @@ def pivot_psi(
     limit = rest.limit
     if limit == 0.0:
         return unknown_psi()
-    balances: bool = rest.point == point
-    balances = balances and fabs(rest.torque) <= limit * reach * (1.0 + BALANCED)
+    # The rotation is known to rounding, and so is the torque of everything else.
+    most = limit * reach * (1.0 + BALANCED) + SHARE * rest.ss * fabs(spin)
+    balances: bool = rest.point == point and fabs(rest.torque) <= most
     part = min(max(-rest.torque / reach, -limit), limit)
     half = sqrt(limit * limit - part * part)
     f_x, f_y = rest.f_x - part * r_y, rest.f_y + part * r_x
