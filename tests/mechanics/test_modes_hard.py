@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.optimize import brentq
+from scipy.optimize import brentq, minimize_scalar
 
 import planar_pushing as pp
 from mechanics.builders import INFINITE, make_scene, names, numbers
+from mechanics.checked import solved
+from mechanics.problems import problem_of
+from mechanics.slip_scan import slips_by_scan
+from planar_pushing.mechanics.wrench import ring_profile
 
 
 def scene(length, psi, law, *effects):
@@ -150,3 +154,72 @@ def test_a_plateau_is_not_cut_at_its_rounding(length, part):
         for along in (-1e4, 1e4):
             found = pp.solve(rod, np.arctan2(across, along), np.hypot(across, along))
             assert sum(mode > pp.ContactMode.STICK for mode in found.modes) <= 2
+
+
+# Two slips under one edge: mu = 1.4, W = m = R = rho = 1, l = 2, psi = 45 degrees
+
+
+def slip_under_the_right_edge(k):
+    """Magnitude of the force, and motion of the contact, at a spin ratio: the sum of friction and inertia."""
+    phi, rod = np.pi / 2 - np.arctan(1.4), np.array([np.sqrt(2), np.sqrt(2)])
+    arm = rod[1] * np.cos(phi) - rod[0] * np.sin(phi)
+    force, torque = ring_profile(k)
+    acceleration = (torque - arm * force) / (arm - k)
+    u = acceleration * np.array([np.cos(phi) + k * rod[1], np.sin(phi) - k * rod[0]])
+    return force + acceleration, u
+
+
+def normal_motion(k):
+    return float(slip_under_the_right_edge(k)[1][1])
+
+
+@pytest.mark.parametrize("part", [0.5, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10])
+def test_two_slips_that_are_nearly_one(part):
+    """The normal motion falls with the force to -0.0400296 and rises again: two slips or none."""
+    lowest = minimize_scalar(normal_motion, bounds=(0.45, 0.5), method="bounded").x
+    bottom = normal_motion(lowest)
+    assert bottom == pytest.approx(-0.0400296, abs=1e-7)
+    assert slip_under_the_right_edge(lowest)[0] == pytest.approx(1.40897, abs=1e-5)
+    both = scene(2.0, np.pi / 4, 1.4, pp.RingFriction(), inertia(1.0))
+
+    def push(normal):
+        return pp.solve(both, np.arctan2(normal, 10.0), np.hypot(normal, 10.0))
+
+    normal = (1.0 - part) * bottom
+    found = push(normal)
+    assert names(found) == ["SEPARATE", "SLIP_LEFT", "SLIP_LEFT"]
+    ends = [
+        brentq(lambda k: normal_motion(k) - normal, lowest, end, xtol=1e-16, rtol=1e-15)
+        for end in (0.575, 0.41)
+    ]
+    for slip, k in zip(found[1:], ends, strict=True):
+        # Near the bottom a rounding error of the normal motion moves the slips by its root.
+        assert slip.spin_ratio == pytest.approx(k, abs=1e-14 / np.sqrt(part))
+        assert slip.contact_motion[1] == pytest.approx(normal, rel=1e-15)
+        size, motion = slip_under_the_right_edge(slip.spin_ratio)
+        assert slip.contact_motion == pytest.approx(motion, abs=1e-14)
+        assert np.hypot(*slip.force) == pytest.approx(size, rel=1e-14)
+    assert names(push((1.0 + part) * bottom)) == ["SEPARATE"]
+
+
+DISC = pp.Disc(0.4456, (-1.2778, 0.209))
+#: Rod, coefficient, weight and mass of a slider, and a pull, which two slips answer along with separation.
+CLOSE_SLIPS = {
+    "ring": (9.89, 1.11, 0.82, pp.Ring(0.4456), 0.332, (0.709, 5.37, (-0.377, 0.305)), -0.00334, 30.0),
+    "disc": (0.347, 1.23, 1.38, DISC, 0.115, (0.177, 0.947, (0.0928, 0.325)), -0.00127, 6.98),
+    "heavy disc": (2.2, 0.712, 1.08, DISC, 9.52, (3.78, 0.338, (0.368, 0.129)), -0.00141, 8.15),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("pull", CLOSE_SLIPS.values(), ids=CLOSE_SLIPS)
+def test_two_slips_between_which_friction_hardly_turns(pull):
+    """The force leaves the cone and returns within a part of the search; a scan along the fence counts."""
+    length, psi, mu, support, weight, (mass, radius, center), angle, size = pull
+    effects = (
+        pp.SupportFriction(support=support, weight=weight),
+        pp.Inertia(mass=mass, gyration_radius=radius, center=center),
+    )
+    rod = scene(length, psi, mu, *effects)
+    found, problem = solved(rod, angle, size), problem_of(rod, angle, size)
+    assert names(found) == ["SEPARATE", "SLIP_LEFT", "SLIP_LEFT"]
+    assert [slips_by_scan(problem, sense).item() for sense in (1, -1)] == [0, 2]

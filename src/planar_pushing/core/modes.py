@@ -332,8 +332,9 @@ def _write_slips(
     )  # fmt: skip
     first = sense * search.rest_x - edge.y * (normal - rest_y) / fabs(edge.x)
     unit = max(fabs(normal), FINE * max(fabs(search.rest_x), fabs(rest_y)))
-    if first == 0.0:
-        first = SLOWEST * (unit if unit > 0.0 else 1.0)
+    slowest = SLOWEST * (unit if unit > 0.0 else 1.0)
+    if fabs(first) < slowest:
+        first = slowest
     elif first == sense * search.rest_x and normal == rest_y:
         first += SLOW * search.scale  # the motion without a pusher has no force
     if rests:
