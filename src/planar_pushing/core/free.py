@@ -27,14 +27,11 @@ from planar_pushing.core.rows import (
     rough_mass,
     scale_effects,
 )
-from planar_pushing.core.tolerances import RESOLUTION, SHARE
+from planar_pushing.core.tolerances import RESOLUTION, SHARE, SLIGHTEST_LOAD
 
 #: Maximum number of Newton steps, and of trials along one.
 DESCENTS = 60
 TRIALS = 120
-#: A smaller load, in units of the largest force, counts as none: squares of the motions that it causes, and
-#: of slips much slower than these, would underflow.
-SLIGHTEST_LOAD = 1e-100
 #: A step ends where the slope of the potential has fallen to this fraction of that at the start, or where
 #: the minimum is known to this fraction of the step.
 SLOPE_LEFT = 0.3

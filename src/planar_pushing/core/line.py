@@ -42,10 +42,8 @@ from planar_pushing.core.rows import (
     pressure_of,
     rough_mass,
 )
-from planar_pushing.core.tolerances import ALIGNED, BESIDE_LINE, SLIGHT
+from planar_pushing.core.tolerances import ALIGNED, BESIDE_LINE, INSET, SLIGHT
 
-#: Part of an interval of rotations next to its ends in which no root is looked for.
-INSET = 1e-9
 #: Motion of a segment's end relative to its midpoint, as a fraction of that of the midpoint, below which a
 #: Gauss rule is more accurate than differences of integrals; and the nodes and shares of this rule.
 SHORT_MOTION = 0.2

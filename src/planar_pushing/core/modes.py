@@ -45,19 +45,19 @@ from planar_pushing.core.solution import (
     write_on_edge,
     write_solution,
 )
-from planar_pushing.core.tolerances import COINCIDENT, RESOLUTION, ROUNDING, SLOW, SLOWEST
+from planar_pushing.core.tolerances import (
+    COINCIDENT,
+    FAINT,
+    NOISE,
+    RESOLUTION,
+    ROUNDING,
+    SLOW,
+    SLOWEST,
+    SMALLEST_NORMAL,
+)
 
-#: The square of a smaller normal motion underflows; the slips of the power of two that exceeds it are
-#: scaled, which is exact.
-SMALLEST_NORMAL = 1e-138
+#: Power of two by which a normal motion below `SMALLEST_NORMAL` is multiplied, and its slips divided.
 STEP_OF_NORMAL = 1152921504606846976.0
-#: A slip faster than this is not in proportion to such a normal motion, but one along the fence at which
-#: friction and inertia balance across the edge.
-FAINT = 1e-60
-
-#: A slip along the fence that is slower than this, relative to the motions of pusher and slider, is rest.
-NOISE = 1e-24
-
 #: Maximum number of times that a way into the friction cone is halved.
 HALVES = 40
 #: Unit of the cells of a path whose motions have no part into the slider, relative to the motion without a

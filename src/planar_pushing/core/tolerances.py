@@ -15,6 +15,17 @@ ROUNDING = 4.0 * EPSILON
 RESOLUTION = 8.0 * EPSILON
 #: A smaller number has lost digits (absolute): the square of a length, or a force in units of the largest.
 UNDERFLOW = 1e-290
+#: The square of a smaller normal motion underflows; the slips of a power of two of it are scaled, which is
+#: exact (absolute).
+SMALLEST_NORMAL = 1e-138
+#: A smaller load, in units of the largest force, counts as none: squares of the motions that it causes, and
+#: of slips much slower than these, would underflow.
+SLIGHTEST_LOAD = 1e-100
+#: A slip faster than this is not in proportion to a normal motion whose square underflows, but one along
+#: the fence at which friction and inertia balance across the edge.
+FAINT = 1e-60
+#: A slip along the fence that is slower than this, relative to the motions of pusher and slider, is rest.
+NOISE = 1e-24
 #: The last digits of a root, and of the direction of a translation: a rotation slower than this, relative
 #: to the speed, is a translation, whose center is at infinity.
 RESOLVED = 1e-15
@@ -44,6 +55,8 @@ BARELY = 1e-5
 SLOWEST = 1.2664165549094176e-14
 #: Part of a motion over which a force has to be constant, to rounding, for a continuum.
 FLAT = 1e-3
+#: Part of an interval of rotations next to its ends in which no root is looked for.
+INSET = 1e-9
 #: Smallest angle between the ends of a continuum, in radians.
 TURN = 1e-9
 #: Pieces of a support this near a line through the contact, relative to their largest distance from it,
