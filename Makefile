@@ -32,7 +32,7 @@ export XDG_CACHE_HOME := $(HOME)/.cache
 $(shell mkdir -p "$(XDG_CACHE_HOME)")
 endif
 
-.PHONY: all test test-all test-processors test-slurm test-drags lint bench golden images dictionary schemas lock report manual clean help
+.PHONY: all test test-all test-processors test-slurm test-drags lint coverage bench golden images dictionary schemas lock report manual clean help
 .DELETE_ON_ERROR:
 
 # One make at a time. The operating system releases the lock when its process ends, even if it is killed.
@@ -91,6 +91,10 @@ lint: $(INSTALLED)
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
 
+coverage: $(INSTALLED) $(CORE) ## print the lines of the core that its test of bits does not run as plain Python
+	$(BIN)/coverage run -m pytest -p no:cacheprovider -q tests/core/test_same_bits.py
+	$(BIN)/coverage report
+
 bench: $(COMPILED) ## print the speed of the mechanics and the simulations, as ratios within one run
 	$(BIN)/pytest tests/benchmarks/bench_speed.py --benchmark-columns=min,median,rounds
 
@@ -119,7 +123,7 @@ lock: $(INSTALLED) ## update requirements.lock to the newest versions of the dep
 		--upgrade --all-extras --output-file requirements.lock pyproject.toml requirements.build
 
 clean: ## remove all generated files
-	rm -rf $(VENV) .making .snakemake .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache build dist
+	rm -rf $(VENV) .making .snakemake .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache .coverage build dist
 	find src tests joiner -name __pycache__ -prune -exec rm -rf {} +
 	rm -f src/planar_pushing/core/_compiled.*
 	find results -mindepth 1 -not -name README.md -delete
