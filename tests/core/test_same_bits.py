@@ -74,6 +74,19 @@ def test_hundreds_of_hard_scenes(both, part):
     assert {*solved[:, 0]} >= {0.0, 1.0, 2.0, 3.0}
 
 
+@pytest.mark.parametrize("law", [pp.InfiniteFriction("none"), pp.InfiniteFriction(), pp.Coulomb(0.0)])
+def test_a_load_along_the_fence_without_friction(both, law):
+    """The contact holds the slider by one force only, on the edge of the cone or next to it."""
+    mass = pp.Inertia(center=(-0.5, 0.3), gyration_radius=0.5)
+    for psi in (1e-300, np.pi / 2, 1.0):
+        slider = pp.Slider(rod_length=1.0, rod_angle=psi)
+        for force in [(1.0, 0.0), (-1.0, 0.0), (0.0, -1.0)]:
+            load = pp.Load(force=force, center=(-1.0, 0.0))
+            scene = pp.Scene(slider=slider, contact=law, effects=(mass, load))
+            pp.solve(scene, np.array([0.0, np.pi / 2, -np.pi / 2, np.pi]), np.array([[1.0], [0.0]]))
+    assert "solve" in both.results
+
+
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
 @pytest.mark.parametrize("part", range(20))

@@ -25,7 +25,7 @@ from planar_pushing.core.free import free_twist
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.path import Path, Sample, first_sample, sample_of
 from planar_pushing.core.psi import guess_spin, psi
-from planar_pushing.core.rows import NO_POINT, Vector, scale_effects
+from planar_pushing.core.rows import NO_POINT, Vector, has_friction, scale_effects
 from planar_pushing.core.slips import SLIP, SLIPS, find_slips
 from planar_pushing.core.solution import (
     CONTINUUM,
@@ -195,6 +195,8 @@ def _move_inside(
 
     Of the forces that friction holds, that of the slowest motion across the edge is the farthest from it.
     """
+    if not has_friction(push.effects):
+        return stick  # only one force holds the contact
     x, y, part = side * edge.across, side * edge.along, 1.0
     effects = scale_effects(push.effects, 1.0, 0.0)
     guess = guess_spin(effects, push.contact, x, y)

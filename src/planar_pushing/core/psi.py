@@ -29,6 +29,7 @@ from planar_pushing.core.rows import (
     Resistance,
     Vector,
     foot_position,
+    has_friction,
     kinetic_energy,
     load_wrench,
     rough_mass,
@@ -91,8 +92,7 @@ def _psi_at_rest(effects: Effects, contact: Contact) -> Psi:
 
 def _holds_couple(effects: Effects, contact: Contact, load: Vector) -> bool:
     """Whether friction holds what is left of the loads if a force at the contact is their opposite."""
-    friction = rough_mass(scale_effects(effects, 1.0, 0.0), 1.0, contact.x, contact.y).mass
-    if friction == 0.0 or (load.x == 0.0 and load.y == 0.0 and load.spin == 0.0):
+    if not has_friction(effects) or (load.x == 0.0 and load.y == 0.0 and load.spin == 0.0):
         return True  # without friction, no torque is left
     torque = contact.y * load.x - contact.x * load.y
     twist = free_twist(effects, Vector(-load.x, -load.y, torque))

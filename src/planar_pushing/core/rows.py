@@ -337,6 +337,11 @@ def _rough_mass_of(effects: Effects, effect: int, speed: float, x: float, y: flo
     return Mass(0.0, 0.0, 0.0, 0.0)
 
 
+def has_friction(effects: Effects) -> bool:
+    """Whether friction resists motion."""
+    return rough_mass(scale_effects(effects, 1.0, 0.0), 1.0, 0.0, 0.0).mass > 0.0
+
+
 def mass_at(mass: float, gyration: float, x: float, y: float) -> Mass:
     """A mass at (x, y) from a point; `gyration` is the square of its radius of gyration."""
     return Mass(mass, mass * x, mass * y, mass * (x * x + y * y + gyration))
