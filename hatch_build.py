@@ -29,7 +29,9 @@ from joiner import Joined, RefusedSource, join  # noqa: E402
 
 CORE = ROOT / "src" / "planar_pushing" / "core"
 #: Results do not depend on the processor: no fused multiply-add, and only instructions that each one has.
-FLAGS = "-std=c11 -O3 -fno-trapping-math -fPIC -ffp-contract=off -fno-tree-vectorize -fno-math-errno -w"
+FLAGS = (
+    "-std=c11 -O3 -fno-trapping-math -fPIC -ffp-contract=off -fno-tree-vectorize -fno-math-errno -w"
+)
 #: Pythons without the global lock have no stable interface for libraries.
 STABLE = not sysconfig.get_config_var("Py_GIL_DISABLED")
 TARGET = "_compiled" + (".abi3.so" if STABLE else sysconfig.get_config_var("EXT_SUFFIX"))

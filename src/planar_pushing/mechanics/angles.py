@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.core.tolerances import RESOLUTION as RESOLUTION
-from planar_pushing.mechanics.numerics.arrays import dataset, is_labeled, named, same
+from planar_pushing.mechanics.arrays import dataset, is_labeled, named, same
 from planar_pushing.mechanics.status import Status
 from planar_pushing.terms.domain import RADIANS, TO_RADIANS, TURNS, required
 from planar_pushing.terms.errors import InvalidValue

@@ -10,8 +10,8 @@ import numpy as np
 
 from planar_pushing.core.kernels import MOTION_WIDTH
 from planar_pushing.mechanics.angles import AngleInterval, interval
+from planar_pushing.mechanics.arrays import Output, elementwise, evaluated, is_labeled
 from planar_pushing.mechanics.cones import force_columns
-from planar_pushing.mechanics.numerics.arrays import Output, elementwise, evaluated, is_labeled
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, Numbers, Scalar, required_ratio

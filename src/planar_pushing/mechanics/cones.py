@@ -10,8 +10,8 @@ import numpy as np
 from planar_pushing.core.kernels import MOTION_WIDTH
 from planar_pushing.core.magnitude import FORCE_SIZE, UNIT_SPEED
 from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval, interval
+from planar_pushing.mechanics.arrays import Output, evaluated, named
 from planar_pushing.mechanics.held import require_held
-from planar_pushing.mechanics.numerics.arrays import Output, evaluated, named
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import scale_forces
 from planar_pushing.mechanics.scene import Scene, required_scene

@@ -10,8 +10,8 @@ from typing import Any, Self
 import numpy as np
 
 from planar_pushing.core.sensitivity import FREE_CASE, SLIP_CASE, STICK_CASE
+from planar_pushing.mechanics.arrays import is_labeled, same
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.numerics.arrays import is_labeled, same
 from planar_pushing.mechanics.parameters import (
     Motions,
     Response,

@@ -12,10 +12,7 @@ import numpy.typing as npt
 from planar_pushing.core.kernels import MOTION_WIDTH
 from planar_pushing.core.magnitude import FORCE_SIZE, UNIT_MOTION
 from planar_pushing.core.sensitivity import FIRST, FORCE_CASE, LINE_CASE
-from planar_pushing.mechanics.cones import is_magnitude_open, unit_columns
-from planar_pushing.mechanics.contact import Status
-from planar_pushing.mechanics.derivatives import ForceDerivatives, require_unlabeled
-from planar_pushing.mechanics.numerics.arrays import (
+from planar_pushing.mechanics.arrays import (
     Output,
     component_labels,
     dataset,
@@ -23,6 +20,9 @@ from planar_pushing.mechanics.numerics.arrays import (
     is_labeled,
     same,
 )
+from planar_pushing.mechanics.cones import is_magnitude_open, unit_columns
+from planar_pushing.mechanics.contact import Status
+from planar_pushing.mechanics.derivatives import ForceDerivatives, require_unlabeled
 from planar_pushing.mechanics.parameters import (
     Motions,
     Response,

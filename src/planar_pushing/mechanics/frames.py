@@ -14,7 +14,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.numerics.arrays import same
+from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.errors import InvalidValue, has_entries
 from planar_pushing.terms.numbers import Number, as_array, as_numbers

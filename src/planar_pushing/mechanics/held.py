@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from planar_pushing.mechanics.arrays import Output, mapped
 from planar_pushing.mechanics.effects import Load, RingFriction, SupportFriction
-from planar_pushing.mechanics.numerics.arrays import Output, mapped
 from planar_pushing.mechanics.rows import data_of, entries_of
 from planar_pushing.terms.errors import InvalidValue
 

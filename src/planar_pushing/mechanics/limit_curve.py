@@ -16,9 +16,9 @@ import numpy as np
 
 from planar_pushing.core.kernels import MOTION_WIDTH
 from planar_pushing.core.magnitude import UNIT_ENERGY
+from planar_pushing.mechanics.arrays import Output, dataset, evaluated, is_labeled, same
 from planar_pushing.mechanics.cones import is_magnitude_open
 from planar_pushing.mechanics.held import require_held
-from planar_pushing.mechanics.numerics.arrays import Output, dataset, evaluated, is_labeled, same
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.terms.domain import Number, Numbers, Scalar, required

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.core.sensitivity import FIRST, FORCE_CASE
-from planar_pushing.mechanics.numerics.arrays import Output, mapped
+from planar_pushing.mechanics.arrays import Output, mapped
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of
 from planar_pushing.mechanics.scene import Scene

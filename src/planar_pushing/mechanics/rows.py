@@ -205,7 +205,7 @@ def _wrench_of(load: Load, scene: Any) -> list[Number]:
 
 
 def _unit_of(angle: Number) -> Any:
-    """Cosine and sine of an angle; at a right angle a load along the fence has no part across it."""
+    """Cosine and sine of an angle, exact at a right angle: a load along the fence has no part across."""
     if hasattr(angle, "dims"):
         upright = angle == np.pi / 2
         return np.cos(angle).where(~upright, 0.0), np.sin(angle)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.contact.laws import ContactLaw, as_numbers, is_law
 from planar_pushing.mechanics.effects import (
     Effect,
@@ -20,7 +21,6 @@ from planar_pushing.mechanics.effects import (
     Viscous,
 )
 from planar_pushing.mechanics.frames import Frame, Kind, Placement, changed
-from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.mechanics.pictures import picture
 from planar_pushing.mechanics.plane import Array, direction

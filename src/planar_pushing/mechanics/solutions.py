@@ -11,10 +11,10 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION
+from planar_pushing.mechanics.arrays import component_labels, dataset, named, same
 from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
 from planar_pushing.mechanics.derivatives import Derivatives
 from planar_pushing.mechanics.entries import to_json
-from planar_pushing.mechanics.numerics.arrays import component_labels, dataset, named, same
 from planar_pushing.mechanics.pictures import picture
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.status import BEHIND

@@ -21,11 +21,11 @@ from planar_pushing.core.kernels import (
     AT_TWIST,
     RESULT,
 )
+from planar_pushing.mechanics.arrays import Output, elementwise, is_labeled, mapped
 from planar_pushing.mechanics.contact import ContactMode, Status
 from planar_pushing.mechanics.derivatives import require_unlabeled, solution_derivatives
 from planar_pushing.mechanics.held import require_held
 from planar_pushing.mechanics.kernels import run
-from planar_pushing.mechanics.numerics.arrays import Output, elementwise, is_labeled, mapped
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of
 from planar_pushing.mechanics.scene import Scene, required_scene
@@ -108,7 +108,7 @@ def _require_ratio(entries: Sequence[Entry], columns: Sequence[Any], size: Any) 
 
 
 def _size_of_fall(entries: Sequence[Entry], columns: Sequence[Any]) -> Any:
-    """Magnitude of the motion of a mass under loads, the unit for a pusher at rest; 1 without loads."""
+    """Unit of motion for a pusher at rest: that of a mass under the loads alone, 1 without them."""
     load: Any = 0.0
     mass: Any = 0.0
     for entry, strength in zip(entries, strengths_of(entries, columns), strict=True):

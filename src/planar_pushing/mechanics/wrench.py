@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
+from planar_pushing.mechanics.arrays import Output, mapped
 from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.effects import Effect, Load
-from planar_pushing.mechanics.numerics.arrays import Output, mapped
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import data_of, entries_of
 from planar_pushing.mechanics.scene import Scene, Slider

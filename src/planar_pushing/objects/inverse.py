@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy.typing as npt
 
+from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.effects import Effect
-from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.contacts import Contact, Stretch, stretches
 from planar_pushing.objects.resistance import motion_at, require_friction, required_effects

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.effects import Effect, Inertia
-from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import extents
 from planar_pushing.objects.resistance import (

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.mechanics.numerics.arrays import same
+from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports.polygon import Polygon
 from planar_pushing.objects.boundary import nearest, sides_of

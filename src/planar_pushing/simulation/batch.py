@@ -9,8 +9,8 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
+from planar_pushing.mechanics.arrays import is_labeled
 from planar_pushing.mechanics.contact.laws import friction_coefficient
-from planar_pushing.mechanics.numerics.arrays import is_labeled
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.simulation.blocks import Fences, Scenes, run_scenes

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from tqdm import tqdm
 
-from planar_pushing.mechanics.numerics.arrays import in_threads
+from planar_pushing.mechanics.arrays import in_threads
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.simulation.events.driver import ENDED, advance, begin
 from planar_pushing.simulation.events.run import STATE, Task, run_type

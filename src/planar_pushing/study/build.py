@@ -15,7 +15,7 @@ from typing import Any
 
 import xarray as xr
 
-from planar_pushing.mechanics.numerics.arrays import CORES
+from planar_pushing.mechanics.arrays import CORES
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.chunks import blocks, chunk_name, joined
 from planar_pushing.study.describe import described, of_study

@@ -15,7 +15,7 @@ from planar_pushing.core.ring import (
     ring_response,
     ring_spin_ratio,
 )
-from planar_pushing.mechanics.numerics.arrays import BLOCK
+from planar_pushing.mechanics.arrays import BLOCK
 from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios
 
 LONG = np.longdouble

@@ -9,7 +9,7 @@ from typing import Any, Literal, NamedTuple, Protocol, runtime_checkable
 import numpy as np
 
 from planar_pushing.mechanics.angles import AngleInterval
-from planar_pushing.mechanics.numerics.arrays import same
+from planar_pushing.mechanics.arrays import same
 from planar_pushing.terms.domain import Number, require_fields
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import AtZeroNormal

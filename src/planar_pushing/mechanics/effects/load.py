@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
+from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.frames import Frame, components, moved_place
-from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.terms.domain import Number, required
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import pair_of

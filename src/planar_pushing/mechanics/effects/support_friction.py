@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.frames import Frame
-from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.supports.base import is_kind, moved_support
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.mechanics.supports.in_frames import SupportInFrames, listed

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
+from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.frames import Frame
-from planar_pushing.mechanics.numerics.arrays import same
 from planar_pushing.mechanics.supports.base import is_kind, moved_support
 from planar_pushing.terms.domain import Number, require_fields
 from planar_pushing.terms.errors import InvalidValue

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.numerics.arrays import same
+from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.supports.base import Position, Support
 from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.pressure.pieces import Array

@@ -9,8 +9,8 @@ import numpy as np
 
 from planar_pushing.core.multipole import ROWS
 from planar_pushing.core.pieces import COLUMNS
+from planar_pushing.mechanics.arrays import in_threads
 from planar_pushing.mechanics.kernels import run
-from planar_pushing.mechanics.numerics.arrays import in_threads
 from planar_pushing.mechanics.supports.pressure.pieces import (
     ATOMS,
     DISCS,

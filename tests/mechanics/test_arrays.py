@@ -11,8 +11,8 @@ import xarray as xr
 
 import planar_pushing as pp
 from mechanics.builders import BOTH, make_scene
-from planar_pushing.mechanics.numerics import arrays
-from planar_pushing.mechanics.numerics.arrays import BLOCK, Output, elementwise, mapped
+from planar_pushing.mechanics import arrays
+from planar_pushing.mechanics.arrays import BLOCK, Output, elementwise, mapped
 
 OUTPUTS = (Output("sum"), Output("parts", (("part", 2),), "f4"))
 

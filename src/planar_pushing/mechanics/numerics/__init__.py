@@ -1,1 +1,0 @@
-"""Bracketed roots, and kernels mapped over arrays."""
