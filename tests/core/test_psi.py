@@ -105,3 +105,46 @@ def test_a_contact_across_the_line_to_a_heavy_foot_pivots_about_it(others):
         slower = root_at(effects, 0.0, 0.999 * sense)
         assert root.yy == pytest.approx((faster.f_y - slower.f_y) / (0.002 * sense), abs=1e-5)
         assert root.turn_y == pytest.approx((faster.spin - slower.spin) / (0.002 * sense))
+
+
+def bar_at(turn):
+    """Places at distances from the contact along a line at an angle to the rod."""
+    return lambda x: (x * np.cos(turn) - LENGTH, x * np.sin(turn))
+
+
+def feet_on(place):
+    return pp.Points([place(1.0), place(2.0), place(3.0)])
+
+
+def segments_on(place):
+    """Of a segment, another one and a foot, the torques about the contact add up to zero."""
+    return pp.Composite([
+        (2.0, pp.Segment(place(0.5), place(1.5))), (1.0, pp.Segment(place(2.25), place(2.75))),
+        (1.0, pp.Points([place(4.5)])),
+    ])  # fmt: skip
+
+
+@pytest.mark.parametrize("support", [feet_on, segments_on])
+@pytest.mark.parametrize("turn", [0.0, 0.7, -2.0])
+@pytest.mark.parametrize("aside", [1e-3, 1e-6, -1e-9, 1e-12, 0.0])
+def test_second_derivatives_of_a_support_on_a_line_through_the_contact(support, turn, aside):
+    """It is pushed across that line, and nearly nothing resists a rotation between two feet."""
+    effects = effects_of(pp.SupportFriction(support=support(bar_at(turn))))
+    axes = np.array([(np.cos(turn), np.sin(turn)), (-np.sin(turn), np.cos(turn))])
+    for sense in (1.0, -1.0):
+        motion = aside * axes[0] + sense * axes[1]
+        root = root_at(effects, *motion.tolist())
+        assert root.continuum == (aside == 0.0)
+        hessian = np.array([(root.xx, root.xy), (root.xy, root.yy)])
+        turns = axes @ (root.turn_x, root.turn_y)
+        assert abs(turns[0]) < 1e-2
+        for k, step in enumerate((0.01 * abs(aside), 1e-5)):
+            if step == 0.0:
+                continue
+            ends = [root_at(effects, *(motion + s * step * axes[k]).tolist()) for s in (1.0, -1.0)]
+            force = np.subtract((ends[0].f_x, ends[0].f_y), (ends[1].f_x, ends[1].f_y)) / (2 * step)
+            # Along the line a rounding error of the force is large beside a small step.
+            assert hessian @ axes[k] == pytest.approx(force, abs=1e-3 + 1e-15 / step)
+            if k:
+                spin = (ends[0].spin - ends[1].spin) / (2 * step)
+                assert turns[1] == pytest.approx(spin, abs=1e-3)
