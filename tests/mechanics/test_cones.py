@@ -9,6 +9,7 @@ from mpmath import mp, mpf
 import planar_pushing as pp
 import reference
 from mechanics.builders import BOTH, DEFINITION_2, EFFECT_SETS, FRICTION, INERTIA, PSI, make_scene
+from mechanics.degenerate import generic_arrays, random_support
 from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 
 RADIANS = 1e-12
@@ -159,3 +160,78 @@ def test_pure_spin_ratios_bound_every_share():
     for share in (0.01, 0.5, 0.99):
         k = np.abs(pp.spin_ratio(scene, phi, share))
         assert np.all((near - 1e-14 <= k) & (k <= far * (1 + 1e-14)))
+
+
+# Cones of feet with inertia, whose motion under an edge is extreme at one magnitude
+
+
+def rows_of(values, rows):
+    """Some entries of a parameter of an array of scenes."""
+    return np.asarray(values)[rows]
+
+
+def feet_with_inertia(rows):
+    """Some of three thousand random scenes; the first four have an edge that a few magnitudes reach."""
+    support = random_support(np.random.default_rng(3), "points")
+    whole, *_ = generic_arrays(78, support, "both", 3000)
+    friction, mass = whole.effects
+    effects = (
+        pp.SupportFriction(support=support, weight=rows_of(friction.weight, rows)),
+        pp.Inertia(
+            mass=rows_of(mass.mass, rows), gyration_radius=rows_of(mass.gyration_radius, rows),
+            center=tuple(rows_of(each, rows) for each in mass.center),
+        ),
+    )  # fmt: skip
+    slider = pp.Slider(
+        rod_length=rows_of(whole.slider.rod_length, rows),
+        rod_angle=rows_of(whole.slider.rod_angle, rows), radius=1.0,
+    )  # fmt: skip
+    return pp.Scene(slider=slider, contact=whole.contact[rows], effects=effects)
+
+
+def extreme(scene, force, sense):
+    """The extreme of the motion angles under a force of any magnitude, by finer and finer grids."""
+    low, high, best = np.log(1e-2), np.log(1e5), -np.inf
+    for points in (1001, 101, 101, 101, 101, 101):
+        sizes = np.linspace(low, high, points)
+        angles = sense * pp.motion_angle(scene, force, force_ratio=np.exp(sizes))
+        k = np.nanargmax(angles)
+        best, low, high = angles[k], sizes[max(k - 1, 0)], sizes[min(k + 1, points - 1)]
+    return sense * best
+
+
+def test_no_magnitude_of_the_motion_leaves_the_cone():
+    rows = [598, 2753, 1045, 481, *range(4)]
+    scene, beyond = feet_with_inertia(rows), 0
+    cone = pp.motion_cone(scene)
+    for i, row in enumerate(rows):
+        one = feet_with_inertia([row])
+        for edge, force, sense in (
+            (cone.right[i], one.law.right, -1.0), (cone.left[i], one.law.left, 1.0)
+        ):  # fmt: skip
+            reached = extreme(one, np.ravel(force)[0], sense)
+            assert reached * sense <= edge * sense + 1e-9
+            # An edge that is the limit of fast or slow motions is approached slowly.
+            assert reached == pytest.approx(edge, abs=1e-4)
+            beyond += abs(reached - edge) < 1e-9
+    assert beyond > 5
+
+
+def test_of_a_corner_slow_motions_with_inertia_are_those_nearest_the_fast_ones():
+    """Without contact friction a segment across the normal moves in many directions, a mass in one."""
+    segment = pp.SupportFriction(support=pp.Segment((0, -1), (0, 1)))
+    slider = pp.Slider(rod_length=3.0, rod_angle=np.pi / 2, radius=1.0)
+    for center in ((0.0, 0.0), (0.0, 0.1), (0.0, -0.1), (0.0, 3.0), (-1.5, 0.3), (-1.5, -0.3)):
+        mass = pp.Inertia(gyration_radius=0.1, center=center)
+        corner, fast, cone = (
+            pp.motion_cone(pp.Scene(slider=slider, contact=pp.Coulomb(0.0), effects=effects)).degrees
+            for effects in ((segment,), (mass,), (segment, mass))
+        )  # fmt: skip
+        assert fast[0] == fast[1]
+        if corner[0] < fast[0] < corner[1]:
+            assert cone == pytest.approx(fast, abs=1e-7)
+        else:
+            slow = np.clip(fast[0], *corner)
+            assert cone[0] <= min(slow, fast[0]) + 1e-9
+            assert cone[1] >= max(slow, fast[0]) - 1e-9
+    assert not corner[0] < fast[0] < corner[1]

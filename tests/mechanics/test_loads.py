@@ -248,6 +248,18 @@ def test_a_load_that_friction_holds_leaves_a_slider_at_rest():
         assert not rest.twist.any()
 
 
+def test_a_load_at_the_limit_of_friction_is_held():
+    """A load of W through the center of pressure, in any direction; a little more moves the slider."""
+    angle = np.linspace(-3, 3, 50)
+    for support in (pp.Ring(1.0), TABLE, pp.Disc(0.7), pp.Polygon(SQUARE)):
+        friction = pp.SupportFriction(support=support)
+        for more in (0.0, 1e-12):
+            force = (1.0 + more) * np.cos(angle), (1.0 + more) * np.sin(angle)
+            scene = ring(force, pp.Coulomb(0.5), 0.6, friction, pp.Inertia())
+            free = pp.solve(scene, -np.pi / 2, 1.0).twist[:, 0]
+            assert np.hypot(free[:, 0], free[:, 1]) == pytest.approx(more, rel=1e-2, abs=0)
+
+
 def test_a_mass_on_a_frictionless_fence_slides_and_on_a_rough_one_turns():
     """The load (g, -g) at the center: it slides by g, or turns about the contact, 2 omega = -g."""
     mass = pp.Inertia()

@@ -160,7 +160,7 @@ def test_a_plateau_is_not_cut_at_its_rounding(length, part):
 
 
 def slip_under_the_right_edge(k):
-    """Magnitude of the force, and motion of the contact, at a spin ratio: friction and inertia."""
+    """Magnitude of the force, and motion of the contact, at a spin ratio, under both effects."""
     phi, rod = np.pi / 2 - np.arctan(1.4), np.array([np.sqrt(2), np.sqrt(2)])
     arm = rod[1] * np.cos(phi) - rod[0] * np.sin(phi)
     force, torque = ring_profile(k)

@@ -28,6 +28,7 @@ BARS = {
     "two, loads 1:2": ([-2 / 3, 4 / 3], [2, 1]),
     "two": ([-1.0, 1.0], [1, 1]),
     "a foot at the contact": ([-1.0, 0.0, 1.0], [1, 2, 1]),
+    "a light foot": ([1, 2, 4], [4 + 2.0**-29, 2.0**-30, 1]),  # the limit is next to an end
     "five": ([-2.0, -1.0, 0.5, 1.0, 1.5], [1, 1, 2, 1, 2 / 3]),
 }
 
@@ -238,11 +239,8 @@ PIECES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("aside", [0.0, 1e-9, 1e-3, 0.3])
-@pytest.mark.parametrize("name", PIECES)
-def test_segments_on_a_line(name, aside):
-    """The limit is that of a push 1e-8 aside, for which 50 digits are enough."""
-    pieces, guess = PIECES[name]
+def bar_of(pieces):
+    """A slider on segments and points, whose rod begins at the contact, and is upright."""
     parts = [
         (
             share,
@@ -252,20 +250,47 @@ def test_segments_on_a_line(name, aside):
         )
         for a, b, share in pieces
     ]
-    scene = scene_of(pp.Composite(parts), 2.0, UPRIGHT, ROUGH)
-    found = solved(scene, math.pi + aside)[-1]
-    assert found.continuum == (aside == 0.0)
+    return scene_of(pp.Composite(parts), 2.0, UPRIGHT, ROUGH)
+
+
+def exact_rotation_of(pieces, aside, near):
+    """Root of the torque about the contact that moves across, and aside by an angle, in 50 digits."""
     with mpmath.workdps(50):
-        b = mpmath.mpf(aside) if aside else mpmath.mpf("1e-8")
-        motion = -mpmath.sin(b), mpmath.cos(b)
-        root = mpmath.findroot(
-            lambda omega: sum(
-                share * mean_torque(start, end, motion, omega) for start, end, share in pieces
-            ),
-            (found.twist[2] - 0.01, found.twist[2] + 0.01), solver="anderson", tol=1e-40,
+        motion = -mpmath.sin(aside), mpmath.cos(aside)
+        return float(
+            mpmath.findroot(
+                lambda omega: sum(
+                    share * mean_torque(start, end, motion, omega) for start, end, share in pieces
+                ),
+                (near - 0.01, near + 0.01), solver="anderson", tol=1e-40,
+            )
         )  # fmt: skip
-        assert guess - 0.1 < root < guess + 0.1
-    assert found.twist[2] == pytest.approx(float(root), rel=1e-12, abs=1e-14)
+
+
+@pytest.mark.parametrize("aside", [0.0, 1e-9, 1e-3, 0.3])
+@pytest.mark.parametrize("name", PIECES)
+def test_segments_on_a_line(name, aside):
+    """The limit is that of a push 1e-8 aside, for which 50 digits are enough."""
+    pieces, guess = PIECES[name]
+    found = solved(bar_of(pieces), math.pi + aside)[-1]
+    assert found.continuum == (aside == 0.0)
+    exact = exact_rotation_of(pieces, mpmath.mpf(aside or "1e-8"), found.twist[2])
+    assert guess - 0.1 < exact < guess + 0.1
+    assert found.twist[2] == pytest.approx(exact, rel=1e-12, abs=1e-14)
+
+
+@pytest.mark.parametrize("aside", [0.0, 1e-8, 1e-5, -3e-5])
+@pytest.mark.parametrize("lean", [1e-5, -3e-5, 1e-7])
+@pytest.mark.parametrize("name", PIECES)
+def test_segments_that_lean_beside_a_line(name, lean, aside):
+    """A rounding error of the places turns the slider by its ratio to the square of the lean, 1e-6 here."""
+    pieces = [
+        ((a, i * lean * a), (b, i * lean * a if a == b else -lean * b), share)
+        for i, ((a, _), (b, _), share) in enumerate(PIECES[name][0])
+    ]
+    found = solved(bar_of(pieces), math.pi + aside)[-1]
+    exact = exact_rotation_of(pieces, mpmath.mpf(aside), found.twist[2])
+    assert found.twist[2] == pytest.approx(exact, abs=2e-5)
 
 
 def test_two_supports_on_one_line():
