@@ -32,6 +32,9 @@ CORE = ROOT / "src" / "planar_pushing" / "core"
 FLAGS = (
     "-std=c11 -O3 -fno-trapping-math -fPIC -ffp-contract=off -fno-tree-vectorize -fno-math-errno -w"
 )
+if platform.machine() in ("x86_64", "AMD64"):
+    # Records are copied number by number: a wider load has to wait for the narrow stores before it.
+    FLAGS += " -mtune=core2"
 #: Pythons without the global lock have no stable interface for libraries.
 STABLE = not sysconfig.get_config_var("Py_GIL_DISABLED")
 TARGET = "_compiled" + (".abi3.so" if STABLE else sysconfig.get_config_var("EXT_SUFFIX"))

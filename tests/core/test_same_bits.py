@@ -74,7 +74,9 @@ def test_hundreds_of_hard_scenes(both, part):
     assert {*solved[:, 0]} >= {0.0, 1.0, 2.0, 3.0}
 
 
-@pytest.mark.parametrize("law", [pp.InfiniteFriction("none"), pp.InfiniteFriction(), pp.Coulomb(0.0)])
+@pytest.mark.parametrize(
+    "law", [pp.InfiniteFriction("none"), pp.InfiniteFriction(), pp.Coulomb(0.0)]
+)
 def test_a_load_along_the_fence_without_friction(both, law):
     """The contact holds the slider by one force only, on the edge of the cone or next to it."""
     mass = pp.Inertia(center=(-0.5, 0.3), gyration_radius=0.5)
