@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.simulation.log.disk import new_file
+from planar_pushing.simulation.log.disk import Disk, new_file
 from planar_pushing.simulation.log.interrupts import undisturbed
 from planar_pushing.study.files.replacing import replacing
 
@@ -50,6 +50,23 @@ def test_a_full_disk_is_an_error_that_names_the_file_and_leaves_none(tmp_path, s
     with pytest.raises(pp.InvalidFile, match=said), room(size):
         write(tmp_path / "file.nc", 20)
     assert not list(tmp_path.iterdir())
+
+
+def test_hdf5_reads_what_it_wrote_even_if_the_disk_is_full(tmp_path):
+    written, data = bytes(200), b"0123456789" * 10
+    with Disk(tmp_path / "file.nc") as disk, room(130):
+        for place in (0, 100, 50, 140):
+            disk.seek(place)
+            assert disk.write(memoryview(data)) == len(data)
+            assert disk.tell() == place + len(data)
+            written = written[:place] + data + written[place + len(data) :]
+        for place, count in ((0, 240), (95, 10), (120, 20), (230, 30), (500, 4)):
+            found = bytearray(b"x" * count)
+            disk.seek(place)
+            assert disk.readinto(found) == count
+            assert found == written[place:][:count].ljust(count, b"\0")
+    with pytest.raises(OSError, match="File too large"):
+        disk.check()
 
 
 def test_another_error_is_not_taken_for_one_of_the_disk(tmp_path):

@@ -1,7 +1,8 @@
 """A file on disk for HDF5 that reports failed writes in Python.
 
 If HDF5 cannot write a file, for example on a full disk, it prints errors while objects are destroyed and
-crashes when the process ends. Here HDF5 never sees the failure; `check` raises it.
+crashes when the process ends. Here HDF5 never sees the failure; `check` raises it. Until then HDF5 also
+reads what it has written, and crashes if it reads something else: memory holds what the disk does not.
 """
 
 from __future__ import annotations
@@ -19,21 +20,38 @@ __all__ = ["Disk", "PathLike", "new_file"]
 
 
 class Disk(io.FileIO):
-    """An empty unbuffered file that stores its first write error."""
+    """An empty unbuffered file that stores its first write error, and from then on all data in memory."""
 
     def __init__(self, path: PathLike) -> None:
         super().__init__(path, "w+", opener=_opened)
         self.failure: OSError | None = None
+        #: Places and data of the writes since the failure.
+        self.unwritten: list[tuple[int, bytes]] = []
 
     def write(self, data: Any) -> int:
         rest = memoryview(data).cast("B")
         size = len(rest)
         try:
-            while rest:
+            while rest and not self.failure:
                 rest = rest[super().write(rest) :]
         except OSError as error:
-            self.failure = self.failure or error
+            self.failure = error
+        if rest:
+            self.unwritten.append((self.tell(), bytes(rest)))
+            self.seek(len(rest), io.SEEK_CUR)
         return size
+
+    def readinto(self, buffer: Any) -> int:
+        """Read what was written, whether it is on the disk or not; bytes beyond the end are zero."""
+        place, view = self.tell(), memoryview(buffer).cast("B")
+        count = super().readinto(view) or 0
+        view[count:] = bytes(len(view) - count)
+        for start, data in self.unwritten:
+            low, high = max(start, place), min(start + len(data), place + len(view))
+            if low < high:
+                view[low - place : high - place] = data[low - start : high - start]
+        self.seek(place + len(view))
+        return len(view)
 
     def truncate(self, size: int | None = None) -> int:
         try:
