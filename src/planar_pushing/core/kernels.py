@@ -10,6 +10,7 @@ from __future__ import annotations
 from math import fabs, sqrt
 
 from planar_pushing.core.about import contact_at
+from planar_pushing.core.cone import Law
 from planar_pushing.core.directions import (
     Direction,
     Rod,
@@ -31,7 +32,7 @@ from planar_pushing.core.magnitude import (
     motion_with_norm,
     ring_motion_angle,
 )
-from planar_pushing.core.modes import Law, contact_modes
+from planar_pushing.core.modes import contact_modes
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers, zeros
 from planar_pushing.core.ring import ring_spin_ratio
 from planar_pushing.core.rows import count_columns, load_wrench, read_effects, resistance

@@ -12,6 +12,15 @@ from math import copysign, fabs, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.about import Psi
+from planar_pushing.core.cone import (
+    BEYOND,
+    JUST_WITHIN,
+    WITHIN,
+    Law,
+    hold_at_rest,
+    place_in_cone,
+    settle_pivot,
+)
 from planar_pushing.core.directions import Direction
 from planar_pushing.core.force import (
     ContactMotion,
@@ -25,7 +34,7 @@ from planar_pushing.core.free import free_twist
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.path import Path, Sample, first_sample, sample_of
 from planar_pushing.core.psi import guess_spin, psi
-from planar_pushing.core.rows import NO_POINT, Vector, has_friction, scale_effects
+from planar_pushing.core.rows import NO_POINT, Vector
 from planar_pushing.core.slips import SLIP, SLIPS, find_slips
 from planar_pushing.core.solution import (
     CONTINUUM,
@@ -49,7 +58,6 @@ from planar_pushing.core.tolerances import (
     COINCIDENT,
     FAINT,
     NOISE,
-    RESOLUTION,
     ROUNDING,
     SLOW,
     SLOWEST,
@@ -58,27 +66,9 @@ from planar_pushing.core.tolerances import (
 
 #: Power of two by which a normal motion below `SMALLEST_NORMAL` is multiplied, and its slips divided.
 STEP_OF_NORMAL = 1152921504606846976.0
-#: Maximum number of times that a way into the friction cone is halved.
-HALVES = 40
 #: Unit of the cells of a path whose motions have no part into the slider, relative to the motion without a
 #: pusher: friction turns where the contact is this slow beside a rotation.
 FINE = 1e-4
-
-#: Places of a force in the cone; the middle ones are within its rounding error of an edge.
-BEYOND, JUST_BEYOND, JUST_WITHIN, WITHIN = range(4)
-
-
-class Law(NamedTuple):
-    """A contact law: the edges of its friction cone, and the behavior there.
-
-    A `rough` law transmits every force, and the edges of a `closed` cone belong to it.
-    """
-
-    right: Direction
-    left: Direction
-    slips: bool
-    closed: bool
-    rough: bool
 
 
 class Search(NamedTuple):
@@ -130,11 +120,6 @@ class Count(NamedTuple):
     flat: bool
 
 
-def _across(edge: Direction, f_x: float, f_y: float) -> float:
-    """The force across an edge, ``e x f``, positive to the left of it."""
-    return edge.along * f_y + edge.across * f_x
-
-
 def _separate(push: Push, solution: Numbers) -> None:
     """Write the motion without a contact force."""
     rest, contact = free_twist(push.effects, Vector(0.0, 0.0, 0.0)), push.contact
@@ -143,71 +128,6 @@ def _separate(push: Push, solution: Numbers) -> None:
         u_x, u_y, rest.x, rest.y, rest.spin, 0.0, 0.0, 0.0, 0.0, NO_POINT, False, 0.0, 0.0, True
     )
     write_solution(push, SEPARATE, motion, solution)
-
-
-def _settle(law: Law, stick: ContactMotion) -> ContactMotion:
-    """A pivot with its force at the middle of the forces that the law transmits, if there are any."""
-    if stick.half_x == 0.0 and stick.half_y == 0.0:
-        return stick
-    low, high = -1.0, 1.0
-    for i in range(0 if law.rough else 2):
-        edge, side = law.right if i == 0 else law.left, 1.0 if i == 0 else -1.0
-        depth = side * _across(edge, stick.f_x, stick.f_y)
-        change = side * _across(edge, stick.half_x, stick.half_y)
-        if change > 0.0:
-            low = max(low, -depth / change)
-        elif change < 0.0:
-            high = min(high, -depth / change)
-    part = min(max((low + high) / 2.0, -1.0), 1.0)
-    half = max((high - low) / 2.0, 0.0)
-    return replace_force(
-        stick, stick.f_x + part * stick.half_x, stick.f_y + part * stick.half_y,
-        half * stick.half_x, half * stick.half_y,
-    )  # fmt: skip
-
-
-def _hold_at_rest(push: Push, law: Law, stick: ContactMotion, scale: float) -> ContactMotion:
-    """A slider at rest; a force outside the cone is moved into it if friction can sustain that.
-
-    Friction holds the slider under a convex set of forces. The largest of them along an edge is the force
-    of the slowest motion under that edge.
-    """
-    if law.rough or _place_in_cone(push, law, stick) == WITHIN:
-        return stick
-    for i in range(2):
-        edge, side = law.right if i == 0 else law.left, 1.0 if i == 0 else -1.0
-        if law.closed and side * _across(edge, stick.f_x, stick.f_y) >= 0.0:
-            continue
-        slow = motion_under_force(
-            push.effects, push.contact, edge.along, -edge.across, SLOWEST * scale
-        )
-        moves = fabs(slow.u_x) + fabs(slow.u_y)
-        if slow.converged and moves <= COINCIDENT * scale and force_along(edge, slow) > 0.0:
-            held = replace_force(stick, slow.f_x, slow.f_y, 0.0, 0.0)
-            return held if law.closed else _move_inside(push, law, held, edge, side)
-    return stick
-
-
-def _move_inside(
-    push: Push, law: Law, stick: ContactMotion, edge: Direction, side: float
-) -> ContactMotion:
-    """A slider at rest with its force moved from an edge into the cone, as far as friction sustains it.
-
-    Of the forces that friction holds, that of the slowest motion across the edge is the farthest from it.
-    """
-    if not has_friction(push.effects):
-        return stick  # only one force holds the contact
-    x, y, part = side * edge.across, side * edge.along, 1.0
-    effects = scale_effects(push.effects, 1.0, 0.0)
-    guess = guess_spin(effects, push.contact, x, y)
-    root = psi(effects, push.contact, x, y, guess, NO_POINT, 0.0)
-    for _ in range(HALVES):
-        f_x = stick.f_x + part * (root.f_x - stick.f_x)
-        f_y = stick.f_y + part * (root.f_y - stick.f_y)
-        if _across(law.right, f_x, f_y) > 0.0 and _across(law.left, f_x, f_y) < 0.0:
-            return replace_force(stick, f_x, f_y, 0.0, 0.0)
-        part /= 2.0
-    return stick
 
 
 def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -> tuple[int, bool]:
@@ -247,9 +167,9 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
     root = psi(push.effects, push.contact, x, y, guess, NO_POINT, ROUNDING)
     if not root.converged:
         return UNSOLVED, False
-    stick = _settle(law, sticking_motion(x, y, root))
+    stick = settle_pivot(law, sticking_motion(x, y, root))
     if x == 0.0 and y == 0.0 and stick.spin == 0.0:
-        stick = _hold_at_rest(push, law, stick, scale)
+        stick = hold_at_rest(push, law, stick, scale)
     search = Search(push, pusher, rest_x, rest_y, scale, root, stick.f_x, stick.f_y, place)
     slips = Count(place + 1, False, False)
     if law.slips:
@@ -258,15 +178,15 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
         if slips.number < 0:
             return UNSOLVED, False
     slides: bool = slips.number > place + 1
-    place_in_cone = _place_in_cone(push, law, stick)
-    sticks: bool = law.rough or slips.sticks or place_in_cone == WITHIN
-    if law.closed and place_in_cone != BEYOND and (slips.flat or not slides):
+    force_place = place_in_cone(push, law, stick)
+    sticks: bool = law.rough or slips.sticks or force_place == WITHIN
+    if law.closed and force_place != BEYOND and (slips.flat or not slides):
         sticks = True
-    if law.closed and law.slips and place_in_cone == JUST_WITHIN:
+    if law.closed and law.slips and force_place == JUST_WITHIN:
         sticks = True
     if sticks:
         # A slip that is the stick has its force exactly on the edge.
-        if not slips.sticks or place_in_cone >= JUST_WITHIN:
+        if not slips.sticks or force_place >= JUST_WITHIN:
             write_solution(push, STICK, stick, solutions[place * SOLUTION :])
         if slips.flat:
             solutions[place * SOLUTION + CONTINUUM] = 1.0
@@ -274,28 +194,6 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
     for i in range(place, slips.number - 1):
         copy_solution(solutions[i * SOLUTION :], solutions[(i + 1) * SOLUTION :])
     return slips.number - 1, slips.flat
-
-
-def _place_in_cone(push: Push, law: Law, motion: ContactMotion) -> int:
-    """Where a force is in the friction cone, and whether its rounding error reaches over an edge."""
-    place = WITHIN
-    for i in range(3):
-        # The third edge is along the fence: in a cone without width a force can be opposite to it.
-        e_x, e_y = push.t_x, push.t_y
-        if i < 2:
-            edge = law.right if i == 0 else law.left
-            e_x, e_y = edge.along, -edge.across
-        side = -1.0 if i == 1 else 1.0
-        inside = side * (e_x * motion.f_y - e_y * motion.f_x)
-        noise = fabs(e_x) * (motion.noise_y + RESOLUTION * fabs(motion.f_y))
-        noise += fabs(e_y) * (motion.noise_x + RESOLUTION * fabs(motion.f_x))
-        if inside < -noise:
-            place = min(place, BEYOND)
-        elif inside < 0.0:
-            place = min(place, JUST_BEYOND)
-        elif inside <= noise:
-            place = min(place, JUST_WITHIN)
-    return place
 
 
 def _write_slips(
