@@ -37,7 +37,11 @@ class Nearest(NamedTuple):
 
 def sides_of(outline: Any) -> Sides:
     """Sides of an outline as arrays; errors as in `required_outline`."""
-    corners = np.array(required_outline(outline))
+    return sides_between(np.array(required_outline(outline)))
+
+
+def sides_between(corners: Array) -> Sides:
+    """Sides between the corners of a valid outline, shape (corners, 2)."""
     along = np.roll(corners, -1, axis=0) - corners
     length = np.hypot(*along.T)
     tangent = along / length[:, None]

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.frames import Placement
-from planar_pushing.mechanics.outline import Corners, size
+from planar_pushing.mechanics.outline import Corners
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.objects.boundary import nearest, sides_between
 from planar_pushing.objects.many import Contacts
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
@@ -21,25 +20,6 @@ ON = 1e-6
 EXACT = 1e-12
 #: Largest angle, in radians, between a given normal and that of its side.
 ALIGNED = 1e-3
-
-
-class Nearest(NamedTuple):
-    """The sides of an outline nearest to points, as arrays over the points.
-
-    Attributes
-    ----------
-    point, inward : ndarray, shape (n, 2)
-        Nearest points of the sides, and inward unit normals.
-    before, behind : ndarray, shape (n,)
-        Distances along the side to its start and its end.
-    distance : ndarray, shape (n,)
-    """
-
-    point: Array
-    inward: Array
-    before: Array
-    behind: Array
-    distance: Array
 
 
 def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[Number, Number]]:
@@ -54,38 +34,24 @@ def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[N
         If a point is not on the outline, or a fence with its normal would pass through the object; for the
         first contact that is refused by the check that fails.
     """
-    points, starts = contacts.points, np.array(corners)
-    scale, sides = size(starts), _nearest(points, starts)
-    _require_on(contacts, sides.distance <= ON * scale, sides.point)
-    away = points[:, None] - starts
-    near = np.hypot(away[..., 0], away[..., 1]) <= ON * scale
-    at_corner, corner = near.any(axis=1), near.argmax(axis=1)
-    _require_between(contacts, at_corner, starts, corner)
-    _require_aligned(contacts, ~at_corner, sides.inward)
-    target = np.where(at_corner[:, None], starts[corner], sides.point)
-    is_exact = np.hypot(*(target - points).T) <= EXACT * scale
-    ends = np.column_stack([-sides.before, sides.behind])
+    points, sides = contacts.points, sides_between(np.array(corners))
+    spot = nearest(sides, points)
+    along, inward = spot.place, sides.normal[spot.side]
+    target = sides.start[spot.side] + along[:, None] * sides.tangent[spot.side]
+    _require_on(contacts, np.abs(spot.gap) <= ON * sides.scale, target)
+    away = points[:, None] - sides.start
+    near = np.asarray(np.hypot(away[..., 0], away[..., 1]) <= ON * sides.scale)
+    at_corner, corner = np.any(near, axis=1), near.argmax(axis=1)
+    _require_between(contacts, at_corner, sides.start, corner)
+    _require_aligned(contacts, ~at_corner, inward)
+    target = np.where(at_corner[:, None], sides.start[corner], target)
+    is_exact = np.hypot(*(target - points).T) <= EXACT * sides.scale
+    ends = np.column_stack([-along, sides.length[spot.side] - along])
     ends[at_corner] = -np.inf, np.inf
     # Without normals, no contact is at a corner.
-    normals = np.where(at_corner[:, None], contacts.normals, sides.inward)
+    normals = np.where(at_corner[:, None], contacts.normals, inward)
     points = np.where(is_exact[:, None], points, target)
     return Placement(contacts.pair(points), contacts.pair(normals)), contacts.pair(ends)
-
-
-def _nearest(points: Array, starts: Array) -> Nearest:
-    """The nearest sides of an outline with these corners."""
-    along = np.roll(starts, -1, axis=0) - starts
-    lengths = np.hypot(*along.T)
-    away = points[:, None] - starts
-    places = (away * along).sum(axis=-1) / lengths
-    across = (along[:, 0] * away[..., 1] - along[:, 1] * away[..., 0]) / lengths
-    distances = np.hypot(across, np.maximum(np.maximum(-places, places - lengths), 0.0))
-    side = distances.argmin(axis=1)
-    chosen = np.arange(len(points)), side
-    place, along, length = places[chosen], along[side], lengths[side]
-    nearest = starts[side] + (np.clip(place, 0.0, length)[:, None] * along / length[:, None])
-    inward = np.column_stack([0.0 - along[:, 1] / length, along[:, 0] / length + 0.0])
-    return Nearest(nearest, inward, place, length - place, distances[chosen])
 
 
 def _require_on(contacts: Contacts, touches: npt.NDArray[np.bool_], nearest: Array) -> None:

@@ -18,7 +18,13 @@ from planar_pushing.study.catalog import DATASETS
 ROOT = Path(planar_pushing.__path__[0])
 #: Modules that scene files of objects need, and packages that every job runs: the terms, the mechanics with
 #: their core, and the study without its datasets.
-OBJECTS = ("objects.__init__", "objects.many", "objects.on_outline", "objects.scene_at")
+OBJECTS = (
+    "objects.__init__",
+    "objects.boundary",
+    "objects.many",
+    "objects.on_outline",
+    "objects.scene_at",
+)
 LIBRARY = ("terms", "core", "mechanics", *OBJECTS, "study")
 EVIDENCE = ("evidence.jobs", "evidence.writing")
 #: The packages that each kind of job runs.
