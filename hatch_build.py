@@ -1,4 +1,4 @@
-"""Build the core: join its modules into one of Cython, and compile that into a library for Python.
+"""Build the core: join its modules into one Cython module, and compile that into a library for Python.
 
 The installation runs this file as a hook of hatchling, and make runs it as a command. Without a compiler,
 or without what it needs, there is no library, and the package runs the core as plain Python.
@@ -28,14 +28,14 @@ sys.path.insert(0, str(ROOT))
 from joiner import Joined, RefusedSource, join  # noqa: E402
 
 CORE = ROOT / "src" / "planar_pushing" / "core"
-#: Results do not depend on the processor: no fused multiply-add, and only instructions that each one has.
+#: Results do not depend on the processor: no fused multiply-add, and only instructions that all have.
 FLAGS = (
     "-std=c11 -O3 -fno-trapping-math -fPIC -ffp-contract=off -fno-tree-vectorize -fno-math-errno -w"
 )
 if platform.machine() in ("x86_64", "AMD64"):
     # Records are copied number by number: a wider load has to wait for the narrow stores before it.
     FLAGS += " -mtune=core2"
-#: Pythons without the global lock have no stable interface for libraries.
+#: Free-threaded Python has no stable binary interface for libraries.
 STABLE = not sysconfig.get_config_var("Py_GIL_DISABLED")
 TARGET = "_compiled" + (".abi3.so" if STABLE else sysconfig.get_config_var("EXT_SUFFIX"))
 
@@ -108,11 +108,11 @@ RECIPE = recipe_[7:].decode("ascii")
 
 
 class MissingTool(Exception):
-    """Something that compiling needs; the message says what."""
+    """A tool for compiling is missing or fails; the message says which."""
 
 
 def build(core: Path = CORE) -> Path | None:
-    """Compile the core unless that is done; without the tools, say so and remove what is out of date."""
+    """Compile the core unless it is up to date; without the tools, say so and remove the old library."""
     # The digest is taken first: a module that is edited meanwhile then makes the library out of date.
     digest = runpy.run_path(str(CORE / "__init__.py"))["digest"](sorted(core.glob("[!_]*.py")))
     source, target = joined_source(join(core)), core / TARGET
@@ -129,7 +129,7 @@ def build(core: Path = CORE) -> Path | None:
 
 
 def compile_source(source: str, digest: str, target: Path) -> None:
-    """Write the library; it replaces an older one at once or not at all."""
+    """Write the library; it replaces an older one completely or not at all."""
     cython, compiler = cython_version(), compiler_command()
     recipe = f"{source} {cython} {FLAGS} {sysconfig.get_platform()}"
     marks = [f"sources {digest}", f"recipe {hashlib.sha256(recipe.encode()).hexdigest()}"]
@@ -150,7 +150,7 @@ def compile_source(source: str, digest: str, target: Path) -> None:
 
 
 def joined_source(joined: Joined) -> str:
-    """The text of the module: the core, and an entry from Python for each of its kernels."""
+    """The text of the module: the core, and a function for Python for each of its kernels."""
     entries = "".join(ENTRY.format(name) for name in joined.kernels)
     table = ", ".join(f'"{name}": {name}_' for name in joined.kernels)
     head = HEAD.format(math=", ".join(joined.math))
@@ -184,7 +184,7 @@ def compiler_command() -> list[str]:
 
 
 def run(tool: str, command: list[str], folder: Path) -> None:
-    """Run a tool; its words are shown only when it fails."""
+    """Run a tool; its output is shown only if it fails."""
     done = subprocess.run(
         command, cwd=folder, capture_output=True, text=True, errors="replace", check=False
     )
@@ -216,5 +216,5 @@ if __name__ == "__main__":
         build()
     except RefusedSource as refused:
         sys.exit(
-            f"{refused}\nplanar-pushing: the core has to be in its language; see CONTRIBUTING.md"
+            f"{refused}\nplanar-pushing: the core must be written in its language; see CONTRIBUTING.md"
         )

@@ -1,8 +1,9 @@
-"""Join the modules of the core into one of Cython.
+"""Join the modules of the core into one Cython module.
 
-The language of the core is a small part of Python. The joiner translates it statement by statement, knows
-the kind of each expression and declares it in C, so that nothing is left to inference. Whatever else it
-meets, and whatever would mean something else in C, it refuses with file, line and reason.
+The language of the core is a small subset of Python. The joiner translates it statement by statement. It
+determines the kind of each expression and declares it in C, so that nothing is left to inference. It
+refuses anything outside the language, and anything that would mean something else in C, with file, line and
+reason.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ KERNEL = "data: Numbers, rows: Numbers, count: int, columns: int, results: Numbe
 
 
 class Joined(NamedTuple):
-    """The text of the module, the functions of math that it uses, and those that Python calls."""
+    """The text of the module, the functions of `math` it can use, and the kernels that Python calls."""
 
     source: str
     math: list[str]

@@ -27,7 +27,7 @@ Typed = tuple[Kind, ast.expr]
 
 
 class Body:
-    """A function, translated when it is constructed."""
+    """A function, which the constructor translates."""
 
     def __init__(self, names: Names, function: ast.FunctionDef) -> None:
         self.names, self.refuse = names, names.refuse
@@ -129,7 +129,7 @@ class Body:
         return ast.parse(f"memset({name}, 0, {8 * size})").body[0]
 
     def _several(self, node: ast.expr) -> Typed:
-        """What is assigned or returned, which can be a tuple."""
+        """The kind and the translation of what is assigned or returned, which can be a tuple."""
         if not isinstance(node, ast.Tuple):
             return self._typed(node)
         pairs = [self._typed(member) for member in node.elts]
@@ -137,7 +137,7 @@ class Body:
         return tuple(str(kind) for kind, _ in pairs), node
 
     def _assigned(self, target: ast.expr, kind: Kind) -> ast.expr:
-        """The place to which a value of a kind is assigned."""
+        """The translated target of an assignment of a value of a kind."""
         match target:
             case ast.Name(id=name):
                 if name in self.rows or kind == "None":
@@ -186,7 +186,7 @@ class Body:
         return self.refuse(node, "quotient of two int") if isinstance(operation, ast.Div) else "int"
 
     def _halves(self, node: ast.BinOp, left: Kind, right: Kind) -> Typed:
-        """A quotient of integers rounded down; C rounds towards zero, and zero ends the process."""
+        """An integer quotient rounded down; C rounds toward zero, and division by zero ends the process."""
         positive = ast.unparse(node.right).strip("0").isdigit()
         if not {left, right} <= {"?", "int"} or not positive:
             kinds = f"{spell(left)} and {spell(right)}"
@@ -246,7 +246,7 @@ class Body:
         return self.refuse(node, name_of(node)), node
 
     def _comparison(self, node: ast.Compare) -> Kind:
-        """Numbers are compared in any way, truth values only for equality."""
+        """The kind of a comparison; numbers are compared in any way, truth values only for equality."""
         pairs = [self._typed(value) for value in (node.left, *node.comparators)]
         node.left, *node.comparators = (new for _, new in pairs)
         kinds = {kind for kind, _ in pairs}
@@ -256,7 +256,7 @@ class Body:
         return "bool"
 
     def _part(self, node: ast.Subscript) -> Typed:
-        """A number of an array, or the array from a number on."""
+        """An element of an array, or the part of an array from an index on."""
         kind, node.value = self._typed(node.value)
         start: ast.expr | None = node.slice
         if isinstance(node.slice, ast.Slice):
@@ -303,7 +303,7 @@ class Body:
         return result, node
 
     def _standard(self, node: ast.Call, function: ast.Name, kinds: list[Kind]) -> Kind:
-        """A call of a function of Python, which is renamed where C has another."""
+        """A call of a standard function, which is renamed where C has a different one of that name."""
         name = function.id
         allowed = NUMBER | {"bool"} if name in ("int", "float") else NUMBER
         if len(kinds) != (MATH | BUILTINS)[name] or not {*kinds} <= allowed:
@@ -327,7 +327,7 @@ class Body:
 
 
 def _is_zeros(node: ast.expr) -> bool:
-    """Whether an expression makes a row of zeros."""
+    """Whether an expression creates a row of zeros."""
     return isinstance(node, ast.Call) and ast.unparse(node.func) == "zeros"
 
 

@@ -1,4 +1,4 @@
-"""The language of the core: its types, its functions, and how it is spoken of."""
+"""The language of the core: its types, its functions, and the terms of messages about it."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ C = {
     "float": "double", "int": "long", "bool": "bint", "None": "void",
     "Numbers": "double*", "Coefficients": "double*",
 }  # fmt: skip
-#: What the module `numbers` defines for Python, and Cython has already.
+#: What the module `numbers` defines for plain Python only, because Cython has it already.
 PROVIDED = {"Numbers", "Coefficients", "zeros"}
-#: Functions and the number of their arguments. The C compiler computes the first ones as Python does.
+#: Functions and their numbers of arguments. The C compiler evaluates those of `EXACT` as Python does.
 EXACT = {"sqrt": 1, "fabs": 1, "floor": 1, "ceil": 1, "copysign": 2}
 MATH = (
     EXACT | dict.fromkeys(("sin", "cos", "asin", "log", "exp", "sinh", "asinh"), 1) | {"atan2": 2}
@@ -29,7 +29,7 @@ COMPARISON = (*EQUALITY, ast.Lt, ast.LtE, ast.Gt, ast.GtE)
 
 
 class RefusedSource(Exception):
-    """Source that is not in the language of the core; a line for each place."""
+    """Source code outside the language of the core; the message has one line for each place."""
 
 
 def in_c(kind: Kind) -> str:
@@ -43,7 +43,7 @@ def spell(kind: Kind) -> str:
 
 
 def name_of(node: ast.AST) -> str:
-    """What a statement or an expression is called."""
+    """The name of a statement or an expression in messages."""
     names = {
         "FunctionDef": "function", "ClassDef": "class", "Assign": "assignment", "JoinedStr": "text",
         "AugAssign": "augmented assignment", "Constant": "constant that is no number",
@@ -58,7 +58,7 @@ def elements(node: ast.expr) -> list[ast.expr]:
 
 
 def is_docstring(node: ast.AST) -> bool:
-    """Whether a statement is nothing but text."""
+    """Whether a statement is only a string."""
     return (
         isinstance(node, ast.Expr)
         and isinstance(node.value, ast.Constant)

@@ -19,7 +19,7 @@ CONSTANT = (
 
 
 class Names:
-    """What the modules of a folder define, in whatever order."""
+    """What the modules of a folder define, in any order."""
 
     def __init__(self, folder: Path) -> None:
         self.refusals: set[tuple[str, int, str]] = set()
@@ -42,7 +42,7 @@ class Names:
         self.signatures = {name: self._signature(node) for name, node in self.functions.items()}
 
     def refuse(self, node: ast.AST, reason: str) -> str:
-        """Note a place outside the language, and return the unknown kind."""
+        """Record a place outside the language, and return the unknown kind."""
         source: Any = node
         self.refusals.add((os.path.relpath(source.path), getattr(source, "lineno", 1), reason))
         return "?"
@@ -76,7 +76,7 @@ class Names:
                 self.refuse(node, f"{name_of(node)} in a module")
 
     def _define(self, table: dict[str, Any], name: str, node: ast.stmt, value: ast.AST) -> None:
-        """Note what a name is; the modules are one name space."""
+        """Record the definition of a name; the modules share one namespace."""
         if name in self._defined or name in RESERVED or name.endswith("_"):
             self.refuse(node, f"{name} is also defined {self._defined.get(name, 'by Python or C')}")
             return
@@ -183,13 +183,13 @@ class Names:
         lines = []
         for name in self._order:
             lines.append(f"cdef struct {name}:")
-            # A field has a name of its own in C, as headers define macros such as `linux`.
+            # A field has a different name in C, because headers define macros such as `linux`.
             for field, kind in self.structs[name].items():
                 lines.append(f'    {in_c(kind)} {field} "{field}_"')
         return lines
 
     def constants_in_c(self) -> list[str]:
-        """Declarations of the floats, as variables: the C compiler must not compute with them."""
+        """Declarations of the floats as variables, so that the C compiler does not compute with them."""
         lines = []
         for name, value in self.constants.items():
             if isinstance(value, tuple):

@@ -1,4 +1,4 @@
-"""The order of evaluation: Python's is from left to right, C has none."""
+"""The order of evaluation, which is from left to right in Python and unspecified in C."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def check_order(names: Names, bodies: list[Body]) -> None:
 
 
 def _operands(node: ast.AST) -> Iterable[ast.AST]:
-    """What C evaluates in any order."""
+    """The operands of an expression, which C evaluates in any order."""
     match node:
         case ast.BinOp(left=left, right=right) | ast.AugAssign(target=left, value=right):
             return [left, right]

@@ -1,10 +1,10 @@
-"""The mechanics in numbers: plain typed Python, which is compiled when the package is installed.
+"""The numerical core of the mechanics: plain typed Python, compiled when the package is installed.
 
-The modules of this folder are one name space in a small language, which ``joiner`` translates into
-one compiled module: named tuples and functions of floats, integers, truth values and arrays. They also run
-as they are, with the same results to the last bit. All lengths are in radii of the slider, and twists and
-wrenches are those of the body frame's origin, in the body frame: origin at the slider's center, x along the
-rod and away from the contact.
+The modules of this folder share one namespace and a small subset of Python: named tuples, and functions of
+floats, integers, truth values and arrays. ``joiner`` translates them into one compiled module. They also
+run as plain Python, with the same results to the last bit. All lengths are in radii of the slider. Twists
+and wrenches are about the origin of the body frame and in that frame: origin at the slider's center, x
+along the rod and away from the contact.
 """
 
 import hashlib
@@ -16,6 +16,6 @@ MODULES = sorted(Path(__file__).parent.glob("[!_]*.py"))
 
 
 def digest(paths: Sequence[Path] = MODULES) -> str:
-    """A digest of modules; the compiled module has that of the text from which it was made."""
+    """A digest of source files; the compiled module stores that of the sources from which it was built."""
     texts = (path.read_bytes() for path in paths)
     return hashlib.sha256(b"\0".join(texts)).hexdigest()

@@ -25,7 +25,7 @@ class Contact(NamedTuple):
 
 
 class Psi(NamedTuple):
-    """Motion of the slider under one motion of the contact, and gradient and Hessian of Psi there.
+    """Motion of the slider for a given motion of the contact, and gradient and Hessian of Psi there.
 
     Attributes
     ----------
@@ -44,7 +44,7 @@ class Psi(NamedTuple):
     noise_x, noise_y : float
         Rounding errors of the force.
     continuum : bool
-        Whether the rotation is one of an interval, all of which have this force.
+        Whether the rotation is one of an interval of rotations that all have this force.
     converged : bool
     """
 
@@ -102,7 +102,7 @@ def potential_at(
     xx, xy = total.xx + turn_x * total.xs, total.xy + turn_x * total.ys
     yy = total.yy + turn_y * total.ys
     f_x, f_y = total.f_x + step * total.xs, total.f_y + step * total.ys
-    # The torque is known to the rounding of its terms, and the rotation to that and its own rounding.
+    # The torque has the rounding error of its terms. The rotation has that error and its own rounding.
     lever = (1.0 + contact.reach) * (fabs(contact.a_x * f_x) + fabs(contact.a_y * f_y))
     noise_x = total.terms + fabs(f_x) + fabs(xx * x) + fabs(xy * y)
     noise_y = total.terms + fabs(f_y) + fabs(xy * x) + fabs(yy * y)
@@ -117,7 +117,7 @@ def potential_at(
 
 
 def unknown_psi() -> Psi:
-    """Psi that has not been found."""
+    """A `Psi` marked as not converged."""
     return Psi(
         UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN,
         0.0, 0.0, NO_POINT, UNKNOWN, UNKNOWN, False, False,

@@ -7,7 +7,8 @@ from math import sqrt
 from planar_pushing.core.ring import inner_ring, polynomial, ring_wrench
 from planar_pushing.core.sums import Piece, radial_piece
 
-#: Beyond this distance, in radii, the torque of a disc is a power series, because the closed form cancels.
+#: Beyond this distance, in radii, the torque of a disc is a power series, because the closed form loses
+#: digits to cancellation.
 DISC_SERIES = 4.0
 #: ``2F1(1/2, 1/2; 3; y) / 4``, the torque times the distance, in powers of y = 1 / c^2, and ``-c^3`` times
 #: the derivative of the torque with respect to c; accurate to 1e-17 for y below 1 / DISC_SERIES^2.

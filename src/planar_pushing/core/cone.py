@@ -12,16 +12,17 @@ from planar_pushing.core.rows import NO_POINT, has_friction, scale_effects
 from planar_pushing.core.solution import Push, force_along
 from planar_pushing.core.tolerances import COINCIDENT, RESOLUTION, SLOWEST
 
-#: Maximum number of times that a step into the friction cone is halved.
+#: Maximum number of times that a step from an edge into the friction cone is halved.
 HALVES = 40
-#: Places of a force in the cone; the middle ones are within its rounding error of an edge.
+#: Positions of a force relative to the cone; in the middle two, an edge is within the force's rounding
+#: error.
 BEYOND, JUST_BEYOND, JUST_WITHIN, WITHIN = range(4)
 
 
 class Law(NamedTuple):
     """A contact law: the edges of its friction cone, and the behavior there.
 
-    A `rough` law transmits every force, and the edges of a `closed` cone belong to it.
+    A `rough` law transmits every force. The edges of a `closed` cone belong to the cone.
     """
 
     right: Direction
@@ -37,7 +38,7 @@ def force_across(edge: Direction, f_x: float, f_y: float) -> float:
 
 
 def place_in_cone(push: Push, law: Law, motion: ContactMotion) -> int:
-    """Where a force is in the friction cone, and whether its rounding error reaches over an edge."""
+    """Position of a force relative to the friction cone: `BEYOND` to `WITHIN`."""
     place = WITHIN
     for i in range(3):
         # The third edge is along the fence: in a cone without width a force can be opposite to it.
@@ -59,7 +60,7 @@ def place_in_cone(push: Push, law: Law, motion: ContactMotion) -> int:
 
 
 def settle_pivot(law: Law, stick: ContactMotion) -> ContactMotion:
-    """A pivot with its force at the middle of the forces that the law transmits, if there are any."""
+    """A pivot with its force in the middle of those that the law transmits, if it transmits any."""
     if stick.half_x == 0.0 and stick.half_y == 0.0:
         return stick
     low, high = -1.0, 1.0
@@ -104,9 +105,10 @@ def hold_at_rest(push: Push, law: Law, stick: ContactMotion, scale: float) -> Co
 def _move_inside(
     push: Push, law: Law, stick: ContactMotion, edge: Direction, side: float
 ) -> ContactMotion:
-    """A slider at rest with its force moved from an edge into the cone, as far as friction sustains it.
+    """A slider at rest with its force moved from an edge into the cone, to one that friction sustains.
 
-    Of the forces that friction holds, that of the slowest motion across the edge is the farthest from it.
+    Of the forces that friction holds, the one of the slowest motion across the edge is farthest from the
+    edge.
     """
     if not has_friction(push.effects):
         return stick  # only one force holds the contact

@@ -1,7 +1,7 @@
 """Directions at the contact: the rod, and unit vectors relative to it.
 
-Angles are counterclockwise from the fence; the body frame's x axis is along the rod. A vector with the
-components (along, across) in this record is (along, -across) in the body frame.
+Angles are counterclockwise from the fence; the body frame's x axis is along the rod. A `Direction` with
+components (along, across) is the vector (along, -across) in the body frame.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class Rod(NamedTuple):
 
 
 class Direction(NamedTuple):
-    """An angle, its unit vector along x and y, and that along the rod and the rod's right-hand normal."""
+    """An angle, and its unit vector in two frames: x and y; along the rod and its right-hand normal."""
 
     angle: float
     x: float
@@ -35,7 +35,7 @@ class Direction(NamedTuple):
 
 
 def nearest_integer(x: float) -> float:
-    """The nearest integer, with the sign of the number."""
+    """The nearest integer, with the sign of x."""
     return copysign(floor(fabs(x) + 0.5), x)
 
 
@@ -53,7 +53,7 @@ def unit_x(angle: float) -> float:
 
 
 def unit_y(angle: float) -> float:
-    """Sine of an angle, exact as `unit_x`."""
+    """Sine of an angle, exact in the same cases as `unit_x`."""
     return nearest_integer(sin(angle)) if is_quarter(angle) else sin(angle)
 
 
@@ -67,7 +67,7 @@ def direction_at(rod: Rod, angle: float) -> Direction:
 
     If the direction or the rod is along an axis, the products of the components are exact. Elsewhere these
     products cancel, so the difference of the angles, corrected for the rounding error of the subtraction,
-    is used instead: a long rod multiplies an error by its length.
+    is used instead, because a long rod multiplies an error by its length.
     """
     x, y = unit_x(angle), unit_y(angle)
     if is_quarter(angle) or rod.x == 0.0 or rod.y == 0.0:
@@ -80,7 +80,7 @@ def direction_at(rod: Rod, angle: float) -> Direction:
 
 
 def length_of(x: float, y: float) -> float:
-    """The length of a vector, also of one whose square underflows."""
+    """The length of a vector, even if its square underflows."""
     square = x * x + y * y
     if square > UNDERFLOW:
         return sqrt(square)
@@ -96,9 +96,9 @@ class Center(NamedTuple):
 
 
 def motion_center(v_x: float, v_y: float, spin: float) -> Center:
-    """Motion center of a twist, relative to the point whose velocity it holds.
+    """Motion center of a twist, relative to the point whose velocity the twist contains.
 
-    A translation, also one to rounding, has its center at infinity. In a translation along an axis the
+    The center of a translation, exact or to rounding, is at infinity. In a translation along an axis the
     coordinate along that axis is zero.
     """
     if fabs(spin) > RESOLVED * length_of(v_x, v_y):
@@ -107,7 +107,7 @@ def motion_center(v_x: float, v_y: float, spin: float) -> Center:
     if fabs(v_y) > RESOLVED * fabs(v_x):
         x = -copysign(INFINITY, v_y)
     if fabs(v_x) > RESOLVED * fabs(v_y) or x == 0.0:
-        # Adding zero gives a negative zero the positive sign.
+        # Adding zero turns a negative zero into a positive one.
         y = copysign(INFINITY, v_x + 0.0)
     return Center(x, y)
 

@@ -1,4 +1,4 @@
-"""Systems of five linear equations, by elimination that knows the rounding errors of its numbers."""
+"""Systems of five linear equations, by elimination that tracks bounds on the errors of its numbers."""
 
 from __future__ import annotations
 
@@ -12,17 +12,18 @@ SQUARE = SIDE * SIDE
 
 
 def factor_matrix(matrix: Numbers, noise: Numbers, order: Numbers) -> bool:
-    """Factor a matrix in place, its rows in the order that is written; whether it is regular.
+    """Factor a matrix in place, write the order of its rows, and return whether it is regular.
 
-    A column is eliminated by the largest of its numbers, relative to the largest one in its row of the
-    matrix, of those that exceed their errors. Without one, the matrix is singular as far as it is known.
+    The pivot element of a column is the largest number, relative to the largest one in the same row of the
+    matrix, among those that exceed their errors. If there is none, the matrix is singular to within its
+    errors.
 
     Parameters
     ----------
     matrix, noise : Numbers
-        Square arrays of numbers and of bounds of their errors, row by row; both are overwritten.
+        Entries of the matrix and bounds on their errors, row by row; both are overwritten.
     order : Numbers
-        Room for the numbers of the rows.
+        Receives the indices of the rows in the order of elimination.
     """
     scales = zeros(SIDE)
     for i in range(SIDE):
@@ -56,7 +57,7 @@ def _swap_numbers(numbers: Numbers, one: int, other: int, count: int) -> None:
 
 
 def _eliminate(top: Numbers, top_noise: Numbers, row: Numbers, noise: Numbers, k: int) -> None:
-    """Subtract a multiple of one row from another, which keeps the factor in the column it eliminates."""
+    """Subtract a multiple of one row from another, and store the factor in the eliminated column."""
     factor = row[k] / top[k]
     unsure = noise[k] + fabs(factor) * top_noise[k]
     row[k] = factor

@@ -30,7 +30,7 @@ from planar_pushing.core.tolerances import COINCIDENT, FLAT
 
 #: Number of Newton steps that polish a root within the rounding of its motion.
 POLISHES = 2
-#: Farthest motion at which the end of a continuum is looked for, in units of its own motion.
+#: Farthest motion at which the end of a continuum is searched for, in units of the motion at the root.
 FARTHEST_END = 1e20
 
 
@@ -134,7 +134,8 @@ def path_across(effects: Effects, contact: Contact, e_x: float, e_y: float, alon
 def _guess_root(path: Path, along: float) -> float:
     """A first guess of the root, that of a mass that roughly matches the effects.
 
-    Motions against the force, or without a component along it, are caused by loads: their guess is zero.
+    Motions against the force, or without a component along it, are caused by loads; the guess for them is
+    zero.
     """
     if not along > 0.0:
         return 0.0
@@ -167,7 +168,7 @@ def motion_under_force(
 
 
 def unsolved(motion: ContactMotion) -> ContactMotion:
-    """A motion that was not found."""
+    """The same motion, marked as not converged."""
     return ContactMotion(
         motion.u_x, motion.u_y, motion.v_x, motion.v_y, motion.spin, motion.f_x, motion.f_y,
         0.0, 0.0, motion.point, motion.continuum, motion.noise_x, motion.noise_y, False,
@@ -193,7 +194,7 @@ def motions_under_force(
 
 
 def _is_in_continuum(path: Path, root: Sample, scale: float) -> bool:
-    """Whether a root is in a continuum or at its end: the force is along the line but for rounding."""
+    """Whether a root is in a continuum or at its end: the force is along the line to rounding."""
     if is_flat(path, root, scale):
         return True
     if is_flat(path, sample_near(path, root, root.s - FLAT * scale), scale):
@@ -202,7 +203,7 @@ def _is_in_continuum(path: Path, root: Sample, scale: float) -> bool:
 
 
 def _end_of_continuum(path: Path, root: Sample, sense: float) -> Sample:
-    """The end of a continuum around a root, in one sense."""
+    """The end of a continuum around a root, in one sense along the path."""
     scale, inside = fabs(root.s) + fabs(path.p_x) + fabs(path.p_y), root
     step = FLAT * scale
     while step < FARTHEST_END * scale:

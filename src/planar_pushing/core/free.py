@@ -1,9 +1,9 @@
 """The motion of a slider without a pusher: rest, or a motion caused by loads.
 
 It is the minimum of the total potential over all twists, which is strictly convex with inertia. The
-potential of friction has kinks: at rest, and at rotations about each support point, among which the minimum
-has a closed form. Newton's method with descent steps starts from the lowest of these and therefore meets no
-kink.
+potential of friction has kinks at rest and at rotations about each support point. The minimum over the
+rotations about one of them has a closed form. Newton's method with descent steps starts from the lowest of
+these minima and therefore meets no kink.
 
 If no start is below rest, friction may hold the loads. Half the square of friction's potential D, minus the
 power of the loads, has no kink at rest. Its minimum is at the twist whose friction is proportional to the
@@ -32,8 +32,8 @@ from planar_pushing.core.tolerances import RESOLUTION, SHARE, SLIGHTEST_LOAD
 #: Maximum number of Newton steps, and of trials along one.
 DESCENTS = 60
 TRIALS = 120
-#: A step ends where the slope of the potential has fallen to this fraction of that at the start, or where
-#: the minimum is known to this fraction of the step.
+#: A line search ends where the slope of the potential has fallen to this fraction of its initial value, or
+#: where the position of the minimum is known to this relative error.
 SLOPE_LEFT = 0.3
 STEP_LEFT = 1e-6
 
@@ -53,7 +53,7 @@ class Loads(NamedTuple):
 
 
 def free_twist(effects: Effects, more: Vector) -> Vector:
-    """The twist without a net wrench; zero if friction holds the loads.
+    """The twist at which the net wrench is zero; a zero twist if friction holds the loads.
 
     Parameters
     ----------
@@ -77,10 +77,10 @@ def free_twist(effects: Effects, more: Vector) -> Vector:
 
 
 def _fall_of(effects: Effects, load: Vector) -> Vector:
-    """The twist under loads without friction."""
+    """The twist that loads would cause without friction."""
     mass = rough_mass(effects, INFINITY, 0.0, 0.0)
     x, y = mass.x / mass.mass, mass.y / mass.mass
-    # About the center of mass, which can be far away, the moment of inertia has all its digits.
+    # About the center of mass, which can be far away, the moment of inertia keeps all its digits.
     inertia = rough_mass(effects, INFINITY, x, y).inertia
     spin = (load.spin - (x * load.y - y * load.x)) / inertia
     return Vector(load.x / mass.mass + spin * y, load.y / mass.mass - spin * x, spin)
@@ -89,7 +89,7 @@ def _fall_of(effects: Effects, load: Vector) -> Vector:
 def _solve_symmetric(
     xx: float, xy: float, yy: float, xs: float, ys: float, ss: float, wrench: Vector
 ) -> Vector:
-    """The twist that a positive-definite matrix maps to a wrench; its rotation can be rounded away."""
+    """The twist that a positive-definite matrix maps to a wrench; its rotation can be lost in rounding."""
     part, swing = xy / xx, xs / xx
     rest_yy, rest_ys = yy - part * xy, ys - part * xs
     right, turn = wrench.y - part * wrench.x, rest_ys / rest_yy
@@ -115,7 +115,7 @@ def _step_from(twist: Vector, step: Vector, part: float) -> Vector:
 
 
 def _net_resistance(effects: Effects, loads: Loads, twist: Vector, two: float) -> Resistance:
-    """`Resistance` less all loads, with a factor for the effects of degree 2."""
+    """`Resistance` minus all loads, with a factor for the effects of degree 2."""
     scaled, more = scale_effects(effects, 1.0, two), loads.more
     total = resistance(scaled, twist.x, twist.y, twist.spin, EPSILON * _size_of(twist))
     return Resistance(
@@ -137,7 +137,7 @@ def _potential_value(effects: Effects, loads: Loads, twist: Vector, square: bool
 
 
 def _potential_gradient(effects: Effects, loads: Loads, twist: Vector, square: bool) -> Resistance:
-    """Derivatives of `_potential_value`; `limit` is the largest force that a point at rest takes."""
+    """Derivatives of `_potential_value`; `limit` is the largest force that a point at rest can balance."""
     total, load = _net_resistance(effects, loads, twist, 0.0 if square else 1.0), loads.total
     if not square:
         return total
@@ -145,7 +145,7 @@ def _potential_gradient(effects: Effects, loads: Loads, twist: Vector, square: b
     held = _power(Vector(f_x, f_y, torque), twist)
     xx, yy = f_x * f_x + held * total.xx, f_y * f_y + held * total.yy
     ss = torque * torque + held * total.ss
-    # Stiffness in directions in which the square of D is flat.
+    # This adds stiffness in directions in which the square of D is flat.
     stiff = SHARE * (xx + yy + ss)
     return Resistance(
         held * f_x - load.x, held * f_y - load.y, held * torque - load.spin,
@@ -155,7 +155,7 @@ def _potential_gradient(effects: Effects, loads: Loads, twist: Vector, square: b
 
 
 def _minimum_on_ray(effects: Effects, loads: Loads, ray: Vector, square: bool) -> Level:
-    """The twist of minimum value along a ray, in either sense."""
+    """The twist of minimum value along a ray or along the opposite ray."""
     rest, load, power = Vector(0.0, 0.0, 0.0), loads.total, _power(loads.total, ray)
     total = _net_resistance(effects, loads, ray, 0.0)
     wrench = Vector(total.f_x + load.x, total.f_y + load.y, total.torque + load.spin)
@@ -168,7 +168,7 @@ def _minimum_on_ray(effects: Effects, loads: Loads, ray: Vector, square: bool) -
     lack = fabs(power) - held
     part = max(lack, 0.0) / (2.0 * kinetic_energy(effects, ray.x, ray.y, ray.spin))
     twist = _step_from(rest, ray, copysign(part, power))
-    # A smaller ratio of momentum to load counts as held by friction.
+    # A load that exceeds friction by a smaller fraction counts as held.
     return Level(twist, -lack * part / 2.0 if lack > SHARE * fabs(power) else 0.0)
 
 
@@ -184,7 +184,7 @@ def _lowest_start(effects: Effects, loads: Loads, ray: Vector, square: bool) -> 
 
 
 def _descend(effects: Effects, loads: Loads, twist: Vector, square: bool) -> Vector:
-    """The twist of minimum value, from a start not above the minimum about any support point."""
+    """The twist of minimum value, from a start no higher than the minimum about any support point."""
     for _ in range(DESCENTS):
         value = _potential_value(effects, loads, twist, square)
         total = _potential_gradient(effects, loads, twist, square)
@@ -211,7 +211,7 @@ def _part_of_step(
     effects: Effects, loads: Loads, twist: Vector, step: Vector,
     value: float, slope: float, square: bool,
 ) -> float:  # fmt: skip
-    """Fraction of a step at which the value is nearly minimal; the whole step if it is good enough."""
+    """Fraction of a step at which the value is nearly minimal; the full step if it is good enough."""
     low, high, part = 0.0, INFINITY, 1.0
     if not slope < 0.0:  # from rounding
         return part

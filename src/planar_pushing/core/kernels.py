@@ -1,8 +1,8 @@
-"""What Python calls: loops over the rows of an array, one row for each problem.
+"""The functions that Python calls: loops over the rows of an array, one row for each problem.
 
-A row begins with the numbers of the effects, as `read_effects` reads them. What follows is described at
-each kernel. Angles are radians in the fence frame, lengths are in radii, and results are in the frame of
-the contact: x along the fence and y along its normal into the slider.
+A row begins with the numbers of the effects, as `read_effects` reads them. Each kernel describes the
+columns that follow. Angles are radians in the fence frame, lengths are in radii, and results are in the
+frame of the contact: x along the fence and y along its normal into the slider.
 """
 
 from __future__ import annotations
@@ -52,9 +52,9 @@ from planar_pushing.core.tolerances import RESOLUTION
 
 #: Status of the solutions of a row.
 NONE, CONSISTENT, PIVOTS, CONTINUA, NOT_SOLVED = range(5)
-#: Numbers of a solution in the results of `solve`, and how many numbers precede each of its fields after
-#: the mode: force, the other end of its interval, twist, motion of the contact, spin ratio, center, pivot,
-#: and whether it is an end of a continuum.
+#: Number of columns of a solution in the results of `solve`, and the offset of each field after the mode:
+#: force, the other end of its interval, twist, motion of the contact, spin ratio, center, pivot, and
+#: whether it is an end of a continuum.
 RESULT = 15
 AT_FORCE = 1
 AT_FORCE_END = 3
@@ -64,7 +64,7 @@ AT_RATIO = 10
 AT_CENTER = 11
 AT_PIVOT = 13
 AT_CONTINUUM = 14
-#: Numbers of a motion in the results of `force_motions`.
+#: Number of columns of a motion in the results of `force_motions`.
 MOTION_WIDTH = 13
 #: Distance, in radii, at which a force replaces a pure couple.
 FAR = 1e6
@@ -77,9 +77,9 @@ def solve(
 
     After the effects, a row holds: length and angle of the rod; the edges of the law, right and left, and
     whether it slips, is closed, and is rough; angle of the pusher's motion; whether the pusher moves. A row
-    of results holds: number of solutions; status; and for as many solutions as fit all modes, all forces,
-    and so on, in the order of `AT_FORCE` to `AT_CONTINUUM`. The motion center is relative to the contact,
-    and NaN at rest.
+    of results holds: number of solutions; status; and, for as many solutions as fit, all modes, then all
+    forces, and so on, in the order of `AT_FORCE` to `AT_CONTINUUM`. The motion center is relative to the
+    contact, and NaN at rest.
     """
     first = count_columns(data)
     solutions = zeros(MOST_SOLUTIONS * SOLUTION)
@@ -142,7 +142,7 @@ def force_motions(
     magnitude of the motion, `UNIT_MOTION` to `UNIT_ENERGY`, and the magnitude of the force for
     `FORCE_SIZE`. A row of results holds: status, `NONE` if friction holds the slider; twist of the origin;
     motion of the contact; force; angle of the contact's motion; number of the pivot; spin ratio; motion
-    center relative to the slider's center. All of them are NaN without a motion.
+    center relative to the slider's center. Without a motion, all of them but the status are NaN.
     """
     first = count_columns(data)
     for i in range(count):
@@ -182,7 +182,7 @@ def force_motions(
 
 
 def _signed_spin_ratio(motion: ContactMotion) -> float:
-    """R omega / v of a motion; a motion without a speed is a rotation."""
+    """R omega / v of a motion, infinite for a rotation about the origin."""
     speed = sqrt(motion.v_x * motion.v_x + motion.v_y * motion.v_y)
     if speed > 0.0:
         return motion.spin / speed
@@ -265,7 +265,8 @@ def load_ratios(
         size = sqrt(x * x + y * y)
         results[i * width] = 0.0
         if size > 0.0:
-            # The load is a force along a line, as of a pusher at the point of the line nearest the origin.
+            # The load is equivalent to a pusher's force at the point of its line of action nearest the
+            # origin.
             contact = contact_at(y * torque / (size * size), -x * torque / (size * size))
             limit = motion_under_force(effects, contact, x / size, y / size, 1.0)
             force = sqrt(limit.f_x * limit.f_x + limit.f_y * limit.f_y)

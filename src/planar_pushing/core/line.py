@@ -6,13 +6,13 @@ moves by ``w = a + omega x`` across it, and the torque about the contact is ``su
 sum is constant between the rotations about two neighboring points. If it vanishes there, the second sum
 determines the rotation, while the torque itself is rounding error for a small b.
 
-For b = 0 every rotation of this interval is right, from one about a neighboring point to one about the
-other. The root of the second sum is the limit for small b, which a slider passes through over time.
+For b = 0 every rotation of this interval, between those about the two neighboring points, is a solution.
+The root of the second sum is the limit for small b, which a slider passes through over time.
 
-Points at y beside the line, such as those of a line with rounded coordinates, move by ``b - omega y``
-along it in the place of b, and add ``p y (b - omega y) / h`` to the second sum; the first one need not
-vanish. In the frame of its own tangent, a segment is at one y. Its x differs there, and the second sum
-takes the difference.
+Points at a distance y from the line, such as those of a line with rounded coordinates, move along it by
+``b - omega y`` instead of b. They add ``p y (b - omega y) / h`` to the second sum, and the first one need
+not vanish. A segment is described in the frame of its own tangent, in which its y is constant. Its x
+differs from that along the line, and the second sum includes the difference.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ from planar_pushing.core.rows import (
 from planar_pushing.core.tolerances import ALIGNED, BESIDE_LINE, INSET, SLIGHT
 
 #: Motion of a segment's end relative to its midpoint, as a fraction of that of the midpoint, below which a
-#: Gauss rule is more accurate than differences of integrals; and the nodes and shares of this rule.
+#: Gauss rule is more accurate than differences of integrals; and the nodes and weights of this rule.
 SHORT_MOTION = 0.2
 NODES = (
     -0.9602898564975362317, -0.7966664774136267396, -0.5255324099163289858, -0.1834346424956498049,
@@ -75,7 +75,7 @@ class Line(NamedTuple):
     effects : Effects
     contact : Contact
     pieces : int
-        Number of pieces; 0 if they are not on a line through the contact, or not nearly.
+        Number of pieces; 0 unless they are on a line through the contact, or nearly so.
     x, y : float
         Unit vector along the line.
     exact : bool
@@ -95,17 +95,17 @@ class Line(NamedTuple):
 
 
 class Seat(NamedTuple):
-    """A piece as seen from the contact, in the frame of its own tangent; a point has that of the line.
+    """A piece as seen from the contact, in the frame of its own tangent; for a point, in that of the line.
 
     Attributes
     ----------
     across, along : float
         The contact's motion.
     x, half, y : float
-        Position of the midpoint along the tangent, half the length, and position of the piece beside the
-        contact.
+        Position of the midpoint along the tangent, half the length, and position of the piece across the
+        tangent.
     middle, shift : float
-        Position of the midpoint along the line, and x less this.
+        Position of the midpoint along the line, and x minus this position.
     friction : float
     """
 
@@ -127,7 +127,7 @@ class Interval(NamedTuple):
 
 
 class FirstSum(NamedTuple):
-    """The first sum less the torque of loads, its rounding error, and whether it is constant nearby."""
+    """The first sum minus the torque of loads, its rounding error, and whether it is constant nearby."""
 
     torque: float
     rounding: float
@@ -222,9 +222,9 @@ def _seat_of(line: Line, number: int) -> Seat:
 
 
 def _interval_at(line: Line, spin: float, below: bool) -> Interval:
-    """The rotations about neighboring ends of pieces between which a rotation is; infinite without one.
+    """The interval around a rotation, bounded by rotations about ends of pieces, or infinite.
 
-    If it is one of them itself, the interval is the one below or above it.
+    If the rotation is itself about an end, the interval is the one below or above it.
     """
     low, high = -INFINITY, INFINITY
     for i in range(line.pieces):
@@ -252,7 +252,8 @@ def _first_sum(line: Line, spin: float) -> FirstSum:
         last = seat.across + spin * (seat.x + seat.half)
         part = seat.friction * seat.middle
         if (first > 0.0) != (last > 0.0):
-            # The center of rotation is in the segment and divides it into two parts with opposite senses.
+            # The center of rotation is in the segment and divides it into two parts that move in opposite
+            # senses.
             constant = False
             center, half = -seat.across / spin - seat.x, seat.half
             part = -seat.friction * (
@@ -264,7 +265,7 @@ def _first_sum(line: Line, spin: float) -> FirstSum:
 
 
 def _second_sum(line: Line, first_sum: float, spin: float) -> float:
-    """The second sum less the first one, relative to the terms; NaN if the center is in a segment."""
+    """The second sum minus the first one, relative to its terms; NaN if the center is in a segment."""
     total, terms = -first_sum, fabs(first_sum)
     for i in range(line.pieces):
         seat = _seat_of(line, i)
@@ -312,7 +313,7 @@ def _means_of(first: float, last: float, slide: float) -> Means:
 
 
 def _root_in(line: Line, first_sum: float, low: float, high: float) -> float:
-    """The rotation without torque in an interval; NaN if there is none."""
+    """The rotation in an interval at which the torque is zero; NaN if there is none."""
     inset = INSET * (high - low)
     low, high = low + inset, high - inset
     first, last = _second_sum(line, first_sum, low), _second_sum(line, first_sum, high)
@@ -328,7 +329,7 @@ def _root_in(line: Line, first_sum: float, low: float, high: float) -> float:
 
 
 def _level_rotation(line: Line, guess: float) -> float:
-    """The rotation without torque, from the second sum; NaN if the torque itself determines it."""
+    """The rotation of zero torque, from the second sum; NaN if the torque itself determines it."""
     interval, last = _interval_at(line, guess, False), 0.0
     for _ in range(2 * line.pieces + 1):
         low, high = interval.low, interval.high
@@ -350,11 +351,11 @@ def _level_rotation(line: Line, guess: float) -> float:
 
 
 def rotation_on_line(effects: Effects, contact: Contact, x: float, y: float, guess: float) -> Psi:
-    """Psi at a motion of the contact for which the first sum vanishes, otherwise not converged."""
+    """Psi at a motion of the contact if the first sum vanishes there; otherwise it has not converged."""
     if not effects.linear:
         return unknown_psi()
     line = _line_of(effects, contact, x, y)
-    # If the contact rather moves along the line, the torque itself determines the rotation well.
+    # If the contact moves mainly along the line, the torque itself determines the rotation well.
     if line.pieces == 0 or fabs(line.along) > fabs(line.across):
         return unknown_psi()
     spin = _level_rotation(line, guess)

@@ -25,7 +25,7 @@ LINE_TORQUE = (
 
 
 def distance_to_end(s: float, h: float) -> float:
-    """Distance of an end of a line that is at (s, h), in coordinates along and across the line."""
+    """Distance to a line's end at (s, h), in coordinates along and across the line."""
     return sqrt(s * s + h * h)
 
 
@@ -95,7 +95,7 @@ def turn_piece(piece: Piece, t_x: float, t_y: float) -> Piece:
 def plate_piece(data: Numbers, first: int, last: int, x: float, y: float) -> Piece:
     """The piece of a plate with edges from `first` to `last`; (x, y) is relative to the plate's center.
 
-    Far from the plate these sums cancel, and multipoles are used instead.
+    Far from the plate these sums lose digits to cancellation, and multipoles are used instead.
     """
     distance, g_x, g_y, xx, xy, yy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     i = first

@@ -49,9 +49,9 @@ from planar_pushing.core.rows import (
 )
 from planar_pushing.core.tolerances import RESOLUTION, ROUNDING
 
-#: What fixes the magnitude of the motion under a line of force: a unit component of the contact's motion
-#: along the line, unit speed of the origin, the magnitude of the force, or the kinetic energy of a unit
-#: translation.
+#: Norms that fix the magnitude of the motion under a line of force: a unit component of the contact's
+#: motion along the line, unit speed of the origin, the magnitude of the force, or the kinetic energy of a
+#: unit translation.
 UNIT_MOTION, UNIT_SPEED, FORCE_SIZE, UNIT_ENERGY = range(4)
 #: Number of magnitudes at which the angle of the contact's motion is evaluated, on either side of the one
 #: at which the effects have equal magnitudes. Their logarithms are hyperbolic sines of multiples of APART.
@@ -63,14 +63,14 @@ LOWEST = -34.0
 FINER = 16
 #: Offset that makes angles from the force positive.
 POSITIVE = 2.0
-#: Factor from one step to a bracket to the next, and the logarithm of the largest and smallest component
-#: along the line of force: the squares of larger and smaller motions overflow and underflow.
+#: Factor by which each step of the search for a bracket exceeds the last, and the largest magnitude of the
+#: logarithm of the component along the line of force: beyond it, squares of motions overflow or underflow.
 DOUBLING = 8.0
 FARTHEST = 300.0
 
 
 class ForceLine(NamedTuple):
-    """A line of force at the contact, and what its motion is to have."""
+    """A line of force at the contact, a norm of the motion under it, and the goal for this norm."""
 
     effects: Effects
     contact: Contact
@@ -86,7 +86,7 @@ def motion_of_size(line: ForceLine, z: float) -> ContactMotion:
 
 
 def _excess(line: ForceLine, z: float) -> float:
-    """What the motion of a size has more than it is to have."""
+    """Norm of the motion with a component exp(z) along the line of force, minus its goal."""
     motion = motion_of_size(line, z)
     if line.norm == UNIT_SPEED:
         return sqrt(motion.v_x * motion.v_x + motion.v_y * motion.v_y) - line.goal
@@ -96,7 +96,7 @@ def _excess(line: ForceLine, z: float) -> float:
 
 
 def _motion_with_goal(line: ForceLine) -> ContactMotion:
-    """The motion that has what it is to have, which increases with its size; not converged if none has."""
+    """The motion whose norm, which increases with z, equals the goal; not converged if there is none."""
     low, at_low, step = 0.0, _excess(line, 0.0), 1.0
     sense = -1.0 if at_low > 0.0 else 1.0
     high, at_high = low, at_low
@@ -126,7 +126,7 @@ def _moves_freely(effects: Effects) -> bool:
 def _motion_of_force(line: ForceLine) -> ContactMotion:
     """The motion under a force together with loads that friction does not hold.
 
-    The contact can move against this force, which is one more load.
+    The force counts as one more load, and the contact can move against it.
     """
     f_x, f_y, contact = line.goal * line.e_x, line.goal * line.e_y, line.contact
     twist = free_twist(line.effects, Vector(f_x, f_y, contact.x * f_y - contact.y * f_x))
@@ -140,7 +140,7 @@ def _motion_of_force(line: ForceLine) -> ContactMotion:
 def motion_with_norm(
     effects: Effects, contact: Contact, force: Direction, norm: int, goal: float
 ) -> ContactMotion:
-    """The motion under a force, of the magnitude that a norm fixes; not converged if friction holds it.
+    """The motion under a force, of the magnitude that a norm fixes; not converged if the slider is held.
 
     With effects of one degree, a unit component of the contact's motion gives the same direction as a unit
     speed.
@@ -166,9 +166,9 @@ def is_ring_alone(effects: Effects) -> bool:
 
 
 def motion_on_ring(rod: Rod, contact: Contact, force: Direction) -> ContactMotion:
-    """The motion of a ring at unit speed, from the closed inverse of Eq. (7), without its force.
+    """The motion of a ring at unit speed, from the inverse of Eq. (7).
 
-    The force is along the center's motion.
+    The force, which is not computed, is along the center's motion.
     """
     ratio = ring_spin_ratio(rod.length * force.across)
     v_x, v_y, spin = force.along, -force.across, ratio
@@ -199,7 +199,7 @@ def angle_from_force(motion: ContactMotion, e_x: float, e_y: float) -> float:
 
 
 class MotionAngles(NamedTuple):
-    """Minimum and maximum angle of the contact's motion; whether it pivots, is a continuum, was found."""
+    """Minimum and maximum angle of the contact's motion, and whether there are pivots or a continuum."""
 
     least: float
     greatest: float
@@ -217,7 +217,7 @@ def motion_angles(effects: Effects, rod: Rod, contact: Contact, force: Direction
         return _angles_of_one_degree(effects, contact, force)
     slow = _angles_of_one_degree(scale_effects(effects, 1.0, 0.0), contact, force)
     fast = _angles_of_one_degree(scale_effects(effects, 0.0, 1.0), contact, force)
-    # Of a continuum, the slow limit of the motions is the one nearest to the fast motions.
+    # If the slow motions are a continuum, their limit is the one nearest to the fast motions.
     near = min(max(slow.least, fast.least), slow.greatest)
     low, high = min(near, fast.least), max(near, fast.least)
     if not _is_isotropic(effects):
@@ -248,7 +248,7 @@ def _angles_of_one_degree(effects: Effects, contact: Contact, force: Direction) 
 def _is_isotropic(effects: Effects) -> bool:
     """Whether the effects are the slider's ring and a mass at its center.
 
-    The direction of the contact's motion is then monotone from slow to fast.
+    The direction of the contact's motion then changes monotonically from slow to fast motions.
     """
     if effects.length != 2 or kind_of(effects.data, 0) != RING or kind_of(effects.data, 1) != MASS:
         return False
@@ -257,7 +257,7 @@ def _is_isotropic(effects: Effects) -> bool:
 
 
 def _angle_to(line: ForceLine, sense: float, z: float) -> float:
-    """Angle from the force to the motion of a size, counterclockwise for a sense of 1."""
+    """`POSITIVE` plus the angle from the force to the motion at z, counterclockwise for a sense of 1."""
     return POSITIVE + sense * angle_from_force(motion_of_size(line, z), line.e_x, line.e_y)
 
 
@@ -266,7 +266,7 @@ def _log_size(i: int) -> float:
 
 
 def _least_angle(line: ForceLine, sense: float, samples: Numbers) -> float:
-    """The minimum angle over all magnitudes, searched in dips around samples and at both ends."""
+    """The minimum angle over all magnitudes, searched for in dips around samples and at both ends."""
     least = min(samples[0], samples[2 * MAGNITUDES])
     for i in range(1, 2 * MAGNITUDES):
         here, before, after = samples[i], samples[i - 1], samples[i + 1]

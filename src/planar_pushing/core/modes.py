@@ -1,9 +1,9 @@
 """Enumeration of the contact modes of one push from rest (Secs. 2-5).
 
 The force of the sticking motion is evaluated once. Its sign across each edge of the friction cone decides
-whether the contact sticks, and it is the end of the path on which the slips under that edge are searched.
-Psi is convex. With effects of one degree, a push into the slider therefore has exactly one of stick and
-slip, and with several degrees the sign gives the parity of the number of slips.
+whether the contact sticks. The sticking motion is also the end of the path on which the slips under that
+edge are searched for. Psi is convex. With effects of one degree, a push into the slider therefore has
+exactly one of stick and slip, and with several degrees the sign gives the parity of the number of slips.
 """
 
 from __future__ import annotations
@@ -66,13 +66,13 @@ from planar_pushing.core.tolerances import (
 
 #: Power of two by which a normal motion below `SMALLEST_NORMAL` is multiplied, and its slips divided.
 STEP_OF_NORMAL = 1152921504606846976.0
-#: Unit of the cells of a path whose motions have no part into the slider, relative to the motion without a
-#: pusher: friction turns where the contact is this slow beside a rotation.
+#: Unit of the cells of a path without normal motion, relative to the motion without a pusher: friction
+#: changes direction where the contact is this slow relative to a rotation.
 FINE = 1e-4
 
 
 class Search(NamedTuple):
-    """What the slips of a push have in common.
+    """The inputs that the searches for the slips of one push share.
 
     Attributes
     ----------
@@ -82,11 +82,11 @@ class Search(NamedTuple):
     rest_x, rest_y : float
         Motion of the contact without a pusher, in the frame of the contact.
     scale : float
-        The larger of both motions.
+        Magnitude of the larger of the two motions.
     stick : Psi
         The sticking motion.
     f_x, f_y : float
-        Its force, of a pivot one that the law transmits.
+        Its force; for a pivot, one that the law transmits.
     stick_place : int
         Index of the stick in the solutions.
     """
@@ -152,8 +152,9 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
 
     Notes
     -----
-    A force within rounding of an edge sticks unless a slip is found, and a slip of zero speed is the stick.
-    If pusher and slider are both at rest, so that the force is undetermined, they count as separate.
+    A contact whose force is within rounding of an edge sticks unless a slip is found. A slip of zero speed
+    is the stick. If pusher and slider are both at rest, so that the force is undetermined, they count as
+    separate.
     """
     _separate(push, solutions)
     rest_x, rest_y = solutions[MOTION], solutions[MOTION + 1]
@@ -214,13 +215,13 @@ def _write_slips(
     rests: bool = pusher.x == 0.0 and pusher.y == 0.0
     if slips.number < 0 or part <= 0.0:
         return slips
-    # The force of a contact at rest is one of a set, which reaches beyond it.
+    # The force of a contact at rest is only one of a set, so it does not rule out slips.
     if side * force > COINCIDENT * size and not rests:
         return slips
     normal, shrink = pusher.y, 1.0
     falls: bool = search.rest_x != 0.0 or rest_y != 0.0
     if falls and fabs(normal) < SMALLEST_NORMAL:
-        normal = 0.0  # beside the motion without a pusher
+        normal = 0.0  # negligible relative to the motion without a pusher
     while 0.0 < fabs(normal) < SMALLEST_NORMAL:
         normal, shrink = STEP_OF_NORMAL * normal, shrink / STEP_OF_NORMAL
     if edge.x == 0.0:
@@ -238,7 +239,7 @@ def _write_slips(
     elif first == sense * search.rest_x and normal == rest_y:
         first += SLOW * search.scale  # the motion without a pusher has no force
     if rests:
-        # It is not the limit of slow slips either, so the search ends before it.
+        # Nor is it the limit of the forces of slow slips, so the search ends before rest.
         end = first_sample(path, sense * side * SLOW * search.scale)
     else:
         end = sample_of(path, sense * pusher.x, search.stick)
@@ -260,7 +261,7 @@ def _write_touching_stick(
     search: Search, path: Path, edge: Direction, mode: int, end: Sample,
     solutions: Numbers, slips: Count,
 ) -> Count:  # fmt: skip
-    """Write the stick if the root of the force across the edge is one motion with it, on either side."""
+    """Write the stick if the root of the force across the edge is the same motion, on either side of it."""
     if end.before != end.after or fabs(end.after) > fabs(end.slope) * COINCIDENT * search.scale:
         return slips
     step = -end.after / end.slope if end.slope != 0.0 else 0.0
@@ -299,7 +300,7 @@ def _write_normal_slips(
     closest = COINCIDENT * search.scale
     holds: bool = push.t_x * right.u_x + push.t_y * right.u_y >= pusher.x - closest
     holds = holds and push.t_x * left.u_x + push.t_y * left.u_y <= pusher.x + closest
-    # From slow to fast; then from right to left.
+    # In the order from slow to fast; at equal speeds, from right to left.
     if _speed_of(right) <= (1.0 + COINCIDENT) * _speed_of(left):
         slips = _write_slip_of(search, edge, mode, right, shrink, solutions, slips)
         slips = _write_slip_of(search, edge, mode, left, shrink, solutions, slips)
@@ -312,10 +313,10 @@ def _write_normal_slips(
 def _without_noise(
     search: Search, edge: Direction, normal: float, motion: ContactMotion
 ) -> ContactMotion:
-    """A slip along the fence, or the contact at rest if the root is there but for rounding.
+    """A slip along the fence, or the contact at rest if the root is at rest to rounding.
 
-    At rest the force across the edge jumps over zero. Friction sustains forces along the edge up to that of
-    the slowest motion under it.
+    At rest the force across the edge jumps across zero. Friction sustains forces along the edge up to that
+    of the slowest motion under the edge.
     """
     push = search.push
     if normal != 0.0 or _speed_of(motion) > NOISE * search.scale:

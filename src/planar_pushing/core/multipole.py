@@ -23,20 +23,20 @@ from planar_pushing.core.sums import Piece
 #: Half of the highest power n, which is enough for 1e-16 beyond `PLATE_FAR` of `pieces`.
 HALF_ORDER = 26
 ORDER = 2 * HALF_ORDER
-#: Terms of a plate, and pairs of numbers: its terms, and for each m whether they count.
+#: Number of terms of a plate, and number of pairs: its terms, and for each m whether they count.
 TERMS = (HALF_ORDER + 1) * (HALF_ORDER + 1)
 ROWS = TERMS + ORDER + 1
 #: Terms of power n count while ``n log(|c| / radius)`` is below this. Beyond it they were below 1e-16 in
 #: measurements on polygons with many kinds of corners.
 DIGITS = 28.0
-#: Numbers from one m to the next in an array of moments M_jk with j = m + k, and in all of it.
+#: Distance from one m to the next in an array of moments M_jk with j = m + k, and size of the array.
 MOMENT_STEP = 2 * (HALF_ORDER + 1)
 MOMENT_COUNT = MOMENT_STEP * (ORDER + 1)
 POWER_COUNT = 2 * (ORDER + 1)
 
 
 class PowerSums(NamedTuple):
-    """Sums of the terms' real parts times 1, n and n^2, imaginary parts times m and m n, real times m^2."""
+    """Sums of the terms: real parts times 1, n, n^2; imaginary parts times m, m n; real parts times m^2."""
 
     one: float
     n: float

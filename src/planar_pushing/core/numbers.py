@@ -1,4 +1,4 @@
-"""Arrays of numbers, and the few functions of one or two numbers that everything uses."""
+"""Types for arrays of numbers, and the constants and functions that all modules share."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Numbers(Protocol):
 
 
 def zeros(count: int) -> Numbers:
-    """A row of zeros for the time of a call; compiled code has it on the stack."""
+    """A row of zeros for use within one call; compiled code allocates it on the stack."""
     row: Numbers = memoryview(bytearray(8 * count)).cast("d")
     return row
 

@@ -7,7 +7,7 @@ case, if p and d are parallel, or if the effects have one degree. Otherwise it c
 
 If the slider pivots about a support point, the force is in an interval, and the force across the edge
 jumps: a root within the jump is the pivot. By symmetry, or with a support on one line, the force across the
-edge can vanish to rounding on a whole stretch of the path, unlike at a root: this stretch is a continuum.
+edge can vanish to rounding on a whole stretch of the path, not only at a root: this stretch is a continuum.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Path(NamedTuple):
 
 
 class Sample(NamedTuple):
-    """A motion of a path.
+    """The motion at one position on a path.
 
     Attributes
     ----------
@@ -105,7 +105,8 @@ def sample_of(path: Path, s: float, root: Psi) -> Sample:
             jump = copysign(half, half * ahead)
             before, after = across - jump, across + jump
         else:
-            # The whole path is across the line to the point; its friction can bring the force to the edge.
+            # The whole path is across the line to the point; the point's friction can bring the force to
+            # the edge.
             before = copysign(max(fabs(across) - fabs(half), 0.0), across)
             after, slope = before, 0.0
     noise = fabs(e_x) * root.noise_y + fabs(e_y) * root.noise_x + UNDERFLOW
@@ -120,7 +121,7 @@ def sample_near(path: Path, sample: Sample, s: float) -> Sample:
 
 
 def first_sample(path: Path, s: float) -> Sample:
-    """The motion at s, without a nearby motion."""
+    """The motion at s, from a first guess of its rotation."""
     u = motion_at(path, s)
     return sample_path(path, s, guess_spin(path.effects, path.contact, u.x, u.y), NO_POINT)
 
@@ -162,7 +163,7 @@ def find_root(path: Path, low: Sample, high: Sample, sample: Sample) -> Sample:
     Returns
     -------
     Sample
-        Its `converged` is whether the iteration has converged.
+        Its `converged` tells whether the iteration has converged.
     """
     sense, last = 1.0 if high.before > low.after else -1.0, INFINITY
     d_size, p_size = fabs(path.d_x) + fabs(path.d_y), fabs(path.p_x) + fabs(path.p_y)

@@ -1,14 +1,14 @@
-"""Moments of a pressure that determine friction at a center of rotation (manual: theory, any support).
+"""Moments of a pressure that determine friction for a center of rotation (manual: theory, any support).
 
-A pressure is stored in `data`, an array that the supports of a call share, by a head and rows of pieces.
-All places are those in `data`.
+A pressure is stored in `data`, an array that the supports of a call share, as a head and rows of pieces.
+All places are indices into `data`.
 
 The head has the center of pressure x, y; the means of x x, x y and y y about it; the places at which the
 rows of each kind begin, `ATOMS` to `EDGES`, where each kind ends at the beginning of the next one; the
-place at which the terms of the plates begin, ``2 * ROWS`` numbers a plate; and the place at which the edges
-end.
+place at which the terms of the plates begin, ``2 * ROWS`` numbers per plate; and the place at which the
+edges end.
 
-The rows have six numbers, of which unused ones are zero:
+A row has six numbers, of which unused ones are zero:
 
 - Atoms are points: x, y, share, and the square of the distance below which a center of rotation is on the
   point. No two are at the same place.
@@ -50,7 +50,7 @@ PLATE_FAR = 1.7
 
 
 class Pressure(NamedTuple):
-    """A unit pressure, in units of the support's extent.
+    """A pressure of unit weight, with lengths in units of the support's extent.
 
     Parameters
     ----------
@@ -81,8 +81,7 @@ class Moments(NamedTuple):
     xx, xy, yy : float
         Second derivatives of D with respect to c.
     atom : int
-        Number of the atom at c, or -1. That atom has no direction: it counts in D, and as zero in
-        everything else.
+        Number of the atom at c, or -1. That atom has no direction of motion, so it contributes to D only.
     """
 
     distance: float
@@ -125,7 +124,7 @@ def pressure_moments(pressure: Pressure, x: float, y: float, blur: float) -> Mom
     x, y : float
         In units of the extent, up to 1e9 extents away; beyond that, use the limit of a translation.
     blur : float
-        Uncertainty of the center: it is on every atom within this distance.
+        Uncertainty of the center, which counts as on every atom within this distance.
 
     Returns
     -------
@@ -233,7 +232,7 @@ def add_plates(total: Piece, pressure: Pressure, x: float, y: float) -> Piece:
 def moments(
     data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
 ) -> None:
-    """Moments of pressures: rows of the place of a head, x and y of a center; the results are `Moments`."""
+    """Moments of pressures; a row holds the place of a head and x, y of a center, the results `Moments`."""
     for i in range(count):
         row, result = rows[i * columns :], results[i * width :]
         total = pressure_moments(pressure_at(data, int(row[0])), row[1], row[2], 0.0)

@@ -1,4 +1,4 @@
-"""Motions about a support point, or nearly, where the balance of torques determines its friction."""
+"""Motions exactly or nearly about a support point, whose friction follows from the balance of torques."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from planar_pushing.core.tolerances import BALANCED, BARELY, ROUNDING, SHARE, SM
 
 
 def pivot_spin(effects: Effects, contact: Contact, x: float, y: float, point: int) -> float:
-    """The rotation for which a support point moves at most along its line to the contact."""
+    """The rotation for which a support point has no motion across its line to the contact."""
     foot = foot_position(effects, point)
     r_x, r_y = foot.x - contact.x, foot.y - contact.y
     return (x * r_y - y * r_x) / (r_x * r_x + r_y * r_y)
@@ -22,8 +22,8 @@ def refine_psi(
 ) -> Psi:
     """Psi, with the friction of a support point that barely moves taken from the balance of torques.
 
-    It has not converged if that point does not balance the torque: near it the torque is so steep that any
-    step is small.
+    It has not converged if that point does not balance the torque: near the point, the torque is so steep
+    that any Newton step is small.
     """
     slowest, square, next_square = NO_POINT, INFINITY, INFINITY
     for i in range(effects.feet):
@@ -52,11 +52,11 @@ def pivot_psi(
 ) -> Psi:  # fmt: skip
     """Psi of a rotation exactly or nearly about a support point, which balances the remaining torque.
 
-    The direction in which a point that barely moves does so is lost in the rounding of the twist. Let r be
-    the position of the point from the contact. The component of its friction across r follows from the
-    torques, and the component along r from its share, in the sense of its motion along r, ``u . r``. If
-    ``u . r`` is zero to rounding, or to within `tolerance` relative to the motion, the slider pivots about
-    the point, and the component along r has an interval of values.
+    The direction of motion of a point that barely moves is lost in the rounding of the twist. Let r be the
+    position of the point from the contact. The component of its friction across r follows from the torques.
+    The component along r follows from the magnitude of the friction, and has the sense of the motion along
+    r, ``u . r``. If ``u . r`` is zero to rounding, or to within `tolerance` relative to the motion, the
+    slider pivots about the point, and the component along r is undetermined within an interval.
     """
     foot = foot_position(effects, point)
     r_x, r_y = foot.x - contact.x, foot.y - contact.y
@@ -81,8 +81,8 @@ def pivot_psi(
     part = min(max(-rest.torque / reach, -limit), limit)
     half = sqrt(limit * limit - part * part)
     f_x, f_y = rest.f_x - part * r_y, rest.f_y + part * r_x
-    # A change of the direction of motion changes the friction along n, across itself; more so if it is
-    # slow.
+    # A change of the point's direction of motion changes its friction along n, at right angles to it, and
+    # does so more the slower the point is.
     slack, n_x, n_y, turns = 0.0, -r_y, r_x, reach
     slides: bool = fabs(across) > rounding and half <= SMALL_PART * limit
     if ahead != 0.0 or slides:
@@ -98,7 +98,7 @@ def pivot_psi(
     stiff = stiff if stiff > 0.0 else INFINITY  # nothing resists the rotation
     turn_x = -(slack * rest.xs + turns * n_x) / stiff
     turn_y = -(slack * rest.ys + turns * n_y) / stiff
-    # A rounding error of the component across r is amplified in the component along r if that is short.
+    # A rounding error of the component across r is amplified in the component along r if that is small.
     noise = 4.0 * ROUNDING * (fabs(rest.f_x) + fabs(rest.f_y) + limit + fabs(part))
     along = noise * fabs(part) / max(half, SMALL_PART * limit)
     pivots: bool = ahead == 0.0 and fabs(across) <= rounding

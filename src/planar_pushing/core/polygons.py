@@ -1,7 +1,7 @@
-"""Areas of polygons, and edges that meet.
+"""Areas of polygons, and edges that cross or touch.
 
-The vertices of all polygons are in `data`, x and y of one after the other. A row names a polygon by the
-number of its first vertex there, and by the number of its vertices.
+`data` holds x and y of the vertices of all polygons, one vertex after the other. A row identifies a polygon
+by the index of its first vertex and by its number of vertices.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from planar_pushing.core.numbers import Numbers
 def polygon_area(
     data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
 ) -> None:
-    """Areas of polygons, positive where the vertices turn counterclockwise; also far from the origin."""
+    """Areas of polygons, positive if counterclockwise; accurate even far from the origin."""
     for i in range(count):
         row = rows[i * columns :]
         results[i * width] = area_of(data[2 * int(row[0]) :], int(row[1]))
@@ -40,7 +40,7 @@ def touching_edges(
 
 
 def area_of(vertices: Numbers, count: int) -> float:
-    """Sum over the triangles from the first vertex."""
+    """Area of a polygon, as a sum over triangles at its first vertex."""
     total, corner_x, corner_y = 0.0, vertices[0], vertices[1]
     for i in range(1, count - 1):
         x, y = vertices[2 * i] - corner_x, vertices[2 * i + 1] - corner_y
@@ -57,7 +57,7 @@ def find_crossing(vertices: Numbers, count: int) -> tuple[int, int]:
         for j in range(i + 1, count):
             k = j + 1 if j + 1 < count else 0
             corner, last = vertices[2 * j :], vertices[2 * k :]
-            # The first and the last edge have a common vertex, too.
+            # The first and the last edge also have a common vertex.
             if j == i + 1:
                 meets = edge_folds(start, corner, last)
             elif i == 0 and j == count - 1:
@@ -96,7 +96,7 @@ def edges_meet(start: Numbers, end: Numbers, first: Numbers, last: Numbers) -> b
 
 
 def side_of(start: Numbers, end: Numbers, point: Numbers) -> float:
-    """Side of a line on which a point is: 1 on the left, -1 on the right, 0 on the line."""
+    """Side of a line on which a point lies: 1 on the left, -1 on the right, 0 on the line."""
     along, across = end[0] - start[0], end[1] - start[1]
     left = along * (point[1] - start[1]) - across * (point[0] - start[0])
     if left > 0.0:

@@ -40,7 +40,7 @@ from planar_pushing.core.tolerances import ALIGNED, BARELY, ROUNDING, SHARE
 #: Maximum number of steps to a rotation, enough for bisection over 16 orders of magnitude to the last
 #: digit.
 ROTATIONS = 120
-#: Factor by which a bracket without an end grows, and the longest Newton step relative to the motion.
+#: Factor by which an unbounded bracket grows, and the longest Newton step relative to the motion.
 GROWTH = 8.0
 
 
@@ -71,10 +71,11 @@ def spin_at_rest(effects: Effects, contact: Contact) -> float:
 
 
 def _psi_at_rest(effects: Effects, contact: Contact) -> Psi:
-    """Psi of a contact at rest, where the gradient is a set: one of its forces.
+    """Psi of a contact at rest, with one of the forces in the gradient, which is a set there.
 
-    For a slider that rotates about the contact, it is that without the friction of a point at the contact.
-    For one at rest, it is the opposite of the loads, if friction holds the couple that they then leave.
+    If the slider rotates about the contact, it is the force without the friction of a point at the contact.
+    If the slider is at rest, it is the opposite of the loads if friction holds the couple that then
+    remains, and `_middle_force` otherwise.
     """
     spin, load = spin_at_rest(effects, contact), load_wrench(effects)
     if spin == 0.0:
@@ -91,7 +92,7 @@ def _psi_at_rest(effects: Effects, contact: Contact) -> Psi:
 
 
 def _holds_couple(effects: Effects, contact: Contact, load: Vector) -> bool:
-    """Whether friction holds what is left of the loads if a force at the contact is their opposite."""
+    """Whether friction holds the couple that remains if a force at the contact is opposite to the loads."""
     if not has_friction(effects) or (load.x == 0.0 and load.y == 0.0 and load.spin == 0.0):
         return True  # without friction, no torque is left
     torque = contact.y * load.x - contact.x * load.y
@@ -102,7 +103,7 @@ def _holds_couple(effects: Effects, contact: Contact, load: Vector) -> bool:
 def _middle_force(effects: Effects, contact: Contact, load: Vector) -> Vector:
     """The middle between the forces of the slowest motions along the loads and against them.
 
-    Both are among the forces under which friction holds a contact at rest, which are a convex set.
+    Both belong to the convex set of forces under which friction holds a contact at rest.
     """
     friction, size = scale_effects(effects, 1.0, 0.0), sqrt(load.x * load.x + load.y * load.y)
     x, y = 1.0, 0.0
@@ -122,7 +123,8 @@ def _with_foot_at_contact(
 ) -> Resistance:
     """`Resistance` with the friction of a support point at the contact, if that is the one at rest.
 
-    It moves by (x, y), however slow that is beside the rotation, and has no torque about the contact.
+    The point moves by (x, y), however slow that is relative to the rotation, and has no torque about the
+    contact.
     """
     foot = foot_position(effects, total.point)
     if foot.x != contact.x or foot.y != contact.y:
@@ -143,9 +145,10 @@ def psi(
     """Psi at a motion (x, y) of the contact, from a guess of the rotation.
 
     For a long rod the unknown is the origin's motion, which is small, and the rotation follows from it; for
-    a short rod it is the rotation. If `point` is the number of a support point, that point is taken to lie
-    exactly across the motion from the contact, and others do to rounding; otherwise `tolerance` holds,
-    relative to the motion. A rotation that is one of an interval is the one of `rotation_on_line`.
+    a short rod it is the rotation. If `point` is the number of a support point, its line to the contact is
+    taken to be exactly perpendicular to the motion. For other points this holds to rounding or, without
+    `point`, to within `tolerance` relative to the motion. If all rotations of an interval are solutions,
+    that of `rotation_on_line` is chosen.
     """
     if x == 0.0 and y == 0.0:
         return _psi_at_rest(effects, contact)
@@ -232,7 +235,7 @@ def _next_trial(
 def _cut(
     effects: Effects, contact: Contact, x: float, y: float, low: float, high: float, start: float
 ) -> float:
-    """Where to cut a bracket: at the rotation about the point nearest its middle, or at the middle.
+    """Where to cut a bracket: at the rotation about a point that is nearest its middle, or at the middle.
 
     The torque is steepest at rotations about a point. Rotations are relative to `start`.
     """

@@ -126,7 +126,7 @@ def ring_curves_far(m: float, x: float) -> RingForce:
 
 
 def ring_curves_near(m: float, x: float) -> RingForce:
-    """As `ring_curves`, for m from NEAR_RING squared to 1, where t' is its finite value beside the ring."""
+    """As `ring_curves`, for m from NEAR_RING squared to 1, with a bound on t', which is infinite at 1."""
     half_log = -log(x) / 2.0
     first = half_log * polynomial(FORCE_LOG, len(FORCE_LOG), x)
     first += polynomial(FORCE_REST, len(FORCE_REST), x)
@@ -152,7 +152,7 @@ def inner_ring(small: float, large: float) -> RingForce:
 
 
 def ring_wrench(speed: float, spin: float) -> RingForce:
-    """Force along the motion, torque, and slope over the ratio <= 1 of the two speeds (Eqs. 2-3).
+    """Force along the motion, torque, and slope with respect to the ratio <= 1 of the speeds (Eqs. 2-3).
 
     Parameters
     ----------
@@ -183,7 +183,7 @@ def ring_response(speed: float, spin: float) -> RingResponse:
 
 
 def estimate_spin_ratio(arm: float) -> float:
-    """Spin ratio to 2e-6; near the ring, its distance from 1 to 6e-6."""
+    """Spin ratio, accurate to 2e-6; near the ring, its distance from 1 is accurate to 6e-6."""
     if arm < NEAR_ARM:
         return 2.0 * arm * polynomial(FAR_GUESS, len(FAR_GUESS), arm * arm)
     short = 1.0 - arm
@@ -220,7 +220,7 @@ def ring_spin_ratio(arm: float) -> float:
 def ring_profiles(
     data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
 ) -> None:
-    """Force along the motion and torque at spin ratios, one a row, of any size including infinity."""
+    """Force along the motion and torque at spin ratios, one per row; a ratio can be infinite."""
     for i in range(count):
         k, result = rows[i * columns], results[i * width :]
         result[0], result[1] = 0.0, 1.0 if k > 0.0 else -1.0
@@ -232,6 +232,6 @@ def ring_profiles(
 def ring_spin_ratios(
     data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
 ) -> None:
-    """Spin ratios under forces with moment arms in radii, one a row."""
+    """Spin ratios under forces with moment arms in radii, one per row."""
     for i in range(count):
         results[i * width] = ring_spin_ratio(rows[i * columns])

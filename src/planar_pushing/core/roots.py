@@ -1,4 +1,4 @@
-"""Roots of functions of one number, in brackets that the caller evaluates."""
+"""Roots and minima of functions of one variable, which the caller evaluates."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from planar_pushing.core.tolerances import RESOLVED, SHARE
 #: slowly.
 NEAR_ROOT = 0.1
 QUADRATIC = 0.02
-#: More steps than bisection takes to reach zero through all exponents.
+#: More steps than bisection needs to reach zero through all binary exponents.
 ITERATIONS = 2000
 #: Golden section, and the number of sections for the minimum of a dip: they reduce its width to 1e-7, which
 #: gives the value to 1e-14 of its depth.
@@ -24,7 +24,7 @@ SECTIONS = 34
 
 
 def is_last(size: float, before: float) -> bool:
-    """Whether only rounding error is left after a Newton step, given its relative size and the last one."""
+    """Whether a Newton step leaves only rounding error, given its relative size and that of the last."""
     if size <= SHARE:
         return True
     if before > NEAR_ROOT or size > QUADRATIC * before or size * size > EPSILON:
@@ -33,7 +33,7 @@ def is_last(size: float, before: float) -> bool:
 
 
 class Bracket(NamedTuple):
-    """Two numbers at which a function has opposite signs, the one before them, and the values there.
+    """Two numbers at which a function has opposite signs, the previous number, and the values there.
 
     `part` is the fraction of the way from a, the latest one, to b at which to evaluate next.
     """
@@ -58,7 +58,7 @@ def next_number(bracket: Bracket) -> float:
 
 
 def narrow_bracket(bracket: Bracket, x: float, value: float) -> Bracket:
-    """The bracket with the value at the next number.
+    """The bracket narrowed by the value at a number in it.
 
     Chandrupatla's method (Advances in Engineering Software 28, 1997): inverse quadratic interpolation where
     the function is smooth enough, bisection elsewhere.
@@ -75,7 +75,7 @@ def narrow_bracket(bracket: Bracket, x: float, value: float) -> Bracket:
 
 
 def best_number(bracket: Bracket) -> float:
-    """The number with the smaller value."""
+    """The end of the bracket at which the function is closer to zero."""
     return bracket.a if fabs(bracket.at_a) < fabs(bracket.at_b) else bracket.b
 
 
@@ -98,7 +98,7 @@ def _interpolate(a: float, b: float, c: float, at_a: float, at_b: float, at_c: f
 
 
 class Dip(NamedTuple):
-    """Three numbers, the function at the middle one being the smallest, and its value there."""
+    """Three numbers, of which the middle one has the smallest value of a function, and this value."""
 
     low: float
     middle: float
@@ -114,7 +114,7 @@ def section_of(dip: Dip) -> float:
 
 
 def narrow_dip(dip: Dip, x: float, value: float) -> Dip:
-    """The dip with the value at the next number."""
+    """The dip narrowed by the value at a number in it."""
     left: bool = dip.middle - dip.low > dip.high - dip.middle
     if value < dip.value:
         return Dip(dip.low, x, dip.middle, value) if left else Dip(dip.middle, x, dip.high, value)

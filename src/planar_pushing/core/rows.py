@@ -1,10 +1,10 @@
 """The effects of a scene as rows of numbers, and their sum at a twist.
 
 A call has one flat array `data` for all its scenes, and a row of numbers for each. The data begin with four
-numbers for each effect: its kind, the column of the row at which its numbers begin, and for a support the
-place at which the table of its pressures begins, whose own places count from there. The kind `LAST` ends
-the list, and its column is the first one after the effects. What an effect does not have, it does not
-compute: a loop over the listed effects is all there is.
+numbers for each effect: its kind; the column of the row at which its numbers begin; for a support, the
+place at which its table of pressures begins; and an unused one. Places in a table are relative to its
+beginning. The kind `LAST` ends the list, and its column is the first one after the effects. Only the listed
+effects are evaluated: an absent effect takes no time.
 """
 
 from __future__ import annotations
@@ -31,14 +31,15 @@ from planar_pushing.core.ring import ring_response
 #: mass, which is also the form of viscous friction.
 RING, SUPPORT, LOAD, MASS = range(4)
 LAST = -1
-#: Numbers of an effect at the beginning of the data.
+#: Number of entries of an effect at the beginning of the data.
 ENTRY = 4
 #: Number of a support point if there is none.
 NO_POINT = -1
 #: A center of rotation farther away than this, in extents of the support, is moved to this distance; only
 #: the torque still decreases with the true distance.
 FARTHEST_CENTER = 1e9
-#: Beyond this distance the force is along the motion of the center of pressure, to the accuracy of a slope.
+#: Beyond this distance the force is along the motion of the center of pressure, accurately enough for a
+#: slope.
 FAR_CENTER = 1e3
 #: Rounding error of a sum over pieces, in units of that of its largest term; measured on polygons (4e-15).
 TERMS_OF_SUM = 8.0
@@ -57,7 +58,7 @@ class Effects(NamedTuple):
     frictional, massive : bool
         Whether there are potentials of degree 1, and of degree 2.
     linear : bool
-        Whether there is only friction of points and segments, which can be on one line, and loads.
+        Whether all effects are loads and friction of points and segments, which can be on one line.
     one, two : float
         Factors of the forces of degree 1 and of degree 2.
     """
@@ -87,7 +88,8 @@ class Resistance(NamedTuple):
     point : int
         Number of the first of these points, `NO_POINT` without one.
     terms : float
-        Magnitude of the terms of the force, whose rounding error is a few units in the last place of it.
+        Magnitude of the terms of the force, whose rounding error is a few units in the last place of this
+        magnitude.
     """
 
     f_x: float
@@ -169,7 +171,7 @@ def column_of(data: Numbers, effect: int) -> int:
 
 
 def pressure_in(data: Numbers, row: Numbers, effect: int) -> Pressure:
-    """The pressure of a support; its places are those in the table of the support's pressures."""
+    """The pressure of a support; its places are indices into the support's table of pressures."""
     table = data[int(data[ENTRY * effect + 2]) :]
     return pressure_at(table, HEAD * int(row[column_of(data, effect) + 2]))
 
@@ -273,7 +275,7 @@ def support_resistance(
     weight: float, extent: float, pressure: Pressure,
     x: float, y: float, spin: float, blur: float,
 ) -> Resistance:  # fmt: skip
-    """Friction of a pressure, which is in units of its extent; the extent is in radii."""
+    """Friction of a pressure whose lengths are in units of its extent; the extent is in radii."""
     p_x, p_y, rate = pressure.center_x, pressure.center_y, spin * extent
     w_x, w_y = x - rate * p_y, y + rate * p_x
     speed = sqrt(w_x * w_x + w_y * w_y)
@@ -292,7 +294,7 @@ def support_resistance(
     else:
         b_x, b_y = -(xx * w_x + xy * w_y) / turn, -(xy * w_x + yy * w_y) / turn
         bend = -(b_x * w_x + b_y * w_y) / turn
-    # From the center of pressure, whose motion is w, to the origin; and from extents to radii.
+    # Transfer from the center of pressure, whose motion is w, to the origin, and from extents to radii.
     torque = part * rate * moments.torque + p_x * f_y - p_y * f_x
     a_x, a_y = -xx * p_y + xy * p_x, -xy * p_y + yy * p_x
     bend += -p_y * (2.0 * b_x + a_x) + p_x * (2.0 * b_y + a_y)
@@ -343,7 +345,7 @@ def has_friction(effects: Effects) -> bool:
 
 
 def mass_at(mass: float, gyration: float, x: float, y: float) -> Mass:
-    """A mass at (x, y) from a point; `gyration` is the square of its radius of gyration."""
+    """A mass centered at (x, y) from a point; `gyration` is the square of its radius of gyration."""
     return Mass(mass, mass * x, mass * y, mass * (x * x + y * y + gyration))
 
 
@@ -369,7 +371,7 @@ def foot_position(effects: Effects, number: int) -> Position:
 
 
 def load_wrench(effects: Effects) -> Vector:
-    """Wrench about the origin that acts on the slider at rest and in any motion."""
+    """Wrench of all loads about the origin, the same at rest and in any motion."""
     x, y, torque = 0.0, 0.0, 0.0
     for i in range(effects.length):
         effect = effects.length - 1 - i
@@ -381,7 +383,7 @@ def load_wrench(effects: Effects) -> Vector:
 
 
 def kinetic_energy(effects: Effects, x: float, y: float, spin: float) -> float:
-    """Potential of degree 2 at a twist: the kinetic energy for inertia."""
+    """Potential of degree 2 at a twist: for inertia, the kinetic energy."""
     energy = 0.0
     for i in range(effects.length):
         effect = effects.length - 1 - i

@@ -6,8 +6,8 @@ the slider pivots about a support point, the friction of the point absorbs every
 forces: two equations that keep the point at rest replace it, and torques are about the point. A change of a
 parameter changes the right-hand sides, at the same motion and force.
 
-The twist is that of the body frame's origin, not of the contact: the length of the rod is then a number in
-three equations, however long it is, and nothing cancels.
+The twist is that of the body frame's origin, not of the contact: the length of the rod is then only a
+coefficient in three equations, and nothing cancels, however long it is.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ from planar_pushing.core.rows import (
 )
 from planar_pushing.core.tolerances import BALANCED, SINGULAR, SLOW
 
-#: Conditions at the contact, in an order that counts: it moves with the pusher; it has the pusher's normal
+#: Conditions at the contact, whose order matters: it moves with the pusher; it has the pusher's normal
 #: motion and a force along an edge; a force along a line, with a contact motion of constant magnitude; a
 #: given force; none.
 STICK_CASE, SLIP_CASE, LINE_CASE, FORCE_CASE, FREE_CASE = range(5)
@@ -47,7 +47,7 @@ NO_MOTION, SMOOTH, ABOUT_POINT, OPEN, CHANGE = range(5)
 #: Number of parameters before the effects: two of the condition, the position of the contact, and the angle
 #: of the force.
 FIRST = 5
-#: Step of the rotation, in speeds per extent, of fourth-order differences, and their coefficients.
+#: Step of the rotation in fourth-order differences, in units of speed per extent, and their coefficients.
 TURN_STEP = 1e-3
 STENCIL = (1.0, 8.0, -1.0, -8.0, 2.0, -1.0, -2.0, 1.0)
 
@@ -74,7 +74,7 @@ class State(NamedTuple):
     m_x, m_y : float
         Direction in which the condition fixes the contact's motion: the pusher's normal, or the motion.
     unit : float
-        Force, per motion, in whose units the unknown force is of the order of the unknown motion.
+        Unit of force per motion, in which the unknown force is of the same order as the unknown motion.
     pivots : bool
     pivot : Position
         Position of the support point about which the slider turns, otherwise the origin.
@@ -109,9 +109,9 @@ def responses(
     After the effects, a row holds: length and angle of the rod; twist and force; angle of the edge;
     condition, `STICK_CASE` to `FREE_CASE`; number of the pivot; whether the mode changes. A row of results
     holds: status, `SMOOTH` to `CHANGE`; for each component of the twist, then for each of the force, its
-    derivatives with respect to the motion of the pusher along and across the fence (of a given force, the
-    magnitude and nothing), the position of the contact likewise, the angle of the force, a factor of each
-    effect, and the weight on each support point. What does not exist is NaN.
+    derivatives with respect to the motion of the pusher along and across the fence (for a given force: its
+    magnitude, and nothing), the position of the contact likewise, the angle of the force, a factor of each
+    effect, and the weight on each support point. Derivatives that do not exist are NaN.
     """
     first, parameters = count_columns(data), (width - 1) // 5
     for i in range(count):
@@ -160,7 +160,7 @@ def _state_at(effects: Effects, rod: Rod, solution: Numbers) -> State:
 
 
 def _sharp_resistance(effects: Effects, x: float, y: float, spin: float, blur: float) -> Resistance:
-    """`Resistance` with accurate second derivatives also for near-translations.
+    """`Resistance` with accurate second derivatives, even for near-translations.
 
     If the center of rotation is far away, the sums for the second derivatives with respect to the rotation
     cancel: those of `resistance` are good enough for Newton's method only, with relative errors up to 1e-3.
@@ -223,7 +223,7 @@ def _is_changing(state: State) -> bool:
 
 
 def _write_responses(state: State, known: int, parameters: int, result: Numbers) -> None:
-    """Write status and derivatives by the parameters that exist; nothing if the system is singular."""
+    """Write status and derivatives for the parameters that exist; nothing if the system is singular."""
     matrix, noise, order = zeros(SQUARE), zeros(SQUARE), zeros(SIDE)
     right, change = zeros(SIDE), zeros(SIDE)
     if not state.unit > 0.0:
@@ -268,7 +268,7 @@ def _write_change(state: State, k: int, right: Numbers) -> None:
         elif SLIP_CASE <= condition <= LINE_CASE:
             right[4] = force
     elif k >= 2:
-        # At the new contact, the force has another lever, and the slider another motion.
+        # At the new contact, the lever of the force and the motion of the slider differ.
         right[0] = cross(x, y, state.f_x, state.f_y)
         _write_motion_change(state, state.spin * y, -state.spin * x, right)
     elif condition <= SLIP_CASE:
@@ -293,7 +293,7 @@ def _makes_point_slide(state: State, x: float, y: float) -> bool:
 
 
 def _wrench_of(state: State, number: int) -> Vector:
-    """The wrench of an effect, or for a larger number of unit friction at a support point.
+    """The wrench of an effect or, for a larger number, of unit friction at a support point.
 
     The friction of a point at rest is below its limit, so a change of the limit has no effect.
     """
@@ -327,8 +327,8 @@ def _write_system(state: State, matrix: Numbers) -> None:
         one[0], one[2] = 1.0, -p_y
         other[1], other[2] = 1.0, p_x
     else:
-        # Sticking makes the point rest along r, its line to the contact, and leaves the force along r open:
-        # any will do for the twist.
+        # Sticking keeps the point at rest along r, its line to the contact. It leaves the force along r
+        # undetermined, and every value gives the same twist.
         one[0], one[1], one[2] = -r_y, r_x, r_x * p_x + r_y * p_y
         other[3], other[4] = r_x, r_y
     _write_condition(state, matrix[3 * SIDE :], matrix[4 * SIDE :])
@@ -346,7 +346,7 @@ def _write_condition(state: State, one: Numbers, other: Numbers) -> None:
 
 
 def _write_noise(state: State, matrix: Numbers, noise: Numbers) -> None:
-    """Write the errors of the matrix: rounding, and for sums of second derivatives that of their terms."""
+    """Write the errors of the matrix: rounding of its numbers, or of the terms of second derivatives."""
     for i in range(SQUARE):
         noise[i] = SINGULAR * fabs(matrix[i])
     rough = rough_mass(state.effects, 1.0, 0.0, 0.0)

@@ -1,9 +1,9 @@
 """The slips under an edge of the friction cone, as roots of the force across the edge.
 
 The motions of the contact share the pusher's normal component. The variable s is their component along the
-fence, in the sense of the edge's force, from the slowest motion that this force can drive to the pusher's,
-where the contact sticks. The force there is evaluated once, for the stick as for the slips: its sign across
-the edge decides both.
+fence, in the sense of the edge's force. It runs from the slowest motion that this force can drive to the
+pusher's motion, at which the contact sticks. The force there is evaluated once for the stick and the slips:
+its sign across the edge decides on both.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ FEWEST_CELLS = 3
 AT_START, OUTSIDE, INSIDE = range(3)
 #: Maximum number of times that a dip is halved.
 HALVINGS = 60
-#: Maximum number of slips under one edge, and the numbers of one: s, rotation, whether it is an end of a
-#: continuum, number of its pivot.
+#: Maximum number of slips under one edge, and number of columns of a slip: s, rotation, whether it is an
+#: end of a continuum, number of its pivot.
 SLIPS = 8
 SLIP = 4
 
@@ -103,7 +103,7 @@ def _vanishes(sample: Sample) -> bool:
 
 
 def _steps_across(flat: bool, here: Sample, kink: Sample) -> bool:
-    """Whether the force jumps across the edge at a kink, or up to it; flat stretches count separately."""
+    """Whether the force jumps across the edge at a kink, or onto it; flat stretches count separately."""
     from_zero: bool = _is_zero(kink, kink.before)
     to_zero: bool = _is_zero(kink, kink.after)
     if flat:
@@ -200,7 +200,7 @@ def _touching_slips(
 
 
 def _bottom_of_dip(path: Path, low: Sample, high: Sample) -> Sample:
-    """A motion between two at which the sign differs, or the lower motion if there is none.
+    """A motion between two at which the force has the opposite sign, or the lower motion if there is none.
 
     The dip is halved while both slopes point into it and the tangents at its sides meet beyond zero.
     """

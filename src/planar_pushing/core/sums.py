@@ -35,7 +35,7 @@ class Piece(NamedTuple):
 
 
 def add_piece(total: Piece, share: float, piece: Piece, arm_x: float, arm_y: float) -> Piece:
-    """Totals with a piece added; `arm` is its center relative to the point of the total torque."""
+    """Totals with a piece added; `arm` is its center relative to the reference point of the torque."""
     return Piece(
         total.distance + share * piece.distance,
         total.unit_x + share * piece.unit_x,

@@ -53,7 +53,7 @@ def mapped(
     kernel : str
         Its name.
     data : ndarray
-        What the rows share.
+        Numbers that all rows share.
     columns : sequence of array_like
         The columns of a row, broadcast together to shape S.
     outputs : sequence of Output
@@ -202,9 +202,9 @@ def component_labels() -> dict[str, Any]:
 
 
 def same(one: Any, other: Any) -> Any:
-    """Whether two values of one dataclass hold the same numbers: a single answer, also for arrays.
+    """Whether two values of one dataclass hold the same numbers: a single answer, even for arrays.
 
-    Labels must be the same, too. NaN equals NaN.
+    Labels must also be the same. NaN equals NaN.
     """
     if type(one) is not type(other):
         return NotImplemented

@@ -62,7 +62,7 @@ def force_columns(
     """The columns of a scene under a force, of the magnitude that fits an inertia share or a ratio."""
     share, ratio = _required_magnitude(scene, inertia_share, force_ratio)
     norm = UNIT_SPEED if force_ratio is None else FORCE_SIZE
-    # With shares of one half, the unit of force is half the weight.
+    # With shares of one half, the weight is half the unit of force.
     force = [required("force_angle", force_angle), float(norm), np.divide(ratio, 2)]
     return [*unit_columns(scene, share), *force]
 

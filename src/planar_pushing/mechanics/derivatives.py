@@ -26,7 +26,7 @@ from planar_pushing.mechanics.status import formatted, name_of
 from planar_pushing.terms.errors import InvalidValue
 
 #: The mode changes if a force is this close to an edge of the friction cone, relative to its magnitude, or
-#: a free motion this close to the pusher's: a few units in the last place more than `solve` resolves.
+#: a free motion this close to the pusher's: a little more than `solve` resolves.
 EDGE = 2e-12
 SEPARATES, SLIPS_RIGHT = int(ContactMode.SEPARATE), int(ContactMode.SLIP_RIGHT)
 STICKS = int(ContactMode.STICK)

@@ -140,7 +140,7 @@ def motion_of_force(
     ratio = _required_ratio(required_scene(scene), force_ratio)
     angle = required("force_angle", force_angle)
     norm = FORCE_SIZE if is_magnitude_open(scene) else UNIT_MOTION
-    # With shares of one half, the unit of force is half the weight.
+    # With shares of one half, the weight is half the unit of force.
     given = [*unit_columns(scene), angle, float(norm), np.divide(ratio, 2)]
     given += [*_units(scene), scene.slider.radius, _degree(scene)]
     if require_flag("derivatives", derivatives):

@@ -1,8 +1,8 @@
 """The kernels of the core, compiled or as plain Python, with arrays in and out.
 
-The compiled module has the digest of the sources from which it was made. If they have changed since, or if
-there is none, the sources run as they are, with the same results; a warning says so. With the environment
-variable ``PLANAR_PUSHING_PLAIN=1`` they do without a warning.
+The compiled module stores the digest of the sources from which it was built. If they have changed since, or
+if there is no compiled module, the sources run as plain Python, with the same results and a warning. The
+environment variable ``PLANAR_PUSHING_PLAIN=1`` selects plain Python without a warning.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ CORE = digest.__module__
 
 
 def run(name: str, data: npt.ArrayLike, rows: npt.ArrayLike, width: int) -> Array:
-    """What a kernel answers to each row.
+    """Results of a kernel, one row for each row of inputs.
 
     Parameters
     ----------
@@ -51,21 +51,21 @@ def run(name: str, data: npt.ArrayLike, rows: npt.ArrayLike, width: int) -> Arra
     if COMPILED is not None:
         COMPILED[name](data, rows, count, columns, results, width)
     else:
-        # The numbers of a memory view are floats of Python, those of an array are of numpy.
+        # The numbers of a memory view are Python floats; those of an array are numpy scalars.
         numbers, inputs, outputs = map(_flat, (data, rows, results))
         plain_kernel(name)(numbers, inputs, count, columns, outputs, width)
     return results
 
 
 def _flat(array: Array) -> memoryview:
-    """All numbers of an array in one row, which refers to them."""
+    """A flat memory view of an array, without a copy."""
     flat: Any = array.reshape(-1)
     return memoryview(flat)
 
 
 @functools.cache
 def plain_kernel(name: str) -> Kernel:
-    """The function of a kernel as it is written, from whichever module of the core has it."""
+    """The Python function of a kernel, from the module of the core that defines it."""
     for path in MODULES:
         module = importlib.import_module(f"{CORE}.{path.stem}")
         if hasattr(module, name):

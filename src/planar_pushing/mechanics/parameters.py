@@ -14,7 +14,7 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of
 from planar_pushing.mechanics.scene import Scene
 
-#: A motion of this size or less is about to change: derivatives of its force overflow.
+#: A motion of this size or less counts as about to change, because derivatives of its force overflow.
 SMALLEST = 1e-290
 
 
@@ -101,12 +101,12 @@ def responses(rows: Rows, columns: Sequence[Any], motions: Motions) -> Response:
 
 
 def _count_feet(entries: Sequence[Entry]) -> int:
-    """Number of support points, the maximum for each array of supports."""
+    """Number of support points; for an array of supports, the maximum."""
     return sum(each.table.most_atoms for each in entries if each.table is not None)
 
 
 def by_effect(scene: Scene, responses: Array) -> Array:
-    """Derivatives with respect to the strength of each effect of a scene; 0 for one absent from rest."""
+    """Derivatives with respect to the strength of each effect; 0 for one that does not act from rest."""
     derivatives = np.zeros((*responses.shape[:-1], len(scene.effects)))
     derivatives[np.isnan(responses[..., 0])] = np.nan
     for i, entry in enumerate(scene.rows.entries):
@@ -115,7 +115,7 @@ def by_effect(scene: Scene, responses: Array) -> Array:
 
 
 def shared(scene: Scene, response: Response) -> dict[str, Array]:
-    """The fields that the derivatives of every problem share."""
+    """The fields that `Derivatives` and `ForceDerivatives` have in common."""
     feet = FIRST + len(scene.rows.entries)
     return {
         "status": response.status,

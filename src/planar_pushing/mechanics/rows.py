@@ -78,7 +78,7 @@ class Rows:
     entries : tuple of Entry
         The effects, grouped by kind.
     data : ndarray
-        What the rows of a call share: the kinds, and the pressures of the supports.
+        Numbers that the rows of a call share: the kinds, and the pressures of the supports.
     body : tuple
         Length of the rod in radii, its angle in radians, and the radius.
     law : Law
@@ -111,7 +111,7 @@ class Rows:
         return len({entry.degree for entry in self.entries}) == 1
 
     def strength(self, degree: int) -> Number:
-        """Sum of the strengths of the effects of a degree, without loads; 0 without one."""
+        """Sum of the strengths of the effects of a degree, without loads; 0 if there are none."""
         return sum(
             each.forces[0] for each in self.entries if each.degree == degree and each.resists
         )
@@ -124,7 +124,7 @@ def entries_of(effects: Iterable[tuple[int, Any]], scene: Any) -> tuple[Entry, .
 
 
 def data_of(entries: Sequence[Entry]) -> Array:
-    """What the rows of entries share."""
+    """Numbers that the rows of a call share: kinds, columns and tables of the entries."""
     column, effects = 0, []
     for entry in entries:
         effects.append((entry.kind, column, entry.table))
@@ -166,7 +166,7 @@ def strengths_of(entries: Sequence[Entry], columns: Sequence[Any]) -> list[Any]:
 
 
 def in_units(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> tuple[Any, list[Any]]:
-    """Unit of force, and the columns of effects in it, for motions in units of `size`."""
+    """Unit of force, and the columns of effects in this unit, for motions in units of `size`."""
     unit: Any = 0.0
     for entry, strength in zip(entries, strengths_of(entries, columns), strict=True):
         force = strength * size if entry.degree == 2 else strength
@@ -205,7 +205,7 @@ def _wrench_of(load: Load, scene: Any) -> list[Number]:
 
 
 def _unit_of(angle: Number) -> Any:
-    """Cosine and sine of an angle, exact at a right angle: a load along the fence has no part across."""
+    """Cosine and sine of an angle, exact at 90 degrees: a load along the fence has no normal component."""
     if hasattr(angle, "dims"):
         upright = angle == np.pi / 2
         return np.cos(angle).where(~upright, 0.0), np.sin(angle)
@@ -235,7 +235,7 @@ def is_own_ring(support: Any, radius: Number) -> bool:
 
 
 def alike(support: Any, numbers: Any) -> Any:
-    """Numbers of supports: a scalar for one support, labeled if the supports are."""
+    """Numbers, one for each support: a scalar for a single support, labeled if the supports are."""
     if isinstance(support, SupportInFrames):
         return support.alike(numbers)
     if hasattr(support, "dims"):

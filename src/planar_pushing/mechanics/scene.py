@@ -96,7 +96,7 @@ class Slider:
         return required_ratio("length_ratio", self.rod_length / self.radius)
 
 
-@dataclass(frozen=True, kw_only=True)  # without slots, as the rows and the law are kept
+@dataclass(frozen=True, kw_only=True)  # no slots: rows and law are cached
 class Scene:
     """A slider, the contact through which it is pushed, and the effects that resist the motion.
 
@@ -251,7 +251,7 @@ class Scene:
         return [i for i, each in enumerate(self.effects) if not isinstance(each, absent)]
 
     def __getstate__(self) -> dict[str, Any]:
-        """What a copy in another process needs; it computes its rows itself."""
+        """The fields of the scene; a copy in another process computes its own rows."""
         return {each.name: getattr(self, each.name) for each in fields(self)}
 
     @cached_property
@@ -314,7 +314,7 @@ def _required_push(given: Any) -> tuple[Number, Number]:
 
 
 def required_scene(given: object) -> Scene:
-    """The scene that was given, or `InvalidValue`."""
+    """The argument if it is a scene, or `InvalidValue`."""
     return require_kind("scene", given, Scene, "read a file with load_scene, or construct one")
 
 

@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 SOLUTIONS = {True: 4, False: 8}
 XY = ("xy", 2)
 MODES = tuple(ContactMode)
-#: Where each field begins in the results of the kernel for room for one solution, and for more.
+#: Where each field begins in the results of the kernel, with room for one solution, and with more room.
 FIELDS = (
     AT_FORCE, AT_FORCE_END, AT_TWIST, AT_MOTION, AT_RATIO, AT_CENTER, AT_PIVOT, AT_CONTINUUM,
 )  # fmt: skip
@@ -108,7 +108,7 @@ def _require_ratio(entries: Sequence[Entry], columns: Sequence[Any], size: Any) 
 
 
 def _size_of_fall(entries: Sequence[Entry], columns: Sequence[Any]) -> Any:
-    """Unit of motion for a pusher at rest: that of a mass under the loads alone, 1 without them."""
+    """Unit of motion for a pusher at rest: motion of the mass under the loads alone, 1 without loads."""
     load: Any = 0.0
     mass: Any = 0.0
     for entry, strength in zip(entries, strengths_of(entries, columns), strict=True):
@@ -146,7 +146,7 @@ def solve_arrays(rows: Rows, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
 
 
 def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> Solutions:
-    """The solutions of one push of one scene, in a tenth of the time of arrays; the same numbers."""
+    """The solutions of one push of one scene: those of `solve_arrays`, in a tenth of the time."""
     _require_ratio(rows.entries, rows.columns, magnitude)
     moves = magnitude > 0.0
     size = magnitude if moves else float(_size_of_fall(rows.entries, rows.columns))
@@ -175,7 +175,7 @@ def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> S
 
 
 def _vector(unit: float, numbers: Sequence[float], place: int) -> Array:
-    """A vector in a unit."""
+    """The vector at a place in results, multiplied by its unit."""
     return np.array([unit * numbers[place], unit * numbers[place + 1]])
 
 

@@ -1,4 +1,4 @@
-"""One contact of an object, or an array of contacts: their numbers as flat arrays, and back."""
+"""One contact of an object, or an array of contacts, converted to flat arrays and back."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import required_array
 
-#: Allowed points and normals, and remedy.
+#: What a point or a normal must be, and the remedy.
 PAIR = "two finite numbers", "give x and y in the object's frame"
 
 

@@ -13,7 +13,8 @@ from planar_pushing.objects.many import Contacts
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
 
-#: A point closer to a side than this, relative to the outline's size, is on it: drawings are less precise.
+#: A point closer to a side than this, relative to the outline's size, counts as on it: drawings are no more
+#: precise.
 ON = 1e-6
 #: A distance below this is rounding. A point farther away is moved onto the side, because a corner below
 #: the fence ends a simulation.
@@ -23,7 +24,7 @@ ALIGNED = 1e-3
 
 
 def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[Number, Number]]:
-    """The placements of contacts, and the ends of their sides from there, infinite at a corner.
+    """The placements of contacts, and the ends of their sides relative to them; infinite at a corner.
 
     A normal within a thousandth of a radian of that of the side is replaced by it. A point closer to the
     side than a millionth of the outline's size is moved onto it.
@@ -31,8 +32,8 @@ def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[N
     Raises
     ------
     InvalidValue
-        If a point is not on the outline, or a fence with its normal would pass through the object; for the
-        first contact that is refused by the check that fails.
+        If a point is not on the outline, or a fence with its normal would pass through the object. The
+        error names the first contact that the failing check refuses.
     """
     points, sides = contacts.points, sides_between(np.array(corners))
     spot = nearest(sides, points)
@@ -65,7 +66,7 @@ def _require_on(contacts: Contacts, touches: npt.NDArray[np.bool_], nearest: Arr
 
 
 def _require_aligned(contacts: Contacts, beside: npt.NDArray[np.bool_], inward: Array) -> None:
-    """Refuse the normal of a contact beside the corners that is not that of its side."""
+    """Refuse a normal that is not that of the side, for a contact away from the corners."""
     if contacts.normal is None:
         return
     turn = np.hypot(*(contacts.normals - inward).T)
@@ -85,7 +86,7 @@ def _require_between(
     starts: Array,
     corner: npt.NDArray[np.intp],
 ) -> None:
-    """Refuse the normal of a contact at a corner with a side beyond the fence."""
+    """Refuse a normal at a corner that would leave a side of the object beyond the fence."""
     numbers = np.flatnonzero(at_corner)
     if not len(numbers):
         return

@@ -90,7 +90,7 @@ def scene_at(
     slider = Slider(
         rod_length=contacts.number(rods.length),
         rod_angle=contacts.number(rods.angle),
-        # By default that of the moved support, which is the same for many contacts.
+        # The default is the extent of the moved support, which is the same at every contact.
         radius=extent if many or not any(hasattr(each, "support") for each in listed) else None,
         side=side,
         outline=None if many or corners is None else body.point_in(corners) + 0.0,
@@ -165,7 +165,7 @@ def _with_center(effect: Any, center: Array, effects: tuple[Any, ...]) -> Any:
 
 
 def _middle(effects: tuple[Any, ...]) -> tuple[Array, float]:
-    """Center and extent of an object in its frame: of friction, otherwise viscous friction, or mass."""
+    """Center and extent of an object in its frame: of friction, else of viscous friction, else of mass."""
     friction = [each for each in effects if isinstance(each, SupportFriction)]
     films = [each for each in effects if isinstance(each, Viscous)]
     masses = [each for each in effects if isinstance(each, Inertia)]

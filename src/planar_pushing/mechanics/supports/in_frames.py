@@ -1,4 +1,4 @@
-"""One support in many frames, those of an object's contacts: an array of supports."""
+"""An array of supports: one support in many frames, those of an object's contacts."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy.typing as npt
 from planar_pushing.mechanics.frames import Frame, labeled_like
 from planar_pushing.mechanics.plane import Array
 
-#: The kinds of supports whose pieces move as the supports do; those of users may do otherwise.
+#: Types of supports whose pieces move rigidly with them, which need not hold for a user's own types.
 KINDS: set[type] = set()
 
 
@@ -109,7 +109,7 @@ def _is_rigid(support: Any) -> bool:
 
 
 def listed(support: Any) -> Any:
-    """The supports of an array, flat, or the one support."""
+    """The supports of an array, flattened; a single support counts as an array of one."""
     if isinstance(support, SupportInFrames):
         return support
     return np.ravel(np.array(support, dtype=object))

@@ -2,7 +2,8 @@
 
 If HDF5 cannot write a file, for example on a full disk, it prints errors while objects are destroyed and
 crashes when the process ends. Here HDF5 never sees the failure; `check` raises it. Until then HDF5 also
-reads what it has written, and crashes if it reads something else: memory holds what the disk does not.
+reads back what it has written, and crashes if it reads anything else. Memory therefore holds the data that
+the disk does not.
 """
 
 from __future__ import annotations
@@ -70,8 +71,8 @@ class Disk(io.FileIO):
 def new_file(path: PathLike) -> Iterator[Disk]:
     """Open an empty file at `path`, whose folder is created; remove the file if it cannot be written.
 
-    The file is written in place, so that others can read it in the meantime. If `path` is a link, the file
-    is the one that it names.
+    The file is written in place, so that others can read it in the meantime. If `path` is a link, its
+    target is written.
 
     Raises
     ------
@@ -96,5 +97,5 @@ def new_file(path: PathLike) -> Iterator[Disk]:
 
 
 def _opened(path: str, flags: int) -> int:
-    """Open a file that may have been exchanged for a link since the links were resolved."""
+    """Open a file, unless it has been replaced by a link since the links were resolved."""
     return os.open(path, flags | os.O_NOFOLLOW, 0o666)

@@ -25,7 +25,8 @@ from planar_pushing.mechanics.supports.pressure.spread import spreads
 
 #: Plates per block of terms: a few milliseconds of work.
 BLOCK = 512
-#: A center of rotation closer to an atom than this, relative to the numbers in its computation, is on it.
+#: A center of rotation closer to an atom than this, relative to the numbers in its computation, counts as
+#: on it.
 ROUNDING = 1e-15
 
 
@@ -55,14 +56,14 @@ class Gathered(NamedTuple):
 
 
 def shared(pieces: Pieces, share: float) -> Pieces:
-    """Pieces with their shares multiplied by a share."""
+    """Pieces with their shares multiplied by a factor."""
     atoms, segments, rings, discs = (_scaled(each, share) for each in pieces[:4])
     plates = tuple(_scaled(each, share) for each in pieces.plates)
     return Pieces(atoms, segments, rings, discs, plates)
 
 
 def _scaled(rows: Array, share: float) -> Array:
-    """Rows with their last column multiplied by a share."""
+    """Rows with their last column multiplied by a factor."""
     return np.column_stack([rows[:, :-1], rows[:, -1] * share])
 
 
@@ -89,12 +90,12 @@ def gathered(supports: Sequence[Pieces]) -> Gathered:
 def measure_pieces(
     rows: list[Array], edges: Array, owners: list[Any], lengths: Any, count: int
 ) -> Gathered:
-    """`Gathered` from the rows of each kind before the plates, their edges, and the owners of all.
+    """`Gathered` from the rows of each kind before the plates, the plates' edges, and the owners of all.
 
     Parameters
     ----------
     rows, owners : list of ndarray
-        As in `Gathered`; of plates and edges the owners only.
+        As in `Gathered`; for plates and edges, only the owners.
     edges : ndarray, shape (m, 5)
     lengths : ndarray of int, shape (plates,)
         Number of edges of each plate.
@@ -179,7 +180,8 @@ class Stack(NamedTuple):
     starts : ndarray of int, shape (supports, 7)
         First row of each kind of piece, `ATOMS` to `EDGES`, and number of the support's first plate.
     rows : ndarray, shape (n, COLUMNS)
-        As in `core.pieces`; but plates have the numbers of the rows at which their edges begin and end.
+        As in `core.pieces`, except that plates have the numbers of the rows at which their edges begin and
+        end.
     plates : ndarray of int
         Numbers of the rows of plates.
     """
@@ -217,7 +219,7 @@ def stacked(group: Gathered, radii: Array) -> tuple[Any, Array, Array]:
 
 
 def write_terms(group: Gathered, rows: Array, plates: Any, terms: Array) -> None:
-    """Write the terms of plates far from them, which are known or computed on all cores.
+    """Write the multipole terms of plates, which are known or computed on all cores.
 
     Parameters
     ----------
@@ -225,7 +227,7 @@ def write_terms(group: Gathered, rows: Array, plates: Any, terms: Array) -> None
     rows, plates : ndarray
         As in `Stack`.
     terms : ndarray, shape (plates, 2 * ROWS)
-        What is written.
+        The array to which the terms are written.
     """
     if group.write_terms is not None:
         group.write_terms(terms)

@@ -1,4 +1,4 @@
-"""The pieces of one support in many frames, as those of many supports, without making the supports."""
+"""The pieces of one support in many frames, gathered without constructing a support for each."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from planar_pushing.mechanics.supports.pressure.spread import ENDS
 
 
 def gather_in_frames(pieces: Pieces, origins: Array, axes: Array) -> Gathered:
-    """Pieces of a support expressed in frames, as `gathered` has those of one support for each frame.
+    """Pieces of a support in frames, as `gathered` returns them for a list of one support per frame.
 
     Parameters
     ----------
@@ -29,8 +29,8 @@ def gather_in_frames(pieces: Pieces, origins: Array, axes: Array) -> Gathered:
 
     Notes
     -----
-    Positions are those of supports that are moved one by one, to the last bit; plates differ from theirs by
-    rounding, because their pressure and their series are not computed anew in each frame.
+    Positions equal those of supports that are moved one by one, to the last bit. Plates differ by rounding,
+    because their pressure and their series are not recomputed in each frame.
     """
     one, count = gathered([pieces]), len(axes)
     x, y = origins.T

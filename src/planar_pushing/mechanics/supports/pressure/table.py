@@ -1,4 +1,4 @@
-"""The pressures of several supports in one array of numbers, in which the core finds one by its place."""
+"""The pressures of several supports in one array of numbers, in which the core finds each by its place."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ Found = TypeVar("Found")
 class Table:
     """Pressures stored one after the other, each in units of its own extent.
 
-    Tables are compared by identity, so that what is made from one can be cached.
+    Tables are compared by identity, so that results computed from them can be cached.
 
     Attributes
     ----------
@@ -57,9 +57,9 @@ class Table:
     count : int
         Number of supports.
     memory : ndarray
-        The data, and in front of them room for the entries of a call that has no other table.
+        The data, preceded by room for the entries of a call that has no other table.
     entries : list
-        The entries that are there, or none.
+        The entries passed to `behind`, the first of which occupy that room.
     most_atoms : int
         Maximum number of atoms of a support.
     """
@@ -96,7 +96,7 @@ class Table:
         return self.data[first:last].reshape(-1, COLUMNS)[:, :3]
 
     def behind(self, entries: Array) -> Array:
-        """The data behind entries, in the table's own memory if these are the first ones."""
+        """Entries followed by the data, in the table's own memory if they equal the first entries."""
         if len(entries) > FRONT:
             return np.concatenate([entries, self.data])
         self.entries.append(entries)
@@ -108,7 +108,7 @@ class Table:
 
 
 def kept(function: Callable[[Any], Found]) -> Callable[[Iterable[Any]], Found]:
-    """Cache a function of supports; for many supports, which can take gigabytes, the last result only."""
+    """Cache a function of supports; for many supports, which can take gigabytes, only the last result."""
     few, many = cached(KEPT)(function), cached(1)(function)
 
     @wraps(function)
@@ -200,16 +200,17 @@ def joined_data(effects: Sequence[tuple[int, int, Table | None]], columns: int) 
     Parameters
     ----------
     effects : sequence of (int, int, Table or None)
-        Of each effect its kind, the first of its columns in a row, and for a support the table.
+        For each effect: its kind, its first column in a row, and for a support its table.
     columns : int
         Number of columns of all effects.
 
     Returns
     -------
     ndarray
-        ``ENTRY`` numbers for each effect: kind, column, and for a support the place of its table, whose own
-        places count from there; the kind ``LAST`` and the number of columns; then the tables. It is cached
-        while the effects are the same, with tables compared by identity, and must not be written to.
+        ``ENTRY`` numbers for each effect: kind, column, and for a support the place of its table, to which
+        places in the table are relative; the kind ``LAST`` and the number of columns; then the tables. It
+        is cached while the effects are the same, with tables compared by identity, and must not be written
+        to.
     """
     given = tuple(effects)
     count = sum(table.count for _, _, table in given if table is not None)
