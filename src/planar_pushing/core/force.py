@@ -167,7 +167,7 @@ def motion_under_force(
     return motion_at_root(path, root.s, root.spin, False, root.point)
 
 
-def unsolved(motion: ContactMotion) -> ContactMotion:
+def mark_unsolved(motion: ContactMotion) -> ContactMotion:
     """The same motion, marked as not converged."""
     return ContactMotion(
         motion.u_x, motion.u_y, motion.v_x, motion.v_y, motion.spin, motion.f_x, motion.f_y,

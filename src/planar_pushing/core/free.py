@@ -68,7 +68,7 @@ def free_twist(effects: Effects, more: Vector) -> Vector:
     total = Vector(listed.x + more.x, listed.y + more.y, listed.spin + more.spin)
     if _size_of(total) < SLIGHTEST_LOAD:
         return rest
-    loads, fall = Loads(total, more), _fall_of(effects, total)
+    loads, fall = Loads(total, more), _frictionless_twist(effects, total)
     level = _lowest_start(effects, loads, fall, False)
     if not level.value < 0.0:
         start = _lowest_start(effects, loads, fall, True).twist
@@ -76,7 +76,7 @@ def free_twist(effects: Effects, more: Vector) -> Vector:
     return _descend(effects, loads, level.twist, False) if level.value < 0.0 else rest
 
 
-def _fall_of(effects: Effects, load: Vector) -> Vector:
+def _frictionless_twist(effects: Effects, load: Vector) -> Vector:
     """The twist that loads would cause without friction."""
     mass = rough_mass(effects, INFINITY, 0.0, 0.0)
     x, y = mass.x / mass.mass, mass.y / mass.mass

@@ -219,10 +219,10 @@ def motion_cones(
         low = motion_angles(effects, rod, contact, direction_at(rod, inputs[2]))
         high = motion_angles(effects, rod, contact, direction_at(rod, inputs[3]))
         continuum: bool = low.continuum or high.continuum
-        spread = max(low.greatest - low.least, high.greatest - high.least)
+        spread = max(low.largest - low.smallest, high.largest - high.smallest)
         status = CONTINUA if continuum else PIVOTS if low.pivots or high.pivots else CONSISTENT
         # Rounding can swap the edges of a long rod's cone, which can be narrower than an ulp.
-        result[0], result[1] = min(low.least, high.greatest), high.greatest
+        result[0], result[1] = min(low.smallest, high.largest), high.largest
         result[2] = 1.0 if continuum or spread <= RESOLUTION else 0.0
         result[3] = float(status)
         if not (low.converged and high.converged):

@@ -13,11 +13,11 @@ from planar_pushing.core.about import Contact
 from planar_pushing.core.directions import Direction, Rod
 from planar_pushing.core.force import (
     ContactMotion,
+    mark_unsolved,
     motion_under_force,
     motions_under_force,
     replace_force,
     sticking_motion,
-    unsolved,
 )
 from planar_pushing.core.free import free_twist
 from planar_pushing.core.numbers import INFINITY, Numbers, zeros
@@ -102,7 +102,7 @@ def _motion_with_goal(line: ForceLine) -> ContactMotion:
     high, at_high = low, at_low
     while at_low != 0.0 and (at_high > 0.0) == (at_low > 0.0):
         if fabs(high) == FARTHEST:
-            return unsolved(motion_of_size(line, high))
+            return mark_unsolved(motion_of_size(line, high))
         low, at_low = high, at_high
         high = min(max(low + sense * step, -FARTHEST), FARTHEST)
         at_high, step = _excess(line, high), DOUBLING * step
@@ -134,7 +134,7 @@ def _motion_of_force(line: ForceLine) -> ContactMotion:
     root = psi(line.effects, contact, x, y, twist.spin, NO_POINT, ROUNDING)
     motion = replace_force(sticking_motion(x, y, root), f_x, f_y, 0.0, 0.0)
     moves: bool = twist.x != 0.0 or twist.y != 0.0 or twist.spin != 0.0
-    return motion if moves else unsolved(motion)
+    return motion if moves else mark_unsolved(motion)
 
 
 def motion_with_norm(
@@ -156,7 +156,7 @@ def motion_with_norm(
     if norm == FORCE_SIZE and _moves_freely(effects):
         return _motion_of_force(line)
     if norm == FORCE_SIZE and _excess(line, LOWEST) >= 0.0:
-        return unsolved(motion_of_size(line, LOWEST))
+        return mark_unsolved(motion_of_size(line, LOWEST))
     return _motion_with_goal(line)
 
 
@@ -201,8 +201,8 @@ def angle_from_force(motion: ContactMotion, e_x: float, e_y: float) -> float:
 class MotionAngles(NamedTuple):
     """Minimum and maximum angle of the contact's motion, and whether there are pivots or a continuum."""
 
-    least: float
-    greatest: float
+    smallest: float
+    largest: float
     pivots: bool
     continuum: bool
     converged: bool
@@ -218,17 +218,17 @@ def motion_angles(effects: Effects, rod: Rod, contact: Contact, force: Direction
     slow = _angles_of_one_degree(scale_effects(effects, 1.0, 0.0), contact, force)
     fast = _angles_of_one_degree(scale_effects(effects, 0.0, 1.0), contact, force)
     # If the slow motions are a continuum, their limit is the one nearest to the fast motions.
-    near = min(max(slow.least, fast.least), slow.greatest)
-    low, high = min(near, fast.least), max(near, fast.least)
+    near = min(max(slow.smallest, fast.smallest), slow.largest)
+    low, high = min(near, fast.smallest), max(near, fast.smallest)
     if not _is_isotropic(effects):
         line = ForceLine(effects, contact, force.along, -force.across, UNIT_MOTION, 0.0)
         samples = zeros(2 * MAGNITUDES + 1)
         for i in range(2 * MAGNITUDES + 1):
             samples[i] = _angle_to(line, 1.0, _log_size(i)) - POSITIVE
-        low = min(low, force.angle + _least_angle(line, 1.0, samples))
+        low = min(low, force.angle + _smallest_angle(line, 1.0, samples))
         for i in range(2 * MAGNITUDES + 1):
             samples[i] = -samples[i]
-        high = max(high, force.angle - _least_angle(line, -1.0, samples))
+        high = max(high, force.angle - _smallest_angle(line, -1.0, samples))
     converged: bool = slow.converged and fast.converged
     return MotionAngles(low, high, slow.pivots, False, converged)
 
@@ -265,28 +265,28 @@ def _log_size(i: int) -> float:
     return sinh(float(i - MAGNITUDES) * APART)
 
 
-def _least_angle(line: ForceLine, sense: float, samples: Numbers) -> float:
+def _smallest_angle(line: ForceLine, sense: float, samples: Numbers) -> float:
     """The minimum angle over all magnitudes, searched for in dips around samples and at both ends."""
-    least = min(samples[0], samples[2 * MAGNITUDES])
+    smallest = min(samples[0], samples[2 * MAGNITUDES])
     for i in range(1, 2 * MAGNITUDES):
         here, before, after = samples[i], samples[i - 1], samples[i + 1]
         level: bool = max(before, after) - here <= RESOLUTION
         if here <= before + RESOLUTION and here <= after + RESOLUTION and not level:
-            least = min(
-                least, _angle_in_dip(line, sense, _log_size(i - 1), _log_size(i + 1)) - POSITIVE
+            smallest = min(
+                smallest, _angle_in_dip(line, sense, _log_size(i - 1), _log_size(i + 1)) - POSITIVE
             )
-    return least
+    return smallest
 
 
 def _angle_in_dip(line: ForceLine, sense: float, low: float, high: float) -> float:
     """The minimum angle in a dip, which can be narrow next to a plateau."""
     step = (high - low) / float(FINER)
-    least, middle = INFINITY, low
+    smallest, middle = INFINITY, low
     for i in range(1, FINER):
         angle = _angle_to(line, sense, low + float(i) * step)
-        if angle < least:
-            least, middle = angle, low + float(i) * step
-    dip = Dip(middle - step, middle, middle + step, least)
+        if angle < smallest:
+            smallest, middle = angle, low + float(i) * step
+    dip = Dip(middle - step, middle, middle + step, smallest)
     for _ in range(SECTIONS):
         z = section_of(dip)
         dip = narrow_dip(dip, z, _angle_to(line, sense, z))

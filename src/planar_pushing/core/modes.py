@@ -120,7 +120,7 @@ class Count(NamedTuple):
     flat: bool
 
 
-def _separate(push: Push, solution: Numbers) -> None:
+def _write_separation(push: Push, solution: Numbers) -> None:
     """Write the motion without a contact force."""
     rest, contact = free_twist(push.effects, Vector(0.0, 0.0, 0.0)), push.contact
     u_x, u_y = rest.x - rest.spin * contact.y, rest.y + rest.spin * contact.x
@@ -156,7 +156,7 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
     is the stick. If pusher and slider are both at rest, so that the force is undetermined, they count as
     separate.
     """
-    _separate(push, solutions)
+    _write_separation(push, solutions)
     rest_x, rest_y = solutions[MOTION], solutions[MOTION + 1]
     speed = 1.0 if pusher.x != 0.0 or pusher.y != 0.0 else 0.0
     scale = max(speed, max(fabs(rest_x), fabs(rest_y)))
@@ -251,7 +251,7 @@ def _write_slips(
     for i in range(number):
         s, spin, point = roots[SLIP * i], roots[SLIP * i + 1], int(roots[SLIP * i + 3])
         motion = motion_at_root(path, s, spin, roots[SLIP * i + 2] != 0.0, point)
-        motion = _without_noise(search, edge, normal, motion)
+        motion = _snap_to_rest(search, edge, normal, motion)
         slips = _write_slip_of(search, edge, mode, motion, shrink, solutions, slips)
     count = slips.number if number >= 0 else UNSOLVED
     return Count(count, slips.sticks, slips.flat or flat)
@@ -293,7 +293,7 @@ def _write_normal_slips(
     )
     right, left = ends.first, ends.last
     if ends.first.converged and not ends.first.continuum:
-        right = _without_noise(search, edge, normal, right)
+        right = _snap_to_rest(search, edge, normal, right)
         left = right
     if right.u_x == left.u_x and right.u_y == left.u_y:
         return _write_slip_of(search, edge, mode, right, shrink, solutions, slips)
@@ -310,7 +310,7 @@ def _write_normal_slips(
     return Count(slips.number, slips.sticks, slips.flat or holds)
 
 
-def _without_noise(
+def _snap_to_rest(
     search: Search, edge: Direction, normal: float, motion: ContactMotion
 ) -> ContactMotion:
     """A slip along the fence, or the contact at rest if the root is at rest to rounding.

@@ -199,10 +199,10 @@ def find_root(path: Path, low: Sample, high: Sample, sample: Sample) -> Sample:
         sample = sample_near(path, sample, target)
         if settled:
             return sample
-    return unsettled(sample)
+    return mark_unsettled(sample)
 
 
-def unsettled(sample: Sample) -> Sample:
+def mark_unsettled(sample: Sample) -> Sample:
     """The same motion, marked as not converged."""
     return Sample(
         sample.s, sample.before, sample.after, sample.slope, sample.noise,

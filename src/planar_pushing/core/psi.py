@@ -229,10 +229,10 @@ def _next_trial(
         return q - GROWTH * (fabs(q) + scale)
     if high == INFINITY:
         return q + GROWTH * (fabs(q) + scale)
-    return _cut(effects, contact, x, y, low, high, start)
+    return _cut_bracket(effects, contact, x, y, low, high, start)
 
 
-def _cut(
+def _cut_bracket(
     effects: Effects, contact: Contact, x: float, y: float, low: float, high: float, start: float
 ) -> float:
     """Where to cut a bracket: at the rotation about a point that is nearest its middle, or at the middle.

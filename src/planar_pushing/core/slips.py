@@ -85,7 +85,7 @@ def find_slips(
                 reached, sample = s, stick if i == cells else sample_near(path, here, s)
             # The sign of a rounding error is meaningless, so the next sample decides.
             if flat or not sample.converged or reached == last or not _vanishes(sample):
-                count, position = _slips_between(
+                count, position = _write_slips_between(
                     path, unit, straight, flat, here, sample, slips, count, position
                 )
                 if _steps_across(flat, here, sample):
@@ -130,7 +130,7 @@ def _write_slip(unit: float, sample: Sample, continuum: bool, slips: Numbers, co
     return count + 1
 
 
-def _slips_between(
+def _write_slips_between(
     path: Path, unit: float, straight: bool, flat: bool,
     low: Sample, high: Sample, slips: Numbers, count: int, position: int,
 ) -> tuple[int, int]:  # fmt: skip
@@ -138,7 +138,7 @@ def _slips_between(
     if count < 0 or not (low.converged and high.converged):
         return -1, position
     if flat and (_is_zero(low, low.after) or _is_zero(high, high.before)):
-        return _touching_slips(path, unit, straight, low, high, slips, count, position)
+        return _write_touching_slips(path, unit, straight, low, high, slips, count, position)
     if _is_zero(low, low.after) or (high.point >= 0 and _is_zero(high, high.before)):
         return count, OUTSIDE
     if (low.after > 0.0) != (high.before > 0.0):
@@ -175,11 +175,11 @@ def _flat_end_near(path: Path, straight: bool, sample: Sample, other: Sample) ->
     return end if straight or fabs(u.x * w.y - u.y * w.x) > TURN * size else sample
 
 
-def _touching_slips(
+def _write_touching_slips(
     path: Path, unit: float, straight: bool,
     low: Sample, high: Sample, slips: Numbers, count: int, position: int,
 ) -> tuple[int, int]:  # fmt: skip
-    """As `_slips_between`, if the force is along the edge at an end: a root, or a continuum."""
+    """As `_write_slips_between`, if the force is along the edge at an end: a root, or a continuum."""
     first = _flat_end_near(path, straight, low, high)
     last = _flat_end_near(path, straight, high, low)
     starts: bool = first.s > low.s
