@@ -89,6 +89,8 @@ def test_a_dip_narrows_around_its_bottom(bottom, kind):
         (5.2e-7, 0.084, False),  # by chance: the next one was 1e-12
         (1e-14, 1e-14, True),
         (1e-3, 0.9, False),
+        (1e-9, 0.9, False),  # from too far away: the one before was no step of Newton's
+        (3e-13, 1.2e-11, False),  # hardly smaller than the one before
     ],
 )
 def test_an_iteration_settles(size, before, last):

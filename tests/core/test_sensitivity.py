@@ -139,6 +139,18 @@ def test_elimination_is_exact_to_rounding_and_sees_what_is_singular(rank):
     assert (regular > 30) == (rank == SIDE)
 
 
+def test_elimination_loses_no_digits_to_numbers_that_are_small_in_their_rows():
+    """Rows of the identity, but for 1e-10, in any order and of any scale: the ones are to be chosen."""
+    rng = np.random.default_rng(6)
+    for _ in range(60):
+        rows, scales = rng.permutation(SIDE), 2.0 ** rng.integers(-50, 51, SIDE)
+        matrix = np.eye(SIDE) + 2.0**-33 * rng.integers(-3, 4, (SIDE, SIDE))
+        matrix, right = (matrix * scales[:, None])[rows], (rng.integers(1, 6, SIDE) * scales)[rows]
+        expected = exact(matrix.tolist(), [Fraction(each) for each in right])
+        found = solved(matrix, right)
+        assert found == pytest.approx([float(each) for each in expected], rel=1e-15, abs=0)
+
+
 # Feet
 
 

@@ -105,6 +105,24 @@ def test_slips_are_as_many_as_a_scan_along_the_fence_finds(name, moves):
     assert count > 4 or name == "square"
 
 
+@pytest.mark.parametrize(
+    ("name", "moves", "row"),
+    [
+        ("tripod", False, 1506),
+        ("feet on a line", False, 723),
+        ("scattered", True, 2478),
+        ("ring", True, 610),
+    ],
+)
+def test_two_slips_where_friction_turns_beside_a_rotation(name, moves, row):
+    """Of three thousand scenes these have both in one cell, unless the cells are fine there."""
+    scene, angle, magnitude, problem, free = pushes(name, moves, 3000)
+    mode = pp.solve(scene, angle, magnitude).mode[row]
+    counts = [np.sum(mode == each) for each in (SLIP_RIGHT, SLIP_LEFT)]
+    assert sorted(counts) == [0, 2]
+    assert counts == [slips_by_scan(problem[[row]], side, free[[row]]).item() for side in (1, -1)]
+
+
 # A pusher at rest
 
 

@@ -174,6 +174,7 @@ def test_values_with_arrays_are_equal_or_not(make):
     for other in (OTHERS, 1.0, ONES[:1], labeled(ONES)):
         assert (one == make(other)) is False
         assert (make(other) == one) is False
+    assert (make(np.ones(2)) == make(1.0)) is False
     assert (make(labeled(ONES)) == make(labeled(ONES))) is True
     assert (make(labeled(ONES)) == make(labeled(ONES, "other"))) is False
     assert (make(labeled(ONES).chunk()) == make(labeled(ONES))) is True

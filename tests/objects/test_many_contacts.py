@@ -33,8 +33,11 @@ NORMALS = np.array([
 ANGLES = np.array([0.3, np.pi / 2, 2.5])[:, None, None]
 
 
-def own_kind(support, hash_of=object.__hash__):
-    """The same support as a class of a user, with no more than the manual asks for."""
+def own_kind(support, hash_of=object.__hash__, moves_as=None):
+    """The same support as a class of a user, with no more than the manual asks for.
+
+    It can become another one when it is moved.
+    """
 
     class Own:
         __hash__ = hash_of
@@ -44,7 +47,7 @@ def own_kind(support, hash_of=object.__hash__):
             return support.pieces()
 
         def moved(self, frame):
-            return own_kind(support.moved(frame), hash_of)
+            return own_kind((moves_as or support).moved(frame), hash_of)
 
     return Own()
 
@@ -126,7 +129,8 @@ def test_motions_are_those_of_the_contacts(name):
 
 
 def test_a_support_of_a_user_is_moved_to_each_contact():
-    for own in (own_kind(SQUARE), pp.Composite([(1.0, pp.Disc(0.5)), (2.0, own_kind(SQUARE))])):
+    otherwise = own_kind(SQUARE, moves_as=pp.Disc(1.0))
+    for own in (own_kind(SQUARE), otherwise, pp.Composite([(1.0, SQUARE), (2.0, otherwise)])):
         given = {"effects": effects_of(own), "contact": pp.Coulomb(0.5)}
         found = pp.solve(pp.scene_at(POINTS, NORMALS, **given), ANGLES)
         for i, one in enumerate(one_by_one(POINTS, NORMALS, **given)):
@@ -211,6 +215,10 @@ class TestOutline:
         assert flat(many.slider.side) == [list(one.slider.side) for one in ones]
         assert many.slider.rod_angle.tolist() == [one.slider.rod_angle for one in ones]
         assert many.slider.outline is None
+        sides = [(-2, 2), (-0.7, 0.3), (-2, 1), (-1, 1), (-0.5, 0.5), *[(-np.inf, np.inf)] * 3]
+        assert np.column_stack(many.slider.side) == pytest.approx(np.array(sides))
+        assert flat(many.placement.point)[:4] == [[2.0, 0.0], [0.0, 0.3], [1.0, 1.0], [3.0, 2.0]]
+        assert flat(many.placement.normal)[:4] == [[0.0, 1.0], [1.0, 0.0], [0.0, -1.0], [1.0, 0.0]]
 
     def test_one_normal_for_all(self):
         points = np.array([(1.0, 0.0), (2.0, 0.0)])

@@ -53,18 +53,22 @@ def test_a_full_disk_is_an_error_that_names_the_file_and_leaves_none(tmp_path, s
 
 
 def test_hdf5_reads_what_it_wrote_even_if_the_disk_is_full(tmp_path):
-    written, data = bytes(200), b"0123456789" * 10
-    with Disk(tmp_path / "file.nc") as disk, room(130):
-        for place in (0, 100, 50, 140):
+    written = b""
+    with Disk(tmp_path / "file.nc") as disk:
+        # The last data would fit on the disk again, below older data in memory.
+        for place, size in ((0, 130), (100, 130), (50, 130), (140, 130), (120, 1000)):
+            data = bytes(range(place // 2, place // 2 + 100))
             disk.seek(place)
-            assert disk.write(memoryview(data)) == len(data)
+            with room(size):
+                assert disk.write(memoryview(data)) == len(data)
             assert disk.tell() == place + len(data)
             written = written[:place] + data + written[place + len(data) :]
-        for place, count in ((0, 240), (95, 10), (120, 20), (230, 30), (500, 4)):
-            found = bytearray(b"x" * count)
-            disk.seek(place)
-            assert disk.readinto(found) == count
-            assert found == written[place:][:count].ljust(count, b"\0")
+            for start, count in ((0, 240), (95, 10), (120, 20), (230, 30), (500, 4)):
+                found = bytearray(b"x" * count)
+                disk.seek(start)
+                assert disk.readinto(found) == count
+                assert disk.tell() == start + count
+                assert found == written[start:][:count].ljust(count, b"\0")
     with pytest.raises(OSError, match="File too large"):
         disk.check()
 

@@ -82,15 +82,25 @@ def test_joined_tables_hold_the_effects_and_every_pressure():
             assert np.array_equal(run("moments", data[place:], rows, 8), expected)
 
 
+def test_as_many_effects_as_one_likes_precede_a_table():
+    for count in (13, 14, 15, 40):
+        table = table_of([*SUPPORTS, pp.Disc(float(count))])  # in whose memory nothing is yet
+        data = joined_data([*[(1, i, None) for i in range(count)], (2, count, table)], count + 1)
+        place = ENTRY * (count + 2)
+        assert data[place - 2 * ENTRY : place - ENTRY].tolist() == [2.0, count, place, 0.0]
+        assert np.array_equal(data[place:], table.data)
+
+
 def test_joined_tables_are_kept_while_tables_and_kinds_are_the_same():
     table, other = table_of(SUPPORTS), table_of(SUPPORTS[1:])
     data = joined_data([(1, 0, None), (2, 1, table)], 4)
     assert joined_data(((1, 0, None), (2, 1, table)), 4) is data
-    before = table.data.copy()
+    before, first = table.data.copy(), data.copy()
     for effects in ([(1, 0, None), (3, 1, table)], [(1, 0, None), (2, 1, other)], [(2, 1, table)]):
         assert joined_data(effects, 4) is not data
     assert joined_data([(1, 0, None), (2, 1, table)], 5) is not data
     assert np.array_equal(table.data, before)
+    assert np.array_equal(data, first)
     assert joined_data([], 0).tolist() == [LAST, 0.0, 0.0, 0.0]
 
 
