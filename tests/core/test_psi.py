@@ -74,10 +74,12 @@ def test_second_derivatives(friction, others):
 
 @pytest.mark.parametrize("name", OTHERS)
 @pytest.mark.parametrize("slow", [1e-4, 3e-6, -3e-6, 1e-8, -1e-10])
-def test_second_derivatives_where_a_foot_barely_moves(slow, name):
+def test_second_derivatives_where_a_foot_barely_moves(slow, name, request):
     """The heavy foot, at (1, 0): a contact that moves across its line to it turns the slider about it."""
     if name == "a heavier foot" and abs(slow) < 1e-6:
-        pytest.skip("two feet at one place: their direction is that of the twist, which is rounded")
+        # The direction of the other one's motion is that of the rounded twist.
+        said = "of feet of two effects at one place, Psi is exact for the motion of one alone"
+        request.applymarker(pytest.mark.xfail(strict=True, reason=said))
     effects = effects_of(FRICTION["feet"], *OTHERS[name])
     reach = 1.0 + LENGTH
     for sense in (1.0, -1.0):

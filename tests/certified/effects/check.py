@@ -57,12 +57,8 @@ def check(
 
     Parameters
     ----------
-    scene : Scene
-    law : Law
-    pusher : Direction
-        Direction of the pusher's motion, in the frame of the fence.
-    magnitude : fmpq
-        Magnitude of the pusher's motion, >= 0.
+    scene, law, pusher, magnitude
+        As in `modes`, but the magnitude can be zero.
     claim : Claim
     tolerance : float, optional
         Radius of the balls: of the force, relative to the force and a load; of the twist, relative to
