@@ -58,15 +58,15 @@ def spin_at_rest(effects: Effects, contact: Contact) -> float:
     About a fixed contact the torque of friction is constant, and that of inertia is proportional to the
     rotation. The slider turns only if friction cannot hold the loads.
     """
+    friction = scale_effects(effects, 1.0, 0.0)
     for i in range(2):
         sense = 1.0 if i == 0 else -1.0
-        friction = resistance_about(
-            effects, contact, sense * contact.y, -sense * contact.x, sense, 0.0
+        total = resistance_about(
+            friction, contact, sense * contact.y, -sense * contact.x, sense, 0.0
         )
-        inertia = 2.0 * kinetic_energy(effects, contact.y, -contact.x, 1.0)
-        lack = inertia - sense * friction.torque
-        if lack > 0.0:
-            return sense * lack / inertia if inertia > 0.0 else UNKNOWN
+        if sense * total.torque < 0.0:
+            inertia = 2.0 * kinetic_energy(effects, contact.y, -contact.x, 1.0)
+            return -total.torque / inertia if inertia > 0.0 else UNKNOWN
     return 0.0
 
 
