@@ -338,3 +338,35 @@ def test_a_stick_at_rest_needs_friction_for_the_couple_as_well():
     (slip,) = pp.solve(scene, 0.0, 0.0)
     assert slip.mode is pp.ContactMode.SLIP_RIGHT
     assert faults(scene, 0.0, 0.0, pp.solve(scene, 0.0, 0.0)) == []
+
+
+@pytest.mark.parametrize("length", [2.0, 1e3, 1e5])
+@pytest.mark.parametrize("law", [pp.InfiniteFriction(), pp.PerfectlyRough()])
+def test_a_load_along_the_fence_at_the_contact_of_a_long_rod_is_held(length, law):
+    """The force is the opposite of the load to its last digits, on the edge of the cone."""
+    mass = pp.Inertia(mass=15000.0, gyration_radius=12.0, center=(1.0, 0.5))
+    load = pp.Load(force=(0.3, 0.0), center=(-length, 0.0))
+    slider = pp.Slider(rod_length=length, rod_angle=1.0, radius=0.7)
+    found = pp.solve(pp.Scene(slider=slider, contact=law, effects=[mass, load]), 0.0, 0.0)
+    (stick,) = found
+    assert stick.mode == STICK
+    assert stick.force == pytest.approx((-0.3, 0.0), rel=1e-15, abs=1e-15)
+
+
+@pytest.mark.parametrize(("law", "mass_center", "load"), [
+    (pp.InfiniteFriction(), (1.0, 0.5), pp.Load(force=(-20.0, 0.0), center=(-2.0, 0.0))),
+    (pp.Coulomb(0.5), (0.5, 0.0), pp.Load(force=(-2.0, -2.0), center=(0.0, 0.0))),
+    (pp.Coulomb(0.0), (0.0, 0.0), pp.Load(force=(1.0, -3.0), center=(0.3, 0.0))),
+])  # fmt: skip
+@pytest.mark.parametrize("normal", [1e-300, -1e-300, 5e-324, -5e-324])
+def test_a_normal_motion_that_underflows_is_none_beside_that_of_the_load(
+    law, mass_center, load, normal
+):
+    mass = pp.Inertia(mass=1.0, gyration_radius=0.5, center=mass_center)
+    slider = pp.Slider(rod_length=2.0, rod_angle=2.9)
+    scene = pp.Scene(slider=slider, contact=law, effects=[pp.RingFriction(), mass, load])
+    one, other = (pp.solve(scene, angle, 0.02) for angle in (normal, 0.0))
+    assert [each.mode for each in one] == [each.mode for each in other] != []
+    for left, right in zip(one, other, strict=True):
+        assert left.force == pytest.approx(right.force)
+        assert left.twist == pytest.approx(right.twist)
