@@ -21,7 +21,7 @@ from planar_pushing.core.explicit import (
     smallest_size,
 )
 from planar_pushing.core.fence import end_of_fence, fence_displacement, policy_at, span_at
-from planar_pushing.core.log import end_log, has_room_for_row, next_log_row, write_instant
+from planar_pushing.core.log import end_log, has_room_for_rows, next_log_row, write_instant
 from planar_pushing.core.numbers import INFINITY, Numbers
 from planar_pushing.core.rest import change_state, enter_span, note_slip, write_candidates
 from planar_pushing.core.roots import (
@@ -179,7 +179,9 @@ def run_events(
     for i in range(count):
         system = system_of(data, rows[i * columns :], results[i * width :], 1)
         system.run[RUN_ROWS] = 0.0
-        while phases < PHASES and system.run[RUN_ENDED] == 0.0 and has_room_for_row(system, width):
+        while (
+            phases < PHASES and system.run[RUN_ENDED] == 0.0 and has_room_for_rows(system, 1, width)
+        ):
             _take_phase(system)
             phases += 1
 
@@ -260,9 +262,7 @@ def _log_next_time(system: System) -> None:
         _go_to_event(system)
 
 
-def _log_instant(
-    system: System, time: float, state: Numbers, solutions: int, event: int
-) -> None:
+def _log_instant(system: System, time: float, state: Numbers, solutions: int, event: int) -> None:
     """Store an instant in the log."""
     mode, row, contact = _current_mode(system), next_log_row(system, time), NO_MODE
     if system.run[RUN_CHOSEN] >= 0.0:
@@ -493,7 +493,11 @@ def _count_modes(system: System, time: float, state: Numbers) -> int:
         return count
     for i in range(int(run[RUN_COUNT])):
         mode = candidate_at(system, i, int(run[RUN_PIECE]))
-        if i != int(run[RUN_CHOSEN]) and mode.contact != NO_MODE and _holds(system, mode, time, state):
+        if (
+            i != int(run[RUN_CHOSEN])
+            and mode.contact != NO_MODE
+            and _holds(system, mode, time, state)
+        ):
             count += 1
     return count
 
@@ -611,7 +615,10 @@ def _event_of_cause(system: System, mode: Mode, cause: int) -> float:
     watched: bool = _is_watched(cause)
     for j in range(1, STEP_NODES + 1):
         low, high, sign = _node_time(run, j - 1), _node_time(run, j), signs[cause]
-        before, value = guards_of(system, VALUES + j - 1)[cause], guards_of(system, VALUES + j)[cause]
+        before, value = (
+            guards_of(system, VALUES + j - 1)[cause],
+            guards_of(system, VALUES + j)[cause],
+        )
         if sign * value < -SLACK:
             return _crossing(system, mode, cause, low, high, sign * before, sign * value)
         if sign == 0.0:

@@ -187,9 +187,7 @@ def interpolate_state(system: System, mode: Mode, time: float, result: Numbers) 
         result[k] = state[k] + x * (dense[k] + y * (dense[entries + k] + x * value))
 
 
-def _norm(
-    system: System, vector: Numbers, start: Numbers, end: Numbers, tolerance: float
-) -> float:
+def _norm(system: System, vector: Numbers, start: Numbers, end: Numbers, tolerance: float) -> float:
     """Root mean square of a vector, in units of the tolerance."""
     total, scales = 0.0, vector_of(system, SCALES)
     for i in range(system.entries):

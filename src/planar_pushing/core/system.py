@@ -100,7 +100,15 @@ NORMAL_REVERSES, TANGENTIAL_REVERSES, END_OF_SIDE, PENETRATES = range(11, 15)
 CAUSES = 15
 #: Sets of guards of a run: their signs; their values at the start of a step, at its nodes, at its end, and
 #: near its middle; and two for trials.
-SIGNS, VALUES, NODE_VALUES, END_VALUES, MIDDLE_VALUES, TRIAL_GUARDS, LATER_GUARDS = 0, 1, 2, 5, 6, 7, 8
+SIGNS, VALUES, NODE_VALUES, END_VALUES, MIDDLE_VALUES, TRIAL_GUARDS, LATER_GUARDS = (
+    0,
+    1,
+    2,
+    5,
+    6,
+    7,
+    8,
+)
 GUARD_SETS = 9
 #: Reasons of an early end (`Stop`).
 GOES_ON, INCONSISTENT, LAID_DOWN, NO_IMPULSE, SINGULAR_MOTION = range(5)
@@ -419,9 +427,10 @@ def scale_films(system: System, factor: float) -> None:
 
 def put_mass(system: System, factor: float) -> None:
     """Store the inertia of the problem at hand, multiplied by a factor."""
-    scene, numbers = system.scene, system.problem[
-        column_of(system.data, int(system.scene[IN_RESISTING])) :
-    ]
+    scene, numbers = (
+        system.scene,
+        system.problem[column_of(system.data, int(system.scene[IN_RESISTING])) :],
+    )
     numbers[0] = factor
     numbers[1] = system.run[RUN_MOMENT] / scene[IN_MASS]
     numbers[2], numbers[3] = scene[IN_MASS_X], scene[IN_MASS_Y]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import inf, log, sqrt
+from math import exp, inf, log, sqrt
 
 import numpy as np
 
@@ -32,7 +32,7 @@ def norm(vector, start, end, rtol, scales):
 @inlined
 def least_size(time):
     """Step size below which rounding of the time matters."""
-    return 10.0 * (np.nextafter(time, inf) - time)
+    return 10.0 * 2.220446049250313e-16 * time + 1e-300
 
 
 @inlined
@@ -50,7 +50,7 @@ def first_size(system, mode, run, end, rtol, order):
     for k in range(len(state)):
         trial[k] = other[k] - slope[k]
     bend = max(slope_size, norm(trial, state, state, rtol, scales) / size)
-    better = max(1e-6, 1e-3 * size) if bend <= 1e-15 else (0.01 / bend) ** (1.0 / order)
+    better = max(1e-6, 1e-3 * size) if bend <= 1e-15 else exp(log(0.01 / bend) / order)
     most = TREND * run.last_size if run.last_size > 0.0 else inf
     return min(min(100.0 * size, CAUTIOUS * better), most, end - run.time)
 
@@ -64,9 +64,9 @@ def next_size(run, size, error, order):
     """
     if error == 0.0:
         return GROW * size
-    factor = SAFETY * error ** (-1.0 / order)
+    factor = SAFETY * exp(-log(error) / order)
     if run.last_size > 0.0:
-        trend = size / run.last_size * (run.last_error / error) ** (1.0 / order)
+        trend = exp(log(run.last_error / error) / order) * (size / run.last_size)
         factor *= min(max(trend, 1.0 / TREND), TREND)
     return size * min(max(factor, SHRINK), GROW)
 
@@ -79,5 +79,5 @@ def smaller_size(size, error, tried, failed, order):
     """
     if tried > size and failed > error:
         order = min(max(log(failed / error) / log(tried / size), 1.0), order)
-    factor = SAFETY * error ** (-1.0 / order)
+    factor = SAFETY * exp(-log(error) / order)
     return size * (factor if factor > SHRINK else SHRINK)
