@@ -247,7 +247,7 @@ def _slip_in_mode(
     if not depends_on_speed(system):
         edge = direction_at(pose.rod, edge_angle(system, mode.contact))
         motion = motion_under_force(effects, pose.contact, edge.along, -edge.across, 1.0)
-        u_x, u_y = to_contact(pose.rod, motion.u_x, motion.u_y)
+        _, u_y = to_contact(pose.rod, motion.u_x, motion.u_y)
         return motion, fence_y / u_y if u_y != 0.0 else 0.0, u_y
     path = path_along_fence(system, effects, pose, mode.contact, fence_y, 1.0)
     here = first_sample(path, mode.x)
@@ -293,7 +293,7 @@ def _hinged_motion(
     a_x: float, a_y: float, turn: float, slip: float, rise: float, spin: float,
     b_x: float, b_y: float,
 ) -> Hinge:  # fmt: skip
-    """Accelerations of a slider that friction at a support point holds like a hinge, in flight or in a slip.
+    """Accelerations of a slider that friction holds at a support point like a hinge, free or in a slip.
 
     Parameters
     ----------

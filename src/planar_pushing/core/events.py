@@ -82,7 +82,6 @@ from planar_pushing.core.system import (
     ALONG,
     CANDIDATE,
     CAUSES,
-    CENTER_AT_POINT,
     CENTER_DOWN,
     END_OF_SIDE,
     END_VALUES,
@@ -98,23 +97,20 @@ from planar_pushing.core.system import (
     MIDDLE_VALUES,
     NO_MODE,
     NO_PROGRESS,
-    NORMAL_REVERSES,
     PASSING,
     PENETRATES,
     REACHED,
-    SEPARATION_CHANGES,
     SIDE_ENDED,
     SIGNS,
     SINGULAR_MOTION,
     SLACK,
-    SLIDER_STOPS,
     STATE,
-    TANGENTIAL_REVERSES,
     TOO_MANY_EVENTS,
     TOUCHES,
     TRIAL,
     TRIAL_GUARDS,
     VALUES,
+    WATCHES,
     Mode,
     System,
     candidate_at,
@@ -243,7 +239,7 @@ def _log_now(system: System) -> None:
     while number < times and system.times[number] <= time:
         number += 1
     run[RUN_NEXT], run[RUN_CAUSE], run[RUN_PHASE] = float(number), float(NOTHING), float(TAKES_STEP)
-    if run[RUN_STOPPED] != float(GOES_ON) or int(run[RUN_PIECE]) == system.fence.count:
+    if run[RUN_STOPPED] != float(GOES_ON) or int(run[RUN_PIECE]) == system.fence.number:
         run[RUN_PHASE], run[RUN_ENDED] = float(ENDED), 1.0
         end_log(system)
 
@@ -281,7 +277,7 @@ def _enter(system: System) -> None:
     """Enter the next span of the pusher's motion, or end the run if there is none."""
     run, index = system.run, int(system.run[RUN_PIECE])
     run[RUN_PHASE] = float(LOGS)
-    if index < system.fence.count:
+    if index < system.fence.number:
         state, current = vector_of(system, STATE), int(run[RUN_MODE])
         reason = enter_span(system, index, state, current, _policy_of(system))
         if reason != GOES_ON:
@@ -427,11 +423,7 @@ def _go_to_event(system: System) -> None:
 
 def _is_watched(cause: int) -> bool:
     """Whether any change of a guard's sign is an event; other guards are positive while a mode lasts."""
-    if cause == SEPARATION_CHANGES or cause == SLIDER_STOPS or cause == CENTER_AT_POINT:
-        return True
-    if cause == KINK or cause == END_OF_SIDE:
-        return True
-    return cause == NORMAL_REVERSES or cause == TANGENTIAL_REVERSES
+    return WATCHES[cause] != 0.0
 
 
 def _holds(system: System, mode: Mode, time: float, state: Numbers) -> bool:

@@ -1,7 +1,7 @@
 """Steps of DOP853, an explicit method of order 8, with dense output and their sizes.
 
-The formulas are those of Hairer, Norsett and Wanner (Solving Ordinary Differential Equations I, 2nd edition,
-1993), Secs. II.4 and II.10.
+The formulas are those of Hairer, Norsett and Wanner (Solving Ordinary Differential Equations I, 2nd
+edition, 1993), Secs. II.4 and II.10.
 """
 
 from __future__ import annotations

@@ -240,11 +240,9 @@ def _solve_step(system: System, pose: Pose, solutions: Numbers) -> tuple[int, fl
     x, y = from_world(system, angle, run[RUN_PATH], run[RUN_PATH + 1])
     spin = run[RUN_TWIST + 2]
     is_open: bool = gap > CLOSED_GAP
-    x /= h
+    x, y = x / h, (y - gap) / h
     if gap == INFINITY:
         y = -RECEDES * (run[RUN_SPEED] + size_of_twist(v_x, v_y, spin))
-    else:
-        y = (y - gap) / h
     u_x, u_y = contact_motion(pose, v_x, v_y, spin)
     size, before = sqrt(x * x + y * y), max(sqrt(u_x * u_x + u_y * u_y), fabs(spin))
     unit = _prepare_step(system, pose, h, size, before)
