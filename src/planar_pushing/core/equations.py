@@ -607,7 +607,11 @@ def _guard_slip(system: System, mode: Mode, now: Instant, speed: float, guards: 
         # A slipping contact transmits no motion from a fence that only moves along its own line.
         if now.fence_y != 0.0 or not mode.during.constant:
             if depends_on_speed(system):
+                # The force jumps where the contact comes to rest, so the margin vanishes with its motion.
+                x, y = now.fence_x + now.slip, now.fence_y
+                motion = sqrt(x * x + y * y)
                 guards[FORCE_ENDS] = now.lift / (fabs(now.lift) + system.run[RUN_FORCE])
+                guards[FORCE_ENDS] *= motion / (motion + speed)
             else:
                 lift = now.lift / (1.0 + system.scene[IN_LENGTH])
                 guards[FORCE_ENDS] = lift * now.fence_y / speed
