@@ -75,7 +75,6 @@ from planar_pushing.core.system import (
     REST,
     RISE,
     SEPARATION_CHANGES,
-    SLACK,
     SLIDER_STOPS,
     SLIP_ENDS,
     SLIPPED,
@@ -99,19 +98,15 @@ from planar_pushing.core.system import (
     slowest_foot,
     write_powers,
 )
-
-#: The fence pushes a slider at rest above this fraction of the typical speed.
-PUSHES = 2e-10
-#: Fraction of the typical force below which the direction of a force is undefined.
-NO_FORCE = 1e-9
-#: Fraction of the typical speed below which a motion is completed to rest in closed form.
-STOPPED = 2e-9
-#: Fraction of the typical speed below which a starting slider has the impending direction of motion.
-NO_DIRECTION = 1e-13
-#: Speeds of a support point, relative to the slider's: below the first, the point has arrived at the center
-#: of rotation; above the second, it has left it.
-ARRIVED = 1e-10
-HAS_LEFT = 1e-5
+from planar_pushing.core.tolerances import (
+    ARRIVED,
+    HAS_LEFT,
+    NO_DIRECTION,
+    NO_FORCE,
+    PUSHES,
+    SLACK,
+    STOPPED,
+)
 
 
 class Instant(NamedTuple):
