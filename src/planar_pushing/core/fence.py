@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import fabs, sqrt
 from typing import NamedTuple
 
-from planar_pushing.core.numbers import Numbers
+from planar_pushing.core.numbers import GAUSS_NODES, GAUSS_WEIGHTS, Numbers
 from planar_pushing.core.run import (
     PIECE_DEGREE,
     PIECE_END,
@@ -26,15 +26,6 @@ from planar_pushing.core.run import (
 VELOCITY_SERIES, ACCELERATION_SERIES, MEAN_SERIES = 0, 2, 4
 #: Number of intervals of a span at which its speed is sampled.
 SPEED_SAMPLES = 64
-#: Nodes and weights of the Gauss quadrature of order 8 on [-1, 1], for the displacement from a velocity.
-GAUSS_NODES = (
-    -0.9602898564975362, -0.7966664774136267, -0.525532409916329, -0.18343464249564978,
-    0.18343464249564978, 0.525532409916329, 0.7966664774136267, 0.9602898564975362,
-)  # fmt: skip
-GAUSS_WEIGHTS = (
-    0.10122853629037706, 0.22238103445337443, 0.3137066458778869, 0.36268378337836166,
-    0.36268378337836166, 0.3137066458778869, 0.22238103445337443, 0.10122853629037706,
-)  # fmt: skip
 
 
 class Fence(NamedTuple):

@@ -21,7 +21,7 @@ from math import copysign, fabs, log, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.about import Contact, Psi, potential_at, resistance_about, unknown_psi
-from planar_pushing.core.numbers import INFINITY, UNKNOWN
+from planar_pushing.core.numbers import GAUSS_NODES, GAUSS_WEIGHTS, INFINITY, UNKNOWN
 from planar_pushing.core.pieces import ATOMS, COLUMNS, RINGS, SEGMENTS, place_of
 from planar_pushing.core.roots import (
     ITERATIONS,
@@ -45,16 +45,8 @@ from planar_pushing.core.rows import (
 from planar_pushing.core.tolerances import ALIGNED, BESIDE_LINE, INSET, RESOLVED, SLIGHT
 
 #: Motion of a segment's end relative to its midpoint, as a fraction of that of the midpoint, below which a
-#: Gauss rule is more accurate than differences of integrals; and the nodes and weights of this rule.
+#: Gauss rule is more accurate than differences of integrals.
 SHORT_MOTION = 0.2
-NODES = (
-    -0.9602898564975362317, -0.7966664774136267396, -0.5255324099163289858, -0.1834346424956498049,
-    0.1834346424956498049, 0.5255324099163289858, 0.7966664774136267396, 0.9602898564975362317,
-)  # fmt: skip
-SHARES = (
-    0.1012285362903762592, 0.2223810344533744705, 0.3137066458778872873, 0.3626837833783619830,
-    0.3626837833783619830, 0.3137066458778872873, 0.2223810344533744705, 0.1012285362903762592,
-)  # fmt: skip
 
 
 class Ends(NamedTuple):
@@ -295,12 +287,12 @@ def _means_of(first: float, last: float, slide: float) -> Means:
     middle, half = (first + last) / 2.0, (last - first) / 2.0
     if fabs(half) < SHORT_MOTION * max(middle, fabs(slide)):
         mean, slope, inverse = 0.0, 0.0, 0.0
-        for i in range(len(NODES)):
-            w = middle + half * NODES[i]
+        for i in range(len(GAUSS_NODES)):
+            w = middle + half * GAUSS_NODES[i]
             h = sqrt(w * w + slide * slide)
-            part = SHARES[i] / (2.0 * h * (h + w))
-            mean, slope = mean + part, slope + NODES[i] * part
-            inverse += SHARES[i] / (2.0 * h)
+            part = GAUSS_WEIGHTS[i] / (2.0 * h * (h + w))
+            mean, slope = mean + part, slope + GAUSS_NODES[i] * part
+            inverse += GAUSS_WEIGHTS[i] / (2.0 * h)
         return Means(mean, slope, inverse)
     h, k = sqrt(first * first + slide * slide), sqrt(last * last + slide * slide)
     start, end = first + h, last + k
