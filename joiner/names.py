@@ -66,14 +66,24 @@ class Names:
             case ast.Assign(targets=[ast.Name(id=name)], value=value):
                 self._define(self.assignments, name, node, value)
             case ast.Assign(targets=[ast.Tuple(elts=targets)], value=value):
-                if ast.unparse(value) != f"range({len(targets)})":
-                    self.refuse(
-                        node, f"{len(targets)} names for anything but range({len(targets)})"
-                    )
-                for code, target in enumerate(targets):
-                    self._define(self.assignments, ast.unparse(target), node, ast.Constant(code))
+                for target, part in zip(targets, self._parts(node, value, len(targets)), strict=True):
+                    self._define(self.assignments, ast.unparse(target), node, part)
             case _:
                 self.refuse(node, f"{name_of(node)} in a module")
+
+    def _parts(self, node: ast.stmt, value: ast.expr, count: int) -> list[ast.expr]:
+        """The constants of several names: the elements of a tuple, or consecutive integers."""
+        match value:
+            case ast.Tuple(elts=parts) if len(parts) == count:
+                return parts
+            case ast.Call(func=ast.Name(id="range"), args=[*bounds], keywords=[]) if all(
+                ast.unparse(bound).isdigit() for bound in bounds
+            ):
+                codes = range(*(int(ast.unparse(bound)) for bound in bounds))
+                if len(codes) == count and len(bounds) < 3:
+                    return [ast.Constant(code) for code in codes]
+        self.refuse(node, f"{count} names for anything but {count} constants or a range of {count}")
+        return [ast.Constant(0)] * count
 
     def _define(self, table: dict[str, Any], name: str, node: ast.stmt, value: ast.AST) -> None:
         """Record the definition of a name; the modules share one namespace."""

@@ -42,7 +42,7 @@ from planar_pushing.core.rows import (
     pressure_of,
     rough_mass,
 )
-from planar_pushing.core.tolerances import ALIGNED, BESIDE_LINE, INSET, SLIGHT
+from planar_pushing.core.tolerances import ALIGNED, BESIDE_LINE, INSET, RESOLVED, SLIGHT
 
 #: Motion of a segment's end relative to its midpoint, as a fraction of that of the midpoint, below which a
 #: Gauss rule is more accurate than differences of integrals; and the nodes and weights of this rule.
@@ -319,7 +319,7 @@ def _root_in(line: Line, first_sum: float, low: float, high: float) -> float:
     first, last = _second_sum(line, first_sum, low), _second_sum(line, first_sum, high)
     if not first > 0.0 > last:
         return UNKNOWN
-    bracket = open_bracket(low, high, first, last)
+    bracket = open_bracket(low, high, first, last, RESOLVED)
     for _ in range(ITERATIONS):
         spin = next_number(bracket)
         bracket = narrow_bracket(bracket, spin, _second_sum(line, first_sum, spin))

@@ -47,7 +47,7 @@ from planar_pushing.core.rows import (
     kinetic_energy,
     scale_effects,
 )
-from planar_pushing.core.tolerances import RESOLUTION, ROUNDING
+from planar_pushing.core.tolerances import RESOLUTION, RESOLVED, ROUNDING
 
 #: Norms that fix the magnitude of the motion under a line of force: a unit component of the contact's
 #: motion along the line, unit speed of the origin, the magnitude of the force, or the kinetic energy of a
@@ -108,7 +108,7 @@ def _motion_with_goal(line: ForceLine) -> ContactMotion:
         at_high, step = _excess(line, high), DOUBLING * step
     if at_low == 0.0:
         return motion_of_size(line, low)
-    bracket = open_bracket(low, high, at_low, at_high)
+    bracket = open_bracket(low, high, at_low, at_high, RESOLVED)
     for _ in range(ITERATIONS):
         z = next_number(bracket)
         bracket = narrow_bracket(bracket, z, _excess(line, z))

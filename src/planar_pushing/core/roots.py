@@ -6,7 +6,7 @@ from math import fabs
 from typing import NamedTuple
 
 from planar_pushing.core.numbers import EPSILON
-from planar_pushing.core.tolerances import RESOLVED, SHARE
+from planar_pushing.core.tolerances import SHARE
 
 #: Newton steps converge quadratically once they are below NEAR_ROOT, relative to the root, and shrink by at
 #: least QUADRATIC. The next step is then estimated as the cube of this one over the square of the last, or,
@@ -35,7 +35,8 @@ def is_last(size: float, before: float) -> bool:
 class Bracket(NamedTuple):
     """Two numbers at which a function has opposite signs, the previous number, and the values there.
 
-    `part` is the fraction of the way from a, the latest one, to b at which to evaluate next.
+    `part` is the fraction of the way from a, the latest one, to b at which to evaluate next. The search
+    ends when the root is known to within `resolution`, relative to its magnitude.
     """
 
     a: float
@@ -45,11 +46,14 @@ class Bracket(NamedTuple):
     at_b: float
     at_c: float
     part: float
+    resolution: float
 
 
-def open_bracket(low: float, high: float, at_low: float, at_high: float) -> Bracket:
+def open_bracket(
+    low: float, high: float, at_low: float, at_high: float, resolution: float
+) -> Bracket:
     """A bracket between two numbers at which the values have opposite signs."""
-    return Bracket(high, low, high, at_high, at_low, at_high, 0.5)
+    return Bracket(high, low, high, at_high, at_low, at_high, 0.5, resolution)
 
 
 def next_number(bracket: Bracket) -> float:
@@ -69,9 +73,9 @@ def narrow_bracket(bracket: Bracket, x: float, value: float) -> Bracket:
         b, c, at_b, at_c = a, bracket.b, at_a, bracket.at_b
     a, at_a = x, value
     width, best = fabs(b - a), fabs(a if fabs(at_a) < fabs(at_b) else b)
-    limit = RESOLVED * best / width if width > 0.0 else 0.5
+    limit = bracket.resolution * best / width if width > 0.0 else 0.5
     part = min(max(_interpolate(a, b, c, at_a, at_b, at_c), limit), 1.0 - limit)
-    return Bracket(a, b, c, at_a, at_b, at_c, part)
+    return Bracket(a, b, c, at_a, at_b, at_c, part, bracket.resolution)
 
 
 def best_number(bracket: Bracket) -> float:
@@ -80,10 +84,11 @@ def best_number(bracket: Bracket) -> float:
 
 
 def is_narrow(bracket: Bracket) -> bool:
-    """Whether the root is known to the last digits."""
+    """Whether the root is known to the resolution."""
     if bracket.at_a == 0.0 or bracket.at_b == 0.0:
         return True
-    return fabs(bracket.b - bracket.a) <= 2.0 * RESOLVED * fabs(best_number(bracket))
+    size = fabs(best_number(bracket))
+    return fabs(bracket.b - bracket.a) <= 2.0 * bracket.resolution * size
 
 
 def _interpolate(a: float, b: float, c: float, at_a: float, at_b: float, at_c: float) -> float:

@@ -50,3 +50,35 @@ LOG_SLIP, LOG_GAP, LOG_FORCE, LOG_MODE, LOG_SOLUTIONS = 9, 10, 11, 13, 14
 LOG_PIVOT, LOG_EVENT, LOG_RATIO, LOG_CONTACT_DISSIPATED, LOG_WORK = range(15, 20)
 LOG_LOAD_WORK, LOG_KINETIC, LOG_EVALUATIONS, LOG_STOPPED = range(20, 24)
 LOG_CONTACT_POSITION, LOG_PARTED, LOG_DISSIPATED = range(24, 27)
+
+#: The rest of the memory. Times: that of the state, the end of the current step, an event in it, the choice
+#: of the mode, a kink of the motion, and the last check for progress.
+RUN_TIME, RUN_UNTIL, RUN_EVENT, RUN_BEFORE, RUN_KINK, RUN_CHECKED = range(6, 12)
+#: Whether the motion is smooth (0), or has its kink ahead (-1) or behind (1); sizes of the next step and of
+#: the last, with its error.
+RUN_SIDE, RUN_PLANNED, RUN_LAST_SIZE, RUN_LAST_ERROR = range(12, 16)
+#: What is to be done next; current piece of the pusher's motion; chosen candidate and number of candidates;
+#: number of consistent modes; next time to log; cause of the next event; reason of an early end; steps.
+RUN_PHASE, RUN_PIECE, RUN_CHOSEN, RUN_COUNT, RUN_SOLUTIONS = range(16, 21)
+RUN_NEXT, RUN_CAUSE, RUN_STOPPED, RUN_STEPS = range(21, 25)
+#: Whether a mode has just begun; whether the dense output of the step is known; evaluations of the motion;
+#: whether a finger has left its side for good; positions of its contact between which it meets no other
+#: point of the outline.
+RUN_FRESH, RUN_PREPARED, RUN_EVALUATIONS, RUN_PARTED, RUN_LOW, RUN_HIGH = range(25, 31)
+#: Constants of the scene: typical speed and force, to which tolerances are relative; moment of inertia;
+#: edges of the friction cone and direction of the rod at time 0 as unit vectors; whether it has inertia and
+#: loads; number of its effects; number of support points; properties of the effects (`Effects`); whether
+#: its own ring is among them.
+RUN_SPEED, RUN_FORCE, RUN_MOMENT, RUN_RIGHT, RUN_LEFT, RUN_ROD = 31, 32, 33, 34, 36, 38
+RUN_MASSIVE, RUN_LOADED, RUN_EFFECTS, RUN_FEET = range(40, 44)
+RUN_FRICTIONAL, RUN_SQUARE, RUN_LINEAR, RUN_RING = range(44, 48)
+#: For steps: interval, and step in it; start of the interval; displacement of the pusher until now, and in
+#: the step; twist and force; pivot; work of the loads, and energy dissipated at the contact.
+RUN_INTERVAL, RUN_STEP, RUN_INTERVAL_START = range(48, 51)
+RUN_PUSHER, RUN_PATH, RUN_TWIST, RUN_PUSH = 51, 53, 55, 58
+RUN_PIVOT, RUN_LOAD_WORK, RUN_CONTACT_LOST = range(60, 63)
+#: If only the times are logged: the row of the log for the next one.
+RUN_SLOT = 63
+#: Number of these numbers. Work arrays follow: the effects' numbers for the problem at hand, candidate
+#: modes, vectors of the state, and guards.
+MEMORY = 64

@@ -1,0 +1,424 @@
+"""The modes that can follow an instant, starts from rest, and stops."""
+
+from __future__ import annotations
+
+from math import atan2, fabs, sqrt
+
+from planar_pushing.core.directions import Direction, direction_at, rod_at
+from planar_pushing.core.equations import (
+    depends_on_speed,
+    effects_at,
+    load_power,
+    motion_in_mode,
+    path_along_fence,
+    slowest_foot_at,
+    write_rates,
+)
+from planar_pushing.core.fence import Span, fence_velocity, span_at
+from planar_pushing.core.free import free_twist
+from planar_pushing.core.impact import collide
+from planar_pushing.core.modes import contact_modes
+from planar_pushing.core.numbers import Numbers, zeros
+from planar_pushing.core.path import first_sample
+from planar_pushing.core.rows import NO_POINT, Vector
+from planar_pushing.core.run import IN_MASS, IN_SLIPS, IN_WEIGHT, RUN_FORCE, RUN_SPEED
+from planar_pushing.core.shapes import (
+    Pose,
+    center_motion,
+    clearance_of,
+    contact_motion,
+    frame_angle,
+    from_world,
+    kinetic_energy_of,
+    pose_of,
+    pose_with_rod,
+    pusher_acceleration,
+    pusher_velocity,
+    size_of_twist,
+    to_contact,
+)
+from planar_pushing.core.slips import SLIP, SLIPS, find_slips
+from planar_pushing.core.solution import (
+    FORCE,
+    MODE,
+    MOST_SOLUTIONS,
+    PIVOT,
+    SEPARATE,
+    SLIP_LEFT,
+    SLIP_RIGHT,
+    SOLUTION,
+    STICK,
+    TWIST,
+    Push,
+)
+from planar_pushing.core.system import (
+    ALONG,
+    ANGLE,
+    AT_REST,
+    GAP,
+    GOES_ON,
+    LOST,
+    MOVING,
+    NO_MODE,
+    OVER,
+    PUSH_STARTS,
+    RATES,
+    REST,
+    RISE,
+    SLACK,
+    SLIDER_STOPS,
+    SLIP_ENDS,
+    SPIN,
+    TOUCHES,
+    WORK,
+    Mode,
+    System,
+    candidate_at,
+    contact_mode_of,
+    is_loaded,
+    is_massive,
+    law_of,
+    load_at,
+    pace_of,
+    problem_effects,
+    put_load,
+    put_mass,
+    rank_of,
+    scale_films,
+    slip_side,
+    vector_of,
+    write_candidate,
+)
+
+#: Range of the search for slips along the fence, in normal motions: margin before the stick, and maximum.
+BEFORE_STICK = 1e-3
+FARTHEST_SLIP = 1e3
+#: A support point slower than this, relative to the slider, can be a pivot.
+NEAR_POINT = 1e-9
+#: A fence slower than this fraction of the typical speed, with little acceleration, is at rest.
+PUSHER_AT_REST = 1e-10
+#: Tangential acceleration, in units of the normal one, that represents a fence already slipping at a
+#: contact.
+ALREADY_SLIPS = 1e6
+
+
+def write_candidates(system: System, during: Span, time: float, state: Numbers) -> int:
+    """Store the modes that can follow an instant; return their number."""
+    if is_massive(system):
+        return _write_with_inertia(system, during, time, state)
+    return _write_quasi_static(system, during, time, state)
+
+
+def _write_rest(system: System, index: int, touches: bool, f_x: float, f_y: float) -> None:
+    write_candidate(system, index, REST, NO_POINT, False, touches, f_x, f_y, 0.0)
+
+
+def _write_contact(system: System, index: int, contact: int, x: float) -> None:
+    write_candidate(system, index, contact, NO_POINT, False, False, x, 0.0, 0.0)
+
+
+# Without inertia
+
+
+def _write_quasi_static(system: System, during: Span, time: float, state: Numbers) -> int:
+    if clearance_of(system, state) > SLACK:
+        _write_rest(system, 0, False, 0.0, 0.0)
+        return 1
+    _write_rest(system, 0, True, 0.0, 0.0)
+    x, y = pusher_velocity(system, during, time, state)
+    if x == 0.0 and y == 0.0 and during.constant:
+        return 1
+    _write_contact(system, 1, STICK, 0.0)
+    count = 2
+    if system.scene[IN_SLIPS] != 0.0:
+        for contact in range(SLIP_RIGHT, SLIP_LEFT + 1):
+            if depends_on_speed(system):
+                count = _write_slips_at(system, state, contact, x, y, count)
+            else:
+                _write_contact(system, count, contact, 0.0)
+                count += 1
+    return count
+
+
+def _write_slips_at(
+    system: System, state: Numbers, contact: int, x: float, y: float, count: int
+) -> int:
+    """Store each slip under an edge as a candidate, for forces that depend on the speed."""
+    roots = zeros(SLIPS * SLIP)
+    side, pose = slip_side(contact), pose_of(system, state)
+    effects = effects_at(system, state[ANGLE])
+    # The parameter s is the contact's motion along the fence, in the direction of the slip.
+    path, unit = path_along_fence(system, effects, pose, contact, y, side), max(fabs(y), fabs(x))
+    first = side * x - BEFORE_STICK * unit
+    last = first_sample(path, first + FARTHEST_SLIP * unit)
+    slips, _ = find_slips(path, fabs(y), first, last, roots)
+    for i in range(slips):
+        if count < MOST_SOLUTIONS:
+            _write_contact(system, count, contact, side * roots[SLIP * i])
+            count += 1
+    return count
+
+
+def note_slip(system: System, time: float, state: Numbers, index: int, mode: Mode) -> None:
+    """Store the slip at the end of a step, from which the next step follows it."""
+    if not is_massive(system) and depends_on_speed(system) and slip_side(mode.contact) != 0.0:
+        now = motion_in_mode(system, mode, time, state)
+        _write_contact(system, index, mode.contact, now.fence_x + now.slip)
+
+
+# With inertia
+
+
+def _write_with_inertia(system: System, during: Span, time: float, state: Numbers) -> int:
+    pose, speed = pose_of(system, state), system.run[RUN_SPEED]
+    fence_x, fence_y = pusher_velocity(system, during, time, state)
+    v_x, v_y = center_motion(pose, fence_x + state[OVER], fence_y + state[RISE], state[SPIN])
+    rests: bool = size_of_twist(v_x, v_y, state[SPIN]) <= AT_REST * speed
+    rests = rests and system.scene[IN_WEIGHT] > 0.0
+    clear: bool = clearance_of(system, state) > SLACK or fabs(state[RISE]) > SLACK * speed
+    if clear:
+        if rests:
+            return _write_clear(system, state)
+        return _write_in_motion(system, pose, during, time, state, v_x, v_y, SEPARATE)
+    if rests:
+        return _write_starts(system, during, time, state)
+    return _write_in_motion(system, pose, during, time, state, v_x, v_y, SLIP_LEFT)
+
+
+def _write_in_motion(
+    system: System, pose: Pose, during: Span, time: float, state: Numbers,
+    v_x: float, v_y: float, last: int,
+) -> int:  # fmt: skip
+    """Store the candidates, up to the last contact mode, of a moving slider."""
+    slack, count, slip = SLACK * system.run[RUN_SPEED], 0, state[OVER]
+    foot = slowest_foot_at(system, pose, v_x, v_y, state[SPIN])
+    near = foot.number if foot.speed <= NEAR_POINT else NO_POINT
+    for contact in range(SEPARATE, last + 1):
+        mode = Mode(contact, near, True, False, 0.0, 0.0, 0.0, during)
+        hinged: bool = near >= 0 and contact != STICK
+        if hinged:
+            hinged = motion_in_mode(system, mode, time, state).hold > SLACK
+        mode = Mode(contact, near, hinged, False, 0.0, 0.0, 0.0, during)
+        fits: bool = system.scene[IN_SLIPS] != 0.0 and slip_side(contact) * slip >= -slack
+        if contact == SEPARATE:
+            fits = last == SEPARATE
+            if not fits:
+                lift = motion_in_mode(system, mode, time, state).lift
+                fits = lift >= -SLACK * system.run[RUN_FORCE] / system.scene[IN_MASS]
+        elif contact == STICK:
+            fits = fabs(slip) <= slack
+        if fits:
+            write_candidate(system, count, contact, near, hinged, False, 0.0, 0.0, 0.0)
+            count += 1
+    return count
+
+
+def _pose_at_start(system: System, state: Numbers) -> Pose:
+    """Pose of the slider, exact if body x is at 90 degrees."""
+    return pose_with_rod(system, rod_at(1.0, frame_angle(system, state[ANGLE])), state)
+
+
+def _prepare_start(system: System, state: Numbers, size: float) -> None:
+    """Store the effects of a start from rest, with accelerations in units of a size."""
+    scale_films(system, 0.0)
+    put_mass(system, size * system.scene[IN_MASS])
+    if is_loaded(system):
+        put_load(system, load_at(system, state[ANGLE]))
+
+
+def _write_clear(system: System, state: Numbers) -> int:
+    """Store the mode of a slider at rest above the fence: friction holds it, or loads set it in motion."""
+    size = system.run[RUN_FORCE] / system.scene[IN_MASS]
+    _prepare_start(system, state, size)
+    start = free_twist(problem_effects(system), Vector(0.0, 0.0, 0.0))
+    _write_rest(system, 0, False, 0.0, 0.0)
+    if start.x != 0.0 or start.y != 0.0 or start.spin != 0.0:
+        x, y = to_contact(pose_of(system, state).rod, size * start.x, size * start.y)
+        write_candidate(
+            system, 0, SEPARATE, NO_POINT, False, False, x, y, size * start.spin
+        )  # fmt: skip
+    return 1
+
+
+def _write_starts(system: System, during: Span, time: float, state: Numbers) -> int:
+    """Store all modes in which a slider at rest on the fence can start."""
+    speed, slip = system.run[RUN_SPEED], state[OVER]
+    x, y, moves = _pusher_at_start(system, during, time, state)
+    size = sqrt(x * x + y * y)
+    if not moves and not is_loaded(system):
+        _write_rest(system, 0, True, 0.0, 0.0)
+        return 1
+    slides: bool = fabs(slip) > AT_REST * speed
+    if slides:
+        # The fence already slips at the contact, so only its normal motion matters.
+        x = -ALREADY_SLIPS * fabs(y) if slip > 0.0 else ALREADY_SLIPS * fabs(y)
+        size = sqrt(x * x + y * y)
+    if not moves:
+        x, y, size = 0.0, 0.0, 0.0
+    unit = size
+    if is_loaded(system):
+        unit = max(size, system.run[RUN_FORCE] / system.scene[IN_MASS])
+    if unit == 0.0:
+        _write_rest(system, 0, True, 0.0, 0.0)
+        return 1
+    _prepare_start(system, state, unit)
+    pose = _pose_at_start(system, state)
+    solutions = zeros(MOST_SOLUTIONS * SOLUTION)
+    found, _ = modes_of_push(system, pose, x, y, size / unit, solutions)
+    count = 0
+    for i in range(found):
+        solution = solutions[i * SOLUTION :]
+        contact, point = int(solution[MODE]), int(solution[PIVOT])
+        # A start has the same direction of slip, or no contact force.
+        if slides and contact != SEPARATE and slip_side(contact) * slip <= 0.0:
+            continue
+        if solution[TWIST] == 0.0 and solution[TWIST + 1] == 0.0 and solution[TWIST + 2] == 0.0:
+            if contact == SEPARATE:
+                _write_rest(system, count, True, 0.0, 0.0)
+            else:
+                _write_rest(system, count, True, solution[FORCE], solution[FORCE + 1])
+        else:
+            write_candidate(
+                system, count, contact, point, point >= 0 and contact != STICK, False,
+                unit * solution[TWIST], unit * solution[TWIST + 1], unit * solution[TWIST + 2],
+            )  # fmt: skip
+        count += 1
+    return count
+
+
+def modes_of_push(
+    system: System, pose: Pose, x: float, y: float, part: float, solutions: Numbers
+) -> tuple[int, bool]:
+    """`contact_modes` of the problem at hand for a pusher along (x, y), at a fraction of unit speed."""
+    pusher = direction_at(pose.rod, atan2(y, x))
+    if part != 1.0:
+        pusher = Direction(
+            pusher.angle, part * pusher.x, part * pusher.y, part * pusher.along, part * pusher.across
+        )
+    push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
+    return contact_modes(push, law_of(system, pose.rod), pusher, solutions)
+
+
+def _pusher_at_start(
+    system: System, during: Span, time: float, state: Numbers
+) -> tuple[float, float, bool]:
+    """Acceleration of the pusher, and whether the pusher moves."""
+    b_x, b_y = pusher_acceleration(system, during, time, state)
+    w_x, w_y = pusher_velocity(system, during, time, state)
+    size = sqrt(b_x * b_x + b_y * b_y)
+    # A fence at rest that is given as a function can have rounding errors in its velocity.
+    slowest = PUSHER_AT_REST * system.run[RUN_SPEED]
+    if sqrt(w_x * w_x + w_y * w_y) > slowest:
+        return b_x, b_y, size > 0.0
+    moves: bool = size > slowest / pace_of(system, during, time)
+    return b_x, 0.0 if fabs(b_y) <= AT_REST * size else b_y, moves
+
+
+def _set_off(
+    system: System, mode: Mode, time: float, state: Numbers, policy: int
+) -> int:
+    """Set a slider at rest in motion with a fence that starts to push it; return `GOES_ON` or a reason."""
+    state[GAP] = 0.0
+    current, chosen, lowest = contact_mode_of(mode), NO_MODE, 0
+    count = _write_starts(system, mode.during, time, state)
+    for i in range(count):
+        start = candidate_at(system, i, mode.during.first)
+        rank = rank_of(policy, current, start.contact)
+        if start.contact != REST and (chosen == NO_MODE or rank < lowest):
+            chosen, lowest = i, rank
+    if chosen == NO_MODE:
+        return collide(system, mode.during, time, state, current, policy)
+    start = candidate_at(system, chosen, mode.during.first)
+    _, b_y = pusher_acceleration(system, mode.during, time, state)
+    fence_x, fence_y = pusher_velocity(system, mode.during, time, state)
+    part = fence_y / b_y if b_y != 0.0 else 0.0
+    v_x, v_y, spin = part * start.x, part * start.y, part * start.spin
+    u_x, _ = contact_motion(_pose_at_start(system, state), v_x, v_y, spin)
+    state[OVER] = 0.0 if start.contact == STICK else u_x - fence_x
+    state[RISE], state[SPIN] = 0.0, spin
+    return GOES_ON
+
+
+def _come_to_rest(system: System, mode: Mode, time: float, state: Numbers) -> float:
+    """Complete a motion that comes to rest; return the time at rest.
+
+    Speeds decrease in proportion to the remaining time, and the energy with its square, so that everything
+    changes at half its present rate on average.
+    """
+    during, rates = mode.during, vector_of(system, RATES)
+    write_rates(system, mode, time, state, rates)
+    pose = pose_of(system, state)
+    fence_x, fence_y = pusher_velocity(system, during, time, state)
+    v_x, v_y = center_motion(pose, fence_x + state[OVER], fence_y + state[RISE], state[SPIN])
+    lost = rates[LOST] - rates[WORK] - load_power(system, pose, state, v_x, v_y, state[SPIN])
+    for i in range(MOVING, system.entries):
+        lost += rates[i]
+    if lost <= 0.0:
+        return time
+    energy = kinetic_energy_of(system, pose, v_x, v_y, state[SPIN])
+    half = min(2.0 * energy / lost, during.end - time) / 2.0
+    for entry in range(system.entries):
+        if entry < OVER or entry >= MOVING:
+            state[entry] += rates[entry] * half
+    # The fence continues at its own speed.
+    state[ALONG] -= fence_x * half
+    state[GAP] -= fence_y * half
+    slack = SLACK * system.run[RUN_SPEED]
+    if clearance_of(system, state) <= SLACK and fabs(state[RISE]) <= slack:
+        state[GAP] = 0.0
+    last_x, last_y = pusher_velocity(system, during, time + 2.0 * half, state)
+    state[OVER], state[RISE], state[SPIN] = -last_x, -last_y, 0.0
+    return time + 2.0 * half
+
+
+# Changes of the state
+
+
+def enter_span(system: System, index: int, state: Numbers, current: int, policy: int) -> int:
+    """Begin a span of the pusher's motion; return `GOES_ON`, or why there is no consistent state.
+
+    With inertia a jump of the pusher's velocity is an impact on a slider in contact.
+    """
+    if not is_massive(system):
+        return GOES_ON
+    during, before_x, before_y = span_at(system.fence, index), 0.0, 0.0
+    now_x, now_y = fence_velocity(system.fence, during, during.start)
+    if index > 0:
+        past = span_at(system.fence, index - 1)
+        before_x, before_y = fence_velocity(system.fence, past, past.end)
+    jump_x, jump_y = from_world(system, state[ANGLE], before_x - now_x, before_y - now_y)
+    state[OVER] += jump_x
+    state[RISE] += jump_y
+    slack = SLACK * system.run[RUN_SPEED]
+    hits: bool = sqrt(jump_x * jump_x + jump_y * jump_y) > slack or state[RISE] < -slack
+    if clearance_of(system, state) <= SLACK and hits:
+        return collide(system, during, during.start, state, current, policy)
+    return GOES_ON
+
+
+def change_state(
+    system: System, cause: int, mode: Mode, time: float, state: Numbers, policy: int
+) -> tuple[float, int]:
+    """Change the state just after an event; return the time, and `GOES_ON` or why the run ends."""
+    if not is_massive(system):
+        if cause == TOUCHES or state[GAP] <= SLACK:
+            state[GAP] = 0.0
+        return time, GOES_ON
+    contact = contact_mode_of(mode)
+    if mode.hinged:
+        now = motion_in_mode(system, mode, time, state)
+        state[OVER], state[RISE] = now.slip, now.rise
+    if cause == TOUCHES:
+        state[GAP] = 0.0
+        return time, collide(system, mode.during, time, state, contact, policy)
+    if cause == SLIP_ENDS:
+        state[OVER] = 0.0
+    elif cause == SLIDER_STOPS:
+        return _come_to_rest(system, mode, time, state), GOES_ON
+    elif cause == PUSH_STARTS:
+        return time, _set_off(system, mode, time, state, policy)
+    falls: bool = state[RISE] < -SLACK * system.run[RUN_SPEED]
+    if mode.contact == SEPARATE and falls and clearance_of(system, state) <= SLACK:
+        state[GAP] = 0.0
+        return time, collide(system, mode.during, time, state, contact, policy)
+    return time, GOES_ON

@@ -1,0 +1,497 @@
+"""The system of one run: a slider, its effects, and a pusher; its state, and the modes of its motion.
+
+The state holds the position of the contact relative to the pusher, the rod's angle, accumulated slip,
+energy dissipated at the contact, and work of the pusher. With inertia, the velocity of the contact relative
+to the pusher and the angular velocity follow. The energies dissipated by each effect are last.
+"""
+
+from __future__ import annotations
+
+from math import cos, fabs, sin, sqrt
+from typing import NamedTuple
+
+from planar_pushing.core.cone import Law
+from planar_pushing.core.directions import Rod, direction_at, unit_x, unit_y
+from planar_pushing.core.fence import Fence, Span, fence_velocity, span_at, typical_speed
+from planar_pushing.core.numbers import INFINITY, Numbers
+from planar_pushing.core.rows import (
+    LOAD,
+    NO_POINT,
+    RING,
+    Effects,
+    Resistance,
+    Vector,
+    column_of,
+    count_columns,
+    effect_resistance,
+    foot_position,
+    kind_of,
+    read_effects,
+    resistance,
+)
+from planar_pushing.core.run import (
+    IN_ANGLE,
+    IN_CLOSED,
+    IN_COEFFICIENTS,
+    IN_CROSS,
+    IN_DOT,
+    IN_EVENTS,
+    IN_FRICTIONS,
+    IN_GYRATION,
+    IN_LEFT,
+    IN_LENGTH,
+    IN_LOAD_X,
+    IN_LOAD_Y,
+    IN_MASS,
+    IN_MASS_X,
+    IN_MASS_Y,
+    IN_PIECES,
+    IN_RESISTING,
+    IN_RIGHT,
+    IN_ROUGH,
+    IN_SLIPS,
+    IN_TIMES,
+    IN_TWIST,
+    IN_WEIGHT,
+    INPUTS,
+    MEMORY,
+    RUN_EFFECTS,
+    RUN_FEET,
+    RUN_FORCE,
+    RUN_FRICTIONAL,
+    RUN_HIGH,
+    RUN_LEFT,
+    RUN_LINEAR,
+    RUN_LOADED,
+    RUN_LOW,
+    RUN_MASSIVE,
+    RUN_MOMENT,
+    RUN_RIGHT,
+    RUN_RING,
+    RUN_ROD,
+    RUN_SPEED,
+    RUN_SQUARE,
+)
+from planar_pushing.core.solution import MOST_SOLUTIONS, SEPARATE, SLIP_LEFT, SLIP_RIGHT, STICK
+from planar_pushing.core.tolerances import ROUNDING
+
+#: Entries of the state.
+ALONG, GAP, ANGLE, SLIPPED, LOST, WORK, OVER, RISE, SPIN = range(9)
+#: Number of entries before the energies, without inertia and with it.
+STILL = 6
+MOVING = 9
+#: A slider at rest, in addition to the contact modes; no mode.
+REST = 4
+NO_MODE = -1
+#: Numbers of a candidate mode: contact mode or rest, pivot, whether it is held, whether the slider touches
+#: the pusher, and three numbers of the start.
+CANDIDATE = 7
+#: Vectors of a run with the entries of the state: state, end of the step, two for trials, typical
+#: magnitudes, rates at the start and at the end of a step, a last one for rates; then the stages of a step,
+#: and the coefficients of its dense output.
+STATE, REACHED, TRIAL, PASSING, SCALES, FIRST_RATES, LAST_RATES, RATES, STAGE_RATES = range(9)
+STAGES = 16
+DENSE = STAGE_RATES + STAGES
+VECTORS = DENSE + 7
+#: Causes of the end of a mode (`Event`). Of simultaneous ones, the first counts.
+LEAVES_CONE, SLIP_ENDS, FORCE_ENDS, TOUCHES, PUSH_STARTS, SEPARATION_CHANGES = range(6)
+PIVOT_YIELDS, CENTER_DOWN, SLIDER_STOPS, CENTER_AT_POINT, KINK = range(6, 11)
+NORMAL_REVERSES, TANGENTIAL_REVERSES, END_OF_SIDE, PENETRATES = range(11, 15)
+CAUSES = 15
+#: Sets of guards of a run: their signs; their values at the start of a step, at its nodes, at its end, and
+#: near its middle; and two for trials.
+SIGNS, VALUES, NODE_VALUES, END_VALUES, MIDDLE_VALUES, TRIAL_GUARDS, LATER_GUARDS = 0, 1, 2, 5, 6, 7, 8
+GUARD_SETS = 9
+#: Reasons of an early end (`Stop`).
+GOES_ON, INCONSISTENT, LAID_DOWN, NO_IMPULSE, SINGULAR_MOTION = range(5)
+TOO_MANY_EVENTS, NO_PROGRESS, MET_OUTLINE, SIDE_ENDED = range(5, 9)
+#: Policies (`Policy`).
+KEEP_CONTACT, PREFER_SEPARATE, STAY_IN_MODE, PREFER_STICK, PREFER_RIGHT, PREFER_LEFT = range(6)
+
+#: A position, in radii, or a dimensionless margin below this is zero.
+SLACK = 1e-11
+#: Below this fraction of the typical speed friction holds the slider.
+AT_REST = 1e-9
+
+
+class System(NamedTuple):
+    """The rows of one run.
+
+    Attributes
+    ----------
+    data, row : Numbers
+        Data and numbers of the effects, those of inertia and loads zero.
+    problem : Numbers
+        Numbers of the effects for the problem at hand.
+    scene : Numbers
+        Inputs.
+    times : Numbers
+    fence : Fence
+    run, candidates, vectors, guards : Numbers
+        Memory.
+    entries : int
+        Number of entries of the state.
+    """
+
+    data: Numbers
+    row: Numbers
+    problem: Numbers
+    scene: Numbers
+    times: Numbers
+    fence: Fence
+    run: Numbers
+    candidates: Numbers
+    vectors: Numbers
+    guards: Numbers
+    entries: int
+
+
+class Mode(NamedTuple):
+    """A possible continuation of the motion during a span of the pusher's motion.
+
+    Attributes
+    ----------
+    contact : int
+        Contact mode, or `REST`.
+    foot : int
+        Number of the support point at the center of rotation, -1 without one.
+    hinged : bool
+        Whether friction holds this point like a hinge.
+    touches : bool
+        Whether a slider at rest touches the pusher.
+    x, y, spin : float
+        Acceleration of a slider that starts from rest; of a slider at rest, the force; in a slip without
+        inertia, the contact's motion along the fence; otherwise zero.
+    during : Span
+    """
+
+    contact: int
+    foot: int
+    hinged: bool
+    touches: bool
+    x: float
+    y: float
+    spin: float
+    during: Span
+
+
+def state_size(resisting: int, massive: bool) -> int:
+    """Number of entries of the state, for a number of effects that resist motion."""
+    return (MOVING if massive else STILL) + resisting
+
+
+def problem_size(resisting: int) -> int:
+    """Room for the numbers of the effects, at most four each, with inertia and loads."""
+    return 4 * (resisting + 2)
+
+
+def memory_size(resisting: int, massive: bool) -> int:
+    """Number of numbers of a run's memory."""
+    arrays = problem_size(resisting) + MOST_SOLUTIONS * CANDIDATE + GUARD_SETS * CAUSES
+    return MEMORY + arrays + VECTORS * state_size(resisting, massive)
+
+
+def system_of(data: Numbers, row: Numbers, memory: Numbers, rows_of_times: int) -> System:
+    """The system of a row of inputs, its times in one or several rows, and its memory."""
+    scene = row[count_columns(data) :]
+    times = scene[INPUTS:]
+    resisting = int(scene[IN_RESISTING])
+    fence = Fence(
+        times[rows_of_times * int(scene[IN_TIMES]) :],
+        int(scene[IN_PIECES]), int(scene[IN_COEFFICIENTS]),
+    )  # fmt: skip
+    problem = memory[MEMORY:]
+    candidates = problem[problem_size(resisting) :]
+    guards = candidates[MOST_SOLUTIONS * CANDIDATE :]
+    return System(
+        data, row, problem, scene, times, fence, memory, candidates,
+        guards[GUARD_SETS * CAUSES :], guards, state_size(resisting, scene[IN_MASS] > 0.0),
+    )  # fmt: skip
+
+
+def memory_of(system: System) -> int:
+    """Number of numbers of the memory, which the rows of the log follow."""
+    massive: bool = system.scene[IN_MASS] > 0.0
+    return memory_size(int(system.scene[IN_RESISTING]), massive)
+
+
+def log_of(system: System) -> Numbers:
+    """The rows of the log."""
+    return system.run[memory_of(system) :]
+
+
+def vector_of(system: System, number: int) -> Numbers:
+    """A vector of the run."""
+    return system.vectors[number * system.entries :]
+
+
+def guards_of(system: System, number: int) -> Numbers:
+    """A set of guards of the run."""
+    return system.guards[number * CAUSES :]
+
+
+def copy_numbers(target: Numbers, source: Numbers, count: int) -> None:
+    """Copy a row of numbers."""
+    for k in range(count):
+        target[k] = source[k]
+
+
+def is_massive(system: System) -> bool:
+    """Whether the scene has inertia."""
+    return system.run[RUN_MASSIVE] != 0.0
+
+
+def is_loaded(system: System) -> bool:
+    """Whether the scene has loads."""
+    return system.run[RUN_LOADED] != 0.0
+
+
+def logs_events(system: System) -> bool:
+    """Whether each event is logged."""
+    return system.scene[IN_EVENTS] != 0.0
+
+
+def prepare_system(system: System) -> None:
+    """Compute the constants of the scene."""
+    scene, run, data = system.scene, system.run, system.data
+    effects = read_effects(data, system.row)
+    for k in range(column_of(data, effects.length)):
+        system.problem[k] = system.row[k]
+    massive: bool = scene[IN_MASS] > 0.0
+    loaded: bool = effects.length > 0 and kind_of(data, effects.length - 1) == LOAD
+    run[RUN_MASSIVE], run[RUN_LOADED] = (1.0 if massive else 0.0), (1.0 if loaded else 0.0)
+    run[RUN_EFFECTS], run[RUN_FEET] = float(effects.length), float(effects.feet)
+    run[RUN_FRICTIONAL], run[RUN_SQUARE] = (
+        1.0 if effects.frictional else 0.0,
+        1.0 if effects.massive else 0.0,
+    )
+    run[RUN_LINEAR], run[RUN_RING] = (1.0 if effects.linear else 0.0), 0.0
+    for i in range(int(scene[IN_FRICTIONS])):
+        if kind_of(data, i) == RING:
+            run[RUN_RING] = 1.0
+    load = sqrt(scene[IN_LOAD_X] * scene[IN_LOAD_X] + scene[IN_LOAD_Y] * scene[IN_LOAD_Y])
+    v_x, v_y, spin = scene[IN_TWIST], scene[IN_TWIST + 1], scene[IN_TWIST + 2]
+    speed = max(max(sqrt(v_x * v_x + v_y * v_y), fabs(spin)), typical_speed(system.fence))
+    if speed == 0.0 and load > 0.0 and massive:
+        # The speed that the load gives the slider within one length.
+        speed = sqrt(load / scene[IN_MASS])
+    run[RUN_SPEED] = speed if speed > 0.0 else 1.0
+    run[RUN_MOMENT] = scene[IN_MASS] * scene[IN_GYRATION]
+    force = scene[IN_MASS] * run[RUN_SPEED] * run[RUN_SPEED] + scene[IN_WEIGHT] + load
+    run[RUN_FORCE] = force if force > 0.0 else 1.0
+    run[RUN_RIGHT], run[RUN_RIGHT + 1] = unit_x(scene[IN_RIGHT]), unit_y(scene[IN_RIGHT])
+    run[RUN_LEFT], run[RUN_LEFT + 1] = unit_x(scene[IN_LEFT]), unit_y(scene[IN_LEFT])
+    run[RUN_ROD], run[RUN_ROD + 1] = cos(scene[IN_ANGLE]), sin(scene[IN_ANGLE])
+    run[RUN_LOW], run[RUN_HIGH] = -INFINITY, INFINITY
+
+
+def scale_state(system: System) -> None:
+    """Store typical magnitudes of the state, for the tolerance near zero."""
+    scales, length = vector_of(system, SCALES), max(1.0, system.scene[IN_LENGTH])
+    for k in range(system.entries):
+        scales[k] = system.run[RUN_FORCE] * length
+    for k in range(LOST):
+        scales[k] = length
+    scales[ANGLE] = 1.0
+    if is_massive(system):
+        for k in range(OVER, MOVING):
+            scales[k] = 0.01 * system.run[RUN_SPEED]
+
+
+def energies_of(system: System, state: Numbers) -> Numbers:
+    """The energies dissipated by each effect, the last entries of a state."""
+    return state[system.entries - int(system.scene[IN_RESISTING]) :]
+
+
+def law_of(system: System, rod: Rod) -> Law:
+    """The contact law, for a direction of the rod."""
+    scene = system.scene
+    return Law(
+        direction_at(rod, scene[IN_RIGHT]), direction_at(rod, scene[IN_LEFT]),
+        scene[IN_SLIPS] != 0.0, scene[IN_CLOSED] != 0.0, scene[IN_ROUGH] != 0.0,
+    )  # fmt: skip
+
+
+def candidate_at(system: System, index: int, piece: int) -> Mode:
+    """A candidate mode in the span of a piece, or the mode without a contact force for a negative index."""
+    during = span_at(system.fence, min(piece, system.fence.count - 1))
+    if index < 0:
+        return Mode(SEPARATE, NO_POINT, False, False, 0.0, 0.0, 0.0, during)
+    numbers = system.candidates[index * CANDIDATE :]
+    return Mode(
+        int(numbers[0]), int(numbers[1]), numbers[2] != 0.0, numbers[3] != 0.0,
+        numbers[4], numbers[5], numbers[6], during,
+    )  # fmt: skip
+
+
+def write_candidate(
+    system: System, index: int, contact: int, foot: int, hinged: bool, touches: bool,
+    x: float, y: float, spin: float,
+) -> None:  # fmt: skip
+    """Store a candidate mode."""
+    numbers = system.candidates[index * CANDIDATE :]
+    numbers[0], numbers[1] = float(contact), float(foot)
+    numbers[2], numbers[3] = (1.0 if hinged else 0.0), (1.0 if touches else 0.0)
+    numbers[4], numbers[5], numbers[6] = x, y, spin
+
+
+def contact_mode_of(mode: Mode) -> int:
+    """The contact mode: a slider at rest sticks if there is a force."""
+    if mode.contact != REST:
+        return mode.contact
+    return STICK if mode.x != 0.0 or mode.y != 0.0 else SEPARATE
+
+
+def rank_of(policy: int, current: int, contact: int) -> int:
+    """Rank of a contact mode in the order of preference of a policy."""
+    preferred = NO_MODE
+    if policy == PREFER_SEPARATE:
+        preferred = SEPARATE
+    elif policy == STAY_IN_MODE:
+        preferred = current
+    elif policy >= PREFER_STICK:
+        preferred = STICK + (policy - PREFER_STICK)
+    if contact == preferred:
+        return SEPARATE
+    return SLIP_LEFT + 1 if contact == SEPARATE else contact
+
+
+def preferred_candidate(system: System, policy: int, current: int, count: int) -> int:
+    """Index of the candidate that a policy prefers, the first of equals; -1 without candidates."""
+    best, lowest = -1, 0
+    for i in range(count):
+        mode = candidate_at(system, i, 0)
+        rank = rank_of(policy, current, contact_mode_of(mode))
+        if best < 0 or rank < lowest:
+            best, lowest = i, rank
+    return best
+
+
+def slip_side(contact: int) -> float:
+    """Direction of slip as 1 or -1, 0 in a mode without slip."""
+    return 1.0 if contact == SLIP_RIGHT else -1.0 if contact == SLIP_LEFT else 0.0
+
+
+def pace_of(system: System, during: Span, time: float) -> float:
+    """Time in which the slider moves about one length, or friction stops it."""
+    scene, speed = system.scene, system.run[RUN_SPEED]
+    if not is_massive(system):
+        x, y = fence_velocity(system.fence, during, time)
+        speed = sqrt(x * x + y * y)
+    pace = max(1.0, scene[IN_LENGTH]) / speed if speed > 0.0 else INFINITY
+    if scene[IN_MASS] * scene[IN_WEIGHT] > 0.0:
+        pace = min(pace, speed * scene[IN_MASS] / scene[IN_WEIGHT])
+    return pace
+
+
+# Effects
+
+
+def resisting_effects(system: System) -> Effects:
+    """Friction and viscous friction."""
+    return _effects_of(system, system.row, int(system.scene[IN_RESISTING]))
+
+
+def friction_effects(system: System) -> Effects:
+    """Friction alone."""
+    return _effects_of(system, system.row, int(system.scene[IN_FRICTIONS]))
+
+
+def problem_effects(system: System) -> Effects:
+    """All effects, with the numbers for the problem at hand."""
+    return _effects_of(system, system.problem, int(system.run[RUN_EFFECTS]))
+
+
+def _effects_of(system: System, row: Numbers, length: int) -> Effects:
+    run = system.run
+    return Effects(
+        row, system.data, length, int(run[RUN_FEET]), run[RUN_FRICTIONAL] != 0.0,
+        run[RUN_SQUARE] != 0.0, run[RUN_LINEAR] != 0.0, 1.0, 1.0,
+    )  # fmt: skip
+
+
+def scale_films(system: System, factor: float) -> None:
+    """Multiply the viscous friction of the problem at hand by a factor."""
+    for i in range(int(system.scene[IN_FRICTIONS]), int(system.scene[IN_RESISTING])):
+        column = column_of(system.data, i)
+        system.problem[column] = factor * system.row[column]
+
+
+def put_mass(system: System, factor: float) -> None:
+    """Store the inertia of the problem at hand, multiplied by a factor."""
+    scene, numbers = system.scene, system.problem[
+        column_of(system.data, int(system.scene[IN_RESISTING])) :
+    ]
+    numbers[0] = factor
+    numbers[1] = system.run[RUN_MOMENT] / scene[IN_MASS]
+    numbers[2], numbers[3] = scene[IN_MASS_X], scene[IN_MASS_Y]
+
+
+def put_load(system: System, load: Vector) -> None:
+    """Store the wrench of the loads of the problem at hand."""
+    numbers = system.problem[column_of(system.data, int(system.run[RUN_EFFECTS]) - 1) :]
+    numbers[0], numbers[1], numbers[2] = load.x, load.y, load.spin
+
+
+def load_at(system: System, angle: float) -> Vector:
+    """Wrench of the loads at a rod angle; their direction in the world is constant."""
+    scene, turn = system.scene, angle - system.scene[IN_ANGLE]
+    c, s = cos(turn), sin(turn)
+    x, y = scene[IN_LOAD_X], scene[IN_LOAD_Y]
+    return Vector(x * c + y * s, y * c - x * s, scene[IN_CROSS] * c - scene[IN_DOT] * s)
+
+
+def load_work(system: System, angle: float, x: float, y: float) -> float:
+    """Work of the loads since time 0 if the slider's center is at (x, y) in the world."""
+    scene, run, turn = system.scene, system.run, angle - system.scene[IN_ANGLE]
+    c, s = run[RUN_ROD], run[RUN_ROD + 1]
+    d_x, d_y = x - scene[IN_LENGTH] * c, y - scene[IN_LENGTH] * s
+    b_x, b_y = d_x * c + d_y * s, d_y * c - d_x * s
+    work = scene[IN_LOAD_X] * b_x + scene[IN_LOAD_Y] * b_y
+    return work + scene[IN_DOT] * (cos(turn) - 1.0) + scene[IN_CROSS] * sin(turn)
+
+
+def drag(system: System, x: float, y: float, spin: float) -> Resistance:
+    """`Resistance` of friction and viscous friction, 0 at rest, without points at the center."""
+    effects = resisting_effects(system)
+    if effects.length == 0 or (x == 0.0 and y == 0.0 and spin == 0.0):
+        return Resistance(
+            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, NO_POINT, 0.0
+        )  # fmt: skip
+    return resistance(effects, x, y, spin, ROUNDING * (fabs(x) + fabs(y)))
+
+
+def write_powers(
+    system: System, x: float, y: float, spin: float, total: float, powers: Numbers
+) -> None:
+    """Store the power that each effect dissipates; the last one takes the rest of the total."""
+    effects = resisting_effects(system)
+    moves: bool = x != 0.0 or y != 0.0 or spin != 0.0
+    for i in range(effects.length - 1):
+        powers[i] = 0.0
+        if moves:
+            part = effect_resistance(effects, i, x, y, spin, ROUNDING * (fabs(x) + fabs(y)))
+            powers[i] = part.f_x * x + part.f_y * y + part.torque * spin
+        total -= powers[i]
+    if effects.length > 0:
+        powers[effects.length - 1] = total
+
+
+class Foot(NamedTuple):
+    """The slowest support point of a twist, -1 without points, and its speed."""
+
+    number: int
+    speed: float
+
+
+def slowest_foot(system: System, x: float, y: float, spin: float) -> Foot:
+    """The slowest support point under a twist of the body frame."""
+    effects = friction_effects(system)
+    number, lowest = NO_POINT, INFINITY
+    for i in range(effects.feet):
+        foot = foot_position(effects, i)
+        v_x, v_y = x - spin * foot.y, y + spin * foot.x
+        speed = sqrt(v_x * v_x + v_y * v_y)
+        if speed < lowest:
+            number, lowest = i, speed
+    return Foot(number, lowest)
