@@ -14,7 +14,8 @@ from planar_pushing.core.run import (
     PIECE_START,
     SERIES_OF_PIECE,
 )
-from planar_pushing.simulation.problem import Problem, Scenes, numbers_of
+from planar_pushing.simulation.inputs import Scenes, numbers_of
+from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms.options import Policy
 
 

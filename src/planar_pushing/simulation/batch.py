@@ -14,8 +14,9 @@ from planar_pushing.mechanics.arrays import is_labeled
 from planar_pushing.mechanics.contact.laws import friction_coefficient
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.simulation.fields import FIELDS, arrays, sampled_fields
+from planar_pushing.simulation.inputs import Scenes, numbers_of
 from planar_pushing.simulation.log import described, without_fill_values
-from planar_pushing.simulation.problem import Problem, Scenes, numbers_of, sample_count
+from planar_pushing.simulation.problem import Problem, sample_count
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.runs import run_scenes
 from planar_pushing.terms import quantities

@@ -12,7 +12,6 @@ from xarray.indexes import PandasIndex
 
 from planar_pushing.core.run import LOG_TIME
 from planar_pushing.core.system import NO_MODE
-from planar_pushing.mechanics.effects import Inertia, Load, Viscous
 from planar_pushing.mechanics.entries import scene_entry, to_json, versions
 from planar_pushing.mechanics.status import FLAGS as RESULTS
 from planar_pushing.mechanics.status import flag_attributes
@@ -21,7 +20,7 @@ from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms import quantities
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import Array
-from planar_pushing.terms.options import EffectKind, Event, Shape
+from planar_pushing.terms.options import EFFECT_CLASSES, EffectKind, Event, Shape
 from planar_pushing.terms.quantities import LOG_TWIST_UNITS
 from planar_pushing.terms.units import Units, unit_names, with_units
 
@@ -39,11 +38,8 @@ FLAGS: dict[str, Mapping[str, int]] = {
 
 def _effect_names(problem: Problem) -> list[str]:
     """Names of the effects; those that occur several times are numbered."""
-    kinds = {Inertia: EffectKind.INERTIA, Viscous: EffectKind.VISCOUS, Load: EffectKind.LOAD}
-    names = [
-        str(kinds.get(type(effect), EffectKind.SUPPORT_FRICTION))
-        for effect in problem.scene.effects
-    ]
+    classes = (type(effect).__name__ for effect in problem.scene.effects)
+    names = [str(EFFECT_CLASSES.get(name, EffectKind.SUPPORT_FRICTION)) for name in classes]
     return [name if names.count(name) == 1 else f"{name}_{i}" for i, name in enumerate(names)]
 
 
@@ -142,7 +138,9 @@ def _labels(problem: Problem, times: Array) -> xr.Coordinates:
             (dim,), np.asarray(values), described_in_log(problem, name), {"_FillValue": None}
         )
         if name == dim:
-            indexes[name] = _index(name, tuple(values)) if name != "time" else PandasIndex(times, name)
+            indexes[name] = (
+                _index(name, tuple(values)) if name != "time" else PandasIndex(times, name)
+            )
             variables |= indexes[name].create_variables({name: variable})
         else:
             variables[name] = variable

@@ -33,7 +33,8 @@ from planar_pushing.mechanics.arrays import in_threads
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.kernels import run_into
 from planar_pushing.simulation.fields import Stop, scales_of
-from planar_pushing.simulation.problem import Problem, Scenes, numbers_of
+from planar_pushing.simulation.inputs import Scenes, numbers_of
+from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms.errors import InvalidValue, require_positive
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import MOST_STEPS, Method
