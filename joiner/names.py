@@ -66,7 +66,9 @@ class Names:
             case ast.Assign(targets=[ast.Name(id=name)], value=value):
                 self._define(self.assignments, name, node, value)
             case ast.Assign(targets=[ast.Tuple(elts=targets)], value=value):
-                for target, part in zip(targets, self._parts(node, value, len(targets)), strict=True):
+                for target, part in zip(
+                    targets, self._parts(node, value, len(targets)), strict=True
+                ):
                     self._define(self.assignments, ast.unparse(target), node, part)
             case _:
                 self.refuse(node, f"{name_of(node)} in a module")

@@ -159,9 +159,7 @@ class Instant(NamedTuple):
     hold: float
 
 
-def _instant_at_rest(
-    x: float, y: float, a_x: float, a_y: float, f_x: float, f_y: float
-) -> Instant:
+def _instant_at_rest(x: float, y: float, a_x: float, a_y: float, f_x: float, f_y: float) -> Instant:
     """A slider at rest, relative to a pusher with a velocity and an acceleration."""
     return Instant(
         -x, -y, x, y, 0.0, 0.0, 0.0, 0.0, f_x, f_y, 0.0, -a_x, -a_y, 0.0, 0.0, NO_POINT, 1.0
@@ -249,7 +247,7 @@ def _slip_in_mode(
     if not depends_on_speed(system):
         edge = direction_at(pose.rod, edge_angle(system, mode.contact))
         motion = motion_under_force(effects, pose.contact, edge.along, -edge.across, 1.0)
-        u_x, u_y = to_contact(pose.rod, motion.u_x, motion.u_y)
+        _, u_y = to_contact(pose.rod, motion.u_x, motion.u_y)
         return motion, fence_y / u_y if u_y != 0.0 else 0.0, u_y
     path = path_along_fence(system, effects, pose, mode.contact, fence_y, 1.0)
     here = first_sample(path, mode.x)
@@ -295,7 +293,7 @@ def _hinged_motion(
     a_x: float, a_y: float, turn: float, slip: float, rise: float, spin: float,
     b_x: float, b_y: float,
 ) -> Hinge:  # fmt: skip
-    """Accelerations of a slider that friction at a support point holds like a hinge, in flight or in a slip.
+    """Accelerations of a slider that friction holds at a support point like a hinge, free or in a slip.
 
     Parameters
     ----------
@@ -424,7 +422,9 @@ def _motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers
     dissipated = total.f_x * x + total.f_y * y + total.torque * spin
     load = load_at(system, state[ANGLE])
     d_x, d_y = load.x - total.f_x, load.y - total.f_y
-    torque = load.spin - total.torque - (system.scene[IN_MASS_X] * d_y - system.scene[IN_MASS_Y] * d_x)
+    torque = (
+        load.spin - total.torque - (system.scene[IN_MASS_X] * d_y - system.scene[IN_MASS_Y] * d_x)
+    )
     d_x, d_y = to_contact(pose.rod, d_x, d_y)
     a_x, a_y, turn, hold = d_x / mass, d_y / mass, torque / moment, 1.0
     f_x, f_y, lift, rate_x, rate_y, hinged_turn = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
@@ -513,9 +513,7 @@ def write_rates_and_guards(
     _write_guards(system, mode, state, now, guards)
 
 
-def _write_rates(
-    system: System, mode: Mode, state: Numbers, now: Instant, rates: Numbers
-) -> None:
+def _write_rates(system: System, mode: Mode, state: Numbers, now: Instant, rates: Numbers) -> None:
     rates[ALONG] = travel_rate(system, now.slip, now.spin)
     rates[GAP], rates[ANGLE] = now.rise, now.spin
     # The contact does not slip while the slider rests or is in flight.
@@ -575,12 +573,12 @@ def _guard_moving_contact(
             guards[PIVOT_YIELDS] = now.hold
         elif mode.contact != STICK and size > STOPPED * speed:
             foot = slowest_foot_at(system, pose_of(system, state), now.v_x, now.v_y, now.spin)
-            guards[CENTER_AT_POINT] = min(foot.speed, 1.0) - (HAS_LEFT if mode.foot >= 0 else ARRIVED)
+            guards[CENTER_AT_POINT] = min(foot.speed, 1.0) - (
+                HAS_LEFT if mode.foot >= 0 else ARRIVED
+            )
 
 
-def _guard_quasi_static_contact(
-    system: System, mode: Mode, now: Instant, guards: Numbers
-) -> None:
+def _guard_quasi_static_contact(system: System, mode: Mode, now: Instant, guards: Numbers) -> None:
     """Store the margins and watches that end a contact without inertia."""
     slips: bool = slip_side(mode.contact) != 0.0
     speed = sqrt(now.fence_x * now.fence_x + now.fence_y * now.fence_y)

@@ -21,7 +21,7 @@ from planar_pushing.core.explicit import (
     smallest_size,
 )
 from planar_pushing.core.fence import end_of_fence, fence_displacement, policy_at, span_at
-from planar_pushing.core.log import end_log, has_room_for_row, next_log_row, write_instant
+from planar_pushing.core.log import end_log, has_room_for_rows, next_log_row, write_instant
 from planar_pushing.core.numbers import INFINITY, Numbers
 from planar_pushing.core.rest import change_state, enter_span, note_slip, write_candidates
 from planar_pushing.core.roots import (
@@ -82,7 +82,6 @@ from planar_pushing.core.system import (
     ALONG,
     CANDIDATE,
     CAUSES,
-    CENTER_AT_POINT,
     CENTER_DOWN,
     END_OF_SIDE,
     END_VALUES,
@@ -98,23 +97,20 @@ from planar_pushing.core.system import (
     MIDDLE_VALUES,
     NO_MODE,
     NO_PROGRESS,
-    NORMAL_REVERSES,
     PASSING,
     PENETRATES,
     REACHED,
-    SEPARATION_CHANGES,
     SIDE_ENDED,
     SIGNS,
     SINGULAR_MOTION,
     SLACK,
-    SLIDER_STOPS,
     STATE,
-    TANGENTIAL_REVERSES,
     TOO_MANY_EVENTS,
     TOUCHES,
     TRIAL,
     TRIAL_GUARDS,
     VALUES,
+    WATCHES,
     Mode,
     System,
     candidate_at,
@@ -179,7 +175,9 @@ def run_events(
     for i in range(count):
         system = system_of(data, rows[i * columns :], results[i * width :], 1)
         system.run[RUN_ROWS] = 0.0
-        while phases < PHASES and system.run[RUN_ENDED] == 0.0 and has_room_for_row(system, width):
+        while (
+            phases < PHASES and system.run[RUN_ENDED] == 0.0 and has_room_for_rows(system, 1, width)
+        ):
             _take_phase(system)
             phases += 1
 
@@ -241,7 +239,7 @@ def _log_now(system: System) -> None:
     while number < times and system.times[number] <= time:
         number += 1
     run[RUN_NEXT], run[RUN_CAUSE], run[RUN_PHASE] = float(number), float(NOTHING), float(TAKES_STEP)
-    if run[RUN_STOPPED] != float(GOES_ON) or int(run[RUN_PIECE]) == system.fence.count:
+    if run[RUN_STOPPED] != float(GOES_ON) or int(run[RUN_PIECE]) == system.fence.number:
         run[RUN_PHASE], run[RUN_ENDED] = float(ENDED), 1.0
         end_log(system)
 
@@ -260,9 +258,7 @@ def _log_next_time(system: System) -> None:
         _go_to_event(system)
 
 
-def _log_instant(
-    system: System, time: float, state: Numbers, solutions: int, event: int
-) -> None:
+def _log_instant(system: System, time: float, state: Numbers, solutions: int, event: int) -> None:
     """Store an instant in the log."""
     mode, row, contact = _current_mode(system), next_log_row(system, time), NO_MODE
     if system.run[RUN_CHOSEN] >= 0.0:
@@ -281,7 +277,7 @@ def _enter(system: System) -> None:
     """Enter the next span of the pusher's motion, or end the run if there is none."""
     run, index = system.run, int(system.run[RUN_PIECE])
     run[RUN_PHASE] = float(LOGS)
-    if index < system.fence.count:
+    if index < system.fence.number:
         state, current = vector_of(system, STATE), int(run[RUN_MODE])
         reason = enter_span(system, index, state, current, _policy_of(system))
         if reason != GOES_ON:
@@ -427,11 +423,7 @@ def _go_to_event(system: System) -> None:
 
 def _is_watched(cause: int) -> bool:
     """Whether any change of a guard's sign is an event; other guards are positive while a mode lasts."""
-    if cause == SEPARATION_CHANGES or cause == SLIDER_STOPS or cause == CENTER_AT_POINT:
-        return True
-    if cause == KINK or cause == END_OF_SIDE:
-        return True
-    return cause == NORMAL_REVERSES or cause == TANGENTIAL_REVERSES
+    return WATCHES[cause] != 0.0
 
 
 def _holds(system: System, mode: Mode, time: float, state: Numbers) -> bool:
@@ -493,7 +485,11 @@ def _count_modes(system: System, time: float, state: Numbers) -> int:
         return count
     for i in range(int(run[RUN_COUNT])):
         mode = candidate_at(system, i, int(run[RUN_PIECE]))
-        if i != int(run[RUN_CHOSEN]) and mode.contact != NO_MODE and _holds(system, mode, time, state):
+        if (
+            i != int(run[RUN_CHOSEN])
+            and mode.contact != NO_MODE
+            and _holds(system, mode, time, state)
+        ):
             count += 1
     return count
 
@@ -611,7 +607,10 @@ def _event_of_cause(system: System, mode: Mode, cause: int) -> float:
     watched: bool = _is_watched(cause)
     for j in range(1, STEP_NODES + 1):
         low, high, sign = _node_time(run, j - 1), _node_time(run, j), signs[cause]
-        before, value = guards_of(system, VALUES + j - 1)[cause], guards_of(system, VALUES + j)[cause]
+        before, value = (
+            guards_of(system, VALUES + j - 1)[cause],
+            guards_of(system, VALUES + j)[cause],
+        )
         if sign * value < -SLACK:
             return _crossing(system, mode, cause, low, high, sign * before, sign * value)
         if sign == 0.0:

@@ -1,7 +1,7 @@
 """Steps of DOP853, an explicit method of order 8, with dense output and their sizes.
 
-The formulas are those of Hairer, Norsett and Wanner (Solving Ordinary Differential Equations I, 2nd edition,
-1993), Secs. II.4 and II.10.
+The formulas are those of Hairer, Norsett and Wanner (Solving Ordinary Differential Equations I, 2nd
+edition, 1993), Secs. II.4 and II.10.
 """
 
 from __future__ import annotations
@@ -187,9 +187,7 @@ def interpolate_state(system: System, mode: Mode, time: float, result: Numbers) 
         result[k] = state[k] + x * (dense[k] + y * (dense[entries + k] + x * value))
 
 
-def _norm(
-    system: System, vector: Numbers, start: Numbers, end: Numbers, tolerance: float
-) -> float:
+def _norm(system: System, vector: Numbers, start: Numbers, end: Numbers, tolerance: float) -> float:
     """Root mean square of a vector, in units of the tolerance."""
     total, scales = 0.0, vector_of(system, SCALES)
     for i in range(system.entries):

@@ -41,7 +41,7 @@ class Fence(NamedTuple):
     """The motion of a pusher: its pieces, their number, and the number of coefficients of their series."""
 
     pieces: Numbers
-    count: int
+    number: int
     coefficients: int
 
 
@@ -77,7 +77,7 @@ def policy_at(fence: Fence, index: int) -> int:
 
 def end_of_fence(fence: Fence) -> float:
     """The time at which the motion ends."""
-    return piece_of(fence, fence.count - 1)[PIECE_END]
+    return piece_of(fence, fence.number - 1)[PIECE_END]
 
 
 def _piece_at(fence: Fence, during: Span, time: float) -> Numbers:
@@ -151,7 +151,7 @@ def fence_path(fence: Fence, during: Span, start: float, end: float) -> tuple[fl
 def typical_speed(fence: Fence) -> float:
     """The largest speed among samples of the motion."""
     speed, index = 0.0, 0
-    while index < fence.count:
+    while index < fence.number:
         during = span_at(fence, index)
         for part in range(1 if during.constant else SPEED_SAMPLES + 1):
             time = during.start + float(part) / float(SPEED_SAMPLES) * (during.end - during.start)

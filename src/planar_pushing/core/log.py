@@ -59,11 +59,11 @@ def row_width(resisting: int) -> int:
     return LOG_DISSIPATED + resisting
 
 
-def has_room_for_row(system: System, width: int) -> bool:
-    """Whether another row fits into a row of results of this width."""
+def has_room_for_rows(system: System, count: int, width: int) -> bool:
+    """Whether more rows fit into a row of results of this width."""
     if not logs_events(system):
         return True
-    rows = int(system.run[RUN_ROWS]) + 1
+    rows = int(system.run[RUN_ROWS]) + count
     return memory_of(system) + rows * row_width(int(system.scene[IN_RESISTING])) <= width
 
 
@@ -85,6 +85,16 @@ def next_log_row(system: System, time: float) -> Numbers:
     return log_of(system)[slot * width :]
 
 
+def log_row_at(system: System, time: float) -> Numbers:
+    """The last row of the log if it is for this instant, otherwise the next one."""
+    width, rows = row_width(int(system.scene[IN_RESISTING])), int(system.run[RUN_ROWS])
+    if rows > 0:
+        row = log_of(system)[(rows - 1) * width :]
+        if row[LOG_TIME] == time:
+            return row
+    return next_log_row(system, time)
+
+
 def end_log(system: System) -> None:
     """If only the times are logged, repeat the last row for the times after it."""
     width, slot = row_width(int(system.scene[IN_RESISTING])), int(system.run[RUN_SLOT])
@@ -103,9 +113,7 @@ def write_state(
     row[LOG_ANGLE], row[LOG_SLIP], row[LOG_GAP] = angle, state[SLIPPED], state[GAP]
     row[LOG_WORK], row[LOG_CONTACT_DISSIPATED] = state[WORK], state[LOST]
     row[LOG_EVALUATIONS] = run[RUN_EVALUATIONS]
-    copy_numbers(
-        row[LOG_DISSIPATED:], energies_of(system, state), int(system.scene[IN_RESISTING])
-    )
+    copy_numbers(row[LOG_DISSIPATED:], energies_of(system, state), int(system.scene[IN_RESISTING]))
     x, y = center_position(system, pose, state, row[LOG_PUSHER], row[LOG_PUSHER + 1])
     row[LOG_POSITION], row[LOG_POSITION + 1] = x, y
     row[LOG_LOAD_WORK] = load_work(system, angle, x, y)

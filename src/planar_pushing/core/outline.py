@@ -1,4 +1,4 @@
-"""The slider's outline: its distance from a point, and where a disc on one side meets other points of it."""
+"""The slider's outline: its distance from a point, and where a disc on a side meets other points of it."""
 
 from __future__ import annotations
 

@@ -293,7 +293,11 @@ def modes_of_push(
     pusher = direction_at(pose.rod, atan2(y, x))
     if part != 1.0:
         pusher = Direction(
-            pusher.angle, part * pusher.x, part * pusher.y, part * pusher.along, part * pusher.across
+            pusher.angle,
+            part * pusher.x,
+            part * pusher.y,
+            part * pusher.along,
+            part * pusher.across,
         )
     push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
     return contact_modes(push, law_of(system, pose.rod), pusher, solutions)
@@ -314,9 +318,7 @@ def _pusher_at_start(
     return b_x, 0.0 if fabs(b_y) <= AT_REST * size else b_y, moves
 
 
-def _set_off(
-    system: System, mode: Mode, time: float, state: Numbers, policy: int
-) -> int:
+def _set_off(system: System, mode: Mode, time: float, state: Numbers, policy: int) -> int:
     """Set a slider at rest in motion with a fence that starts to push it; return `GOES_ON` or a reason."""
     state[GAP] = 0.0
     current, chosen, lowest = contact_mode_of(mode), NO_MODE, 0

@@ -1,9 +1,9 @@
 """A run as rows of numbers: its inputs, its memory, and its log.
 
 A row of inputs begins with the numbers of the effects: friction, viscous friction, inertia and loads, in
-this order. The scene follows, then the times at which the run is logged, and last the pieces of the pusher's
-motion. A row of results holds the memory of the run, with which it can be continued at any time, and then
-the rows of its log. Lengths are in radii of the slider.
+this order. The scene follows, then the times at which the run is logged, and last the pieces of the
+pusher's motion. A row of results holds the memory of the run, with which it can be continued at any time,
+and then the rows of its log. Lengths are in radii of the slider.
 """
 
 from __future__ import annotations
@@ -73,12 +73,13 @@ RUN_SPEED, RUN_FORCE, RUN_MOMENT, RUN_RIGHT, RUN_LEFT, RUN_ROD = 31, 32, 33, 34,
 RUN_MASSIVE, RUN_LOADED, RUN_EFFECTS, RUN_FEET = range(40, 44)
 RUN_FRICTIONAL, RUN_SQUARE, RUN_LINEAR, RUN_RING = range(44, 48)
 #: For steps: interval, and step in it; start of the interval; displacement of the pusher until now, and in
-#: the step; twist and force; pivot; work of the loads, and energy dissipated at the contact.
+#: the step; twist in the world at its start; force; pivot; work of the loads; energy dissipated at the
+#: contact; twist in the contact frame at its end.
 RUN_INTERVAL, RUN_STEP, RUN_INTERVAL_START = range(48, 51)
 RUN_PUSHER, RUN_PATH, RUN_TWIST, RUN_PUSH = 51, 53, 55, 58
-RUN_PIVOT, RUN_LOAD_WORK, RUN_CONTACT_LOST = range(60, 63)
+RUN_PIVOT, RUN_LOAD_WORK, RUN_CONTACT_LOST, RUN_NEW_TWIST = range(60, 64)
 #: If only the times are logged: the row of the log for the next one.
-RUN_SLOT = 63
+RUN_SLOT = 66
 #: Number of these numbers. Work arrays follow: the effects' numbers for the problem at hand, candidate
 #: modes, vectors of the state, and guards.
-MEMORY = 64
+MEMORY = 67

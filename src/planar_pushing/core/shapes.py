@@ -111,7 +111,12 @@ def pose_with_rod(system: System, rod: Rod, state: Numbers) -> Pose:
     contact = contact_at(-length, 0.0)
     if has_finger(system):
         # The contact is at (-along, -gap) from the end of the rod.
-        r_x, r_y, along, gap = system.run[RUN_ROD], system.run[RUN_ROD + 1], state[ALONG], state[GAP]
+        r_x, r_y, along, gap = (
+            system.run[RUN_ROD],
+            system.run[RUN_ROD + 1],
+            state[ALONG],
+            state[GAP],
+        )
         contact = contact_at(-length - (along * r_x + gap * r_y), along * r_y - gap * r_x)
     x, y = to_contact(rod, -contact.x, -contact.y)
     arm_x, arm_y = to_contact(rod, scene[IN_MASS_X] - contact.x, scene[IN_MASS_Y] - contact.y)

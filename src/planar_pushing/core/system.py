@@ -98,9 +98,19 @@ LEAVES_CONE, SLIP_ENDS, FORCE_ENDS, TOUCHES, PUSH_STARTS, SEPARATION_CHANGES = r
 PIVOT_YIELDS, CENTER_DOWN, SLIDER_STOPS, CENTER_AT_POINT, KINK = range(6, 11)
 NORMAL_REVERSES, TANGENTIAL_REVERSES, END_OF_SIDE, PENETRATES = range(11, 15)
 CAUSES = 15
+#: Whether any change of the sign of a guard is an event. The others are positive while a mode lasts.
+WATCHES = (0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0)
 #: Sets of guards of a run: their signs; their values at the start of a step, at its nodes, at its end, and
 #: near its middle; and two for trials.
-SIGNS, VALUES, NODE_VALUES, END_VALUES, MIDDLE_VALUES, TRIAL_GUARDS, LATER_GUARDS = 0, 1, 2, 5, 6, 7, 8
+SIGNS, VALUES, NODE_VALUES, END_VALUES, MIDDLE_VALUES, TRIAL_GUARDS, LATER_GUARDS = (
+    0,
+    1,
+    2,
+    5,
+    6,
+    7,
+    8,
+)
 GUARD_SETS = 9
 #: Reasons of an early end (`Stop`).
 GOES_ON, INCONSISTENT, LAID_DOWN, NO_IMPULSE, SINGULAR_MOTION = range(5)
@@ -314,7 +324,7 @@ def law_of(system: System, rod: Rod) -> Law:
 
 def candidate_at(system: System, index: int, piece: int) -> Mode:
     """A candidate mode in the span of a piece, or the mode without a contact force for a negative index."""
-    during = span_at(system.fence, min(piece, system.fence.count - 1))
+    during = span_at(system.fence, min(piece, system.fence.number - 1))
     if index < 0:
         return Mode(SEPARATE, NO_POINT, False, False, 0.0, 0.0, 0.0, during)
     numbers = system.candidates[index * CANDIDATE :]
@@ -419,9 +429,10 @@ def scale_films(system: System, factor: float) -> None:
 
 def put_mass(system: System, factor: float) -> None:
     """Store the inertia of the problem at hand, multiplied by a factor."""
-    scene, numbers = system.scene, system.problem[
-        column_of(system.data, int(system.scene[IN_RESISTING])) :
-    ]
+    scene, numbers = (
+        system.scene,
+        system.problem[column_of(system.data, int(system.scene[IN_RESISTING])) :],
+    )
     numbers[0] = factor
     numbers[1] = system.run[RUN_MOMENT] / scene[IN_MASS]
     numbers[2], numbers[3] = scene[IN_MASS_X], scene[IN_MASS_Y]
