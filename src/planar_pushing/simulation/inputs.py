@@ -22,7 +22,7 @@ from planar_pushing.simulation.motion import (
 from planar_pushing.simulation.problem import Problem, depth_tolerance
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.numbers import Array
-from planar_pushing.terms.options import Shape
+from planar_pushing.terms.options import Method, Shape
 
 
 class Scenes(NamedTuple):
@@ -105,7 +105,9 @@ class Scenes(NamedTuple):
         return np.concatenate([inputs, times.reshape(shape), pieces.reshape(shape)], axis=1)
 
 
-def numbers_of(problem: Problem) -> tuple[Array, list[Number]]:
+def numbers_of(
+    problem: Problem, method: Method = Method.EVENT_DRIVEN
+) -> tuple[Array, list[Number]]:
     """The numbers of a problem: those that all scenes share, and one column for each of the others.
 
     The columns are the inputs of the core, except for times and pieces; then radius, duration, and
@@ -116,7 +118,7 @@ def numbers_of(problem: Problem) -> tuple[Array, list[Number]]:
     scene, slider, entries = problem.scene, problem.scene.slider, problem.entries
     radius, (mass, gyration), (v_x, v_y, omega) = slider.radius, scene.inertia, problem.twist
     is_finger, finger_radius = problem.shape == Shape.FINGER, problem.pusher.radius
-    effects, columns = _effects_of(entries, scene)
+    effects, columns = _effects_of(entries, scene, method)
     data, corners = joined_data(effects, len(columns)), _corners_of(slider)
     columns += [
         scene.weight if scene.friction else 0.0,
@@ -132,17 +134,22 @@ def numbers_of(problem: Problem) -> tuple[Array, list[Number]]:
 
 
 def _effects_of(
-    entries: list[Entry], scene: Scene
+    entries: list[Entry], scene: Scene, method: Method
 ) -> tuple[list[tuple[int, int, Table | None]], list[Number]]:
-    """Kinds, first columns and tables of effects, and their columns; the core fills inertia and loads."""
+    """Kinds, first columns and tables of effects, and their columns.
+
+    The core fills the columns of inertia and loads. In a step of time-stepping, momentum is a load.
+    """
     effects: list[tuple[int, int, Table | None]] = []
     columns: list[Number] = []
     for entry in entries:
         effects.append((entry.kind, len(columns), entry.table))
         factor = scene.slider.radius if entry.degree == 2 else 1.0
         columns += [*(force * factor for force in entry.forces), *entry.others]
-    for kind, width, effects_of_kind in ((MASS, 4, scene.masses), (LOAD, 3, scene.loads)):
-        if effects_of_kind:
+    massive = scene.stores_energy
+    loaded = bool(scene.loads) or (massive and method == Method.TIME_STEPPING)
+    for kind, width, listed in ((MASS, 4, massive), (LOAD, 3, loaded)):
+        if listed:
             effects.append((kind, len(columns), None))
             columns += [0.0] * width
     return effects, columns

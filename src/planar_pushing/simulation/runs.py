@@ -133,7 +133,7 @@ class Run:
     ) -> None:  # fmt: skip
         duration = float(problem.duration)
         size = _required_step(step, duration) if method == Method.TIME_STEPPING else 0.0
-        data, numbers = numbers_of(problem)
+        data, numbers = numbers_of(problem, method)
         scenes = Scenes.of(problem, data, np.array([[float(number) for number in numbers]]))
         pieces, counts = scenes.pieces(slice(None))
         times = np.asarray(times, float)
