@@ -40,7 +40,7 @@ def motion_of(pusher, duration, radius, **options):
 def test_constant_pieces_are_spans_of_their_own():
     pusher = pp.Pusher(velocity=[(0, (1, 2)), (0.5, (0, 0)), (2.0, (3, -1))])
     fence = motion_of(pusher, 1.5, 0.5)
-    spans = [core.span_at(fence, i) for i in range(fence.count)]
+    spans = [core.span_at(fence, i) for i in range(fence.number)]
     assert [(s.start, s.end, s.constant) for s in spans] == [(0, 0.5, True), (0.5, 1.5, True)]
     assert core.fence_velocity(fence, spans[0], 0.2) == (2.0, 4.0)
     assert core.fence_acceleration(fence, spans[0], 0.2) == (0.0, 0.0)
@@ -52,7 +52,7 @@ def test_a_smooth_function_is_a_polynomial_to_rounding():
     pusher = pp.Pusher(velocity=lambda t: (0.2 * t, math.sin(5 * t)))
     fence = motion_of(pusher, 3.0, 2.0)
     during = core.span_at(fence, 0)
-    assert fence.count < 10
+    assert fence.number < 10
     assert not during.constant
     for time in np.linspace(0, 3, 101):
         assert core.fence_velocity(fence, during, time) == pytest.approx(
@@ -80,7 +80,7 @@ def test_each_piece_holds_its_policy(velocity):
     for piece in pieces:
         assert piece[PIECE_POLICY] == held[np.flatnonzero(starts <= piece[PIECE_START])[-1]]
     ways = [
-        core.fence_displacement(fence, core.span_at(fence, fence.count - 1), 1.0)
+        core.fence_displacement(fence, core.span_at(fence, fence.number - 1), 1.0)
         for fence in (
             motion_of(pusher, 1.0, 2.0, on_ambiguity=policies),
             motion_of(pusher, 1.0, 2.0),
@@ -98,7 +98,7 @@ def test_each_side_of_a_breakpoint_has_its_own_polynomials():
     pusher = pp.Pusher(velocity=lambda t: (0.0, 1.0 if t < 1 else t), breakpoints=(1.0,))
     fence = motion_of(pusher, 2.0, 1.0)
     before, after = core.span_at(fence, 0), core.span_at(fence, 1)
-    assert fence.count == 2
+    assert fence.number == 2
     assert core.fence_velocity(fence, before, 1.0)[1] == 1.0
     assert core.fence_velocity(fence, after, 1.0)[1] == pytest.approx(1.0, abs=1e-15)
     assert core.fence_acceleration(fence, after, 1.5)[1] == pytest.approx(1.0, abs=1e-13)
@@ -106,6 +106,6 @@ def test_each_side_of_a_breakpoint_has_its_own_polynomials():
 
 def test_a_function_with_a_jump_ends_in_a_bounded_number_of_pieces():
     fence = motion_of(pp.Pusher(velocity=lambda t: (0.0, 1.0 if t < 1 / 3 else 2.0)), 1.0, 1.0)
-    assert 1 < fence.count < 200
+    assert 1 < fence.number < 200
     x, y = core.fence_displacement(fence, core.span_at(fence, 0), 1.0)
     assert (x, y) == pytest.approx((0, 5 / 3), abs=1e-8)
