@@ -15,7 +15,7 @@ from planar_pushing.mechanics.contact.laws import friction_coefficient
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.simulation.fields import FIELDS, arrays, sampled_fields
 from planar_pushing.simulation.inputs import Scenes, numbers_of
-from planar_pushing.simulation.log import described, without_fill_values
+from planar_pushing.simulation.log import variable_attributes, without_fill_values
 from planar_pushing.simulation.problem import Problem, sample_count
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.runs import run_scenes
@@ -92,7 +92,7 @@ def simulate_batch(
     dataset = xr.Dataset(unfolded, coordinates)
     for label, variable in dataset.variables.items():
         if label not in over.coordinates:
-            attributes = described(quantities.BATCH, str(label), problem.scene.units)
+            attributes = variable_attributes(quantities.BATCH, str(label), problem.scene.units)
             variable.attrs = attributes or variable.attrs
     return without_fill_values(dataset)
 

@@ -53,7 +53,7 @@ def coordinates(problem: Problem) -> dict[str, tuple[str, list[str]]]:
     }
 
 
-def described(
+def variable_attributes(
     table: quantities.Quantities, name: str, units: Units | None = None
 ) -> dict[str, Any]:
     """Unit, long name and flags of a variable or a coordinate."""
@@ -63,13 +63,13 @@ def described(
     return attributes
 
 
-def described_in_log(problem: Problem, name: str) -> dict[str, Any]:
+def field_attributes(problem: Problem, name: str) -> dict[str, Any]:
     """Unit, long name and flags of a variable or a coordinate of a log."""
     table = quantities.FINGER if problem.shape == Shape.FINGER else quantities.LOG
-    return described(table, name, problem.scene.units)
+    return variable_attributes(table, name, problem.scene.units)
 
 
-def attributes(problem: Problem, method: str) -> dict[str, Any]:
+def global_attributes(problem: Problem, method: str) -> dict[str, Any]:
     """Attributes of the log that are known before the run."""
     pusher, policies = problem.pusher, problem.on_ambiguity
     finger = {"pusher_shape": str(problem.shape)} if problem.shape == Shape.FINGER else {}
@@ -108,7 +108,7 @@ def _pose_attributes(problem: Problem) -> dict[str, Any]:
 
 def attributes_at_start(problem: Problem, method: str) -> dict[str, Any]:
     """Attributes of the log of a run that has not ended."""
-    return attributes(problem, method) | {"finished": np.int8(0)}
+    return global_attributes(problem, method) | {"finished": np.int8(0)}
 
 
 def attributes_at_end(stopped: str, time: float) -> dict[str, Any]:
@@ -121,10 +121,10 @@ def dataset(problem: Problem, method: str, rows: Array, stopped: str) -> xr.Data
     time, *fields = logged_fields(problem)
     values = arrays(rows, problem, [time, *fields])
     variables = {
-        name: xr.Variable(("time", *dims), values[name], described_in_log(problem, name))
+        name: xr.Variable(("time", *dims), values[name], field_attributes(problem, name))
         for name, _, dims, *_ in fields
     }
-    known = attributes(problem, method) | attributes_at_end(stopped, rows[-1, LOG_TIME])
+    known = global_attributes(problem, method) | attributes_at_end(stopped, rows[-1, LOG_TIME])
     return xr.Dataset(variables, _labels(problem, values["time"]), known)
 
 
@@ -135,7 +135,7 @@ def _labels(problem: Problem, times: Array) -> xr.Coordinates:
     variables: dict[str, xr.Variable] = {}
     for name, (dim, values) in labels.items():
         variable = xr.Variable(
-            (dim,), np.asarray(values), described_in_log(problem, name), {"_FillValue": None}
+            (dim,), np.asarray(values), field_attributes(problem, name), {"_FillValue": None}
         )
         if name == dim:
             indexes[name] = (

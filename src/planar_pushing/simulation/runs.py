@@ -117,7 +117,7 @@ class Run:
         Maximum length of a step of time-stepping, > 0, by default 1/1000 of the duration. The error is
         proportional to it.
     room : int
-        Maximum number of rows that are yielded at once.
+        Maximum number of rows that are yielded at once; at least 2 with time-stepping.
 
     Notes
     -----
@@ -140,7 +140,7 @@ class Run:
         self.plan = plan_of(pieces[0], times, size) if size else times[None]
         rows = scenes.rows(slice(None), pieces, counts, self.plan[None], events=True)
         self.runs, self.problem = Runs(scenes, method, rows, scenes.radius, room), problem
-        self.steps, self.stop = bool(size), Stop.NO
+        self.method, self.stop = method, Stop.NO
 
     def __iter__(self) -> Iterator[Array]:
         runs = self.runs
@@ -154,7 +154,7 @@ class Run:
 
     def between(self, low: float, high: float) -> Array:
         """Finer instants strictly between two: the ends of the steps, or a division."""
-        if self.steps:
+        if self.method == Method.TIME_STEPPING:
             ends, counts, _ = self.plan
             inner = _ends_of_steps(ends, counts, low, high)
         else:
@@ -196,10 +196,8 @@ def plan_of(pieces: Array, times: Array, size: float) -> Array:
     """
     intervals = []
     for first in np.unique(pieces[:, PIECE_FIRST]).astype(int):
-        start, end = (
-            pieces[first, PIECE_START],
-            pieces[int(pieces[first, PIECE_LAST]) - 1, PIECE_END],
-        )
+        last = int(pieces[first, PIECE_LAST]) - 1
+        start, end = pieces[first, PIECE_START], pieces[last, PIECE_END]
         inner = times[(times > start + APART * end) & (times < end - APART * end)]
         ends = np.append(inner, end)
         lengths = np.diff(ends, prepend=start)

@@ -79,11 +79,11 @@ def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
     file.attrs.update(log.attributes_at_start(problem, method))
     time, *fields = logged_fields(problem)
     created = file.create_variable(time.name, ("time",), time.dtype, chunks=(CHUNK,))
-    created.attrs.update(log.described_in_log(problem, time.name))
+    created.attrs.update(log.field_attributes(problem, time.name))
     for name, (dim, labels) in coordinates.items():
         label = file.create_variable(name, (dim,), h5py.string_dtype())
         label[:] = labels
-        label.attrs.update(log.described_in_log(problem, name))
+        label.attrs.update(log.field_attributes(problem, name))
     for name, _, dims, dtype, *_ in fields:
         chunks = CHUNK, *(sizes[dim] for dim in dims)
         # netCDF has no booleans; xarray stores them as bytes with this attribute, and so do we.
@@ -91,4 +91,4 @@ def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
         created = file.create_variable(name, ("time", *dims), stored, chunks=chunks)
         along = [label for label, (dim, _) in coordinates.items() if label != dim and dim in dims]
         named = {"coordinates": " ".join(along)} if along else {}
-        created.attrs.update(log.described_in_log(problem, name) | truth | named)
+        created.attrs.update(log.field_attributes(problem, name) | truth | named)
