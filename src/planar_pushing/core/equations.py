@@ -75,7 +75,6 @@ from planar_pushing.core.system import (
     REST,
     RISE,
     SEPARATION_CHANGES,
-    SLACK,
     SLIDER_STOPS,
     SLIP_ENDS,
     SLIPPED,
@@ -99,19 +98,15 @@ from planar_pushing.core.system import (
     slowest_foot,
     write_powers,
 )
-
-#: The fence pushes a slider at rest above this fraction of the typical speed.
-PUSHES = 2e-10
-#: Fraction of the typical force below which the direction of a force is undefined.
-NO_FORCE = 1e-9
-#: Fraction of the typical speed below which a motion is completed to rest in closed form.
-STOPPED = 2e-9
-#: Fraction of the typical speed below which a starting slider has the impending direction of motion.
-NO_DIRECTION = 1e-13
-#: Speeds of a support point, relative to the slider's: below the first, the point has arrived at the center
-#: of rotation; above the second, it has left it.
-ARRIVED = 1e-10
-HAS_LEFT = 1e-5
+from planar_pushing.core.tolerances import (
+    ARRIVED,
+    HAS_LEFT,
+    NO_DIRECTION,
+    NO_FORCE,
+    PUSHES,
+    SLACK,
+    STOPPED,
+)
 
 
 class Instant(NamedTuple):
@@ -607,7 +602,11 @@ def _guard_slip(system: System, mode: Mode, now: Instant, speed: float, guards: 
         # A slipping contact transmits no motion from a fence that only moves along its own line.
         if now.fence_y != 0.0 or not mode.during.constant:
             if depends_on_speed(system):
+                # The force jumps where the contact comes to rest, so the margin vanishes with its motion.
+                x, y = now.fence_x + now.slip, now.fence_y
+                motion = sqrt(x * x + y * y)
                 guards[FORCE_ENDS] = now.lift / (fabs(now.lift) + system.run[RUN_FORCE])
+                guards[FORCE_ENDS] *= motion / (motion + speed)
             else:
                 lift = now.lift / (1.0 + system.scene[IN_LENGTH])
                 guards[FORCE_ENDS] = lift * now.fence_y / speed

@@ -103,7 +103,6 @@ from planar_pushing.core.system import (
     SIDE_ENDED,
     SIGNS,
     SINGULAR_MOTION,
-    SLACK,
     STATE,
     TOO_MANY_EVENTS,
     TOUCHES,
@@ -124,7 +123,7 @@ from planar_pushing.core.system import (
     system_of,
     vector_of,
 )
-from planar_pushing.core.tolerances import RESOLVED
+from planar_pushing.core.tolerances import NEAR_ZERO, NO_TREND, RESOLVED, SLACK
 
 #: What a run does next: begin, enter a span of the pusher's motion, take a step, log the times within the
 #: step, choose a mode, log the current instant; or it has ended.
@@ -144,11 +143,9 @@ PART_OF_STEP = 0.02
 FINEST = 2.3e-14
 #: Above this error, in units of the tolerance, a trial step gives no information.
 WILD = 1e5
-#: A margin this close to zero is judged by its trend.
-NEAR_ZERO = 1e-10
-#: Time over which the trend is evaluated, as a fraction of the time in which the fence moves by one length.
+#: Time over which the trend of a margin is evaluated, as a fraction of that in which the pusher moves by
+#: one length.
 AHEAD = 1e-5
-NO_TREND = 1e-12
 #: Number of nodes of a step, at equal distances, at which the guards are evaluated if it may contain an
 #: event.
 STEP_NODES = 4

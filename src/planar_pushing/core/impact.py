@@ -34,18 +34,13 @@ from planar_pushing.core.system import (
     NO_MODE,
     OVER,
     RISE,
-    SLACK,
     SPIN,
     WORK,
     System,
     rank_of,
     slip_side,
 )
-
-#: An impulse within this angle, in radians, of an edge of the cone is on the edge.
-ON_EDGE = 1e-12
-#: Normal acceleration due to a force, relative to its maximum, below which it is rounding error.
-NO_LEVER = 1e-12
+from planar_pushing.core.tolerances import SLACK
 
 
 class Answer(NamedTuple):
@@ -91,7 +86,8 @@ def _admits_impulse(system: System, p_x: float, p_y: float) -> bool:
     """Whether an impulse lies in the cone of the law; a zero impulse does not."""
     if p_x == 0.0 and p_y == 0.0:
         return False
-    smallest = -ON_EDGE if system.scene[IN_CLOSED] != 0.0 else ON_EDGE
+    # An impulse on the edge belongs to a closed cone.
+    smallest = -SLACK if system.scene[IN_CLOSED] != 0.0 else SLACK
     return cone_margin(system, p_x, p_y, 0.0) >= smallest
 
 
@@ -135,7 +131,7 @@ def answer_of(system: System, pose: Pose, contact: int, x: float, y: float) -> A
     # A force without normal acceleration cannot keep the contact closed; the negative size rejects the
     # slip.
     square = pose.arm_x * pose.arm_x + pose.arm_y * pose.arm_y
-    smallest = NO_LEVER * (1.0 / system.scene[IN_MASS] + square / system.run[RUN_MOMENT])
+    smallest = SLACK * (1.0 / system.scene[IN_MASS] + square / system.run[RUN_MOMENT])
     size = -y / normal if fabs(normal) > smallest else -system.run[RUN_FORCE]
     return Answer(size * e_x, size * e_y, x + size * along, 0.0)
 

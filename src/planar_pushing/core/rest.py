@@ -54,7 +54,6 @@ from planar_pushing.core.solution import (
 from planar_pushing.core.system import (
     ALONG,
     ANGLE,
-    AT_REST,
     GAP,
     GOES_ON,
     LOST,
@@ -65,7 +64,6 @@ from planar_pushing.core.system import (
     RATES,
     REST,
     RISE,
-    SLACK,
     SLIDER_STOPS,
     SLIP_ENDS,
     SPIN,
@@ -89,14 +87,11 @@ from planar_pushing.core.system import (
     vector_of,
     write_candidate,
 )
+from planar_pushing.core.tolerances import AT_REST, PUSHER_AT_REST, SLACK
 
 #: Range of the search for slips along the fence, in normal motions: margin before the stick, and maximum.
 BEFORE_STICK = 1e-3
 FARTHEST_SLIP = 1e3
-#: A support point slower than this, relative to the slider, can be a pivot.
-NEAR_POINT = 1e-9
-#: A fence slower than this fraction of the typical speed, with little acceleration, is at rest.
-PUSHER_AT_REST = 1e-10
 #: Tangential acceleration, in units of the normal one, that represents a fence already slipping at a
 #: contact.
 ALREADY_SLIPS = 1e6
@@ -192,7 +187,7 @@ def _write_in_motion(
     """Store the candidates, up to the last contact mode, of a moving slider."""
     slack, count, slip = SLACK * system.run[RUN_SPEED], 0, state[OVER]
     foot = slowest_foot_at(system, pose, v_x, v_y, state[SPIN])
-    near = foot.number if foot.speed <= NEAR_POINT else NO_POINT
+    near = foot.number if foot.speed <= AT_REST else NO_POINT
     for contact in range(SEPARATE, last + 1):
         mode = Mode(contact, near, True, False, 0.0, 0.0, 0.0, during)
         hinged: bool = near >= 0 and contact != STICK
@@ -310,7 +305,6 @@ def _pusher_at_start(
     b_x, b_y = pusher_acceleration(system, during, time, state)
     w_x, w_y = pusher_velocity(system, during, time, state)
     size = sqrt(b_x * b_x + b_y * b_y)
-    # A fence at rest that is given as a function can have rounding errors in its velocity.
     slowest = PUSHER_AT_REST * system.run[RUN_SPEED]
     if sqrt(w_x * w_x + w_y * w_y) > slowest:
         return b_x, b_y, size > 0.0

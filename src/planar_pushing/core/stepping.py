@@ -129,9 +129,8 @@ from planar_pushing.core.system import (
     vector_of,
     write_powers,
 )
+from planar_pushing.core.tolerances import SLACK
 
-#: A gap below this value, in radii, is closed.
-CLOSED_GAP = 1e-12
 #: After a finger has left the side permanently, the pusher recedes at this multiple of the typical speed.
 RECEDES = 1e3
 #: Maximum number of steps of a call, so that Python can handle an interrupt, and of rows per step.
@@ -239,7 +238,7 @@ def _solve_step(system: System, pose: Pose, solutions: Numbers) -> tuple[int, fl
     v_x, v_y = from_world(system, angle, run[RUN_TWIST], run[RUN_TWIST + 1])
     x, y = from_world(system, angle, run[RUN_PATH], run[RUN_PATH + 1])
     spin = run[RUN_TWIST + 2]
-    is_open: bool = gap > CLOSED_GAP
+    is_open: bool = gap > SLACK
     x, y = x / h, (y - gap) / h
     if gap == INFINITY:
         y = -RECEDES * (run[RUN_SPEED] + size_of_twist(v_x, v_y, spin))
@@ -363,7 +362,7 @@ def _add_load_work(system: System) -> None:
 def _end_contact(system: System) -> None:
     """End the contact at the end of a finger's side; with an outline, stop there or at a fence."""
     run, state = system.run, vector_of(system, STATE)
-    if state[GAP] <= CLOSED_GAP and room_on_side(system, state[ALONG]) < 0.0:
+    if state[GAP] <= SLACK and room_on_side(system, state[ALONG]) < 0.0:
         if has_outline(system):
             run[RUN_STOPPED] = float(SIDE_ENDED)
         else:

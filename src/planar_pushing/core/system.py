@@ -118,11 +118,6 @@ TOO_MANY_EVENTS, NO_PROGRESS, MET_OUTLINE, SIDE_ENDED = range(5, 9)
 #: Policies (`Policy`).
 KEEP_CONTACT, PREFER_SEPARATE, STAY_IN_MODE, PREFER_STICK, PREFER_RIGHT, PREFER_LEFT = range(6)
 
-#: A position, in radii, or a dimensionless margin below this is zero.
-SLACK = 1e-11
-#: Below this fraction of the typical speed friction holds the slider.
-AT_REST = 1e-9
-
 
 class System(NamedTuple):
     """The rows of one run.

@@ -68,3 +68,29 @@ SLIGHT = 1e-10
 #: Rounding error of a sum of second derivatives, relative to its terms: a matrix that becomes singular when
 #: its entries change by this much counts as singular.
 SINGULAR = 1e-14
+
+# Motion over time has three tolerances: of positions, of speeds, and of forces. The others are multiples of
+# them, whose order matters.
+
+#: A position in radii, an angle in radians, or a dimensionless margin below this is zero.
+SLACK = 1e-11
+#: A margin this close to zero is judged by its trend, which counts as zero below the second number.
+NEAR_ZERO = 10.0 * SLACK
+NO_TREND = 0.1 * SLACK
+#: Below this fraction of the typical speed friction holds the slider. A support point that is slower, in
+#: units of the slider's speed, can be a pivot.
+AT_REST = 1e-9
+#: A motion slower than this is completed to rest in closed form, before friction holds the slider.
+STOPPED = 2.0 * AT_REST
+#: A pusher faster than this pushes a slider at rest.
+PUSHES = 0.2 * AT_REST
+#: A pusher slower than this, with little acceleration, is at rest: a function can have rounding errors.
+PUSHER_AT_REST = 0.1 * AT_REST
+#: A support point slower than this, in units of the slider's speed, has arrived at the center of rotation;
+#: one faster than the second number has left it.
+ARRIVED = 0.1 * AT_REST
+HAS_LEFT = 1e-5
+#: A starting slider slower than this has the impending direction of motion: its own is rounding error.
+NO_DIRECTION = 1e-13
+#: The direction of a force below this fraction of the typical force is undefined.
+NO_FORCE = 1e-9
