@@ -67,9 +67,9 @@ from .pushes.poses import pushes_from_poses
 from .pushes.simulated import simulate_pushes
 from .pushes.three_feet import read_three_feet
 from .simulation.batch import simulate_batch
+from .simulation.log import to_pandas
 from .simulation.pusher import Pusher
 from .simulation.simulate import simulate
-from .simulation.tables import to_pandas
 from .simulation.until import Until
 from .study.files.scenes import load_scene, save_scene
 from .study.store import open_dataset

@@ -7,7 +7,6 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import planar_pushing as pp
-from planar_pushing.simulation.legacy.core import entries
 from simulation.runs import check, final, run, run_slow_uncompiled
 
 #: A ring that takes the general route.
@@ -131,5 +130,5 @@ def arrays_of(friction):
     """The arrays that the core has of a support, which are the same ones in every scene."""
     slider = pp.Slider(rod_length=1.0, rod_angle=1.0, radius=1.0)
     scene = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=(friction,))
-    (entry,) = entries(scene.effects, scene)
-    return [each for each in entry.kind.table if isinstance(each, np.ndarray)]
+    (entry,) = scene.rows.entries
+    return [entry.table.data, entry.table.memory]

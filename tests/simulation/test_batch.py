@@ -10,6 +10,7 @@ import xarray as xr
 
 import planar_pushing as pp
 from mechanics.builders import FRICTION, make_scene
+from planar_pushing.mechanics.arrays import CORES
 from planar_pushing.mechanics.plane import direction
 from signals import interruptible
 
@@ -321,12 +322,13 @@ def test_parameters_of_the_effects_may_be_arrays():
     assert len(set(found.rod_angle.values)) == 3
 
 
-def test_results_do_not_depend_on_the_threads(monkeypatch):
+def test_results_do_not_depend_on_the_threads():
     scenes = random_scenes(400, 7)
     found = []
     for threads in (1, 2):
-        monkeypatch.setattr("numba.config.NUMBA_NUM_THREADS", threads)
+        token = CORES.set(threads)
         found.append(batch(scenes))
+        CORES.reset(token)
     xr.testing.assert_identical(*found)
 
 

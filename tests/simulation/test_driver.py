@@ -9,31 +9,16 @@ import pytest
 
 import planar_pushing as pp
 from mechanics.builders import BOTH, FRICTION, make_scene
-from planar_pushing.simulation.events.driver import ENDED, advance
-from planar_pushing.simulation.events.integrate import EventDriven
-from planar_pushing.simulation.events.run import run_type
-from planar_pushing.simulation.fence import PIECE
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.simulation.rows import records, row_type
-from planar_pushing.simulation.steps.clock import clock_type
-from planar_pushing.simulation.systems.base import BODY
+from planar_pushing.simulation.runs import Run
 from simulation.runs import final, heading, run
 
 FENCE = [(0, heading(60)), (0.5, heading(100))]
 
 
-def first_name(dtype):
-    """Name of a type of records."""
-    return dtype.names[0]
-
-
 def rows_of(problem, room):
     """Rows of a run that is interrupted whenever so many rows are written."""
-    run, found = EventDriven(problem, np.linspace(0, 1, 50)), []
-    while run.run.phase != ENDED:
-        rows = records(row_type(run.effects), room)
-        found.append(rows[: advance(run.system, run.task, run.run, rows)])
-    return np.concatenate(found)
+    return np.concatenate(list(Run(problem, np.linspace(0, 1, 50), room=room)))
 
 
 @pytest.mark.parametrize("effects", [FRICTION, BOTH], ids=["friction", "both"])
@@ -47,8 +32,8 @@ def test_a_run_goes_on_where_it_was_interrupted(effects):
 
 def test_an_interrupt_between_two_batches_leaves_a_run_that_can_be_finished():
     problem = Problem(scene=make_scene(2, 0.5), pusher=pp.Pusher(velocity=FENCE), duration=1)
-    whole = np.concatenate(list(EventDriven(problem, np.linspace(0, 1, 1000))))
-    run = EventDriven(problem, np.linspace(0, 1, 1000))
+    whole = np.concatenate(list(Run(problem, np.linspace(0, 1, 1000))))
+    run = Run(problem, np.linspace(0, 1, 1000))
     found = []
     for rows in run:  # an interrupt leaves this loop
         found.append(rows)
@@ -75,14 +60,12 @@ def test_the_same_numbers_without_the_compiler():
     paths = os.pathsep.join(sys.path)
     said = subprocess.run(
         [sys.executable, "-c", code], capture_output=True, text=True, check=True,
-        env=os.environ | {"NUMBA_DISABLE_JIT": "1", "PYTHONPATH": paths},
+        env=os.environ | {"PLANAR_PUSHING_PLAIN": "1", "PYTHONPATH": paths},
     ).stdout  # fmt: skip
-    compiled, plain = (
-        np.array([float.fromhex(each) for each in part]) for part in (endings(), said.split())
-    )
-    assert len(compiled) == 18
-    # An event multiplies what rounding leaves of its time.
-    assert plain == pytest.approx(compiled, rel=1e-14, abs=3e-14)
+    assert [float.fromhex(each) for each in said.split()] == [
+        float.fromhex(each) for each in endings()
+    ]
+    assert len(said.split()) == 18
 
 
 def test_friction_that_settles_fast_is_followed():
@@ -94,14 +77,6 @@ def test_friction_that_settles_fast_is_followed():
     assert final(log, "rod_angle") == pytest.approx(final(slow, "rod_angle"), abs=0.02)
     finer = run(scene, heading(60, 0.02), 0.5 / 0.02, rtol=1e-12)
     assert final(log, "rod_angle") == pytest.approx(final(finer, "rod_angle"), abs=1e-8)
-
-
-@pytest.mark.parametrize(
-    "dtype", [run_type(8), clock_type(8), row_type(2), PIECE, BODY], ids=first_name
-)
-def test_no_field_of_a_record_hides_behind_an_attribute(dtype):
-    """Without the compiler ``record.size`` is 1, whatever the field."""
-    assert not set(dtype.names) & set(dir(np.record))
 
 
 def test_steps_are_graded_towards_a_kink_and_away_from_it():

@@ -15,8 +15,8 @@ import xarray as xr
 
 import planar_pushing as pp
 from mechanics.builders import BOTH, FRICTION, make_scene
-from planar_pushing.simulation.events.integrate import EventDriven
 from planar_pushing.simulation.problem import Problem
+from planar_pushing.simulation.runs import Run
 from planar_pushing.study.store import write_dataset
 from planar_pushing.terms.quantities import unit_of
 from simulation.runs import final, heading, run
@@ -91,7 +91,7 @@ def test_streamed_log_is_the_same_bytes_again(tmp_path):
 
 def test_records_are_handed_on_in_bounded_batches():
     problem = Problem(scene=make_scene(2, 0.5), pusher=pp.Pusher(velocity=FENCE), duration=1)
-    sizes = [len(each) for each in EventDriven(problem, np.linspace(0, 1, 5000))]
+    sizes = [len(each) for each in Run(problem, np.linspace(0, 1, 5000))]
     assert sum(sizes) >= 5000
     assert len(sizes) > 3
     assert max(sizes) < 1000
@@ -100,7 +100,7 @@ def test_records_are_handed_on_in_bounded_batches():
 KILLED = """
 import os
 import planar_pushing as pp
-from planar_pushing.simulation.log import stream
+from planar_pushing.simulation import stream
 scene = pp.Scene(slider=pp.Slider(rod_length=2, rod_angle=0.8), contact=pp.Coulomb(0.5),
                  effects=(pp.RingFriction(),))
 append, count = stream.Stream.append, 0

@@ -18,12 +18,12 @@ from planar_pushing import (
     Scene,
     Slider,
 )
-from planar_pushing.simulation.events.integrate import EventDriven
+from planar_pushing.core.system import NO_MODE
+from planar_pushing.simulation.fields import Stop, arrays, logged_fields, sampled_fields
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.simulation.rows import NO_MODE, reason
-from planar_pushing.simulation.steps.integrate import TimeStepping
-from planar_pushing.terms.options import Shape
+from planar_pushing.simulation.runs import REASONS, Run
+from planar_pushing.terms.options import Method
 
 FRICTION, INERTIA = RingFriction(weight=0.7), Inertia(mass=1.3, gyration_radius=0.8)
 EFFECTS = {"friction": (FRICTION,), "inertia": (INERTIA,), "both": (FRICTION, INERTIA)}
@@ -48,20 +48,23 @@ def problem(effects, pusher, duration, length=2.0, law=None, degrees=45.0, **opt
 
 def records(task, steps, samples=2):
     times = np.linspace(0, task.duration, samples)
-    return recorded(TimeStepping(task, times, task.duration / steps))
+    return recorded(Run(task, times, Method.TIME_STEPPING, task.duration / steps))
 
 
 def recorded(run):
-    """Every row of a run, its vectors as tuples."""
-    rows = [dict(zip(row.dtype.names, row.tolist(), strict=True)) for batch in run for row in batch]
-    found = [
-        SimpleNamespace(**{k: tuple(v) if np.ndim(v) else v for k, v in row.items()})
-        for row in rows
+    """Every row of a run, its vectors as tuples, the angle in radians."""
+    fields = {*logged_fields(run.problem), *sampled_fields(run.problem)}
+    log = arrays(np.concatenate(list(run)), run.problem, fields)
+    log["rod_angle"] = np.deg2rad(log["rod_angle"])
+    log["dissipated"] = log["dissipated"].sum(axis=1)
+    log["stopped"] = [REASONS[Stop(stop)] for stop in log["stopped"]]
+    lists = {k: v.tolist() if isinstance(v, np.ndarray) else v for k, v in log.items()}
+    return [
+        SimpleNamespace(
+            **{k: tuple(v) if isinstance(v, list) else v for k, v in zip(lists, row, strict=True)}
+        )
+        for row in zip(*lists.values(), strict=True)
     ]
-    for each in found:
-        each.stopped = reason(each.stopped, Shape.FENCE)
-        each.dissipated = sum(each.dissipated)
-    return found
 
 
 def rates(errors):
@@ -82,7 +85,7 @@ def test_order_one_to_the_quasi_static_references(reference):
 def reference(name):
     """Event-driven end of a run in which the fence accelerates and turns."""
     task = problem(EFFECTS[name], accelerating, 1.5, 1.2, Coulomb(0.8), 70)
-    return task, recorded(EventDriven(task, [0.0, 1.5]))[-1]
+    return task, recorded(Run(task, [0.0, 1.5]))[-1]
 
 
 def accelerating(time):
@@ -164,7 +167,7 @@ def test_work_becomes_kinetic_energy_and_heat(name):
 
 def test_times_that_rounding_parts_are_one_time():
     task = problem(EFFECTS["both"], [(0, (0.5, 1)), (0.3, (0, 1)), (0.6, (0, 0))], 1.0)
-    run = recorded(TimeStepping(task, np.arange(0, 1.01, 0.1), 0.05))
+    run = recorded(Run(task, np.arange(0, 1.01, 0.1), Method.TIME_STEPPING, 0.05))
     assert 0.3 not in np.arange(0, 1.01, 0.1)
     assert run[-1].stopped == ""
     assert np.diff([r.time for r in run]).min() > 0.01
@@ -186,7 +189,7 @@ def test_a_sliding_painleve_configuration_is_survived(name):
     # The contact slides left over a fence that comes up: no finite force keeps it sliding, and the step
     # finds the impulse that makes it stick.
     task = problem(EFFECTS[name], lambda t: (0.0, t), 0.5, law=Coulomb(3), twist=(-1.0, 0.0, 0.0))
-    stopped = recorded(EventDriven(task, [0.0, 0.5]))[-1].stopped
+    stopped = recorded(Run(task, [0.0, 0.5]))[-1].stopped
     ends = [records(task, steps)[-1] for steps in (50, 100, 200)]
     assert stopped == "no contact mode is consistent"
     assert all(r.stopped == "" and r.mode == ContactMode.STICK and r.gap == 0 for r in ends)
@@ -246,4 +249,4 @@ def test_a_slider_that_lies_down_stops_the_run():
 @pytest.mark.parametrize("step", [0.0, -1.0, math.nan, "fine"])
 def test_a_step_that_is_no_length_is_refused(step):
     with pytest.raises(InvalidValue, match=r"step: .* given; allowed: a finite number > 0"):
-        TimeStepping(problem(EFFECTS["friction"], (0, 1), 1.0), [0, 1], step)
+        Run(problem(EFFECTS["friction"], (0, 1), 1.0), [0, 1], Method.TIME_STEPPING, step)

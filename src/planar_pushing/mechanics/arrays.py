@@ -13,6 +13,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextvars import ContextVar
 from dataclasses import fields
+from threading import Event
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -109,10 +110,15 @@ def _flat(array: Array, shape: tuple[int, ...]) -> Array:
     return np.broadcast_to(array, shape).reshape(-1)
 
 
-def in_threads(block: Callable[[int], None], starts: Sequence[int]) -> None:
-    """Call a function for each start on all cores; Ctrl-C takes effect when the current calls end."""
+def in_threads(
+    block: Callable[[int], None], starts: Sequence[int], interrupted: Event | None = None
+) -> None:
+    """Call a function for each start on all cores.
+
+    Ctrl-C takes effect when the current calls end, which can watch the event that is set then.
+    """
     cores = CORES.get(os.cpu_count() or 1)
-    if cores == 1:
+    if cores == 1 or len(starts) == 1:
         for start in starts:
             block(start)
         return
@@ -121,6 +127,8 @@ def in_threads(block: Callable[[int], None], starts: Sequence[int]) -> None:
             for _ in pool.map(block, starts):
                 pass
         except BaseException:
+            if interrupted is not None:
+                interrupted.set()
             pool.shutdown(wait=False, cancel_futures=True)
             raise
 

@@ -45,16 +45,29 @@ def run(name: str, data: npt.ArrayLike, rows: npt.ArrayLike, width: int) -> Arra
     """
     data = np.ascontiguousarray(data, np.float64)
     rows = np.ascontiguousarray(rows, np.float64)
-    count, columns = rows.shape
-    results = np.empty((count, width))
+    results = np.empty((len(rows), width))
     results.fill(np.nan)
+    run_into(name, data, rows, results)
+    return results
+
+
+def run_into(name: str, data: Array, rows: Array, results: Array) -> None:
+    """Call a kernel with results in and out, one row for each row of inputs.
+
+    Parameters
+    ----------
+    name : str
+        As in `run`.
+    data, rows, results : ndarray
+        Contiguous; results have shape (count, width). A kernel can continue from earlier results.
+    """
+    (count, columns), width = rows.shape, results.shape[1]
     if COMPILED is not None:
         COMPILED[name](data, rows, count, columns, results, width)
     else:
         # The numbers of a memory view are Python floats; those of an array are numpy scalars.
         numbers, inputs, outputs = map(_flat, (data, rows, results))
         plain_kernel(name)(numbers, inputs, count, columns, outputs, width)
-    return results
 
 
 def _flat(array: Array) -> memoryview:

@@ -196,7 +196,7 @@ def _entry(effect: Any, scene: Any, number: int) -> Entry:
 
 def _wrench_of(load: Load, scene: Any) -> list[Number]:
     """Wrench of a load about the slider's center, in the body frame; lengths in radii."""
-    c, s = _unit_of(scene.slider.rod_angle)
+    c, s = unit_vector(scene.slider.rod_angle)
     (x, y), point = load.force, scene.mass_center
     if load.center is not None:
         point = tuple(each / scene.slider.radius for each in load.center)
@@ -204,7 +204,7 @@ def _wrench_of(load: Load, scene: Any) -> list[Number]:
     return [g_x, g_y, point[0] * g_y - point[1] * g_x]
 
 
-def _unit_of(angle: Number) -> Any:
+def unit_vector(angle: Number) -> Any:
     """Cosine and sine of an angle, exact at 90 degrees: a load along the fence has no normal component."""
     if hasattr(angle, "dims"):
         upright = angle == np.pi / 2

@@ -11,10 +11,11 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
+from planar_pushing.mechanics.arrays import Output, mapped
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.pushes.measured import Index, Mask, Measured
-from planar_pushing.simulation.outlines import TOLERANCE, free_part
+from planar_pushing.simulation.problem import DEPTH
 
 #: A finger that leaves a side within this fraction of its path does not push it.
 AT_ONCE = 1e-3
@@ -113,13 +114,10 @@ def contacts_of(pushes: Measured) -> Contacts:
 
 def _within_reach(contacts: Contacts, sides: Sides) -> Contacts:
     """Contacts whose sides end where the finger meets another side or corner."""
-    least, depth = INSIDE * sides.scale, TOLERANCE * sides.scale
-    numbers = np.column_stack([contacts.point, contacts.tangent, contacts.radius]).tolist()
-    parts = [
-        free_part(sides.start, x, y, t_x, t_y, radius, depth, 0.0)
-        for x, y, t_x, t_y, radius in numbers
-    ]
-    low, high = np.array(parts).T
+    least, depth, corners = INSIDE * sides.scale, DEPTH * sides.scale, sides.start
+    columns = [*contacts.point.T, *contacts.tangent.T, contacts.radius, depth, 0.0, len(corners), 0]
+    outputs = [Output("low"), Output("high")]
+    low, high = mapped("free_stretches", corners.ravel(), columns, outputs)
     return replace(
         contacts,
         start=np.maximum(contacts.start, np.minimum(low, -least)),

@@ -11,24 +11,32 @@ one radius below the contact at time 0; it pushes a side of the slider that is a
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+import xarray as xr
 
+from planar_pushing.core.rows import RING, SUPPORT
+from planar_pushing.mechanics.arrays import Output, mapped
+from planar_pushing.mechanics.effects import Viscous
 from planar_pushing.mechanics.held import require_held
-from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.outline import Corners, size
+from planar_pushing.mechanics.rows import Entry, entries_of
+from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.mechanics.world import World, required_pose, world_of
-from planar_pushing.simulation.outlines import require_above, require_apart
-from planar_pushing.simulation.policies import marked, required_policies, starts_of
+from planar_pushing.simulation.motion import required_policies
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.terms.domain import SPEEDS, Number, require_fields, required_ratio
 from planar_pushing.terms.errors import InvalidValue, has_entries, require_number
-from planar_pushing.terms.numbers import as_numbers
+from planar_pushing.terms.numbers import Array, as_numbers
 from planar_pushing.terms.options import SAMPLES, TOLERANCE, Policy, PusherFrame, Shape
 
 #: Allowed initial twists.
 TWIST = f"three finite numbers of at most {SPEEDS[1]:g}"
+#: Allowed depth of the outline in the pusher, in extents of the outline. It is far above rounding error, so
+#: that a side lying on the fence does not end a run without rotation.
+DEPTH = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,7 +44,8 @@ class Problem:
     """The problem that `simulate` solves.
 
     In a batch, numbers are arrays over the scenes. `on_ambiguity` is converted to policies with start
-    times, and the motion of the pusher to the axes of the fence frame.
+    times, and the motion of the pusher to the axes of the fence frame. `world` is the world, if the
+    object's pose in it is given.
 
     Raises
     ------
@@ -53,6 +62,7 @@ class Problem:
     on_ambiguity: Any = Policy.KEEP_CONTACT
     rtol: float = 1e-10
     object_pose: Any = None
+    world: World | None = field(init=False, default=None)
 
     def __post_init__(self) -> None:
         require_fields(self, "duration", "gap")
@@ -60,9 +70,9 @@ class Problem:
             "rtol", self.rtol, TOLERANCE.holds, TOLERANCE.allowed,
             "choose a tolerance that double precision can achieve",
         )  # fmt: skip
-        object.__setattr__(self, "rtol", rtol)
-        object.__setattr__(self, "twist", _twist(self.twist, self.scene))
-        object.__setattr__(self, "on_ambiguity", required_policies(self.on_ambiguity))
+        self._set("rtol", rtol)
+        self._set("twist", _required_twist(self.twist, self.scene))
+        self._set("on_ambiguity", required_policies(self.on_ambiguity))
         require_held(self.scene)
         if self.shape == Shape.FENCE:
             require_above(self.scene.slider, self.gap)
@@ -70,10 +80,14 @@ class Problem:
             _require_narrow(self.pusher.radius, self.scene.slider.radius)
             require_apart(self.scene.slider, self.gap, self.pusher.radius)
         if self.object_pose is not None:
-            object.__setattr__(self, "object_pose", required_pose(self.object_pose))
-        object.__setattr__(self, "pusher", self._pusher_along_the_fence())
+            self._set("object_pose", required_pose(self.object_pose))
+            self._set("world", world_of(self.scene, self.object_pose))
+        self._set("pusher", self._pusher_in_fence_frame())
 
-    def _pusher_along_the_fence(self) -> Pusher:
+    def _set(self, name: str, value: Any) -> None:
+        object.__setattr__(self, name, value)
+
+    def _pusher_in_fence_frame(self) -> Pusher:
         """The pusher, with its motion along the axes of the fence frame."""
         if self.pusher.frame == PusherFrame.FENCE:
             return self.pusher
@@ -85,11 +99,6 @@ class Problem:
         return self.pusher.in_fence_frame(self.world.fence)
 
     @property
-    def world(self) -> World | None:
-        """The world, if the object's pose in it is given."""
-        return None if self.object_pose is None else world_of(self.scene, self.object_pose)
-
-    @property
     def shape(self) -> Shape:
         """The shape of the pusher."""
         return Shape(self.pusher.shape)
@@ -97,12 +106,15 @@ class Problem:
     @property
     def follows_function(self) -> bool:
         """Whether the pusher's velocity is a function of time."""
-        return not self.pusher.pieces and not self.pusher.arrays
+        return not self.pusher.velocities
 
-    def fence(self, duration: float, radius: float) -> Any:
-        """The pusher's motion as an array of pieces, each with its policy; errors as in `Pusher`."""
-        cuts = starts_of(self.on_ambiguity)
-        return marked(self.pusher.fence(duration, radius, cuts), self.on_ambiguity)
+    @property
+    def entries(self) -> list[Entry]:
+        """The effects that resist, in the form of the core: friction, then viscous friction."""
+        effects = [(i, effect) for i, effect in enumerate(self.scene.effects)]
+        viscous = [(i, effect) for i, effect in effects if isinstance(effect, Viscous)]
+        friction = [entry for entry in self.scene.rows.entries if entry.kind in (SUPPORT, RING)]
+        return [*friction, *entries_of(viscous, self.scene)]
 
 
 def _require_narrow(radius: Number, slider_radius: Number) -> None:
@@ -117,24 +129,89 @@ def _require_narrow(radius: Number, slider_radius: Number) -> None:
     required_ratio("finger_ratio", ratio)
 
 
-def _twist(given: Any, scene: Scene) -> tuple[Number, ...]:
+def _required_twist(value: Any, scene: Scene) -> tuple[Number, ...]:
     """Validate an initial twist, which must be zero for a scene without inertia."""
-    twist = tuple(map(as_numbers, given)) if has_entries(given) else ()
+    twist = tuple(map(as_numbers, value)) if has_entries(value) else ()
     fits = (each is not None and (np.abs(each) <= SPEEDS[1]).all() for each in twist)
     if len(twist) != 3 or not all(fits):
-        raise InvalidValue("twist", given, TWIST, "give (v_x, v_y, omega)")
+        raise InvalidValue("twist", value, TWIST, "give (v_x, v_y, omega)")
     if not scene.stores_energy and any(np.any(each != 0) for each in twist):
         raise InvalidValue(
-            "twist", given, "(0, 0, 0) for a scene without inertia",
+            "twist", value, "(0, 0, 0) for a scene without inertia",
             "leave the twist out, since the fence determines a quasi-static motion",
         )  # fmt: skip
     return twist
 
 
-def sample_count(given: object) -> int:
+def sample_count(value: object) -> int:
     """Validate a number of samples, which includes the first and the last instant."""
     count = require_number(
-        "samples", given, lambda n: SAMPLES.holds(n) and n == int(n), SAMPLES.allowed,
+        "samples", value, lambda n: SAMPLES.holds(n) and n == int(n), SAMPLES.allowed,
         "request at least the first and the last instant",
     )  # fmt: skip
     return int(count)
+
+
+def depth_tolerance(outline: Corners) -> float:
+    """Allowed depth of the outline in the pusher, in the outline's unit."""
+    return DEPTH * size(np.array(outline))
+
+
+def require_above(slider: Slider, gap: Number) -> None:
+    """Reject an outline that initially penetrates the fence.
+
+    Raises
+    ------
+    InvalidValue
+        If a corner of at least one slider is below the fence; the message gives its depth.
+    """
+    if slider.outline is None:
+        return
+    try:
+        lowest = _lowest(slider, gap)
+    except ValueError:  # mismatched shapes, which the batch rejects itself
+        return
+    # A run ends at the full tolerance; the initial position must be within half of it.
+    if lowest < -depth_tolerance(slider.outline) / 2:
+        raise InvalidValue(
+            "outline", f"a corner {-lowest:.6g} below the fence", "corners on the fence or above it",
+            "rotate the slider, raise it by gap, or put the contact on the outline",
+        )  # fmt: skip
+
+
+def _lowest(slider: Slider, gap: Number) -> float:
+    """Height of the lowest corner above the fence, the minimum over several sliders."""
+    c, s = np.cos(slider.rod_angle), np.sin(slider.rod_angle)
+    heights = (gap + (slider.rod_length + x) * s + y * c for x, y in slider.outline)
+    return min(float(np.min(np.asarray(height))) for height in heights)
+
+
+def require_apart(slider: Slider, gap: Number, radius: Number) -> None:
+    """Reject an outline that initially overlaps the finger.
+
+    Raises
+    ------
+    InvalidValue
+        If at least one slider overlaps its finger; the message gives the depth.
+    """
+    if slider.outline is None:
+        return
+    corners = np.array(slider.outline)
+
+    def distances(x: Array, y: Array) -> Array:
+        """Distances of points from the outline."""
+        output = [Output("distance")]
+        return mapped("outline_distances", corners.ravel(), [x, y, len(corners), 0], output)[0]
+
+    try:
+        across, angle = radius + gap, slider.rod_angle
+        x, y = -slider.rod_length - across * np.sin(angle), -across * np.cos(angle)
+        apart = xr.apply_ufunc(distances, x, y, dask="allowed") - radius
+        nearest = float(np.min(np.asarray(apart)))
+    except ValueError:  # mismatched shapes, which the batch rejects itself
+        return
+    if nearest < -depth_tolerance(slider.outline) / 2:
+        raise InvalidValue(
+            "outline", f"an overlap of {-nearest:.6g} with the finger", "a finger outside the object",
+            "choose a smaller radius, or move the contact onto the outline and away from its other sides",
+        )  # fmt: skip

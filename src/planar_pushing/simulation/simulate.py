@@ -3,24 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import Any
 
 import numpy as np
 import xarray as xr
-from tqdm import tqdm
 
+from planar_pushing.core.run import LOG_TIME
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, required_scene, required_single
-from planar_pushing.simulation.events.integrate import EventDriven
-from planar_pushing.simulation.log.disk import PathLike
-from planar_pushing.simulation.log.stream import streaming
-from planar_pushing.simulation.log.variables import complete, dataset
+from planar_pushing.simulation.log import dataset, without_fill_values
 from planar_pushing.simulation.problem import Problem, sample_count
 from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.simulation.steps.integrate import TimeStepping
+from planar_pushing.simulation.runs import Run, progress_bar
 from planar_pushing.simulation.until import Until, UntilRun, required_condition
 from planar_pushing.terms.domain import required
 from planar_pushing.terms.errors import (
@@ -31,6 +27,8 @@ from planar_pushing.terms.errors import (
     require_option,
     require_path,
 )
+from planar_pushing.terms.locks import PathLike
+from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Event, Method, MethodName, Policy, PolicyName
 
 
@@ -124,8 +122,8 @@ def simulate(
             raise InvalidValue(
                 name, "arrays", f"one {name}", "simulate them one by one, or call simulate_batch"
             )
-    for name, given in (("duration", duration), ("gap", gap)):
-        require_number(name, required(name, given), math.isfinite, "one number", "give one")
+    for name, value in (("duration", duration), ("gap", gap)):
+        require_number(name, required(name, value), math.isfinite, "one number", "give one")
     problem = Problem(
         scene=scene, pusher=pusher, duration=duration, twist=twist, gap=gap,
         on_ambiguity=on_ambiguity, rtol=rtol, object_pose=object_pose,
@@ -133,40 +131,39 @@ def simulate(
     if path is not None:
         require_path("path", path)
     require_flag("progress", progress)
-    require_option("method", method, Method, "name one of these methods")
-    duration = float(problem.duration)
-    run = _run(problem, method, np.linspace(0.0, duration, sample_count(samples)), step, until)
+    chosen = require_option("method", method, Method, "name one of these methods")
+    times = np.linspace(0.0, float(problem.duration), sample_count(samples))
+    run = _run(problem, chosen, times, step, until)
     if path is None:
-        rows = np.concatenate(list(_shown(run, duration, progress)))
-        return dataset(problem, method, rows, run.stopped)
-    with streaming(path, problem, method) as stream:
-        for rows in _shown(run, duration, progress):
+        return dataset(problem, chosen, np.concatenate(list(_rows(run, progress))), run.stopped)
+    from planar_pushing.simulation.stream import streaming
+
+    with streaming(path, problem, chosen) as stream:
+        for rows in _rows(run, progress):
             stream.append(rows)
-        stream.end(run.stopped, rows["time"][-1])
-    return complete(xr.open_dataset(path, engine="h5netcdf"))
+        stream.end(run.stopped, rows[-1, LOG_TIME])
+    return without_fill_values(xr.open_dataset(path, engine="h5netcdf"))
 
 
-def _run(problem: Problem, method: str, times: Array, step: float | None, until: Any) -> Any:
+def _run(
+    problem: Problem, method: Method, times: Array, step: float | None, until: Any
+) -> Run | UntilRun:
     """Create a run, which has not begun."""
-    start: Callable[[Array], Any]
-    if method == Method.TIME_STEPPING:
-        start = partial(TimeStepping, problem, step=step)
-    elif step is not None:
+    if step is not None and method != Method.TIME_STEPPING:
         raise InvalidValue(
             "step", step, "a number for the time-stepping method only",
             "leave it out, since rtol controls the steps of the event-driven method",
         )  # fmt: skip
-    else:
-        start = partial(EventDriven, problem)
+    start = partial(Run, problem, method=method, step=step)
     run = start(times)
     if until is None:
         return run
     return UntilRun(start, times, required_condition(until, problem, method), problem)
 
 
-def _shown(batches: Iterable[Any], duration: float, progress: bool) -> Iterator[Any]:
-    """Yield the batches of rows, with a progress bar over the simulated time."""
-    with tqdm(total=duration, disable=not progress, unit="time", leave=False) as bar:
-        for rows in batches:
-            bar.update(rows["time"][-1] - bar.n)
+def _rows(run: Run | UntilRun, progress: bool) -> Iterator[Array]:
+    """Yield the rows of a run, with a progress bar over the simulated time."""
+    with progress_bar(float(run.problem.duration), "time", progress) as bar:
+        for rows in run:
+            bar.update(rows[-1, LOG_TIME] - bar.n)
             yield rows

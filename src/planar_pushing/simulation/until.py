@@ -9,12 +9,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from planar_pushing.core.run import LOG_TIME
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.plane import Array
-from planar_pushing.simulation.log.variables import arrays
+from planar_pushing.simulation.fields import arrays, logged_fields
 from planar_pushing.simulation.problem import Problem
+from planar_pushing.simulation.runs import Run
 from planar_pushing.terms.domain import TURNS
 from planar_pushing.terms.errors import InvalidValue, require_positive, suggestion
+from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Event, Method
 
 #: Events and contact modes by the names that are flag meanings in a log.
@@ -52,19 +54,23 @@ class Until:
     pusher_distance: float | None = None
 
     def __post_init__(self) -> None:
-        given = {
-            name: value for name in self.__slots__ if (value := getattr(self, name)) is not None
-        }
-        if not given:
+        goals = self.goals
+        if not goals:
             raise InvalidValue(
                 "Until", None, ", ".join(self.__slots__), "give at least one of them"
             )
-        for name, value in given.items():
-            positive = require_positive(name, value, "give a positive number, or leave it out")
+        for name, goal in goals.items():
+            positive = require_positive(name, goal, "give a positive number, or leave it out")
             object.__setattr__(self, name, positive)
         if self.rotation is not None and self.rotation > TURNS:
             allowed, remedy = "radians in (0, 4 pi]", "convert degrees with np.deg2rad"
             raise InvalidValue("rotation", self.rotation, allowed, remedy)
+
+    @property
+    def goals(self) -> dict[str, float]:
+        """The values by name."""
+        values = {name: getattr(self, name) for name in self.__slots__}
+        return {name: value for name, value in values.items() if value is not None}
 
 
 class Condition(NamedTuple):
@@ -74,50 +80,45 @@ class Condition(NamedTuple):
     reason: str
 
 
-def required_condition(given: Any, problem: Problem, method: str) -> Condition:
+def required_condition(until: Any, problem: Problem, method: str) -> Condition:
     """Validate `until` and convert it to a condition."""
-    if isinstance(given, Until):
-        return Condition(lambda now: _reached(given, now, problem), _goal(given))
-    named = {**EVENTS, **MODES}.get(given) if isinstance(given, str) else given
+    if isinstance(until, Until):
+        goals = " or ".join(f"{name} {value:.12g}" for name, value in until.goals.items())
+        return Condition(lambda values: _are_reached(until.goals, values, problem), goals)
+    named = {**EVENTS, **MODES}.get(until) if isinstance(until, str) else until
     if isinstance(named, Event) and named is not Event.NONE:
         if method == Method.TIME_STEPPING:
             raise InvalidValue(
                 "until", named.name, "a mode, an Until or a function for the time-stepping method",
                 "use the event-driven method, since only it locates events",
             )  # fmt: skip
-        return Condition(lambda now: now["event"] == named, f"event {named.name}")
+        return Condition(lambda values: values["event"] == named, f"event {named.name}")
     if isinstance(named, ContactMode):
-        return Condition(lambda now: now["mode"] == named, f"mode {named.name}")
-    if callable(given):
-        return Condition(lambda now: _told(given, now), "the function returns True")
-    remedy = suggestion(given, [*EVENTS, *MODES], "use a name from the log, such as SLIP_ENDS")
-    raise InvalidValue("until", given, ALLOWED, remedy)
+        return Condition(lambda values: values["mode"] == named, f"mode {named.name}")
+    if callable(until):
+        return Condition(lambda values: _results(until, values), "the function returns True")
+    remedy = suggestion(until, [*EVENTS, *MODES], "use a name from the log, such as SLIP_ENDS")
+    raise InvalidValue("until", until, ALLOWED, remedy)
 
 
-def _goal(until: Until) -> str:
-    given = {name: getattr(until, name) for name in Until.__slots__}
-    return " or ".join(f"{name} {value:.12g}" for name, value in given.items() if value is not None)
-
-
-def _reached(until: Until, now: Values, problem: Problem) -> Array:
-    """Whether one of the goals is reached at each instant."""
+def _are_reached(goals: dict[str, float], values: Values, problem: Problem) -> Array:
+    """Whether one of the goals of an `Until` is reached at each instant."""
     slider = problem.scene.slider
     angle, length = float(slider.rod_angle), float(slider.rod_length)
     center = length * math.cos(angle), length * math.sin(angle)
-    moved = {
-        "rotation": np.abs(np.deg2rad(now["rod_angle"]) - angle),
-        "distance": np.hypot(*(now["position"] - center).T),
-        "pusher_distance": np.hypot(*(now["pusher"] - (0.0, -float(problem.gap))).T),
+    reached = {
+        "rotation": np.abs(np.deg2rad(values["rod_angle"]) - angle),
+        "distance": np.hypot(*(values["position"] - center).T),
+        "pusher_distance": np.hypot(*(values["pusher"] - (0.0, -float(problem.gap))).T),
     }
-    goals = {name: getattr(until, name) for name in moved}
-    every = [moved[name] >= goal for name, goal in goals.items() if goal is not None]
-    return np.asarray(np.any(every, axis=0))
+    return np.asarray(np.any([reached[name] >= goal for name, goal in goals.items()], axis=0))
 
 
-def _told(function: Callable[[Values], Any], now: Values) -> Array:
+def _results(function: Callable[[Values], Any], values: Values) -> Array:
     """Results of a function of an instant, one for each instant."""
-    count = len(now["time"])
-    instants = ({name: each[i] for name, each in now.items()} for i in range(count))
+    instants = (
+        {name: numbers[i] for name, numbers in values.items()} for i in range(len(values["time"]))
+    )
     return np.array([_truth(function(instant)) for instant in instants], bool)
 
 
@@ -145,12 +146,12 @@ class UntilRun:
     """
 
     def __init__(
-        self, start: Callable[[Array], Any], times: Array, condition: Condition, problem: Problem
+        self, start: Callable[[Array], Run], times: Array, condition: Condition, problem: Problem
     ) -> None:
         self.start, self.times, self.condition, self.problem = start, times, condition, problem
-        self.stopped = ""
+        self.fields, self.stopped = logged_fields(problem), ""
 
-    def __iter__(self) -> Iterator[Any]:
+    def __iter__(self) -> Iterator[Array]:
         end = self._end()
         run = self.start(self.times if end is None else np.union1d(self.times, [end]))
         for rows in run:
@@ -162,28 +163,28 @@ class UntilRun:
             yield rows
         self.stopped = run.stopped
 
-    def _holds(self, rows: Any) -> Array:
-        return self.condition.holds(arrays(rows, self.problem))
+    def _holds(self, rows: Array) -> Array:
+        return self.condition.holds(arrays(rows, self.problem, self.fields))
 
     def _end(self) -> float | None:
         """First instant at which the condition holds; None if there is none."""
-        run, found = self.start(self.times), None
+        run, end = self.start(self.times), None
         bracket = self._bracket(run)
         for _ in range(PASSES):
             if bracket is None:
                 break
-            found = bracket[1]
+            end = bracket[1]
             finer = run.between(*bracket)
             if not len(finer):
                 break
-            bracket = self._bracket(self.start(np.union1d(self.times, [*finer, found])))
-        return found
+            bracket = self._bracket(self.start(np.union1d(self.times, [*finer, end])))
+        return end
 
-    def _bracket(self, run: Any) -> tuple[float, float] | None:
+    def _bracket(self, run: Run) -> tuple[float, float] | None:
         """Last time at which the condition does not hold, and first time at which it does."""
         before = 0.0
         for rows in run:
-            holds, times = self._holds(rows), rows["time"]
+            holds, times = self._holds(rows), rows[:, LOG_TIME]
             if holds.any():
                 first = int(holds.argmax())
                 return float(times[first - 1]) if first else before, float(times[first])

@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.simulation.log.disk import Disk, new_file
-from planar_pushing.simulation.log.interrupts import undisturbed
+from planar_pushing.simulation.disk import Disk, new_file, undisturbed
 from planar_pushing.study.files.replacing import replacing
 
 

@@ -6,7 +6,7 @@ import threading
 
 import pytest
 
-from planar_pushing.simulation.log.interrupts import undisturbed
+from planar_pushing.simulation.disk import undisturbed
 from signals import interruptible, uninterruptible
 
 

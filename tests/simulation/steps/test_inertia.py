@@ -7,8 +7,10 @@ import pytest
 
 import planar_pushing as pp
 from mechanics.builders import BOTH, make_scene
+from planar_pushing.simulation.fields import arrays, logged_fields
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.simulation.steps.integrate import TimeStepping
+from planar_pushing.simulation.runs import Run
+from planar_pushing.terms.options import Method
 
 
 @pytest.mark.parametrize(
@@ -20,7 +22,8 @@ def test_the_impulse_of_a_slip_in_the_middle_of_its_range_is_found(twist):
     problem = Problem(
         scene=scene, pusher=pp.Pusher(velocity=(1.0, 0.0)), duration=0.01, twist=twist
     )  # fmt: skip
-    rows = np.concatenate(list(TimeStepping(problem, [0, 0.01], 0.01)))
-    assert rows["mode"][0] == pp.ContactMode.SLIP_LEFT
-    assert rows["twist"][-1, 1] == pytest.approx(0, abs=1e-15)
-    assert rows["force"][-1, 0] == pytest.approx(0.4 * rows["force"][-1, 1], rel=1e-12, abs=0)
+    rows = np.concatenate(list(Run(problem, [0, 0.01], Method.TIME_STEPPING, 0.01)))
+    log = arrays(rows, problem, logged_fields(problem))
+    assert log["mode"][0] == pp.ContactMode.SLIP_LEFT
+    assert log["twist"][-1, 1] == pytest.approx(0, abs=1e-15)
+    assert log["force"][-1, 0] == pytest.approx(0.4 * log["force"][-1, 1], rel=1e-12, abs=0)

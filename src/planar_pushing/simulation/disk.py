@@ -3,21 +3,22 @@
 If HDF5 cannot write a file, for example on a full disk, it prints errors while objects are destroyed and
 crashes when the process ends. Here HDF5 never sees the failure; `check` raises it. Until then HDF5 also
 reads back what it has written, and crashes if it reads anything else. Memory therefore holds the data that
-the disk does not.
+the disk does not. It also crashes if that file is interrupted, so Ctrl-C is deferred meanwhile.
 """
 
 from __future__ import annotations
 
+import gc
 import io
 import os
+import signal
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from planar_pushing.terms.locks import PathLike, sole_writer, unwritable
-
-__all__ = ["Disk", "PathLike", "new_file"]
 
 
 class Disk(io.FileIO):
@@ -99,3 +100,52 @@ def new_file(path: PathLike) -> Iterator[Disk]:
 def _opened(path: str, flags: int) -> int:
     """Open a file, unless it has been replaced by a link since the links were resolved."""
     return os.open(path, flags | os.O_NOFOLLOW, 0o666)
+
+
+class Pause:
+    """Pause of the collection of garbage, which ends with the last of the blocks that asked for it."""
+
+    def __init__(self) -> None:
+        self.lock, self.blocks, self.enabled = threading.Lock(), 0, True
+
+    def __enter__(self) -> None:
+        with self.lock:
+            if not self.blocks:
+                self.enabled = gc.isenabled()
+                gc.disable()
+            self.blocks += 1
+
+    def __exit__(self, *raised: object) -> None:
+        with self.lock:
+            self.blocks -= 1
+            if not self.blocks and self.enabled:
+                gc.enable()
+
+
+PAUSE = Pause()
+
+
+@contextmanager
+def undisturbed() -> Iterator[None]:
+    """Defer Ctrl-C and the collection of garbage until after the block.
+
+    HDF5 crashes if the Python file that it writes raises, and if objects of HDF5 are destroyed while that
+    file is called, which the collection of garbage can do at any time.
+    """
+    with PAUSE, _uninterrupted():
+        yield
+
+
+@contextmanager
+def _uninterrupted() -> Iterator[None]:
+    if threading.current_thread() is not threading.main_thread():  # only it receives signals
+        yield
+        return
+    held: list[Any] = []
+    before = signal.signal(signal.SIGINT, lambda *given: held.append(given))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before or signal.default_int_handler)
+        if held and callable(before):
+            before(*held[0])

@@ -8,15 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
-from typing import Any
 
 import h5netcdf
 import h5py
 
-from planar_pushing.simulation.log import variables as log
-from planar_pushing.simulation.log.disk import Disk, PathLike, new_file
-from planar_pushing.simulation.log.interrupts import undisturbed
+from planar_pushing.simulation import log
+from planar_pushing.simulation.disk import Disk, new_file, undisturbed
+from planar_pushing.simulation.fields import arrays, logged_fields
 from planar_pushing.simulation.problem import Problem
+from planar_pushing.terms.locks import PathLike
+from planar_pushing.terms.numbers import Array
 
 #: Number of instants in a chunk of the file.
 CHUNK = 256
@@ -27,13 +28,14 @@ class Stream:
 
     def __init__(self, file: h5netcdf.File, hdf: h5py.File, disk: Disk, problem: Problem) -> None:
         self.file, self.hdf, self.disk, self.length, self.problem = file, hdf, disk, 0, problem
+        self.fields = logged_fields(problem)
 
-    def append(self, rows: Any) -> None:
-        """Write rows to the end of the log."""
+    def append(self, rows: Array) -> None:
+        """Write rows, in the units of the scene, to the end of the log."""
         start, self.length = self.length, self.length + len(rows)
         with undisturbed():
             self.file.resize_dimension("time", self.length)
-            for name, value in log.arrays(rows, self.problem).items():
+            for name, value in arrays(rows, self.problem, self.fields).items():
                 stored = value.view("i1") if value.dtype == bool else value
                 self.file.variables[name][start : self.length] = stored
             # Flush netCDF to HDF5, and HDF5 to the disk.
@@ -44,7 +46,7 @@ class Stream:
     def end(self, stopped: str, time: float) -> None:
         """Store that the run has ended, the time, and the reason for an early end."""
         with undisturbed():
-            self.file.attrs.update(log.ending(stopped, time))
+            self.file.attrs.update(log.attributes_at_end(stopped, time))
 
 
 @contextmanager
@@ -71,22 +73,22 @@ def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]
 
 
 def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
-    coordinates, table = log.coordinates(problem), log.table_of(problem.shape)
-    units = problem.scene.units
+    coordinates = log.coordinates(problem)
     sizes = {dim: len(labels) for dim, labels in coordinates.values()}
     file.dimensions = {"time": None} | sizes
-    file.attrs.update(log.beginning(problem, method))
-    time = file.create_variable("time", ("time",), "f8", chunks=(CHUNK,))
-    time.attrs.update(log.described(table, "time", units))
+    file.attrs.update(log.attributes_at_start(problem, method))
+    time, *fields = logged_fields(problem)
+    created = file.create_variable(time.name, ("time",), time.dtype, chunks=(CHUNK,))
+    created.attrs.update(log.field_attributes(problem, time.name))
     for name, (dim, labels) in coordinates.items():
         label = file.create_variable(name, (dim,), h5py.string_dtype())
         label[:] = labels
-        label.attrs.update(log.described(table, name, units))
-    for name, (dims, dtype) in log.variables(problem).items():
+        label.attrs.update(log.field_attributes(problem, name))
+    for name, _, dims, dtype, *_ in fields:
         chunks = CHUNK, *(sizes[dim] for dim in dims)
         # netCDF has no booleans; xarray stores them as bytes with this attribute, and so do we.
         stored, truth = ("i1", {"dtype": "bool"}) if dtype == "?" else (dtype, {})
         created = file.create_variable(name, ("time", *dims), stored, chunks=chunks)
-        beside = [each for each, (dim, _) in coordinates.items() if each != dim and dim in dims]
-        named = {"coordinates": " ".join(beside)} if beside else {}
-        created.attrs.update(log.described(table, name, units) | truth | named)
+        along = [label for label, (dim, _) in coordinates.items() if label != dim and dim in dims]
+        named = {"coordinates": " ".join(along)} if along else {}
+        created.attrs.update(log.field_attributes(problem, name) | truth | named)

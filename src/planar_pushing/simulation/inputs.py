@@ -1,0 +1,183 @@
+"""Rows of inputs of the core: the numbers of one or many scenes, their times, and the pusher's motion."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from planar_pushing.core.rows import LOAD, MASS
+from planar_pushing.core.run import IN_COEFFICIENTS, IN_EVENTS, IN_PIECES, IN_TIMES, INPUTS
+from planar_pushing.mechanics.rows import Entry, unit_vector
+from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.mechanics.supports.pressure.table import Table, joined_data
+from planar_pushing.simulation.motion import (
+    POINTS,
+    constant_pieces,
+    smooth_pieces,
+    starts_of,
+    write_policies,
+)
+from planar_pushing.simulation.problem import Problem, depth_tolerance
+from planar_pushing.terms.domain import Number
+from planar_pushing.terms.numbers import Array
+from planar_pushing.terms.options import Method, Shape
+
+
+class Scenes(NamedTuple):
+    """The scenes of a problem as numbers for the core, in which lengths are in radii of the slider.
+
+    Attributes
+    ----------
+    problem : Problem
+    data : ndarray
+        Numbers that all scenes share: effects and outline.
+    inputs : ndarray, shape (scenes, numbers)
+        Beginning of the rows of inputs: numbers of the effects, and of the scene.
+    radius, ends : ndarray, shape (scenes,)
+        Radii of the sliders, and durations.
+    velocities : ndarray, shape (scenes, pieces, 2)
+        Piecewise constant velocities of the pushers, without pieces for a function of time.
+    """
+
+    problem: Problem
+    data: Array
+    inputs: Array
+    radius: Array
+    ends: Array
+    velocities: Array
+
+    @classmethod
+    def of(cls, problem: Problem, data: Array, columns: Array) -> Scenes:
+        """Scenes from the arrays of `numbers_of`, shape (scenes, columns)."""
+        pieces = len(problem.pusher.velocities)
+        first = columns.shape[1] - 2 * pieces
+        radius, ends = columns[:, first - 2], columns[:, first - 1]
+        velocities = columns[:, first:].reshape(len(columns), pieces, 2) / radius[:, None, None]
+        return cls(problem, data, columns[:, : first - 2], radius, ends, velocities)
+
+    def pieces(self, part: slice) -> tuple[Array, npt.NDArray[Any]]:
+        """Pieces of the pusher's motion, shape (scenes, pieces, numbers), and how many of each are valid.
+
+        Those of a function of time are of the first scene of the part only.
+
+        Raises
+        ------
+        InvalidValue
+            If a function does not return a velocity.
+        """
+        pusher, policies = self.problem.pusher, self.problem.on_ambiguity
+        ends, radius, cuts = self.ends[part], self.radius[part], starts_of(policies)
+        if self.problem.follows_function:
+            end = float(ends[0])
+            inner = {time for time in (*pusher.breakpoints, *cuts) if 0 < time < end}
+            times = [0.0, *sorted(inner), end]
+            pieces = smooth_pieces(pusher.velocity_at, times, float(radius[0]))[None]
+            counts = np.array([pieces.shape[1]])
+        else:
+            starts = [time for time, _ in pusher.velocities]
+            pieces, counts = constant_pieces(starts, self.velocities[part], ends, cuts)
+        write_policies(pieces, policies)
+        return pieces, counts
+
+    def rows(
+        self, part: slice, pieces: Array, counts: npt.NDArray[Any], times: Array, events: bool
+    ) -> Array:
+        """Rows of inputs of a part of the scenes.
+
+        Parameters
+        ----------
+        part : slice
+        pieces, counts : ndarray
+            As returned by `pieces`.
+        times : ndarray, shape (scenes, kinds, times)
+            Times to log, or intervals of steps in the form of the core.
+        events : bool
+            Whether each event is logged as well.
+        """
+        inputs = self.inputs[part].copy()
+        scene = inputs[:, inputs.shape[1] - INPUTS :]
+        scene[:, IN_PIECES], scene[:, IN_TIMES] = counts, times.shape[-1]
+        scene[:, IN_COEFFICIENTS] = POINTS if self.problem.follows_function else 1
+        scene[:, IN_EVENTS] = events
+        shape = len(inputs), -1
+        return np.concatenate([inputs, times.reshape(shape), pieces.reshape(shape)], axis=1)
+
+
+def numbers_of(
+    problem: Problem, method: Method = Method.EVENT_DRIVEN
+) -> tuple[Array, list[Number]]:
+    """The numbers of a problem: those that all scenes share, and one column for each of the others.
+
+    The columns are the inputs of the core, except for times and pieces; then radius, duration, and
+    components of a piecewise constant velocity. The core has lengths in units of the radius. Its masses and
+    viscous friction coefficients are therefore those of the scene multiplied by the radius. The weight is
+    zero without friction, and the mass is zero without inertia.
+    """
+    scene, slider, entries = problem.scene, problem.scene.slider, problem.entries
+    radius, (mass, gyration), (v_x, v_y, omega) = slider.radius, scene.inertia, problem.twist
+    is_finger, finger_radius = problem.shape == Shape.FINGER, problem.pusher.radius
+    effects, columns = _effects_of(entries, scene, method)
+    data, corners = joined_data(effects, len(columns)), _corners_of(slider)
+    columns += [
+        scene.weight if scene.friction else 0.0,
+        mass * radius if scene.stores_energy else 0.0,
+        gyration, *scene.mass_center, *_load_of(scene), slider.length_ratio, slider.rod_angle,
+        *scene.law, v_x / radius, v_y / radius, omega, problem.gap / radius, is_finger,
+        finger_radius / radius, *(end / radius for end in slider.side), _fineness(slider),
+        len(corners), len(data), sum(entry.degree == 1 for entry in entries), len(entries),
+        problem.rtol, 0.0, 0.0, 0.0, 0.0, radius, problem.duration,
+    ]  # fmt: skip
+    columns += [part for _, velocity in problem.pusher.velocities for part in velocity]
+    return np.concatenate([data, corners.ravel()]) if len(corners) else data, columns
+
+
+def _effects_of(
+    entries: list[Entry], scene: Scene, method: Method
+) -> tuple[list[tuple[int, int, Table | None]], list[Number]]:
+    """Kinds, first columns and tables of effects, and their columns.
+
+    The core fills the columns of inertia and loads. In a step of time-stepping, momentum is a load.
+    """
+    effects: list[tuple[int, int, Table | None]] = []
+    columns: list[Number] = []
+    for entry in entries:
+        effects.append((entry.kind, len(columns), entry.table))
+        factor = scene.slider.radius if entry.degree == 2 else 1.0
+        columns += [*(force * factor for force in entry.forces), *entry.others]
+    massive = scene.stores_energy
+    loaded = bool(scene.loads) or (massive and method == Method.TIME_STEPPING)
+    for kind, width, listed in ((MASS, 4, massive), (LOAD, 3, loaded)):
+        if listed:
+            effects.append((kind, len(columns), None))
+            columns += [0.0] * width
+    return effects, columns
+
+
+def _corners_of(slider: Slider) -> Array:
+    """Corners of the outline in units of its tolerance, shape (corners, 2); empty without an outline."""
+    if slider.outline is None:
+        return np.empty((0, 2))
+    return np.array(slider.outline) / depth_tolerance(slider.outline)
+
+
+def _fineness(slider: Slider) -> Number:
+    """Radius in units of the outline's tolerance, 0 without an outline."""
+    return 0.0 if slider.outline is None else slider.radius / depth_tolerance(slider.outline)
+
+
+def _load_of(scene: Scene) -> list[Number]:
+    """Force of the loads in the initial body frame, and its cross and dot products with their points."""
+    total: list[Number] = [0.0, 0.0, 0.0, 0.0]
+    if not scene.loads:
+        return total
+    c, s = unit_vector(scene.slider.rod_angle)
+    for load in scene.loads:
+        (x, y), (p_x, p_y) = load.force, scene.mass_center
+        if load.center is not None:
+            p_x, p_y = (coordinate / scene.slider.radius for coordinate in load.center)
+        g_x, g_y = x * c + y * s, y * c - x * s
+        terms = g_x, g_y, p_x * g_y - p_y * g_x, p_x * g_x + p_y * g_y
+        total = [sum(pair) for pair in zip(total, terms, strict=True)]
+    return total

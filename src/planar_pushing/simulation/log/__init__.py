@@ -1,1 +1,0 @@
-"""The log of a simulation: its variables, and streaming to a file."""

@@ -1,0 +1,275 @@
+"""Runs of one or many scenes: one loop calls the kernel of the core until all have ended.
+
+A single run is a batch of one. It logs all events and can be continued after an interrupt; a batch logs the
+same times for each of its scenes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import AbstractContextManager, nullcontext
+from threading import Event
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from planar_pushing.core.run import (
+    LOG_DISSIPATED,
+    LOG_STOPPED,
+    PIECE_END,
+    PIECE_FIRST,
+    PIECE_LAST,
+    PIECE_START,
+    RUN_AT_ONCE,
+    RUN_CHANGES,
+    RUN_ENDED,
+    RUN_EVENTS,
+    RUN_MODE,
+    RUN_ROWS,
+)
+from planar_pushing.core.system import memory_size
+from planar_pushing.mechanics.arrays import in_threads
+from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.kernels import run_into
+from planar_pushing.simulation.fields import Stop, scales_of
+from planar_pushing.simulation.inputs import Scenes, numbers_of
+from planar_pushing.simulation.problem import Problem
+from planar_pushing.terms.errors import InvalidValue, require_positive
+from planar_pushing.terms.numbers import Array
+from planar_pushing.terms.options import MOST_STEPS, Method
+
+#: Maximum number of rows that a single run writes at once, and number of scenes in a block of a batch.
+ROOM, BLOCK = 256, 32
+#: Default number of steps of a run by time-stepping.
+STEPS = 1000
+#: Times that differ by less than this fraction of the elapsed time are treated as equal.
+APART = 1e-12
+#: Number of equal parts into which the time between two instants is divided to narrow a bracket.
+PARTS = 65
+KERNELS = {Method.EVENT_DRIVEN: "run_events", Method.TIME_STEPPING: "run_steps"}
+REASONS = {
+    Stop.NO: "",
+    Stop.INCONSISTENT: "no contact mode is consistent",
+    Stop.SLIDER_CENTER_REACHES_FENCE: "the slider's center comes down to the fence",
+    Stop.NO_IMPULSE: "no impulse at the contact is consistent",
+    Stop.SINGULAR: "the motion is singular in the mode",
+    Stop.EVENTS: "without any time between them",
+    Stop.PROGRESS: "thousands of steps make no progress",
+    Stop.PENETRATES: "another point of the outline meets the {shape}",
+    Stop.END_OF_SIDE: "the finger comes to the end of the side",
+}
+
+
+class Runs:
+    """Runs of scenes that one call of a kernel continues.
+
+    Parameters
+    ----------
+    scenes : Scenes
+    method : Method
+    rows : ndarray
+        Rows of inputs of some of the scenes.
+    radius : ndarray, shape (runs,)
+        Radii of the sliders.
+    room : int
+        How many rows of the log each run can write at once.
+    """
+
+    def __init__(
+        self, scenes: Scenes, method: Method, rows: Array, radius: Array, room: int
+    ) -> None:
+        resisting, massive = len(scenes.problem.entries), scenes.problem.scene.stores_energy
+        self.kernel, self.data, self.rows = KERNELS[method], scenes.data, rows
+        self.memory, width = memory_size(resisting, massive), LOG_DISSIPATED + resisting
+        self.shape = len(rows), room, width
+        self.results = np.zeros((len(rows), self.memory + room * width))
+        self.scales = scales_of(radius, width)[:, None]
+
+    @property
+    def ended(self) -> npt.NDArray[np.bool_]:
+        """Whether each run has ended."""
+        return np.not_equal(self.results[:, RUN_ENDED], 0.0)
+
+    def advance(self) -> None:
+        """Continue the runs until their room is full, they have ended, or many steps are done."""
+        run_into(self.kernel, self.data, self.rows, self.results)
+
+    def log(self) -> Array:
+        """The room for the log in the units of the scenes, shape (runs, room, width)."""
+        return self.results[:, self.memory :].reshape(self.shape) * self.scales
+
+
+class Run:
+    """A single run; iteration yields rows of its log in the units of the scene.
+
+    An iteration that is interrupted can be continued by another one.
+
+    Parameters
+    ----------
+    problem : Problem
+        Problem to solve; time-stepping does not use its tolerance.
+    times : array_like
+        Increasing times within the duration. The rows contain these times, and all events or, with
+        time-stepping, every change of the mode or of the number of consistent modes.
+    method : Method
+    step : float, optional
+        Maximum length of a step of time-stepping, > 0, by default 1/1000 of the duration. The error is
+        proportional to it.
+    room : int
+        Maximum number of rows that are yielded at once; at least 2 with time-stepping.
+
+    Notes
+    -----
+    With time-stepping, `force` is the mean over the step that ends at the instant or, at a change of mode,
+    starts there. The work of the fence equals the change of kinetic energy plus the dissipated energy, to
+    rounding error. The numerical dissipation, of the order of the step, is attributed to the contact or, in
+    flight, to friction.
+    """
+
+    def __init__(
+        self, problem: Problem, times: npt.ArrayLike, method: Method = Method.EVENT_DRIVEN,
+        step: float | None = None, room: int = ROOM,
+    ) -> None:  # fmt: skip
+        duration = float(problem.duration)
+        size = _required_step(step, duration) if method == Method.TIME_STEPPING else 0.0
+        data, numbers = numbers_of(problem, method)
+        scenes = Scenes.of(problem, data, np.array([[float(number) for number in numbers]]))
+        pieces, counts = scenes.pieces(slice(None))
+        times = np.asarray(times, float)
+        self.plan = plan_of(pieces[0], times, size) if size else times[None]
+        rows = scenes.rows(slice(None), pieces, counts, self.plan[None], events=True)
+        self.runs, self.problem = Runs(scenes, method, rows, scenes.radius, room), problem
+        self.method, self.stop = method, Stop.NO
+
+    def __iter__(self) -> Iterator[Array]:
+        runs = self.runs
+        while not runs.ended[0]:
+            runs.advance()
+            count = int(runs.results[0, RUN_ROWS])
+            if count:
+                rows = runs.log()[0, :count]
+                self.stop = Stop(int(rows[-1, LOG_STOPPED]))
+                yield rows
+
+    def between(self, low: float, high: float) -> Array:
+        """Finer instants strictly between two: the ends of the steps, or a division."""
+        if self.method == Method.TIME_STEPPING:
+            ends, counts, _ = self.plan
+            inner = _ends_of_steps(ends, counts, low, high)
+        else:
+            inner = np.append(np.linspace(low, high, PARTS + 1), np.nextafter(high, low))
+        return np.unique(inner[(inner > low) & (inner < high)])
+
+    @property
+    def stopped(self) -> str:
+        """Reason why the run ended early; empty otherwise."""
+        text = REASONS[self.stop].format(shape=self.problem.shape)
+        numbers = self.runs.results[0]
+        match self.stop:
+            case Stop.SINGULAR:
+                return f"{text} {ContactMode(int(numbers[RUN_MODE])).name}"
+            case Stop.EVENTS:
+                events, at_once = int(numbers[RUN_EVENTS]), int(numbers[RUN_AT_ONCE])
+                return f"{events} events, {at_once} of them {text}"
+        return text
+
+
+def _required_step(step: float | None, duration: float) -> float:
+    """Validate the maximum length of a step of time-stepping."""
+    size = require_positive(
+        "step", duration / STEPS if step is None else step,
+        "give the length of a step in the unit of the duration",
+    )  # fmt: skip
+    if duration / MOST_STEPS > size:
+        raise InvalidValue("step", step, f"at most {MOST_STEPS:g} steps", "take longer steps")
+    return size
+
+
+def plan_of(pieces: Array, times: Array, size: float) -> Array:
+    """Intervals between times to log and jumps of the pusher's velocity, divided into equal steps.
+
+    Returns
+    -------
+    ndarray, shape (3, intervals)
+        Ends of the intervals, numbers of steps of at most the given size, and first piece of the span.
+    """
+    intervals = []
+    for first in np.unique(pieces[:, PIECE_FIRST]).astype(int):
+        last = int(pieces[first, PIECE_LAST]) - 1
+        start, end = pieces[first, PIECE_START], pieces[last, PIECE_END]
+        inner = times[(times > start + APART * end) & (times < end - APART * end)]
+        ends = np.append(inner, end)
+        lengths = np.diff(ends, prepend=start)
+        counts = np.maximum(np.ceil(lengths / size * (1 - 1e-9)), 1)
+        intervals.append([ends, counts, np.full(len(ends), first)])
+    return np.concatenate(intervals, axis=1)
+
+
+def _ends_of_steps(ends: Array, counts: Array, low: float, high: float) -> Array:
+    """Ends of the steps in the intervals that overlap the time from `low` to `high`."""
+    starts = np.concatenate([[0.0], ends[:-1]])
+    divided = [
+        starts[i] + (ends[i] - starts[i]) * (np.arange(1, counts[i] + 1) / counts[i])
+        for i in np.flatnonzero((ends > low) & (starts < high))
+    ]
+    return np.concatenate([*divided, []])
+
+
+def run_scenes(
+    scenes: Scenes, times: Array, progress: bool = False
+) -> tuple[Array, npt.NDArray[np.int64]]:
+    """Run many scenes in threads, a block of them at a time.
+
+    Parameters
+    ----------
+    scenes : Scenes
+    times : ndarray, shape (scenes, samples)
+        Times to log.
+    progress : bool
+        Whether to show a progress bar.
+
+    Returns
+    -------
+    ndarray, shape (scenes, samples, width), and ndarray, shape (scenes,)
+        Rows in the units of the scenes, and numbers of changes of the mode. For a scene that stops early,
+        the last row is repeated for the later times.
+    """
+    count, samples = times.shape
+    rows = np.empty((count, samples, LOG_DISSIPATED + len(scenes.problem.entries)))
+    changes, interrupted = np.zeros(count, np.int64), Event()
+    block = 1 if scenes.problem.follows_function else BLOCK
+
+    def run(start: int) -> None:
+        part = slice(start, min(start + block, count))
+        inputs = scenes.rows(part, *scenes.pieces(part), times[part, None], events=False)
+        runs = Runs(scenes, Method.EVENT_DRIVEN, inputs, scenes.radius[part], samples)
+        finished = 0
+        while finished < len(inputs) and not interrupted.is_set():
+            runs.advance()
+            before, finished = finished, int(runs.ended.sum())
+            bar.update(finished - before)
+        rows[part], changes[part] = runs.log(), runs.results[:, RUN_CHANGES]
+
+    with progress_bar(count, "scene", progress) as bar:
+        in_threads(run, range(0, count, block), interrupted)
+    return rows, changes
+
+
+class NoBar:
+    """A progress bar that is not shown."""
+
+    n = 0
+
+    def update(self, amount: float) -> None:
+        """Do nothing."""
+
+
+def progress_bar(total: float, unit: str, shown: bool) -> AbstractContextManager[Any]:
+    """A progress bar, which counts in a unit."""
+    if not shown:
+        return nullcontext(NoBar())
+    from tqdm import tqdm
+
+    bar: AbstractContextManager[Any] = tqdm(total=total, unit=unit, leave=False)
+    return bar

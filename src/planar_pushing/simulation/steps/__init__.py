@@ -1,1 +1,0 @@
-"""The time-stepping integrator: one incremental problem per step."""

@@ -1,1 +1,0 @@
-"""The equations of motion of a pushed slider, without and with inertia."""

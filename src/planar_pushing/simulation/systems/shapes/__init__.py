@@ -1,1 +1,0 @@
-"""Shapes of pushers: a fence touches a point of the slider, and a finger touches a flat side."""

@@ -1,0 +1,92 @@
+"""Rows of inputs: each number of a scene is where the core reads it, with lengths in radii."""
+
+import numpy as np
+import pytest
+
+import planar_pushing as pp
+from planar_pushing.core import run
+from planar_pushing.core.rows import ENTRY, LAST, LOAD, MASS, RING, SUPPORT
+from planar_pushing.simulation.inputs import Scenes, numbers_of
+from planar_pushing.simulation.problem import DEPTH, Problem
+from planar_pushing.terms.options import Method
+
+BOX = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)]
+EFFECTS = (
+    pp.Load(force=(0.0, -0.3), center=(0.25, 0.5)),
+    pp.RingFriction(weight=0.2),
+    pp.Inertia(mass=3.0, gyration_radius=0.75, center=(0.1, -0.2)),
+    pp.Viscous(support=pp.Ring(radius=0.25), coefficient=0.4),
+    pp.SupportFriction(support=pp.Points(positions=[(1, 0), (-1, 0)]), weight=0.7),
+)
+
+
+def problem_of(effects=EFFECTS, **options):
+    slider = pp.Slider(
+        rod_length=1.0, rod_angle=np.pi / 2, radius=0.5, side=(-1.0, 0.75), outline=BOX
+    )
+    scene = pp.Scene(slider=slider, contact=pp.InfiniteFriction(), effects=effects)
+    pusher = pp.Pusher(velocity=[(0, (0, 1)), (2, (3, 4))], shape="finger", radius=0.2)
+    return Problem(scene=scene, pusher=pusher, duration=4.0, gap=0.3, rtol=1e-8, **options)
+
+
+def inputs_of(problem, method=Method.EVENT_DRIVEN):
+    data, numbers = numbers_of(problem, method)
+    scenes = Scenes.of(problem, data, np.array([numbers], float))
+    pieces, counts = scenes.pieces(slice(None))
+    return data, scenes.rows(slice(None), pieces, counts, np.linspace(0, 4, 5)[None, None], True)[0]
+
+
+def kinds_of(data):
+    """Kinds of the effects, and their first columns."""
+    entries = [data[place : place + 2].astype(int) for place in range(0, len(data) - 1, ENTRY)]
+    kinds = [int(kind) for kind, _ in entries]
+    kinds = kinds[: kinds.index(LAST) + 1]
+    return kinds, [int(column) for _, column in entries[: len(kinds)]]
+
+
+def test_numbers_of_a_scene():
+    data, row = inputs_of(problem_of(twist=(0.5, -1.0, 2.0)))
+    kinds, columns = kinds_of(data)
+    assert kinds == [SUPPORT, RING, MASS, MASS, LOAD, LAST]
+    effects, scene = row[: columns[-1]], row[columns[-1] :]
+    assert effects[columns[1]] == 0.2
+    assert effects[columns[2] : columns[3]] == pytest.approx([0.4 * 0.5, 0.25, 0, 0])
+    assert not effects[columns[3] :].any()
+    expected = {
+        run.IN_WEIGHT: 0.9, run.IN_MASS: 1.5, run.IN_GYRATION: 2.25, run.IN_MASS_X: 0.2,
+        run.IN_MASS_Y: -0.4, run.IN_LOAD_X: -0.3, run.IN_LOAD_Y: 0.0, run.IN_CROSS: 0.3,
+        run.IN_DOT: -0.15, run.IN_LENGTH: 2.0, run.IN_ANGLE: np.pi / 2, run.IN_RIGHT: 0.0,
+        run.IN_LEFT: np.pi, run.IN_SLIPS: 1.0, run.IN_CLOSED: 1.0, run.IN_ROUGH: 0.0,
+        run.IN_TWIST: 1.0, run.IN_TWIST + 1: -2.0, run.IN_TWIST + 2: 2.0, run.IN_GAP: 0.6,
+        run.IN_FINGER: 1.0, run.IN_RADIUS: 0.4, run.IN_SIDE_START: -2.0, run.IN_SIDE_END: 1.5,
+        run.IN_FINE: 0.5 / (2 * DEPTH), run.IN_CORNERS: 4, run.IN_CORNERS_PLACE: len(data) - 8,
+        run.IN_FRICTIONS: 2, run.IN_RESISTING: 3, run.IN_TOLERANCE: 1e-8, run.IN_PIECES: 2,
+        run.IN_COEFFICIENTS: 1, run.IN_TIMES: 5, run.IN_EVENTS: 1,
+    }  # fmt: skip
+    assert len(expected) == run.INPUTS
+    for place, number in expected.items():
+        assert scene[place] == pytest.approx(number, rel=1e-14, abs=1e-16), place
+    corners = data[-8:].reshape(4, 2) * 2 * DEPTH
+    assert sorted(map(tuple, corners.round(9))) == sorted(BOX)
+    assert scene[run.INPUTS :][:5].tolist() == [0, 1, 2, 3, 4]
+
+
+def test_pieces_follow_the_times():
+    _, row = inputs_of(problem_of())
+    width = run.PIECE_SERIES + run.SERIES_OF_PIECE
+    first, second = row[-2 * width :].reshape(2, width)
+    assert first[[run.PIECE_START, run.PIECE_END]].tolist() == [0, 2]
+    assert second[[run.PIECE_START, run.PIECE_END]].tolist() == [2, 4]
+    assert second[run.PIECE_ORIGIN : run.PIECE_SERIES].tolist() == [0, 4]
+    assert second[run.PIECE_SERIES :].tolist() == [6, 8, 0, 0, 6, 8]
+
+
+@pytest.mark.parametrize(("effects", "kinds"), [
+    (EFFECTS[1:2], [RING, LAST]), (EFFECTS[2:3], [MASS, LOAD, LAST]),
+    (EFFECTS[1:3], [RING, MASS, LOAD, LAST]), (EFFECTS[1:4:2], [RING, MASS, LAST]),
+], ids=["friction", "inertia", "both", "viscous"])  # fmt: skip
+def test_momentum_is_a_load_in_a_step(effects, kinds):
+    data, _ = inputs_of(problem_of(effects), Method.TIME_STEPPING)
+    assert kinds_of(data)[0] == kinds
+    events = [kind for kind in kinds if kind != LOAD]
+    assert kinds_of(inputs_of(problem_of(effects))[0])[0] == events
