@@ -5,7 +5,6 @@
 VENV := .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/installed
-COMPILED := $(VENV)/compiled
 CORE := src/planar_pushing/core/_compiled.abi3.so
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
 	$$p -E -c 'import sys; sys.exit(not (3, 11) <= sys.version_info < (3, 15))' 2>/dev/null && echo $$p && break; done)
@@ -39,7 +38,7 @@ endif
 LOCK := exec 9>>.making; $(PYTHON) -E -c 'import fcntl; fcntl.flock(9, fcntl.LOCK_EX | fcntl.LOCK_NB)' 2>/dev/null || { \
 	echo "Another make is running in this folder; waiting for it"; $(PYTHON) -E -c 'import fcntl; fcntl.flock(9, fcntl.LOCK_EX)'; }
 
-all: $(COMPILED)
+all: $(CORE)
 	@$(LOCK); $(BIN)/snakemake $(if $(STUDY),--config study=$(STUDY)) && $(BIN)/python -m planar_pushing.report.closing $(STUDY)
 
 # An environment is valid only for its folder and the locked packages.
@@ -61,26 +60,23 @@ $(INSTALLED):
 $(CORE): $(shell find src/planar_pushing/core joiner -name '*.py') hatch_build.py | $(INSTALLED)
 	@$(LOCK); $(BIN)/python hatch_build.py
 
-$(COMPILED): $(shell find src/planar_pushing/simulation -name '*.py') | $(INSTALLED) $(CORE)
-	@$(LOCK); $(BIN)/planar-pushing compile && touch $@
-
 PYTEST := $(BIN)/pytest --numprocesses=auto --dist=worksteal --benchmark-disable
-test: lint $(COMPILED)
+test: lint $(CORE)
 	$(PYTEST)
 
-test-all: $(COMPILED) ## run the slow tests: kinds, workflow, manual, processors, failures, browser, Slurm; 45 minutes
+test-all: $(CORE) ## run the slow tests: workflow, manual, processors, failures, browser, Slurm; 45 minutes
 	$(PYTEST) -m slow
 	$(BIN)/pytest -m alone
 	$(PROCESSORS)
 
 PROCESSORS = @$(LOCK); $(BIN)/python -m planar_pushing.evidence.golden.processors
-test-processors: $(COMPILED) ## build and check the golden data as on older processors, and with all features of this one
+test-processors: $(CORE) ## build and check the golden data as on older processors, and with all features of this one
 	$(PROCESSORS)
 
-test-slurm: $(COMPILED) ## run a study in chunks on a private Slurm, including failures (needs root, slurm-wlm, munge)
+test-slurm: $(CORE) ## run a study in chunks on a private Slurm, including failures (needs root, slurm-wlm, munge)
 	$(BIN)/pytest -m alone tests/workflow/test_slurm.py
 
-test-drags: $(COMPILED) ## drag parts of the explorer 20,000 times in Chromium; measure frame rate, latency and memory
+test-drags: $(CORE) ## drag parts of the explorer 20,000 times in Chromium; measure frame rate, latency and memory
 	$(BIN)/pytest -s tests/browser/many_drags.py
 
 lint: $(INSTALLED)
@@ -95,14 +91,14 @@ coverage: $(INSTALLED) $(CORE) ## print the lines of the core that its test of b
 	$(BIN)/coverage run -m pytest -p no:cacheprovider -q tests/core/test_same_bits.py
 	$(BIN)/coverage report
 
-bench: $(COMPILED) ## print the speed of the mechanics and the simulations, as ratios within one run
+bench: $(CORE) ## print the speed of the mechanics and the simulations, as ratios within one run
 	$(BIN)/pytest tests/benchmarks/bench_speed.py --benchmark-columns=min,median,rounds
 
-golden: $(COMPILED) ## recompute the golden data of the results and print the differences; WRITE=1 stores them
+golden: $(CORE) ## recompute the golden data of the results and print the differences; WRITE=1 stores them
 	@$(LOCK); $(BIN)/snakemake data figures hard_cases
 	$(BIN)/python -m planar_pushing.evidence.golden.update $(if $(WRITE),--write)
 
-images: $(COMPILED) ## compare the figures with their stored images; WRITE=1 stores them
+images: $(CORE) ## compare the figures with their stored images; WRITE=1 stores them
 	$(BIN)/python -m planar_pushing.figures.images $(if $(WRITE),--write)
 
 dictionary: $(INSTALLED) ## write results/README.md from the attributes of the datasets
@@ -111,7 +107,7 @@ dictionary: $(INSTALLED) ## write results/README.md from the attributes of the d
 schemas: $(INSTALLED) ## write workflow/schemas from the models of scene and study files
 	$(BIN)/python -m planar_pushing.study.files.schemas
 
-manual: $(COMPILED) ## write the manual to results/manual/index.html; missing results are built first
+manual: $(CORE) ## write the manual to results/manual/index.html; missing results are built first
 	@$(LOCK); $(BIN)/snakemake manual
 
 report: all ## write results/report.html, Snakemake's report of the last run

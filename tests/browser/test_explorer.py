@@ -45,10 +45,10 @@ def start_from(page, name):
 
 
 def agrees(page):
-    """The page says what the mechanics say of the state in its address, once they are compiled."""
+    """The page says what the mechanics say of the state in its address."""
     settled(page)
     says = "said => document.getElementById('words').innerText === said"
-    page.wait_for_function(says, arg=expected(state(page)), timeout=120_000)
+    page.wait_for_function(says, arg=expected(state(page)))
 
 
 def test_the_first_page_pulls(page):

@@ -12,7 +12,7 @@ import planar_pushing as pp
 from planar_pushing.commands import main, parser
 
 SCENE = "workflow/scenes/figure_03.yaml"
-HEAVY = ("numpy", "numba", "xarray", "scipy", "pandas", "pydantic", "h5py", "matplotlib")
+HEAVY = ("numpy", "xarray", "scipy", "pandas", "pydantic", "h5py", "matplotlib")
 LIGHT = """
 import sys
 from planar_pushing.commands import main

@@ -36,7 +36,7 @@ class Loop:
 
 
 class Slow:
-    """Pictures that are made only once they may be, as on the first call of code that is compiled."""
+    """Pictures that are made only once they may be."""
 
     def __init__(self, made):
         self.may, self.made, self.orders = threading.Event(), made, []
@@ -75,7 +75,7 @@ def pointer(page, kind, place, number):
     page._hear({"kind": kind, "picture": "scene", "x": x, "y": y, "number": number})
 
 
-def test_a_slow_picture_is_said_to_be_compiled(page, slow, monkeypatch):
+def test_a_slow_picture_is_said_to_be_computed(page, slow, monkeypatch):
     monkeypatch.setattr(module, "SLOW", 0.0)
     page.draw()
     page._look()

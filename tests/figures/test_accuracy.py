@@ -5,7 +5,7 @@ import pytest
 
 from planar_pushing.evidence.costs import tables
 from planar_pushing.evidence.costs.times import TIMED
-from planar_pushing.figures import accuracy_evaluations, effects
+from planar_pushing.figures import accuracy_evaluations, effect_counts, effects
 from planar_pushing.figures import hard_cases as cases
 from planar_pushing.figures.parts.methods import LIMITS, SHOWN, TITLES, setting_text
 
@@ -156,6 +156,26 @@ def test_times_of_the_effects_are_the_least_ones_within_the_axis(pictures, plott
     assert sorted(markers(ax)[:, 0]) == pytest.approx(sorted(times.values), rel=1e-14)
     assert low <= float(times.min())
     assert float(times.max()) <= high
+
+
+def test_times_by_the_number_of_effects_are_ratios_to_one(pictures, plotted):
+    data, ax = plotted["effects"], pictures["effects"].axes[-1]
+    divided = data.isel(case=np.flatnonzero(data.scene.values == effects.DIVIDED))
+    times = divided.time.min("repeat").values
+    proportional, drawn = (np.column_stack(line.get_data()) for line in ax.lines)
+    assert proportional.tolist() == [[number, number] for number in divided.number.values]
+    assert drawn.tolist() == np.column_stack([divided.number, times / times[0]]).tolist()
+
+
+@pytest.mark.parametrize("name", ["effect_counts", "effect_counts_column"])
+def test_evaluations_are_bars_of_what_is_listed(pictures, plotted, name):
+    counts = plotted["effect_counts"].evaluations
+    for ax, method in zip(pictures[name].axes, effect_counts.PANELS, strict=True):
+        one = counts.sel(integrator=method)
+        shown = [one.sel(effects=each).values for each in effect_counts.LISTS]
+        assert [bar.get_width() for bar in ax.patches] == np.ravel(shown).tolist()
+        numbers = [text.get_text() for text in ax.texts]
+        assert numbers == [f"{each}" for each in np.ravel(shown) if each]
 
 
 @pytest.mark.parametrize("name", ["hard_cases", "hard_cases_column"])

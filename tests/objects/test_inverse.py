@@ -10,8 +10,8 @@ from objects.by_hand import SQUARE, error, star, support
 BOX = (pp.SupportFriction(support=pp.Polygon(SQUARE)),)
 TABLE = (pp.SupportFriction(support=pp.Points(SQUARE, [1, 1, 1, 1])),)
 KINDS = ("points", "polygon", "disc", "composite")
-#: Effects beside friction; the core compiles loads with any support at their first use.
-MORE = ("friction", "viscous", "inertia", pytest.param("load", marks=pytest.mark.slow))
+#: Effects beside friction.
+MORE = ("friction", "viscous", "inertia", "load")
 #: Friction coefficients above this need a pusher that is exact to more than a solver's scale.
 STEEP = 300.0
 

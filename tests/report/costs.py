@@ -19,24 +19,18 @@ COMPUTED = {
     "grid": ("limit_curves", "motion_cones", "contact_modes"),
     "figure_02": ("motion_cone", "limit_curve", "solve"),
 }
-#: Functions and evaluations of friction and inertia by listed effects.
+#: Evaluations of friction and inertia by listed effects, and the factors of the methods.
 COUNTS = {"support_friction": (3, 0), "inertia": (0, 5), "support_friction+inertia": (70, 90)}
-OPERATIONS = ("simulate", "simulate by time-stepping")
-METHODS = ("event-driven", "time-stepping")
+#: Numbers of supports among which friction is divided.
+SUPPORTS = (1, 2, 4)
+METHODS = {"event-driven": 1, "time-stepping": 10}
 
 
 def evaluations() -> xr.Dataset:
-    counts = np.array(list(COUNTS.values()))
+    counts = np.multiply.outer(list(METHODS.values()), list(COUNTS.values()))
     return xr.Dataset(
-        {
-            "functions": (("operation", "effects", "effect"), np.array([counts] * len(OPERATIONS))),
-            "evaluations": (
-                ("integrator", "effects", "effect"),
-                10 * np.array([counts] * len(METHODS)),
-            ),
-        },
+        {"evaluations": (("integrator", "effects", "effect"), counts)},
         coords={
-            "operation": list(OPERATIONS),
             "integrator": list(METHODS),
             "effects": list(COUNTS),
             "effect": ["support_friction", "inertia"],
@@ -47,12 +41,13 @@ def evaluations() -> xr.Dataset:
 def effects(machine: str) -> xr.Dataset:
     """Times of each case, the least of which grows from case to case."""
     cases = [
-        (scene, operation, effects)
+        (scene, operation, effects, effects.count("+") + 1)
         for scene, operations in COMPUTED.items()
         for operation in operations
         for effects in (COUNTS if scene != "figure_02" else ("support_friction",))
     ]
-    names = zip(("scene", "operation", "effects"), zip(*cases, strict=True), strict=True)
+    cases += [("equal supports", "simulate", "support_friction", number) for number in SUPPORTS]
+    names = zip(("scene", "operation", "effects", "number"), zip(*cases, strict=True), strict=True)
     return xr.Dataset(
         {"time": (("case", "repeat"), growing(len(cases)))},
         coords={name: ("case", list(labels)) for name, labels in names},

@@ -14,7 +14,6 @@ from pathlib import Path
 import pytest
 
 from evidence.claims.ledgers import FEW
-from planar_pushing.simulation import machine_code
 from planar_pushing.study.studies import study_folder
 
 PROJECT = Path(__file__).parents[2]
@@ -101,9 +100,6 @@ def copy_project(root: Path) -> Copy:
         else:
             shutil.copy(source, target, follow_symlinks=False)
     _draw_few(root / "paper/claims.yaml")
-    compiled = root / machine_code.folder().relative_to(PROJECT)
-    compiled.parent.mkdir(parents=True, exist_ok=True)
-    compiled.symlink_to(machine_code.folder())  # what is compiled serves every place
     return Copy(root)
 
 

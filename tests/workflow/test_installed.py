@@ -1,18 +1,39 @@
-"""An installed package, away from the project's folder: its wheel has what `planar-pushing run` needs."""
+"""An installed package, away from the project's folder: with all extras, and with none and no compiler."""
 
 import os
+import shutil
 import subprocess
 import sys
 import zipfile
+from importlib.metadata import distributions, packages_distributions
 from pathlib import Path
 
 import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
 
 from commands.test_run import TINY
-from planar_pushing.simulation import machine_code
 from workflow.conftest import PROJECT
 
 pytestmark = pytest.mark.slow
+#: Answers of the library, from a process that can import only some of the packages.
+LIBRARY = """
+import sys
+for name in {missing}:
+    sys.modules.setdefault(name, None)
+import planar_pushing as pp
+feet = pp.SupportFriction(support=pp.Points([(-1, -1), (1, -1), (0, 1)]))
+slider = pp.Slider(rod_length=2.0, rod_angle=1.0, radius=1.5)
+pusher = pp.Pusher(velocity=(0.3, 1.0))
+for effects in ((pp.RingFriction(),), (feet, pp.Inertia()), (feet, pp.Load(force=(0.1, -0.2)))):
+    scene = pp.Scene(slider=slider, contact=pp.Coulomb(0.5), effects=effects)
+    print(pp.solve(scene, 1.0).to_json())
+    print(pp.motion_cone(scene), pp.can_pull(scene), pp.slips_while_pushing(scene))
+    for options in ({{}}, {{"method": "time-stepping", "step": 0.02}}):
+        log = pp.simulate(scene, pusher=pusher, duration=0.5, **options)
+        print(log.rod_angle.values.tolist(), log.force.values.tolist(), log.evaluations.values[-1])
+    print(pp.simulate_batch(scene, pusher=pusher, duration=0.5).rod_angle.item())
+"""
 
 
 @pytest.fixture(scope="module")
@@ -25,10 +46,45 @@ def installed(tmp_path_factory):
     (wheel,) = (folder / "dist").glob("*.whl")
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(folder / "site")
-    compiled = folder / "site" / machine_code.folder().relative_to(PROJECT / "src")
-    compiled.parent.mkdir(parents=True)
-    compiled.symlink_to(machine_code.folder())  # what is compiled serves every place
     return folder / "site"
+
+
+def needed(site):
+    """The distributions that an installation without extras brings."""
+    found, rest = set(), {"planar-pushing"}
+    while rest:
+        found |= rest
+        parts = [next(distributions(name=each, path=[str(site), *sys.path])) for each in rest]
+        wanted = [Requirement(line) for part in parts for line in part.requires or ()]
+        active = [each for each in wanted if not each.marker or each.marker.evaluate({"extra": ""})]
+        rest = {canonicalize_name(each.name) for each in active} - found
+    return found
+
+
+def answers(site):
+    """What the library says without the packages that it does not require, and its warnings."""
+    kept = needed(site)
+    missing = [
+        name
+        for name, owners in packages_distributions().items()
+        if not kept & set(map(canonicalize_name, owners))
+    ]
+    ran = subprocess.run(
+        [sys.executable, "-c", LIBRARY.format(missing=missing)],
+        env=os.environ | {"PYTHONPATH": str(site)}, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert ran.returncode == 0, ran.stderr
+    return ran.stdout, ran.stderr
+
+
+def test_without_extras_and_without_a_compiler_the_library_gives_the_same_answers(
+    installed, tmp_path
+):
+    plain = tmp_path / "site"
+    shutil.copytree(installed, plain, ignore=shutil.ignore_patterns("_compiled.*"))
+    said, warned = answers(plain)
+    assert "PlainCoreWarning: the core runs as plain Python" in warned
+    assert answers(installed) == (said, "")
 
 
 @pytest.fixture

@@ -17,7 +17,7 @@ if [ "$1" = -E ]; then exec {python} "$@"; fi
 sleep 0.3
 echo "$@" >> log
 mkdir -p .venv/bin
-for each in python uv planar-pushing snakemake; do
+for each in python uv snakemake; do
     printf '#!/bin/sh\\nexit 0\\n' > .venv/bin/$each
     chmod +x .venv/bin/$each
 done
@@ -28,7 +28,7 @@ done
 def folder(tmp_path):
     for name in ("Makefile", "requirements.lock", "pyproject.toml", "hatch_build.py"):
         shutil.copy(PROJECT / name, tmp_path / name)
-    for name in ("joiner", "src/planar_pushing/core", "src/planar_pushing/simulation"):
+    for name in ("joiner", "src/planar_pushing/core"):
         (tmp_path / name).mkdir(parents=True)
     (tmp_path / "python").write_text(PYTHON.format(python=sys.executable), encoding="utf-8")
     (tmp_path / "python").chmod(0o755)
@@ -52,7 +52,7 @@ def make(folder, *arguments, code=0, **variables):
 
 
 def test_of_two_at_once_the_second_waits_and_finds_it_made(folder):
-    runs = [start(folder, ".venv/compiled") for _ in range(2)]
+    runs = [start(folder) for _ in range(2)]
     said = [run.communicate()[0] for run in runs]
     assert [run.returncode for run in runs] == [0, 0], said
     assert (folder / "log").read_text() == "-m venv --clear .venv\n"

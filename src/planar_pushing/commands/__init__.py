@@ -15,7 +15,6 @@ from planar_pushing import __version__
 from planar_pushing.commands import (
     check,
     compare,
-    compilation,
     completion,
     cone,
     convert,
@@ -35,7 +34,7 @@ from planar_pushing.terms.errors import InvalidValue, PlanarPushingError
 #: Help, version and completion import these modules, so none imports numpy before its command runs.
 COMMANDS = (
     solve, cone, query, draw, explore, simulate, animate, check, plan, run, init, convert, identify,
-    compare, compilation, completion,
+    compare, completion,
 )  # fmt: skip
 #: Exit codes other than 0, by shell convention: invalid input, Ctrl-C, and a closed output pipe.
 INVALID, INTERRUPTED, UNREAD = 2, 130, 141

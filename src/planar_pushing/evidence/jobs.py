@@ -90,7 +90,7 @@ def accuracy(path: PathLike, *, marks: Attributes) -> None:
 
 
 def evaluations(path: PathLike, *, study: str, marks: Attributes) -> None:
-    """Count the functions of each effect in machine code, and the evaluations of each effect over time."""
+    """Count the evaluations of each effect over time."""
     from planar_pushing.evidence.costs.effects import evaluations
     from planar_pushing.study.study_file import load_study
 
@@ -98,7 +98,7 @@ def evaluations(path: PathLike, *, study: str, marks: Attributes) -> None:
 
 
 def effects(path: PathLike, *, study: str, marks: Attributes) -> None:
-    """Measure the cost of each set of effects on this machine."""
+    """Measure the cost of effects on this machine."""
     from planar_pushing.evidence.costs.effects import effects
     from planar_pushing.study.study_file import load_study
 

@@ -44,7 +44,6 @@ SAVES = {
     "scene.py": "Python",
 }
 COMPUTING = "Computing \u2026"
-FOLLOWING = "Following the push; compiling a new kind of scene takes about half a minute \u2026"
 CLOSED = "The explorer is closed. You can close this page."
 
 
@@ -261,10 +260,10 @@ class Page:
 
     def _look(self) -> None:
         """Report slow computations, and update the page once it is at rest."""
-        motion, following = self.view.motion, self.state.time is not None
-        note = motion.log.attrs["stopped"] if motion is not None and following else ""
+        motion = self.view.motion if self.state.time is not None else None
+        note = "" if motion is None else motion.log.attrs["stopped"]
         if self.painter.seconds > SLOW or self.mapper.seconds > SLOW_MAP:
-            note = FOLLOWING if following else COMPUTING
+            note = COMPUTING
         self.fixed["note"] = escape(note)
         self.screen.tell(self.fixed)
         rested = time.monotonic() - self.changed_at > REST and not self.painter.seconds

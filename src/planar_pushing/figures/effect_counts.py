@@ -1,4 +1,4 @@
-"""Counts of the functions and evaluations of each effect, by the effects that a scene lists."""
+"""Evaluations of each effect in the log of a motion, by the effects that a scene lists."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from planar_pushing.figures.colors import DARK
 from planar_pushing.figures.figure import COLUMN, PAGE, Figure
 
 FIGURE = Figure(
-    title="Counts of the effects",
+    title="Evaluations of the effects",
     reads=("evaluations",),
-    size=(PAGE, 2.1),
-    column=(COLUMN, 4.0),
+    size=(PAGE, 1.4),
+    column=(COLUMN, 2.6),
 )
-#: Sets of effects that a scene lists, from the top of a group, and their names.
+#: Sets of effects that a scene lists, from the top, and their names.
 LISTS = {
     "support_friction": "friction",
     "inertia": "inertia",
@@ -29,44 +29,32 @@ EFFECTS = {
     "support_friction": ("support friction", "#0072B2", "white"),
     "inertia": ("inertia", "#D9A441", DARK),
 }
-#: Panels: variable, title, and the rows from the top by their labels along the axis of the variable.
-PANELS = (
-    (
-        "functions",
-        "functions in machine code",
-        {"simulate": "motion\nby events", "simulate by time-stepping": "motion\nby steps"},
-    ),
-    (
-        "evaluations",
-        "evaluations in the log of a motion",
-        {"event-driven": "motion\nby events", "time-stepping": "motion\nby steps"},
-    ),
-)
-HEIGHT = 0.24
+#: Panels by the method of the motion.
+PANELS = {"event-driven": "motion by events", "time-stepping": "motion by steps"}
+HEIGHT = 0.8
 
 
 def caption(data: xr.Dataset) -> str:
     """Caption of the figure."""
     return (
-        "Only the effects that a scene lists are computed: functions of support friction and of "
-        "inertia in the machine code of a simulation, and their evaluations in the log of a "
-        "motion over time, for scenes that list support friction, inertia, or both. An effect that "
-        "is not listed has none. With both effects the motion under a force depends on its "
-        "magnitude as well, and a search for it takes more evaluations."
+        "Only the effects that a scene lists are computed: evaluations of support friction and of inertia "
+        "in the log of a motion over time, for scenes that list support friction, inertia, or both. An "
+        "effect that is not listed has none. A step evaluates the motion once; the event-driven method "
+        "chooses its steps by the motion."
     )
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw the counts as bars, a row for each set of effects that a scene lists."""
+    """Draw the counts as bars, a panel for each method, a row for each list of effects."""
     narrow = is_column(figure)
     if narrow:
         axes = figure.subplots(2, 1)
-        figure.subplots_adjust(left=0.36, right=0.97, bottom=0.03, top=0.86, hspace=0.2)
+        figure.subplots_adjust(left=0.17, right=0.97, bottom=0.04, top=0.79, hspace=0.35)
     else:
         axes = figure.subplots(1, 2)
-        figure.subplots_adjust(left=0.175, right=0.98, bottom=0.04, top=0.83, wspace=0.42)
-    for ax, (variable, title, rows) in zip(axes, PANELS, strict=True):
-        _panel(ax, data[variable], rows)
+        figure.subplots_adjust(left=0.08, right=0.98, bottom=0.06, top=0.7, wspace=0.22)
+    for ax, (method, title) in zip(axes, PANELS.items(), strict=True):
+        _panel(ax, data.evaluations.sel(integrator=method))
         ax.set_title(title)
     figure.legend(
         handles=[Patch(color=color, label=name) for name, color, _ in EFFECTS.values()],
@@ -75,23 +63,13 @@ def draw(figure: Any, data: xr.Dataset) -> None:
     )
 
 
-def _panel(ax: Axes, counts: xr.DataArray, rows: dict[str, str]) -> None:
-    """Bars of one variable: a group for each computation, with a bar for each list of effects."""
-    axis = str(counts.dims[0])
-    places, names = [], []
-    for i, operation in enumerate(rows):
-        for j, effects in enumerate(LISTS):
-            places.append(i + (j - 1) * (HEIGHT + 0.05))
-            names.append(LISTS[effects])
-            found = counts.sel({axis: operation, "effects": effects})
-            _bar(ax, places[-1], [int(found.sel(effect=each)) for each in EFFECTS])
-        ax.annotate(
-            rows[operation], (0, i), xytext=(-42, 0), textcoords="offset points",
-            ha="right", va="center",
-        )  # fmt: skip
-    ax.set_yticks(places, names, fontsize="small")
+def _panel(ax: Axes, counts: xr.DataArray) -> None:
+    """Bars of one method, one for each list of effects."""
+    for place, effects in enumerate(LISTS):
+        _bar(ax, place, [int(counts.sel(effects=effects, effect=each)) for each in EFFECTS])
+    ax.set_yticks(range(len(LISTS)), list(LISTS.values()), fontsize="small")
     ax.tick_params(axis="y", length=0)
-    ax.set(xlim=(0, 1.12 * int(counts.sum("effect").max())), ylim=(len(rows) - 0.5, -0.5))
+    ax.set(xlim=(0, 1.05 * int(counts.sum("effect").max())), ylim=(len(LISTS) - 0.5, -0.5))
     ax.set_xticks([])
     for side in ("top", "right", "bottom"):
         ax.spines[side].set_visible(False)

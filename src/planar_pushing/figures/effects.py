@@ -1,4 +1,4 @@
-"""Cost of each effect: times for one slider and for the grid with friction, inertia, or both."""
+"""Cost of each effect: times with friction, inertia, or both, and by the number of effects."""
 
 from __future__ import annotations
 
@@ -40,12 +40,14 @@ PANELS = {
     ),
 }
 WIDTH = 0.26
+#: Scene of the panel by the number of effects.
+DIVIDED = "equal supports"
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw the times as marks, one for each set of effects."""
-    axes = figure.subplots(1, len(PANELS))
-    figure.subplots_adjust(left=0.14, right=0.97, bottom=0.16, top=0.84, wspace=0.36)
+    """Draw the times as marks, one for each set of effects, and those by the number of effects."""
+    *axes, last = figure.subplots(1, len(PANELS) + 1)
+    figure.subplots_adjust(left=0.15, right=0.98, bottom=0.16, top=0.8, wspace=0.5)
     for ax, (scene, (title, rows)) in zip(axes, PANELS.items(), strict=True):
         part = data.isel(case=(data.scene == scene).values)
         for i, operation in enumerate(rows):
@@ -61,6 +63,7 @@ def draw(figure: Any, data: xr.Dataset) -> None:
     handles, labels = axes[0].get_legend_handles_labels()
     known = dict(zip(labels, handles, strict=True))
     figure.legend(known.values(), known.keys(), ncols=3, loc="upper center")
+    _by_number(last, data.isel(case=(data.scene == DIVIDED).values))
 
 
 def _marks(ax: Axes, row: int, part: xr.Dataset) -> None:
@@ -70,3 +73,18 @@ def _marks(ax: Axes, row: int, part: xr.Dataset) -> None:
         name, color, marker = NAMES[effects]
         place, ms = row + (i - 1) * WIDTH, 1e3 * float(case.time.min())
         ax.plot(ms, place, marker, color=color, markersize=5, label=name)
+
+
+def _by_number(ax: Axes, part: xr.Dataset) -> None:
+    """Draw times by the number of effects in units of the time with one, and what would be proportional."""
+    number, times = part.number.values, part.time.min("repeat").values
+    ax.plot(number, number / number[0], ":", color="gray", label="proportional")
+    ax.plot(number, times / times[0], "o-", color=NAMES["support_friction"][1], markersize=5)
+    ax.set_xscale("log", base=2)
+    ax.set_yscale("log", base=2)
+    ax.set_xticks(number, [f"{each}" for each in number])
+    ax.set_yticks(number, [f"{each}" for each in number])
+    ax.set(xlabel="number of equal supports", ylabel="time / time with one support")
+    ax.grid(True)
+    ax.legend()
+    ax.set_title("a run by steps")

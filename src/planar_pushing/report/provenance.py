@@ -17,7 +17,6 @@ from planar_pushing.study.study_file import load_study
 PACKAGES = (
     "numpy",
     "scipy",
-    "numba",
     "clarabel",
     "xarray",
     "h5netcdf",

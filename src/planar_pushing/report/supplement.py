@@ -40,6 +40,8 @@ NUMBERS: Numbers = {
     },
     "both-solve-ratio": computed("effects", times.both_ratio, "solve", digits=1),
     "both-cone-ratio": computed("effects", times.both_ratio, "motion_cone", digits=1),
+    "supports": computed("effects", times.most_supports),
+    "supports-ratio": computed("effects", times.divided_ratio, digits=1),
 }
 
 

@@ -151,13 +151,13 @@ FOLDERS = {SIMULATIONS: "data/simulations", FIGURES: "figures/data"}
 EVIDENCE = {
     "accuracy_errors": "errors and evaluations of every method, a group for each quantity",
     "accuracy_time": "errors of the methods for the friction wrench, and their times on one machine",
-    "evaluations": "compiled functions of each effect, and its evaluations in simulations",
+    "evaluations": "evaluations of each effect in simulations",
     "hard_cases": "double-precision results for numerically hard cases, against 40-digit references",
 }
 #: Datasets with times of one machine, which only `snakemake accuracy` writes.
 TIMES = {
     "accuracy": "cost of accuracy: errors, evaluations and times, a group for each quantity",
-    "effects": "times of each set of effects",
+    "effects": "times by the listed effects and by their number",
 }
 #: Keys of a study whose names differ from that of their axis.
 KEYS = {"support": "supports", "contact": "contact_friction_coefficient"}
@@ -185,7 +185,7 @@ TABLES = {
     "accuracy_cone.csv": "methods for motion cones: setting, calls and largest error",
     "hard_places.csv": "hard cases by place, with their errors in units in the last place",
     "hard_ill.csv": "ill-conditioned cases: condition, digits left and error",
-    "evaluations.csv": "compiled functions of each effect, and its evaluations in simulations",
+    "evaluations.csv": "evaluations of each effect in simulations",
     "accuracy_numbers.json": "numbers of the supplement on time, written by `snakemake accuracy`",
     "times_effects.csv": "times of each set of effects, written by `snakemake accuracy`",
     "times_scenes.csv": "times of each scene, written by `snakemake accuracy`",

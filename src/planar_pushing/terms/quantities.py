@@ -93,7 +93,8 @@ DATASET: Quantities = {
     ),
     "motion_cone_left": ("degree", "left edge of the motion cone"),
     "motion_cone_right": ("degree", "right edge of the motion cone"),
-    "operation": ("1", "operation that is counted or timed"),
+    "number": ("1", "number of effects that the scene lists"),
+    "operation": ("1", "timed operation"),
     "outcome": ("1", "whether no, one or several solutions are consistent"),
     "pivot": (
         "1",
@@ -245,7 +246,6 @@ EVALUATIONS: Quantities = {
     **DATASET,
     "effect": ("1", "effect that is counted"),
     "evaluations": ("1", "number of evaluations of the motion under the effect in a run"),
-    "functions": ("1", "number of the effect's functions in the machine code"),
     "integrator": ("1", "method of integration over time"),
 }
 #: Variables of the datasets on accuracy and its cost; a name can have another meaning than in the others.

@@ -79,16 +79,7 @@ def test_solutions_of_many_generic_scenes_hold(kind, effects):
     assert_holds(generic(seed, kind, effects) for seed in range(200))
 
 
-@pytest.mark.parametrize(
-    "effects",
-    [
-        pytest.param(
-            each, marks=[pytest.mark.slow] * (name == "two frictions")
-        )  # takes long to compile
-        for name, each in MORE.items()
-    ],
-    ids=MORE,
-)
+@pytest.mark.parametrize("effects", MORE.values(), ids=MORE)
 def test_solutions_of_more_effects_hold(effects):
     for law in LAWS:
         scene = pp.Scene(slider=SLIDER, contact=law, effects=effects)

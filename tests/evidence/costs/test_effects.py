@@ -1,19 +1,30 @@
 """A scene pays for the effects that it lists, and for no other."""
 
-import os
-import subprocess
 import sys
 import time
+from collections import Counter
+from functools import partial
 
 import numpy as np
 import pytest
 
+from planar_pushing.core import rows
+from planar_pushing.core.ring import ring_response
 from planar_pushing.evidence.costs import effects
+from planar_pushing.mechanics import kernels
+from planar_pushing.mechanics.solve import solve
 from planar_pushing.study.study_file import load_study
-from planar_pushing.terms.options import Method
+from planar_pushing.terms.options import EffectSet, Method
 
 STUDY = load_study("workflow/config/smoke.yaml")
 EFFECTS = ("support_friction", "inertia")
+#: Kinds of the effects in the core.
+KINDS = {rows.RING: "support_friction", rows.MASS: "inertia"}
+#: Computations that evaluate the effects.
+RUNS = {
+    "solve": lambda scene: solve(scene, 0.4),
+    **{str(method): partial(effects.followed, method=method) for method in Method},
+}
 
 
 @pytest.fixture(scope="module")
@@ -23,12 +34,6 @@ def found():
 
 def listed(found):
     return np.array([[e in names.split("+") for e in EFFECTS] for names in found.effects.values])
-
-
-def test_machine_code_holds_what_is_listed_and_nothing_else(found):
-    assert found.functions.dims == ("operation", "effects", "effect")
-    assert list(found.operation.values) == list(effects.COMPILED)
-    assert ((found.functions.values > 0) == listed(found)).all()
 
 
 def test_logs_hold_what_is_listed_and_nothing_else(found):
@@ -46,17 +51,35 @@ def test_a_step_evaluates_the_motion_once(found):
     assert np.array_equal(steps, effects.STEPS * listed(found))
 
 
-def test_without_the_compiler_there_is_nothing_to_look_at():
-    code = (
-        "from planar_pushing.evidence.costs.effects import evaluations\n"
-        "from planar_pushing.study.study_file import load_study\n"
-        "evaluations(load_study('workflow/config/smoke.yaml'))"
-    )
-    ran = subprocess.run(
-        [sys.executable, "-c", code], env=os.environ | {"NUMBA_DISABLE_JIT": "1"}, check=False,
-        capture_output=True, text=True,
-    )  # fmt: skip
-    assert "no machine code to inspect; unset NUMBA_DISABLE_JIT" in ran.stderr
+@pytest.mark.parametrize("names", [*EffectSet])
+@pytest.mark.parametrize("run", RUNS)
+def test_the_core_evaluates_what_is_listed_and_nothing_else(monkeypatch, run, names):
+    """As a profiler of Python sees the plain core."""
+    monkeypatch.setattr(kernels, "COMPILED", None)
+    scene, evaluated, integrals = effects.one_slider(STUDY, names), Counter(), Counter()
+
+    def note(frame, event, _):
+        if event == "call" and frame.f_code is rows.effect_resistance.__code__:
+            given = frame.f_locals
+            evaluated[KINDS[rows.kind_of(given["effects"].data, given["effect"])]] += 1
+        elif event == "call":
+            integrals[frame.f_code is ring_response.__code__] += 1
+
+    sys.setprofile(note)
+    try:
+        RUNS[run](scene)
+    finally:
+        sys.setprofile(None)
+    assert evaluated.keys() <= set(names.split("+"))
+    assert (integrals[True] > 0) == (evaluated["support_friction"] > 0) == ("friction" in names)
+
+
+@pytest.mark.parametrize("number", [2, 5])
+def test_friction_divided_among_supports_is_that_of_one(number):
+    one, several = (solve(effects.divided(STUDY, each), 0.4) for each in (1, number))
+    for each, other in zip(one, several, strict=True):
+        assert other.force == pytest.approx(each.force, rel=1e-12)
+        assert other.twist == pytest.approx(each.twist, rel=1e-12)
 
 
 def test_evaluations_repeat_exactly_and_have_units(found):
@@ -66,6 +89,7 @@ def test_evaluations_repeat_exactly_and_have_units(found):
 
 def test_times_are_measured_for_every_case(monkeypatch):
     monkeypatch.setattr(effects, "REPEATS", 2)
+    monkeypatch.setattr(effects, "DIVIDED_STEPS", 5)
     grid = STUDY.grid.model_copy(update={"rod_length": (0.0, 2.0), "pusher_angle": (-10.0, 165.0)})
     study = STUDY.model_copy(update={"grid": grid})
     start = time.perf_counter()
@@ -74,6 +98,8 @@ def test_times_are_measured_for_every_case(monkeypatch):
     assert measured.time.dims == ("case", "repeat")
     assert (measured.time > 0).all()
     assert float(measured.time.sum()) < taken
-    assert set(measured.scene.values) == {"one slider", "grid", *study.scenes}
+    assert set(measured.scene.values) == {"one slider", "grid", "equal supports", *study.scenes}
+    divided = measured.number.values[measured.scene.values == "equal supports"]
+    assert divided.tolist() == list(effects.NUMBERS)
     assert set(measured.effects.values) == set(study.grid.effects)
     assert all({"units", "long_name"} <= set(each.attrs) for each in measured.variables.values())

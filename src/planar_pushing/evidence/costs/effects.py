@@ -1,14 +1,14 @@
-"""Cost of the effects that a scene lists: in machine code, in the logs of motion over time, and in time.
+"""Cost of the effects that a scene lists: evaluations over time, and times by the number of effects.
 
-The compiler generates machine code of the simulations for each list of effects, and a log counts the
-evaluations of each effect that its scene lists.
+The core loops over the listed effects, and a log counts the evaluations of each of them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -16,11 +16,12 @@ import xarray as xr
 from planar_pushing.evidence.costs.times import seconds, stamped
 from planar_pushing.mechanics.cones import motion_cone
 from planar_pushing.mechanics.contact import Coulomb
+from planar_pushing.mechanics.effects import SupportFriction
 from planar_pushing.mechanics.limit_curve import curve_of_unit_motions
 from planar_pushing.mechanics.plane import direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
-from planar_pushing.simulation import machine_code
+from planar_pushing.mechanics.supports import Polygon
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.study.build import build_dataset
@@ -28,7 +29,7 @@ from planar_pushing.study.describe import describe
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.study.slices import study_slice
-from planar_pushing.terms.options import EFFECT_CLASSES, STUDIED, Method
+from planar_pushing.terms.options import EFFECT_CLASSES, STUDIED, EffectSet, Method
 from planar_pushing.terms.quantities import EVALUATIONS
 
 #: A push, and the duration and the number of steps of its simulation.
@@ -43,6 +44,9 @@ OPERATIONS: dict[str, Callable[[Scene], object]] = {
 }
 #: Timed datasets of a study.
 TIMED = ("limit_curves", "motion_cones", "contact_modes")
+#: Numbers of equal squares among which friction is divided, and the number of steps of their simulation.
+NUMBERS, DIVIDED_STEPS = (1, 2, 4, 8, 16), 3000
+SQUARE = Polygon([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
 REPEATS = 7
 
 
@@ -55,47 +59,33 @@ def one_slider(study: StudyFile, effects: Any) -> Scene:
     )
 
 
-def followed(scene: Scene, method: Method) -> xr.Dataset:
+def divided(study: StudyFile, number: int) -> Scene:
+    """The slider on squares that share the weight equally, so that it moves as on one of them."""
+    part = SupportFriction(support=SQUARE, weight=1.0 / number)
+    return replace(one_slider(study, EffectSet.SUPPORT_FRICTION), effects=(part,) * number)
+
+
+def followed(scene: Scene, method: Method, steps: int = STEPS) -> xr.Dataset:
     """Log of a scene that the fence moves from rest."""
-    step = DURATION / STEPS if method is Method.TIME_STEPPING else None
+    step = DURATION / steps if method is Method.TIME_STEPPING else None
     fence = Pusher(velocity=tuple(direction(PUSHER_ANGLE)))
     return simulate(scene, pusher=fence, duration=DURATION, method=method, step=step)
 
 
-#: Methods of the operations that are compiled, by the names that the library gives them.
-COMPILED = {
-    "simulate": Method.EVENT_DRIVEN,
-    "simulate by time-stepping": Method.TIME_STEPPING,
-}
-
-
 def evaluations(study: StudyFile) -> xr.Dataset:
-    """Functions and evaluations of each effect for one slider.
+    """Evaluations of each effect for one slider.
 
     Returns
     -------
     xarray.Dataset
-        Over `effects`, the sets of effects that the study lists, and `effect`: `functions`, the number of
-        the effect's functions in the machine code of each `operation`, and `evaluations`, the number of
-        evaluations of the motion under the effect in the log of each `integrator`; 0 if the log has no such
-        effect.
-
-    Raises
-    ------
-    PlanarPushingError
-        If nothing is compiled.
+        Over `integrator`, `effects`, the sets of effects that the study lists, and `effect`: `evaluations`,
+        the number of evaluations of the motion under the effect in a log; 0 if the log has no such effect.
     """
-    machine_code.require_machine_code()
     scenes = [one_slider(study, effects) for effects in study.grid.effects]
-    counted = [[functions(each, scene) for scene in scenes] for each in COMPILED]
     logged = [[_logged(followed(scene, method)) for scene in scenes] for method in Method]
     dataset = xr.Dataset(
-        {
-            "functions": (("operation", "effects", "effect"), counted),
-            "evaluations": (("integrator", "effects", "effect"), logged),
-        },
+        {"evaluations": (("integrator", "effects", "effect"), logged)},
         coords={
-            "operation": list(COMPILED),
             "integrator": [str(method) for method in Method],
             "effects": list(study.grid.effects),
             "effect": [str(kind) for kind in STUDIED],
@@ -103,18 +93,11 @@ def evaluations(study: StudyFile) -> xr.Dataset:
     )
     return describe(
         dataset,
-        title="Functions of each effect in machine code, and its evaluations over time",
+        title="Evaluations of each effect over time",
         source="Secs. 3-4",
         parameters={"duration": DURATION, "steps": STEPS},
         quantities=EVALUATIONS,
     )
-
-
-def functions(operation: str, scene: Scene) -> list[int]:
-    """Number of functions of each effect in the machine code of an operation on a scene."""
-    followed(scene, COMPILED[operation])
-    found = machine_code.count_functions(scene, COMPILED[operation])
-    return [found[kind] for kind in STUDIED]
 
 
 def _logged(log: xr.Dataset) -> list[int]:
@@ -123,11 +106,22 @@ def _logged(log: xr.Dataset) -> list[int]:
     return [listed.get(str(kind), 0) for kind in STUDIED]
 
 
-def cases(study: StudyFile) -> Iterator[tuple[str, str, str, Callable[[], object]]]:
-    """Scene, operation, effects and call of each timed case.
+class Case(NamedTuple):
+    """A timed call: labels of its scene, operation and effects, the number of listed effects, the call."""
 
-    These are each operation on one slider with each set of effects and on the study's scenes, and, as
-    scene "grid", datasets with one rod angle and every tenth coefficient of friction and pusher angle.
+    scene: str
+    operation: str
+    effects: str
+    number: int
+    call: Callable[[], object]
+
+
+def cases(study: StudyFile) -> Iterator[Case]:
+    """The timed cases.
+
+    These are each operation on one slider with each set of effects and on the study's scenes; as scene
+    "grid", datasets with one rod angle and every tenth coefficient of friction and pusher angle; and, as
+    scene "equal supports", simulations of friction that is divided among 1 to 16 supports.
     """
     few: dict[str, Sequence[object]] = {"rod_angle": (study.slider.rod_angle,)}
     for axis in ("contact_friction_coefficient", "pusher_angle"):
@@ -137,30 +131,34 @@ def cases(study: StudyFile) -> Iterator[tuple[str, str, str, Callable[[], object
         grid = study.grid.model_copy(update=few | {"effects": (effects,)})
         small = study.model_copy(update={"grid": grid})
         for name in TIMED:
-            yield "grid", name, effects, partial(build_dataset, name, study_slice(small, name))
+            build = partial(build_dataset, name, study_slice(small, name))
+            yield Case("grid", name, effects, effects.count("+") + 1, build)
     for name, push in study.scenes.items():
         yield from _on(name, load_scene_file(push.file).build())
+    for number in NUMBERS:
+        run = partial(followed, divided(study, number), Method.TIME_STEPPING, DIVIDED_STEPS)
+        yield Case("equal supports", "simulate", EffectSet.SUPPORT_FRICTION, number, run)
 
 
-def _on(name: str, scene: Scene) -> Iterator[tuple[str, str, str, Callable[[], object]]]:
+def _on(name: str, scene: Scene) -> Iterator[Case]:
     listed = {EFFECT_CLASSES[type(effect).__name__] for effect in scene.effects}
     effects = "+".join(kind for kind in STUDIED if kind in listed)
     for operation, run in OPERATIONS.items():
-        yield name, operation, effects, partial(run, scene)
+        yield Case(name, operation, effects, len(scene.effects), partial(run, scene))
 
 
 def effects(study: StudyFile) -> xr.Dataset:
     """Times of each case on this machine, over `case` and `repeat`."""
-    scene, operation, listed, calls = map(list, zip(*cases(study), strict=True))
-    labels = {"scene": scene, "operation": operation, "effects": listed}
+    *columns, calls = map(list, zip(*cases(study), strict=True))
+    labels = dict(zip(Case._fields, columns, strict=False))
     dataset = xr.Dataset(
         {"time": (("case", "repeat"), seconds(calls, REPEATS))},
         coords={name: ("case", each) for name, each in labels.items()},
     )
     measured = describe(
         dataset,
-        title="Times of each set of effects on one machine",
+        title="Times by the listed effects and by their number on one machine",
         source="scenes and grid of the study",
-        parameters={"study": study.title},
+        parameters={"study": study.title, "steps": DIVIDED_STEPS},
     )
     return stamped(measured)

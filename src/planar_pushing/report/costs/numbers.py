@@ -128,17 +128,17 @@ def single(counts: xr.Dataset) -> xr.Dataset:
     return counts.sel(effects=[name for name in counts.effects.values.tolist() if "+" not in name])
 
 
-def single_codes(counts: xr.Dataset) -> float:
-    """Number of computations with one effect that are compiled."""
-    return float(single(counts).functions.isel(effect=0).size)
+def single_runs(counts: xr.Dataset) -> float:
+    """Number of runs with one effect."""
+    return float(single(counts).evaluations.isel(effect=0).size)
 
 
-def listed(counts: xr.Dataset, variable: str) -> float:
-    """Count for the listed effect, over the computations with one effect."""
-    alone = single(counts)[variable]
+def listed(counts: xr.Dataset) -> float:
+    """Evaluations of the listed effect in the runs with one effect."""
+    alone = single(counts).evaluations
     return float(alone.where(alone.effects == alone.effect).sum())
 
 
 def absent(counts: xr.Dataset) -> float:
-    """Functions of the unlisted effect, over the computations with one effect."""
-    return float(single(counts).functions.sum()) - listed(counts, "functions")
+    """Evaluations of the unlisted effect in the runs with one effect."""
+    return float(single(counts).evaluations.sum()) - listed(counts)

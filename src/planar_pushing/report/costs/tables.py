@@ -24,13 +24,8 @@ PLACES = {
     6: "at rest",
     7: "slips that merge (Painlev\u00e9)",
 }
-#: Names of the counts for each effect, by variable, axis and label.
-COUNTED = {
-    ("functions", "operation", "simulate"): "functions, motion by events",
-    ("functions", "operation", "simulate by time-stepping"): "functions, motion by steps",
-    ("evaluations", "integrator", "event-driven"): "evaluations, motion by events",
-    ("evaluations", "integrator", "time-stepping"): "evaluations, motion by steps",
-}
+#: Names of the motions whose evaluations are counted, by integrator.
+COUNTED = {"event-driven": "motion by events", "time-stepping": "motion by steps"}
 #: Names of the timed computations, by scene and operation.
 COMPUTED = {
     ("one slider", "motion_cone"): "motion cone",
@@ -164,15 +159,15 @@ def ill_text(results: Results) -> str:
 
 
 def evaluations_text(results: Results) -> str:
-    """Table of compiled functions and of evaluations in simulations, by listed effects."""
-    counts = results.dataset("evaluations")
+    """Table of evaluations in simulations, by listed effects."""
+    counts = results.dataset("evaluations").evaluations
     rows = []
-    for (variable, axis, label), name in COUNTED.items():
-        row = {"counted": name}
+    for integrator, name in COUNTED.items():
+        row = {"evaluations": name}
         for effects in EFFECTS:
             for effect in (FRICTION, INERTIA):
-                at = {axis: label, "effects": effects, "effect": effect}
-                row[f"{effects}: {effect}"] = str(int(counts[variable].sel(at)))
+                at = {"integrator": integrator, "effects": effects, "effect": effect}
+                row[f"{effects}: {effect}"] = str(int(counts.sel(at)))
         rows.append(row)
     return csv_text(rows)
 

@@ -92,3 +92,19 @@ def both_ratio(effects: xr.Dataset, operation: str) -> float:
     times = effects.time[np.flatnonzero(here)].min("repeat").values
     both = np.char.count(effects.effects.values[here].astype(str), "+") > 0
     return float(times[both].sum() / times[~both].sum())
+
+
+def _divided(effects: xr.Dataset) -> xr.Dataset:
+    """Cases of friction that is divided among equal supports."""
+    return effects.isel(case=np.flatnonzero(effects.scene.values == "equal supports"))
+
+
+def most_supports(effects: xr.Dataset) -> float:
+    """Largest number of supports among which friction is divided."""
+    return float(_divided(effects).number.max())
+
+
+def divided_ratio(effects: xr.Dataset) -> float:
+    """Ratio of the minimum time with the most supports to that with one."""
+    times = _divided(effects).set_index(case="number").time.min("repeat")
+    return float(times.sel(case=times.case.max()) / times.sel(case=1))

@@ -75,8 +75,7 @@ HARD_CASES: Numbers = {
 }
 
 EFFECTS: Numbers = {
-    "effects-single": computed(COUNTS, costs.single_codes),
-    "effects-listed": computed(COUNTS, costs.listed, "functions"),
+    "effects-single": computed(COUNTS, costs.single_runs),
+    "effects-listed": computed(COUNTS, costs.listed),
     "effects-absent": computed(COUNTS, costs.absent),
-    "effects-evaluated": computed(COUNTS, costs.listed, "evaluations"),
 }
