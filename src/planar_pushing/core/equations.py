@@ -539,14 +539,16 @@ def _write_guards(
     for cause in range(CAUSES):
         guards[cause] = UNKNOWN
     rests: bool = mode.contact == REST
-    if rests and mode.touches:
+    # A pusher that retreats from a slider at rest opens the contact without an event.
+    touches: bool = mode.touches and clearance_of(system, state) <= SLACK
+    if rests and touches:
         guards[PUSH_STARTS] = PUSHES - now.fence_y / system.run[RUN_SPEED]
     elif rests or mode.contact == SEPARATE:
         height = clearance_of(system, state)
         guards[TOUCHES] = height if height < INFINITY else UNKNOWN
     if not rests:
         guards[CENTER_DOWN] = center_height(system, state)
-    flies: bool = mode.contact == SEPARATE or (rests and not mode.touches) or state[GAP] > SLACK
+    flies: bool = mode.contact == SEPARATE or (rests and not touches) or state[GAP] > SLACK
     if not flies:
         guards[END_OF_SIDE] = room_on_side(system, state[ALONG])
     guards[PENETRATES] = outline_height(system, state, not flies)
