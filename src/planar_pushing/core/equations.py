@@ -538,6 +538,9 @@ def _write_guards(
 ) -> None:
     for cause in range(CAUSES):
         guards[cause] = UNKNOWN
+    if now.spin != now.spin:
+        guards[LEAVES_CONE] = -1.0  # a motion that is not found does not last
+        return
     rests: bool = mode.contact == REST
     # A pusher that retreats from a slider at rest opens the contact without an event.
     touches: bool = mode.touches and clearance_of(system, state) <= SLACK

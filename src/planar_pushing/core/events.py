@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from math import fabs, sqrt
 
-from planar_pushing.core.equations import write_guards, write_rates
+from planar_pushing.core.equations import depends_on_speed, write_guards, write_rates
 from planar_pushing.core.explicit import (
     MIDDLE_PART,
     attempt_step,
@@ -23,7 +23,13 @@ from planar_pushing.core.explicit import (
 from planar_pushing.core.fence import end_of_fence, fence_displacement, policy_at, span_at
 from planar_pushing.core.log import end_log, has_room_for_rows, next_log_row, write_instant
 from planar_pushing.core.numbers import INFINITY, Numbers
-from planar_pushing.core.rest import change_state, enter_span, note_slip, write_candidates
+from planar_pushing.core.rest import (
+    change_state,
+    count_at_speed,
+    enter_span,
+    note_slip,
+    write_candidates,
+)
 from planar_pushing.core.roots import (
     ITERATIONS,
     SECTIONS,
@@ -116,6 +122,7 @@ from planar_pushing.core.system import (
     contact_mode_of,
     copy_numbers,
     guards_of,
+    is_massive,
     pace_of,
     prepare_system,
     rank_of,
@@ -480,6 +487,11 @@ def _count_modes(system: System, time: float, state: Numbers) -> int:
     count, run = 1, system.run
     if clearance_of(system, state) > SLACK:
         return count
+    if not is_massive(system) and depends_on_speed(system):
+        mode = _current_mode(system)
+        solutions = count_at_speed(system, mode.during, time, state)
+        if solutions > 0:
+            return solutions
     for i in range(int(run[RUN_COUNT])):
         mode = candidate_at(system, i, int(run[RUN_PIECE]))
         if (

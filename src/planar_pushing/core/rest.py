@@ -154,6 +154,24 @@ def _write_slips_at(
     return count
 
 
+def count_at_speed(system: System, during: Span, time: float, state: Numbers) -> int:
+    """Number of contact modes for forces that depend on the speed, `UNSOLVED` if it is not known.
+
+    A slip can appear during a mode, so the candidates at the start of the mode do not contain all of them.
+    """
+    solutions = zeros(MOST_SOLUTIONS * SOLUTION)
+    x, y = pusher_velocity(system, during, time, state)
+    size = sqrt(x * x + y * y)
+    scale_films(system, size if size > 0.0 else 1.0)
+    if is_loaded(system):
+        put_load(system, load_at(system, state[ANGLE]))
+    count, _ = modes_of_push(
+        system, _pose_at_start(system, state), x, y, 1.0 if size > 0.0 else 0.0, solutions
+    )  # fmt: skip
+    scale_films(system, 1.0)
+    return count
+
+
 def note_slip(system: System, time: float, state: Numbers, index: int, mode: Mode) -> None:
     """Store the slip at the end of a step, from which the next step follows it."""
     if not is_massive(system) and depends_on_speed(system) and slip_side(mode.contact) != 0.0:
