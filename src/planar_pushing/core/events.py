@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from math import fabs, sqrt
 
-from planar_pushing.core.equations import depends_on_speed, write_guards, write_rates
+from planar_pushing.core.equations import write_guards, write_rates
 from planar_pushing.core.explicit import (
     MIDDLE_PART,
     attempt_step,
@@ -25,7 +25,7 @@ from planar_pushing.core.log import end_log, has_room_for_rows, next_log_row, wr
 from planar_pushing.core.numbers import INFINITY, Numbers
 from planar_pushing.core.rest import (
     change_state,
-    count_at_speed,
+    count_quasi_static,
     enter_span,
     note_slip,
     write_candidates,
@@ -487,9 +487,8 @@ def _count_modes(system: System, time: float, state: Numbers) -> int:
     count, run = 1, system.run
     if clearance_of(system, state) > SLACK:
         return count
-    if not is_massive(system) and depends_on_speed(system):
-        mode = _current_mode(system)
-        solutions = count_at_speed(system, mode.during, time, state)
+    if not is_massive(system):
+        solutions = count_quasi_static(system, _current_mode(system).during, time, state)
         if solutions > 0:
             return solutions
     for i in range(int(run[RUN_COUNT])):

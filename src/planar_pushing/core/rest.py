@@ -154,11 +154,8 @@ def _write_slips_at(
     return count
 
 
-def count_at_speed(system: System, during: Span, time: float, state: Numbers) -> int:
-    """Number of contact modes for forces that depend on the speed, `UNSOLVED` if it is not known.
-
-    A slip can appear during a mode, so the candidates at the start of the mode do not contain all of them.
-    """
+def count_quasi_static(system: System, during: Span, time: float, state: Numbers) -> int:
+    """Number of contact modes at an instant without inertia, `UNSOLVED` if it is not known."""
     solutions = zeros(MOST_SOLUTIONS * SOLUTION)
     x, y = pusher_velocity(system, during, time, state)
     size = sqrt(x * x + y * y)
