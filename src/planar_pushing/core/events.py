@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from math import fabs, sqrt
 
-from planar_pushing.core.equations import write_guards, write_rates
+from planar_pushing.core.equations import Instant, motion_in_mode, write_guards, write_rates
 from planar_pushing.core.explicit import (
     MIDDLE_PART,
     attempt_step,
@@ -234,10 +234,7 @@ def _stop(run: Numbers, reason: int) -> None:
 def _log_now(system: System) -> None:
     """Log the current instant, and end the run or take the next step."""
     run, state, time = system.run, vector_of(system, STATE), system.run[RUN_TIME]
-    solutions = int(run[RUN_SOLUTIONS])
-    if run[RUN_CHOSEN] >= 0.0:  # the mode may have been chosen long before
-        solutions = _count_modes(system, time, state)
-    _log_instant(system, time, state, solutions, max(int(run[RUN_CAUSE]), NOTHING))
+    _log_instant(system, time, state, max(int(run[RUN_CAUSE]), NOTHING))
     # Samples at this time are done.
     number, times = int(run[RUN_NEXT]), int(system.scene[IN_TIMES])
     while number < times and system.times[number] <= time:
@@ -254,7 +251,7 @@ def _log_next_time(system: System) -> None:
     if number < int(system.scene[IN_TIMES]) and system.times[number] < run[RUN_EVENT]:
         time, state = system.times[number], vector_of(system, PASSING)
         interpolate_state(system, _current_mode(system), time, state)
-        _log_instant(system, time, state, _count_modes(system, time, state), NOTHING)
+        _log_instant(system, time, state, NOTHING)
         run[RUN_NEXT] = float(number + 1)
     elif int(run[RUN_CAUSE]) == NOTHING:
         _go_to_end_of_step(system)
@@ -262,15 +259,15 @@ def _log_next_time(system: System) -> None:
         _go_to_event(system)
 
 
-def _log_instant(system: System, time: float, state: Numbers, solutions: int, event: int) -> None:
+def _log_instant(system: System, time: float, state: Numbers, event: int) -> None:
     """Store an instant in the log."""
     mode, row, contact = _current_mode(system), next_log_row(system, time), NO_MODE
-    if system.run[RUN_CHOSEN] >= 0.0:
+    now, solutions = motion_in_mode(system, mode, time, state), int(system.run[RUN_SOLUTIONS])
+    if system.run[RUN_CHOSEN] >= 0.0:  # the mode may have been chosen long before
         contact = int(system.run[RUN_MODE])
+        solutions = _count_modes(system, mode, now, time, state)
     x, y = fence_displacement(system.fence, mode.during, time)
-    write_instant(
-        system, mode, contact, time, state, x, y - system.scene[IN_GAP], solutions, row
-    )  # fmt: skip
+    write_instant(system, now, contact, time, state, x, y - system.scene[IN_GAP], solutions, row)
     row[LOG_EVENT] = float(event)
 
 
@@ -482,22 +479,19 @@ def _choose_mode(system: System, excluded: int) -> bool:
     return chosen >= 0
 
 
-def _count_modes(system: System, time: float, state: Numbers) -> int:
+def _count_modes(system: System, mode: Mode, now: Instant, time: float, state: Numbers) -> int:
     """Number of consistent modes at an instant within a step; one if the contact is open."""
     count, run = 1, system.run
     if clearance_of(system, state) > SLACK:
         return count
     if not is_massive(system):
-        solutions = count_quasi_static(system, _current_mode(system).during, time, state)
+        solutions = count_quasi_static(system, mode, now, state)
         if solutions > 0:
             return solutions
     for i in range(int(run[RUN_COUNT])):
-        mode = candidate_at(system, i, int(run[RUN_PIECE]))
-        if (
-            i != int(run[RUN_CHOSEN])
-            and mode.contact != NO_MODE
-            and _holds(system, mode, time, state)
-        ):
+        other = candidate_at(system, i, int(run[RUN_PIECE]))
+        known: bool = i == int(run[RUN_CHOSEN]) or other.contact == NO_MODE
+        if not known and _holds(system, other, time, state):
             count += 1
     return count
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from planar_pushing.core.directions import spin_ratio
-from planar_pushing.core.equations import motion_in_mode
+from planar_pushing.core.equations import Instant
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.run import (
     IN_RESISTING,
@@ -43,7 +43,6 @@ from planar_pushing.core.system import (
     LOST,
     SLIPPED,
     WORK,
-    Mode,
     System,
     copy_numbers,
     energies_of,
@@ -125,11 +124,10 @@ def write_state(
 
 
 def write_instant(
-    system: System, mode: Mode, contact: int, time: float, state: Numbers,
+    system: System, now: Instant, contact: int, time: float, state: Numbers,
     x: float, y: float, solutions: int, row: Numbers,
 ) -> None:  # fmt: skip
-    """Store an instant of a mode with the displacement (x, y) of the pusher; the event is not stored."""
-    now = motion_in_mode(system, mode, time, state)
+    """Store an instant, without its event; (x, y) is the displacement of the pusher."""
     row[LOG_TIME], row[LOG_PUSHER], row[LOG_PUSHER + 1] = time, x, y
     row[LOG_MODE], row[LOG_SOLUTIONS] = float(contact), float(solutions)
     row[LOG_STOPPED] = system.run[RUN_STOPPED]

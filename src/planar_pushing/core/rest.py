@@ -6,6 +6,7 @@ from math import atan2, fabs, sqrt
 
 from planar_pushing.core.directions import Direction, direction_at, rod_at
 from planar_pushing.core.equations import (
+    Instant,
     depends_on_speed,
     effects_at,
     load_power,
@@ -19,7 +20,7 @@ from planar_pushing.core.free import free_twist
 from planar_pushing.core.impact import collide
 from planar_pushing.core.modes import contact_modes
 from planar_pushing.core.numbers import Numbers, zeros
-from planar_pushing.core.path import first_sample
+from planar_pushing.core.path import first_sample, is_flat, sample_path
 from planar_pushing.core.rows import NO_POINT, Vector
 from planar_pushing.core.run import IN_MASS, IN_SLIPS, IN_WEIGHT, RUN_FORCE, RUN_SPEED
 from planar_pushing.core.shapes import (
@@ -154,11 +155,22 @@ def _write_slips_at(
     return count
 
 
-def count_quasi_static(system: System, during: Span, time: float, state: Numbers) -> int:
-    """Number of contact modes at an instant without inertia, `UNSOLVED` if it is not known."""
+def count_quasi_static(system: System, mode: Mode, now: Instant, state: Numbers) -> int:
+    """Number of contact modes at an instant without inertia, `UNSOLVED` if it is not known.
+
+    With effects of one degree the force across an edge increases along the fence. A slip of a pusher that
+    advances is then the only mode, unless this force vanishes on a stretch.
+    """
+    x, y = now.fence_x, now.fence_y
+    size, slips = sqrt(x * x + y * y), slip_side(mode.contact) * now.slip > SLACK * fabs(y)
+    if slips and y > 0.0 and not depends_on_speed(system):
+        path = path_along_fence(
+            system, problem_effects(system), pose_of(system, state), mode.contact, y, 1.0
+        )
+        sample = sample_path(path, x + now.slip, now.spin, now.pivot)
+        if not is_flat(path, sample, size + fabs(now.slip)):
+            return 1
     solutions = zeros(MOST_SOLUTIONS * SOLUTION)
-    x, y = pusher_velocity(system, during, time, state)
-    size = sqrt(x * x + y * y)
     scale_films(system, size if size > 0.0 else 1.0)
     if is_loaded(system):
         put_load(system, load_at(system, state[ANGLE]))
