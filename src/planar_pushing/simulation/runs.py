@@ -40,7 +40,7 @@ from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import MOST_STEPS, Method
 
 #: Maximum number of rows that a single run writes at once, and number of scenes in a block of a batch.
-ROOM, BLOCK = 256, 32
+ROOM, BLOCK = 256, 128
 #: Default number of steps of a run by time-stepping.
 STEPS = 1000
 #: Times that differ by less than this fraction of the elapsed time are treated as equal.
