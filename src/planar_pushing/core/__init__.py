@@ -1,4 +1,4 @@
-"""The numerical core of the mechanics: plain typed Python, compiled when the package is installed.
+"""The numerical core, mechanics and motion over time: plain typed Python, compiled when it is installed.
 
 The modules of this folder share one namespace and a small subset of Python: named tuples, and functions of
 floats, integers, truth values and arrays. ``joiner`` translates them into one compiled module. They also
