@@ -9,6 +9,7 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.core import roots
+from planar_pushing.core.tolerances import RESOLVED
 
 ROOT = 0.7310585786300049
 #: Functions with a root at ROOT, from the smooth to the step; the second number is the largest number of
@@ -26,7 +27,7 @@ FUNCTIONS = {
 
 def root_of(function, low, high):
     """The root in a bracket, and the number of evaluations."""
-    bracket, count = roots.open_bracket(low, high, function(low), function(high)), 0
+    bracket, count = roots.open_bracket(low, high, function(low), function(high), RESOLVED), 0
     while not roots.is_narrow(bracket) and count < roots.ITERATIONS:
         count += 1
         x = roots.next_number(bracket)
@@ -59,7 +60,7 @@ def test_a_root_is_relative_to_itself(root):
 
 def test_an_end_that_is_the_root_ends_the_search():
     for low, high, at_low, at_high in ((1.0, 2.0, 0.0, 3.0), (1.0, 2.0, -3.0, 0.0)):
-        bracket = roots.open_bracket(low, high, at_low, at_high)
+        bracket = roots.open_bracket(low, high, at_low, at_high, RESOLVED)
         assert roots.is_narrow(bracket)
         assert roots.best_number(bracket) == (low if at_low == 0.0 else high)
 

@@ -144,5 +144,6 @@ def test_every_kernel_is_compared():
     assert {*kernels.COMPILED} == {
         "solve", "force_motions", "motion_cones", "load_ratios", "responses", "wrenches",
         "unit_vectors", "moments", "plate_terms", "ring_profiles", "ring_spin_ratios",
-        "polygon_area", "crossing_edges", "touching_edges",
+        "polygon_area", "crossing_edges", "touching_edges", "outline_distances", "free_stretches",
+        "run_events", "run_steps",
     }  # fmt: skip

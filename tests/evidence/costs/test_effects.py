@@ -18,8 +18,8 @@ from planar_pushing.terms.options import EffectSet, Method
 
 STUDY = load_study("workflow/config/smoke.yaml")
 EFFECTS = ("support_friction", "inertia")
-#: Kinds of the effects in the core.
-KINDS = {rows.RING: "support_friction", rows.MASS: "inertia"}
+#: Kinds of the effects in the core; in a step, the momentum is a load.
+KINDS = {rows.RING: "support_friction", rows.MASS: "inertia", rows.LOAD: "inertia"}
 #: Computations that evaluate the effects.
 RUNS = {
     "solve": lambda scene: solve(scene, 0.4),
