@@ -244,25 +244,34 @@ def _slip_in_mode(
         motion = motion_under_force(effects, pose.contact, edge.along, -edge.across, 1.0)
         _, u_y = to_contact(pose.rod, motion.u_x, motion.u_y)
         return motion, fence_y / u_y if u_y != 0.0 else 0.0, u_y
-    motion, force, converged = _nearest_slip(system, effects, pose, mode, fence_y)
+    motion, force, converged = _nearest_slip(system, effects, pose, mode, fence_y, mode.x)
+    if converged and force > 0.0:
+        return motion, 1.0, force
+    # A slow slip is proportional to the pusher's motion.
+    part = fence_y / mode.y if mode.y != 0.0 else 0.0
+    other, push, ends = _nearest_slip(system, effects, pose, mode, fence_y, part * mode.x)
+    if ends and (push > 0.0 or not converged):
+        motion, force, converged = other, push, ends
     if converged or not fence_y < 0.0:
         return motion, 1.0 if converged else UNKNOWN, force
     # The pusher retreats, and the slip has ended. Until its end is located, it continues backwards.
-    motion, force, converged = _nearest_slip(system, effects, pose, mode, -fence_y)
+    motion, force, converged = _nearest_slip(
+        system, effects, pose, mode, -fence_y, fabs(part) * mode.x
+    )
     return motion, -1.0 if converged else UNKNOWN, -force
 
 
 def _nearest_slip(
-    system: System, effects: Effects, pose: Pose, mode: Mode, normal: float
+    system: System, effects: Effects, pose: Pose, mode: Mode, normal: float, along: float
 ) -> tuple[ContactMotion, float, bool]:
-    """The slip nearest to the one at the start of a mode, its force, and whether it was found."""
+    """The slip nearest to a motion along the fence, its force, and whether it was found."""
     path = path_along_fence(system, effects, pose, mode.contact, normal, 1.0)
-    here = first_sample(path, mode.x)
+    here = first_sample(path, along)
     sense = copysign(1.0, here.slope)
     root = find_root(
         path, sample_at_infinity(-INFINITY, -sense), sample_at_infinity(INFINITY, sense), here
     )
-    motion = motion_at_root(path, root.s, root.spin, False, NO_POINT)
+    motion = motion_at_root(path, root.s, root.spin, False, root.point)
     return motion, path.e_x * motion.f_x + path.e_y * motion.f_y, root.converged
 
 

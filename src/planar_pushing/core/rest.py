@@ -109,8 +109,8 @@ def _write_rest(system: System, index: int, touches: bool, f_x: float, f_y: floa
     write_candidate(system, index, REST, NO_POINT, False, touches, f_x, f_y, 0.0)
 
 
-def _write_contact(system: System, index: int, contact: int, x: float) -> None:
-    write_candidate(system, index, contact, NO_POINT, False, False, x, 0.0, 0.0)
+def _write_contact(system: System, index: int, contact: int, x: float, y: float) -> None:
+    write_candidate(system, index, contact, NO_POINT, False, False, x, y, 0.0)
 
 
 # Without inertia
@@ -124,14 +124,14 @@ def _write_quasi_static(system: System, during: Span, time: float, state: Number
     x, y = pusher_velocity(system, during, time, state)
     if x == 0.0 and y == 0.0 and during.constant:
         return 1
-    _write_contact(system, 1, STICK, 0.0)
+    _write_contact(system, 1, STICK, 0.0, 0.0)
     count = 2
     if system.scene[IN_SLIPS] != 0.0:
         for contact in range(SLIP_RIGHT, SLIP_LEFT + 1):
             if depends_on_speed(system):
                 count = _write_slips_at(system, state, contact, x, y, count)
             else:
-                _write_contact(system, count, contact, 0.0)
+                _write_contact(system, count, contact, 0.0, 0.0)
                 count += 1
     return count
 
@@ -150,7 +150,7 @@ def _write_slips_at(
     slips, _ = find_slips(path, fabs(y), first, last, roots)
     for i in range(slips):
         if count < MOST_SOLUTIONS:
-            _write_contact(system, count, contact, side * roots[SLIP * i])
+            _write_contact(system, count, contact, side * roots[SLIP * i], y)
             count += 1
     return count
 
@@ -185,7 +185,7 @@ def note_slip(system: System, time: float, state: Numbers, index: int, mode: Mod
     """Store the slip at the end of a step, from which the next step follows it."""
     if not is_massive(system) and depends_on_speed(system) and slip_side(mode.contact) != 0.0:
         now = motion_in_mode(system, mode, time, state)
-        _write_contact(system, index, mode.contact, now.fence_x + now.slip)
+        _write_contact(system, index, mode.contact, now.fence_x + now.slip, now.fence_y)
 
 
 # With inertia

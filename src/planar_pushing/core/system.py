@@ -166,7 +166,7 @@ class Mode(NamedTuple):
         Whether a slider at rest touches the pusher.
     x, y, spin : float
         Acceleration of a slider that starts from rest; of a slider at rest, the force; in a slip without
-        inertia, the contact's motion along the fence; otherwise zero.
+        inertia, the contact's motion; otherwise zero.
     during : Span
     """
 
