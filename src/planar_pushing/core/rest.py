@@ -8,7 +8,6 @@ from planar_pushing.core.directions import Direction, direction_at, rod_at
 from planar_pushing.core.equations import (
     Instant,
     depends_on_speed,
-    effects_at,
     load_power,
     motion_in_mode,
     path_along_fence,
@@ -20,7 +19,7 @@ from planar_pushing.core.free import free_twist
 from planar_pushing.core.impact import collide
 from planar_pushing.core.modes import contact_modes
 from planar_pushing.core.numbers import Numbers, zeros
-from planar_pushing.core.path import first_sample, is_flat, sample_path
+from planar_pushing.core.path import is_flat, sample_path
 from planar_pushing.core.rows import NO_POINT, Vector
 from planar_pushing.core.run import IN_MASS, IN_SLIPS, IN_WEIGHT, RUN_FORCE, RUN_SPEED
 from planar_pushing.core.shapes import (
@@ -38,11 +37,11 @@ from planar_pushing.core.shapes import (
     size_of_twist,
     to_contact,
 )
-from planar_pushing.core.slips import SLIP, SLIPS, find_slips
 from planar_pushing.core.solution import (
     FORCE,
     MODE,
     MOST_SOLUTIONS,
+    MOTION,
     PIVOT,
     SEPARATE,
     SLIP_LEFT,
@@ -90,9 +89,6 @@ from planar_pushing.core.system import (
 )
 from planar_pushing.core.tolerances import AT_REST, PUSHER_AT_REST, SLACK
 
-#: Range of the search for slips along the fence, in normal motions: margin before the stick, and maximum.
-BEFORE_STICK = 1e-3
-FARTHEST_SLIP = 1e3
 #: Tangential acceleration, in units of the normal one, that represents a fence already slipping at a
 #: contact.
 ALREADY_SLIPS = 1e6
@@ -126,32 +122,39 @@ def _write_quasi_static(system: System, during: Span, time: float, state: Number
         return 1
     _write_contact(system, 1, STICK, 0.0, 0.0)
     count = 2
-    if system.scene[IN_SLIPS] != 0.0:
-        for contact in range(SLIP_RIGHT, SLIP_LEFT + 1):
-            if depends_on_speed(system):
-                count = _write_slips_at(system, state, contact, x, y, count)
-            else:
-                _write_contact(system, count, contact, 0.0, 0.0)
-                count += 1
+    if system.scene[IN_SLIPS] == 0.0:
+        return count
+    if depends_on_speed(system):
+        count = _write_slips_at_speed(system, state, x, y, count)
+    # Slips that begin at the stick.
+    for contact in range(SLIP_RIGHT, SLIP_LEFT + 1):
+        _write_contact(system, count, contact, x, y)
+        count += 1
     return count
 
 
-def _write_slips_at(
-    system: System, state: Numbers, contact: int, x: float, y: float, count: int
-) -> int:
-    """Store each slip under an edge as a candidate, for forces that depend on the speed."""
-    roots = zeros(SLIPS * SLIP)
-    side, pose = slip_side(contact), pose_of(system, state)
-    effects = effects_at(system, state[ANGLE])
-    # The parameter s is the contact's motion along the fence, in the direction of the slip.
-    path, unit = path_along_fence(system, effects, pose, contact, y, side), max(fabs(y), fabs(x))
-    first = side * x - BEFORE_STICK * unit
-    last = first_sample(path, first + FARTHEST_SLIP * unit)
-    slips, _ = find_slips(path, fabs(y), first, last, roots)
-    for i in range(slips):
-        if count < MOST_SOLUTIONS:
-            _write_contact(system, count, contact, side * roots[SLIP * i], y)
+def _write_slips_at_speed(system: System, state: Numbers, x: float, y: float, count: int) -> int:
+    """Store each slip as a candidate, for forces that depend on the speed."""
+    solutions = zeros(MOST_SOLUTIONS * SOLUTION)
+    size = sqrt(x * x + y * y)
+    for i in range(_solve_at_speed(system, state, x, y, solutions)):
+        solution = solutions[i * SOLUTION :]
+        contact = int(solution[MODE])
+        if slip_side(contact) != 0.0 and count < MOST_SOLUTIONS - 2:
+            _write_contact(system, count, contact, size * solution[MOTION], y)
             count += 1
+    return count
+
+
+def _solve_at_speed(system: System, state: Numbers, x: float, y: float, solutions: Numbers) -> int:
+    """Store the contact modes of a pusher's motion without inertia, in its units; return their number."""
+    size = sqrt(x * x + y * y)
+    scale_films(system, size if size > 0.0 else 1.0)
+    if is_loaded(system):
+        put_load(system, load_at(system, state[ANGLE]))
+    pose, part = _pose_at_start(system, state), 1.0 if size > 0.0 else 0.0
+    count, _ = modes_of_push(system, pose, x, y, part, solutions)
+    scale_films(system, 1.0)
     return count
 
 
@@ -171,14 +174,7 @@ def count_quasi_static(system: System, mode: Mode, now: Instant, state: Numbers)
         if not is_flat(path, sample, size + fabs(now.slip)):
             return 1
     solutions = zeros(MOST_SOLUTIONS * SOLUTION)
-    scale_films(system, size if size > 0.0 else 1.0)
-    if is_loaded(system):
-        put_load(system, load_at(system, state[ANGLE]))
-    count, _ = modes_of_push(
-        system, _pose_at_start(system, state), x, y, 1.0 if size > 0.0 else 0.0, solutions
-    )  # fmt: skip
-    scale_films(system, 1.0)
-    return count
+    return _solve_at_speed(system, state, x, y, solutions)
 
 
 def note_slip(system: System, time: float, state: Numbers, index: int, mode: Mode) -> None:
