@@ -429,31 +429,42 @@ def _is_watched(cause: int) -> bool:
 
 def _holds(system: System, mode: Mode, time: float, state: Numbers) -> bool:
     """Whether the margins of a mode are positive, or zero and not decreasing."""
-    now, later, trial = (
-        guards_of(system, TRIAL_GUARDS),
-        guards_of(system, LATER_GUARDS),
-        vector_of(system, TRIAL),
-    )
+    now, later = guards_of(system, TRIAL_GUARDS), guards_of(system, LATER_GUARDS)
     write_guards(system, mode, time, state, now)
     near: bool = False
     for cause in range(CAUSES):
-        if not _is_watched(cause):
+        if WATCHES[cause] == 0.0:
             if now[cause] < -NEAR_ZERO:
                 return False
             near = near or now[cause] <= NEAR_ZERO
     if not near:
         return True
-    during = mode.during
+    _look_ahead(system, mode, time, state)
+    for cause in range(CAUSES):
+        margin: bool = WATCHES[cause] == 0.0 and now[cause] <= NEAR_ZERO
+        if margin and not later[cause] >= now[cause] - NO_TREND:
+            return False
+    return True
+
+
+def _will_hold(system: System, mode: Mode, time: float, state: Numbers) -> bool:
+    """Whether the margins of a mode are positive a moment later, for forces that jump at the instant."""
+    later, lowest = guards_of(system, LATER_GUARDS), INFINITY
+    _look_ahead(system, mode, time, state)
+    for cause in range(CAUSES):
+        if WATCHES[cause] == 0.0:
+            lowest = min(lowest, later[cause])  # without the causes that have no guard
+    return lowest >= -NEAR_ZERO
+
+
+def _look_ahead(system: System, mode: Mode, time: float, state: Numbers) -> None:
+    """Store the guards of a mode a moment later."""
+    during, trial = mode.during, vector_of(system, TRIAL)
     ahead = AHEAD * min(during.end - during.start, pace_of(system, during, time))
     write_rates(system, mode, time, state, trial)
     for k in range(system.entries):
         trial[k] = state[k] + ahead * trial[k]
-    write_guards(system, mode, time + ahead, trial, later)
-    for cause in range(CAUSES):
-        margin: bool = not _is_watched(cause) and now[cause] <= NEAR_ZERO
-        if margin and not later[cause] >= now[cause] - NO_TREND:
-            return False
-    return True
+    write_guards(system, mode, time + ahead, trial, guards_of(system, LATER_GUARDS))
 
 
 def _choose_mode(system: System, excluded: int) -> bool:
@@ -462,16 +473,19 @@ def _choose_mode(system: System, excluded: int) -> bool:
     current, policy, time = int(run[RUN_MODE]), _policy_of(system), run[RUN_TIME]
     count = write_candidates(system, span_at(system.fence, piece), time, state)
     chosen, contact, lowest, solutions = -1, NO_MODE, 0, 0
-    for i in range(count):
-        mode = candidate_at(system, i, piece)
-        candidate = contact_mode_of(mode)
-        if candidate == excluded:
-            system.candidates[i * CANDIDATE] = float(NO_MODE)
-        elif _holds(system, mode, time, state):
-            rank = rank_of(policy, current, candidate)
-            if chosen < 0 or rank < lowest:
-                chosen, contact, lowest = i, candidate, rank
-            solutions += 1
+    for later in range(2):
+        for i in range(count if chosen < 0 else 0):
+            mode = candidate_at(system, i, piece)
+            candidate = contact_mode_of(mode)
+            if mode.contact == NO_MODE or candidate == excluded:
+                system.candidates[i * CANDIDATE] = float(NO_MODE)
+                continue
+            holds: bool = later == 0 and _holds(system, mode, time, state)
+            if holds or (later == 1 and _will_hold(system, mode, time, state)):
+                rank = rank_of(policy, current, candidate)
+                if chosen < 0 or rank < lowest:
+                    chosen, contact, lowest = i, candidate, rank
+                solutions += 1
     run[RUN_COUNT], run[RUN_CHOSEN], run[RUN_MODE] = float(count), float(chosen), float(contact)
     run[RUN_SOLUTIONS] = float(solutions)
     if contact != current and current != NO_MODE:
