@@ -6,7 +6,6 @@ import numpy as np
 
 import planar_pushing as pp
 
-
 #: l, mu, fence angle, psi0, T of a ring; published rod angle in degrees at the end, and slip.
 REFERENCES = [
     (5, np.inf, 165, 45, 3, 33.49164319965058, 2.1514157444528927),

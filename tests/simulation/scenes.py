@@ -1,4 +1,4 @@
-"""Scenes over time by name, degenerate and symmetric ones first, and their images in mirrors and other units."""
+"""Scenes over time by name, degenerate ones first, and their images in a mirror and in other units."""
 
 from __future__ import annotations
 
@@ -105,7 +105,9 @@ LEFT, RIGHT, JERK = (0.3, 1.0), (-0.3, 1.0), [(0, (0.1, 1.0)), (0.3, (0.9, 0.5))
 #: A square with a step down at the right of its lower side.
 NOTCHED = ((-1.0, -1.0), (0.6, -1.0), (0.6, -1.3), (1.0, -1.3), (1.0, 1.0), (-1.0, 1.0))
 STOPS = "the slider's center comes down to the fence"
-FENCE_MEETS, FINGER_MEETS = (f"another point of the outline meets the {x}" for x in ("fence", "finger"))
+FENCE_MEETS, FINGER_MEETS = (
+    f"another point of the outline meets the {x}" for x in ("fence", "finger")
+)
 SIDE_ENDS = "the finger comes to the end of the side"
 
 
@@ -124,7 +126,11 @@ def jumps(t):
 
 def turned(places, angle):
     """Places turned by an angle; exactly where that is a right one."""
-    c, s = (0.0, math.copysign(1.0, angle)) if abs(angle) == RIGHT_ANGLE else (math.cos(angle), math.sin(angle))
+    c, s = (
+        (0.0, math.copysign(1.0, angle))
+        if abs(angle) == RIGHT_ANGLE
+        else (math.cos(angle), math.sin(angle))
+    )
     return tuple((c * x - s * y, s * x + c * y) for x, y in places)
 
 
@@ -199,7 +205,9 @@ MOVING = {
         scene=PULLED, velocity=PULLS, policy=[(0, "slip-left"), (0.55, "stick"), (0.8, "separate")]
     ),
     "leaves, stands and comes back": Case(
-        scene=scene(), velocity=[(0, (0.0, -1.0)), (0.3, (0.2, 0.0)), (0.5, (0.2, 1.0))], duration=1.2, order=False),
+        scene=scene(), velocity=[(0, (0.0, -1.0)), (0.3, (0.2, 0.0)), (0.5, (0.2, 1.0))], duration=1.2,
+        order=False,
+    ),
     "starts, stops and turns": Case(scene=scene(), velocity=STARTS_AND_STOPS),
     "gap": Case(scene=scene(), velocity=(0.1, 0.7), gap=0.25, order=False),
     "comes down": Case(
@@ -232,7 +240,9 @@ INERTIAL = {
     "translation stops": Case(
         scene=scene(RING, HEAVY), velocity=(0.0, -5.0), twist=(0.6, 0.8, 0.0), duration=2.0
     ),
-    "impact": Case(scene=scene(HEAVY, mu=0.3), velocity=(0.0, 0.0), twist=(0.3, -1.0, 0.2), gap=0.4, order=False),
+    "impact": Case(
+        scene=scene(HEAVY, mu=0.3), velocity=(0.0, 0.0), twist=(0.3, -1.0, 0.2), gap=0.4, order=False
+    ),
     "impact with friction": Case(
         scene=scene(RING, ASIDE, mu=0.3), velocity=(0.1, 0.1), twist=(0.3, -1.0, 0.2), gap=0.3
     ),
@@ -258,7 +268,8 @@ INERTIAL = {
     ),
     "load and inertia": Case(scene=scene(RING, HEAVY, PULL), velocity=LEFT),
     "everything": Case(
-        scene=scene(pp.RingFriction(weight=0.4), UNEVEN, FILM, ASIDE, HEAVY, PULL), velocity=JERK, order=False),
+        scene=scene(pp.RingFriction(weight=0.4), UNEVEN, FILM, ASIDE, HEAVY, PULL), velocity=JERK, order=False,
+    ),
 }  # fmt: skip
 FINGERS = {
     "point": Case(scene=scene(mu=0.1), velocity=LEFT, shape="finger"),
@@ -292,7 +303,9 @@ FINGERS = {
         radius=0.3, duration=0.7, order=False,
     ),
     "everything under a disc": Case(
-        scene=scene(RING, UNEVEN, FILM, ASIDE, PULL, mu=0.2), velocity=JERK, shape="finger", radius=0.2, order=False),
+        scene=scene(RING, UNEVEN, FILM, ASIDE, PULL, mu=0.2), velocity=JERK, shape="finger", radius=0.2,
+        order=False,
+    ),
 }  # fmt: skip
 TILTED = turned(SQUARE, 0.3)
 OUTLINED = {
@@ -386,7 +399,9 @@ class Image:
                 )
             case pp.Viscous():
                 unit = self.force * self.time / self.length
-                return pp.Viscous(support=self.support(effect.support), coefficient=unit * effect.coefficient)
+                return pp.Viscous(
+                    support=self.support(effect.support), coefficient=unit * effect.coefficient
+                )
             case pp.Load():
                 center = None if effect.center is None else self.place(effect.center)
                 return pp.Load(force=self.along(effect.force, self.force), center=center)
@@ -431,7 +446,9 @@ class Image:
         swapped = {pp.ContactMode.SLIP_LEFT: pp.ContactMode.SLIP_RIGHT,
                    pp.ContactMode.SLIP_RIGHT: pp.ContactMode.SLIP_LEFT}  # fmt: skip
         found["mode"] = np.array([swapped.get(m, m) if self.flip < 0 else m for m in modes])
-        return found | {name: log[name].values for name in ("pivot", "solutions", "outcome", "adhesive")}
+        return found | {
+            name: log[name].values for name in ("pivot", "solutions", "outcome", "adhesive")
+        }
 
 
 ENERGIES = ("dissipated", "contact_dissipated", "work", "load_work", "kinetic_energy")

@@ -38,7 +38,9 @@ def box(point=(0.3, -1.0), contact=None, effects=(BOX,), outline=None):
     return pp.scene_at(point, (0, 1), effects=effects, contact=law, outline=outline)
 
 
-def pushed(pushed_scene, velocity, duration=0.7, *, shape="finger", radius=0.0, samples=5, **options):
+def pushed(
+    pushed_scene, velocity, duration=0.7, *, shape="finger", radius=0.0, samples=5, **options
+):
     pusher = pp.Pusher(velocity=velocity, shape=shape, radius=radius)
     return run(pushed_scene, pusher, duration, samples=samples, **options)
 
@@ -156,7 +158,9 @@ def test_a_slider_rests_or_flies_on_where_the_finger_leaves_it(radius, method):
         log = pushed(scene(effects, side=(-1.0, 0.2)), SLIPPING, radius=radius, method=method)
         after = log.isel(time=log.parted.values)
         assert after.sizes["time"] > 2
-        assert after.twist.values == pytest.approx(np.tile(after.twist.values[0], (len(after.time), 1)))
+        assert after.twist.values == pytest.approx(
+            np.tile(after.twist.values[0], (len(after.time), 1))
+        )
         assert after.twist.values.any() == moves
 
 

@@ -1,7 +1,7 @@
 """What holds of every motion: scenes by name, by both methods.
 
-A simulation is mirrored with its scene, is the same in other units, in a batch and in a file, gains the energy
-that pusher and loads give it, and obeys the laws of contact. Its steps converge to its events.
+A motion is mirrored with its scene, and is the same in other units, in a batch and in a file. It stores or
+dissipates the energy that pusher and loads give, and obeys the laws of contact. Steps converge to it.
 """
 
 from __future__ import annotations
@@ -41,15 +41,22 @@ def turn(log):
     return np.deg2rad(log.rod_angle.values - log.rod_angle.values[0])
 
 
-SYMMETRIC = [name for name in SCENES if "through" in name] + ["flush side", "two feet along the fence"]
+SYMMETRIC = [name for name in SCENES if "through" in name] + [
+    "flush side",
+    "two feet along the fence",
+]
 
 
 @pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("name", [*SYMMETRIC, "bar on its own line end", "center of pressure at the contact"])
+@pytest.mark.parametrize(
+    "name", [*SYMMETRIC, "bar on its own line end", "center of pressure at the contact"]
+)
 def test_what_is_pushed_along_its_axis_of_symmetry_moves_with_the_pusher(name, method):
     log = log_of(name, method)
     assert log.rod_angle.values == pytest.approx(90, abs=1e-9)
-    assert log.position.values - log.position.values[0] == pytest.approx(log.pusher.values, abs=1e-12)
+    assert log.position.values - log.position.values[0] == pytest.approx(
+        log.pusher.values, abs=1e-12
+    )
     assert (modes(log) == STICK).all()
 
 
@@ -64,7 +71,9 @@ def require_image(case, method, image, tolerance):
     np.testing.assert_array_equal(other.event, log.event)
     wanted_log = image.log(log)
     if case.limit:
-        wanted_log = {k: v for k, v in wanted_log.items() if k not in ("solutions", "outcome", "adhesive")}
+        wanted_log = {
+            k: v for k, v in wanted_log.items() if k not in ("solutions", "outcome", "adhesive")
+        }
     for each, wanted in wanted_log.items():
         found = other[each].values
         size = 1 + np.abs(wanted).max(initial=0)
@@ -101,7 +110,11 @@ def test_a_batch_has_the_numbers_of_each_of_its_runs(name):
         found = batch.isel(scene=row)
         for part, time in enumerate(np.linspace(0.0, duration, parts)):
             there = log.isel(time=int(np.flatnonzero(log.time.values <= time)[-1]))
-            shared = [each for each in found.data_vars if "part" in found[each].dims and each in log.variables]
+            shared = [
+                each
+                for each in found.data_vars
+                if "part" in found[each].dims and each in log.variables
+            ]
             assert {"time", "position", "rod_angle", "force", "mode", "solutions"} <= {*shared}
             for each in shared:
                 assert np.array_equal(found[each][part], there[each]), (each, part)
@@ -112,7 +125,9 @@ def test_a_batch_has_the_numbers_of_each_of_its_runs(name):
 def test_a_log_on_disk_is_that_in_memory(name, method, tmp_path):
     kept = log_of(name, method)
     with SCENES[name].log(method, path=tmp_path / "log.nc") as streamed:
-        xr.testing.assert_identical(kept.drop_attrs(deep=False), streamed.load().drop_attrs(deep=False))
+        xr.testing.assert_identical(
+            kept.drop_attrs(deep=False), streamed.load().drop_attrs(deep=False)
+        )
         assert {**streamed.attrs, "versions": ""}.keys() == kept.attrs.keys()
         for each, value in kept.attrs.items():
             np.testing.assert_array_equal(streamed.attrs[each], value, each)
@@ -142,7 +157,9 @@ def distance(case, log, exact):
     return max(np.abs(each).max() for each in (angles, *apart))
 
 
-@pytest.mark.parametrize("name", [name for name, case in SCENES.items() if TIME_STEPS in case.methods])
+@pytest.mark.parametrize(
+    "name", [name for name, case in SCENES.items() if TIME_STEPS in case.methods]
+)
 def test_steps_converge_to_the_motion_between_events(name):
     case, exact = SCENES[name], log_of(name)
     finer = 2 if case.order else 16
@@ -226,7 +243,10 @@ def test_the_force_is_in_the_cone_and_on_its_edge_where_the_contact_slips(name, 
     along, normal = c * f_x + s * f_y, c * f_y - s * f_x
     size = np.hypot(along, normal)
     free = np.array([modes(log) <= SEPARATE, size == 0]).any(axis=0)
-    assert np.array_equal(log.adhesive.values, normal < -1e-12 * size) or case.scene.contact != pp.PerfectlyRough()
+    assert (
+        np.array_equal(log.adhesive.values, normal < -1e-12 * size)
+        or case.scene.contact != pp.PerfectlyRough()
+    )
     mu = getattr(case.scene.contact, "friction_coefficient", np.inf)
     if isinstance(case.scene.contact, pp.PerfectlyRough):
         assert not np.isin(modes(log), (RIGHT, LEFT)).any()

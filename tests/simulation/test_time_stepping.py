@@ -41,10 +41,9 @@ def test_slow_pushing_with_inertia_is_quasi_static():
         for speed in (0.1, 0.05)
     ]
     slow = stepped(make_scene(2, 2.0, (FRICTION,)), heading(60), 3, 200)
-    errors = np.array([
-        (np.deg2rad(final(x, "rod_angle") - final(slow, "rod_angle")), final(x, "slip") - final(slow, "slip"))
-        for x in pushed
-    ])  # fmt: skip
+    errors = np.array(
+        [[final(x, n) - final(slow, n) for n in ("rod_angle", "slip")] for x in pushed]
+    )
     assert rates(errors) == pytest.approx(np.full((1, 2), 2), abs=0.1)
 
 
@@ -105,7 +104,8 @@ def test_a_rough_contact_holds_on_to_the_slider_that_it_pulls():
 def test_large_friction_converges_to_infinite_friction():
     laws = 1e4, 1e5, np.inf
     ends = [
-        final(stepped(make_scene(5, mu, EFFECTS["both"]), heading(165), 1.0, 100), "rod_angle") for mu in laws
+        final(stepped(make_scene(5, mu, EFFECTS["both"]), heading(165), 1.0, 100), "rod_angle")
+        for mu in laws
     ]
     errors = np.deg2rad(np.abs(np.subtract(ends[:2], ends[2])))
     assert errors[0] < 1e-4
