@@ -268,7 +268,8 @@ INERTIAL = {
     ),
     "load and inertia": Case(scene=scene(RING, HEAVY, PULL), velocity=LEFT),
     "everything": Case(
-        scene=scene(pp.RingFriction(weight=0.4), UNEVEN, FILM, ASIDE, HEAVY, PULL), velocity=JERK, order=False,
+        scene=scene(pp.RingFriction(weight=0.4), UNEVEN, FILM, ASIDE, HEAVY, PULL), velocity=JERK,
+        order=False,
     ),
 }  # fmt: skip
 FINGERS = {
