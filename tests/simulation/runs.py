@@ -2,29 +2,17 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
-from pathlib import Path
-
 import numpy as np
 
 import planar_pushing as pp
 
-
-def run_slow_uncompiled(file):
-    """Run the slow tests of a file without the compiler; what pytest said of each.
-
-    The compiler takes up to two minutes for the events of a set of effects, and a run without it a second:
-    so the sets that `planar-pushing compile` leaves out are slow, and are run compiled by `make test-all`.
-    """
-    found = subprocess.run(
-        [sys.executable, "-m", "pytest", "-vv", "-p", "no:cacheprovider", "-m", "slow", file],
-        capture_output=True, text=True, check=False, cwd=Path(__file__).parents[2],
-        env=os.environ | {"NUMBA_DISABLE_JIT": "1", "PYTHONPATH": os.pathsep.join(sys.path)},
-    )  # fmt: skip
-    assert found.returncode == 0, found.stdout[-3000:]
-    return found.stdout
+#: l, mu, fence angle, psi0, T of a ring; published rod angle in degrees at the end, and slip.
+REFERENCES = [
+    (5, np.inf, 165, 45, 3, 33.49164319965058, 2.1514157444528927),
+    (2, 2, 60, 45, 3, 6.511092064133266, -0.15251676648881093),
+    (2, 2, 170, 45, 3, 29.673182764562068, 2.437240035590965),
+    (1, 0.5, 20, 80, 2, 110.23885816124236, -1.0410568765402608),
+]
 
 
 def heading(degrees, speed=1.0):
@@ -63,7 +51,8 @@ def check(log, tolerance=1e-9):
         if variable.dtype.kind == "f" and name != "spin_ratio":
             assert np.isfinite(variable).all(), name
     assert not np.isnan(log.spin_ratio).any()
-    assert log.gap.min() >= -tolerance
+    gap = log.gap.where(~log.parted, 0.0) if "parted" in log else log.gap
+    assert gap.min() >= -tolerance
     assert np.all(np.diff(log.time) >= 0)
     scale = 1 + float(np.abs(log.work).max()) + float(log.kinetic_energy.max())
     assert imbalance(log).max() <= tolerance * scale

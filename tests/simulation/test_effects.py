@@ -7,14 +7,13 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import planar_pushing as pp
-from simulation.runs import check, final, heading, run, run_slow_uncompiled
+from simulation.runs import check, final, heading, run
 
 METHODS = {
     "event-driven": ({"method": "event-driven"}, 1e-8),
     "time-stepping": ({"method": "time-stepping", "step": 1e-3}, 3e-3),
 }
 methods = pytest.mark.parametrize(("options", "tolerance"), METHODS.values(), ids=METHODS)
-slow = pytest.mark.slow
 RING = pp.Ring(1.0)
 #: A pusher that moves away from the slider.
 AWAY = (0.0, -10.0)
@@ -25,7 +24,6 @@ def scene_of(*effects, mu=0.5, length=1.0, psi=np.pi / 2):
     return pp.Scene(slider=slider, contact=pp.Coulomb(mu), effects=effects)
 
 
-@slow
 @methods
 def test_a_slider_falls(options, tolerance):
     """Without support the center of mass moves on a parabola, and the rotation stays."""
@@ -41,7 +39,6 @@ def test_a_slider_falls(options, tolerance):
     assert np.rad2deg(0.6) == pytest.approx(float(end.rod_angle - start.rod_angle), abs=1e-6)
 
 
-@slow
 @methods
 def test_a_load_beside_the_center_of_mass_turns_the_slider(options, tolerance):
     """The load keeps its direction in the world, so that the slider swings as a pendulum does."""
@@ -62,7 +59,6 @@ def test_a_load_beside_the_center_of_mass_turns_the_slider(options, tolerance):
     assert np.deg2rad(final(log, "rod_angle")) == pytest.approx(swing.y[0, -1], abs=tolerance)
 
 
-@slow
 @methods
 def test_a_film_slows_a_slider_down(options, tolerance):
     """Speed and rotation decay by exp(-c t / m) and exp(-c R^2 t / J); the film takes the energy."""
@@ -80,7 +76,6 @@ def test_a_film_slows_a_slider_down(options, tolerance):
     assert log.dissipated.values[-1].tolist() == pytest.approx([0.0, lost], abs=1e-8)
 
 
-@slow
 @methods
 def test_a_load_and_a_film_have_a_terminal_velocity(options, tolerance):
     effects = (
@@ -92,7 +87,6 @@ def test_a_load_and_a_film_have_a_terminal_velocity(options, tolerance):
     assert log.twist.values[-1] == pytest.approx([0.25, -0.5, 0.0], abs=1e-8)
 
 
-@slow
 @methods
 def test_a_film_beside_friction_adds_to_the_force(options, tolerance):
     """A translation along the normal: the force is W + c v, and the load takes from it."""
@@ -108,7 +102,6 @@ def test_a_film_beside_friction_adds_to_the_force(options, tolerance):
     assert final(log, "load_work") == pytest.approx(0.2, abs=1e-9)
 
 
-@slow
 @methods
 def test_friction_holds_a_small_load_and_no_large_one(options, tolerance):
     """On a tilted table a slider stays where it is, or slides down with the rest of the load."""
@@ -118,24 +111,6 @@ def test_friction_holds_a_small_load_and_no_large_one(options, tolerance):
         assert log.twist.values[-1] == pytest.approx([speed, 0.0, 0.0], abs=1e-7)
 
 
-@slow
-def test_a_log_names_pivots_and_events():
-    """A tripod that slides on pivots about its first foot for a while, and rests."""
-    feet = [(1.0, 0.0), (-0.5, 0.75**0.5), (-0.5, -(0.75**0.5))]
-    friction = pp.SupportFriction(support=pp.Points(feet, [1, 1, 1]))
-    log = check(
-        run(scene_of(friction, pp.Inertia()), (0.0, -1.0), 1.5, twist=(0.2, 0.1, 1.0), samples=31)
-    )
-    turns = log.time.values[log.pivot.values == 0]
-    assert turns.min() == pytest.approx(0.934, abs=2e-3)
-    assert turns.max() == pytest.approx(1.093, abs=0.05)
-    assert set(log.pivot.values) == {-1, 0}
-    flags = dict(zip(log.event.flag_meanings.split(), log.event.flag_values, strict=True))
-    happened = log.event.values[log.event.values != flags["NONE"]]
-    assert {flags["MOTION_CENTER_AT_POINT"], flags["SLIDER_STOPS"]} <= set(happened.tolist())
-
-
-@slow
 def test_two_effects_of_degree_one_share_the_load():
     parts = pp.RingFriction(weight=0.25), pp.RingFriction(weight=0.75)
     log, whole = (
@@ -145,8 +120,3 @@ def test_two_effects_of_degree_one_share_the_load():
     assert final(log, "rod_angle") == pytest.approx(final(whole, "rod_angle"), abs=1e-10)
     expected = final(whole, "dissipated") * [0.25, 0.75]
     assert final(log, "dissipated") == pytest.approx(expected, rel=1e-9)
-
-
-def test_all_of_it_without_the_compiler():
-    """Eight kinds of simulations, each of which compiles for a minute and runs in seconds without."""
-    assert run_slow_uncompiled(__file__).count(" PASSED ") == 6 * len(METHODS) + 2

@@ -1,6 +1,7 @@
 """A disc finger and the other sides of its outline: never inside them, and the run ends at the touch."""
 
-import os
+from __future__ import annotations
+
 from dataclasses import replace
 
 import numpy as np
@@ -8,7 +9,7 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
-from simulation.runs import check, final, run, run_slow_uncompiled
+from simulation.runs import check, final, run
 
 MEETS = "another point of the outline meets the finger"
 SIDE_ENDS = "the finger comes to the end of the side"
@@ -25,11 +26,11 @@ EFFECTS = {
     "friction": (pp.RingFriction(),),
     "both": (pp.RingFriction(), pp.Inertia(mass=0.3, gyration_radius=0.15)),
 }
-#: Random outlines; fewer without the compiler.
-SEEDS = range(4 if os.environ.get("NUMBA_DISABLE_JIT") == "1" else 30)
 METHODS = pytest.mark.parametrize("method", ["event-driven", "time-stepping"])
-SETS = pytest.mark.parametrize(
-    "effects", ["friction", pytest.param("both", marks=pytest.mark.slow)]
+SETS = pytest.mark.parametrize("effects", EFFECTS)
+#: Random outlines, most of them in the slow tests.
+SEEDS = pytest.mark.parametrize(
+    "seed", [*range(6), *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(6, 30))]
 )
 
 
@@ -73,10 +74,6 @@ def require_outside(log, scene, radius, first_order=2e-2):
 
 def reached(log):
     return final(log, "time") == log.attrs["duration"]
-
-
-def test_every_effect_without_the_compiler():
-    assert "both" in run_slow_uncompiled(__file__)
 
 
 # -- the start ---------------------------------------------------------------------------------------
@@ -350,7 +347,7 @@ def star(random):
     return random.uniform(0.08, 0.4, count) * np.exp(1j * angles)
 
 
-def some(random):
+def random_outline(random):
     """A random outline, and a point of one of its sides."""
     corners = star(random)
     side, part = int(random.integers(len(corners))), random.uniform(0.05, 0.95)
@@ -360,10 +357,10 @@ def some(random):
 
 @METHODS
 @SETS
-@pytest.mark.parametrize("seed", SEEDS)
+@SEEDS
 def test_no_disc_is_ever_inside_a_random_outline(method, effects, seed):
     random = np.random.default_rng(seed)
-    outline, point = some(random)
+    outline, point = random_outline(random)
     radius, law = random.choice([0.01, 0.03, 0.1]), random.choice([0.0, 0.1, 0.5, 2.0])
     scene = beside(outline, point, law, effects)
     velocity = [(t, tuple(random.uniform((-1, -0.5), (1, 1.5)))) for t in (0.0, 0.6)]
@@ -379,10 +376,10 @@ def test_no_disc_is_ever_inside_a_random_outline(method, effects, seed):
 
 @METHODS
 @SETS
-@pytest.mark.parametrize("seed", SEEDS)
+@SEEDS
 def test_no_free_finger_is_ever_inside_a_random_outline(method, effects, seed):
     random = np.random.default_rng(seed)
-    outline, point = some(random)
+    outline, point = random_outline(random)
     radius = random.choice([0.0, 0.01, 0.03])
     scene = beside(outline, point, random.choice([0.0, 0.5]), effects)
     inward = np.array(scene.placement.normal)
