@@ -30,7 +30,7 @@ A, B = weights(), weights()[STEP_STAGES]
 
 
 def test_they_are_those_of_scipy_to_the_last_bit():
-    assert STEP_STAGES == DOP853.n_stages
+    assert DOP853.n_stages == STEP_STAGES
     np.testing.assert_array_equal(C, [*DOP853.C, 1.0, *DOP853.C_EXTRA])
     np.testing.assert_array_equal(A[:STEP_STAGES, :STEP_STAGES], DOP853.A)
     np.testing.assert_array_equal(B[:STEP_STAGES], DOP853.B)

@@ -23,7 +23,13 @@ NAMES = [
     "infinite friction", "heavy and rough", "uneven feet", "load that friction holds", "impact",
     "start of a mass", "feet that pivot and rest", "everything", "disc", "parted", "corner comes down",
 ]  # fmt: skip
-STEPPED = ["pivot on the other side", "impact with friction", "everything", "disc and inertia", "gap"]
+STEPPED = [
+    "pivot on the other side",
+    "impact with friction",
+    "everything",
+    "disc and inertia",
+    "gap",
+]
 
 
 @pytest.fixture
@@ -87,7 +93,13 @@ def test_random_runs(both, kind, inertia):
         pusher = pp.Pusher(velocity=run.velocity, shape=run.shape)
         for steps in ({}, {"method": TIME_STEPS, "step": run.duration / 24}):
             pp.simulate(
-                run.scene, pusher=pusher, duration=run.duration, samples=5, rtol=1e-8, **twist, **steps
+                run.scene,
+                pusher=pusher,
+                duration=run.duration,
+                samples=5,
+                rtol=1e-8,
+                **twist,
+                **steps,
             )
     assert {"run_events", "run_steps"} <= {*both.results}
 
@@ -99,7 +111,7 @@ def ends():
         for method in METHODS:
             log = SCENES[name].log(method, samples=3)
             found[f"{name}, {method}"] = [
-                value.hex() for each in ("rod_angle", "slip", "work") for value in [log[each].values[-1].item()]
+                log[each].values[-1].item().hex() for each in ("rod_angle", "slip", "work")
             ]
     return found
 
