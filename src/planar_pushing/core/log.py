@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from planar_pushing.core.directions import spin_ratio
-from planar_pushing.core.equations import Instant
+from planar_pushing.core.drag import load_work
+from planar_pushing.core.instant import Instant
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.run import (
     IN_RESISTING,
@@ -46,7 +47,6 @@ from planar_pushing.core.system import (
     System,
     copy_numbers,
     energies_of,
-    load_work,
     log_of,
     logs_events,
     memory_of,

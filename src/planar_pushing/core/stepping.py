@@ -21,11 +21,20 @@ from __future__ import annotations
 
 from math import cos, fabs, sin, sqrt
 
+from planar_pushing.core.candidates import modes_of_push
 from planar_pushing.core.directions import Rod
+from planar_pushing.core.drag import (
+    drag,
+    load_at,
+    load_work,
+    put_load,
+    put_mass,
+    scale_films,
+    write_powers,
+)
 from planar_pushing.core.fence import fence_path, policy_at, span_at
 from planar_pushing.core.log import has_room_for_rows, log_row_at, write_state
 from planar_pushing.core.numbers import INFINITY, Numbers, zeros
-from planar_pushing.core.rest import modes_of_push
 from planar_pushing.core.rows import NO_POINT, Vector
 from planar_pushing.core.run import (
     IN_GAP,
@@ -114,20 +123,13 @@ from planar_pushing.core.system import (
     STATE,
     WORK,
     System,
-    drag,
     energies_of,
     is_loaded,
     is_massive,
-    load_at,
-    load_work,
     prepare_system,
-    put_load,
-    put_mass,
     rank_of,
-    scale_films,
     system_of,
     vector_of,
-    write_powers,
 )
 from planar_pushing.core.tolerances import SLACK
 

@@ -1,22 +1,16 @@
-"""The modes that can follow an instant, starts from rest, and stops."""
+"""The modes that can follow an instant, also from rest."""
 
 from __future__ import annotations
 
 from math import atan2, fabs, sqrt
 
 from planar_pushing.core.directions import Direction, direction_at, rod_at
-from planar_pushing.core.equations import (
-    Instant,
-    depends_on_speed,
-    load_power,
-    motion_in_mode,
-    path_along_fence,
-    slowest_foot_at,
-    write_rates,
-)
-from planar_pushing.core.fence import Span, fence_velocity, span_at
+from planar_pushing.core.drag import load_at, problem_effects, put_load, put_mass, scale_films
+from planar_pushing.core.equations import depends_on_speed, motion_in_mode, path_along_fence
+from planar_pushing.core.fence import Span
 from planar_pushing.core.free import free_twist
-from planar_pushing.core.impact import collide
+from planar_pushing.core.inertia import slowest_foot_at
+from planar_pushing.core.instant import Instant
 from planar_pushing.core.modes import contact_modes
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.path import is_flat, sample_path
@@ -26,10 +20,7 @@ from planar_pushing.core.shapes import (
     Pose,
     center_motion,
     clearance_of,
-    contact_motion,
     frame_angle,
-    from_world,
-    kinetic_energy_of,
     pose_of,
     pose_with_rod,
     pusher_acceleration,
@@ -52,39 +43,18 @@ from planar_pushing.core.solution import (
     Push,
 )
 from planar_pushing.core.system import (
-    ALONG,
     ANGLE,
-    GAP,
-    GOES_ON,
-    LOST,
-    MOVING,
-    NO_MODE,
     OVER,
-    PUSH_STARTS,
-    RATES,
     REST,
     RISE,
-    SLIDER_STOPS,
-    SLIP_ENDS,
     SPIN,
-    TOUCHES,
-    WORK,
     Mode,
     System,
-    candidate_at,
-    contact_mode_of,
     is_loaded,
     is_massive,
     law_of,
-    load_at,
     pace_of,
-    problem_effects,
-    put_load,
-    put_mass,
-    rank_of,
-    scale_films,
     slip_side,
-    vector_of,
     write_candidate,
 )
 from planar_pushing.core.tolerances import AT_REST, PUSHER_AT_REST, SLACK
@@ -157,7 +127,7 @@ def _solve_at_speed(system: System, state: Numbers, x: float, y: float, solution
     scale_films(system, size if size > 0.0 else 1.0)
     if is_loaded(system):
         put_load(system, load_at(system, state[ANGLE]))
-    pose, part = _pose_at_start(system, state), 1.0 if size > 0.0 else 0.0
+    pose, part = pose_at_start(system, state), 1.0 if size > 0.0 else 0.0
     count, _ = modes_of_push(system, pose, x, y, part, solutions)
     scale_films(system, 1.0)
     return count
@@ -206,7 +176,7 @@ def _write_with_inertia(
             return _write_clear(system, state)
         return _write_in_motion(system, pose, during, time, state, v_x, v_y, slowest, SEPARATE)
     if rests:
-        return _write_starts(system, during, time, state)
+        return write_starts(system, during, time, state)
     return _write_in_motion(system, pose, during, time, state, v_x, v_y, slowest, SLIP_LEFT)
 
 
@@ -238,7 +208,7 @@ def _write_in_motion(
     return count
 
 
-def _pose_at_start(system: System, state: Numbers) -> Pose:
+def pose_at_start(system: System, state: Numbers) -> Pose:
     """Pose of the slider, exact if body x is at 90 degrees."""
     return pose_with_rod(system, rod_at(1.0, frame_angle(system, state[ANGLE])), state)
 
@@ -265,7 +235,7 @@ def _write_clear(system: System, state: Numbers) -> int:
     return 1
 
 
-def _write_starts(system: System, during: Span, time: float, state: Numbers) -> int:
+def write_starts(system: System, during: Span, time: float, state: Numbers) -> int:
     """Store all modes in which a slider at rest on the fence can start."""
     speed, slip = system.run[RUN_SPEED], state[OVER]
     x, y, moves = _pusher_at_start(system, during, time, state)
@@ -287,7 +257,7 @@ def _write_starts(system: System, during: Span, time: float, state: Numbers) -> 
         _write_rest(system, 0, True, 0.0, 0.0)
         return 1
     _prepare_start(system, state, unit)
-    pose = _pose_at_start(system, state)
+    pose = pose_at_start(system, state)
     solutions = zeros(MOST_SOLUTIONS * SOLUTION)
     found, _ = modes_of_push(system, pose, x, y, size / unit, solutions)
     count = 0
@@ -340,111 +310,3 @@ def _pusher_at_start(
         return b_x, b_y, size > 0.0
     moves: bool = size > slowest / pace_of(system, during, time)
     return b_x, 0.0 if fabs(b_y) <= AT_REST * size else b_y, moves
-
-
-def _set_off(system: System, mode: Mode, time: float, state: Numbers, policy: int) -> int:
-    """Set a slider at rest in motion with a fence that starts to push it; return `GOES_ON` or a reason."""
-    state[GAP] = 0.0
-    current, chosen, lowest = contact_mode_of(mode), NO_MODE, 0
-    count = _write_starts(system, mode.during, time, state)
-    for i in range(count):
-        start = candidate_at(system, i, mode.during.first)
-        rank = rank_of(policy, current, start.contact)
-        if start.contact != REST and (chosen == NO_MODE or rank < lowest):
-            chosen, lowest = i, rank
-    if chosen == NO_MODE:
-        return collide(system, mode.during, time, state, current, policy)
-    start = candidate_at(system, chosen, mode.during.first)
-    _, b_y = pusher_acceleration(system, mode.during, time, state)
-    fence_x, fence_y = pusher_velocity(system, mode.during, time, state)
-    part = fence_y / b_y if b_y != 0.0 else 0.0
-    v_x, v_y, spin = part * start.x, part * start.y, part * start.spin
-    u_x, _ = contact_motion(_pose_at_start(system, state), v_x, v_y, spin)
-    state[OVER] = 0.0 if start.contact == STICK else u_x - fence_x
-    state[RISE], state[SPIN] = 0.0, spin
-    return GOES_ON
-
-
-def _come_to_rest(system: System, mode: Mode, time: float, state: Numbers) -> float:
-    """Complete a motion that comes to rest; return the time at rest.
-
-    Speeds decrease in proportion to the remaining time, and the energy with its square, so that everything
-    changes at half its present rate on average.
-    """
-    during, rates = mode.during, vector_of(system, RATES)
-    write_rates(system, mode, time, state, rates)
-    pose = pose_of(system, state)
-    fence_x, fence_y = pusher_velocity(system, during, time, state)
-    v_x, v_y = center_motion(pose, fence_x + state[OVER], fence_y + state[RISE], state[SPIN])
-    lost = rates[LOST] - rates[WORK] - load_power(system, pose, state, v_x, v_y, state[SPIN])
-    for i in range(MOVING, system.entries):
-        lost += rates[i]
-    if lost <= 0.0:
-        return time
-    energy = kinetic_energy_of(system, pose, v_x, v_y, state[SPIN])
-    half = min(2.0 * energy / lost, during.end - time) / 2.0
-    for entry in range(system.entries):
-        if entry < OVER or entry >= MOVING:
-            state[entry] += rates[entry] * half
-    # The fence continues at its own speed.
-    state[ALONG] -= fence_x * half
-    state[GAP] -= fence_y * half
-    slack = SLACK * system.run[RUN_SPEED]
-    if clearance_of(system, state) <= SLACK and fabs(state[RISE]) <= slack:
-        state[GAP] = 0.0
-    last_x, last_y = pusher_velocity(system, during, time + 2.0 * half, state)
-    state[OVER], state[RISE], state[SPIN] = -last_x, -last_y, 0.0
-    return time + 2.0 * half
-
-
-# Changes of the state
-
-
-def enter_span(system: System, index: int, state: Numbers, current: int, policy: int) -> int:
-    """Begin a span of the pusher's motion; return `GOES_ON`, or why there is no consistent state.
-
-    With inertia a jump of the pusher's velocity is an impact on a slider in contact.
-    """
-    if not is_massive(system):
-        return GOES_ON
-    during, before_x, before_y = span_at(system.fence, index), 0.0, 0.0
-    now_x, now_y = fence_velocity(system.fence, during, during.start)
-    if index > 0:
-        past = span_at(system.fence, index - 1)
-        before_x, before_y = fence_velocity(system.fence, past, past.end)
-    jump_x, jump_y = from_world(system, state[ANGLE], before_x - now_x, before_y - now_y)
-    state[OVER] += jump_x
-    state[RISE] += jump_y
-    slack = SLACK * system.run[RUN_SPEED]
-    hits: bool = sqrt(jump_x * jump_x + jump_y * jump_y) > slack or state[RISE] < -slack
-    if clearance_of(system, state) <= SLACK and hits:
-        return collide(system, during, during.start, state, current, policy)
-    return GOES_ON
-
-
-def change_state(
-    system: System, cause: int, mode: Mode, time: float, state: Numbers, policy: int
-) -> tuple[float, int]:
-    """Change the state just after an event; return the time, and `GOES_ON` or why the run ends."""
-    if not is_massive(system):
-        if cause == TOUCHES or state[GAP] <= SLACK:
-            state[GAP] = 0.0
-        return time, GOES_ON
-    contact = contact_mode_of(mode)
-    if mode.hinged:
-        now = motion_in_mode(system, mode, time, state)
-        state[OVER], state[RISE] = now.slip, now.rise
-    if cause == TOUCHES:
-        state[GAP] = 0.0
-        return time, collide(system, mode.during, time, state, contact, policy)
-    if cause == SLIP_ENDS:
-        state[OVER] = 0.0
-    elif cause == SLIDER_STOPS:
-        return _come_to_rest(system, mode, time, state), GOES_ON
-    elif cause == PUSH_STARTS:
-        return time, _set_off(system, mode, time, state, policy)
-    falls: bool = state[RISE] < -SLACK * system.run[RUN_SPEED]
-    if mode.contact == SEPARATE and falls and clearance_of(system, state) <= SLACK:
-        state[GAP] = 0.0
-        return time, collide(system, mode.during, time, state, contact, policy)
-    return time, GOES_ON

@@ -1,0 +1,72 @@
+"""The motion at one instant of a run."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from planar_pushing.core.drag import load_at
+from planar_pushing.core.numbers import Numbers
+from planar_pushing.core.rows import NO_POINT
+from planar_pushing.core.shapes import Pose, to_body
+from planar_pushing.core.system import ANGLE, System
+
+
+class Instant(NamedTuple):
+    """The motion at an instant, along the axes of the contact frame.
+
+    Attributes
+    ----------
+    slip, rise : float
+        Velocity of the contact relative to the pusher.
+    fence_x, fence_y : float
+        Velocity of the pusher.
+    v_x, v_y, spin, speed : float
+        Twist of the slider's center, and the center's speed.
+    f_x, f_y : float
+        Force of the pusher on the slider.
+    dissipated : float
+        Power dissipated by friction and viscous friction.
+    a_x, a_y, turn : float
+        Acceleration of the contact relative to the pusher, and angular acceleration; zero without inertia.
+    lift : float
+        Normal acceleration of the contact without the contact force; without inertia, a number that is
+        positive while a slip lasts.
+    pivot : int
+        Number of the support point about which the slider pivots, -1 without one.
+    hold : float
+        Margin of the friction force that holds a hinge, 1 without a hinge.
+    """
+
+    slip: float
+    rise: float
+    fence_x: float
+    fence_y: float
+    v_x: float
+    v_y: float
+    spin: float
+    speed: float
+    f_x: float
+    f_y: float
+    dissipated: float
+    a_x: float
+    a_y: float
+    turn: float
+    lift: float
+    pivot: int
+    hold: float
+
+
+def instant_at_rest(x: float, y: float, a_x: float, a_y: float, f_x: float, f_y: float) -> Instant:
+    """A slider at rest, relative to a pusher with a velocity and an acceleration."""
+    return Instant(
+        -x, -y, x, y, 0.0, 0.0, 0.0, 0.0, f_x, f_y, 0.0, -a_x, -a_y, 0.0, 0.0, NO_POINT, 1.0
+    )  # fmt: skip
+
+
+def load_power(
+    system: System, pose: Pose, state: Numbers, v_x: float, v_y: float, spin: float
+) -> float:
+    """Power of the loads."""
+    x, y = to_body(pose.rod, v_x, v_y)
+    load = load_at(system, state[ANGLE])
+    return load.x * x + load.y * y + load.spin * spin
