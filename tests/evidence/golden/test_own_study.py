@@ -27,12 +27,12 @@ supports:
   disc: {shape: disc, radius: 1}
 grid:
   effects: [support_friction, support_friction+inertia]
-  rod_length: [1, 2]
+  rod_length: [2]
   rod_angle: [60, 90]
-  friction_coefficient: [0.25, FRICTION, inf]
+  friction_coefficient: [FRICTION, inf]
   force_angle: [0, 60, 100]
   inertia_share: [0, 1]
-  pusher_angle: [-10, 0, 80, 180]
+  pusher_angle: [-10, 80]
   pusher_magnitude: [2]
   contact_friction_coefficient: [0, 1.4]
   center_x: [0, 0.5]
