@@ -23,6 +23,7 @@ from planar_pushing.core.run import (
     RUN_EVALUATIONS,
     RUN_MOMENT,
     RUN_SPEED,
+    RUN_TIME,
 )
 from planar_pushing.core.shapes import (
     Pose,
@@ -38,7 +39,7 @@ from planar_pushing.core.shapes import (
     to_contact,
 )
 from planar_pushing.core.solution import SEPARATE, STICK
-from planar_pushing.core.system import ANGLE, OVER, REST, RISE, SPIN, Mode, System
+from planar_pushing.core.system import ANGLE, OVER, REST, RISE, SPIN, STATE, Mode, System, vector_of
 from planar_pushing.core.tolerances import HAS_LEFT, NO_DIRECTION
 
 
@@ -253,13 +254,25 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
 def _opposed_twist(
     system: System, mode: Mode, pose: Pose, v_x: float, v_y: float, spin: float
 ) -> tuple[float, float, float]:
-    """Twist, in the body frame, that friction opposes; from rest, it is the impending twist."""
-    impending: bool = mode.x != 0.0 or mode.y != 0.0 or mode.spin != 0.0
-    if impending and size_of_twist(v_x, v_y, spin) <= NO_DIRECTION * system.run[RUN_SPEED]:
+    """Twist, in the body frame, that friction opposes.
+
+    From rest it is the impending twist. At a stop, where the twist vanishes, it is that at the start of the
+    step.
+    """
+    x, y = to_body(pose.rod, v_x, v_y)
+    if size_of_twist(v_x, v_y, spin) > NO_DIRECTION * system.run[RUN_SPEED]:
+        return x, y, spin
+    if mode.x != 0.0 or mode.y != 0.0 or mode.spin != 0.0:
         x, y = to_body(pose.rod, mode.x, mode.y)
         return x, y, mode.spin
-    x, y = to_body(pose.rod, v_x, v_y)
-    return x, y, spin
+    state = vector_of(system, STATE)
+    start = pose_of(system, state)
+    w_x, w_y = pusher_velocity(system, mode.during, system.run[RUN_TIME], state)
+    u_x, u_y = center_motion(start, w_x + state[OVER], w_y + state[RISE], state[SPIN])
+    if size_of_twist(u_x, u_y, state[SPIN]) <= NO_DIRECTION * system.run[RUN_SPEED]:
+        return x, y, spin
+    x, y = to_body(start.rod, u_x, u_y)
+    return x, y, state[SPIN]
 
 
 def _acceleration_of_contact(
