@@ -20,6 +20,7 @@ from planar_pushing.core.explicit import (
     next_size,
     smaller_size,
     smallest_size,
+    step_tolerance,
 )
 from planar_pushing.core.fence import end_of_fence, fence_displacement, span_at
 from planar_pushing.core.guards import MISJUDGED, NOTHING, first_event, look_for_kink, sign_of_guard
@@ -28,7 +29,6 @@ from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.run import (
     IN_GAP,
     IN_TIMES,
-    IN_TOLERANCE,
     LOG_EVENT,
     RUN_AT_ONCE,
     RUN_BEFORE,
@@ -112,9 +112,6 @@ NO_TIME = 1e-12
 #: Number of steps in which a run must advance by at least this fraction of the duration.
 PATIENCE = 5000
 SMALLEST_PROGRESS = 1e-6
-#: Fraction of the tolerance allowed for one step, since the errors of steps add up; and its minimum.
-PART_OF_STEP = 0.02
-FINEST = 2.3e-14
 #: Above this error, in units of the tolerance, a trial step gives no information.
 WILD = 1e5
 
@@ -255,7 +252,7 @@ def _take_step(system: System) -> None:
     run, mode = system.run, current_mode(system)
     if not _makes_progress(system):
         _stop(run, NO_PROGRESS)
-    elif _advance(system, mode, max(PART_OF_STEP * system.scene[IN_TOLERANCE], FINEST)):
+    elif _advance(system, mode, step_tolerance(system)):
         cause = first_event(system, mode)
         run[RUN_CAUSE] = float(cause)
         run[RUN_PHASE] = float(CHANGES if cause == MISJUDGED else SAMPLES)

@@ -11,6 +11,7 @@ from math import exp, fabs, log, sqrt
 from planar_pushing.core.equations import write_rates, write_rates_and_guards
 from planar_pushing.core.numbers import EPSILON, INFINITY, Coefficients, Numbers
 from planar_pushing.core.run import (
+    IN_TOLERANCE,
     RUN_KINK,
     RUN_LAST_ERROR,
     RUN_LAST_SIZE,
@@ -46,6 +47,9 @@ from planar_pushing.core.tableau import (
     THIRD_ERROR,
 )
 
+#: Fraction of the tolerance allowed for one step, and its minimum.
+PART_OF_STEP = 0.02
+FINEST = 2.3e-14
 #: Order of the error of a step.
 STEP_ORDER = 8.0
 #: Stage near the middle of a step, with a state close to the motion, and its fraction of the step.
@@ -60,6 +64,8 @@ GROWTH_LIMIT = 10.0
 TREND_LIMIT = 2.0
 #: The usual first size, multiplied by this factor, gives a step with an error near the tolerance.
 CAUTIOUS = 4.0
+#: Largest difference among the rates of the additional stages, relative to those within the step.
+FARTHEST_STAGE = 100.0
 #: The smallest step at time 0, where rounding of the time does not limit it.
 SMALLEST_STEP = 1e-300
 
@@ -116,6 +122,11 @@ def _compute_stage(system: System, mode: Mode, i: int) -> None:
         rates[k] *= rate
 
 
+def step_tolerance(system: System) -> float:
+    """Tolerance of one step, less than that of the run, since the errors of steps add up."""
+    return max(PART_OF_STEP * system.scene[IN_TOLERANCE], FINEST)
+
+
 def attempt_step(system: System, mode: Mode, tolerance: float) -> float:
     """Try a step; return the estimate of its error in units of the tolerance (Sec. II.10).
 
@@ -151,8 +162,12 @@ def attempt_step(system: System, mode: Mode, tolerance: float) -> float:
     return fifth / sqrt(fifth + 0.01 * third) if fifth != 0.0 else 0.0
 
 
-def _prepare_dense_output(system: System, mode: Mode) -> None:
-    """Compute the coefficients of the dense output, and the additional stages that it needs."""
+def _prepare_dense_output(system: System, mode: Mode, tolerance: float) -> None:
+    """Compute the coefficients of the dense output, and the additional stages that it needs.
+
+    Where friction makes a slow motion stiff, a step can be stable and these stages are not. The dense
+    output is then the cubic through both ends.
+    """
     entries, rates, dense = (
         system.entries,
         vector_of(system, STAGE_RATES),
@@ -166,17 +181,45 @@ def _prepare_dense_output(system: System, mode: Mode) -> None:
         bend = rates[k] - step
         dense[k], dense[entries + k] = step, bend
         dense[2 * entries + k] = step - rates[STEP_STAGES * entries + k] - bend
+    stable: bool = _are_extra_stages_stable(system, tolerance)
     for i in range(4):
         _add_stages(
-            DENSE_WEIGHTS, i * STAGES, STAGES, rates, entries, dense[(3 + i) * entries :]
+            DENSE_WEIGHTS, i * STAGES, STAGES if stable else 0, rates, entries,
+            dense[(3 + i) * entries :],
         )  # fmt: skip
     system.run[RUN_PREPARED] = 1.0
+
+
+def _are_extra_stages_stable(system: System, tolerance: float) -> bool:
+    """Whether the rates of the additional stages are about as different as those within the step."""
+    largest, extra = 0.0, 0.0
+    for i in range(1, STAGES):
+        spread = _spread_of_stage(system, i, tolerance)
+        if i <= STEP_STAGES:
+            largest = max(largest, spread)
+        else:
+            extra = max(extra, spread)
+    return extra <= FARTHEST_STAGE * (largest + 1.0)
+
+
+def _spread_of_stage(system: System, i: int, tolerance: float) -> float:
+    """Difference between the rates of a stage and of the first one, in units of the tolerance."""
+    entries, rates, scales = (
+        system.entries,
+        vector_of(system, STAGE_RATES),
+        vector_of(system, SCALES),
+    )
+    reached, total = vector_of(system, REACHED), 0.0
+    for k in range(entries):
+        part = (rates[i * entries + k] - rates[k]) / (tolerance * (scales[k] + fabs(reached[k])))
+        total += part * part
+    return sqrt(total / float(entries))
 
 
 def interpolate_state(system: System, mode: Mode, time: float, result: Numbers) -> None:
     """Store the state at a time within the last step."""
     if system.run[RUN_PREPARED] == 0.0:
-        _prepare_dense_output(system, mode)
+        _prepare_dense_output(system, mode, step_tolerance(system))
     entries, dense, state = system.entries, vector_of(system, DENSE), vector_of(system, STATE)
     x = _part_of_time(system.run, time)
     y = 1.0 - x
