@@ -76,8 +76,10 @@ def write_candidates(
     return _write_quasi_static(system, during, time, state)
 
 
-def _write_rest(system: System, index: int, touches: bool, f_x: float, f_y: float) -> None:
-    write_candidate(system, index, REST, NO_POINT, False, touches, f_x, f_y, 0.0)
+def _write_rest(
+    system: System, index: int, touches: bool, contact: int, f_x: float, f_y: float
+) -> None:
+    write_candidate(system, index, REST, NO_POINT, False, touches, f_x, f_y, float(contact))
 
 
 def _write_contact(system: System, index: int, contact: int, x: float, y: float) -> None:
@@ -89,9 +91,9 @@ def _write_contact(system: System, index: int, contact: int, x: float, y: float)
 
 def _write_quasi_static(system: System, during: Span, time: float, state: Numbers) -> int:
     if clearance_of(system, state) > SLACK:
-        _write_rest(system, 0, False, 0.0, 0.0)
+        _write_rest(system, 0, False, SEPARATE, 0.0, 0.0)
         return 1
-    _write_rest(system, 0, True, 0.0, 0.0)
+    _write_rest(system, 0, True, SEPARATE, 0.0, 0.0)
     x, y = pusher_velocity(system, during, time, state)
     if x == 0.0 and y == 0.0 and during.constant:
         return 1
@@ -226,7 +228,7 @@ def _write_clear(system: System, state: Numbers) -> int:
     size = system.run[RUN_FORCE] / system.scene[IN_MASS]
     _prepare_start(system, state, size)
     start = free_twist(problem_effects(system), Vector(0.0, 0.0, 0.0))
-    _write_rest(system, 0, False, 0.0, 0.0)
+    _write_rest(system, 0, False, SEPARATE, 0.0, 0.0)
     if start.x != 0.0 or start.y != 0.0 or start.spin != 0.0:
         x, y = to_contact(pose_of(system, state).rod, size * start.x, size * start.y)
         write_candidate(
@@ -239,22 +241,23 @@ def write_starts(system: System, during: Span, time: float, state: Numbers) -> i
     """Store all modes in which a slider at rest on the fence can start."""
     speed, slip = system.run[RUN_SPEED], state[OVER]
     x, y, moves = _pusher_at_start(system, during, time, state)
-    size = sqrt(x * x + y * y)
     if not moves and not is_loaded(system):
-        _write_rest(system, 0, True, 0.0, 0.0)
+        _write_rest(system, 0, True, SEPARATE, 0.0, 0.0)
         return 1
     slides: bool = fabs(slip) > AT_REST * speed
+    if not moves:
+        x, y = 0.0, 0.0
+    unit = 0.0
+    if is_loaded(system):
+        unit = system.run[RUN_FORCE] / system.scene[IN_MASS]
     if slides:
         # The fence already slips at the contact, so only its normal motion matters.
-        x = -ALREADY_SLIPS * fabs(y) if slip > 0.0 else ALREADY_SLIPS * fabs(y)
-        size = sqrt(x * x + y * y)
-    if not moves:
-        x, y, size = 0.0, 0.0, 0.0
-    unit = size
-    if is_loaded(system):
-        unit = max(size, system.run[RUN_FORCE] / system.scene[IN_MASS])
+        fast = ALREADY_SLIPS * max(fabs(y), unit)
+        x = -fast if slip > 0.0 else fast
+    size = sqrt(x * x + y * y)
+    unit = max(size, unit)
     if unit == 0.0:
-        _write_rest(system, 0, True, 0.0, 0.0)
+        _write_rest(system, 0, True, SEPARATE, 0.0, 0.0)
         return 1
     _prepare_start(system, state, unit)
     pose = pose_at_start(system, state)
@@ -268,10 +271,8 @@ def write_starts(system: System, during: Span, time: float, state: Numbers) -> i
         if slides and contact != SEPARATE and slip_side(contact) * slip <= 0.0:
             continue
         if solution[TWIST] == 0.0 and solution[TWIST + 1] == 0.0 and solution[TWIST + 2] == 0.0:
-            if contact == SEPARATE:
-                _write_rest(system, count, True, 0.0, 0.0)
-            else:
-                _write_rest(system, count, True, solution[FORCE], solution[FORCE + 1])
+            f_x, f_y = solution[FORCE], solution[FORCE + 1]
+            _write_rest(system, count, True, contact, f_x, f_y)
         else:
             write_candidate(
                 system, count, contact, point, point >= 0 and contact != STICK, False,

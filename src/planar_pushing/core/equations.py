@@ -249,13 +249,15 @@ def _guard_moving_contact(
     system: System, mode: Mode, state: Numbers, now: Instant, guards: Numbers
 ) -> None:
     """Store the margins and watches that end a contact of a slider with inertia."""
-    speed, force, side = system.run[RUN_SPEED], system.run[RUN_FORCE], slip_side(mode.contact)
+    speed, force = system.run[RUN_SPEED], system.run[RUN_FORCE]
+    side = slip_side(contact_mode_of(mode))
     if mode.contact == STICK:
         guards[LEAVES_CONE] = cone_margin(system, now.f_x, now.f_y, NO_FORCE * force)
     elif side != 0.0:
+        guards[SLIP_ENDS] = side * now.slip / speed
+    if mode.contact != REST and side != 0.0:
         e_x, e_y = edge_of_slip(system, mode.contact)
         push = now.f_x * e_x + now.f_y * e_y
-        guards[SLIP_ENDS] = side * now.slip / speed
         guards[FORCE_ENDS] = push / (fabs(push) + force)
     if mode.contact == REST:
         return

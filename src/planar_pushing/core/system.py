@@ -154,8 +154,8 @@ class Mode(NamedTuple):
     touches : bool
         Whether a slider at rest touches the pusher.
     x, y, spin : float
-        Acceleration of a slider that starts from rest; of a slider at rest, the force; in a slip without
-        inertia, the contact's motion; otherwise zero.
+        Acceleration of a slider that starts from rest; of a slider at rest, the force and the contact mode;
+        in a slip without inertia, the contact's motion; otherwise zero.
     during : Span
     """
 
@@ -330,10 +330,8 @@ def write_candidate(
 
 
 def contact_mode_of(mode: Mode) -> int:
-    """The contact mode: a slider at rest sticks if there is a force."""
-    if mode.contact != REST:
-        return mode.contact
-    return STICK if mode.x != 0.0 or mode.y != 0.0 else SEPARATE
+    """The contact mode, also of a slider at rest."""
+    return int(mode.spin) if mode.contact == REST else mode.contact
 
 
 def rank_of(policy: int, current: int, contact: int) -> int:
