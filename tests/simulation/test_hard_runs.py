@@ -219,16 +219,16 @@ def test_friction_holds_a_load_up_to_its_limit(force, method):
     assert not log.twist.values.any()
 
 
-@pytest.mark.parametrize(
-    "method", [pytest.param(EVENTS, marks=known("samples of a step across a stop")), TIME_STEPS]
-)
-def test_friction_does_not_hold_a_load_just_beyond_its_limit(method):
+@pytest.mark.parametrize("rest", [1e-3, 1e-4, 1e-5, 1e-6])
+@by_both
+def test_friction_does_not_hold_a_load_just_beyond_its_limit(method, rest, request):
     """The rest of the load accelerates the slider evenly."""
-    for rest in (1e-3, 1e-4, 1e-5, 1e-6):
-        case = of((RING, ONE, pp.Load(force=(1 + rest, 0.0))), velocity=AWAY)
-        log = check(case.log(method, samples=17))
-        wanted = rest * np.multiply.outer(log.time.values, [1, 0, 0])
-        assert log.twist.values == pytest.approx(wanted, abs=1e-7)
+    if rest == 1e-6 and method == EVENTS:
+        request.applymarker(known("the last digits of a motion a million times slower than usual"))
+    case = of((RING, ONE, pp.Load(force=(1 + rest, 0.0))), velocity=AWAY)
+    log = check(case.log(method, samples=17))
+    wanted = rest * np.multiply.outer(log.time.values, [1, 0, 0])
+    assert log.twist.values == pytest.approx(wanted, abs=1e-7)
 
 
 @pytest.mark.parametrize("force", [0.999999, 1 - 1e-12])
@@ -248,22 +248,11 @@ PRESSED = {
 }
 
 
-#: Where friction does not hold the load.
-SLIPPING_BELOW = {
-    "fence along itself": "no mode at a fence that begins to slip below a slider at rest",
-    "fence along itself, later": "no mode at a fence that begins to slip below a slider at rest",
-    "fence that starts along itself": "a fence slips below a slider at rest in the mode STICK",
-}
-
-
 @pytest.mark.parametrize("psi", [1.2, RIGHT_ANGLE], ids=["aside", "above"])
 @pytest.mark.parametrize("load", [0.5, 1.5], ids=["held", "not held"])
 @pytest.mark.parametrize("name", PRESSED)
-def test_a_load_presses_the_slider_against_the_fence(name, load, psi, request):
+def test_a_load_presses_the_slider_against_the_fence(name, load, psi):
     """The fence holds what friction does not, slips below a slider at rest, or takes it along."""
-    mended = name == "fence that starts along itself" and psi == RIGHT_ANGLE
-    if load == 1.5 and name in SLIPPING_BELOW and not mended:
-        request.applymarker(known(SLIPPING_BELOW[name]))
     log = sound(of((RING, ONE, pp.Load(force=(0.0, -load))), velocity=PRESSED[name], psi=psi))
     slips = np.abs(np.diff(log.slip.values)) > 1e-9
     assert not (slips & (log["mode"].values[1:] == pp.ContactMode.STICK)).any()
@@ -284,7 +273,6 @@ def test_a_load_at_a_foot_pulls_away(force):
 HEAVY_FOOT = feet((1.0, 0.0), (-1.0, 0.0), loads=(0.9, 0.1))
 
 
-@known("samples of a step across a stop")
 def test_a_velocity_falls_linearly_to_its_stop():
     """Under constant friction, and about a heavy foot, where the light one slows the rotation."""
     for friction, twist in (
@@ -448,7 +436,6 @@ def test_zeros_of_either_sign(method):
     xr.testing.assert_equal(other, plain)
 
 
-@known("labeled numbers without a dimension, in a batch")
 def test_a_batch_of_one_labeled_number():
     found = pp.simulate_batch(
         scene(RING, length=xr.DataArray(2.0)), pp.Pusher(velocity=PUSH), duration=0.1

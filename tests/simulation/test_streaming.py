@@ -129,7 +129,8 @@ def test_ctrl_c_leaves_a_readable_log(tmp_path, heard):
         assert log.attrs["finished"] == 1
 
 
-def stream_forever(path):
+def stream_forever(path, timer):
+    timer.start()  # a timer of no time can interrupt its own start
     while True:
         streamed(path).close()
 
@@ -140,8 +141,7 @@ def test_ctrl_c_at_any_time_leaves_a_log_or_none(tmp_path, heard):
         path = tmp_path / f"{i}.nc"
         timer = threading.Timer(0.02 * i, signal.raise_signal, [signal.SIGINT])
         with pytest.raises(KeyboardInterrupt):
-            timer.start()  # the first one can interrupt its own start
-            stream_forever(path)
+            stream_forever(path, timer)
         timer.join()
         if path.exists() and path.stat().st_size:
             with xr.open_dataset(path, engine="h5netcdf") as log:

@@ -156,7 +156,7 @@ def _variables(problem: Problem, rows: Array, only_last: bool) -> dict[str, Any]
 def _unfold(variable: Any, over: Over) -> Any:
     """Reshape a variable over the scenes to their dimensions."""
     dims, array = variable
-    return (*over.dims, *dims[1:]), array.reshape(*over.shape, *array.shape[1:])
+    return (*over.dims, *dims[1:]), array.reshape((*over.shape, *array.shape[1:]))
 
 
 def _coordinates(problem: Problem, over: Over) -> dict[str, Any]:
