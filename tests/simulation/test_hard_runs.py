@@ -192,11 +192,14 @@ def test_hundreds_of_pieces(effects):
 # --- Starts from rest ----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("rtol", [1e-10, 1e-6])
-@pytest.mark.parametrize("power", [1, 2, 3])
+@pytest.mark.parametrize(
+    ("power", "rtol"), [(1, 1e-10), (2, 1e-10), (2, 1e-6), (3, 1e-10), (3, 1e-6)]
+)
 @pytest.mark.parametrize("effects", EFFECTS)
 def test_a_pusher_starts_like_a_power_of_the_time(effects, power, rtol, request):
     """Normal and tangential velocity are zero at first, and at the same rate."""
+    if power == 3 and rtol == 1e-10 and effects in ("both", "feet"):
+        pytest.skip("millions of evaluations, as long as the defect of the others is not mended")
     if power > 1 and effects in ("both", "feet"):
         request.applymarker(known("friction and inertia at the start of a smooth push"))
     if power == 3 and effects == "mass" and rtol == 1e-10:
@@ -204,9 +207,11 @@ def test_a_pusher_starts_like_a_power_of_the_time(effects, power, rtol, request)
     sound(of(effects, velocity=lambda t: (0.1 * t**power, t**power)), rtol=rtol)
 
 
-@pytest.mark.parametrize("effects", ["ring", "mass"])
-def test_a_pusher_starts_slower_than_any_power(effects):
-    sound(of(effects, velocity=lambda t: (0.0, math.exp(-1 / t) if t > 0 else 0.0)))
+def test_a_pusher_starts_slower_than_any_power():
+    log = check(of("mass", velocity=lambda t: (0.0, math.exp(-1 / t) if t > 0 else 0.0)).log())
+    assert log.attrs["stopped"] == ""
+    assert final(log, "pusher")[1] == pytest.approx(0.14849550677592, abs=1e-10)
+    assert log.evaluations.max() <= EVALUATIONS
 
 
 # --- Loads ---------------------------------------------------------------------------------------
