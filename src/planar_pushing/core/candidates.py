@@ -64,15 +64,10 @@ from planar_pushing.core.tolerances import AT_REST, PUSHER_AT_REST, SLACK
 ALREADY_SLIPS = 1e6
 
 
-def write_candidates(
-    system: System, during: Span, time: float, state: Numbers, slowest: float
-) -> int:
-    """Store the modes that can follow an instant; return their number.
-
-    A support point slower than `slowest`, in units of the slider's speed, can be a pivot.
-    """
+def write_candidates(system: System, during: Span, time: float, state: Numbers) -> int:
+    """Store the modes that can follow an instant; return their number."""
     if is_massive(system):
-        return _write_with_inertia(system, during, time, state, slowest)
+        return _write_with_inertia(system, during, time, state)
     return _write_quasi_static(system, during, time, state)
 
 
@@ -164,9 +159,7 @@ def note_slip(system: System, time: float, state: Numbers, index: int, mode: Mod
 # With inertia
 
 
-def _write_with_inertia(
-    system: System, during: Span, time: float, state: Numbers, slowest: float
-) -> int:
+def _write_with_inertia(system: System, during: Span, time: float, state: Numbers) -> int:
     pose, speed = pose_of(system, state), system.run[RUN_SPEED]
     fence_x, fence_y = pusher_velocity(system, during, time, state)
     v_x, v_y = center_motion(pose, fence_x + state[OVER], fence_y + state[RISE], state[SPIN])
@@ -176,20 +169,20 @@ def _write_with_inertia(
     if clear:
         if rests:
             return _write_clear(system, state)
-        return _write_in_motion(system, pose, during, time, state, v_x, v_y, slowest, SEPARATE)
+        return _write_in_motion(system, pose, during, time, state, v_x, v_y, SEPARATE)
     if rests:
         return write_starts(system, during, time, state)
-    return _write_in_motion(system, pose, during, time, state, v_x, v_y, slowest, SLIP_LEFT)
+    return _write_in_motion(system, pose, during, time, state, v_x, v_y, SLIP_LEFT)
 
 
 def _write_in_motion(
     system: System, pose: Pose, during: Span, time: float, state: Numbers,
-    v_x: float, v_y: float, slowest: float, last: int,
+    v_x: float, v_y: float, last: int,
 ) -> int:  # fmt: skip
     """Store the candidates, up to the last contact mode, of a moving slider."""
     slack, count, slip = SLACK * system.run[RUN_SPEED], 0, state[OVER]
     foot = slowest_foot_at(system, pose, v_x, v_y, state[SPIN])
-    near = foot.number if foot.speed <= slowest else NO_POINT
+    near = foot.number if foot.speed <= AT_REST else NO_POINT
     for contact in range(SEPARATE, last + 1):
         mode = Mode(contact, near, True, False, 0.0, 0.0, 0.0, during)
         hinged: bool = near >= 0 and contact != STICK

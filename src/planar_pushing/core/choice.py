@@ -36,7 +36,7 @@ from planar_pushing.core.system import (
     rank_of,
     vector_of,
 )
-from planar_pushing.core.tolerances import AT_REST, HAS_LEFT, NEAR_ZERO, NO_TREND, SLACK
+from planar_pushing.core.tolerances import NEAR_ZERO, NO_TREND, SLACK
 
 #: Time over which the trend of a margin is evaluated, as a fraction of that in which the pusher moves by
 #: one length.
@@ -97,22 +97,19 @@ def choose_mode(system: System, excluded: int) -> bool:
     """Choose a consistent mode other than `excluded` by the policy; return whether there is one."""
     run, state, piece = system.run, vector_of(system, STATE), int(system.run[RUN_PIECE])
     current, policy, time = int(run[RUN_MODE]), current_policy(system), run[RUN_TIME]
-    during, count = span_at(system.fence, piece), 0
+    count = write_candidates(system, span_at(system.fence, piece), time, state)
     chosen, contact, lowest, solutions = -1, NO_MODE, 0, 0
-    for attempt in range(2):
+    for later in range(2):
         if chosen >= 0:
             break
-        # Where forces jump, a mode begins just after them.
-        slowest = AT_REST if attempt == 0 else HAS_LEFT
-        count = write_candidates(system, during, time, state, slowest)
         for i in range(count):
             mode = candidate_at(system, i, piece)
             candidate = contact_mode_of(mode)
             if mode.contact == NO_MODE or candidate == excluded:
                 system.candidates[i * CANDIDATE] = float(NO_MODE)
                 continue
-            holds: bool = attempt == 0 and _holds(system, mode, time, state)
-            if holds or (attempt == 1 and _will_hold(system, mode, time, state)):
+            holds: bool = later == 0 and _holds(system, mode, time, state)
+            if holds or (later == 1 and _will_hold(system, mode, time, state)):
                 rank = rank_of(policy, current, candidate)
                 if chosen < 0 or rank < lowest:
                     chosen, contact, lowest = i, candidate, rank
