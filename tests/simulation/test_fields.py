@@ -21,14 +21,15 @@ from planar_pushing.terms.options import Event
 FILM = pp.Viscous(support=pp.Disc(1.0), coefficient=0.1)
 
 
-def test_a_row_in_larger_radii_has_larger_lengths_and_nothing_else():
+def test_a_row_is_scaled_by_the_radius_and_the_unit_of_force():
     width = LOG_DISSIPATED + 2
-    (scales,) = scales_of(np.array([3.0]), width)
-    assert set(scales) == {1.0, 3.0}
-    assert scales[LOG_DISSIPATED:].tolist() == [3.0, 3.0]
+    (scales,) = scales_of(np.array([3.0]), np.array([0.5]), width)
+    assert set(scales) == {1.0, 3.0, 0.5, 1.5}
+    assert scales[LOG_DISSIPATED:].tolist() == [1.5, 1.5]
     assert scales[LOG_TWIST : LOG_TWIST + 3].tolist() == [3.0, 3.0, 1.0]
     assert scales[LOG_PUSHER : LOG_PUSHER + 2].tolist() == [3.0, 3.0]
-    assert scales[[LOG_TIME, LOG_FORCE, LOG_FORCE + 1, LOG_MODE]].tolist() == [1.0] * 4
+    assert scales[[LOG_FORCE, LOG_FORCE + 1]].tolist() == [0.5, 0.5]
+    assert scales[[LOG_TIME, LOG_MODE]].tolist() == [1.0, 1.0]
 
 
 def test_every_number_of_a_row_is_read_by_one_field():

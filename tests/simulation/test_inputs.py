@@ -1,4 +1,7 @@
-"""Rows of inputs: each number of a scene is where the core reads it, with lengths in radii."""
+"""Rows of inputs: each number of a scene is where the core reads it, in the units of the core."""
+
+import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -49,13 +52,15 @@ def test_numbers_of_a_scene():
     kinds, columns = kinds_of(data)
     assert kinds == [SUPPORT, RING, MASS, MASS, LOAD, LAST]
     effects, scene = row[: columns[-1]], row[columns[-1] :]
-    assert effects[columns[1]] == 0.2
-    assert effects[columns[2] : columns[3]] == pytest.approx([0.4 * 0.5, 0.25, 0, 0])
+    unit = 0.5  # a power of two, of the weight 0.7
+    assert effects[columns[1]] == 0.2 / unit
+    assert effects[columns[2] : columns[3]] == pytest.approx([0.4 * 0.5 / unit, 0.25, 0, 0])
     assert not effects[columns[3] :].any()
     expected = {
-        run.IN_WEIGHT: 0.9, run.IN_MASS: 1.5, run.IN_GYRATION: 2.25, run.IN_MASS_X: 0.2,
-        run.IN_MASS_Y: -0.4, run.IN_LOAD_X: -0.3, run.IN_LOAD_Y: 0.0, run.IN_CROSS: 0.3,
-        run.IN_DOT: -0.15, run.IN_LENGTH: 2.0, run.IN_ANGLE: np.pi / 2, run.IN_RIGHT: 0.0,
+        run.IN_WEIGHT: 0.9 / unit, run.IN_MASS: 1.5 / unit, run.IN_GYRATION: 2.25,
+        run.IN_MASS_X: 0.2, run.IN_MASS_Y: -0.4, run.IN_LOAD_X: -0.3 / unit, run.IN_LOAD_Y: 0.0,
+        run.IN_CROSS: 0.3 / unit, run.IN_DOT: -0.15 / unit, run.IN_LENGTH: 2.0,
+        run.IN_ANGLE: np.pi / 2, run.IN_RIGHT: 0.0,
         run.IN_LEFT: np.pi, run.IN_SLIPS: 1.0, run.IN_CLOSED: 1.0, run.IN_ROUGH: 0.0,
         run.IN_TWIST: 1.0, run.IN_TWIST + 1: -2.0, run.IN_TWIST + 2: 2.0, run.IN_GAP: 0.6,
         run.IN_FINGER: 1.0, run.IN_RADIUS: 0.4, run.IN_SIDE_START: -2.0, run.IN_SIDE_END: 1.5,
@@ -69,6 +74,31 @@ def test_numbers_of_a_scene():
     corners = data[-8:].reshape(4, 2) * 2 * DEPTH
     assert sorted(map(tuple, corners.round(9))) == sorted(BOX)
     assert scene[run.INPUTS :][:5].tolist() == [0, 1, 2, 3, 4]
+
+
+@pytest.mark.parametrize("effects", [EFFECTS[1:3], EFFECTS[3:4], EFFECTS[2:3]])
+@pytest.mark.parametrize("factor", [1.0, 3.0, 1e-200, 1e200])
+def test_forces_are_in_units_of_a_power_of_two(effects, factor):
+    """Those of friction, otherwise of viscous friction, otherwise of the mass; others stay as they are."""
+    slider = pp.Slider(rod_length=1.0, rod_angle=1.0)
+    names = {pp.RingFriction: "weight", pp.Inertia: "mass", pp.Viscous: "coefficient"}
+    scaled = tuple(
+        replace(effect, **{name: factor * getattr(effect, name)})
+        for effect in effects
+        for name in [names[type(effect)]]
+    )
+    rows = []
+    for each in (effects, scaled):
+        scene = pp.Scene(slider=slider, contact=pp.Coulomb(0.5), effects=each)
+        problem = Problem(scene=scene, pusher=pp.Pusher(velocity=(0, 1)), duration=1.0)
+        data, numbers = numbers_of(problem)
+        scenes = Scenes.of(problem, data, np.array([numbers], float))
+        assert math.frexp(scenes.force[0])[0] == 0.5
+        rows.append(scenes.inputs[0] * 1.0)
+        first = next(number for number in rows[-1] if number)
+        assert 1 <= first < 2
+    if factor == 1.0:
+        assert (rows[0] == rows[1]).all()
 
 
 def test_pieces_follow_the_times():

@@ -154,25 +154,25 @@ def sampled_fields(problem: Problem) -> list[Field]:
 
 
 @cache
-def _are_lengths(width: int) -> npt.NDArray[np.bool_]:
-    """Whether each number in a row of the core has a unit with a length, which is the slider's radius."""
-    lengths = np.zeros(width, bool)
+def _have_unit(quantity: str, width: int) -> npt.NDArray[np.bool_]:
+    """Whether the unit of each number in a row of the core has a quantity: "length" or "force"."""
+    answers = np.zeros(width, bool)
     for name, place, dims, *_ in FIELDS:
         unit = quantities.BATCH[name][0]
         size = width - place if dims == EFFECT else COMPONENTS[dims[0]] if dims else 1
         units = LOG_TWIST_UNITS if unit in COMPONENT_UNITS else [unit] * size
         for i in range(size):
-            lengths[place + i] |= "length" in units[i]
-    return lengths
+            answers[place + i] |= quantity in units[i]
+    return answers
 
 
-def scales_of(radius: Array, width: int) -> Array:
+def scales_of(radius: Array, force: Array, width: int) -> Array:
     """Factors from the units of the core to those of the scene.
 
     Parameters
     ----------
-    radius : ndarray, shape S
-        Radii of the sliders.
+    radius, force : ndarray, shape S
+        Radii of the sliders, and units of force.
     width : int
         How many numbers a row of the core has.
 
@@ -180,7 +180,8 @@ def scales_of(radius: Array, width: int) -> Array:
     -------
     ndarray, shape S + (width,)
     """
-    return np.where(_are_lengths(width), radius[..., None], 1.0)
+    lengths = np.where(_have_unit("length", width), radius[..., None], 1.0)
+    return lengths * np.where(_have_unit("force", width), force[..., None], 1.0)
 
 
 def arrays(rows: Array, problem: Problem, fields: Sequence[Field]) -> Arrays:

@@ -8,7 +8,17 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.core.rows import LOAD, MASS
-from planar_pushing.core.run import IN_COEFFICIENTS, IN_EVENTS, IN_PIECES, IN_TIMES, INPUTS
+from planar_pushing.core.run import (
+    IN_COEFFICIENTS,
+    IN_DOT,
+    IN_EVENTS,
+    IN_LOAD_X,
+    IN_MASS,
+    IN_PIECES,
+    IN_TIMES,
+    IN_WEIGHT,
+    INPUTS,
+)
 from planar_pushing.mechanics.rows import Entry, unit_vector
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.mechanics.supports.pressure.table import Table, joined_data
@@ -26,7 +36,10 @@ from planar_pushing.terms.options import Method, Shape
 
 
 class Scenes(NamedTuple):
-    """The scenes of a problem as numbers for the core, in which lengths are in radii of the slider.
+    """The scenes of a problem as numbers for the core.
+
+    Lengths are in radii of the slider. Forces are in units of a power of two near those of the scene, so
+    that products of very small or large ones are numbers, with the same digits.
 
     Attributes
     ----------
@@ -35,8 +48,8 @@ class Scenes(NamedTuple):
         Numbers that all scenes share: effects and outline.
     inputs : ndarray, shape (scenes, numbers)
         Beginning of the rows of inputs: numbers of the effects, and of the scene.
-    radius, ends : ndarray, shape (scenes,)
-        Radii of the sliders, and durations.
+    radius, force, ends : ndarray, shape (scenes,)
+        Radii of the sliders, units of force, and durations.
     velocities : ndarray, shape (scenes, pieces, 2)
         Piecewise constant velocities of the pushers, without pieces for a function of time.
     """
@@ -45,6 +58,7 @@ class Scenes(NamedTuple):
     data: Array
     inputs: Array
     radius: Array
+    force: Array
     ends: Array
     velocities: Array
 
@@ -55,7 +69,9 @@ class Scenes(NamedTuple):
         first = columns.shape[1] - 2 * pieces
         radius, ends = columns[:, first - 2], columns[:, first - 1]
         velocities = columns[:, first:].reshape(len(columns), pieces, 2) / radius[:, None, None]
-        return cls(problem, data, columns[:, : first - 2], radius, ends, velocities)
+        inputs = columns[:, : first - 2].copy()
+        force = _scale_forces(problem.entries, inputs)
+        return cls(problem, data, inputs, radius, force, ends, velocities)
 
     def pieces(self, part: slice) -> tuple[Array, npt.NDArray[Any]]:
         """Pieces of the pusher's motion, shape (scenes, pieces, numbers), and how many of each are valid.
@@ -131,6 +147,25 @@ def numbers_of(
     ]  # fmt: skip
     columns += [part for _, velocity in problem.pusher.velocities for part in velocity]
     return np.concatenate([data, corners.ravel()]) if len(corners) else data, columns
+
+
+def _scale_forces(entries: list[Entry], inputs: Array) -> Array:
+    """Divide the forces of rows of inputs by their units, which are returned."""
+    places: dict[int, list[int]] = {1: [], 2: []}
+    place, scene = 0, inputs.shape[1] - INPUTS
+    for entry in entries:
+        places[entry.degree] += range(place, place + len(entry.forces))
+        place += len(entry.forces) + len(entry.others)
+    loads = [*range(scene + IN_LOAD_X, scene + IN_DOT + 1)]
+    size = np.zeros(len(inputs))
+    # Without friction and loads the unit is that of viscous friction, and without it that of the mass.
+    for columns in ([*places[1], *loads], places[2], [scene + IN_MASS]):
+        largest = np.abs(inputs[:, columns]).max(axis=1, initial=0.0)
+        size = np.where(size > 0.0, size, largest)
+    unit: Array = np.ldexp(1.0, np.frexp(np.where(size > 0.0, size, 1.0))[1] - 1)
+    scaled = [*places[1], *places[2], *loads, scene + IN_WEIGHT, scene + IN_MASS]
+    inputs[:, scaled] /= unit[:, None]
+    return unit
 
 
 def _effects_of(

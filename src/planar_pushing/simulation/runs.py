@@ -70,21 +70,19 @@ class Runs:
     method : Method
     rows : ndarray
         Rows of inputs of some of the scenes.
-    radius : ndarray, shape (runs,)
-        Radii of the sliders.
+    part : slice
+        Which of the scenes they are.
     room : int
         How many rows of the log each run can write at once.
     """
 
-    def __init__(
-        self, scenes: Scenes, method: Method, rows: Array, radius: Array, room: int
-    ) -> None:
+    def __init__(self, scenes: Scenes, method: Method, rows: Array, part: slice, room: int) -> None:
         resisting, massive = len(scenes.problem.entries), scenes.problem.scene.stores_energy
         self.kernel, self.data, self.rows = KERNELS[method], scenes.data, rows
         self.memory, width = memory_size(resisting, massive), LOG_DISSIPATED + resisting
         self.shape = len(rows), room, width
         self.results = np.zeros((len(rows), self.memory + room * width))
-        self.scales = scales_of(radius, width)[:, None]
+        self.scales = scales_of(scenes.radius[part], scenes.force[part], width)[:, None]
 
     @property
     def ended(self) -> npt.NDArray[np.bool_]:
@@ -139,7 +137,7 @@ class Run:
         times = np.asarray(times, float)
         self.plan = plan_of(pieces[0], times, size) if size else times[None]
         rows = scenes.rows(slice(None), pieces, counts, self.plan[None], events=True)
-        self.runs, self.problem = Runs(scenes, method, rows, scenes.radius, room), problem
+        self.runs, self.problem = Runs(scenes, method, rows, slice(None), room), problem
         self.method, self.stop = method, Stop.NO
 
     def __iter__(self) -> Iterator[Array]:
@@ -243,7 +241,7 @@ def run_scenes(
     def run(start: int) -> None:
         part = slice(start, min(start + block, count))
         inputs = scenes.rows(part, *scenes.pieces(part), times[part, None], events=False)
-        runs = Runs(scenes, Method.EVENT_DRIVEN, inputs, scenes.radius[part], samples)
+        runs = Runs(scenes, Method.EVENT_DRIVEN, inputs, part, samples)
         finished = 0
         while finished < len(inputs) and not interrupted.is_set():
             runs.advance()
