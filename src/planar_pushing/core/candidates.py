@@ -130,20 +130,20 @@ def _solve_at_speed(system: System, state: Numbers, x: float, y: float, solution
     return count
 
 
-def count_quasi_static(system: System, mode: Mode, now: Instant, state: Numbers) -> int:
+def count_quasi_static(system: System, mode: Mode, instant: Instant, state: Numbers) -> int:
     """Number of contact modes at an instant without inertia, `UNSOLVED` if it is not known.
 
     With effects of one degree the force across an edge increases along the fence. A slip of a pusher that
     advances is then the only mode, unless this force vanishes on a stretch.
     """
-    x, y = now.fence_x, now.fence_y
-    size, slips = sqrt(x * x + y * y), slip_side(mode.contact) * now.slip > SLACK * fabs(y)
+    x, y = instant.fence_x, instant.fence_y
+    size, slips = sqrt(x * x + y * y), slip_side(mode.contact) * instant.slip > SLACK * fabs(y)
     if slips and y > 0.0 and not depends_on_speed(system):
         path = path_along_fence(
             system, problem_effects(system), pose_of(system, state), mode.contact, y, 1.0
         )
-        sample = sample_path(path, x + now.slip, now.spin, now.pivot)
-        if not is_flat(path, sample, size + fabs(now.slip)):
+        sample = sample_path(path, x + instant.slip, instant.spin, instant.pivot)
+        if not is_flat(path, sample, size + fabs(instant.slip)):
             return 1
     solutions = zeros(MOST_SOLUTIONS * SOLUTION)
     return _solve_at_speed(system, state, x, y, solutions)
@@ -152,8 +152,8 @@ def count_quasi_static(system: System, mode: Mode, now: Instant, state: Numbers)
 def note_slip(system: System, time: float, state: Numbers, index: int, mode: Mode) -> None:
     """Store the slip at the end of a step, from which the next step follows it."""
     if not is_massive(system) and depends_on_speed(system) and slip_side(mode.contact) != 0.0:
-        now = motion_in_mode(system, mode, time, state)
-        _write_contact(system, index, mode.contact, now.fence_x + now.slip, now.fence_y)
+        instant = motion_in_mode(system, mode, time, state)
+        _write_contact(system, index, mode.contact, instant.fence_x + instant.slip, instant.fence_y)
 
 
 # With inertia
@@ -255,9 +255,9 @@ def write_starts(system: System, during: Span, time: float, state: Numbers) -> i
     _prepare_start(system, state, unit)
     pose = pose_at_start(system, state)
     solutions = zeros(MOST_SOLUTIONS * SOLUTION)
-    found, _ = modes_of_push(system, pose, x, y, size / unit, solutions)
+    number, _ = modes_of_push(system, pose, x, y, size / unit, solutions)
     count = 0
-    for i in range(found):
+    for i in range(number):
         solution = solutions[i * SOLUTION :]
         contact, point = int(solution[MODE]), int(solution[PIVOT])
         # A start has the same direction of slip, or no contact force.

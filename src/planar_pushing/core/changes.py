@@ -114,11 +114,11 @@ def enter_span(system: System, index: int, state: Numbers, current: int, policy:
     if not is_massive(system):
         return GOES_ON
     during, before_x, before_y = span_at(system.fence, index), 0.0, 0.0
-    now_x, now_y = fence_velocity(system.fence, during, during.start)
+    after_x, after_y = fence_velocity(system.fence, during, during.start)
     if index > 0:
         past = span_at(system.fence, index - 1)
         before_x, before_y = fence_velocity(system.fence, past, past.end)
-    jump_x, jump_y = from_world(system, state[ANGLE], before_x - now_x, before_y - now_y)
+    jump_x, jump_y = from_world(system, state[ANGLE], before_x - after_x, before_y - after_y)
     state[OVER] += jump_x
     state[RISE] += jump_y
     slack = SLACK * system.run[RUN_SPEED]
@@ -138,8 +138,8 @@ def change_state(
         return time, GOES_ON
     contact = contact_mode_of(mode)
     if mode.hinged:
-        now = motion_in_mode(system, mode, time, state)
-        state[OVER], state[RISE] = now.slip, now.rise
+        instant = motion_in_mode(system, mode, time, state)
+        state[OVER], state[RISE] = instant.slip, instant.rise
     if cause == TOUCHES:
         state[GAP] = 0.0
         return time, collide(system, mode.during, time, state, contact, policy)

@@ -55,20 +55,20 @@ def current_policy(system: System) -> int:
 
 def _holds(system: System, mode: Mode, time: float, state: Numbers) -> bool:
     """Whether the margins of a mode are positive, or zero and not decreasing."""
-    now, later = guards_of(system, TRIAL_GUARDS), guards_of(system, LATER_GUARDS)
-    write_guards(system, mode, time, state, now)
+    guards, later = guards_of(system, TRIAL_GUARDS), guards_of(system, LATER_GUARDS)
+    write_guards(system, mode, time, state, guards)
     near: bool = False
     for cause in range(CAUSES):
         if WATCHES[cause] == 0.0:
-            if now[cause] < -NEAR_ZERO:
+            if guards[cause] < -NEAR_ZERO:
                 return False
-            near = near or now[cause] <= NEAR_ZERO
+            near = near or guards[cause] <= NEAR_ZERO
     if not near:
         return True
     _look_ahead(system, mode, time, state)
     for cause in range(CAUSES):
-        margin: bool = WATCHES[cause] == 0.0 and now[cause] <= NEAR_ZERO
-        if margin and not later[cause] >= now[cause] - NO_TREND:
+        margin: bool = WATCHES[cause] == 0.0 and guards[cause] <= NEAR_ZERO
+        if margin and not later[cause] >= guards[cause] - NO_TREND:
             return False
     return True
 
@@ -121,13 +121,13 @@ def choose_mode(system: System, excluded: int) -> bool:
     return chosen >= 0
 
 
-def count_modes(system: System, mode: Mode, now: Instant, time: float, state: Numbers) -> int:
+def count_modes(system: System, mode: Mode, instant: Instant, time: float, state: Numbers) -> int:
     """Number of consistent modes at an instant within a step; one if the contact is open."""
     count, run = 1, system.run
     if clearance_of(system, state) > SLACK:
         return count
     if not is_massive(system):
-        solutions = count_quasi_static(system, mode, now, state)
+        solutions = count_quasi_static(system, mode, instant, state)
         if solutions > 0:
             return solutions
     for i in range(int(run[RUN_COUNT])):

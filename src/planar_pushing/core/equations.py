@@ -198,38 +198,40 @@ def write_rates_and_guards(
     system: System, mode: Mode, time: float, state: Numbers, rates: Numbers, guards: Numbers
 ) -> None:
     """Store the derivative and the guards, with one evaluation of the motion."""
-    now = motion_in_mode(system, mode, time, state)
-    _write_rates(system, mode, state, now, rates)
-    _write_guards(system, mode, state, now, guards)
+    instant = motion_in_mode(system, mode, time, state)
+    _write_rates(system, mode, state, instant, rates)
+    _write_guards(system, mode, state, instant, guards)
 
 
-def _write_rates(system: System, mode: Mode, state: Numbers, now: Instant, rates: Numbers) -> None:
-    rates[ALONG] = travel_rate(system, now.slip, now.spin)
-    rates[GAP], rates[ANGLE] = now.rise, now.spin
+def _write_rates(
+    system: System, mode: Mode, state: Numbers, instant: Instant, rates: Numbers
+) -> None:
+    rates[ALONG] = travel_rate(system, instant.slip, instant.spin)
+    rates[GAP], rates[ANGLE] = instant.rise, instant.spin
     # The contact does not slip while the slider rests or is in flight.
-    rates[SLIPPED] = now.slip if contact_mode_of(mode) != SEPARATE else 0.0
-    rates[LOST] = -now.f_x * now.slip - now.f_y * now.rise
-    rates[WORK] = now.f_x * now.fence_x + now.f_y * now.fence_y
+    rates[SLIPPED] = instant.slip if contact_mode_of(mode) != SEPARATE else 0.0
+    rates[LOST] = -instant.f_x * instant.slip - instant.f_y * instant.rise
+    rates[WORK] = instant.f_x * instant.fence_x + instant.f_y * instant.fence_y
     if is_massive(system):
-        rates[OVER], rates[RISE], rates[SPIN] = now.a_x, now.a_y, now.turn
+        rates[OVER], rates[RISE], rates[SPIN] = instant.a_x, instant.a_y, instant.turn
     angle = frame_angle(system, state[ANGLE])
-    x, y = to_body(Rod(1.0, angle, cos(angle), sin(angle)), now.v_x, now.v_y)
-    write_powers(system, x, y, now.spin, now.dissipated, energies_of(system, rates))
+    x, y = to_body(Rod(1.0, angle, cos(angle), sin(angle)), instant.v_x, instant.v_y)
+    write_powers(system, x, y, instant.spin, instant.dissipated, energies_of(system, rates))
 
 
 def _write_guards(
-    system: System, mode: Mode, state: Numbers, now: Instant, guards: Numbers
+    system: System, mode: Mode, state: Numbers, instant: Instant, guards: Numbers
 ) -> None:
     for cause in range(CAUSES):
         guards[cause] = UNKNOWN
-    if now.spin != now.spin:
+    if instant.spin != instant.spin:
         guards[LEAVES_CONE] = -1.0  # a motion that is not found does not last
         return
     rests: bool = mode.contact == REST
     # A pusher that retreats from a slider at rest opens the contact without an event.
     touches: bool = mode.touches and clearance_of(system, state) <= SLACK
     if rests and touches:
-        guards[PUSH_STARTS] = PUSHES - now.fence_y / system.run[RUN_SPEED]
+        guards[PUSH_STARTS] = PUSHES - instant.fence_y / system.run[RUN_SPEED]
     elif rests or mode.contact == SEPARATE:
         height = clearance_of(system, state)
         guards[TOUCHES] = height if height < INFINITY else UNKNOWN
@@ -240,81 +242,87 @@ def _write_guards(
         guards[END_OF_SIDE] = room_on_side(system, state[ALONG])
     guards[PENETRATES] = outline_height(system, state, not flies)
     if is_massive(system):
-        _guard_moving_contact(system, mode, state, now, guards)
+        _guard_moving_contact(system, mode, state, instant, guards)
     else:
-        _guard_quasi_static_contact(system, mode, now, guards)
+        _guard_quasi_static_contact(system, mode, instant, guards)
 
 
 def _guard_moving_contact(
-    system: System, mode: Mode, state: Numbers, now: Instant, guards: Numbers
+    system: System, mode: Mode, state: Numbers, instant: Instant, guards: Numbers
 ) -> None:
     """Store the margins and watches that end a contact of a slider with inertia."""
     speed, force = system.run[RUN_SPEED], system.run[RUN_FORCE]
     side = slip_side(contact_mode_of(mode))
     if mode.contact == STICK:
-        guards[LEAVES_CONE] = cone_margin(system, now.f_x, now.f_y, NO_FORCE * force)
+        guards[LEAVES_CONE] = cone_margin(system, instant.f_x, instant.f_y, NO_FORCE * force)
     elif side != 0.0:
-        guards[SLIP_ENDS] = side * now.slip / speed
+        guards[SLIP_ENDS] = side * instant.slip / speed
     if mode.contact != REST and side != 0.0:
         e_x, e_y = edge_of_slip(system, mode.contact)
-        push = now.f_x * e_x + now.f_y * e_y
+        push = instant.f_x * e_x + instant.f_y * e_y
         guards[FORCE_ENDS] = push / (fabs(push) + force)
     if mode.contact == REST:
         return
     if mode.contact != SEPARATE:
-        guards[SEPARATION_CHANGES] = now.lift * system.scene[IN_MASS] / force
+        guards[SEPARATION_CHANGES] = instant.lift * system.scene[IN_MASS] / force
     if system.scene[IN_WEIGHT] > 0.0:
-        size = now.speed + fabs(now.spin)
+        size = instant.speed + fabs(instant.spin)
         guards[SLIDER_STOPS] = size / speed - STOPPED
         if mode.hinged:
-            guards[PIVOT_YIELDS] = now.hold
+            guards[PIVOT_YIELDS] = instant.hold
         elif mode.contact != STICK and size > STOPPED * speed:
-            foot = slowest_foot_at(system, pose_of(system, state), now.v_x, now.v_y, now.spin)
+            foot = slowest_foot_at(
+                system, pose_of(system, state), instant.v_x, instant.v_y, instant.spin
+            )
             guards[CENTER_AT_POINT] = min(foot.speed, 1.0) - (
                 HAS_LEFT if mode.foot >= 0 else ARRIVED
             )
 
 
-def _guard_quasi_static_contact(system: System, mode: Mode, now: Instant, guards: Numbers) -> None:
+def _guard_quasi_static_contact(
+    system: System, mode: Mode, instant: Instant, guards: Numbers
+) -> None:
     """Store the margins and watches that end a contact without inertia."""
     slips: bool = slip_side(mode.contact) != 0.0
-    speed = sqrt(now.fence_x * now.fence_x + now.fence_y * now.fence_y)
+    speed = sqrt(instant.fence_x * instant.fence_x + instant.fence_y * instant.fence_y)
     if mode.contact == STICK:
-        rests: bool = now.f_x == 0.0 and now.f_y == 0.0
-        margin = cone_margin(system, now.f_x, now.f_y, 0.0)
+        rests: bool = instant.f_x == 0.0 and instant.f_y == 0.0
+        margin = cone_margin(system, instant.f_x, instant.f_y, 0.0)
         # The force of a pivot can be any in an interval, so the trend of the margin decides.
-        guards[LEAVES_CONE] = -1.0 if rests else 0.0 if now.pivot >= 0 else margin
+        guards[LEAVES_CONE] = -1.0 if rests else 0.0 if instant.pivot >= 0 else margin
     elif slips:
-        _guard_slip(system, mode, now, speed, guards)
+        _guard_slip(system, mode, instant, speed, guards)
     if mode.contact == STICK or slips:
-        guards[KINK] = _kink_of(system, now, slips)
+        guards[KINK] = _kink_of(system, instant, slips)
     if is_steady_pusher(system, mode.during):
         return
     if mode.contact == REST and mode.touches:
         guards[NORMAL_REVERSES] = 1.0 if speed > 0.0 else -1.0
     elif mode.contact != REST:
-        guards[NORMAL_REVERSES] = now.fence_y / speed if speed > 0.0 else 0.0
-        guards[TANGENTIAL_REVERSES] = now.fence_x / speed if speed > 0.0 else 0.0
+        guards[NORMAL_REVERSES] = instant.fence_y / speed if speed > 0.0 else 0.0
+        guards[TANGENTIAL_REVERSES] = instant.fence_x / speed if speed > 0.0 else 0.0
 
 
-def _guard_slip(system: System, mode: Mode, now: Instant, speed: float, guards: Numbers) -> None:
+def _guard_slip(
+    system: System, mode: Mode, instant: Instant, speed: float, guards: Numbers
+) -> None:
     guards[SLIP_ENDS], guards[FORCE_ENDS] = -1.0, -1.0
     if speed > 0.0:
-        guards[SLIP_ENDS] = slip_side(mode.contact) * now.slip / (speed + fabs(now.slip))
+        guards[SLIP_ENDS] = slip_side(mode.contact) * instant.slip / (speed + fabs(instant.slip))
         # A slipping contact transmits no motion from a fence that only moves along its own line.
-        if now.fence_y != 0.0 or not mode.during.constant:
+        if instant.fence_y != 0.0 or not mode.during.constant:
             if depends_on_speed(system):
                 # The force jumps where the contact comes to rest, so the margin vanishes with its motion.
-                x, y = now.fence_x + now.slip, now.fence_y
+                x, y = instant.fence_x + instant.slip, instant.fence_y
                 motion = sqrt(x * x + y * y)
-                guards[FORCE_ENDS] = now.lift / (fabs(now.lift) + system.run[RUN_FORCE])
+                guards[FORCE_ENDS] = instant.lift / (fabs(instant.lift) + system.run[RUN_FORCE])
                 guards[FORCE_ENDS] *= motion / (motion + speed)
             else:
-                lift = now.lift / (1.0 + system.scene[IN_LENGTH])
-                guards[FORCE_ENDS] = lift * now.fence_y / speed
+                lift = instant.lift / (1.0 + system.scene[IN_LENGTH])
+                guards[FORCE_ENDS] = lift * instant.fence_y / speed
 
 
-def _kink_of(system: System, now: Instant, slips: bool) -> float:
+def _kink_of(system: System, instant: Instant, slips: bool) -> float:
     """Watch for kinks of a contact's motion.
 
     For a ring, the center of rotation crosses the ring; with support points, a pivot begins or ends in a
@@ -323,8 +331,8 @@ def _kink_of(system: System, now: Instant, slips: bool) -> float:
     if system.run[RUN_RING] == 0.0:
         if not slips or system.run[RUN_FEET] == 0.0:
             return UNKNOWN
-        return 1.0 if now.pivot >= 0 else -1.0
-    total = fabs(now.spin) + now.speed
-    part = (fabs(now.spin) - now.speed) / total if total > 0.0 else 0.0
+        return 1.0 if instant.pivot >= 0 else -1.0
+    total = fabs(instant.spin) + instant.speed
+    part = (fabs(instant.spin) - instant.speed) / total if total > 0.0 else 0.0
     # As smooth in time as the moment arm; near the ring, the spin ratio behaves like x / log(x) of the arm.
     return part * (2.0 - log(fabs(part))) if part != 0.0 else 0.0

@@ -197,12 +197,14 @@ def _log_next_time(system: System) -> None:
 def _log_instant(system: System, time: float, state: Numbers, event: int) -> None:
     """Store an instant in the log."""
     mode, row, contact = current_mode(system), next_log_row(system, time), NO_MODE
-    now, solutions = motion_in_mode(system, mode, time, state), int(system.run[RUN_SOLUTIONS])
+    instant, solutions = motion_in_mode(system, mode, time, state), int(system.run[RUN_SOLUTIONS])
     if system.run[RUN_CHOSEN] >= 0.0:  # the mode may have been chosen long before
         contact = int(system.run[RUN_MODE])
-        solutions = count_modes(system, mode, now, time, state)
+        solutions = count_modes(system, mode, instant, time, state)
     x, y = fence_displacement(system.fence, mode.during, time)
-    write_instant(system, now, contact, time, state, x, y - system.scene[IN_GAP], solutions, row)
+    write_instant(
+        system, instant, contact, time, state, x, y - system.scene[IN_GAP], solutions, row
+    )
     row[LOG_EVENT] = float(event)
 
 

@@ -124,14 +124,14 @@ def write_state(
 
 
 def write_instant(
-    system: System, now: Instant, contact: int, time: float, state: Numbers,
+    system: System, instant: Instant, contact: int, time: float, state: Numbers,
     x: float, y: float, solutions: int, row: Numbers,
 ) -> None:  # fmt: skip
     """Store an instant, without its event; (x, y) is the displacement of the pusher."""
     row[LOG_TIME], row[LOG_PUSHER], row[LOG_PUSHER + 1] = time, x, y
     row[LOG_MODE], row[LOG_SOLUTIONS] = float(contact), float(solutions)
     row[LOG_STOPPED] = system.run[RUN_STOPPED]
-    write_state(system, state, now.v_x, now.v_y, now.spin, row)
-    row[LOG_PIVOT] = float(now.pivot)
-    f_x, f_y = to_world(system, state[ANGLE], now.f_x, now.f_y)
+    write_state(system, state, instant.v_x, instant.v_y, instant.spin, row)
+    row[LOG_PIVOT] = float(instant.pivot)
+    f_x, f_y = to_world(system, state[ANGLE], instant.f_x, instant.f_y)
     row[LOG_FORCE], row[LOG_FORCE + 1] = f_x, f_y
