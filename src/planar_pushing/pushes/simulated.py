@@ -20,6 +20,7 @@ from planar_pushing.pushes.poses import pushes_from_poses, turned
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.terms.errors import InvalidValue, require_positive
+from planar_pushing.terms.options import Event
 
 #: Fraction of a side at each end in which no push begins.
 MARGIN = 0.05
@@ -174,16 +175,18 @@ def _pushed(
 def _mean_force(log: xr.Dataset, duration: float, drawn: Drawn, angle: Array) -> Array:
     """Mean force over the last part of a push, at equal time steps, along the object's axes.
 
-    It is converted to the world's axes with the object's orientation halfway through the push.
+    It is converted to the world's axes with the object's orientation halfway through the push. Events are
+    left out, since the force can jump there.
     """
-    times, force = log["time"].values, log["force"].values
+    smooth = log["event"].values == Event.NONE
+    times, force = log["time"].values[smooth], log["force"].values[smooth]
     # The +y axis of a log is the normal at the start; its +x axis is the normal rotated by -90 degrees.
     n_x, n_y = drawn.normal
     world = np.stack(
         [force[:, 0] * n_y + force[:, 1] * n_x, -force[:, 0] * n_x + force[:, 1] * n_y], axis=-1
     )
     even = np.linspace(SETTLING * duration, duration, SAMPLES)
-    own = turned(world, angle[-1] / 2.0 - angle)
+    own = turned(world, angle[-1] / 2.0 - angle[smooth])
     return np.array([np.interp(even, times, part).mean() for part in own.T])
 
 
