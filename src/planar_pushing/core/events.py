@@ -201,6 +201,8 @@ def _log_instant(system: System, time: float, state: Numbers, event: int) -> Non
     if system.run[RUN_CHOSEN] >= 0.0:  # the mode may have been chosen long before
         contact = int(system.run[RUN_MODE])
         solutions = count_modes(system, mode, instant, time, state)
+        if system.run[RUN_BEFORE] == time:  # without the mode that ends
+            solutions = min(solutions, int(system.run[RUN_SOLUTIONS]))
     x, y = fence_displacement(system.fence, mode.during, time)
     write_instant(
         system, instant, contact, time, state, x, y - system.scene[IN_GAP], solutions, row
