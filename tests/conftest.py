@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import HealthCheck, settings
+
+from core.both_forms import BothForms
+from planar_pushing.mechanics import kernels
 
 settings.register_profile(
     "reproducible",
@@ -13,3 +17,13 @@ settings.register_profile(
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
 )
 settings.load_profile("reproducible")
+
+
+@pytest.fixture
+def both(monkeypatch):
+    """The kernels, each of whose answers is compared with that of its plain source."""
+    if kernels.COMPILED is None:
+        pytest.skip("the core is not compiled, or PLANAR_PUSHING_PLAIN is set")
+    both = BothForms(kernels.COMPILED)
+    monkeypatch.setattr(kernels, "COMPILED", both)
+    return both

@@ -31,7 +31,7 @@ WRENCH, INVERSE, EDGE, SOLVE = 1.2, 3.0, 6.0, 500.0
 DIRECTIONS = {"spin_ratio": 6.0, "motion_angle": 8.0}
 #: A simulation with 101 samples, and a scene of a batch of ten thousand, in scalar pairs; the time of
 #: two cores as a part of that of one.
-SIMULATE, BATCH, TWO_CORES = 33_000.0, 650.0, 1 / 1.7
+SIMULATE, BATCH, TWO_CORES = 16_000.0, 650.0, 1 / 1.8
 #: Nanoseconds of an element of the floor where the bars of supports were set; an element of D, G and T may
 #: take this many nanoseconds for each point, for each edge of a polygon near by, and of one far away.
 FLOOR, POINT, SIDE, FAR = 24.0, 5.0, 40.0, 2000.0

@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from core.both_forms import BothForms
 from core.hard_scenes import hard_pushes, hard_scene
 from core.test_polygons import RINGS, rows_of
 from mechanics.supports.cases import SUPPORTS, hard_centers
@@ -27,15 +26,6 @@ from planar_pushing.mechanics.supports.pressure.table import table_of_pieces
 NUMBERS = [0.0, 5e-324, 1e-300, 1e-9, 0.1, 0.7, 0.9, 1.0, 1.001, 30.0, 1e9, 1e160, 1e300, np.inf]
 NUMBERS += [np.nextafter(x, x + side) for x in (0.7, 0.9, 1.0) for side in (-1, 1)]
 NUMBERS = np.array([*NUMBERS, *np.negative(NUMBERS)])
-
-
-@pytest.fixture
-def both(monkeypatch):
-    if kernels.COMPILED is None:
-        pytest.skip("the core is not compiled, or PLANAR_PUSHING_PLAIN is set")
-    both = BothForms(kernels.COMPILED)
-    monkeypatch.setattr(kernels, "COMPILED", both)
-    return both
 
 
 def attempt(function, *arguments, **options):

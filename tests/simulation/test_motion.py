@@ -89,21 +89,6 @@ def test_each_piece_holds_its_policy(velocity):
     assert ways[0] == pytest.approx(ways[1], abs=1e-14)
 
 
-def test_what_rounding_leaves_of_a_velocity_is_zero():
-    fence = motion_of(pp.Pusher(velocity=lambda t: (0.0, t * t)), 1.0, 1.0)
-    assert core.fence_velocity(fence, core.span_at(fence, 0), 0.0) == (0.0, 0.0)
-
-
-def test_each_side_of_a_breakpoint_has_its_own_polynomials():
-    pusher = pp.Pusher(velocity=lambda t: (0.0, 1.0 if t < 1 else t), breakpoints=(1.0,))
-    fence = motion_of(pusher, 2.0, 1.0)
-    before, after = core.span_at(fence, 0), core.span_at(fence, 1)
-    assert fence.number == 2
-    assert core.fence_velocity(fence, before, 1.0)[1] == 1.0
-    assert core.fence_velocity(fence, after, 1.0)[1] == pytest.approx(1.0, abs=1e-15)
-    assert core.fence_acceleration(fence, after, 1.5)[1] == pytest.approx(1.0, abs=1e-13)
-
-
 def test_a_function_with_a_jump_ends_in_a_bounded_number_of_pieces():
     fence = motion_of(pp.Pusher(velocity=lambda t: (0.0, 1.0 if t < 1 / 3 else 2.0)), 1.0, 1.0)
     assert 1 < fence.number < 200

@@ -11,9 +11,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from core.both_forms import BothForms
 from mechanics.degenerate import RANDOM
-from planar_pushing.mechanics import kernels
 from simulation.random_runs import random_run
 from simulation.scenes import METHODS, SCENES
 
@@ -30,15 +28,6 @@ STEPPED = [
     "disc and inertia",
     "gap",
 ]
-
-
-@pytest.fixture
-def both(monkeypatch):
-    if kernels.COMPILED is None:
-        pytest.skip("the core is not compiled, or PLANAR_PUSHING_PLAIN is set")
-    both = BothForms(kernels.COMPILED)
-    monkeypatch.setattr(kernels, "COMPILED", both)
-    return both
 
 
 KERNELS = dict(zip(METHODS, ("run_events", "run_steps"), strict=True))

@@ -5,8 +5,14 @@ from __future__ import annotations
 from math import atan2, fabs, sqrt
 
 from planar_pushing.core.directions import Direction, direction_at, rod_at
-from planar_pushing.core.drag import load_at, problem_effects, put_load, put_mass, scale_films
-from planar_pushing.core.equations import depends_on_speed, motion_in_mode, path_along_fence
+from planar_pushing.core.drag import (
+    depends_on_speed,
+    problem_effects,
+    put_loads_at,
+    put_mass,
+    scale_films,
+)
+from planar_pushing.core.equations import motion_in_mode, path_along_fence
 from planar_pushing.core.fence import Span
 from planar_pushing.core.free import free_twist
 from planar_pushing.core.inertia import slowest_foot_at
@@ -122,8 +128,7 @@ def _solve_at_speed(system: System, state: Numbers, x: float, y: float, solution
     """Store the contact modes of a pusher's motion without inertia, in its units; return their number."""
     size = sqrt(x * x + y * y)
     scale_films(system, size if size > 0.0 else 1.0)
-    if is_loaded(system):
-        put_load(system, load_at(system, state[ANGLE]))
+    put_loads_at(system, state[ANGLE])
     pose, part = pose_at_start(system, state), 1.0 if size > 0.0 else 0.0
     count, _ = modes_of_push(system, pose, x, y, part, solutions)
     scale_films(system, 1.0)
@@ -212,8 +217,7 @@ def _prepare_start(system: System, state: Numbers, size: float) -> None:
     """Store the effects of a start from rest, with accelerations in units of a size."""
     scale_films(system, 0.0)
     put_mass(system, size * system.scene[IN_MASS])
-    if is_loaded(system):
-        put_load(system, load_at(system, state[ANGLE]))
+    put_loads_at(system, state[ANGLE])
 
 
 def _write_clear(system: System, state: Numbers) -> int:

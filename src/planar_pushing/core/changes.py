@@ -45,7 +45,7 @@ from planar_pushing.core.system import (
     candidate_at,
     contact_mode_of,
     is_massive,
-    rank_of,
+    is_preferred,
     vector_of,
 )
 from planar_pushing.core.tolerances import SLACK
@@ -54,14 +54,12 @@ from planar_pushing.core.tolerances import SLACK
 def _set_off(system: System, mode: Mode, time: float, state: Numbers, policy: int) -> int:
     """Set a slider at rest in motion with a fence that starts to push it; return `GOES_ON` or a reason."""
     state[GAP] = 0.0
-    current, chosen, lowest = contact_mode_of(mode), NO_MODE, 0
-    count = write_starts(system, mode.during, time, state)
-    for i in range(count):
+    current, chosen, contact = contact_mode_of(mode), -1, NO_MODE
+    for i in range(write_starts(system, mode.during, time, state)):
         start = candidate_at(system, i, mode.during.first)
-        rank = rank_of(policy, current, start.contact)
-        if start.contact != REST and (chosen == NO_MODE or rank < lowest):
-            chosen, lowest = i, rank
-    if chosen == NO_MODE:
+        if start.contact != REST and is_preferred(policy, current, start.contact, contact):
+            chosen, contact = i, start.contact
+    if chosen < 0:
         return collide(system, mode.during, time, state, current, policy)
     start = candidate_at(system, chosen, mode.during.first)
     _, b_y = pusher_acceleration(system, mode.during, time, state)

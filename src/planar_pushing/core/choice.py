@@ -32,8 +32,8 @@ from planar_pushing.core.system import (
     contact_mode_of,
     guards_of,
     is_massive,
+    is_preferred,
     pace_of,
-    rank_of,
     vector_of,
 )
 from planar_pushing.core.tolerances import NEAR_ZERO, NO_TREND, SLACK
@@ -96,29 +96,47 @@ def _look_ahead(system: System, mode: Mode, time: float, state: Numbers) -> None
 def choose_mode(system: System, excluded: int) -> bool:
     """Choose a consistent mode other than `excluded` by the policy; return whether there is one."""
     run, state, piece = system.run, vector_of(system, STATE), int(system.run[RUN_PIECE])
-    current, policy, time = int(run[RUN_MODE]), current_policy(system), run[RUN_TIME]
+    current, time = int(run[RUN_MODE]), run[RUN_TIME]
     count = write_candidates(system, span_at(system.fence, piece), time, state)
-    chosen, contact, lowest, solutions = -1, NO_MODE, 0, 0
-    for later in range(2):
-        if chosen >= 0:
-            break
-        for i in range(count):
-            mode = candidate_at(system, i, piece)
-            candidate = contact_mode_of(mode)
-            if mode.contact == NO_MODE or candidate == excluded:
-                system.candidates[i * CANDIDATE] = float(NO_MODE)
-                continue
-            holds: bool = later == 0 and _holds(system, mode, time, state)
-            if holds or (later == 1 and _will_hold(system, mode, time, state)):
-                rank = rank_of(policy, current, candidate)
-                if chosen < 0 or rank < lowest:
-                    chosen, contact, lowest = i, candidate, rank
-                solutions += 1
-    run[RUN_COUNT], run[RUN_CHOSEN], run[RUN_MODE] = float(count), float(chosen), float(contact)
-    run[RUN_SOLUTIONS] = float(solutions)
+    for i in range(count):
+        if contact_mode_of(candidate_at(system, i, piece)) == excluded:
+            system.candidates[i * CANDIDATE] = float(NO_MODE)
+    run[RUN_COUNT] = float(count)
+    chosen, solutions = _preferred_of_lasting(system, current, time, state, False)
+    if chosen < 0:
+        chosen, solutions = _preferred_of_lasting(system, current, time, state, True)
+    contact = NO_MODE if chosen < 0 else contact_mode_of(candidate_at(system, chosen, piece))
+    run[RUN_CHOSEN], run[RUN_MODE], run[RUN_SOLUTIONS] = (
+        float(chosen),
+        float(contact),
+        float(solutions),
+    )
     if contact != current and current != NO_MODE:
         run[RUN_CHANGES] += 1.0
     return chosen >= 0
+
+
+def _preferred_of_lasting(
+    system: System, current: int, time: float, state: Numbers, later: bool
+) -> tuple[int, int]:
+    """The candidate that the policy prefers among those that hold, or will hold later; their number.
+
+    The candidate is -1 without any.
+    """
+    run, policy = system.run, current_policy(system)
+    chosen, contact, count = -1, NO_MODE, 0
+    for i in range(int(run[RUN_COUNT])):
+        mode = candidate_at(system, i, int(run[RUN_PIECE]))
+        lasts: bool = mode.contact != NO_MODE
+        if lasts and later:
+            lasts = _will_hold(system, mode, time, state)
+        elif lasts:
+            lasts = _holds(system, mode, time, state)
+        if lasts:
+            count += 1
+            if is_preferred(policy, current, contact_mode_of(mode), contact):
+                chosen, contact = i, contact_mode_of(mode)
+    return chosen, count
 
 
 def count_modes(system: System, mode: Mode, instant: Instant, time: float, state: Numbers) -> int:

@@ -36,7 +36,7 @@ from planar_pushing.core.run import (
     RUN_ROD,
     RUN_SQUARE,
 )
-from planar_pushing.core.system import System
+from planar_pushing.core.system import System, is_loaded
 from planar_pushing.core.tolerances import ROUNDING
 
 
@@ -53,6 +53,11 @@ def friction_effects(system: System) -> Effects:
 def problem_effects(system: System) -> Effects:
     """All effects, with the numbers for the problem at hand."""
     return _effects_of(system, system.problem, int(system.run[RUN_EFFECTS]))
+
+
+def depends_on_speed(system: System) -> bool:
+    """Whether the direction of the motion depends on its magnitude, with viscous friction or loads."""
+    return system.run[RUN_SQUARE] != 0.0 or is_loaded(system)
 
 
 def _effects_of(system: System, row: Numbers, length: int) -> Effects:
@@ -72,10 +77,8 @@ def scale_films(system: System, factor: float) -> None:
 
 def put_mass(system: System, factor: float) -> None:
     """Store the inertia of the problem at hand, multiplied by a factor."""
-    scene, numbers = (
-        system.scene,
-        system.problem[column_of(system.data, int(system.scene[IN_RESISTING])) :],
-    )
+    scene, row = system.scene, system.problem
+    numbers = row[column_of(system.data, int(scene[IN_RESISTING])) :]
     numbers[0] = factor
     numbers[1] = system.run[RUN_MOMENT] / scene[IN_MASS]
     numbers[2], numbers[3] = scene[IN_MASS_X], scene[IN_MASS_Y]
@@ -93,6 +96,12 @@ def load_at(system: System, angle: float) -> Vector:
     c, s = cos(turn), sin(turn)
     x, y = scene[IN_LOAD_X], scene[IN_LOAD_Y]
     return Vector(x * c + y * s, y * c - x * s, scene[IN_CROSS] * c - scene[IN_DOT] * s)
+
+
+def put_loads_at(system: System, angle: float) -> None:
+    """Store the loads of the problem at hand for a rod angle, if there are any."""
+    if is_loaded(system):
+        put_load(system, load_at(system, angle))
 
 
 def load_work(system: System, angle: float, x: float, y: float) -> float:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from math import copysign, cos, fabs, log, sin, sqrt
 
 from planar_pushing.core.directions import Rod, direction_at
-from planar_pushing.core.drag import load_at, problem_effects, put_load, write_powers
+from planar_pushing.core.drag import depends_on_speed, problem_effects, put_loads_at, write_powers
 from planar_pushing.core.force import ContactMotion, motion_at_root, motion_under_force
 from planar_pushing.core.impact import cone_margin, edge_angle, edge_of_slip
 from planar_pushing.core.inertia import motion_with_inertia, slowest_foot_at
@@ -27,7 +27,6 @@ from planar_pushing.core.run import (
     RUN_FORCE,
     RUN_RING,
     RUN_SPEED,
-    RUN_SQUARE,
 )
 from planar_pushing.core.shapes import (
     Pose,
@@ -75,7 +74,6 @@ from planar_pushing.core.system import (
     System,
     contact_mode_of,
     energies_of,
-    is_loaded,
     is_massive,
     slip_side,
 )
@@ -89,25 +87,14 @@ def motion_in_mode(system: System, mode: Mode, time: float, state: Numbers) -> I
     return _quasi_static_motion(system, mode, time, state)
 
 
-def effects_at(system: System, angle: float) -> Effects:
-    """Friction, viscous friction and loads at a rod angle."""
-    if is_loaded(system):
-        put_load(system, load_at(system, angle))
-    return problem_effects(system)
-
-
-def depends_on_speed(system: System) -> bool:
-    """Whether the direction of the motion depends on its magnitude, with viscous friction or loads."""
-    return system.run[RUN_SQUARE] != 0.0 or is_loaded(system)
-
-
 def _quasi_static_motion(system: System, mode: Mode, time: float, state: Numbers) -> Instant:
     fence_x, fence_y = pusher_velocity(system, mode.during, time, state)
     stays: bool = mode.contact == SEPARATE or mode.contact == REST
     if stays or (mode.contact == STICK and fence_x == 0.0 and fence_y == 0.0):
         return instant_at_rest(fence_x, fence_y, 0.0, 0.0, 0.0, 0.0)
     system.run[RUN_EVALUATIONS] += 1.0
-    pose, effects = pose_of(system, state), effects_at(system, state[ANGLE])
+    put_loads_at(system, state[ANGLE])
+    pose, effects = pose_of(system, state), problem_effects(system)
     slip, lift = 0.0, 0.0
     if mode.contact == STICK:
         u_x, u_y = to_body(pose.rod, fence_x, fence_y)
@@ -229,18 +216,19 @@ def _write_guards(
         return
     rests: bool = mode.contact == REST
     # A pusher that retreats from a slider at rest opens the contact without an event.
-    touches: bool = mode.touches and clearance_of(system, state) <= SLACK
-    if rests and touches:
+    rests_on_pusher: bool = mode.touches and clearance_of(system, state) <= SLACK
+    is_open: bool = mode.contact == SEPARATE or (rests and not rests_on_pusher)
+    if rests_on_pusher:
         guards[PUSH_STARTS] = PUSHES - instant.fence_y / system.run[RUN_SPEED]
-    elif rests or mode.contact == SEPARATE:
+    elif is_open:
         height = clearance_of(system, state)
         guards[TOUCHES] = height if height < INFINITY else UNKNOWN
     if not rests:
         guards[CENTER_DOWN] = center_height(system, state)
-    flies: bool = mode.contact == SEPARATE or (rests and not touches) or state[GAP] > SLACK
-    if not flies:
+    is_open = is_open or state[GAP] > SLACK
+    if not is_open:
         guards[END_OF_SIDE] = room_on_side(system, state[ALONG])
-    guards[PENETRATES] = outline_height(system, state, not flies)
+    guards[PENETRATES] = outline_height(system, state, not is_open)
     if is_massive(system):
         _guard_moving_contact(system, mode, state, instant, guards)
     else:
@@ -253,16 +241,16 @@ def _guard_moving_contact(
     """Store the margins and watches that end a contact of a slider with inertia."""
     speed, force = system.run[RUN_SPEED], system.run[RUN_FORCE]
     side = slip_side(contact_mode_of(mode))
+    if side != 0.0:
+        guards[SLIP_ENDS] = side * instant.slip / speed
+    if mode.contact == REST:
+        return
     if mode.contact == STICK:
         guards[LEAVES_CONE] = cone_margin(system, instant.f_x, instant.f_y, NO_FORCE * force)
     elif side != 0.0:
-        guards[SLIP_ENDS] = side * instant.slip / speed
-    if mode.contact != REST and side != 0.0:
         e_x, e_y = edge_of_slip(system, mode.contact)
         push = instant.f_x * e_x + instant.f_y * e_y
         guards[FORCE_ENDS] = push / (fabs(push) + force)
-    if mode.contact == REST:
-        return
     if mode.contact != SEPARATE:
         guards[SEPARATION_CHANGES] = instant.lift * system.scene[IN_MASS] / force
     if system.scene[IN_WEIGHT] > 0.0:

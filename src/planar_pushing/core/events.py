@@ -20,7 +20,6 @@ from planar_pushing.core.explicit import (
     next_size,
     smaller_size,
     smallest_size,
-    step_tolerance,
 )
 from planar_pushing.core.fence import end_of_fence, fence_displacement, span_at
 from planar_pushing.core.guards import MISJUDGED, NOTHING, first_event, look_for_kink, sign_of_guard
@@ -256,7 +255,7 @@ def _take_step(system: System) -> None:
     run, mode = system.run, current_mode(system)
     if not _makes_progress(system):
         _stop(run, NO_PROGRESS)
-    elif _advance(system, mode, step_tolerance(system)):
+    elif _advance(system, mode):
         cause = first_event(system, mode)
         run[RUN_CAUSE] = float(cause)
         run[RUN_PHASE] = float(CHANGES if cause == MISJUDGED else SAMPLES)
@@ -275,7 +274,7 @@ def _makes_progress(system: System) -> bool:
     return elapsed > SMALLEST_PROGRESS * end_of_fence(system.fence)
 
 
-def _advance(system: System, mode: Mode, tolerance: float) -> bool:
+def _advance(system: System, mode: Mode) -> bool:
     """Take one step, with a size at which the error is small; return whether there is one."""
     run, end = system.run, mode.during.end
     if run[RUN_SIDE] < 0.0 and run[RUN_TIME] >= run[RUN_KINK]:
@@ -283,7 +282,7 @@ def _advance(system: System, mode: Mode, tolerance: float) -> bool:
     rates, smallest = vector_of(system, FIRST_RATES), smallest_size(run[RUN_TIME])
     if run[RUN_FRESH] != 0.0:
         write_rates(system, mode, run[RUN_TIME], vector_of(system, STATE), rates)
-        run[RUN_PLANNED] = first_size(system, mode, end, tolerance)
+        run[RUN_PLANNED] = first_size(system, mode, end)
         run[RUN_LAST_SIZE], run[RUN_FRESH] = 0.0, 0.0
     else:
         copy_numbers(rates, vector_of(system, LAST_RATES), system.entries)
@@ -295,7 +294,7 @@ def _advance(system: System, mode: Mode, tolerance: float) -> bool:
         bound = min(end, run[RUN_KINK]) if run[RUN_SIDE] < 0.0 else end
         run[RUN_UNTIL], run[RUN_PREPARED] = min(run[RUN_TIME] + size, bound), 0.0
         size = run[RUN_UNTIL] - run[RUN_TIME]
-        error = attempt_step(system, mode, tolerance)
+        error = attempt_step(system, mode)
         if error < 1.0:
             planned = next_size(run, size, error)
             run[RUN_PLANNED] = min(planned, size) if last_size > 0.0 else planned

@@ -122,23 +122,15 @@ def _compute_stage(system: System, mode: Mode, i: int) -> None:
         rates[k] *= rate
 
 
-def step_tolerance(system: System) -> float:
-    """Tolerance of one step, less than that of the run, since the errors of steps add up."""
-    return max(PART_OF_STEP * system.scene[IN_TOLERANCE], FINEST)
-
-
-def attempt_step(system: System, mode: Mode, tolerance: float) -> float:
+def attempt_step(system: System, mode: Mode) -> float:
     """Try a step; return the estimate of its error in units of the tolerance (Sec. II.10).
 
     The guards near its middle and at its end are stored.
     """
     run, entries, rates = system.run, system.entries, vector_of(system, STAGE_RATES)
-    state, reached, trial = (
-        vector_of(system, STATE),
-        vector_of(system, REACHED),
-        vector_of(system, TRIAL),
-    )
+    state, reached = vector_of(system, STATE), vector_of(system, REACHED)
     first, last = vector_of(system, FIRST_RATES), vector_of(system, LAST_RATES)
+    trial = vector_of(system, TRIAL)
     _, rate = _time_in_step(run, 0.0)
     for k in range(entries):
         rates[k] = rate * first[k]
@@ -155,33 +147,31 @@ def attempt_step(system: System, mode: Mode, tolerance: float) -> float:
     for k in range(entries):
         rates[STEP_STAGES * entries + k] = rate * last[k]
     _add_stages(FIFTH_ERROR, 0, STEP_STAGES + 1, rates, entries, trial)
-    fifth = _norm(system, trial, state, reached, tolerance)
+    fifth = _norm(system, trial, state, reached)
     _add_stages(THIRD_ERROR, 0, STEP_STAGES + 1, rates, entries, trial)
-    third = _norm(system, trial, state, reached, tolerance)
+    third = _norm(system, trial, state, reached)
     fifth, third = fifth * fifth, third * third
     return fifth / sqrt(fifth + 0.01 * third) if fifth != 0.0 else 0.0
 
 
-def _prepare_dense_output(system: System, mode: Mode, tolerance: float) -> None:
+def _prepare_dense_output(system: System, mode: Mode) -> None:
     """Compute the coefficients of the dense output, and the additional stages that it needs.
 
     Where friction makes a slow motion stiff, a step can be stable and these stages are not. The dense
     output is then the cubic through both ends.
     """
-    entries, rates, dense = (
-        system.entries,
-        vector_of(system, STAGE_RATES),
-        vector_of(system, DENSE),
-    )
+    entries, rates = system.entries, vector_of(system, STAGE_RATES)
     for i in range(STEP_STAGES + 1, STAGES):
         _compute_stage(system, mode, i)
-    reached, state = vector_of(system, REACHED), vector_of(system, STATE)
+    dense, reached, state = (
+        vector_of(system, DENSE), vector_of(system, REACHED), vector_of(system, STATE)
+    )  # fmt: skip
     for k in range(entries):
         step = reached[k] - state[k]
         bend = rates[k] - step
         dense[k], dense[entries + k] = step, bend
         dense[2 * entries + k] = step - rates[STEP_STAGES * entries + k] - bend
-    stable: bool = _are_extra_stages_stable(system, tolerance)
+    stable: bool = _are_extra_stages_stable(system)
     for i in range(4):
         _add_stages(
             DENSE_WEIGHTS, i * STAGES, STAGES if stable else 0, rates, entries,
@@ -190,11 +180,15 @@ def _prepare_dense_output(system: System, mode: Mode, tolerance: float) -> None:
     system.run[RUN_PREPARED] = 1.0
 
 
-def _are_extra_stages_stable(system: System, tolerance: float) -> bool:
+def _are_extra_stages_stable(system: System) -> bool:
     """Whether the rates of the additional stages are about as different as those within the step."""
+    entries, rates = system.entries, vector_of(system, STAGE_RATES)
+    trial, reached = vector_of(system, TRIAL), vector_of(system, REACHED)
     largest, extra = 0.0, 0.0
     for i in range(1, STAGES):
-        spread = _spread_of_stage(system, i, tolerance)
+        for k in range(entries):
+            trial[k] = rates[i * entries + k] - rates[k]
+        spread = _norm(system, trial, reached, reached)
         if i <= STEP_STAGES:
             largest = max(largest, spread)
         else:
@@ -202,24 +196,10 @@ def _are_extra_stages_stable(system: System, tolerance: float) -> bool:
     return extra <= FARTHEST_STAGE * (largest + 1.0)
 
 
-def _spread_of_stage(system: System, i: int, tolerance: float) -> float:
-    """Difference between the rates of a stage and of the first one, in units of the tolerance."""
-    entries, rates, scales = (
-        system.entries,
-        vector_of(system, STAGE_RATES),
-        vector_of(system, SCALES),
-    )
-    reached, total = vector_of(system, REACHED), 0.0
-    for k in range(entries):
-        part = (rates[i * entries + k] - rates[k]) / (tolerance * (scales[k] + fabs(reached[k])))
-        total += part * part
-    return sqrt(total / float(entries))
-
-
 def interpolate_state(system: System, mode: Mode, time: float, result: Numbers) -> None:
     """Store the state at a time within the last step."""
     if system.run[RUN_PREPARED] == 0.0:
-        _prepare_dense_output(system, mode, step_tolerance(system))
+        _prepare_dense_output(system, mode)
     entries, dense, state = system.entries, vector_of(system, DENSE), vector_of(system, STATE)
     x = _part_of_time(system.run, time)
     y = 1.0 - x
@@ -230,8 +210,12 @@ def interpolate_state(system: System, mode: Mode, time: float, result: Numbers) 
         result[k] = state[k] + x * (dense[k] + y * (dense[entries + k] + x * value))
 
 
-def _norm(system: System, vector: Numbers, start: Numbers, end: Numbers, tolerance: float) -> float:
-    """Root mean square of a vector, in units of the tolerance."""
+def _norm(system: System, vector: Numbers, start: Numbers, end: Numbers) -> float:
+    """Root mean square of a vector, in units of the tolerance of one step.
+
+    It is less than the tolerance of the run, since the errors of steps add up.
+    """
+    tolerance = max(PART_OF_STEP * system.scene[IN_TOLERANCE], FINEST)
     total, scales = 0.0, vector_of(system, SCALES)
     for i in range(system.entries):
         part = vector[i] / (tolerance * (scales[i] + max(fabs(start[i]), fabs(end[i]))))
@@ -244,13 +228,13 @@ def smallest_size(time: float) -> float:
     return 10.0 * EPSILON * time + SMALLEST_STEP
 
 
-def first_size(system: System, mode: Mode, end: float, tolerance: float) -> float:
+def first_size(system: System, mode: Mode, end: float) -> float:
     """Size of the first step of a mode with known rates at its start (Sec. II.4)."""
     run, state, trial = system.run, vector_of(system, STATE), vector_of(system, TRIAL)
     rates, other = vector_of(system, FIRST_RATES), vector_of(system, PASSING)
     time = run[RUN_TIME]
-    state_size = _norm(system, state, state, state, tolerance)
-    rate_size = _norm(system, rates, state, state, tolerance)
+    state_size = _norm(system, state, state, state)
+    rate_size = _norm(system, rates, state, state)
     small: bool = state_size < 1e-5 or rate_size < 1e-5
     size = min(1e-6 if small else 0.01 * state_size / rate_size, end - time)
     for k in range(system.entries):
@@ -258,7 +242,7 @@ def first_size(system: System, mode: Mode, end: float, tolerance: float) -> floa
     write_rates(system, mode, time + size, trial, other)
     for k in range(system.entries):
         trial[k] = other[k] - rates[k]
-    bend = max(rate_size, _norm(system, trial, state, state, tolerance) / size)
+    bend = max(rate_size, _norm(system, trial, state, state) / size)
     better = max(1e-6, 1e-3 * size)
     if not bend < INFINITY:
         better = 0.0

@@ -166,10 +166,8 @@ def _event_of_cause(system: System, mode: Mode, cause: int) -> float:
     watched: bool = WATCHES[cause] != 0.0
     for j in range(1, STEP_NODES + 1):
         low, high, sign = _node_time(run, j - 1), _node_time(run, j), signs[cause]
-        before, value = (
-            guards_of(system, VALUES + j - 1)[cause],
-            guards_of(system, VALUES + j)[cause],
-        )
+        before = guards_of(system, VALUES + j - 1)[cause]
+        value = guards_of(system, VALUES + j)[cause]
         if sign * value < -SLACK:
             return _crossing(system, mode, cause, low, high, sign * before, sign * value)
         if sign == 0.0:

@@ -37,7 +37,7 @@ from planar_pushing.core.system import (
     SPIN,
     WORK,
     System,
-    rank_of,
+    is_preferred,
     slip_side,
 )
 from planar_pushing.core.tolerances import SLACK
@@ -144,11 +144,11 @@ def collide(
     if max(fabs(x), fabs(y)) <= SLACK * speed:
         state[OVER], state[RISE] = 0.0, 0.0
         return GOES_ON
-    pose, chosen, lowest = pose_of(system, state), NO_MODE, 0
+    pose, chosen = pose_of(system, state), NO_MODE
     for contact in range(SEPARATE, SLIP_LEFT + 1):
-        rank = rank_of(policy, current, contact)
-        if _is_consistent(system, pose, contact, x, y) and (chosen == NO_MODE or rank < lowest):
-            chosen, lowest = contact, rank
+        preferred: bool = is_preferred(policy, current, contact, chosen)
+        if preferred and _is_consistent(system, pose, contact, x, y):
+            chosen = contact
     if chosen == NO_MODE:
         return NO_IMPULSE
     impulse = answer_of(system, pose, chosen, x, y)

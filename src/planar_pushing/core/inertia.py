@@ -203,9 +203,8 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
     dissipated = total.f_x * x + total.f_y * y + total.torque * spin
     load = load_at(system, state[ANGLE])
     d_x, d_y = load.x - total.f_x, load.y - total.f_y
-    torque = (
-        load.spin - total.torque - (system.scene[IN_MASS_X] * d_y - system.scene[IN_MASS_Y] * d_x)
-    )
+    torque = load.spin - total.torque
+    torque -= system.scene[IN_MASS_X] * d_y - system.scene[IN_MASS_Y] * d_x
     d_x, d_y = to_contact(pose.rod, d_x, d_y)
     a_x, a_y, turn, hold = d_x / mass, d_y / mass, torque / moment, 1.0
     f_x, f_y, lift, rate_x, rate_y, hinged_turn = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0

@@ -28,6 +28,7 @@ from planar_pushing.core.drag import (
     load_at,
     load_work,
     put_load,
+    put_loads_at,
     put_mass,
     scale_films,
     write_powers,
@@ -124,10 +125,9 @@ from planar_pushing.core.system import (
     WORK,
     System,
     energies_of,
-    is_loaded,
     is_massive,
+    is_preferred,
     prepare_system,
-    rank_of,
     system_of,
     vector_of,
 )
@@ -214,13 +214,12 @@ def _choose_twist(system: System, pose: Pose) -> bool:
         run[RUN_MODE], run[RUN_STOPPED] = float(NO_MODE), float(INCONSISTENT)
         run[RUN_PUSH], run[RUN_PUSH + 1] = 0.0, 0.0
         return True
-    policy, best, lowest = policy_at(system.fence, piece), 0, 0
+    policy, best, contact = policy_at(system.fence, piece), 0, NO_MODE
     for i in range(count):
-        rank = rank_of(policy, current, int(solutions[i * SOLUTION + MODE]))
-        if i == 0 or rank < lowest:
-            best, lowest = i, rank
+        other = int(solutions[i * SOLUTION + MODE])
+        if is_preferred(policy, current, other, contact):
+            best, contact = i, other
     solution, angle = solutions[best * SOLUTION :], vector_of(system, STATE)[ANGLE]
-    contact = int(solution[MODE])
     v_x, v_y = to_world(system, angle, unit * solution[TWIST], unit * solution[TWIST + 1])
     f_x, f_y = to_world(system, angle, solution[FORCE], solution[FORCE + 1])
     run[RUN_NEW_TWIST], run[RUN_NEW_TWIST + 1] = unit * solution[TWIST], unit * solution[TWIST + 1]
@@ -264,12 +263,11 @@ def _prepare_step(system: System, pose: Pose, h: float, size: float, before: flo
     twist: the momentum is a load.
     """
     scene, run, angle = system.scene, system.run, vector_of(system, STATE)[ANGLE]
-    load = load_at(system, angle)
     if not is_massive(system):
         scale_films(system, size)
-        if is_loaded(system):
-            put_load(system, load)
+        put_loads_at(system, angle)
         return size
+    load = load_at(system, angle)
     v_x, v_y = from_world(system, angle, run[RUN_TWIST], run[RUN_TWIST + 1])
     x, y = to_body(pose.rod, v_x, v_y)
     spin, mass, c_x, c_y = run[RUN_TWIST + 2], scene[IN_MASS], scene[IN_MASS_X], scene[IN_MASS_Y]
@@ -335,10 +333,8 @@ def _turn(system: System, pose: Pose, h: float, v_x: float, v_y: float, spin: fl
     run, state, scene = system.run, vector_of(system, STATE), system.scene
     angle = state[ANGLE]
     turned = angle + h * spin
-    before, after = (
-        Rod(1.0, angle, cos(angle), sin(angle)),
-        Rod(1.0, turned, cos(turned), sin(turned)),
-    )
+    before = Rod(1.0, angle, cos(angle), sin(angle))
+    after = Rod(1.0, turned, cos(turned), sin(turned))
     x, y = to_contact(before, scene[IN_MASS_X], scene[IN_MASS_Y])
     new_x, new_y = to_contact(after, scene[IN_MASS_X], scene[IN_MASS_Y])
     v_x, v_y = to_world(system, angle, v_x, v_y)
@@ -390,11 +386,11 @@ def _log_step(system: System) -> None:
     row = log_row_at(system, run[RUN_TIME])
     for k in range(2):
         row[LOG_PUSHER + k], row[LOG_FORCE + k] = run[RUN_PUSHER + k], run[RUN_PUSH + k]
-    row[LOG_TIME], row[LOG_MODE], row[LOG_SOLUTIONS] = (
-        run[RUN_TIME],
-        run[RUN_MODE],
+    row[LOG_TIME], row[LOG_MODE], row[LOG_PIVOT] = run[RUN_TIME], run[RUN_MODE], run[RUN_PIVOT]
+    row[LOG_SOLUTIONS], row[LOG_STOPPED], row[LOG_EVENT] = (
         run[RUN_SOLUTIONS],
+        run[RUN_STOPPED],
+        -1.0,
     )
-    row[LOG_STOPPED], row[LOG_PIVOT], row[LOG_EVENT] = run[RUN_STOPPED], run[RUN_PIVOT], -1.0
     v_x, v_y = from_world(system, state[ANGLE], run[RUN_TWIST], run[RUN_TWIST + 1])
     write_state(system, state, v_x, v_y, run[RUN_TWIST + 2], row)

@@ -89,18 +89,10 @@ NORMAL_REVERSES, TANGENTIAL_REVERSES, END_OF_SIDE, PENETRATES = range(11, 15)
 CAUSES = 15
 #: Whether any change of the sign of a guard is an event. The others are positive while a mode lasts.
 WATCHES = (0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0)
-#: Sets of guards of a run: their signs; their values at the start of a step, at its nodes, at its end, and
-#: near its middle; and two for trials.
-SIGNS, VALUES, NODE_VALUES, END_VALUES, MIDDLE_VALUES, TRIAL_GUARDS, LATER_GUARDS = (
-    0,
-    1,
-    2,
-    5,
-    6,
-    7,
-    8,
-)
-GUARD_SETS = 9
+#: Sets of guards of a run: their signs; their values at the start of a step, which those at its nodes and
+#: at its end follow; near its middle; and two for trials.
+SIGNS, VALUES = 0, 1
+END_VALUES, MIDDLE_VALUES, TRIAL_GUARDS, LATER_GUARDS, GUARD_SETS = range(5, 10)
 #: Reasons of an early end (`Stop`).
 GOES_ON, INCONSISTENT, LAID_DOWN, NO_IMPULSE, SINGULAR_MOTION = range(5)
 TOO_MANY_EVENTS, NO_PROGRESS, MET_OUTLINE, SIDE_ENDED = range(5, 9)
@@ -255,10 +247,8 @@ def prepare_system(system: System) -> None:
     loaded: bool = effects.length > 0 and kind_of(data, effects.length - 1) == LOAD
     run[RUN_MASSIVE], run[RUN_LOADED] = (1.0 if massive else 0.0), (1.0 if loaded else 0.0)
     run[RUN_EFFECTS], run[RUN_FEET] = float(effects.length), float(effects.feet)
-    run[RUN_FRICTIONAL], run[RUN_SQUARE] = (
-        1.0 if effects.frictional else 0.0,
-        1.0 if effects.massive else 0.0,
-    )
+    run[RUN_FRICTIONAL] = 1.0 if effects.frictional else 0.0
+    run[RUN_SQUARE] = 1.0 if effects.massive else 0.0
     run[RUN_LINEAR], run[RUN_RING] = (1.0 if effects.linear else 0.0), 0.0
     for i in range(int(scene[IN_FRICTIONS])):
         if kind_of(data, i) == RING:
@@ -334,7 +324,12 @@ def contact_mode_of(mode: Mode) -> int:
     return int(mode.spin) if mode.contact == REST else mode.contact
 
 
-def rank_of(policy: int, current: int, contact: int) -> int:
+def is_preferred(policy: int, current: int, contact: int, other: int) -> bool:
+    """Whether a policy prefers a contact mode to another one, or to none, in a current mode."""
+    return other == NO_MODE or _rank_of(policy, current, contact) < _rank_of(policy, current, other)
+
+
+def _rank_of(policy: int, current: int, contact: int) -> int:
     """Rank of a contact mode in the order of preference of a policy."""
     preferred = NO_MODE
     if policy == PREFER_SEPARATE:
@@ -346,17 +341,6 @@ def rank_of(policy: int, current: int, contact: int) -> int:
     if contact == preferred:
         return SEPARATE
     return SLIP_LEFT + 1 if contact == SEPARATE else contact
-
-
-def preferred_candidate(system: System, policy: int, current: int, count: int) -> int:
-    """Index of the candidate that a policy prefers, the first of equals; -1 without candidates."""
-    best, lowest = -1, 0
-    for i in range(count):
-        mode = candidate_at(system, i, 0)
-        rank = rank_of(policy, current, contact_mode_of(mode))
-        if best < 0 or rank < lowest:
-            best, lowest = i, rank
-    return best
 
 
 def slip_side(contact: int) -> float:

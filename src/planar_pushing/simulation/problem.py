@@ -74,11 +74,9 @@ class Problem:
         self._set("twist", _required_twist(self.twist, self.scene))
         self._set("on_ambiguity", required_policies(self.on_ambiguity))
         require_held(self.scene)
-        if self.shape == Shape.FENCE:
-            require_above(self.scene.slider, self.gap)
-        else:
+        if self.shape == Shape.FINGER:
             _require_narrow(self.pusher.radius, self.scene.slider.radius)
-            require_apart(self.scene.slider, self.gap, self.pusher.radius)
+        self._require_outside()
         if self.object_pose is not None:
             self._set("object_pose", required_pose(self.object_pose))
             self._set("world", world_of(self.scene, self.object_pose))
@@ -86,6 +84,32 @@ class Problem:
 
     def _set(self, name: str, value: Any) -> None:
         object.__setattr__(self, name, value)
+
+    def _require_outside(self) -> None:
+        """Reject an outline of which a part is initially in the pusher, in at least one scene."""
+        slider, is_fence = self.scene.slider, self.shape == Shape.FENCE
+        if slider.outline is None:
+            return
+        try:
+            if is_fence:
+                distance = _height_of_outline(slider, self.gap)
+            else:
+                distance = _distance_of_outline(slider, self.gap, self.pusher.radius)
+        except ValueError:  # mismatched shapes, which the batch rejects itself
+            return
+        # A run ends at the full tolerance; the initial position must be within half of it.
+        if distance >= -depth_tolerance(slider.outline) / 2:
+            return
+        if is_fence:
+            raise InvalidValue(
+                "outline", f"a corner {-distance:.6g} below the fence",
+                "corners on the fence or above it",
+                "rotate the slider, raise it by gap, or put the contact on the outline",
+            )  # fmt: skip
+        raise InvalidValue(
+            "outline", f"an overlap of {-distance:.6g} with the finger", "a finger outside the object",
+            "choose a smaller radius, or move the contact onto the outline and away from its other sides",
+        )  # fmt: skip
 
     def _pusher_in_fence_frame(self) -> Pusher:
         """The pusher, with its motion along the axes of the fence frame."""
@@ -157,45 +181,15 @@ def depth_tolerance(outline: Corners) -> float:
     return DEPTH * size(np.array(outline))
 
 
-def require_above(slider: Slider, gap: Number) -> None:
-    """Reject an outline that initially penetrates the fence.
-
-    Raises
-    ------
-    InvalidValue
-        If a corner of at least one slider is below the fence; the message gives its depth.
-    """
-    if slider.outline is None:
-        return
-    try:
-        lowest = _lowest(slider, gap)
-    except ValueError:  # mismatched shapes, which the batch rejects itself
-        return
-    # A run ends at the full tolerance; the initial position must be within half of it.
-    if lowest < -depth_tolerance(slider.outline) / 2:
-        raise InvalidValue(
-            "outline", f"a corner {-lowest:.6g} below the fence", "corners on the fence or above it",
-            "rotate the slider, raise it by gap, or put the contact on the outline",
-        )  # fmt: skip
-
-
-def _lowest(slider: Slider, gap: Number) -> float:
+def _height_of_outline(slider: Slider, gap: Number) -> float:
     """Height of the lowest corner above the fence, the minimum over several sliders."""
     c, s = np.cos(slider.rod_angle), np.sin(slider.rod_angle)
     heights = (gap + (slider.rod_length + x) * s + y * c for x, y in slider.outline)
     return min(float(np.min(np.asarray(height))) for height in heights)
 
 
-def require_apart(slider: Slider, gap: Number, radius: Number) -> None:
-    """Reject an outline that initially overlaps the finger.
-
-    Raises
-    ------
-    InvalidValue
-        If at least one slider overlaps its finger; the message gives the depth.
-    """
-    if slider.outline is None:
-        return
+def _distance_of_outline(slider: Slider, gap: Number, radius: Number) -> float:
+    """Distance of the outline from the finger, the minimum over several sliders."""
     corners = np.array(slider.outline)
 
     def distances(x: Array, y: Array) -> Array:
@@ -203,15 +197,7 @@ def require_apart(slider: Slider, gap: Number, radius: Number) -> None:
         output = [Output("distance")]
         return mapped("outline_distances", corners.ravel(), [x, y, len(corners), 0], output)[0]
 
-    try:
-        across, angle = radius + gap, slider.rod_angle
-        x, y = -slider.rod_length - across * np.sin(angle), -across * np.cos(angle)
-        apart = xr.apply_ufunc(distances, x, y, dask="allowed") - radius
-        nearest = float(np.min(np.asarray(apart)))
-    except ValueError:  # mismatched shapes, which the batch rejects itself
-        return
-    if nearest < -depth_tolerance(slider.outline) / 2:
-        raise InvalidValue(
-            "outline", f"an overlap of {-nearest:.6g} with the finger", "a finger outside the object",
-            "choose a smaller radius, or move the contact onto the outline and away from its other sides",
-        )  # fmt: skip
+    across, angle = radius + gap, slider.rod_angle
+    x, y = -slider.rod_length - across * np.sin(angle), -across * np.cos(angle)
+    apart = xr.apply_ufunc(distances, x, y, dask="allowed") - radius
+    return float(np.min(np.asarray(apart)))
