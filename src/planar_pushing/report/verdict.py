@@ -13,7 +13,7 @@ from planar_pushing.report.results import Results
 Check = dict[str, Any]
 SOURCE = "tables/golden_verdict.json"
 #: Kinds of golden values, as named in verdicts.
-KINDS = ("enclosed", "searched", "integrated", "plain")
+KINDS = ("enclosed", "integrated", "plain")
 #: The kind that is compared with stored values only.
 STORED = "plain"
 #: Maximum number of failed comparisons that the report lists, the worst of each study first.

@@ -17,7 +17,9 @@ from planar_pushing.evidence.golden.compare import (
 from planar_pushing.evidence.golden.verdict import verdict, verdict_text
 from planar_pushing.evidence.writing import json_text
 
-TOLERANCES = TolerancesFile(tolerances={"every": {"force": Tolerance(absolute=1e-12)}})
+TOLERANCES = TolerancesFile(tolerances={"one": {"time": Tolerance(absolute=1e-9)}})
+#: Radius of the finite numbers, and the size from which on a number counts as infinite.
+RADIUS, LARGE = 2.0**-40, 2.0**50
 
 
 @pytest.fixture
@@ -27,7 +29,10 @@ def wanted():
     return xr.Dataset(
         {
             "force": (("law", "angle"), force, {"units": "1", "quantity": "force"}),
-            "force_radius": (("law", "angle"), np.full((2, 2), -50, np.int8)),
+            "force_radius": (("law", "angle"), np.array([[-40, -40], [50, -40]], np.int8)),
+            "turn": (("angle",), np.array([-179.0, 10.0]), {"units": "degree"}),
+            "turn_radius": (("angle",), np.full(2, -40, np.int8)),
+            "time": (("angle",), np.array([0.0, 1.0])),
             "mode": (("law",), np.array([0, 3], np.int8), {"flag_meanings": "A B C D"}),
         },
         {"law": ["rough", "slippery"], "angle": [0.0, 5.0]},
@@ -37,7 +42,11 @@ def wanted():
 
 @pytest.fixture
 def found(wanted):
-    return wanted.drop_vars("force_radius").copy(deep=True).assign_attrs({"versions": "new"})
+    return (
+        wanted.drop_vars(["force_radius", "turn_radius"])
+        .copy(deep=True)
+        .assign_attrs({"versions": "new"})
+    )
 
 
 def failed(found, wanted):
@@ -51,14 +60,44 @@ def test_what_agrees_passes(found, wanted):
     assert (force.count, force.labels, force.kind) == (2, 2, Kind.ENCLOSED)
 
 
-def test_numbers_may_differ_by_tolerance_and_radius(found, wanted):
-    found["force"].values[0, 0] = 1 + 0.9e-12
+def test_numbers_may_differ_by_their_radius(found, wanted):
+    found["force"].values[0, 0] = 1 + 0.9 * RADIUS
     assert not failed(found, wanted)
-    found["force"].values[0, 0] = 1 + 1.1e-12
+    found["force"].values[0, 0] = 1 + 1.1 * RADIUS
     (check,) = failed(found, wanted)
     assert (check.variable, check.failed) == ("force", 1)
     assert "law=rough, angle=0.0" in check.where
-    assert check.error == pytest.approx(1.1e-12, rel=1e-3)
+    assert check.error == pytest.approx(1.1 * RADIUS, rel=1e-3)
+
+
+def test_what_has_no_radius_has_a_tolerance_and_is_not_enclosed(found, wanted):
+    found["time"].values[1] += 0.9e-9
+    checks = compare("one", found, wanted, TOLERANCES)
+    assert [(each.passed, each.kind) for each in checks if each.variable == "time"] == [
+        (True, Kind.PLAIN)
+    ]
+    found["time"].values[1] += 0.2e-9
+    assert [each.variable for each in failed(found, wanted)] == ["time"]
+
+
+def test_angles_agree_up_to_whole_turns(found, wanted):
+    found["turn"].values[:] = 181.0, -350.0
+    assert not failed(found, wanted)
+    found["turn"].values[0] = 181.0 + 1.1 * RADIUS
+    (check,) = failed(found, wanted)
+    assert check.error == pytest.approx(1.1 * RADIUS, rel=1e-2)
+
+
+@pytest.mark.parametrize("value", [np.inf, 1.1 * LARGE, -1.1 * LARGE])
+def test_what_is_beyond_a_reciprocal_counts_as_infinite(found, wanted, value):
+    found["force"].values[1, 0] = value
+    assert not failed(found, wanted)
+
+
+@pytest.mark.parametrize("value", [-np.inf, 0.9 * LARGE, np.nan])
+def test_what_is_not_beyond_a_reciprocal_is_not_infinite(found, wanted, value):
+    found["force"].values[1, 0] = value
+    assert [each.variable for each in failed(found, wanted)] == ["force"]
 
 
 def test_a_verdict_on_a_number_in_place_of_infinity_can_be_written(found, wanted):
@@ -129,22 +168,29 @@ def test_versions_of_packages_may_differ(found, wanted):
 
 
 def test_a_variable_without_a_tolerance_must_be_exact(found, wanted):
-    loose = compare("one", found.assign(force=found["force"] * (1 + 1e-14)), wanted, TOLERANCES)
-    strict = compare(
-        "one", found.assign(force=found["force"] * (1 + 1e-14)), wanted, TolerancesFile()
+    later = found.assign(time=found["time"] + 1e-14)
+    assert [
+        each.variable for each in compare("two", later, wanted, TOLERANCES) if not each.passed
+    ] == ["time"]
+
+
+def test_a_folder_of_files_has_tolerances():
+    file = TolerancesFile(
+        tolerances={"logs": {"time": Tolerance(ulp=1)}, "logs/long": {"time": Tolerance(ulp=2)}}
     )
-    assert [each.passed for each in loose if each.variable == "force"] == [True]
-    assert [each.passed for each in strict if each.variable == "force"] == [False]
+    assert file.of("logs/long", "time").ulp == 2
+    assert file.of("logs/short", "time").ulp == 1
+    assert file.of("logs", "mode") == Tolerance()
 
 
-def test_a_dataset_has_tolerances_of_its_own():
-    own = {"every": {"force": Tolerance(ulp=1)}, "one": {"force": Tolerance(ulp=2)}}
-    file = TolerancesFile(tolerances=own)
-    assert file.of("one", "force").ulp == 2
-    assert file.of("one/group", "force").ulp == 2
-    assert file.of("two", "force").ulp == 1
-    assert file.of("two", "mode") == Tolerance()
+def test_the_verdict_prints_what_each_dataset_uses_of_what_is_allowed(found, wanted):
+    found["force"].values[0, 0] = 1 + 0.5 * RADIUS
+    judged = verdict(compare("one", found, wanted, TOLERANCES))
+    assert judged["used"]["one"] == pytest.approx(0.5, rel=1e-3)
+    assert "  0.5 of the allowed difference is used in one\n" in verdict_text(judged)
 
 
-def test_the_package_has_tolerances():
-    assert load_tolerances().tolerances["every"]
+def test_the_package_has_tolerances_only_for_what_has_no_radius():
+    assert set(load_tolerances().tolerances) == {
+        "accuracy", "figures", "figures/figure_19", "simulations", "supports",
+    }  # fmt: skip

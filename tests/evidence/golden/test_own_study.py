@@ -172,6 +172,26 @@ def test_points_find_a_dataset_that_is_wrong(copy, capsys):
     assert "FAIL motion_cones: motion_cone_left" in out
 
 
+def test_points_find_solutions_that_are_missing(copy, capsys):
+    path = copy / "results/studies/mine/data/support_modes.nc"
+    data = read_dataset(path).load().isel(solution=slice(0, 1))
+    write_dataset(data, path)
+    code, out, _ = check(copy, capsys, "--points", "12")
+    assert code == 1
+    assert "FAIL support_modes: mode" in out
+
+
+def test_a_dataset_of_which_no_point_is_certified_has_not_passed(tmp_path, capsys):
+    path = written(tmp_path, 0.5)
+    text = path.read_text(encoding="utf-8").replace("[0.5, inf]", "[0.5]")
+    text = text.replace("rod_angle: [60, 90]", "rod_angle: [90]")
+    path.write_text(text.replace("  disc: {shape: disc, radius: 1}\n", ""), encoding="utf-8")
+    built(path, tmp_path / "results", list(DATASETS))
+    code, out, _ = check(tmp_path, capsys, "--points", "3")
+    assert code == 1
+    assert "FAIL support_cones has no point that could be certified" in out
+
+
 @pytest.mark.parametrize("number", ["0", "-3"])
 def test_a_number_of_points_is_positive(mine, capsys, number):
     code, _, err = check(mine, capsys, "--points", number)

@@ -8,7 +8,7 @@ from planar_pushing.evidence.golden.compare import compare, load_tolerances
 
 COUNT, CHANGE = 1000, 1e-9
 #: Errors of methods and of rounding, which are compared to their size.
-ERRORS = ("accuracy_errors", "hard_cases")
+ERRORS = ("accuracy", "hard_cases")
 
 
 @pytest.fixture(scope="module")
@@ -72,3 +72,18 @@ def test_changes_of_one_entry_are_seen(pairs, kind):
             changed[name] = (each.dims, values, each.attrs)
             assert is_seen(pair, changed), f"{pair[0]}: {name} at {at}"
             break
+
+
+@pytest.mark.parametrize("file", ["contact_modes", "sliders/support_modes"])
+@pytest.mark.parametrize("change", [-1, 1], ids=["missing", "extra"])
+def test_a_missing_mode_and_an_extra_one_are_seen(file, change):
+    wanted, tolerances = golden(file), load_tolerances()
+    counts, modes = wanted["solutions"].values, wanted["mode"].values.copy()
+    places = np.argwhere((counts > 0) & (counts < modes.shape[-1]))
+    at = tuple(np.random.default_rng(3).choice(places))
+    last = counts[at] - (change < 0)
+    modes[(*at, last)] = -1 if change < 0 else 3
+    variables = wanted[["mode", *(name for name in wanted.coords)]]
+    changed = result(variables).assign(mode=(wanted["mode"].dims, modes, wanted["mode"].attrs))
+    checks = compare(dataset_name(file), changed, variables, tolerances)
+    assert [(check.variable, check.failed) for check in checks if not check.passed] == [("mode", 1)]

@@ -1,96 +1,260 @@
-"""Certified numbers of the paper's ring at one point of a grid: the variables of a dataset by name.
+"""Certified numbers at one point of a grid: the variables of a dataset by name.
 
 Parameters and coordinates are plain values, taken as exact. A cell is a function of the plain values of
-its study and of its coordinates; it returns balls, integers or booleans, or lists of them.
+its study and of its coordinates. It returns numbers, integers or booleans, or lists of them.
 """
 
 from __future__ import annotations
 
+import json
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache, reduce
 from typing import Any
 
-from flint import arb
+from flint import arb, fmpq
 
-from planar_pushing.certified import cones, line_of_force, ring
-from planar_pushing.certified.balls import cosine_sine, exact_sine, in_degrees, rational, sign
-from planar_pushing.certified.contact import modes
-from planar_pushing.certified.contact.sticking import Motion
-from planar_pushing.certified.setting import (
-    Effects,
-    Heading,
-    Slider,
-    direction,
-    edge,
-    heading,
-    lean,
+from planar_pushing.oracle import bounds
+from planar_pushing.oracle.balls import (
+    Direction,
+    Number,
+    Vector,
+    at_degrees,
+    cone_edge,
+    cross,
+    dot,
+    in_degrees,
+    is_zero,
+    norm,
+    place,
+    rational,
+    settle,
+    terms,
 )
+from planar_pushing.oracle.body import Body
+from planar_pushing.oracle.modes import (
+    INFINITE_FREE,
+    INFINITE_NONE,
+    PERFECTLY_ROUGH,
+    Law,
+    Solution,
+    contact_modes,
+    normal_motion,
+)
+from planar_pushing.oracle.motions import limit_point, ray, unit_motion
+from planar_pushing.oracle.prove import Proved, Slider, State
+from planar_pushing.oracle.support import Support, support
 
-#: Name of a variable: its value at a point.
+#: Name of a variable: its value at a point. The entry CENTERS lists supports and centers of rotation.
 Record = dict[str, Any]
 #: Plain values of a study, or of the part of one from which a dataset is built.
 Values = Mapping[str, Any]
+CENTERS = ""
+ZERO, ONE = fmpq(0), fmpq(1)
 LAWS = {
-    "infinite_friction_free": modes.INFINITE_FREE,
-    "infinite_friction_none": modes.INFINITE_NONE,
-    "perfectly_rough": modes.PERFECTLY_ROUGH,
+    "infinite_friction_free": INFINITE_FREE,
+    "infinite_friction_none": INFINITE_NONE,
+    "perfectly_rough": PERFECTLY_ROUGH,
 }
+FRICTION, INERTIA, BOTH = "support_friction", "inertia", "support_friction+inertia"
+#: Edges of a cone with their sides.
+EDGES = (("right", 1), ("left", -1))
 
 
-def slider(values: Values, length: float, angle: float | None = None) -> Slider:
-    """The ring of a study with a rod."""
-    own = values["slider"]
-    parameters = {**values.get("support_friction", {}), **values.get("inertia", {})}
-    turned = own["rod_angle"] if angle is None else angle
-    return Slider.of(length, turned, radius=own["radius"], **parameters)
+# --- Sliders ------------------------------------------------------------------------------------------
 
 
-def labeled_law(label: str) -> modes.Law:
+def ring_slider(values: Values, effects: str, length: float, angle: float | None = None) -> Slider:
+    """The ring of a study with a rod, and the effects of a label."""
+    return _ring_slider(
+        json.dumps([values["slider"], values.get(FRICTION), values.get(INERTIA)]),
+        effects,
+        length,
+        angle,
+    )
+
+
+@lru_cache(1 << 12)
+def _ring_slider(entry: str, effects: str, length: float, angle: float | None) -> Slider:
+    slider, friction, inertia = json.loads(entry)
+    parameters: dict[str, Any] = {
+        "gyration": rational((inertia or {}).get("gyration_radius", slider["radius"])) ** 2
+    }
+    if effects != INERTIA:
+        parameters |= {
+            "support": _support(json.dumps({"shape": "ring", "radius": slider["radius"]}))
+        }
+        parameters |= {"weight": rational((friction or {}).get("weight", 1))}
+    if effects != FRICTION:
+        parameters |= {"mass": rational((inertia or {}).get("mass", 1))}
+    body = Body(length=rational(length), **parameters)
+    return Slider(body, rational(slider["rod_angle"] if angle is None else angle))
+
+
+@lru_cache(64)
+def _support(entry: str) -> Support:
+    return support(json.loads(entry))
+
+
+def support_of(values: Values, name: str) -> Support:
+    """A support of a study."""
+    return _support(json.dumps(values["supports"][name]))
+
+
+@lru_cache(1 << 10)
+def support_slider(pieces: Support, length: float, angle: float) -> Slider:
+    """A slider of unit weight on a support."""
+    return Slider(Body(length=rational(length), support=pieces, weight=ONE), rational(angle))
+
+
+def labeled_law(label: str) -> Law:
     """Contact law of a label on the axis `contact`."""
-    return LAWS[label] if label in LAWS else modes.coulomb(float(label.removeprefix("coulomb_")))
+    return LAWS[label] if label in LAWS else Law(float(label.removeprefix("coulomb_")))
 
 
-def friction_angle(mu: float) -> arb:
-    """Angle of friction of a coefficient, degrees."""
-    if math.isnan(mu):
-        return arb.nan()
-    return arb(90) if math.isinf(mu) else in_degrees(arb(rational(mu)).atan())
+# --- Numbers of a motion ------------------------------------------------------------------------------
 
 
-def limit_point(
+def motion_angle(slider: Slider, force: Direction, motion: Proved) -> Number:
+    """Angle of the contact's motion in degrees, on the branch within 90 degrees of the force."""
+
+    def turn(state: State) -> list[arb]:
+        u, e = state.turned(state.u_x, state.u_y), force.ball
+        return [in_degrees(arb.atan2(cross(e, u), dot(e, u)))]
+
+    number = motion.numbers(slider, turn)[0]
+    angle = force.angle + number.ball
+    return Number(angle, number.rounding + abs(force.angle) + abs(angle))
+
+
+def spin_ratio(slider: Slider, motion: Proved, size: fmpq | arb) -> Number:
+    """Rotation times a length over the speed of the slider's center; infinite for a rotation about it."""
+
+    def parts(state: State) -> list[arb]:
+        v = state.u_x, state.u_y + state.omega * state.length
+        return [state.omega * size, *v]
+
+    turn, v_x, v_y = motion.numbers(slider, parts)
+    if turn.ball.is_zero():
+        return turn
+    speed = norm(v_x.ball, v_y.ball)
+    if speed <= v_x.allowed + v_y.allowed:
+        return Number(
+            arb.pos_inf() * turn.ball.sgn(), abs(turn.ball) / (speed + v_x.allowed + v_y.allowed)
+        )
+    return motion.numbers(slider, lambda state: [parts(state)[0] / norm(*parts(state)[1:])])[0]
+
+
+def center(slider: Slider, motion: Proved) -> list[Number]:
+    """Center of rotation from the contact, in the frame of the fence.
+
+    A translation has the limit of slow rotations to the left: infinite along the axes on which the slider
+    moves across, and the slider's center along the others.
+    """
+
+    def parts(state: State) -> list[arb]:
+        return [state.omega, *state.turned(-state.u_y, state.u_x)]
+
+    omega, *across = motion.numbers(slider, parts)
+    if abs(omega.ball) > omega.allowed:
+        return motion.numbers(
+            slider, lambda state: [part / state.omega for part in parts(state)[1:]]
+        )
+    centers = motion.numbers(slider, lambda state: state.turned(state.length, arb(0)))
+    for i, part in enumerate(across):
+        if abs(part.ball) > part.allowed:
+            most = abs(omega.ball) + omega.allowed
+            least = arb(0) if most == 0 else (abs(part.ball) - part.allowed) / most
+            centers[i] = Number(arb.pos_inf() * part.ball.sgn(), least)
+        elif not (omega.ball.is_zero() and _moves_along(motion, i)):
+            centers[i] = centers[i]._replace(rounding=arb.pos_inf())
+    return centers
+
+
+def _moves_along(motion: Proved, axis: int) -> bool:
+    """Whether a translation is exactly along an axis of the fence's frame."""
+    return motion.exact is not None and is_zero(motion.exact[1 - axis])
+
+
+def centers_of(slider: Slider, motions: Iterable[Proved | None]) -> list[tuple[Support, Vector]]:
+    """The supports and centers of rotation of motions with friction, in the frame of the body."""
+    body, centers = slider.body, []
+    for motion in motions:
+        if (
+            motion is not None
+            and body.weight != 0
+            and body.support is not None
+            and not motion.q[2].contains(0)
+        ):
+            x, y, omega = (part.mid() for part in motion.q)
+            centers.append((body.support, ((-y / omega).mid() - body.length, (x / omega).mid())))
+    return centers
+
+
+# --- Datasets of the ring -----------------------------------------------------------------------------
+
+
+def limit_point_values(
     values: Values, effects: str, length: float, angle: float, force_angle: float
 ) -> Record:
     """Point of the limit curve at a force angle."""
-    own, resisting = slider(values, length, angle), Effects(effects)
-    force = heading(rational(force_angle))
-    size, spin = line_of_force.limit_point(own, resisting, force)
-    if resisting is Effects.BOTH:
-        motion = line_of_force.motion_degrees(own, force, spin)
-    else:
-        motion = line_of_force.motion_angle(own, force, resisting.shares[0])
+    slider, force = ring_slider(values, effects, length, angle), at_degrees(force_angle)
+    motion = ray(slider, force) if effects == FRICTION else limit_point(slider, force)
+    size, x, y = motion.numbers(
+        slider, lambda s: [norm(s.f_x, s.f_y), *_along(force, norm(s.f_x, s.f_y))]
+    )
+    turn = abs(size.ball) * force.roundings
     return {
         "force": size,
-        "force_x": size * force.x,
-        "force_y": size * force.y,
-        "spin_ratio": spin,
-        "motion_angle": motion,
+        "force_x": Number(x.ball, x.rounding + turn),
+        "force_y": Number(y.ball, y.rounding + turn),
+        "spin_ratio": spin_ratio(slider, motion, rational(values["slider"]["radius"])),
+        "motion_angle": motion_angle(slider, force, motion),
+        CENTERS: centers_of(slider, [motion]),
     }
+
+
+def _along(force: Direction, size: arb) -> list[arb]:
+    return [size * part for part in force.ball]
+
+
+def shares(effects: str) -> list[str]:
+    """The effects between which a motion lies, each alone."""
+    return [FRICTION, INERTIA] if effects == BOTH else [effects]
 
 
 def motion_cone(values: Values, effects: str, length: float, angle: float, mu: float) -> Record:
     """Friction cone, motion cone, and the quantities derived from them."""
-    own, resisting = slider(values, length, angle), Effects(effects)
-    forces, motions = cones.friction_cone(mu), cones.motion_cone(own, resisting, mu)
-    return {
-        "friction_cone_right": forces.right,
-        "friction_cone_left": forces.left,
-        "motion_cone_right": motions.right,
-        "motion_cone_left": motions.left,
-        "limit_force_right": line_of_force.limit_point(own, resisting, edge(mu, 1))[0],
-        "limit_force_left": line_of_force.limit_point(own, resisting, edge(mu, -1))[0],
-        "pulls": cones.pulls(own, resisting, mu),
-        "slips_while_pushing": cones.slips_while_pushing(own, resisting, mu),
+    record: Record = {CENTERS: []}
+    signs = []
+    for name, side in EDGES:
+        force = cone_edge(mu, side)
+        both = ring_slider(values, effects, length, angle)
+        limit = ray(both, force) if effects == FRICTION else limit_point(both, force)
+        size = limit.numbers(both, lambda s: [norm(s.f_x, s.f_y)])[0]
+        record |= {f"friction_cone_{name}": terms(force.angle, 90), f"limit_force_{name}": size}
+        sliders = [ring_slider(values, effect, length, angle) for effect in shares(effects)]
+        motions = [ray(slider, force) for slider in sliders]
+        angles = [
+            motion_angle(slider, force, m) for slider, m in zip(sliders, motions, strict=True)
+        ]
+        record[f"motion_cone_{name}"] = reduce(_least if side > 0 else _greatest, angles)
+        record[CENTERS] += centers_of(sliders[0], motions[:1])
+        signs.append(
+            [settle(*normal_motion(slider, m)) for slider, m in zip(sliders, motions, strict=True)]
+        )
+    return record | {
+        "pulls": any(min(side) < 0 for side in signs),
+        "slips_while_pushing": any(min(side) > 0 for side in signs),
     }
+
+
+def _least(a: Number, b: Number) -> Number:
+    return Number(arb.min(a.ball, b.ball), arb.max(a.rounding, b.rounding))
+
+
+def _greatest(a: Number, b: Number) -> Number:
+    return Number(arb.max(a.ball, b.ball), arb.max(a.rounding, b.rounding))
 
 
 def contact_laws(values: Values, label: str) -> Record:
@@ -106,163 +270,193 @@ def coefficients(values: Values, mu: float) -> Record:
     return {"friction_angle": friction_angle(mu)}
 
 
-def solutions(
+def friction_angle(mu: float) -> Any:
+    """Angle of friction of a coefficient, degrees."""
+    if math.isnan(mu) or math.isinf(mu):
+        return math.nan if math.isnan(mu) else 90.0
+    return terms(in_degrees(arb(rational(mu)).atan()))
+
+
+def ring_solutions(
     values: Values, effects: str, contact: str, length: float, magnitude: float, pusher_angle: float
 ) -> Record:
     """Every consistent solution of a push."""
-    own, resisting, law = slider(values, length), Effects(effects), labeled_law(contact)
-    found = modes.contact_modes(own, resisting, law, magnitude, pusher_angle)
-    continuum = modes.is_continuum(own, resisting, law, pusher_angle)
-    pusher = heading(pusher_angle)
-    size = rational(values["slider"]["radius"])
-    listed = [
-        solution(own, resisting, law, mode, motion, rational(magnitude), pusher)
-        | {"continuum": continuum and mode is modes.Mode.STICK}
-        | {"center": center(own, size, motion)}
-        for mode, motions in found.items()
-        for motion in motions
-    ]
-    leave_out_centers(listed)
-    for each in listed:
-        v_x, v_y, spin = each["twist"]
-        each |= {"twist": [v_x, v_y, spin / size], "force_end": each["force"], "pivot": -1}
-    return columns(listed)
+    slider, pusher = ring_slider(values, effects, length), at_degrees(pusher_angle)
+    modes = contact_modes(slider, labeled_law(contact), pusher, rational(magnitude))
+    return solutions(slider, modes, rational(values["slider"]["radius"]))
 
 
 #: Entries of a solution; `columns` converts them to lists along `solution`.
 ENTRIES = (
-    "mode", "force", "force_end", "twist", "contact_motion", "spin_ratio", "center", "pivot",
-    "continuum",
+    "mode", "force", "force_end", "twist", "contact_motion", "spin_ratio", "center", "pivot", "continuum",
 )  # fmt: skip
 NONE, CONSISTENT, PIVOTS, CONTINUUM = range(4)
 
 
-def columns(listed: list[Record]) -> Record:
-    """Convert the solutions of a push to its variables, which are lists along `solution`."""
-    status = CONSISTENT if listed else NONE
-    if any(each["continuum"] for each in listed):
-        status = CONTINUUM
-    elif any(each["pivot"] >= 0 for each in listed):
-        status = PIVOTS
-    found = {name: [each[name] for each in listed] for name in ENTRIES}
-    counts = {"solutions": len(listed), "status": status, "outcome": min(len(listed), 2)}
-    return counts | found | {"consistent": [True] * len(listed)}
+def solutions(slider: Slider, modes: Sequence[Solution], size: fmpq | arb) -> Record:
+    """The variables of the solutions of a push; `size` is the length of the spin ratio."""
+    record = columns([solution(slider, mode, size) for mode in modes])
+    return record | {CENTERS: centers_of(slider, [mode.motion for mode in modes])}
 
 
-def leave_out_centers(listed: list[Record]) -> None:
-    """Remove the motion centers of sliders at rest, which have none."""
-    for each in listed:
-        if all(part == 0 for part in each["twist"]):
-            each["center"] = [arb.nan(), arb.nan()]
+def solution(slider: Slider, mode: Solution, size: fmpq | arb) -> Record:
+    """The variables of a solution."""
+    entry: Record = {"mode": int(mode.mode), "continuum": mode.continuum}
+    if mode.motion is None or mode.end is None:
+        rest = {"force": [0.0, 0.0], "force_end": [0.0, 0.0], "contact_motion": [0.0, 0.0]}
+        still = {
+            "twist": [0.0, 0.0, 0.0],
+            "spin_ratio": 0.0,
+            "center": [math.nan, math.nan],
+            "pivot": -1,
+        }
+        return entry | rest | still
 
+    def parts(state: State) -> list[arb]:
+        v = state.turned(state.u_x, state.u_y + state.omega * state.length)
+        force, u = state.turned(state.f_x, state.f_y), state.turned(state.u_x, state.u_y)
+        return [*force, *u, *v, state.omega]
 
-def solution(
-    own: Slider,
-    effects: Effects,
-    law: modes.Law,
-    mode: modes.Mode,
-    motion: Motion,
-    size: Any,
-    pusher: Heading,
-) -> Record:
-    """Force and motion of a solution; the rotation of the twist is R omega."""
-    if mode is modes.Mode.SEPARATE:
-        rest = [arb(0), arb(0)]
-        still = {"contact_motion": rest, "twist": [*rest, arb(0)], "spin_ratio": arb(0)}
-        return {"mode": int(mode), "force": rest, "slip": -size * pusher.x, **still}
-    along, k = direction(motion.force_angle), motion.spin_ratio
-    u = line_of_force.contact_motion(own, along, k)
-    sticks = mode is modes.Mode.STICK
-    speed = modes.speed(own, law, mode, motion, size, pusher)
-    force = arb(0)
-    if effects is not Effects.INERTIA:
-        force += own.weight * ring.profile(abs(k))[0]
-    if effects is not Effects.FRICTION:
-        force += own.mass * speed
-    moved = [size * pusher.x, size * pusher.y] if sticks else [speed * u[0], size * pusher.y]
-    return {
-        "mode": int(mode),
-        "force": [force * along.x, force * along.y],
-        "contact_motion": moved,
-        "slip": arb(0) if sticks else speed * u[0] - size * pusher.x,
-        "twist": [speed * along.x, speed * along.y, speed * k],
-        "spin_ratio": k,
+    numbers = mode.motion.numbers(slider, parts)
+    end = numbers if mode.end is mode.motion else mode.end.numbers(slider, parts)
+    return entry | {
+        "force": numbers[:2],
+        "force_end": end[:2],
+        "contact_motion": numbers[2:4],
+        "twist": numbers[4:],
+        "spin_ratio": spin_ratio(slider, mode.motion, size),
+        "center": center(slider, mode.motion),
+        "pivot": mode.motion.pivot,
     }
 
 
-def center(own: Slider, size: Any, motion: Motion) -> list[arb]:
-    """Motion center relative to the contact; for a translation, the limit k -> 0+ of a rotation."""
-    c, s = cosine_sine(own.rod_angle)
-    place = [own.rod_length * size * c, own.rod_length * size * s]
-    along, k = direction(motion.force_angle), motion.spin_ratio
-    across = -along.y, along.x
-    if sign(k) != 0:
-        return [c + size * part / k for c, part in zip(place, across, strict=True)]
-    far = [arb.pos_inf() * part.sgn() if part != 0 else part for part in across]
-    return [c + part for c, part in zip(place, far, strict=True)]
+def columns(listed: Sequence[Record]) -> Record:
+    """Convert the solutions of a push to its variables, which are lists along `solution`."""
+    status = CONSISTENT if listed else NONE
+    if any(entry["continuum"] for entry in listed):
+        status = CONTINUUM
+    elif any(entry["pivot"] >= 0 for entry in listed):
+        status = PIVOTS
+    counts = {"solutions": len(listed), "status": status, "outcome": min(len(listed), 2)}
+    entries = {name: [entry[name] for entry in listed] for name in ENTRIES}
+    return counts | entries | {"consistent": [True] * len(listed)}
 
 
 def acceleration_center(values: Values, length: float, force_angle: float, share: float) -> Record:
     """Acceleration center relative to the contact, and motion, at a share of inertia."""
-    own, force = slider(values, length), heading(rational(force_angle))
-    return _center_at(values, own, force, share)
+    slider, force = _shared(values, length, None, share), at_degrees(force_angle)
+    motion = unit_motion(slider, force)
+    x, y = center(slider, motion)
+    angle = motion_angle(slider, force, motion)
+    return {
+        "center_x": x,
+        "center_y": y,
+        "motion_angle": angle,
+        CENTERS: centers_of(slider, [motion]),
+    }
 
 
-def _center_at(values: Values, own: Slider, force: Heading, share: float) -> Record:
-    spin = line_of_force.spin_ratio(own, force, rational(share))
-    x, y = _from_contact(values, own, line_of_force.motion_center(own, force, spin))
-    motion = line_of_force.motion_angle(own, force, rational(share))
-    return {"center_x": x, "center_y": y, "motion_angle": motion}
+def _shared(values: Values, length: float, angle: float | None, share: float) -> Slider:
+    return _shared_slider(json.dumps([values["slider"], values[INERTIA]]), length, angle, share)
+
+
+@lru_cache(1 << 10)
+def _shared_slider(entry: str, length: float, angle: float | None, share: float) -> Slider:
+    slider, inertia = json.loads(entry)
+    part = rational(share)
+    body = Body(
+        length=rational(length),
+        support=_support(json.dumps({"shape": "ring", "radius": slider["radius"]})),
+        weight=1 - part,
+        mass=part,
+        gyration=rational(inertia["gyration_radius"]) ** 2,
+    )
+    return Slider(body, rational(slider["rod_angle"] if angle is None else angle))
 
 
 def region_ends(values: Values, length: float, angle: float, force_angle: float) -> Record:
     """Ends of both regions of centers under one line of force, relative to the contact (Sec. 4).
 
-    The ends of the exact region are friction alone and inertia alone. In the paper's bound, the centers
-    lie inside the ring for a line that misses the ring, and outside it for a line that crosses the
-    ring.
+    The ends of the exact region are friction alone and inertia alone.
     """
-    own, force = slider(values, length, angle), heading(rational(force_angle))
-    exact = [_center_at(values, own, force, share) for share in (0.0, 1.0)]
-    _, sine = lean(own, force)
-    side = 0 if own.rod_length == 0 else sign(sine)
-    degrees = own.rod_angle - rational(force_angle)
-    misses = sign(
-        own.rod_length * abs(sine) - 1, lambda: side * own.rod_length * exact_sine(degrees) - 1
-    )
-    inner, outer = {1: (arb.pos_inf(), arb(1)), 0: (arb(1), arb(1)), -1: (arb(1), arb(0))}[misses]
-    spins = [arb(0), arb(0)] if side == 0 else [side * inner, side * outer]
-    bound = [_bound_end(values, own, force, spin, side) for spin in spins]
-    found: Record = {f"bound_{x}": [each[i] for each in bound] for i, x in enumerate("xy")}
-    return found | {f"exact_{x}": [each[f"center_{x}"] for each in exact] for x in "xy"}
-
-
-def _bound_end(
-    values: Values, own: Slider, force: Heading, spin: arb, side: int
-) -> tuple[arb, arb]:
-    """Center at a spin ratio; at infinity it lies on the side toward which the region extends."""
-    if spin.is_finite():
-        x, y = line_of_force.motion_center(own, force, spin)
-        flip = -1 if spin == 0 and side < 0 else 1
-        return _from_contact(values, own, (flip * x, flip * y))
-    return _from_contact(values, own, (arb(0), arb(0)))
-
-
-def _from_contact(values: Values, own: Slider, place: tuple[arb, arb]) -> tuple[arb, arb]:
-    """Place relative to the contact, from a place relative to the ring center in units of R."""
-    c, s = cosine_sine(own.rod_angle)
-    size = rational(values["slider"]["radius"])
-    return (place[0] + own.rod_length * c) * size, (place[1] + own.rod_length * s) * size
+    force, record, centers = at_degrees(force_angle), Record(), []
+    for share in (0.0, 1.0):
+        slider = _shared(values, length, angle, share)
+        motion = unit_motion(slider, force)
+        centers.append(center(slider, motion))
+        record.setdefault(CENTERS, []).extend(centers_of(slider, [motion]))
+    limits = bounds.region_ends(slider, force, rational(values["slider"]["radius"]))
+    for i, x in enumerate("xy"):
+        record[f"bound_{x}"] = [end[i] for end in limits]
+        record[f"exact_{x}"] = [end[i] for end in centers]
+    return record
 
 
 def acceleration_cones(values: Values, length: float) -> Record:
     """The paper's bound and the exact cone under infinite friction."""
-    own = slider(values, length)
-    bound = cones.conservative_cone(own)
-    exact = cones.motion_cone(own, Effects.BOTH, math.inf)
-    return {
-        "conservative_cone_right": bound.right,
-        "conservative_cone_left": bound.left,
-        "exact_cone_right": exact.right,
-        "exact_cone_left": exact.left,
+    slider = ring_slider(values, BOTH, length)
+    bound = bounds.conservative_cone(slider, rational(values["slider"]["radius"]))
+    exact = motion_cone(values, BOTH, length, values["slider"]["rod_angle"], math.inf)
+    return {f"conservative_cone_{name}": bound[i] for i, (name, _) in enumerate(EDGES)} | {
+        f"exact_cone_{name}": exact[f"motion_cone_{name}"] for name, _ in EDGES
     }
+
+
+# --- Datasets of any support --------------------------------------------------------------------------
+
+
+def support_wrench(values: Values, name: str, x: float, y: float) -> Record:
+    """Mean distance, and the wrench about the origin for a counterclockwise rotation."""
+    pieces, at = support_of(values, name), place((x, y))
+    c = arb(at[0]), arb(at[1])
+    foot = next((i for i, point in enumerate(pieces.points) if point.place == at), -1)
+    distance, g_x, g_y, *_ = pieces.dgh(c, foot)
+    return {
+        "mean_distance": terms(distance, distance),
+        "force_x": terms(g_y, 1),
+        "force_y": terms(-g_x, 1),
+        "torque": terms(distance - c[0] * g_x - c[1] * g_y, distance, c[0] * g_x, c[1] * g_y),
+        CENTERS: [(pieces, c)],
+    }
+
+
+def support_numbers(values: Values, name: str) -> Record:
+    """Numbers of a support as a whole; the errors of its ellipsoid are stored as computed."""
+    pieces = support_of(values, name)
+    (x, y), extent = pieces.center, pieces.extent
+    distance = pieces.dgh((arb(x), arb(y)))[0]
+    last = 1 / (distance * distance)
+    return {
+        "center_of_pressure_x": terms(arb(x), extent),
+        "center_of_pressure_y": terms(arb(y), extent),
+        "extent": terms(extent),
+        "integration_constant": terms(distance / extent),
+        "ellipsoid": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, terms(last, last)]],
+    }
+
+
+def support_cone(values: Values, name: str, length: float, angle: float, friction: float) -> Record:
+    """Edges of a motion cone, the feet about which they pivot, and the quantities derived from them."""
+    slider = support_slider(support_of(values, name), length, angle)
+    edges = [cone_edge(friction, side) for _, side in EDGES]
+    motions = [ray(slider, force) for force in edges]
+    right, left = (motion_angle(slider, force, m) for force, m in zip(edges, motions, strict=True))
+    signs = [settle(*normal_motion(slider, motion)) for motion in motions]
+    return {
+        "motion_angle": [right, left],
+        "pivot": [motion.pivot for motion in motions],
+        "width": Number(left.ball - right.ball, left.rounding + right.rounding),
+        "pulls": min(signs) < 0,
+        "slips_while_pushing": max(signs) > 0,
+        CENTERS: centers_of(slider, motions),
+    }
+
+
+def support_solutions(
+    values: Values, name: str, length: float, angle: float, friction: float, pusher: float
+) -> Record:
+    """Every consistent solution of a push."""
+    pieces = support_of(values, name)
+    slider = support_slider(pieces, length, angle)
+    modes = contact_modes(slider, Law(friction), at_degrees(pusher), ONE)
+    return solutions(slider, modes, pieces.extent)

@@ -22,8 +22,8 @@ from planar_pushing.study.store import group_names, read_attributes, read_datase
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 
-#: Datasets about the computation itself, which are built together with the datasets of the paper.
-COUNTS = ("hard_cases", "accuracy_errors", "evaluations")
+#: Datasets about the computation itself without times, built together with the datasets of the paper.
+COUNTS = ("hard_cases", "accuracy")
 
 
 def result_names(study: StudyFile) -> list[str]:

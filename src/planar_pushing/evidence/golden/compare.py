@@ -1,8 +1,10 @@
 """Comparison of results with golden data: values, coordinates, attributes and lists of variables.
 
-A golden file is the dataset with its certified values: for a variable `x` the midpoints of the enclosures,
-with the exponents of their radii in `x_radius`. A computed value passes if it differs from the midpoint by
-no more than tolerance plus radius. Texts, integers and booleans must be equal.
+A golden file is the dataset with its certified values: for a variable `x` the midpoints of the
+enclosures, with the exponents of their radii in `x_radius`. A computed value passes if it differs from
+the midpoint by no more than the radius, which is what rounding can change in the solution of the problem.
+Numbers that are no solutions of a problem (logs, errors of methods, data of figures) have tolerances
+instead. Texts, integers and booleans must be equal, and angles up to whole turns.
 """
 
 from __future__ import annotations
@@ -27,36 +29,38 @@ from planar_pushing.study.files.scenes import load_model
 Floats = npt.NDArray[np.float64]
 #: Root attribute of a golden file that states how its numbers are known, a `Kind`.
 KIND = "golden_kind"
+#: Unit of angles, which are compared up to whole turns.
+DEGREE = "degree"
 #: Beginning of the problem of a result that is of another study than the golden file.
 OTHER_STUDY = "has study_digest "
 #: Attributes of a golden file itself, or of the packages with which a result was computed.
 ASIDE = (
     KIND, "golden_method", "golden_checked_by_integrals", "golden_versions", "golden_precision_bits",
+    "golden_roundings",
     "versions",
 )  # fmt: skip
 
 
-#: Variables that golden data leave out, by folder of results: an adaptive integration of motion over time
-#: takes one step more or less on another processor, and counts it.
-UNCOMPARED = {SIMULATIONS: ("evaluations",)}
+#: Variables that golden data leave out, by folder of results or group: an adaptive integration of motion
+#: over time takes one step more or less on another processor, and counts it.
+UNCOMPARED: Mapping[str, tuple[str, ...]] = {
+    SIMULATIONS: ("evaluations",),
+    "accuracy/motion": ("evaluations",),
+}
 
 
 def comparable(file: str, dataset: xr.Dataset) -> xr.Dataset:
     """A result without the variables that are not compared."""
-    return dataset.drop_vars(UNCOMPARED.get(file.partition("/")[0], ()), errors="ignore")
+    names = UNCOMPARED.get(file) or UNCOMPARED.get(file.partition("/")[0], ())
+    return dataset.drop_vars(names, errors="ignore")
 
 
 class Kind(StrEnum):
     """How the numbers of a golden file are known."""
 
     ENCLOSED = "enclosed"
-    SEARCHED = "enclosed where a search ends"
     INTEGRATED = "integrated to 30 digits"
     PLAIN = "compared with stored values"
-
-
-#: Variables that are enclosed at a place found by a search.
-SEARCHED = ("worst_force_error", "worst_motion_error")
 
 
 class Tolerance(FileModel):
@@ -70,13 +74,13 @@ class Tolerance(FileModel):
 
 
 class TolerancesFile(FileModel):
-    """Tolerances of variables by dataset; `every` contains those that a dataset does not list itself."""
+    """Tolerances of variables by file, or by the folder of files."""
 
     tolerances: dict[str, dict[str, Tolerance]] = Field(default_factory=dict)
 
     def of(self, file: str, variable: str) -> Tolerance:
         """Tolerance of a variable; a variable that is not listed must agree exactly."""
-        for name in (file, file.partition("/")[0], "every"):
+        for name in (file, file.partition("/")[0]):
             found = self.tolerances.get(name, {}).get(variable)
             if found:
                 return found
@@ -147,7 +151,8 @@ def compare(
     checks = [Check(file=file, kind=kind, problem=each) for each in _differences(result, golden)]
     for name in _variables(golden):
         if name in result.variables and not _unlike(result[name], golden[name]):
-            own = Kind.SEARCHED if name in SEARCHED and kind is Kind.ENCLOSED else kind
+            plain = golden[name].dtype.kind == "f" and f"{name}{RADIUS}" not in golden
+            own = Kind.PLAIN if plain and name not in golden.dims else kind
             check = Check(file=file, variable=name, kind=own)
             checks.append(_compared(check, result[name], golden, tolerances.of(file, name)))
     return checks
@@ -196,7 +201,9 @@ def _unlike(found: xr.DataArray, wanted: xr.DataArray) -> str:
     return f"has the type {found.dtype}, not {wanted.dtype}" if one != other else ""
 
 
-def _compared(check: Check, found: xr.DataArray, golden: xr.Dataset, tolerance: Tolerance) -> Check:
+def _compared(
+    check: Check, result: xr.DataArray, golden: xr.Dataset, tolerance: Tolerance
+) -> Check:
     wanted = golden[check.variable]
     name = f"{check.variable}{RADIUS}"
     radius = radii(golden[name].values) if name in golden else np.zeros(wanted.shape)
@@ -210,28 +217,34 @@ def _compared(check: Check, found: xr.DataArray, golden: xr.Dataset, tolerance: 
             for dim, i in zip(wanted.dims, at, strict=True)
         )
 
-    return judged(check, found.values, wanted.values, radius, scale, tolerance, label)
+    if check.kind is not Kind.ENCLOSED:
+        size = (
+            np.where(np.isfinite(scale), np.abs(scale), 0.0) if wanted.dtype.kind == "f" else radius
+        )
+        radius = radius + tolerance.absolute + tolerance.ulp * np.spacing(size)
+    turns = wanted.attrs.get("units") == DEGREE
+    return judge(check, result.values, wanted.values, radius, label, turns)
 
 
 def _largest(vectors: Floats) -> Floats:
     """Largest finite component of vectors along the last dimension."""
     sizes = np.where(np.isfinite(vectors), np.abs(vectors), 0.0)
-    found: Floats = sizes.max(axis=-1, keepdims=True)
-    return found
+    largest: Floats = sizes.max(axis=-1, keepdims=True)
+    return largest
 
 
-def judged(
+def judge(
     check: Check,
     computed: npt.NDArray[Any],
     middle: npt.NDArray[Any],
-    radius: Floats,
-    scale: npt.NDArray[Any],
-    tolerance: Tolerance,
+    allowed: Floats,
     label: Any,
+    turns: bool = False,
 ) -> Check:
-    """The check of values against midpoints and radii; `label` names a place.
+    """The check of values against midpoints and allowed differences; `label` names a place.
 
-    Units in the last place are those of `scale`.
+    For an infinite midpoint, `allowed` is the size from which on a number counts as infinite. With
+    `turns`, the numbers are angles in degrees, which agree up to whole turns.
     """
     if middle.dtype.kind != "f":
         wrong = (
@@ -239,40 +252,45 @@ def judged(
             if middle.dtype.kind in "OU"
             else computed != middle
         )
-        found = replace(
+        counted = replace(
             check, labels=middle.size, failed=int(wrong.sum()), error=float(wrong.any())
         )
-        return _described(found, computed, middle, wrong.astype(float), label)
+        return _described(counted, computed, middle, wrong.astype(float), label)
     finite = np.isfinite(middle)
-    size = np.where(np.isfinite(scale), np.abs(scale), 0.0)
-    allowed = tolerance.ulp * np.spacing(size) * (tolerance.ulp > 0) + tolerance.absolute + radius
-    error = _difference(computed, middle)
+    error = _difference(computed, middle, turns)
+    error = np.where(
+        np.isinf(middle) & (allowed > 0) & (np.abs(computed) >= allowed) & np.isfinite(computed),
+        0.0,
+        error,
+    )
     counted = replace(
         check,
         count=int(finite.sum()),
         labels=int(finite.size - finite.sum()),
-        failed=int((~(error <= allowed)).sum()),
+        failed=int((~(error <= np.where(finite, allowed, 0.0))).sum()),
     )
     if not error.size:
         return counted
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         ratio = np.where(error == 0, 0.0, error / allowed)
-    found = _described(counted, computed, middle, ratio, label)
+    described = _described(counted, computed, middle, ratio, label)
     at = _place(ratio)
     counts = finite[at] and np.isfinite(error[at])
     return replace(
-        found,
+        described,
         error=float(error[at]),
         ulp=float(error[at]) / float(np.spacing(np.abs(middle[at]))) if counts else 0.0,
         allowed=float(allowed[at]),
     )
 
 
-def _difference(computed: Floats, middle: Floats) -> Floats:
+def _difference(computed: Floats, middle: Floats, turns: bool) -> Floats:
     """Absolute difference; 0 if both are the same infinity, or both NaN."""
     same = (computed == middle) | (np.isnan(computed) & np.isnan(middle))
     with np.errstate(invalid="ignore"):
         gap = np.abs(np.asarray(computed, float) - middle)
+        if turns:
+            gap = np.abs(gap - 360 * np.round(gap / 360))
     return np.where(same, 0.0, np.where(np.isnan(gap), np.inf, gap))
 
 

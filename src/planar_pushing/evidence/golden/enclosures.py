@@ -1,4 +1,9 @@
-"""Stored enclosures: midpoints as doubles, and radii as exponents of two in a byte, or as numbers."""
+"""Stored enclosures: midpoints as doubles, and radii as exponents of two in a byte, or as numbers.
+
+The radius of a number is what `oracle.balls.ROUNDINGS` roundings of the terms and inputs of its equations
+change in it. The radius of an infinite number is the size from which on a computed one counts as
+infinite.
+"""
 
 from __future__ import annotations
 
@@ -18,12 +23,5 @@ def radii(stored: npt.NDArray[Any]) -> Floats:
     """Radii from exponents; radii that are given as numbers are returned as they are."""
     if stored.dtype.kind == "f":
         return stored
-    found: Floats = np.where(stored == EXACT, 0.0, np.exp2(stored.astype(float)))
-    return found
-
-
-def apart(one: Floats, one_radius: Floats, other: Floats, other_radius: Floats) -> Any:
-    """Where enclosures do not overlap; the same infinity, and NaN twice, count as overlap."""
-    same = (one == other) | (np.isnan(one) & np.isnan(other))
-    with np.errstate(invalid="ignore"):
-        return ~same & ~(np.abs(one - other) <= one_radius + other_radius)
+    radius: Floats = np.where(stored == EXACT, 0.0, np.exp2(stored.astype(float)))
+    return radius

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import zlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -11,16 +12,16 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
+from flint import arb
 from tqdm import tqdm
 
-from planar_pushing.certified import ring
-from planar_pushing.certified.balls import Undecided, precise
-from planar_pushing.certified.integrals import printed
-from planar_pushing.certified.storage import stored
-from planar_pushing.certified.supports.pressure import integrals, moments
-from planar_pushing.evidence.golden import cells, supports
-from planar_pushing.evidence.golden.cells import Record, Values
+from planar_pushing.evidence.golden import cells
+from planar_pushing.evidence.golden.cells import CENTERS, Record, Values
 from planar_pushing.evidence.golden.enclosures import EXACT, RADIUS
+from planar_pushing.evidence.golden.storage import stored
+from planar_pushing.oracle.balls import Undecided, Vector, precise
+from planar_pushing.oracle.integrals import distance_and_gradient
+from planar_pushing.oracle.support import Support
 from planar_pushing.terms.errors import InvalidResult
 
 Point = tuple[Any, ...]
@@ -40,7 +41,7 @@ ROD = ("support", "rod_length", "rod_angle", "friction_coefficient")
 #: The cells of each dataset; together they provide all of its numbers.
 CELLS: Mapping[str, tuple[Cell, ...]] = {
     "limit_curves": (
-        Cell(("effects", "rod_length", "rod_angle", "force_angle"), cells.limit_point),
+        Cell(("effects", "rod_length", "rod_angle", "force_angle"), cells.limit_point_values),
     ),
     "motion_cones": (
         Cell(("effects", "rod_length", "rod_angle", "friction_coefficient"), cells.motion_cone),
@@ -49,7 +50,7 @@ CELLS: Mapping[str, tuple[Cell, ...]] = {
     "contact_modes": (
         Cell(
             ("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle"),
-            cells.solutions,
+            cells.ring_solutions,
         ),
         Cell(("contact",), cells.contact_laws),
     ),
@@ -59,37 +60,82 @@ CELLS: Mapping[str, tuple[Cell, ...]] = {
     ),
     "center_regions": (Cell(("rod_length", "rod_angle", "force_angle"), cells.region_ends),),
     "supports": (
-        Cell(("support", "center_x", "center_y"), supports.wrench),
-        Cell(("support",), supports.numbers),
+        Cell(("support", "center_x", "center_y"), cells.support_wrench),
+        Cell(("support",), cells.support_numbers),
     ),
     "support_cones": (
-        Cell(ROD, supports.cone),
+        Cell(ROD, cells.support_cone),
         Cell(("friction_coefficient",), cells.coefficients),
     ),
     "support_modes": (
-        Cell((*ROD, "pusher_angle"), supports.solutions),
+        Cell((*ROD, "pusher_angle"), cells.support_solutions),
         Cell(("friction_coefficient",), cells.coefficients),
     ),
 }
+#: Variables that are stored as computed: the errors of another model, at motions that a search found.
+PLAIN = {
+    "supports": tuple(
+        f"{size}_{kind}_error" for size in ("mean", "worst") for kind in ("force", "motion")
+    )
+}
+#: Largest relative radius of an integral that is compared.
+WIDE = 2.0**-60
+#: The second route is taken at one of so many points.
+SAMPLE = 20
 #: Number of points that a process takes at once.
 TAKEN = 400
 #: Fewer points than this are done before another process has started.
 FEW = 100
 
 
-def use_integrals() -> None:
-    """Evaluate every support by its integrals as printed from now on."""
-    ring.use(printed)
-    moments.use(integrals.printed)
+def evaluated(
+    cell: Cell, values: Values, second: Callable[[Point], bool], point: Point
+) -> Record | str:
+    """Record of a point with each number as midpoint and exponent, or the reason why there is none.
+
+    At the points of the second route, the entry `CENTERS` of the record is the number of its centers at
+    which D and its gradient are also those of the defining integrals.
+    """
+    try:
+        return _record(cell, values, point, second(point))
+    except Undecided as error:
+        return str(error)
 
 
 @precise
-def evaluated(cell: Cell, values: Values, point: Point) -> Record | str:
-    """Record of a point with each number as midpoint and exponent, or the reason why there is none."""
+def _record(cell: Cell, values: Values, point: Point, twice: bool) -> Record:
+    record = cell.function(values, *point)
+    centers = record.pop(CENTERS, [])
+    count = sum(map(_agrees, centers)) if twice else 0
+    return {name: _nested(value) for name, value in record.items()} | {CENTERS: count}
+
+
+def sampled(point: Point) -> bool:
+    """Whether the second route is taken at a point: at one of 20, by a digest of its coordinates."""
+    return zlib.crc32(repr(point).encode()) % SAMPLE == 0
+
+
+def nowhere(point: Point) -> bool:
+    """No second route."""
+    return False
+
+
+def _agrees(center: tuple[Support, Vector]) -> bool:
+    """Whether D and its gradient at a center agree on both routes; at the end of a line there is one."""
+    pieces, c = center
     try:
-        return {name: _nested(each) for name, each in cell.function(values, *point).items()}
-    except Undecided as error:
-        return str(error)
+        printed = distance_and_gradient(pieces, c)
+    except Undecided:
+        return False
+    closed = pieces.dgh(
+        c,
+        next((i for i, point in enumerate(pieces.points) if c == tuple(map(arb, point.place))), -1),
+    )
+    if any(part.rad() > WIDE * (1 + abs(part)) for part in printed):
+        return False
+    if not all(a.overlaps(b) for a, b in zip(printed, closed, strict=False)):
+        raise InvalidResult(f"the integrals disagree with D and its gradient at the center {c}")
+    return True
 
 
 def _nested(value: Any) -> Any:
@@ -100,17 +146,18 @@ def _nested(value: Any) -> Any:
 
 
 def records(
-    cell: Cell, values: Values, points: Sequence[Point], processes: int, second: bool = False
+    cell: Cell,
+    values: Values,
+    points: Sequence[Point],
+    processes: int,
+    second: Callable[[Point], bool] = nowhere,
 ) -> Iterator[Record | str]:
-    """Records of points, in order; with `second`, all are evaluated by the integrals as printed.
-
-    The second route has processes of its own, because a process remembers what it has evaluated.
-    """
-    wanted = partial(evaluated, cell, values)
-    if not points or (len(points) < FEW and not second):
+    """Records of points, in order; `second` selects the points of the second route."""
+    wanted = partial(evaluated, cell, values, second)
+    if len(points) < FEW:
         yield from map(wanted, points)
         return
-    with get_context("spawn").Pool(processes, use_integrals if second else None) as pool:
+    with get_context("spawn").Pool(processes) as pool:
         step = max(1, min(TAKEN, len(points) // (4 * processes)))
         yield from pool.imap(wanted, points, chunksize=step)
 
@@ -121,8 +168,12 @@ def points(dataset: xr.Dataset, dims: Iterable[str]) -> list[Point]:
     return list(itertools.product(*axes))
 
 
-def certified(name: str, values: Values, template: xr.Dataset, processes: int) -> xr.Dataset:
+def certified(
+    name: str, values: Values, template: xr.Dataset, processes: int
+) -> tuple[xr.Dataset, int]:
     """A dataset with certified values instead of its own, and the exponents of their radii.
+
+    Also returns the number of centers of rotation that were checked by the second route.
 
     Parameters
     ----------
@@ -138,15 +189,17 @@ def certified(name: str, values: Values, template: xr.Dataset, processes: int) -
         If a point is undecided, or no cell certifies a number of the dataset.
     """
     arrays: Arrays = {}
+    count = 0
     for cell in CELLS[name]:
         every = points(template, cell.dims)
         sizes = [template.sizes[dim] for dim in cell.dims]
-        computed = records(cell, values, every, processes)
+        computed = records(cell, values, every, processes, sampled)
         for index, record in enumerate(tqdm(computed, name, len(every), disable=None, leave=False)):
             if isinstance(record, str):
                 raise InvalidResult(kink(name, cell, every[index], record))
+            count += record.pop(CENTERS)
             _place(arrays, template, tuple(np.unravel_index(index, sizes)), record)
-    return _assembled(name, arrays, template)
+    return _assembled(name, arrays, template, PLAIN.get(name, ())), count
 
 
 def single(
@@ -154,16 +207,11 @@ def single(
     record: Record,
     template: xr.Dataset,
     plain: Sequence[str] = (),
-    check: bool = True,
 ) -> xr.Dataset:
-    """A dataset with the certified values of one record instead of its own; `plain` ones are retained.
-
-    Without `check` the record is one of `evaluated`, and contains only some of the numbers.
-    """
+    """A dataset with the certified values of one record instead of its own; `plain` ones are retained."""
     arrays: Arrays = {}
-    named = {key: _nested(each) for key, each in record.items()} if check else record
-    _place(arrays, template, (), named)
-    return _assembled(name, arrays, template, plain if check else None)
+    _place(arrays, template, (), {key: _nested(value) for key, value in record.items()})
+    return _assembled(name, arrays, template, plain)
 
 
 def kink(name: str, cell: Cell, point: Point, reason: str) -> str:
@@ -180,7 +228,7 @@ def _place(arrays: Arrays, template: xr.Dataset, at: tuple[Any, ...], record: Re
     for name, nested in record.items():
         if name not in arrays:
             like = template[name].values
-            empty = np.full(like.shape, _empty(name, like.dtype), like.dtype)
+            empty = np.full(like.shape, empty_entry(name, like.dtype), like.dtype)
             arrays[name] = empty, np.full(like.shape, EXACT, np.int8)
         middle, exponent = arrays[name]
         if isinstance(nested, tuple):
@@ -188,12 +236,12 @@ def _place(arrays: Arrays, template: xr.Dataset, at: tuple[Any, ...], record: Re
         elif nested:
             numbers = np.array(nested, dtype=object)
             span = (*at, *(slice(0, length) for length in numbers.shape[:-1]))
+            if numbers.shape[:-1] > middle[at].shape:
+                raise InvalidResult(f"{name}: the result has too few entries; make it anew")
             middle[span], exponent[span] = numbers[..., 0], numbers[..., 1]
 
 
-def _assembled(
-    name: str, arrays: Arrays, template: xr.Dataset, plain: Sequence[str] | None = ()
-) -> xr.Dataset:
+def _assembled(name: str, arrays: Arrays, template: xr.Dataset, plain: Sequence[str]) -> xr.Dataset:
     """The template with the certified values; all of its numbers except `plain` ones are required."""
     # As variables, so that no index aligns them: a certified time differs from the stored one.
     variables = {str(each): variable.copy() for each, variable in template.variables.items()}
@@ -203,12 +251,11 @@ def _assembled(
         variables[f"{each}{RADIUS}"] = xr.Variable(dims, exponent)
     coords = {each: variables.pop(each) for each in map(str, template.coords)}
     found = xr.Dataset(variables, coords, template.attrs)
-    if plain is not None:
-        _require_all(name, found, plain)
+    _require_all(name, found, plain)
     return found
 
 
-def _empty(name: str, dtype: np.dtype[Any]) -> Any:
+def empty_entry(name: str, dtype: np.dtype[Any]) -> Any:
     """The value of unused entries, such as those after the last solution."""
     if dtype.kind == "f":
         return np.nan

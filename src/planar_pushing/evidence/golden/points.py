@@ -11,10 +11,11 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from planar_pushing.evidence.golden.cells import CENTERS
 from planar_pushing.evidence.golden.check import require_results
-from planar_pushing.evidence.golden.compare import Check, judged, load_tolerances
-from planar_pushing.evidence.golden.enclosures import radii
-from planar_pushing.evidence.golden.grid import CELLS, Cell, Point, kink, records
+from planar_pushing.evidence.golden.compare import DEGREE, Check, judge
+from planar_pushing.evidence.golden.enclosures import EXACT, radii
+from planar_pushing.evidence.golden.grid import CELLS, Cell, Point, empty_entry, kink, records
 from planar_pushing.study.catalog import dataset_file
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.slices import computes, study_slice
@@ -50,7 +51,12 @@ def check_points(folder: Path, file: PathLike, number: int) -> tuple[list[Check]
     for name in (each for each in CELLS if computes(study, each)):
         result = read_dataset(folder / dataset_file(name))
         taken, skipped, found = _certified(name, study_slice(study, name), result, number)
-        checks += [_check(name, variable, each) for variable, each in found.items()]
+        if not taken:
+            checks.append(Check(file=name, problem="has no point that could be certified"))
+        checks += [
+            _check(name, variable, each, result[variable].attrs.get("units") == DEGREE)
+            for variable, each in found.items()
+        ]
         said.append(f"{taken} of {name}")
         open_ones += skipped
     note = f"certified points, chosen at random: {', '.join(said)}"
@@ -75,10 +81,11 @@ def _certified(
                 skipped.append(kink(name, cell, point, record))
                 continue
             taken += cell is CELLS[name][0]
+            record.pop(CENTERS)
             where = ", ".join(f"{dim}={each}" for dim, each in zip(cell.dims, point, strict=True))
             for variable, nested in record.items():
-                values_here = result[variable].isel(index).values
-                _add(found.setdefault(variable, Compared()), values_here, nested, where)
+                values_here = np.asarray(result[variable].isel(index).values)
+                _add(found.setdefault(variable, Compared()), variable, values_here, nested, where)
     return taken, skipped, found
 
 
@@ -93,29 +100,28 @@ def _chosen(
         yield index, tuple(result[dim].values[i].item() for dim, i in index.items())
 
 
-def _add(compared: Compared, computed: Any, nested: Any, where: str) -> None:
-    """Add the numbers of a point; entries after the last solution have none."""
-    pairs = np.array(nested, dtype=object)
-    if not pairs.size:
-        return
-    span = tuple(slice(0, length) for length in pairs.shape[:-1])
-    compared.computed += np.asarray(computed)[span].ravel().tolist()
-    flat = pairs.reshape(-1, 2)
-    compared.middle += flat[:, 0].tolist()
-    compared.exponent += flat[:, 1].tolist()
-    compared.place += [where] * len(flat)
+def _add(compared: Compared, name: str, computed: Any, nested: Any, where: str) -> None:
+    """Add the numbers of a point; after the last solution both have empty entries."""
+    pairs = np.empty(0, object) if nested == [] else np.array(nested, dtype=object)
+    sizes = pairs.shape[:-1] if pairs.size else (0,) * computed.ndim
+    shape = tuple(map(max, sizes, computed.shape))
+    blank = empty_entry(name, computed.dtype)
+    left, middle = (np.full(shape, blank, computed.dtype) for _ in range(2))
+    exponent = np.full(shape, EXACT, np.int8)
+    left[tuple(map(slice, computed.shape))] = computed
+    if pairs.size:
+        within = tuple(map(slice, sizes))
+        middle[within], exponent[within] = pairs[..., 0], pairs[..., 1]
+    compared.computed += left.ravel().tolist()
+    compared.middle += middle.ravel().tolist()
+    compared.exponent += exponent.ravel().tolist()
+    compared.place += [where] * left.size
 
 
-def _check(name: str, variable: str, each: Compared) -> Check:
+def _check(name: str, variable: str, each: Compared, turns: bool) -> Check:
     computed, middle = (np.asarray(part) for part in (each.computed, each.middle))
     if middle.dtype.kind == "f":
         computed = computed.astype(float)
-    return judged(
-        Check(file=name, variable=variable),
-        computed,
-        middle,
-        radii(np.asarray(each.exponent, np.int8)),
-        middle,
-        load_tolerances().of(name, variable),
-        lambda at: each.place[at[0]],
-    )
+    exponents = np.asarray(each.exponent, np.int8)
+    check = Check(file=name, variable=variable)
+    return judge(check, computed, middle, radii(exponents), lambda at: each.place[at[0]], turns)

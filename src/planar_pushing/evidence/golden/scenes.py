@@ -3,129 +3,190 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from flint import arb, fmpq
 
-from planar_pushing.certified import cones
-from planar_pushing.certified.balls import cosine_sine, precise, rational
-from planar_pushing.certified.contact import modes
-from planar_pushing.certified.contact.sticking import Motion
-from planar_pushing.certified.effects.given import law as law_of
-from planar_pushing.certified.line_of_force import motion_angle, motion_degrees, spin_ratio
-from planar_pushing.certified.setting import Effects, Heading, Slider, direction, heading
 from planar_pushing.evidence.golden.cells import (
+    BOTH,
+    CENTERS,
+    EDGES,
+    FRICTION,
+    INERTIA,
     Record,
     center,
-    columns,
-    leave_out_centers,
-    solution,
+    motion_angle,
+    motion_cone,
+    ring_slider,
+    shares,
+    solutions,
 )
+from planar_pushing.oracle.balls import (
+    Direction,
+    Number,
+    at_degrees,
+    cone_edge,
+    cosine_sine,
+    precise,
+    rational,
+    settle,
+    terms,
+)
+from planar_pushing.oracle.modes import (
+    INFINITE_FREE,
+    INFINITE_NONE,
+    PERFECTLY_ROUGH,
+    Law,
+    contact_modes,
+)
+from planar_pushing.oracle.motions import ray, unit_motion
+from planar_pushing.oracle.prove import Proved, Slider, State
 
 CONE_SAMPLES = 181
 SUPPORT_ANGLES = tuple(range(0, 360, 15))
-KINDS = {"ring_friction": "support_friction", "inertia": "inertia"}
-#: Variables of `columns` that a scene does not contain.
-ELSEWHERE = ("solutions", "force_end", "pivot", "continuum", "consistent")
+KINDS = {"ring_friction": FRICTION, "inertia": INERTIA}
+#: Variables of `cells.columns` that a scene does not contain.
+ELSEWHERE = ("solutions", "force_end", "pivot", "continuum", "consistent", CENTERS)
 
 
-def slider_of(scene: Mapping[str, Any]) -> tuple[Slider, Effects]:
-    """Slider and effects of the plain values of a scene file; a ring with friction, inertia or both."""
-    found = {each["type"]: each for each in scene["effects"]}
-    parameters = {"radius": scene["slider"]["radius"]}
-    parameters |= {"weight": found["ring_friction"]["weight"]} if "ring_friction" in found else {}
-    inertia = found.get("inertia", {})
-    parameters |= {name: inertia[name] for name in ("mass", "gyration_radius") if name in inertia}
-    own = Slider.of(scene["slider"]["rod_length"], scene["slider"]["rod_angle"], **parameters)
-    return own, Effects("+".join(KINDS[kind] for kind in KINDS if kind in found))
+def law_of(scene: Mapping[str, Any]) -> Law:
+    """Contact law of the plain values of a scene file."""
+    contact = scene["contact"]
+    if contact["law"] == "coulomb":
+        return Law(float(contact["friction_coefficient"]))
+    if contact["law"] == "perfectly_rough":
+        return PERFECTLY_ROUGH
+    return INFINITE_FREE if contact["at_zero_normal"] == "free" else INFINITE_NONE
 
 
-def pusher_degrees(own: Slider, effects: Effects, push: Mapping[str, Any]) -> fmpq:
-    """Angle of the fence's motion: as given, or the double closest to the motion under a force."""
-    if push["force_angle"] is None:
-        return rational(push["pusher_angle"])
-    share = fmpq(1, 2) if effects is Effects.BOTH else effects.shares[0]
-    return rational(float(motion_angle(own, heading(push["force_angle"]), share).mid()))
+def study_of(scene: Mapping[str, Any]) -> tuple[dict[str, Any], str]:
+    """Values of a study and the label of the effects, of a scene of a ring."""
+    effects = {effect["type"]: effect for effect in scene["effects"]}
+    values = {"slider": {name: scene["slider"][name] for name in ("radius", "rod_angle")}}
+    values |= {name: effects[kind] for kind, name in KINDS.items() if kind in effects}
+    return values, "+".join(name for kind, name in KINDS.items() if kind in effects)
 
 
 @precise
 def scene_values(values: Mapping[str, Any]) -> Record:
     """Certified values of a scene under a push, from the plain values `scene` and `push` of their files."""
     scene, push = values["scene"], values["push"]
-    own, effects = slider_of(scene)
-    law, size = law_of(scene), rational(scene["slider"]["radius"])
-    degrees, magnitude = pusher_degrees(own, effects, push), rational(push["pusher_magnitude"])
-    pusher = heading(degrees)
-    found = modes.contact_modes(own, effects, law, float(magnitude), degrees)
-    continuum = modes.is_continuum(own, effects, law, degrees)
-    listed = [
-        solution(own, effects, law, mode, motion, magnitude, pusher)
-        | {"center": center(own, size, motion), "pivot": -1, "force_end": []}
-        | {"continuum": continuum and mode is modes.Mode.STICK}
-        for mode, motions in found.items()
-        for motion in motions
-    ]
-    leave_out_centers(listed)
-    rubbing = [_support(own, effects, each["twist"]) for each in listed]
-    for each in listed:
-        v_x, v_y, spin = each["twist"]
-        each["twist"] = [v_x, v_y, spin / size]
-    c, s = cosine_sine(own.rod_angle)
-    given: Record = {
+    study, effects = study_of(scene)
+    length, radius = scene["slider"]["rod_length"], rational(scene["slider"]["radius"])
+    slider, law, magnitude = (
+        ring_slider(study, effects, length),
+        law_of(scene),
+        rational(push["pusher_magnitude"]),
+    )
+    degrees = _pusher_degrees(slider, effects, push)
+    pusher = at_degrees(degrees)
+    modes = contact_modes(slider, law, pusher, magnitude)
+    columns = solutions(slider, modes, radius)
+    motions = [mode.motion for mode in modes]
+    weight = slider.body.weight / (2 * arb.pi())
+    x, y = (magnitude * part for part in pusher.ball)
+    return {
         **{name: scene["slider"][name] for name in ("rod_length", "rod_angle", "radius")},
         "pusher_magnitude": push["pusher_magnitude"],
-        "pusher_angle": arb(degrees),
-        "pusher_motion": [magnitude * pusher.x, magnitude * pusher.y],
-        "ring_center": [own.rod_length * size * c, own.rod_length * size * s],
-        "slip": [each["slip"] for each in listed],
-        "adhesive": [bool(each["force"][1] < 0) for each in listed],
-        "support_motion": [motion for motion, _ in rubbing],
-        "support_force": [force for _, force in rubbing],
+        "pusher_angle": terms(arb(degrees)),
+        "pusher_motion": [
+            terms(x, pusher.roundings * magnitude),
+            terms(y, pusher.roundings * magnitude),
+        ],
+        "ring_center": [terms(length * part, 2 * length) for part in slider.rod],
+        "slip": [_slip(slider, motion, pusher, magnitude) for motion in motions],
+        "adhesive": [
+            _is_adhesive(force[1]) if isinstance(force[1], Number) else False
+            for force in columns["force"]
+        ],
+        "support_motion": [_support(slider, motion, None) for motion in motions],
+        "support_force": [_support(slider, motion, weight) for motion in motions],
+        **{name: column for name, column in columns.items() if name not in ELSEWHERE},
+        **_cones(study, effects, length, law.friction_coefficient),
     }
-    own_columns = {name: each for name, each in columns(listed).items() if name not in ELSEWHERE}
-    return given | own_columns | _cones(own, effects, law, size)
 
 
-def _support(own: Slider, effects: Effects, twist: list[arb]) -> tuple[Any, Any]:
-    """Motion of points of the ring, and the friction on them if there is support friction."""
-    weight = arb(0) if effects is Effects.INERTIA else own.weight / (2 * arb.pi())
-    v_x, v_y, spin = twist
-    points = [cosine_sine(fmpq(angle)) for angle in SUPPORT_ANGLES]
-    motion = [[v_x - spin * y, v_y + spin * x] for x, y in points]
-    if v_x == 0 and v_y == 0 and spin == 0:
-        return motion, [[arb(0), arb(0)] for _ in motion]
-    speeds = [(a * a + b * b).sqrt() for a, b in motion]
-    return motion, [
-        [-weight * a / speed, -weight * b / speed]
-        for (a, b), speed in zip(motion, speeds, strict=True)
+def _is_adhesive(normal: Number) -> bool:
+    """Whether a force pulls; one along the fence does not."""
+    return not normal.ball.contains(0) and settle(normal) < 0
+
+
+def _pusher_degrees(slider: Slider, effects: str, push: Mapping[str, Any]) -> fmpq:
+    """Angle of the fence's motion: as given, or the double closest to the motion under a force."""
+    if push["force_angle"] is None:
+        return rational(push["pusher_angle"])
+    force = at_degrees(push["force_angle"])
+    motion = unit_motion(slider, force) if effects == BOTH else ray(slider, force)
+    return rational(float(motion_angle(slider, force, motion).ball.mid()))
+
+
+def _slip(slider: Slider, motion: Proved | None, pusher: Direction, magnitude: fmpq) -> Number:
+    w = magnitude * pusher.ball[0]
+    if motion is None:
+        return terms(-w, pusher.roundings * magnitude)
+    slip = motion.numbers(slider, lambda state: [state.turned(state.u_x, state.u_y)[0] - w])[0]
+    return Number(slip.ball, slip.rounding + pusher.roundings * magnitude)
+
+
+def _support(slider: Slider, motion: Proved | None, weight: Any) -> list[list[Any]]:
+    """Motion of points of the ring, or the friction on them if there is a weight."""
+    if motion is None:
+        return [[0.0, 0.0] for _ in SUPPORT_ANGLES]
+    radius = slider.body.support.extent if slider.body.support is not None else arb(1)
+    places = [cosine_sine(fmpq(angle)) for angle in SUPPORT_ANGLES]
+
+    def points(state: State) -> Iterable[arb]:
+        v_x, v_y = state.turned(state.u_x, state.u_y + state.omega * state.length)
+        for x, y in places:
+            a, b = v_x - state.omega * radius * y, v_y + state.omega * radius * x
+            scale = 1 if weight is None else -weight / (a * a + b * b).sqrt()
+            yield from (scale * a, scale * b)
+
+    numbers = [
+        number if weight is None or weight != 0 else 0.0
+        for number in motion.numbers(slider, points)
     ]
+    return [list(pair) for pair in zip(numbers[::2], numbers[1::2], strict=True)]
 
 
-def _cones(own: Slider, effects: Effects, law: modes.Law, size: fmpq) -> Record:
+def _cones(study: dict[str, Any], effects: str, length: float, mu: float) -> Record:
     """Friction cone and motion cone, and the motions under each effect at samples of the friction cone."""
-    mu = law.friction_coefficient
-    forces, motions = cones.friction_cone(mu), cones.motion_cone(own, effects, mu)
-    samples = [_sample(forces, mu, i) for i in range(CONE_SAMPLES)]
+    cone = motion_cone(study, effects, length, study["slider"]["rod_angle"], mu)
+    record = {
+        name: cone[name]
+        for kind in ("friction", "motion")
+        for name in [f"{kind}_cone_{s}" for s, _ in EDGES]
+    }
+    forces = [
+        _sample(record["friction_cone_right"].ball, record["friction_cone_left"].ball, mu, i)
+        for i in range(CONE_SAMPLES)
+    ]
     angles, centers = [], []
-    for share in effects.shares:
-        pairs = [(force, spin_ratio(own, force, share)) for force in samples]
-        angles.append([motion_degrees(own, force, k) for force, k in pairs])
-        centers.append([center(own, size, Motion(k, force.degrees)) for force, k in pairs])
-    return {
-        "friction_cone_right": forces.right,
-        "friction_cone_left": forces.left,
-        "motion_cone_right": motions.right,
-        "motion_cone_left": motions.left,
-        "cone_force_angle": [force.degrees for force in samples],
+    for effect in shares(effects):
+        slider = ring_slider(study, effect, length)
+        motions = [ray(slider, force) for force in forces]
+        angles.append([motion_angle(slider, f, m) for f, m in zip(forces, motions, strict=True)])
+        centers.append([center(slider, motion) for motion in motions])
+    return record | {
+        "cone_force_angle": [terms(force.angle, 180) for force in forces],
         "cone_motion_angle": angles,
         "cone_center": centers,
     }
 
 
-def _sample(forces: cones.Cone, mu: float, index: int) -> Heading:
+def _sample(right: arb, left: arb, mu: float, index: int) -> Direction:
     """The force angle with this index, from the right to the left edge of the friction cone."""
-    if math.isinf(mu):
-        return heading(fmpq(180 * index, CONE_SAMPLES - 1))
     part = fmpq(index, CONE_SAMPLES - 1)
-    return direction(forces.right + (forces.left - forces.right) * part)
+    if math.isinf(mu):
+        return at_degrees(180 * part)
+    for side, at in ((1, 0), (-1, CONE_SAMPLES - 1)):
+        if index == at:
+            return cone_edge(mu, side)
+    return Direction(vector=_rational_direction(right + (left - right) * part))
+
+
+def _rational_direction(degrees: arb) -> tuple[fmpq, fmpq]:
+    """A rational vector whose angle differs from a given one by less than the precision."""
+    turn = degrees / 180
+    return (turn.cos_pi().mid().fmpq(), turn.sin_pi().mid().fmpq())

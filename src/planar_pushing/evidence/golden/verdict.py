@@ -12,7 +12,7 @@ from planar_pushing.evidence.golden.compare import OTHER_STUDY, Check, Kind
 #: Whether all passed, counts of values by kind, and every check, worst first.
 Verdict = dict[str, Any]
 #: Results that are not compared, and why.
-ASIDE = {"accuracy_time": "times of one machine", "accuracy": "times", "effects": "times"}
+ASIDE = {"accuracy_time": "times", "effects": "times, and evaluations in logs"}
 
 
 def verdict(checks: Iterable[Check], note: str = "") -> Verdict:
@@ -28,6 +28,7 @@ def verdict(checks: Iterable[Check], note: str = "") -> Verdict:
         "failed": failed,
         "kinds": {kind.name.lower(): _counts(ranked, kind) for kind in Kind},
         "labels": sum(check.labels for check in ranked),
+        "used": _used(map(_entry, ranked)),
         "note": note,
         "aside": ASIDE,
         "checks": [_entry(check) for check in ranked],
@@ -62,7 +63,11 @@ def verdict_text(found: Verdict) -> str:
         f"  {found['labels']} other entries are equal: infinite numbers, NaN, texts and flags",
         *([found["note"]] if found["note"] else []),
     ]
-    return "\n".join([*lines, "", *map(_line, found["checks"])]) + "\n"
+    used = [
+        f"  {ratio:.2g} of the allowed difference is used in {name}"
+        for name, ratio in found["used"].items()
+    ]
+    return "\n".join([*lines, *used, "", *map(_line, found["checks"])]) + "\n"
 
 
 def _other_study(checks: list[Mapping[str, Any]]) -> list[str]:
@@ -75,6 +80,16 @@ def _other_study(checks: list[Mapping[str, Any]]) -> list[str]:
         f"FAILED: the study differs from the one of the golden data ({files[0]}{more}); `make golden` "
         "shows the differences, `planar-pushing check --points N` certifies points of any study"
     ]
+
+
+def _used(checks: Iterable[Mapping[str, Any]]) -> dict[str, float]:
+    """The largest part of an allowed difference that each dataset uses, without checks that failed."""
+    used: dict[str, float] = {}
+    for check in checks:
+        ratio = used_tolerance(check)
+        if math.isfinite(ratio):
+            used[check["file"]] = max(used.get(check["file"], 0.0), ratio)
+    return dict(sorted(used.items(), key=lambda item: (-item[1], item[0])))
 
 
 def _line(check: Mapping[str, Any]) -> str:

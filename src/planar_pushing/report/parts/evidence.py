@@ -31,6 +31,7 @@ GOLDEN: Numbers = {
     "golden-labels": label_count(),
     "golden-by-integrals": mark_count("golden_checked_by_integrals", sum),
     "golden-precision": mark_count("golden_precision_bits", min),
+    "golden-roundings": mark_count("golden_roundings", min),
 }
 
 
