@@ -4,11 +4,12 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
-from planar_pushing.certified.balls import PRECISION
+from planar_pushing.evidence.claims.mechanics import profile
 from planar_pushing.evidence.claims.proofs import boxes, lemmas
 from planar_pushing.evidence.claims.proofs import identities as ids
 from planar_pushing.evidence.claims.proofs.boxes import cover
 from planar_pushing.evidence.claims.verdicts import Verdict
+from planar_pushing.oracle.balls import PRECISION
 
 
 @pytest.fixture(autouse=True)
@@ -44,10 +45,7 @@ def test_bounds_on_boxes_hold_inside(function, low, high):
 
 def test_the_slope_of_the_arm_against_a_difference_quotient():
     k, step = arb(0.4), arb(2) ** -40
-    arms = [
-        boxes.turn(each, each) * each / lemmas.ring.profile(each)[0]
-        for each in (k - step, k + step)
-    ]
+    arms = [boxes.turn(each, each) * each / profile(each)[0] for each in (k - step, k + step)]
     quotient = (arms[1] - arms[0]) / (2 * step)
     assert abs(boxes.arm_slope(k, k) - quotient) < 1e-18
 

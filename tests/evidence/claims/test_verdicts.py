@@ -3,11 +3,9 @@
 import pytest
 from flint import arb, ctx
 
-from planar_pushing.certified.balls import PRECISION
 from planar_pushing.evidence.claims.proofs import identities as ids
 from planar_pushing.evidence.claims.verdicts import (
     Verdict,
-    at_points,
     equal,
     facts,
     identity,
@@ -15,6 +13,7 @@ from planar_pushing.evidence.claims.verdicts import (
     near,
     together,
 )
+from planar_pushing.oracle.balls import PRECISION
 
 
 @pytest.fixture(autouse=True)
@@ -64,10 +63,8 @@ def test_identities():
     assert wrong.reason == "sum is off by -c^2 + c"
 
 
-def test_facts_and_points_name_what_fails():
+def test_facts_name_what_fails():
     assert facts({"one": True, "two": False}).reason == "false: two"
-    assert at_points([], 5).verdict is Verdict.SAMPLED
-    assert at_points(["l = 1"], 5).reason == "fails at 1 points, first l = 1"
 
 
 @pytest.mark.parametrize("kind", [Verdict.PROVED, Verdict.ENCLOSED, Verdict.SAMPLED])
@@ -80,11 +77,11 @@ def test_a_verdict_is_no_stronger_than_the_kind_of_its_check(kind):
 
 def test_the_weakest_verdict_decides():
     good, unknown, bad = (inequality(arb(x, r)) for x, r in ((1, 0), (0, 1), (-1, 0)))
-    some = at_points([], 5)
+    some = good.at_most(Verdict.SAMPLED)
     assert together(good, some).verdict is Verdict.SAMPLED
     assert together(good, some, unknown).verdict is Verdict.UNDECIDED
     found = together(good, bad, unknown)
     assert found.verdict is Verdict.REFUTED
     assert found.reason == bad.reason
     assert found.margin == good.margin
-    assert together(good, some).points == 6
+    assert together(good, some).points == 2

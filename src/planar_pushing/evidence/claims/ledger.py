@@ -1,63 +1,49 @@
-"""The ledger file: an entry for each statement, with its checks, and clear errors."""
+"""The ledger file: an entry for each statement, with its checks; and their verdicts."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterator
-from functools import partial
-from typing import Annotated, Any, Literal
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, fields
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import BeforeValidator, Field
+from pydantic import Field, model_validator
 
-from planar_pushing.certified.setting import Effects
 from planar_pushing.evidence.claims import checks as checks  # registers its checks and numbers
-from planar_pushing.evidence.claims import samples as samples  # registers those of the library
-from planar_pushing.evidence.claims.checks import generic
-from planar_pushing.evidence.claims.registry import CHECKS, QUANTITIES, Check, arguments
-from planar_pushing.evidence.claims.verdicts import Verdict
+from planar_pushing.evidence.claims.mechanics import Mechanics, Oracle, Scene
+from planar_pushing.evidence.claims.registry import CHECKS, NUMBERS
+from planar_pushing.evidence.claims.verdicts import (
+    Evidence,
+    Fails,
+    Verdict,
+    equal,
+    facts,
+    inequality,
+    near,
+    weakest,
+)
+from planar_pushing.oracle.balls import Undecided, precise, rational
 from planar_pushing.study.files.fields import FileModel, NotEmpty, Number, refuse
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.scenes import load_model
-from planar_pushing.terms.errors import InvalidFile, suggestion
+from planar_pushing.study.files.support_model import SupportEntry
+from planar_pushing.terms.errors import InvalidFile
 
-_KEBAB = frozenset("abcdefghijklmnopqrstuvwxyz0123456789-")
-#: Words that an argument accepts as its value.
-_WORDS = {"effects": tuple(map(str, Effects)), "law": tuple(generic.LAWS)}
-#: Kinds of a check, with the names that each accepts, and relations of a number to the claimed one.
-_OPTIONS: dict[str, dict[str, Any]] = {
-    "check": CHECKS, "number": QUANTITIES, "modes": generic.MODES
-}  # fmt: skip
-_RELATIONS = ("near", "equals", "above", "below")
-
-
-def _kebab(given: object) -> object:
-    if not isinstance(given, str) or not given or not set(given) <= _KEBAB:
-        raise refuse("a name of small letters, digits and dashes")
-    return given
-
-
-def _value(given: object) -> object:
-    if isinstance(given, str):
-        return given
-    if isinstance(given, bool) or not isinstance(given, (int, float)) or math.isnan(given):
-        raise refuse("a number, inf, or the name of effects or of a contact law")
-    return float(given)
-
-
-Kebab = Annotated[str, BeforeValidator(_kebab)]
+Id = Annotated[str, Field(pattern="^[a-z0-9-]+$")]
 Text = Annotated[str, Field(min_length=1)]
 Places = tuple[Annotated[int, Field(ge=1, le=13)], ...]
-Values = dict[str, Annotated[Any, BeforeValidator(_value)]]
+Values = dict[str, float | str]
+_OF_SCENE = frozenset(part.name for part in fields(Scene))
 
 
 class CheckEntry(FileModel):
-    """A check of a statement: one by name, a number, or the modes of a push.
+    """A check of a statement: one by name, a number of a scene, or the contact modes of a push.
 
-    The arguments of a check are the numbers in `claimed`; those of a number or a push are given in
-    `at`. A number is near (`within` an accuracy), equal to, above or below the claimed one.
+    The arguments of a check are in `claimed`; scene and arguments of a number or a push are in `at`.
+    A number is near (`within` an accuracy), equal to, above or below the claimed one.
     """
 
-    name: Kebab | None = None
+    name: Id | None = None
     statement: Text | None = None
     check: str | None = None
     claimed: Values = Field(default_factory=dict)
@@ -70,34 +56,69 @@ class CheckEntry(FileModel):
     above: Number | None = None
     below: Number | None = None
 
+    @model_validator(mode="after")
+    def _is_one_check(self) -> Self:
+        kinds = [self.check, self.number, self.modes]
+        relations = [self.near, self.equals, self.above, self.below]
+        if kinds.count(None) != 2 or 4 - relations.count(None) != (self.number is not None):
+            raise refuse(
+                "one of check, number and modes, and for a number one of near, equals, above, below"
+            )
+        if (self.near is None) != (self.within is None):
+            raise refuse(
+                "an accuracy, within, for a number that is near another one, and for no other"
+            )
+        if self.check not in {None, *CHECKS} or self.number not in {None, *NUMBERS}:
+            raise refuse("a check or a number of the package")
+        return self
+
     @property
     def title(self) -> str:
         """The name of the check, or else that of its kind."""
         return self.name or self.check or self.number or "modes"
 
     @property
-    def relations(self) -> dict[str, float]:
-        """Relations of the number to the claimed one."""
-        found = {each: getattr(self, each) for each in _RELATIONS}
-        return {each: claimed for each, claimed in found.items() if claimed is not None}
+    def argument(self) -> str:
+        """Key of the argument."""
+        return self.check or (self.number or "modes").partition(".")[0]
 
-    def resolved(self) -> Check:
-        """Return the check; its function takes no arguments."""
+    @precise
+    def judge(self, mechanics: Mechanics, supports: Mapping[str, Any]) -> Evidence:
+        """Evidence; raises `Fails` for a number that does not exist, `Undecided` for an undecided sign."""
         if self.check is not None:
-            found = CHECKS[self.check]
-            return Check(partial(found.function, **self.claimed), found.kind, found.how)
-        if self.modes is not None:
-            run = partial(generic.modes, self.modes, **self.at)
-            return Check(run, Verdict.ENCLOSED, generic.MODES_HOW)
-        quantity, ((relation, claimed),) = QUANTITIES[str(self.number)], self.relations.items()
-        run = partial(generic.number, quantity, self.at, relation, claimed, self.within or 0.0)
-        return Check(run, Verdict.ENCLOSED, quantity.how)
+            return CHECKS[self.check].run(mechanics, **self.claimed)
+        parameters: dict[str, Any] = {key: self.at[key] for key in self.at if key in _OF_SCENE}
+        if "support" in parameters:
+            parameters["support"] = supports[parameters["support"]]
+        further = {key: self.at[key] for key in self.at if key not in _OF_SCENE}
+        ask = self._modes if self.number is None else self._number
+        return ask(mechanics, Scene(**parameters), further).at_most(Verdict.ENCLOSED)
+
+    def _number(self, mechanics: Mechanics, scene: Scene, further: Values) -> Evidence:
+        function, place, unit = NUMBERS[str(self.number)]
+        numbers = function(mechanics, scene, **further)
+        value = numbers if place is None else numbers[place]
+        if self.near is not None:
+            return near(value, self.near, self.within or 0.0, unit)
+        if self.equals is not None:
+            return equal(value, self.equals, unit=unit)
+        side, bound = (-1, self.below) if self.above is None else (1, self.above)
+        return inequality(
+            side * (value - rational(bound or 0)), value=value, unit=unit, claimed=bound
+        )
+
+    def _modes(self, mechanics: Mechanics, scene: Scene, push: Any) -> Evidence:
+        """These modes, each as often as it is listed, are exactly the consistent ones."""
+        expected = self.modes or ()
+        listed = [mode for mode, _ in mechanics.modes(scene, **{"magnitude": 1.0} | push)]
+        text = f"{', '.join(expected) or 'none'} (there are: {', '.join(listed) or 'none'})"
+        return facts({text: Counter(listed) == Counter(expected)})
 
 
 class Claim(FileModel):
     """A statement, its checks, and the expected verdict."""
 
-    id: Kebab
+    id: Id
     section: Literal["1", "2", "3", "3.1", "3.2", "4", "5"]
     equations: Places = ()
     figures: Places = ()
@@ -107,100 +128,88 @@ class Claim(FileModel):
     reason: Text | None = None
     checks: tuple[CheckEntry, ...] = ()
 
-    @property
-    def expected(self) -> Verdict:
-        """The verdict that the entry expects."""
-        return Verdict(self.expect)
+    @model_validator(mode="after")
+    def _is_complete(self) -> Self:
+        if (self.expect == "open") == bool(self.checks):
+            raise refuse("checks for every claim except an open one")
+        if (self.expect in ("open", "refuted")) != (self.reason is not None):
+            raise refuse("a reason for a claim that is open or refuted, and for no other")
+        return self
 
 
 class Ledger(FileModel):
-    """All claims, in the order of the file."""
+    """All claims, the supports that their checks name, and the arguments of the checks."""
 
+    supports: dict[Id, SupportEntry]
+    arguments: dict[str, Text]
     claims: Annotated[tuple[Claim, ...], NotEmpty]
+
+    @model_validator(mode="after")
+    def _names_exist(self) -> Self:
+        lists = [[claim.id for claim in self.claims]]
+        lists += [[check.title for check in claim.checks] for claim in self.claims]
+        if any(len(set(names)) < len(names) for names in lists):
+            raise refuse("a name for each claim, and within a claim for each check, only once")
+        for claim, check in self.entries():
+            if check.argument not in self.arguments:
+                raise refuse(f"an argument for {check.argument}, a check of {claim.id}")
+            if check.at.get("support") not in {None, *self.supports}:
+                raise refuse(f"one of the supports {', '.join(self.supports)} in {claim.id}")
+        return self
+
+    def entries(self) -> Iterator[tuple[Claim, CheckEntry]]:
+        """Every check with its claim."""
+        return ((claim, check) for claim in self.claims for check in claim.checks)
+
+    def judge(
+        self, claim: Claim, entry: CheckEntry, mechanics: Mechanics | None = None
+    ) -> Evidence:
+        """Evidence of a check by the oracle, or by another mechanics.
+
+        A number that does not exist refutes a claim; a sign that balls do not decide leaves it undecided.
+
+        Raises
+        ------
+        InvalidFile
+            If the check does not take these numbers, for example a rod of infinite length.
+        """
+        supports = {
+            name: support.model_dump(exclude_none=True) for name, support in self.supports.items()
+        }
+        try:
+            return entry.judge(mechanics or Oracle(), supports)
+        except Undecided as error:
+            return Evidence(verdict=Verdict.UNDECIDED, reason=str(error))
+        except Fails as error:
+            return Evidence(verdict=Verdict.REFUTED, reason=str(error))
+        except (ArithmeticError, TypeError, ValueError) as error:
+            raise InvalidFile(
+                f"{claim.id}.{entry.title}: {entry.claimed or entry.at} given; allowed: numbers for which "
+                f"the check is defined ({error}); change them"
+            ) from None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Judged:
+    """A claim, and the evidence of each of its checks."""
+
+    claim: Claim
+    evidence: tuple[Evidence, ...]
+
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict of the weakest check."""
+        return weakest(part.verdict for part in self.evidence) if self.evidence else Verdict.OPEN
 
 
 def load_ledger(path: PathLike) -> Ledger:
-    """Read the ledger.
-
-    Raises
-    ------
-    InvalidFile
-        Naming the file, the key, the value, what is allowed and what to do.
-    """
-    ledger = load_model(path, Ledger)
-    for problem in _problems(ledger):
-        raise InvalidFile(f"{path}: {problem}")
-    return ledger
+    """Read the ledger; an `InvalidFile` names the file, the key, the value and what is allowed."""
+    return load_model(path, Ledger)
 
 
-def _problems(ledger: Ledger) -> Iterator[str]:
-    ids: set[str] = set()
-    for index, claim in enumerate(ledger.claims):
-        where, names = f"claims[{index}] ({claim.id})", set[str]()
-        yield from _twice(claim.id, ids, f"{where}.id")
-        yield from _of_claim(claim, where)
-        for place, entry in enumerate(claim.checks):
-            yield from _twice(entry.title, names, f"{where}.checks[{place}].name")
-            yield from _of_check(entry, f"{where}.checks[{place}]")
-
-
-def _twice(name: str, seen: set[str], where: str) -> Iterator[str]:
-    if name in seen:
-        yield f"{where}: {name!r} given twice; allowed: a unique name; rename it"
-    seen.add(name)
-
-
-def _of_claim(claim: Claim, where: str) -> Iterator[str]:
-    is_open = claim.expected is Verdict.OPEN
-    if not claim.reason and (is_open or claim.expected is Verdict.REFUTED):
-        yield f"{where}.reason: missing; allowed: why the claim is {claim.expect}; add it"
-    if is_open == bool(claim.checks):
-        given = f"{len(claim.checks)} given" if is_open else "missing"
-        allowed = "none where nothing can be checked" if is_open else "at least one"
-        yield f"{where}.checks: {given}; allowed: {allowed}; {'remove them' if is_open else 'add it'}"
-
-
-def _of_check(entry: CheckEntry, where: str) -> Iterator[str]:
-    kinds = [kind for kind in _OPTIONS if getattr(entry, kind) is not None]
-    if len(kinds) != 1:
-        given = " and ".join(kinds) or "none"
-        yield f"{where}: {given} given; allowed: one of {', '.join(_OPTIONS)}; give one"
-        return
-    if len(entry.relations) != (kinds[0] == "number"):
-        given, allowed = " and ".join(entry.relations) or "none", ", ".join(_RELATIONS)
-        yield f"{where}: {given} given; allowed: for a number one of {allowed}; give one"
-    if (entry.within is None) != (entry.near is None):
-        yield f"{where}.within: {entry.within} given; allowed: an accuracy with near; change it"
-    yield from _of_kind(entry, kinds[0], where)
-
-
-def _of_kind(entry: CheckEntry, kind: str, where: str) -> Iterator[str]:
-    """Problems with the names of a check, a number or modes, and with the arguments."""
-    given, options = getattr(entry, kind), _OPTIONS[kind]
-    unknown = [
-        name for name in ([given] if isinstance(given, str) else given) if name not in options
+def judge_all(ledger: Ledger) -> list[Judged]:
+    """Run every check, in the order of the ledger."""
+    return [
+        Judged(claim=claim, evidence=tuple(ledger.judge(claim, entry) for entry in claim.checks))
+        for claim in ledger.claims
     ]
-    for name in unknown:
-        remedy = suggestion(name, options, "give an existing name")
-        yield f"{where}.{kind}: {name!r} given; allowed: the {kind} of the package; {remedy}"
-    if not unknown:
-        function = generic.modes if kind == "modes" else options[given].function
-        used, unused = ("claimed", "at") if kind == "check" else ("at", "claimed")
-        if values := getattr(entry, unused):
-            yield f"{where}.{unused}: {values!r} given; allowed: none; give it as {used}"
-        yield from _arguments(function, getattr(entry, used), f"{where}.{used}")
-
-
-def _arguments(function: Callable[..., Any], given: Values, where: str) -> Iterator[str]:
-    takes = {name: needed for name, needed in arguments(function).items() if name != "expected"}
-    allowed = f"the arguments {', '.join(takes)}" if takes else "no arguments"
-    for name in takes:
-        if takes[name] and name not in given:
-            yield f"{where}.{name}: missing; allowed: {allowed}; add it"
-    for name, value in given.items():
-        words = _WORDS.get(name, ())
-        if name not in takes:
-            yield f"{where}.{name}: {value!r} given; allowed: {allowed}; remove it"
-        elif value not in words and (isinstance(value, str) or name == "effects"):
-            allowed = ", ".join(words) or "a number"
-            yield f"{where}.{name}: {value!r} given; allowed: {allowed}; change it"

@@ -6,7 +6,7 @@ positive if it supports the claim. A claim whose margin contains zero is undecid
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import reduce
@@ -14,7 +14,7 @@ from typing import Any
 
 from flint import arb
 
-from planar_pushing.certified.balls import Exact, Undecided, rational, sign
+from planar_pushing.oracle.balls import Exact, Undecided, rational, sign
 
 Identity = Any  # fmpq_mpoly in normal form
 
@@ -42,21 +42,10 @@ def weakest(verdicts: Iterable[Verdict]) -> Verdict:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Evidence:
-    """Verdict and the numbers that support it.
+    """Verdict and the numbers that support it; numbers are in `unit`.
 
-    Parameters
-    ----------
-    verdict : Verdict
-    value : arb, optional
-        Enclosure of the number that the claim is about, in `unit`.
-    claimed : float, optional
-        The number that the claim gives for it.
-    margin : arb, optional
-        Distance from the boundary of the claim, in `unit`, > 0 if it supports the claim.
-    points : int, optional
-        Points, boxes or identities that were evaluated.
-    reason : str, optional
-        Why the claim does not hold or cannot be decided.
+    The margin is the distance of the `value` from the boundary of the claim, > 0 if it supports it;
+    `points` counts points, boxes or identities; `reason` says why a claim does not hold or is undecided.
     """
 
     verdict: Verdict
@@ -86,15 +75,9 @@ def inequality(
         verdict, reason = Verdict.REFUTED, f"off by {(-margin).mid().str(6, radius=False)} {unit}"
     elif not margin > 0:
         verdict, reason = Verdict.UNDECIDED, f"the margin {margin.str(6)} contains zero"
-    return Evidence(
-        verdict=verdict,
-        value=margin if value is None else value,
-        unit=unit,
-        claimed=claimed,
-        margin=margin,
-        points=points,
-        reason=reason,
-    )
+    value = margin if value is None else value
+    numbers: dict[str, Any] = {"value": value, "unit": unit, "claimed": claimed, "margin": margin}
+    return Evidence(verdict=verdict, points=points, reason=reason, **numbers)
 
 
 def near(value: arb, claimed: float, within: float, unit: str = "1") -> Evidence:
@@ -110,52 +93,36 @@ def equal(value: arb, claimed: float, exact: Exact | None = None, unit: str = "1
         apart = sign(value - goal, None if exact is None else lambda: exact - goal)
     except Undecided as error:
         return Evidence(verdict=Verdict.UNDECIDED, value=value, unit=unit, reason=str(error))
-    return Evidence(
-        verdict=Verdict.REFUTED if apart else Verdict.PROVED,
-        value=value,
-        unit=unit,
-        claimed=claimed,
-        margin=-abs(value - goal) if apart else arb(0),
-        points=1,
-        reason=f"the number is {value.str(12, radius=False)}" if apart else None,
-    )
+    numbers: dict[str, Any] = {"value": value, "unit": unit, "claimed": claimed, "points": 1}
+    if not apart:
+        return Evidence(verdict=Verdict.PROVED, margin=arb(0), **numbers)
+    reason = f"the number is {value.str(12, radius=False)}"
+    return Evidence(verdict=Verdict.REFUTED, margin=-abs(value - goal), reason=reason, **numbers)
 
 
 def identity(differences: Mapping[str, Identity]) -> Evidence:
     """Evidence for polynomial identities: each difference vanishes in normal form."""
-    wrong = {name: each for name, each in differences.items() if each != 0}
-    reason = "; ".join(f"{name} is off by {each}" for name, each in wrong.items())
-    return Evidence(
-        verdict=Verdict.REFUTED if wrong else Verdict.PROVED,
-        points=len(differences),
-        reason=reason or None,
-    )
+    wrong = [f"{name} is off by {rest}" for name, rest in differences.items() if rest != 0]
+    return _decided("; ".join(wrong), len(differences))
 
 
-def facts(found: Mapping[str, bool], **numbers: Any) -> Evidence:
+def facts(holds: Mapping[str, bool], **numbers: Any) -> Evidence:
     """Evidence for decided facts, by name."""
-    wrong = [name for name, holds in found.items() if not holds]
-    return Evidence(
-        verdict=Verdict.REFUTED if wrong else Verdict.PROVED,
-        points=len(found),
-        reason=f"false: {', '.join(wrong)}" if wrong else None,
-        **numbers,
-    )
+    wrong = ", ".join(name for name, is_so in holds.items() if not is_so)
+    return replace(_decided(wrong and f"false: {wrong}", len(holds)), **numbers)
 
 
-def at_points(wrong: Sequence[str], points: int) -> Evidence:
-    """Evidence for a statement at each of some points; `wrong` names the points where it fails."""
-    verdict = Verdict.REFUTED if wrong else Verdict.SAMPLED
-    reason = f"fails at {len(wrong)} points, first {wrong[0]}" if wrong else None
-    return Evidence(verdict=verdict, points=points, reason=reason)
+def _decided(wrong: str, points: int) -> Evidence:
+    verdict = Verdict.REFUTED if wrong else Verdict.PROVED
+    return Evidence(verdict=verdict, points=points, reason=wrong or None)
 
 
 def together(main: Evidence, *others: Evidence) -> Evidence:
     """Evidence for several statements together: the numbers of the first, the weakest verdict."""
-    every = (main, *others)
-    verdict = weakest(each.verdict for each in every)
-    points = sum(each.points or 0 for each in every)
-    reason = next(each.reason for each in every if each.verdict is verdict)
+    parts = (main, *others)
+    verdict = weakest(part.verdict for part in parts)
+    points = sum(part.points or 0 for part in parts)
+    reason = next(part.reason for part in parts if part.verdict is verdict)
     return replace(main, verdict=verdict, reason=reason, points=points)
 
 

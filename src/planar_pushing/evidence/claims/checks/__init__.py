@@ -1,4 +1,4 @@
-"""The checks that share no code with the mechanics, by topic; importing the package registers them all."""
+"""The checks, by topic; importing the package registers them all."""
 
 from planar_pushing.evidence.claims.checks import any_support as any_support
 from planar_pushing.evidence.claims.checks import cones as cones
@@ -6,4 +6,3 @@ from planar_pushing.evidence.claims.checks import dynamics as dynamics
 from planar_pushing.evidence.claims.checks import limit_curves as limit_curves
 from planar_pushing.evidence.claims.checks import numbers as numbers
 from planar_pushing.evidence.claims.checks import ring as ring
-from planar_pushing.evidence.claims.checks import support_numbers as support_numbers

@@ -1,217 +1,246 @@
-"""Numbers of the ring that the ledger can name; lengths in units of R, angles in degrees, W = m = R = 1."""
+"""Numbers that the ledger can name: lengths in units of R, forces of W, angles in degrees."""
 
 from __future__ import annotations
 
-import math
+from collections.abc import Callable
+from dataclasses import replace
 
 from flint import arb, fmpq
 
-from planar_pushing.certified import cones, ring
-from planar_pushing.certified.balls import cosine_sine, rational
-from planar_pushing.certified.contact.modes import (
-    INFINITE_FREE,
-    PERFECTLY_ROUGH,
-    Law,
-    Mode,
-    contact_modes,
-    cover,
-)
-from planar_pushing.certified.inverse import spin_of_arm
-from planar_pushing.certified.line_of_force import motion_angle, spin_ratio
-from planar_pushing.certified.roots import increasing_root
-from planar_pushing.certified.setting import (
-    FRICTION,
-    Effects,
-    Slider,
-    heading,
-    lean,
-)
-from planar_pushing.evidence.claims.registry import quantity
+from planar_pushing.evidence.claims.mechanics import BOTH, ONE, Mechanics, Pair, Scene, Triple
+from planar_pushing.evidence.claims.registry import number
 from planar_pushing.evidence.claims.verdicts import Fails
+from planar_pushing.oracle.balls import cross, dot, in_degrees, norm, rational
 
-_FRICTION = str(Effects.FRICTION)
-_START = arb(2) ** -20
-
-
-@quantity(right="degree", left="degree", half_angle="degree")
-def friction_cone(friction_coefficient: float) -> tuple[arb, arb, arb]:
-    """Edges and half-angle of the friction cone.
-
-    The edges are the directions $(mu, 1)$ and $(-mu, 1)$, or those of the fence for infinite friction.
-    """
-    cone = cones.friction_cone(friction_coefficient)
-    return cone.right, cone.left, (cone.left - cone.right) / 2
+RING = Scene()
+#: Halvings of the interval that contains a root.
+STEPS = 96
+#: Degrees from the rod within which the chord of the limit curve bounds the force; degrees between force
+#: and motion below which the two count as parallel; length of a step over the angle between them.
+_GAP, _FLAT, _STRIDE = fmpq(1, 2), 2.0**-20, 0.9
 
 
-@quantity(right="degree", left="degree")
-def motion_cone(
-    rod_length: float,
-    friction_coefficient: float,
-    effects: str = _FRICTION,
-    rod_angle: float = 45.0,
-) -> tuple[arb, arb]:
-    """Edges of a motion cone.
-
-    An edge is the direction of motion under the force of an edge of the friction cone, with the spin
-    ratio enclosed by a change of sign. With both effects it is the outer one of the edges of the two
-    pure cones.
-    """
-    slider = Slider.of(rod_length, rod_angle)
-    cone = cones.motion_cone(slider, Effects(effects), friction_coefficient)
-    return cone.right, cone.left
+def root(function: Callable[[fmpq], arb], low: fmpq, high: fmpq) -> arb:
+    """Enclose the only zero of a function between two points at which it has opposite signs."""
+    side = 1 if function(high) > 0 else -1
+    if not (side * function(low) < 0 < side * function(high)):
+        raise Fails(f"no change of sign between {float(low):g} and {float(high):g}")
+    last = high
+    for _ in range(STEPS):
+        middle = (low + last) / 2
+        low, last = (middle, last) if side * function(middle) < 0 else (low, middle)
+    step = last - low
+    while not side * function(last) > 0:
+        last, step = min(last + step, high), 2 * step
+    return arb(low).union(arb(last))
 
 
-@quantity(right="degree", left="degree", right_gap="degree", left_gap="degree")
-def bound_of_the_cases(rod_length: float) -> tuple[arb, arb, arb, arb]:
-    """Fig. 12: the cone that the seven cases allow under infinite friction, and its gaps to the exact cone.
+def turn(mechanics: Mechanics, scene: Scene, force_angle: fmpq, power: fmpq = ONE) -> arb:
+    """Angle from the force to the motion of the contact; it is below 90 degrees."""
+    e = scene.in_rod_frame(force_angle)
+    u = mechanics.motion(scene, force_angle, power)[:2]
+    return in_degrees((cross(e, u) / dot(e, u)).atan())
 
-    Between two neighboring tangents of the ring $abs(k)$ lies in $[0, 1]$ or in $[1, oo]$. The
-    direction of motion is monotone in the force angle and in the spin ratio, so that the ends of these
-    sectors give the bound. A gap is the angle from an edge of the bound inward to the edge of the exact
-    cone.
-    """
-    slider = Slider.of(rod_length)
-    bound = cones.conservative_cone(slider)
-    exact = cones.motion_cone(slider, Effects.BOTH, math.inf)
-    gaps = exact.right - bound.right, bound.left - exact.left
+
+def force(mechanics: Mechanics, scene: Scene, force_angle: fmpq) -> arb:
+    """Magnitude of the force that moves the slider."""
+    wrench = mechanics.wrench(scene, mechanics.motion(scene, force_angle, ONE))
+    size: arb = dot(scene.in_rod_frame(force_angle), wrench[:2])
+    return size
+
+
+def friction(mechanics: Mechanics, k: arb) -> Pair:
+    """Force f and torque t of the ring; f decreases with k and t increases."""
+    ends = [mechanics.wrench(RING, (1, 0, end)) for end in (k.lower(), k.upper())]
+    return ends[0][0].union(ends[1][0]), ends[0][2].union(ends[1][2])
+
+
+@number(right="degree", left="degree", half_angle="degree")
+def friction_cone(mechanics: Mechanics, scene: Scene) -> tuple[arb, arb, arb]:
+    """Edges and half-angle of the friction cone."""
+    right, left = mechanics.friction_cone(scene)
+    return right, left, (left - right) / 2
+
+
+@number(right="degree", left="degree")
+def motion_cone(mechanics: Mechanics, scene: Scene) -> Pair:
+    """Edges of a motion cone."""
+    return mechanics.motion_cone(scene)
+
+
+@number(right="degree", left="degree", right_gap="degree", left_gap="degree")
+def bound_of_the_cases(mechanics: Mechanics, scene: Scene) -> tuple[arb, arb, arb, arb]:
+    """Fig. 12: the cone that the seven cases allow, and its gaps to the exact cone."""
+    right, left = mechanics.bound_of_the_cases(scene)
+    exact = mechanics.motion_cone(replace(scene, effects=BOTH))
+    gaps = exact[0] - right, left - exact[1]
     if not all(gap > 0 for gap in gaps):
         raise Fails("the bound does not contain the exact cone")
-    return bound.right, bound.left, *gaps
+    return right, left, *gaps
 
 
-@quantity("R")
-def moment_arm(rod_length: float, force_angle: float) -> arb:
-    """Moment arm of a force at the contact.
-
-    The moment arm is $l sin(psi - phi)$, positive if the line of force passes the center on the right.
-    """
-    slider = Slider.of(rod_length)
-    return slider.rod_length * lean(slider, heading(force_angle))[1]
+@number("R")
+def moment_arm(mechanics: Mechanics, scene: Scene, force_angle: float) -> arb:
+    """Moment arm of a force at the contact about the slider's center, from the forces on the slider."""
+    degrees = rational(force_angle)
+    f_x, f_y, torque = mechanics.wrench(scene, mechanics.motion(scene, degrees, ONE))
+    return (torque - rational(scene.rod_length) * f_y) / norm(f_x, f_y)
 
 
-@quantity(spin_ratio="1", angle="degree")
-def motion(rod_length: float, force_angle: float) -> tuple[arb, arb]:
-    """Motion under a force and support friction.
-
-    The spin ratio is enclosed by a change of sign in the balance of torque; it determines the motion of
-    the contact.
-    """
-    slider, force = Slider.of(rod_length), heading(force_angle)
-    return spin_ratio(slider, force, FRICTION), motion_angle(slider, force, FRICTION)
+@number(spin_ratio="1", angle="degree")
+def motion(mechanics: Mechanics, scene: Scene, force_angle: float, power: float = 1.0) -> Pair:
+    """Motion under a line of force."""
+    degrees, size = rational(force_angle), rational(power)
+    u_x, u_y, omega = mechanics.motion(scene, degrees, size)
+    spin = omega / norm(u_x, u_y + omega * rational(scene.rod_length))
+    return spin, degrees + turn(mechanics, scene, degrees, size)
 
 
-@quantity("R")
-def pulling_offset(rod_length: float) -> arb:
-    """Offset on the right of the center beyond which the contact moves away, psi = 45 degrees.
-
-    The normal velocity of the contact, $sin phi - k l cos psi$, vanishes at one force angle, since
-    $theta_s$ increases with $phi$; a change of sign encloses the moment arm of this force. If the line
-    of force passes closer to the center, the contact moves into the slider; if it passes farther away,
-    the contact moves away from the slider.
-    """
-    length, (cosine, sine) = rational(rod_length), cosine_sine(fmpq(45))
-
-    def drop(arm: arb) -> arb:
-        """Return -n . v_s, with sin(phi) = sin(psi - asin(h / l))."""
-        part = arm / length
-        into = sine * (1 - part * part).sqrt() - cosine * part
-        return spin_of_arm(arm, fmpq(1), FRICTION) * length * cosine - into
-
-    return increasing_root(drop, _START, (length * sine).lower())
+@number("W")
+def force_difference(mechanics: Mechanics, scene: Scene, turn: float) -> arb:
+    """Force to the right of the rod less that to the left, at an angle from it."""
+    rod, angle = rational(scene.rod_angle), rational(turn)
+    return force(mechanics, scene, rod - angle) - force(mechanics, scene, rod + angle)
 
 
-@quantity("1")
-def pulling_coefficient(rod_length: float) -> arb:
-    """Coefficient beyond which support friction lets the fence pull, psi = 45 degrees.
-
-    Under the force of the right edge, $bold(n) dot bold(v)_s = 1 / sqrt(1 + mu^2) - k l / sqrt(2)$ per
-    unit speed of the center. This vanishes at one coefficient, since the spin ratio increases with
-    $mu$; a change of sign encloses this coefficient.
-    """
-    length, half = rational(rod_length), arb(2).rsqrt()
-
-    def gap(mu: arb) -> arb:
-        size = (1 + mu * mu).sqrt()
-        arm = length * half * (mu - 1) / size
-        return spin_of_arm(arm, fmpq(1), FRICTION) * length * half * size - 1
-
-    return increasing_root(gap, arb(1) + _START, arb(1000))
+def _along_fence(mechanics: Mechanics, scene: Scene) -> arb:
+    """The force angle below the rod's at which the contact moves along the fence."""
+    return root(
+        lambda degrees: degrees + turn(mechanics, scene, degrees),
+        fmpq(0),
+        rational(scene.rod_angle),
+    )
 
 
-@quantity("1")
-def ellipse_shortfall(rod_length: float) -> arb:
-    """Largest radial distance inside the ellipse with the same extrema, as a fraction of its radius.
+@number("R")
+def pulling_offset(mechanics: Mechanics, scene: Scene) -> arb:
+    """Offset on the right of the center beyond which the contact moves away."""
+    lean = rational(scene.rod_angle) - _along_fence(mechanics, scene)
+    return rational(scene.rod_length) * (lean / 180).sin_pi()
 
-    The ratio of the radius of the curve to that of the ellipse is $sqrt(f^2 + e t^2)$, with a constant
-    $e$ for each $l$, and equals 1 at both ends of the range of spin ratios. Its derivative has the sign
-    of $e H / k - 1$, which increases with $k$, since $t / k$ increases and $f$ decreases on $[0, 1]$,
-    and by duality for $k > 1$. The largest distance is therefore at the only root, which a change of
-    sign encloses.
-    """
-    length = arb(rational(rod_length))
-    end = spin_of_arm(length, fmpq(1), FRICTION)
-    squeeze = (1 / ring.profile(end)[0] ** 2 - 1) / length**2
+
+@number("1")
+def pulling_coefficient(mechanics: Mechanics, scene: Scene) -> arb:
+    """Coefficient of friction beyond which the fence pulls."""
+    return (_along_fence(mechanics, scene) / 180).cot_pi()
+
+
+@number("degree")
+def force_angle(
+    mechanics: Mechanics, scene: Scene, pusher_angle: float, mode: str, magnitude: float = 1.0
+) -> arb:
+    """Angle of the force in the only solution of a contact mode."""
+    angles = [f for name, f in mechanics.modes(scene, pusher_angle, magnitude) if name == mode]
+    if len(angles) != 1 or angles[0] is None:
+        raise Fails(f"{len(angles)} solutions of the mode {mode}")
+    return angles[0]
+
+
+@number("1")
+def ellipse_shortfall(mechanics: Mechanics, scene: Scene) -> arb:
+    """Largest radial distance inside the ellipse with the same extrema, as a fraction of its radius."""
+    length = rational(scene.rod_length)
+
+    def ratio(k: fmpq) -> Pair:
+        return friction(mechanics, arb(k))
+
+    end = root(lambda k: ratio(k)[1] - length * ratio(k)[0], length / 4, 4 * length)
+    squeeze = (1 / friction(mechanics, end)[0] ** 2 - 1) / arb(length) ** 2
 
     def place(size: arb) -> arb:
-        """Spin ratio at which the slope vanishes, for an exact e; it decreases with e."""
-
-        def steepness(k: arb) -> arb:
-            force, torque = ring.profile(k)
-            return size * torque / (k * force) - 1
-
-        return increasing_root(steepness, _START, end.lower())
+        return root(
+            lambda k: size * ratio(k)[1] - k * ratio(k)[0], fmpq(1, 2**20), rational(float(end))
+        )
 
     lowest = place(squeeze.lower()).union(place(squeeze.upper()))
-    force, torque = ring.profile(lowest)
-    return 1 - (force**2 + squeeze * torque**2).sqrt()
+    least, torque = friction(mechanics, lowest)
+    return 1 - (least**2 + squeeze * torque**2).sqrt()
 
 
-@quantity("degree")
-def rough_force_angle(rod_length: float, pusher_angle: float) -> arb:
-    """The force angle of the motion that follows the pusher, enclosed by a change of sign in the torque."""
-    return _force_angles(rod_length, pusher_angle, PERFECTLY_ROUGH, Mode.STICK)
+@number(least="W/m", force="W", return_force="W")
+def normal_motion_dip(mechanics: Mechanics, scene: Scene) -> Triple:
+    """Minimum of n . u under the right edge with both effects, the force there, and that at its zero."""
+    return mechanics.dip(replace(scene, effects=BOTH))
 
 
-@quantity("degree")
-def slip_force_angle(rod_length: float, pusher_angle: float) -> arb:
-    """The force angle of the only slip to the right under definition 1: exactly an edge of the cone."""
-    return _force_angles(rod_length, pusher_angle, INFINITE_FREE, Mode.SLIP_RIGHT)
+@number("a^2")
+def offset_times_center_distance(mechanics: Mechanics, scene: Scene, spin_ratio: float) -> arb:
+    """Product of the offset of a line of force and the distance of the center."""
+    k = arb(rational(spin_ratio))
+    f, t = friction(mechanics, 1 / k)
+    return f / t / k
 
 
-def _force_angles(rod_length: float, pusher_angle: float, law: Law, mode: Mode) -> arb:
-    slider = Slider.of(rod_length)
-    found = contact_modes(slider, Effects.FRICTION, law, 1.0, pusher_angle)[mode]
-    if len(found) != 1:
-        raise Fails(f"{len(found)} solutions of the mode {mode.name}")
-    return found[0].force_angle
+@number("W")
+def pivot_margin(mechanics: Mechanics, scene: Scene, force_angle: float | fmpq) -> arb:
+    """Share of the first foot less its force while the slider rotates about it under a line of force.
 
-
-@quantity(least="W/m", force="W", return_force="W")
-def normal_motion_dip(rod_length: float, friction_coefficient: float) -> tuple[arb, arb, arb]:
-    """Minimum of n . u under the right edge with both effects, the force there, and the force at its zero.
-
-    The spin ratios between those of friction and of inertia are covered by intervals on which ball
-    arithmetic shows that $bold(n) dot bold(u)$ is monotone in the spin ratio, and by one gap, narrower
-    than $10^(-12)$, that contains the minimum.
+    The friction f of the other feet, with the torque T about the contact, and the force ``F e - f`` of the
+    foot balance ``F e``: the torque of the latter about the contact is -T.
     """
-    motions, parts = cover(Slider.of(rod_length), friction_coefficient, 1)
-    gaps = [part.low.union(part.high) for part in parts if part.rise == 0]
-    if not gaps:
-        raise Fails("the normal motion is monotone")
-    found = [(motions.normal_motion(gap), gap) for gap in gaps]
-    found += [(part.start, part.low) for part in parts if part.start.is_finite()]
-    found += [(part.end, part.high) for part in parts if part.end.is_finite()]
-    least, spin = min(found, key=lambda each: float(each[0].lower()))
-    back = motions.normal / motions.lever
-    at_least, at_return = (ring.profile(k)[0] + motions.speed(k) for k in (spin, back))  # W f + m v
-    return least, at_least, at_return
+    (x, y), weights = map(rational, scene.support["positions"][0]), scene.support["weights"]
+    r, e = (x + rational(scene.rod_length), y), scene.in_rod_frame(force_angle)
+    side = cross(e, r).sgn()
+    f_x, f_y, torque = mechanics.wrench(scene, (side * r[1], -side * r[0], side), without=0)
+    push = (cross(r, (f_x, f_y)) - torque) / cross(r, e)
+    share = rational(weights[0]) / sum(map(rational, weights), fmpq(0))
+    return share - norm(push * e[0] - f_x, push * e[1] - f_y)
 
 
-@quantity("a^2")
-def offset_times_center_distance(spin_ratio: float) -> arb:
-    """Product of the offset of a line of force and the distance of the center.
+@number("degree")
+def pivot_span(mechanics: Mechanics, scene: Scene) -> arb:
+    """Interval of force angles about that of the fence for which the first foot is the pivot."""
+    return 2 * root(lambda degrees: pivot_margin(mechanics, scene, degrees), fmpq(0), fmpq(80))
 
-    The offset is $H(k) = f(1 / k) / t(1 / k)$, by duality, and the center is at the distance $1 / k$.
+
+@number("a")
+def pivot_rod_length(
+    mechanics: Mechanics, scene: Scene, force_angle: float, low: float, high: float
+) -> arb:
+    """The rod length between two others at which the first foot ceases to be the pivot."""
+
+    def margin(length: fmpq) -> arb:
+        return pivot_margin(mechanics, replace(scene, rod_length=length), force_angle)
+
+    return root(margin, rational(low), rational(high))
+
+
+@number("degree")
+def corner_span(mechanics: Mechanics, scene: Scene) -> arb:
+    """Span of the cone of a line that a force along the fence rotates about its end."""
+    (x, y), fence = map(rational, scene.support["end"]), scene.in_rod_frame(0)
+    motion = y, -x - rational(scene.rod_length)
+    f_x, f_y, torque = mechanics.wrench(scene, (*motion, 1))
+    if not (torque.contains(0) and cross(fence, (f_x, f_y)).contains(0)):
+        raise Fails("the force is not along the fence")
+    return 180 + 2 * in_degrees(abs(arb.atan2(cross(fence, motion), dot(fence, motion))))
+
+
+@number("1")
+def integration_constant(mechanics: Mechanics, scene: Scene) -> arb:
+    """Torque of a rotation about the center of a support, over its extent; its center is the contact."""
+    corners = scene.support.get("vertices", ())
+    square = max((rational(x) ** 2 + rational(y) ** 2 for x, y in corners), default=None)
+    extent = rational(scene.support["radius"]) if square is None else arb(square).sqrt()
+    return mechanics.wrench(scene, (0, 0, 1))[2] / extent
+
+
+@number("degree")
+def least_force_off(mechanics: Mechanics, scene: Scene) -> arb:
+    """Angle between the minimal force and the direction across the rod.
+
+    The force decreases where the motion leads it. The motion never rotates backward, so that one angle
+    between force and motion decides the sign up to the angle of this motion.
     """
-    force, torque = ring.profile(1 / arb(rational(spin_ratio)))
-    return force / torque / rational(spin_ratio)
+    rod, ends = rational(scene.rod_angle), (_GAP, 180 - _GAP)
+    low, high = ends
+    for side in (1, -1):
+        place = low if side > 0 else high
+        while (step := side * turn(mechanics, scene, rod + place)) > _FLAT:
+            place += side * rational(_STRIDE * float(step.lower()))
+        low, high = (place, high) if side > 0 else (low, place)
+    bottom = force(mechanics, scene, rod + (low + high) / 2)
+    top = arb.min(*(force(mechanics, scene, rod + end) for end in ends))
+    if not top * arb.cos_pi_fmpq(_GAP / 180) > bottom:
+        raise Fails("the force is as small along the rod")
+    return abs(arb(low).union(arb(high)) - 90)

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from flint import arb, fmpq
 
-from planar_pushing.certified import ring
+from planar_pushing.evidence.claims.mechanics import profile
 from planar_pushing.evidence.claims.verdicts import Evidence, Verdict
 
 OnBox = Callable[[arb, arb], arb]
@@ -77,20 +77,23 @@ def positive(margin: OnBox) -> Evidence:
 
 def turn(low: arb, high: arb) -> arb:
     """Lower bound of t / k, 1/2 at k = 0."""
-    return arb(fmpq(1, 2)) if low == 0 else ring.profile(low)[1] / low
+    return arb(fmpq(1, 2)) if low == 0 else profile(low)[1] / low
 
 
 def loss(low: arb, high: arb) -> arb:
     """Lower bound of (1 - f) / k^2, 1/4 at k = 0."""
-    return arb(fmpq(1, 4)) if low == 0 else (1 - ring.profile(low)[0]) / low**2
+    return arb(fmpq(1, 4)) if low == 0 else (1 - profile(low)[0]) / low**2
 
 
 def slope(low: arb, high: arb) -> arb:
     """Lower bound of t', which increases from 1/2."""
-    return arb(fmpq(1, 2)) if low == 0 else ring.slope(low) if low < 1 else arb.pos_inf()
+    if not 0 < low < 1:
+        return arb(fmpq(1, 2)) if low == 0 else arb.pos_inf()
+    force, torque = profile(low)
+    return (low * force - torque) / (low * (1 - low) * (1 + low))
 
 
 def arm_slope(low: arb, high: arb) -> arb:
     """Lower bound of the derivative of the moment arm H = t / f, ``H' = t' (f + k t) / f^2``."""
-    (falling, rising), (last, _) = ring.profile(low), ring.profile(high)
+    (falling, rising), (last, _) = profile(low), profile(high)
     return slope(low, high) * (last + low * rising) / falling**2

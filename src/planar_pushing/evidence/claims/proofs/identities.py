@@ -40,8 +40,8 @@ def normal(polynomial: Polynomial) -> Polynomial:
 
 def replaced(polynomial: Polynomial, **values: Polynomial) -> Polynomial:
     """Substitute other polynomials for variables."""
-    given = dict(zip(_RING.names(), _RING.gens(), strict=True)) | values
-    return polynomial.compose(*given.values())
+    substitutes = dict(zip(_RING.names(), _RING.gens(), strict=True)) | values
+    return polynomial.compose(*substitutes.values())
 
 
 def dot(first: tuple[Polynomial, Polynomial], second: tuple[Polynomial, Polynomial]) -> Polynomial:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from flint import arb
 
-from planar_pushing.certified import ring
+from planar_pushing.evidence.claims.mechanics import profile
 from planar_pushing.evidence.claims.proofs import boxes
 from planar_pushing.evidence.claims.proofs import identities as ids
 from planar_pushing.evidence.claims.proofs.boxes import positive
@@ -29,7 +29,7 @@ def no_sideways_force() -> Evidence:
 def rates() -> Evidence:
     """Evidence that t' is the mean of sin^2 / speed^3, and f' = -k t', from the integrands."""
     force, torque = (
-        each.derivative("k") * RADICAND - each * (ids.k + ids.c) for each in (FORCE, TORQUE)
+        part.derivative("k") * RADICAND - part * (ids.k + ids.c) for part in (FORCE, TORQUE)
     )
     return identity(
         {
@@ -119,7 +119,7 @@ def same_sense() -> Evidence:
 
 def least_work(low: arb, high: arb) -> arb:
     """Lower bound of 1 + k h on a box: k h = k t / f >= 0 there, and beyond by duality."""
-    return 1 + low**2 * boxes.turn(low, low) / ring.profile(low)[0]
+    return 1 + low**2 * boxes.turn(low, low) / profile(low)[0]
 
 
 def work() -> Evidence:
@@ -143,7 +143,7 @@ def turning() -> Evidence:
 def inertial_turning() -> Evidence:
     """Evidence for u x du/dphi = 1 + e l^2 and f . u = 1 + e h^2 under inertia, e = (R / rho)^2."""
     spin = ids.e * ids.ARM
-    motion = tuple(ids.replaced(each, k=spin) for each in ids.MOTION)
+    motion = tuple(ids.replaced(part, k=spin) for part in ids.MOTION)
     rate = ids.e * ids.l * -ids.LEAN  # derivative of the spin ratio by phi
     turned = -ids.y + rate * ids.l * ids.q, ids.x - rate * ids.l * ids.p
     turning = ids.cross((motion[0], motion[1]), turned) - 1 - ids.e * ids.l**2
