@@ -14,21 +14,18 @@ from planar_pushing.figures.studies import OURS, PUSHES, numbered
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.parts.evidence import VERDICTS
 from planar_pushing.report.quantities import Numbers
-from planar_pushing.report.supplement import NUMBERS as TIMES
 from planar_pushing.study.store import read_dataset
 from report.pushes import measured_pushes
 
 Entries = dict[str, dict[str, str]]
-#: Tables of the numbers of the report and of its supplement.
-REPORT, SUPPLEMENT = "numbers.json", "accuracy_numbers.json"
+#: Table of the numbers of the report.
+REPORT = "numbers.json"
 PAPER = Path(__file__).parents[2] / "paper"
 PICTURE = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="40pt" height="20pt" viewBox="0 0 40 20">'
     '<circle cx="20" cy="10" r="8"/></svg>'
 )
 NOTHING = dict.fromkeys(COLUMNS)
-#: Pictures of the supplement.
-PICTURES = ("accuracy_wrench", "accuracy_cone", "accuracy_motion", "effects")
 CONES = "rod length," + ",".join(f"{side} {i}" for i in range(4) for side in "rl") + "\n"
 
 
@@ -41,10 +38,6 @@ class Setting:
     @property
     def source(self) -> Path:
         return self.root / "paper" / "report.typ"
-
-    @property
-    def supplement(self) -> Path:
-        return self.root / "paper" / "supplement.typ"
 
     @property
     def tables(self) -> Path:
@@ -121,7 +114,7 @@ def set_up(root: Path) -> Setting:
     pictures = root / "results" / "figures"
     pictures.mkdir(parents=True)
     setting.tables.mkdir()
-    for name in [*numbered(), *OURS, *PICTURES]:
+    for name in [*numbered(), *OURS]:
         (pictures / f"{name}.svg").write_text(PICTURE, encoding="utf-8")
     figures = {
         name: {
@@ -135,7 +128,6 @@ def set_up(root: Path) -> Setting:
     for number, name in enumerate(OURS, len(numbered()) + 1):
         figures[name]["number"] = str(number)
     setting.write_numbers(zeros(NUMBERS))
-    setting.write_numbers(zeros(TIMES), SUPPLEMENT)
     tables = {
         "figures.json": json.dumps(figures),
         "claims.json": json.dumps({"counts": {}, "claims": claims()}),
@@ -144,14 +136,10 @@ def set_up(root: Path) -> Setting:
         "golden_summary.csv": "a,b,c,d,e\nmotion cones,7,65432,1.5e-15,2e-14\n",
         "golden_failures.csv": "compared,differ,worst difference,allowed there\n",
         "provenance.csv": "what,value\nnumpy,9.8.7\n",
-        "accuracy_wrench.csv": "method,setting,calls,worst error,at k\nsome rule,64,4711,3.5e-09,0.25\n",
-        "accuracy_cone.csv": "method,setting,calls,error\nsome solver,1e-12,4712,3.6e-10\n",
+        "accuracy.csv": "of,method,setting,calls,error,time\nwrench,some rule,64,4711,3.5e-09,0.25 ns\n",
         "hard_places.csv": "place,cases,ill,over,largest\nsome place,41,2,3,4713\n",
         "hard_ill.csv": "case,condition,digits,error\nsome case at phi = 4.5,3.7e+08,7,3.8e+06\n",
-        "evaluations.csv": "a,b,c,d,e,f,g\none push,4714,0,0,4715,4716,4717\n",
-        "times_effects.csv": "a,b,c,d\none push,4.718,4.719,4.721\n",
-        "times_scenes.csv": "scene,effects,cone,curve,push\nsome scene,inertia,4.722,4.723,4.724\n",
-        "times_machine.csv": "what,value\nprocessor,Some Processor\n",
+        "effects.csv": "a,b,c,d\none push,4714,0,4715\n",
     }
     for name, text in tables.items():
         (setting.tables / name).write_text(text, encoding="utf-8")

@@ -14,7 +14,7 @@ from planar_pushing.figures.studies import OURS, numbered
 from planar_pushing.report.numbers import NUMBERS
 from planar_pushing.report.typeset import compiled, typeset
 from planar_pushing.terms.errors import InvalidFile
-from report.setting import REPORT, SUPPLEMENT, set_up
+from report.setting import REPORT, set_up
 
 pytestmark = pytest.mark.slow
 
@@ -59,19 +59,8 @@ def test_each_number_of_the_prose_is_that_of_the_results(setting):
     assert marked(setting, REPORT, setting.source) == []
 
 
-def test_each_number_of_the_supplement_is_that_of_its_results(setting):
-    assert marked(setting, SUPPLEMENT, setting.supplement) == []
-
-
-def test_the_supplement_shows_its_tables_and_pictures(setting):
-    text = text_of(compiled(setting.supplement, setting.root))
-    for part in ("4.718", "4.719", "4.721", "some scene", "4.724", "Some Processor", "Figure 4."):
-        assert part in text
-
-
 def test_the_tables_of_costs_are_in_the_text(text):
-    for part in ("some rule 64 4711 3.5x10-9 0.25", "some solver 10-12 4712 3.6x10-10"):
-        assert part in text
+    assert "wrench some rule 64 4711 3.5x10-9 0.25 ns" in text
     assert "some place 41 2 3 4713" in text
     assert "some support 0.4725 1.1 2.2 3.3 4.4" in text
     assert "3.7x108 7 3.8x106" in text
@@ -85,12 +74,6 @@ def test_a_failed_golden_check_is_on_the_first_page_and_has_a_table(setting, tex
     assert "golden check of this build failed" in re.sub(r"\s+", " ", pages[0].extract_text())
     said = text_of(compiled(setting.source, setting.root))
     assert "motion_cones: left 3 of 4719 1.5e-09 5.0e-13" in said
-
-
-def test_a_published_number_is_that_of_its_file(setting):
-    path = setting.root / "paper" / "published.json"
-    path.write_text(path.read_text().replace('"0.27"', '"0.9753"'), encoding="utf-8")
-    assert "0.9753°" in text_of(compiled(setting.source, setting.root))
 
 
 def test_a_power_of_ten_is_set_as_one(setting):

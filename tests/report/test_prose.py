@@ -2,11 +2,9 @@
 
 Taken out before looking for digits: right and straight angles, comments, numbers named by their key,
 references to equations, sections and figures of the paper, citations and labels, numbered equations, and
-exponents. A number that another work published is in paper/published.json with its source, and a section
-that names it cites that.
+exponents.
 """
 
-import json
 import re
 from pathlib import Path
 
@@ -15,17 +13,13 @@ import pytest
 from planar_pushing.figures.figure import entry
 from planar_pushing.figures.studies import OURS, numbered
 from planar_pushing.report.numbers import NUMBERS
-from planar_pushing.report.supplement import NUMBERS as TIMES
 
 SECTION_FILES = sorted(Path("paper/sections").glob("*.typ"))
 NUMBER = re.compile(r"#(?:n|word)\(\"([\w-]+)\"\)|#equal\(\$\w+\$, \"([\w-]+)\"\)")
-PUBLISHED = re.compile(r"#published\(\"([\w-]+)\"\)")
-SUPPLEMENT = Path("paper/supplement.typ")
 ALLOWED = (
     re.compile(r"^//.*$", re.MULTILINE),
     re.compile(r"\b(?:90|180)°"),
     NUMBER,
-    PUBLISHED,
     re.compile(r"#(?:eq|eqs|fig|figs)\(\d+(?:, \d+)?\)"),
     re.compile(r"#claim\(\"[\w-]+\"\)"),
     re.compile(r"#sec\((?:\d|\"\d\.\d\")\)"),
@@ -73,38 +67,9 @@ def test_the_prose_names_every_number_and_no_other():
     assert {first or second for first, second in found} == set(NUMBERS)
 
 
-def test_the_supplement_names_every_number_of_its_own_and_no_other():
-    text = SUPPLEMENT.read_text(encoding="utf-8")
-    assert {first or second for first, second in NUMBER.findall(text)} == set(TIMES)
-
-
-def test_no_digit_is_typed_in_the_prose_of_the_supplement():
-    """Its tables and its page are set by code, whose digits are sizes."""
-    code = re.compile(r"#(?:numbered|csv-table|let|import|show).*?(?=\n\n)", re.DOTALL)
-    labels = re.compile(r"#picture\(\"\w+\"\)")
-    text = SUPPLEMENT.read_text(encoding="utf-8")
-    abstract = text[text.index("abstract: [") : text.index("\n  ],")]
-    body = labels.sub("", code.sub("", text[text.index("= ") :]))
-    assert len(body) > 1500
-    assert [line for line in prose(abstract + body).splitlines() if re.search(r"\d", line)] == []
-
-
-def test_a_published_number_is_cited_where_it_is_named():
-    published = json.loads(Path("paper/published.json").read_text(encoding="utf-8"))
-    known = re.findall(r"^@\w+\{([\w-]+),", Path("paper/references.bib").read_text(), re.MULTILINE)
-    named = set()
-    for path in SECTION_FILES:
-        text = path.read_text(encoding="utf-8")
-        for key in PUBLISHED.findall(text):
-            assert published[key]["source"] in known
-            assert f"@{published[key]['source']}" in text
-            named.add(key)
-    assert named == set(published)
-
-
 def test_no_stop_after_a_number_is_lost():
     # Typst takes a semicolon after a call as the call's end and sets nothing.
-    for path in [*sources(), SUPPLEMENT]:
+    for path in sources():
         assert not re.search(r"#[\w-]+\([^)]*\);", path.read_text(encoding="utf-8")), path
 
 

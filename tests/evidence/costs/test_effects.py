@@ -1,7 +1,7 @@
 """A scene pays for the effects that it lists, and for no other."""
 
+import json
 import sys
-import time
 from collections import Counter
 from functools import partial
 
@@ -23,13 +23,17 @@ KINDS = {rows.RING: "support_friction", rows.MASS: "inertia", rows.LOAD: "inerti
 #: Computations that evaluate the effects.
 RUNS = {
     "solve": lambda scene: solve(scene, 0.4),
-    **{str(method): partial(effects.followed, method=method) for method in Method},
+    **{str(method): partial(effects.run, method=method) for method in Method},
 }
 
 
 @pytest.fixture(scope="module")
 def found():
-    return effects.evaluations(STUDY)
+    with pytest.MonkeyPatch.context() as patch:
+        for name in ("REPEATS", "COPIES"):
+            patch.setattr(effects, name, 2)
+        patch.setattr(effects, "DIVIDED_STEPS", 5)
+        yield effects.effects(STUDY)
 
 
 def listed(found):
@@ -39,7 +43,7 @@ def listed(found):
 def test_logs_hold_what_is_listed_and_nothing_else(found):
     for names in STUDY.grid.effects:
         for method in Method:
-            log = effects.followed(effects.one_slider(STUDY, names), method)
+            log = effects.run(effects.pushed_slider(STUDY, names), method)
             assert log.effect.values.tolist() == names.split("+")
             counts = found.evaluations.sel(integrator=str(method), effects=names, effect=log.effect)
             assert np.array_equal(counts, log.evaluations[-1])
@@ -56,7 +60,7 @@ def test_a_step_evaluates_the_motion_once(found):
 def test_the_core_evaluates_what_is_listed_and_nothing_else(monkeypatch, run, names):
     """As a profiler of Python sees the plain core."""
     monkeypatch.setattr(kernels, "COMPILED", None)
-    scene, evaluated, integrals = effects.one_slider(STUDY, names), Counter(), Counter()
+    scene, evaluated, integrals = effects.pushed_slider(STUDY, names), Counter(), Counter()
 
     def note(frame, event, _):
         if event == "call" and frame.f_code is rows.effect_resistance.__code__:
@@ -82,24 +86,13 @@ def test_friction_divided_among_supports_is_that_of_one(number):
         assert other.twist == pytest.approx(each.twist, rel=1e-12)
 
 
-def test_evaluations_repeat_exactly_and_have_units(found):
-    assert found.identical(effects.evaluations(STUDY))
+def test_every_computation_is_timed(found):
+    assert found.computation_seconds.dims == ("computation", "effects", "repeat")
+    assert found.supports_seconds.dims == ("supports", "repeat")
+    assert dict(found.sizes) == {
+        "integrator": 2, "effects": 3, "effect": 2, "computation": 5, "supports": 5, "repeat": 2,
+    }  # fmt: skip
+    assert (found.computation_seconds > 0).all()
+    assert (found.supports_seconds > 0).all()
     assert all({"units", "long_name"} <= set(each.attrs) for each in found.variables.values())
-
-
-def test_times_are_measured_for_every_case(monkeypatch):
-    monkeypatch.setattr(effects, "REPEATS", 2)
-    monkeypatch.setattr(effects, "DIVIDED_STEPS", 5)
-    grid = STUDY.grid.model_copy(update={"rod_length": (0.0, 2.0), "pusher_angle": (-10.0, 165.0)})
-    study = STUDY.model_copy(update={"grid": grid})
-    start = time.perf_counter()
-    measured = effects.effects(study)
-    taken = time.perf_counter() - start
-    assert measured.time.dims == ("case", "repeat")
-    assert (measured.time > 0).all()
-    assert float(measured.time.sum()) < taken
-    assert set(measured.scene.values) == {"one slider", "grid", "equal supports", *study.scenes}
-    divided = measured.number.values[measured.scene.values == "equal supports"]
-    assert divided.tolist() == list(effects.NUMBERS)
-    assert set(measured.effects.values) == set(study.grid.effects)
-    assert all({"units", "long_name"} <= set(each.attrs) for each in measured.variables.values())
+    assert json.loads(found.attrs["machine"])["cores"]

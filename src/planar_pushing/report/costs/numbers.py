@@ -1,8 +1,12 @@
-"""Numbers of the report about accuracy, hard cases and effects, computed from their datasets."""
+"""Numbers of the report about accuracy, times, effects and hard cases, computed from their datasets.
+
+A time is the shortest of repeated runs on one machine.
+"""
 
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 
 import numpy as np
@@ -12,8 +16,20 @@ import xarray as xr
 EPS = float(np.finfo(float).eps)
 #: Errors up to this number of units in the last place count as rounding errors.
 FEW_ULP = 4
-#: Number of the hard cases in which two slipping solutions meet.
-PAINLEVE = 7
+#: Numbers of the hard cases in which two slipping solutions meet, and of those of thin shapes, which are
+#: computed as differences and lose digits beyond their condition.
+PAINLEVE, THIN = 7, 12
+
+
+def machine(data: xr.Dataset) -> dict[str, str]:
+    """Machine on which a dataset was measured, as stored in it."""
+    found: dict[str, str] = json.loads(data.attrs["machine"])
+    return found
+
+
+def processor(data: xr.Dataset) -> str:
+    """Processor on which a dataset was measured, without the marks of trademarks."""
+    return re.sub(r"\((R|TM)\)", "", machine(data)["processor"])
 
 
 def part(data: xr.Dataset, axis: str, holds: npt.NDArray[np.bool_]) -> xr.Dataset:
@@ -26,39 +42,65 @@ def method(data: xr.Dataset, name: str) -> xr.Dataset:
     return part(data, "point", data.method.values == name)
 
 
-def worst_error(wrench: xr.Dataset, name: str) -> float:
-    """Largest relative error over the spin ratios, at the method's best setting."""
-    return float(method(wrench, name).error.max("spin_ratio").min())
-
-
 def worst_error_in(wrench: xr.Dataset, unit: float, name: str) -> float:
     """Largest relative error over the spin ratios, in a given unit, at the best setting."""
-    return worst_error(wrench, name) / unit
+    return float(method(wrench, name).wrench_error.max("spin_ratio").min()) / unit
 
 
-def last_error(wrench: xr.Dataset, name: str, spin_ratio: float) -> float:
+def error(data: xr.Dataset, name: str) -> float:
+    """Largest error of a method, at its most accurate setting."""
+    (variable,) = (key for key in data.data_vars if str(key).endswith("_error"))
+    return float(method(data, name)[variable][-1].max())
+
+
+def evaluations(data: xr.Dataset, name: str) -> float:
+    """Largest number of evaluations of a method, at its most accurate setting."""
+    return float(method(data, name).evaluations[-1].max())
+
+
+def error_at(wrench: xr.Dataset, name: str, spin_ratio: float) -> float:
     """Relative error at one spin ratio, at the most accurate setting."""
-    return float(method(wrench, name).error.sel(spin_ratio=spin_ratio)[-1])
+    return error(wrench.sel(spin_ratio=[spin_ratio]), name)
 
 
-def last_evaluations(wrench: xr.Dataset, name: str, spin_ratio: float) -> float:
+def evaluations_at(wrench: xr.Dataset, name: str, spin_ratio: float) -> float:
     """Evaluations at one spin ratio, at the most accurate setting."""
-    return float(method(wrench, name).evaluations.sel(spin_ratio=spin_ratio)[-1])
-
-
-def cone_error(cone: xr.Dataset, name: str) -> float:
-    """Largest error of a cone's edge, at the most accurate setting."""
-    return float(method(cone, name).cone_error[-1])
-
-
-def cone_evaluations(cone: xr.Dataset, name: str) -> float:
-    """Mean evaluations for a cone's edge, at the most accurate setting."""
-    return float(method(cone, name).evaluations[-1])
+    return evaluations(wrench.sel(spin_ratio=[spin_ratio]), name)
 
 
 def spin_ratios(wrench: xr.Dataset) -> float:
     """Number of spin ratios."""
     return float(wrench.sizes["spin_ratio"])
+
+
+def times(data: xr.Dataset, name: str) -> npt.NDArray[np.float64]:
+    """Times of a method at its most accurate setting, seconds, one for each case."""
+    (variable,) = data.data_vars
+    return np.atleast_1d(method(data, name)[variable][-1].min("repeat").values)
+
+
+def time(
+    data: xr.Dataset, name: str, which: Callable[[npt.NDArray[np.float64]], float], per: float
+) -> float:
+    """Smallest or largest time of a method over the cases, at its most accurate setting."""
+    return per * float(which(times(data, name)))
+
+
+def time_at(wrench: xr.Dataset, name: str, spin_ratio: float, per: float) -> float:
+    """Time for a wrench at one spin ratio, at the most accurate setting."""
+    return time(wrench.sel(spin_ratio=[spin_ratio]), name, np.min, per)
+
+
+def time_ratio(data: xr.Dataset, name: str) -> float:
+    """Smallest ratio over the cases of the time of a method to that of the closed form."""
+    return float(np.min(times(data, name) / times(data, "closed form")))
+
+
+def slip(motion: xr.Dataset, variable: str, name: str, setting: float, per: float = 1.0) -> float:
+    """Error, or shortest time, of a method at a setting for the slipping scene."""
+    rows = method(motion.sel(scene="slipping"), name)
+    row = part(rows, "point", np.isclose(rows.setting.values, setting, atol=0.0))
+    return per * float(row[variable].min())
 
 
 def well(cases: xr.Dataset) -> xr.Dataset:
@@ -91,26 +133,37 @@ def accurate_cases(cases: xr.Dataset) -> float:
     return float((well(cases).error_ulp <= FEW_ULP).sum())
 
 
+def thick(cases: xr.Dataset) -> xr.Dataset:
+    """Hard cases except those of thin shapes."""
+    return part(cases, "case", cases.line.values != THIN)
+
+
 def largest_error(cases: xr.Dataset) -> float:
-    """Largest error of the well-conditioned cases, units in the last place."""
-    return float(well(cases).error_ulp.max())
+    """Largest error of the well-conditioned cases except thin shapes, units in the last place."""
+    return float(well(thick(cases)).error_ulp.max())
 
 
 def condition_there(cases: xr.Dataset) -> float:
-    """Condition number where the error of the well-conditioned cases is largest."""
-    fine = well(cases)
+    """Condition number where the error of the well-conditioned cases except thin shapes is largest."""
+    fine = well(thick(cases))
     return float(fine.condition[int(np.argmax(fine.error_ulp.values))])
 
 
 def largest_error_elsewhere(cases: xr.Dataset) -> float:
-    """Largest error of the well-conditioned cases except slips that meet."""
-    fine = well(cases)
+    """Largest error of the well-conditioned cases except slips that meet and thin shapes."""
+    fine = well(thick(cases))
     return float(fine.error_ulp.values[fine.line.values != PAINLEVE].max())
 
 
+def largest_error_of_thin(cases: xr.Dataset) -> float:
+    """Largest error of thin shapes, units in the last place."""
+    return float(cases.error_ulp.values[cases.line.values == THIN].max())
+
+
 def largest_share(cases: xr.Dataset) -> float:
-    """Largest error of any case in units of one plus its condition number."""
-    return float((cases.error_ulp / (1 + cases.condition)).max())
+    """Largest error of any case except thin shapes in units of one plus its condition number."""
+    some = thick(cases)
+    return float((some.error_ulp / (1 + some.condition)).max())
 
 
 def ill_from(cases: xr.Dataset) -> float:
@@ -121,6 +174,24 @@ def ill_from(cases: xr.Dataset) -> float:
 def condition_of_ill(cases: xr.Dataset, which: Callable[[npt.NDArray[np.float64]], float]) -> float:
     """Extreme condition number of the ill-conditioned cases."""
     return float(which(ill(cases).condition.values))
+
+
+def both_ratio(effects: xr.Dataset, computation: str) -> float:
+    """Ratio of the time with both effects to the sum of the times with one."""
+    shortest = effects.computation_seconds.sel(computation=computation).min("repeat").values
+    both = np.char.count(effects.effects.values.astype(str), "+") > 0
+    return float(shortest[both].sum() / shortest[~both].sum())
+
+
+def most_supports(effects: xr.Dataset) -> float:
+    """Largest number of supports among which friction is divided."""
+    return float(effects.supports.max())
+
+
+def supports_ratio(effects: xr.Dataset) -> float:
+    """Ratio of the time with the most supports to that with one."""
+    shortest = effects.supports_seconds.min("repeat")
+    return float(shortest[-1] / shortest[0])
 
 
 def single(counts: xr.Dataset) -> xr.Dataset:

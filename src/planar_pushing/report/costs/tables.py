@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 import numpy as np
 import xarray as xr
 
 from planar_pushing.evidence.writing import csv_text
-from planar_pushing.report.costs.numbers import FEW_ULP, ill, method, part, well
+from planar_pushing.report.costs.numbers import FEW_ULP, ill, part, well
 from planar_pushing.report.quantities import significant
 from planar_pushing.report.results import EFFECTS, FRICTION, INERTIA, Results
 
-#: A spin ratio this close to one is written as one plus or minus a difference.
-CLOSE = 0.01
 #: Names of the kinds of hard cases, by number.
 PLACES = {
     1: "center on the ring",
@@ -23,28 +22,20 @@ PLACES = {
     5: "slow and fast",
     6: "at rest",
     7: "slips that merge (Painlev\u00e9)",
+    8: "feet",
+    9: "edges of plates",
+    10: "rims",
+    11: "segments",
+    12: "thin plates and annuli",
 }
+#: What the methods compute: the groups of the dataset.
+QUANTITIES = ("wrench", "cone", "motion")
 #: Names of the motions whose evaluations are counted, by integrator.
 COUNTED = {"event-driven": "motion by events", "time-stepping": "motion by steps"}
-#: Names of the timed computations, by scene and operation.
-COMPUTED = {
-    ("one slider", "motion_cone"): "motion cone",
-    ("one slider", "limit_curve"): "limit curve",
-    ("one slider", "solve"): "one push",
-    ("grid", "limit_curves"): "grid, curves",
-    ("grid", "motion_cones"): "grid, cones",
-    ("grid", "contact_modes"): "grid, pushes",
-}
-
-
-def spin_ratio_text(value: float) -> str:
-    """Shortest text of a spin ratio: a power of ten, or its difference from one if that is small."""
-    if abs(np.log10(value)) > 4:
-        return f"{value:.0e}"
-    apart = value - 1
-    if 0 < abs(apart) < CLOSE:
-        return f"1 {'+' if apart > 0 else '-'} {abs(apart):.0e}"
-    return f"{value:.10g}"
+#: Names of the sets of effects that a scene lists.
+LISTED = dict(zip(EFFECTS, ("friction", "inertia", "both"), strict=True))
+#: Units of times, from large to small.
+TIMES = {"s": 1.0, "ms": 1e-3, "\u00b5s": 1e-6, "ns": 1e-9}
 
 
 def _methods(data: xr.Dataset) -> list[str]:
@@ -66,43 +57,36 @@ def _ulp(value: float) -> str:
     return f"{value:.1f}" if value < 100 else f"{value:.0f}"
 
 
-def wrench_text(results: Results) -> str:
-    """Table of the methods for the wrench, at the setting with the smallest worst-case error."""
-    wrench = results.dataset("accuracy_errors/wrench")
-    rows = []
-    for name in _methods(wrench):
-        one = method(wrench, name)
-        best = one.isel(point=int(one.error.max("spin_ratio").values.argmin()))
-        place = int(best.error.values.argmax())
-        evaluations = int(best.evaluations.values.max())
-        rows.append(
-            {
-                "method": name,
-                "setting": _setting(float(best.setting)),
-                "calls": str(evaluations) if evaluations else "\u2013",
-                "worst error": _error(float(best.error[place])),
-                "at k": spin_ratio_text(float(best.spin_ratio[place])),
-            }
-        )
-    return csv_text(rows)
+def time_text(value: float) -> str:
+    """Time in seconds as text, with two significant digits and a unit."""
+    unit = next((name for name, size in TIMES.items() if value >= size), "ns")
+    return f"{significant(value / TIMES[unit])} {unit}"
 
 
-def cone_text(results: Results) -> str:
-    """Table of the methods for motion cones, at their most accurate setting."""
-    cone = results.dataset("accuracy_errors/cone")
-    rows = []
-    for name in _methods(cone):
-        best = method(cone, name).isel(point=-1)
-        evaluations = float(best.evaluations)
-        rows.append(
-            {
-                "method": name,
-                "setting": _setting(float(best.setting)),
-                "calls": f"{evaluations:.0f}" if evaluations else "\u2013",
-                "error, degrees": _error(float(best.cone_error)),
-            }
-        )
-    return csv_text(rows)
+def accuracy_text(results: Results) -> str:
+    """Table of the methods, each at the setting with the smallest worst-case error."""
+    return csv_text([row for name in QUANTITIES for row in _accuracy_rows(results, name)])
+
+
+def _accuracy_rows(results: Results, name: str) -> Iterator[dict[str, str]]:
+    """Rows of the methods for a quantity; errors, evaluations and times are the largest over the cases."""
+    data = results.dataset(f"accuracy/{name}")
+    seconds = results.dataset(f"accuracy_time/{name}")[f"{name}_seconds"].min("repeat")
+    error, evaluations, time = (
+        column.values.reshape(data.sizes["point"], -1).max(axis=1)
+        for column in (data[f"{name}_error"], data.evaluations, seconds)
+    )
+    for chosen in _methods(data):
+        rows = np.flatnonzero(data.method.values == chosen)
+        row = int(rows[np.argmin(error[rows])])
+        yield {
+            "computed": name,
+            "method": chosen,
+            "setting": _setting(float(data.setting[row])),
+            "calls": f"{evaluations[row]:.0f}" if evaluations[row] else "\u2013",
+            "error": _error(float(error[row])),
+            "time": time_text(float(time[row])),
+        }
 
 
 def places_text(results: Results) -> str:
@@ -158,25 +142,36 @@ def ill_text(results: Results) -> str:
     )
 
 
-def evaluations_text(results: Results) -> str:
-    """Table of evaluations in simulations, by listed effects."""
-    counts = results.dataset("evaluations").evaluations
-    rows = []
-    for integrator, name in COUNTED.items():
-        row = {"evaluations": name}
-        for effects in EFFECTS:
-            for effect in (FRICTION, INERTIA):
-                at = {"integrator": integrator, "effects": effects, "effect": effect}
-                row[f"{effects}: {effect}"] = str(int(counts.sel(at)))
-        rows.append(row)
-    return csv_text(rows)
+def effects_text(results: Results) -> str:
+    """Table of evaluations in simulations and of times, by listed effects."""
+    data = results.dataset("effects")
+    shortest = data.computation_seconds.min("repeat")
+    counts = {
+        f"{name}, evaluations of {LISTED[effect]}": [
+            str(int(data.evaluations.sel(integrator=method, effect=effect, effects=effects)))
+            for effects in EFFECTS
+        ]
+        for method, name in COUNTED.items()
+        for effect in (FRICTION, INERTIA)
+    }
+    times = {
+        f"{COUNTED.get(name, name)}, time": [
+            time_text(float(shortest.sel(computation=name, effects=effects))) for effects in EFFECTS
+        ]
+        for name in data.computation.values.tolist()
+    }
+    return csv_text(
+        [
+            {"computed": name} | dict(zip(LISTED.values(), row, strict=True))
+            for name, row in (counts | times).items()
+        ]
+    )
 
 
 #: The tables by file name.
 COST_TABLES = {
-    "accuracy_wrench": wrench_text,
-    "accuracy_cone": cone_text,
+    "accuracy": accuracy_text,
     "hard_places": places_text,
     "hard_ill": ill_text,
-    "evaluations": evaluations_text,
+    "effects": effects_text,
 }
