@@ -23,11 +23,16 @@ FIGURE = Figure(
 PLACES = (
     "center on\nthe ring",
     "translation,\nrotation",
-    "lengths and\nproportions",
-    "friction 0 to $\\infty$,\ncone edges",
-    "slow and\nfast",
-    "at\nrest",
-    "slips that\nmerge",
+    "lengths,\nangles",
+    "cone\nedges",
+    "slow,\nfast",
+    "rest",
+    "slips\nmerge",
+    "feet",
+    "edges",
+    "rims",
+    "segments",
+    "thin\nshapes",
 )
 #: Smaller errors, zero included, are drawn at this value.
 FLOOR = 0.01
@@ -45,10 +50,12 @@ def caption(data: xr.Dataset) -> str:
     cases, ill = data.sizes["case"], int((data.ill_conditioned > 0).sum())
     return (
         f"Errors of the {cases} hard cases in units in the last place (ulp), ordered within each "
-        "group from best to worst condition. A stroke is the condition number, the error caused by "
-        f"half an ulp in the inputs; shaded: up to four ulp. Diamonds are the {ill} ill-conditioned "
+        "group from best to worst condition: rings first, then other supports. A stroke is the "
+        "condition number, the error caused by half an ulp in the inputs; shaded: up to four ulp. "
+        f"Diamonds are the {ill} ill-conditioned "
         "cases, in which rounding the inputs costs six digits or more; an algorithm can still have "
-        "a small error because the references are computed from the rounded inputs."
+        "a small error because the references are computed from the rounded inputs. Thin "
+        "shapes are computed as differences, which costs more digits than their condition does."
     )
 
 
@@ -60,7 +67,7 @@ def draw(figure: Any, data: xr.Dataset) -> None:
     at = positions(data.line.values)
     error = np.maximum(data.error_ulp.values, FLOOR)
     ill = data.ill_conditioned.values > 0
-    ax.set(yscale="log", xlim=(at[0] - GAP / 2, at[-1] + GAP / 2), ylim=(FLOOR / 1.6, 1e15))
+    ax.set(yscale="log", xlim=(at[0] - GAP / 2, at[-1] + GAP / 2), ylim=(FLOOR / 1.6, 1e18))
     ax.axhspan(FLOOR / 1.6, 4, color="#E3EEF6", zorder=0, lw=0, label="up to 4 ulp")
     ax.plot(
         at, np.maximum(data.condition, 1), "_", color=GRAY, ms=3, mew=1.4,
@@ -89,6 +96,9 @@ def _decorate(ax: Axes, lines: Array, at: Array) -> None:
     ax.tick_params(axis="x", length=0)
     for line in range(2, len(PLACES) + 1):
         ax.axvline(at[lines == line][0] - (GAP + 1) / 2, color="#D0D0D0", lw=0.5, zorder=0)
-    ax.set_yticks([1e-2, 1, 1e4, 1e8, 1e12], ["0", "1", "$10^4$", "$10^8$", "$10^{12}$"])
+    powers = (4, 8, 12, 16)
+    ax.set_yticks(
+        [FLOOR, 1, *(10**n for n in powers)], ["0", "1", *(f"$10^{{{n}}}$" for n in powers)]
+    )
     ax.minorticks_off()
     ax.set_ylabel("error (ulp)")

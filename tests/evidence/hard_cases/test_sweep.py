@@ -87,8 +87,8 @@ def test_a_push_of_subnormal_numbers():
     assert not is_wrong_next_to_the_fence(SUBNORMAL)
 
 
-@sizes(150, 10_000)
-def test_modes_are_the_certified_ones(count):
+@sizes(150, 3000)
+def test_modes_are_those_of_the_oracle(count):
     found = Counter(map(decisions.decided, generators(count)))
     assert found[Decision.WRONG] == 0
     assert found[Decision.TIE] + found[Decision.UNDECIDED] < 0.2 * count

@@ -8,20 +8,26 @@ Each case belongs to a line of the list of hard inputs:
 4. no friction, friction without bound, and pushers close to the fence or to a cone's edge;
 5. slow and fast motions, where the combined solution approaches those of friction and of inertia;
 6. rest, where the gradient of friction is a set, and the smallest motions around it;
-7. a normal motion of the contact that has two slips, up to the point where they merge.
+7. a normal motion of the contact that has two slips, up to the point where they merge;
+8. a center at or next to a foot, and feet that carry nearly all of their share;
+9. a center on an edge of a plate, in a corner or far away;
+10. a center on the rim of a disc, an annulus or a ring that lies off the slider's center;
+11. a center on a segment or at its end, and pushes across and along it;
+12. a very thin plate and a very thin annulus.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
-from functools import partial
-from typing import NamedTuple
+from collections.abc import Iterator
+from functools import cache, partial
 
 import numpy as np
-from flint import arb
+from flint import arb, fmpq
 
-from planar_pushing.certified import radians
+from planar_pushing.evidence.hard_cases import references, supports
+from planar_pushing.evidence.hard_cases.case import PSI, Case, Function, spin_of_stick
+from planar_pushing.evidence.hard_cases.references import direction, slider
 from planar_pushing.mechanics.cones import motion_angle, motion_cone, spin_ratio
 from planar_pushing.mechanics.contact import (
     ContactLaw,
@@ -34,26 +40,7 @@ from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios, wrench
-
-#: The quantities that a case can compute, with their units.
-QUANTITIES = {"force": "1", "torque": "1", "spin_ratio": "1", "motion_angle": "radian"}
-
-
-class Function(NamedTuple):
-    """A quantity on both routes: `compute` maps doubles to a double, `reference` maps balls to a ball."""
-
-    quantity: str
-    compute: Callable[..., float]
-    reference: Callable[..., arb]
-
-
-class Case(NamedTuple):
-    """One number under test: its unique label, its line, and its inputs, doubles taken as exact."""
-
-    label: str
-    line: int
-    function: Function
-    inputs: tuple[float, ...]
+from planar_pushing.oracle.balls import Number, cone_edge
 
 
 def make_scene(
@@ -73,17 +60,20 @@ def make_scene(
     return Scene(slider=Slider(rod_length=length, rod_angle=psi), contact=contact, effects=effects)
 
 
-def cases() -> Iterator[Case]:
+@cache
+def cases() -> tuple[Case, ...]:
     """Every hard case, by line."""
-    for family in (_ring, _lengths, _contact, _speeds, _rest, _painleve):
-        yield from family()
+    ring = (_ring, _lengths, _contact, _speeds, _rest, _painleve)
+    families = (*ring, supports.rotations, supports.motions)
+    table = (case for family in families for case in family())
+    return tuple(sorted(table, key=lambda case: case.line))
 
 
-# --- Lines 1 and 2: the ring -----------------------------------------------------------------------------
+# --- Lines 1 and 2: the ring --------------------------------------------------------------------------
 
-FORCE = Function("force", lambda k: float(ring_profile(k)[0]), radians.force)
-TORQUE = Function("torque", lambda k: float(ring_profile(k)[1]), radians.torque)
-INVERSE = Function("spin_ratio", lambda h: float(ring_spin_ratios(h)), radians.friction_spin)
+FORCE = Function("force", lambda k: float(ring_profile(k)[0]), partial(references.ring_wrench, 0))
+TORQUE = Function("torque", lambda k: float(ring_profile(k)[1]), partial(references.ring_wrench, 1))
+INVERSE = Function("spin_ratio", lambda h: float(ring_spin_ratios(h)), references.ring_spin)
 #: Distances from 1, in both directions if they are doubles, and magnitudes toward 0 and infinity.
 GAPS = (0.0, 2.0**-53, 2.0**-52, 1e-12, 1e-9, 1e-6, 1e-3)
 SIZES = (5e-324, 1e-300, 1e-160, 1e-8, 1e-3, 0.5)
@@ -98,7 +88,7 @@ def _ring() -> Iterator[Case]:
                 yield Case(f"{function.quantity} at {name} = {x!r}", line, function, (x,))
 
 
-# --- Line 3: lengths -------------------------------------------------------------------------------------
+# --- Line 3: lengths ----------------------------------------------------------------------------------
 
 
 def _motion_angle(length: float, psi: float, phi: float, share: float, rho: float) -> float:
@@ -106,8 +96,13 @@ def _motion_angle(length: float, psi: float, phi: float, share: float, rho: floa
     return float(motion_angle(scene, phi, None if share in (0.0, 1.0) else share))
 
 
-MOTION = Function("motion_angle", _motion_angle, radians.motion_angle)
-PSI = np.pi / 4
+MOTION = Function(
+    "motion_angle",
+    _motion_angle,
+    lambda length, psi, phi, share, rho: references.under_force(
+        references.turn, slider(length, psi, share, rho), direction(phi)
+    ),
+)
 KINDS = ((0.0, "friction"), (1.0, "inertia"))
 LENGTHS = (1e-8, 1.0, 1e4, 1e6)
 #: A force off the rod, and two nearly along it, where the motion of a long rod changes fastest.
@@ -131,7 +126,7 @@ def _lengths() -> Iterator[Case]:
             yield Case(label, 3, MOTION, (2.0, PSI, 0.2, share, rho))
 
 
-# --- Line 4: contact -------------------------------------------------------------------------------------
+# --- Line 4: contact ----------------------------------------------------------------------------------
 
 
 def _edge(side: int, share: float, length: float, psi: float, mu: float) -> float:
@@ -139,22 +134,18 @@ def _edge(side: int, share: float, length: float, psi: float, mu: float) -> floa
     return float(cone.right if side > 0 else cone.left)
 
 
-def _exact_edge(side: int, share: float, length: arb, psi: arb, mu: arb) -> arb:
-    return radians.motion_edge(length, psi, mu, arb(share), arb(1), side)
-
-
-def _sticking(scene: Scene, pusher: float, magnitude: float = 1.0) -> float:
-    """Spin ratio of the sticking motion under a push."""
-    (stick,) = (each for each in solve(scene, pusher, magnitude) if each.mode is ContactMode.STICK)
-    return float(stick.spin_ratio)
+def _exact_edge(side: int, share: float, length: fmpq, psi: fmpq, mu: float) -> Number:
+    return references.under_force(references.turn, slider(length, psi, share), cone_edge(mu, side))
 
 
 STUCK = Function(
     "spin_ratio",
-    lambda length, psi, pusher: _sticking(
+    lambda length, psi, pusher: spin_of_stick(
         make_scene(length, psi, share=0.0, law=PerfectlyRough()), pusher
     ),
-    lambda length, psi, pusher: radians.sticking_spin(length, psi, pusher, arb(0), arb(1)),
+    lambda length, psi, pusher: references.sticking(
+        references.spin, slider(length, psi, 0.0), direction(pusher)
+    ),
 )
 COEFFICIENTS = (0.0, 1e-300, 1e-8, 1.0, 1e8, 1e9, math.inf)
 
@@ -175,17 +166,21 @@ def _contact() -> Iterator[Case]:
             yield Case(label, 4, STUCK, (2.0, PSI, pusher))
 
 
-# --- Line 5: speeds --------------------------------------------------------------------------------------
+# --- Line 5: speeds -----------------------------------------------------------------------------------
 
 SHARED = Function(
     "spin_ratio",
     lambda length, psi, phi, share: float(spin_ratio(make_scene(length, psi, rho=0.7), phi, share)),
-    lambda length, psi, phi, share: radians.spin(length, psi, phi, share, arb(0.7)),
+    lambda length, psi, phi, share: references.under_force(
+        references.spin, slider(length, psi, share, 0.7), direction(phi)
+    ),
 )
 PUSHED = Function(
     "spin_ratio",
-    lambda length, psi, pusher, size: _sticking(make_scene(length, psi), pusher, size),
-    lambda length, psi, pusher, size: radians.sticking_spin(length, psi, pusher, size, arb(1)),
+    lambda length, psi, pusher, size: spin_of_stick(make_scene(length, psi), pusher, size),
+    lambda length, psi, pusher, size: references.sticking(
+        references.spin, slider(length, psi, None), direction(pusher), size
+    ),
 )
 SHARES = (5e-324, 1e-300, 1e-16, 1e-8, 0.5, 1 - 1e-8, 1 - 2.0**-53)
 MAGNITUDES = (1e-12, 1e-8, 1.0, 1e8, 1e12)
@@ -201,20 +196,24 @@ def _speeds() -> Iterator[Case]:
         yield Case(f"stick at m a / W = {magnitude:g}", 5, PUSHED, (2.0, PSI, 1.0, magnitude))
 
 
-# --- Line 6: rest ----------------------------------------------------------------------------------------
+# --- Line 6: rest -------------------------------------------------------------------------------------
 
 
-def _wrench(part: int, speed: float, spin: float) -> float:
-    return float(wrench(RingFriction(), [speed, 0.0, spin])[part])
+def _wrench(component: int, speed: float, spin: float) -> float:
+    return float(wrench(RingFriction(), [speed, 0.0, spin])[component])
 
 
-#: At rest, the subgradient closest to zero.
+def _exact_wrench(part: int, speed: fmpq, spin: fmpq) -> Number:
+    """At rest the subgradient closest to zero."""
+    if speed == 0:
+        return Number(arb((spin > 0) - (spin < 0)) * part, arb(0))
+    return references.ring_wrench(part, spin / speed)
+
+
 RESTING = (
-    Function("force", partial(_wrench, 0),
-             lambda v, spin: arb(0) if v == 0 else radians.force((spin / v).mid())),
-    Function("torque", partial(_wrench, 2),
-             lambda v, spin: spin.sgn() if v == 0 else radians.torque((spin / v).mid())),
-)  # fmt: skip
+    Function("force", partial(_wrench, 0), partial(_exact_wrench, 0)),
+    Function("torque", partial(_wrench, 2), partial(_exact_wrench, 1)),
+)
 TWISTS = (
     (0.0, 0.0),
     (-0.0, -0.0),
@@ -232,34 +231,31 @@ def _rest() -> Iterator[Case]:
             yield Case(label, 6, function, (speed, spin))
 
 
-# --- Line 7: two slips -----------------------------------------------------------------------------------
+# --- Line 7: two slips --------------------------------------------------------------------------------
 
 #: The published example: l = 2, psi = 45 degrees, mu = 1.4, W = m = rho = R = 1, force on the right edge.
 LENGTH, COEFFICIENT = 2.0, 1.4
-#: Spin ratio at the minimum of n . u (at |f| = 1.42), and the minimum, at which the two slips merge.
-TURN, LEAST = 0.47159055, -0.04002960666599751
+#: The minimum of n . u, at which the two slips merge.
+LEAST = -0.04002960666599751
 LEVELS = (-1e-8, -1e-4, -0.01, -0.03, -0.04, LEAST * (1 - 1e-8), LEAST * (1 - 1e-13))
 
 
-def _slipping(branch: int, mu: float, level: float) -> float:
-    # The pusher moves far to the right, so that every motion slips to the left.
-    angle, magnitude = np.arctan2(level, 10.0), np.hypot(level, 10.0)
-    found = solve(make_scene(LENGTH, PSI, mu=mu), angle, magnitude)
-    slips = [each.spin_ratio for each in found if each.mode is ContactMode.SLIP_LEFT]
+def _slipping(branch: int, mu: float, length: float, psi: float, push: float, size: float) -> float:
+    modes = solve(make_scene(length, psi, mu=mu), push, size)
+    slips = [each.spin_ratio for each in modes if each.mode is ContactMode.SLIP_LEFT]
     return float(sorted(slips)[branch])
 
 
-def _exact_slip(branch: int, mu: arb, level: arb) -> arb:
-    phi, psi = radians.friction_edge(mu, 1), arb(PSI)
-    arm = LENGTH * (psi - phi).sin()
-    normal, lever = phi.sin(), LENGTH * psi.cos()
-    ends = (normal / lever, arb(TURN), radians.friction_spin(arm.mid()))
-    return radians.slip_spin(arm, normal, lever, level, ends[branch], ends[branch + 1])
+def _exact_slip(branch: int, mu: fmpq, length: fmpq, psi: fmpq, push: fmpq, size: fmpq) -> Number:
+    return references.slipping_spin(branch, slider(length, psi, None), mu, direction(push), size)
 
 
 def _painleve() -> Iterator[Case]:
     for level in LEVELS:
+        # The pusher moves far to the right, so that every motion slips to the left.
+        push = float(np.arctan2(level, 10.0)), float(np.hypot(level, 10.0))
         for branch, name in enumerate(("fast", "slow")):
             routes = partial(_slipping, branch), partial(_exact_slip, branch)
             label = f"{name} slip at n . u = {level!r}"
-            yield Case(label, 7, Function("spin_ratio", *routes), (COEFFICIENT, level))
+            inputs = (COEFFICIENT, LENGTH, PSI, *push)
+            yield Case(label, 7, Function("spin_ratio", *routes), inputs)

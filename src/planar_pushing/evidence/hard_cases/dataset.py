@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, fields
-from itertools import starmap
+from functools import lru_cache
 
 import numpy as np
 import xarray as xr
-from flint import arb, ctx
+from flint import arb, ctx, fmpq
 
-from planar_pushing.evidence.hard_cases.cases import QUANTITIES, Case, cases
+from planar_pushing.evidence.hard_cases.case import QUANTITIES, Case
+from planar_pushing.evidence.hard_cases.cases import cases
+from planar_pushing.oracle.balls import Number, Undecided, rational
 from planar_pushing.study.describe import describe
 
-#: Working precision in bits, and the number of decimal digits of a reference that are stored.
-PRECISION, DIGITS = 320, 40
-#: Relative change of an input by rounding: half an ulp.
-CHANGE = arb(2) ** -53
+#: Working precision in bits, doubled until a reference has the digits that are stored, and the largest one.
+PRECISION, FINEST = 320, 5120
+#: Decimal digits of a reference that are stored.
+DIGITS = 40
+#: Relative change by rounding: half an ulp.
+CHANGE = fmpq(1, 2**53)
 EPS = float(np.finfo(float).eps)
 #: At this condition number, rounding of the inputs alone causes a loss of six of the sixteen digits.
 ILL_CONDITIONED = 1e6
@@ -36,7 +41,8 @@ class Measure:
     error_ulp : float
         Error in units in the last place of the reference.
     condition : float
-        Relative change of the reference per relative change of an input, summed over the inputs.
+        Relative change of the reference per relative change of an input, summed over the inputs. A sum over
+        the members of a support, such as feet, counts each of its terms as an input.
     """
 
     reference: str
@@ -62,39 +68,58 @@ def measure(case: Case) -> Measure:
 
     Raises
     ------
-    ArithmeticError
+    Undecided
         If the reference is not known to the number of digits that are stored.
     """
-    with ctx.workprec(PRECISION):
-        value = case.function.reference(*map(arb, case.inputs))
-        if value != 0 and value.rel_accuracy_bits() < DIGITS / math.log10(2):
-            raise ArithmeticError(f"{case.label}: {value} has fewer than {DIGITS} digits")
+    try:
+        value, precision, condition = _reference(case.function.reference, case.inputs)
+    except Undecided as error:
+        raise Undecided(f"{case.label}: {error}") from None
+    with ctx.workprec(precision):
         high = float(value.mid())
         low = float((value - high).mid())
         result = float(case.function.compute(*case.inputs))
-        error = float(abs(value - result).mid() / arb(float(np.spacing(abs(high)))))
+        error_ulp = float(abs(value - result).mid() / arb(float(np.spacing(abs(high)))))
         text = value.mid().str(DIGITS, radius=False)
-        condition = _condition(case, value)
     return Measure(
         reference=text, reference_high=high, reference_low=low,
-        result=result, error_ulp=error, condition=condition,
+        result=result, error_ulp=error_ulp, condition=condition,
     )  # fmt: skip
 
 
-def _condition(case: Case, value: arb) -> float:
-    """Sum over the inputs of the relative change of the value, by difference quotients."""
-    if value == 0:
+@lru_cache(maxsize=1024)
+def _reference(
+    function: Callable[..., Number], inputs: tuple[float, ...]
+) -> tuple[arb, int, float]:
+    """The reference, the precision at which it has its digits, and its condition number."""
+    exact, precision, reason = [_exact(number) for number in inputs], PRECISION, ""
+    while precision <= FINEST:
+        with ctx.workprec(precision):
+            try:
+                value = function(*exact)
+                if value.ball == 0 or value.ball.rel_accuracy_bits() > DIGITS / math.log10(2):
+                    return value.ball, precision, _condition(function, exact, value)
+                reason = f"{value.ball} has fewer than {DIGITS} digits"
+            except Undecided as error:
+                reason = str(error)
+        precision *= 2
+    raise Undecided(reason)
+
+
+def _exact(number: float) -> float | fmpq:
+    return rational(number) if math.isfinite(number) else number
+
+
+def _condition(function: Callable[..., Number], inputs: list[float | fmpq], value: Number) -> float:
+    """Relative change of the value by its terms, and by each of its inputs from difference quotients."""
+    if value.ball == 0:
         return 0.0
-    exact = [arb(x) for x in case.inputs]
-
-    def change(place: int, x: arb) -> arb:
-        if not x.is_finite() or x == 0:
-            return arb(0)
-        near = [each * (1 + CHANGE) if i == place else each for i, each in enumerate(exact)]
-        changed = case.function.reference(*[each.mid() for each in near])
-        return abs((changed - value) / value) / CHANGE
-
-    return float(sum(starmap(change, enumerate(exact)), arb(0)).mid())
+    total = value.rounding
+    for i, number in enumerate(inputs):
+        if isinstance(number, fmpq) and number != 0:
+            moved = [*inputs[:i], number * (1 + CHANGE), *inputs[i + 1 :]]
+            total += abs(function(*moved).ball - value.ball) / CHANGE
+    return float((total / abs(value.ball)).mid())
 
 
 def build() -> xr.Dataset:
@@ -105,19 +130,19 @@ def build() -> xr.Dataset:
     xarray.Dataset
         Over `case`: the reference, the result, its error and the condition number.
     """
-    every = list(cases())
-    found = [measure(case) for case in every]
+    table = cases()
+    measures = list(map(measure, table))
     columns = {
-        "line": np.array([case.line for case in every], np.int8),
-        "quantity": [case.function.quantity for case in every],
-        "quantity_unit": [QUANTITIES[case.function.quantity] for case in every],
-        **{field.name: [getattr(each, field.name) for each in found] for field in fields(Measure)},
-        "error_bound": [each.bound for each in found],
-        "ill_conditioned": np.array([each.ill_conditioned for each in found]),
+        "line": np.array([case.line for case in table], np.int8),
+        "quantity": [case.function.quantity for case in table],
+        "quantity_unit": [QUANTITIES[case.function.quantity] for case in table],
+        **{field.name: [getattr(m, field.name) for m in measures] for field in fields(Measure)},
+        "error_bound": [m.bound for m in measures],
+        "ill_conditioned": np.array([m.ill_conditioned for m in measures]),
     }
     dataset = xr.Dataset(
         {name: ("case", column) for name, column in columns.items()},
-        coords={"case": [case.label for case in every]},
+        coords={"case": [case.label for case in table]},
     )
     return describe(
         dataset,
