@@ -95,7 +95,7 @@ bench: $(CORE) ## print the speed of the mechanics and the simulations, as ratio
 	$(BIN)/pytest tests/benchmarks/bench_speed.py --benchmark-columns=min,median,rounds
 
 golden: $(CORE) ## recompute the golden data of the results and print the differences; WRITE=1 stores them
-	@$(LOCK); $(BIN)/snakemake data figures hard_cases
+	@$(LOCK); $(BIN)/snakemake data figures accuracy
 	$(BIN)/python -m planar_pushing.evidence.golden.update $(if $(WRITE),--write)
 
 images: $(CORE) ## compare the figures with their stored images; WRITE=1 stores them

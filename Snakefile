@@ -1,8 +1,7 @@
 # Replication of Lynch & Mason, Pulling by Pushing, Slip with Infinite Friction, and Perfectly Rough
 # Surfaces. `snakemake` builds everything, and fails at the end if the golden check has not passed, as does
-# `snakemake golden`; `snakemake data`, `figures`, `claims` and `paper` build parts; `snakemake accuracy`
-# measures the cost of accuracy; `snakemake pushes --config data=FOLDER` evaluates published pushes;
-# `snakemake manual` builds the manual.
+# `snakemake golden`; `snakemake data`, `figures`, `claims`, `accuracy` and `paper` build parts;
+# `snakemake pushes --config data=FOLDER` evaluates published pushes; `snakemake manual` builds the manual.
 # To build only another study, use snakemake --config study=workflow/config/smoke.yaml or `planar-pushing run`,
 # which runs the workflow included in the package in the current folder.
 
@@ -24,7 +23,6 @@ localrules:
     figures,
     golden,
     claims,
-    hard_cases,
     pushes_figures,
     pushes,
     accuracy,
@@ -38,7 +36,7 @@ BUILT = [
     *rules.figures.input,
     *verdicts("verdict.txt", "verdict.json"),
     *rules.claims.input,
-    *rules.hard_cases.input,
+    *rules.accuracy.input,
     *rules.pushes_figures.input,
     *rules.paper.input,
 ]

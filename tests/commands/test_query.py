@@ -137,7 +137,7 @@ def test_without_a_name_the_datasets_are_listed(run, results):
         "  figures/NAME: build it with planar-pushing run, from a study that "
     )
     assert any(
-        "accuracy/wrench, effects: measure it with snakemake accuracy" in each for each in lines
+        "effects, hard_cases: build it with make, in the project's folder" in each for each in lines
     )
     code, out, _ = run("query", "--results", results, "--json")
     listed = json.loads(out)

@@ -1,13 +1,10 @@
 """Small studies, logs, and the figures that are drawn from them, each when it is first asked for."""
 
-from pathlib import Path
 from types import SimpleNamespace
 from unittest.mock import patch
 
-import numpy as np
 import pytest
 
-from planar_pushing.evidence.costs import tables
 from planar_pushing.figures import axes, render
 from planar_pushing.figures.figure import drawing, entry, figure_names
 from planar_pushing.figures.parts.measured import PUSHES_FILE
@@ -18,9 +15,9 @@ from planar_pushing.study.build import build_dataset
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import arguments
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.store import write_dataset
 from planar_pushing.study.study_file import load_study
-from report.costs import effects, evaluations, hard_cases
+from report.costs import accuracy, accuracy_time, effects, hard_cases
 from report.pushes import measured_pushes
 
 FIGURES, NUMBERED = figure_names(), numbered()
@@ -29,7 +26,6 @@ PICTURES = [name + variant for name in FIGURES for variant in entry(name).varian
 LOGS = ("figure_14a", "figure_14b", "figure_15", "pulling_with_inertia", "impact")
 #: Logs of sliders on other supports.
 OTHERS = ("stool", "box")
-ACCURACY = Path(__file__).parents[1] / "evidence/costs/golden_accuracy.nc"
 
 
 class Made(dict):
@@ -63,19 +59,11 @@ def studies():
 
 @pytest.fixture(scope="session")
 def sources(studies, logs):
-    """Datasets by the names that figures read them by; errors of methods with times made up."""
+    """Datasets by the names that figures read them by; times are made up."""
 
     def whole(name):
         study = studies["figure_16" if name.startswith("support") else "figure_01"]
         return build_dataset(name, study_slice(study, name))
-
-    def timed(group):
-        data, times = read_dataset(ACCURACY, group), np.random.default_rng(2)
-        name, axes = {"wrench": ("wrench", ("point", "spin_ratio")), "cone": ("cone", ("point",)),
-                      "motion": ("motion", ("point", "scene"))}[group]  # fmt: skip
-        shape = [data.sizes[axis] for axis in axes]
-        data[f"{name}_seconds"] = (*axes, "repeat"), 10 ** times.uniform(-7, -3, (*shape, 3))
-        return tables.described(data)
 
     datasets = Made(whole)
 
@@ -85,14 +73,12 @@ def sources(studies, logs):
         stem, _, group = name.partition("/")
         if stem == "simulations":
             return logs[group]
-        if stem.startswith("accuracy"):
-            return timed(group or "wrench")
-        if stem in ("effects", "evaluations", "hard_cases"):
-            return {
-                "effects": effects("{}"),
-                "evaluations": evaluations(),
-                "hard_cases": hard_cases(),
-            }[stem]
+        costs = {
+            "accuracy": accuracy, "accuracy_time": accuracy_time,
+            "effects": effects, "hard_cases": hard_cases,
+        }  # fmt: skip
+        if stem in costs:
+            return costs[stem](group) if group else costs[stem]()
         return datasets[stem][group] if group else datasets[stem]
 
     return Made(source)
@@ -105,9 +91,10 @@ def plotted(studies, sources):
     def select(name):
         figure = drawing(name)
         given = {each: sources[each] for each in figure.FIGURE.reads}
-        if name not in NUMBERED:
+        if not hasattr(figure, "select"):
             return next(iter(given.values()))
-        return figure.select(given, SimpleNamespace(**settings(studies[name], name)))
+        values = settings(studies[name], name) if name in NUMBERED else {}
+        return figure.select(given, SimpleNamespace(**values))
 
     return Made(select)
 
@@ -136,10 +123,15 @@ def results(sources, tmp_path):
     """A folder of results with what a figure reads."""
 
     def write(name):
+        files = {}
         for each in entry(name).reads:
             stem, _, group = each.partition("/")
             path = f"{stem}/{group}" if stem == "simulations" else stem
-            given = {group: sources[each]} if group and path == stem else sources[each]
+            if group and path == stem:
+                files.setdefault(path, {})[group] = sources[each]
+            else:
+                files[path] = sources[each]
+        for path, given in files.items():
             write_dataset(given, tmp_path / f"data/{path}.nc")
         return tmp_path
 

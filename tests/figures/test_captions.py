@@ -10,7 +10,7 @@ import xarray as xr
 from figures.conftest import FIGURES, NUMBERED
 from planar_pushing.figures.figure import drawing, full_caption
 from planar_pushing.figures.parts.data import number
-from planar_pushing.figures.studies import OURS, SUPPLEMENT
+from planar_pushing.figures.studies import OURS
 
 L, PSI, MU, R, W, M = "l = {}", "ψ = {}°", "μ = {}", "R = {}", "W = {}", "m = {}"
 RHO, A = "ρ = {}", "|aₚ| = {}"
@@ -141,7 +141,7 @@ def test_a_fence_passes_above_the_ring_of_a_short_rod_alone(plotted, name, axis)
     assert said not in caption(changed(plotted[name], axis, 3.0))
 
 
-@pytest.mark.parametrize("name", [name for name in FIGURES if name not in SUPPLEMENT])
+@pytest.mark.parametrize("name", FIGURES)
 def test_captions_of_reconstructions_name_the_figure_of_the_paper(plotted, name):
     own, printed = drawing(name).caption(plotted[name]), full_caption(name, plotted[name])
     number = int(name.removeprefix("figure_")) if name in NUMBERED else 0
@@ -157,13 +157,13 @@ def test_a_caption_speaks_of_supports_of_the_study_alone(plotted, name):
 
 def test_the_hard_cases_are_counted(plotted):
     data, caption = plotted["hard_cases"], drawing("hard_cases").caption
-    assert "the 8 hard cases" in caption(data)
+    assert "the 13 hard cases" in caption(data)
     assert "the 1 ill-conditioned" in caption(data)
     assert "the 5 hard cases" in caption(data.isel(case=slice(5)))
     assert "the 0 ill-conditioned" in caption(data.isel(case=slice(5)))
 
 
-@pytest.mark.parametrize("name", [name for name in FIGURES if name not in SUPPLEMENT])
+@pytest.mark.parametrize("name", FIGURES)
 def test_captions_are_sentences_with_true_minus_signs(plotted, name):
     found = drawing(name).caption(plotted[name])
     assert found.endswith(".")

@@ -59,17 +59,27 @@ def test_a_figure_stores_its_numbers_and_draws_from_them_alike_twice(
     ("name", "variant", "file"),
     [
         ("figure_09", "_column", "figure_09"),
-        ("accuracy_wrench", "", "data/accuracy"),
         ("hard_cases", "_column", "data/hard_cases"),
     ],
 )
-def test_a_figure_is_drawn_from_its_numbers_or_its_one_dataset(
+def test_a_variant_is_drawn_from_its_numbers_or_its_one_dataset(
     results, plotted, name, variant, file
 ):
     folder = results(name)
     write_dataset(plotted[name], folder / f"{name}.nc")
     render.file_figure(folder / f"{file}.nc", name=name, variant=variant, **paths(folder))
     wide, _ = drawing(name).FIGURE.variants[variant]
+    assert f'width="{72 * wide:g}pt"' in (folder / "picture.svg").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    "name", ["accuracy_wrench", "accuracy_cone_motion", "effects", "hard_cases"]
+)
+def test_a_figure_on_the_computation_is_drawn_from_its_datasets(results, plotted, name):
+    folder = results(name)
+    xr.testing.assert_equal(render.select(name, folder, None), plotted[name])
+    render.evidence_figure(name=name, results=folder, **paths(folder))
+    wide, _ = drawing(name).FIGURE.size
     assert f'width="{72 * wide:g}pt"' in (folder / "picture.svg").read_text(encoding="utf-8")
 
 

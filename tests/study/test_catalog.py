@@ -59,8 +59,7 @@ def test_a_name_that_is_none_is_answered_with_the_closest(name, said):
 
 
 @pytest.mark.parametrize(("name", "said"), [
-    ("accuracy/cone", "measure it with snakemake accuracy, in the project's folder"),
-    ("hard_cases", "build it with make, in the project's folder"),
+    ("accuracy/cone", "build it with make, in the project's folder"),
     ("supports", "build it with planar-pushing run, from a study that gives supports, center_x, center_y;"
      " make builds it for the study sliders"),
     ("center_regions", "build it with planar-pushing run, from a study that gives rod_length, rod_angle, "
@@ -75,7 +74,7 @@ def test_what_is_not_there_is_built_by_a_command(name, said):
 def test_every_name_that_is_listed_is_taken():
     for name in opened():
         assert dataset_file(name)
-    assert {"scenes", "accuracy", "accuracy_errors"}.isdisjoint(opened())
+    assert {"scenes", "accuracy", "accuracy_time"}.isdisjoint(opened())
 
 
 @pytest.mark.parametrize(

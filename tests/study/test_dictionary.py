@@ -6,13 +6,12 @@ from types import SimpleNamespace
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.evidence.costs.effects import evaluations
-from planar_pushing.evidence.costs.tables import accuracy_errors
-from planar_pushing.evidence.costs.times import accuracy_time
+from planar_pushing.evidence.costs.effects import effects
+from planar_pushing.evidence.costs.measure import accuracy, accuracy_time
 from planar_pushing.evidence.hard_cases.dataset import build as hard_cases
 from planar_pushing.figures.render import select
 from planar_pushing.figures.studies import settings
-from planar_pushing.study.catalog import DATASETS, EVIDENCE, TABLES, TIMES
+from planar_pushing.study.catalog import DATASETS, EVIDENCE, TABLES
 from planar_pushing.study.dictionary import dictionary_text
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
@@ -40,10 +39,10 @@ def whole(results, sliders):
     for name in of_sliders.figures:
         data = select(name, own, SimpleNamespace(**settings(of_sliders, name)))
         write_dataset(data, own / f"figures/data/{name}.nc")
-    write_dataset(accuracy_errors(), results / "data/accuracy_errors.nc")
-    write_dataset(accuracy_time(1), results / "data/accuracy_time.nc")
+    write_dataset(accuracy(), results / "data/accuracy.nc")
+    write_dataset(accuracy_time(), results / "data/accuracy_time.nc")
+    write_dataset(effects(study), results / "data/effects.nc")
     write_dataset(hard_cases(), results / "data/hard_cases.nc")
-    write_dataset(evaluations(study), results / "data/evaluations.nc")
     return results
 
 
@@ -71,6 +70,6 @@ def test_every_file_is_opened_by_its_name(whole):
 
 def test_the_dictionary_names_every_file():
     stored = Path("results/README.md").read_text(encoding="utf-8")
-    for name in {**DATASETS, **EVIDENCE, **TIMES}:
+    for name in {**DATASETS, **EVIDENCE}:
         assert f"data/{name}.nc" in stored
     assert all(f"tables/{name}`" in stored for name in TABLES)

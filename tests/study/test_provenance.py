@@ -10,7 +10,7 @@ from planar_pushing.study.study_file import load_study
 from study.conftest import OF_PAPER
 
 CONFIG = "workflow/config"
-COSTS = {"evaluations", "effects"}
+COSTS = {"effects"}
 FIGURES = load_study(f"{CONFIG}/smoke.yaml").figures
 RESULTS = [*OF_PAPER, "scenes", "simulations/figure_15", *FIGURES, *COSTS, "hard_cases"]
 
@@ -41,8 +41,8 @@ def digests(tmp_path):
         ("config/smoke.yaml", "step: 0.5}", "step: 0.25}", {"acceleration_centers", *COSTS}),
         ("config/smoke.yaml", "[0, 1.5, 2, inf]", "[0, 1.5, 2, 3, inf]", {"motion_cones", *COSTS}),
         ("config/smoke.yaml", "figure_12: {rod_length: 5}", "figure_12: {rod_length: 2}", {"figure_12"}),
-        ("config/smoke.yaml", "force_angle: 54", "force_angle: 55", {"scenes", "effects"}),
-        ("scenes/figure_02.yaml", "rod_length: 3", "rod_length: 4", {"scenes", "effects"}),
+        ("config/smoke.yaml", "force_angle: 54", "force_angle: 55", {"scenes"}),
+        ("scenes/figure_02.yaml", "rod_length: 3", "rod_length: 4", {"scenes"}),
         ("scenes/figure_15.yaml", "samples: 97", "samples: 11", {"simulations/figure_15"}),
     ],
 )  # fmt: skip

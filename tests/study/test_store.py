@@ -178,7 +178,7 @@ def test_open_dataset_that_is_not_built(tmp_path):
     said = r"data/motion_cones\.nc: no such dataset; build it with planar-pushing run, from a study that"
     with pytest.raises(pp.InvalidFile, match=said):
         pp.open_dataset("motion_cones", tmp_path)
-    with pytest.raises(pp.InvalidFile, match="no such dataset; measure it with snakemake accuracy"):
+    with pytest.raises(pp.InvalidFile, match="no such dataset; build it with make, in"):
         pp.open_dataset("accuracy/cone", tmp_path)
 
 

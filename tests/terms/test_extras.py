@@ -84,7 +84,7 @@ def test_the_library_runs_without_any_extra(tmp_path, cones):
     ("figures", "PIL", "import planar_pushing.figures.animate"),
     ("report", "typst", "import planar_pushing.report.typeset"),
     ("manual", "furo", "from planar_pushing.report.manual import build_manual as b; b('a', 'b')"),
-    ("golden", "flint", "import planar_pushing.certified.ring"),
+    ("golden", "flint", "import planar_pushing.oracle.support"),
     ("golden", "flint", "import planar_pushing.evidence.claims.verdicts"),
     ("chunks", "dask", "from planar_pushing.study.chunks import joined; joined('a', {}, {})"),
 ])  # fmt: skip

@@ -13,12 +13,9 @@ from pathlib import Path
 
 import pytest
 
-from evidence.claims.ledgers import FEW
 from planar_pushing.study.studies import study_folder
 
 PROJECT = Path(__file__).parents[2]
-#: What takes most of a build of the smoke study.
-MANY = "supports: 100000,"
 PARTS = (
     "Snakefile",
     "profiles",
@@ -99,15 +96,7 @@ def copy_project(root: Path) -> Copy:
             )
         else:
             shutil.copy(source, target, follow_symlinks=False)
-    _draw_few(root / "paper/claims.yaml")
     return Copy(root)
-
-
-def _draw_few(ledger: Path) -> None:
-    """Check the claim on very many random supports with some of them, as tests of the claims do."""
-    text = ledger.read_text(encoding="utf-8")
-    assert text.count(MANY) == 1
-    ledger.write_text(text.replace(MANY, f"supports: {FEW},"), encoding="utf-8")
 
 
 def once(factory: pytest.TempPathFactory, name: str, *targets: str) -> Copy:

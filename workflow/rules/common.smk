@@ -12,7 +12,6 @@ from planar_pushing.figures.parts.measured import PUSHES_FILE
 from planar_pushing.figures.studies import (
     OURS,
     PUSHES,
-    SUPPLEMENT,
     load_drawn_study,
     numbered,
     settings,
@@ -68,9 +67,11 @@ if workflow.is_main_process:
 
 #: File formats of every picture.
 KINDS = ["svg", "pdf", "png"]
-#: Datasets about the computation itself, and their figures; times of this machine have no golden data.
-COUNTS, TIMES = ["hard_cases", "accuracy_errors", "evaluations"], ["accuracy_time"]
-EVIDENCE_FIGURES = [name for name in (*OURS, *SUPPLEMENT) if name not in PUSHES]
+#: Datasets about the computation itself, the scenes that they simulate, and their figures; times of this
+#: machine have no golden data.
+COUNTS, TIMES = ["hard_cases", "accuracy"], ["accuracy_time", "effects"]
+MOTIONS = [f"workflow/scenes/figure_{name}.yaml" for name in ("14a", "15")]
+EVIDENCE_FIGURES = [name for name in OURS if name not in PUSHES]
 #: Numbered figures, which are drawn from datasets.
 DRAWN = numbered()
 
@@ -237,10 +238,10 @@ def golden_results(wildcards):
     return [*files, *sorted(map(str, Path(study.golden).rglob("*.nc")))]
 
 
-def counted(wildcards, name):
-    """Study whose effects are counted or timed."""
-    names = ("evaluations", "effects")
-    return {"study": FILES[wildcards.results]} if name in names else {}
+def timed_study(wildcards):
+    """Study from which a dataset of times is computed, if any."""
+    reads = wildcards.times == "effects"
+    return {"study": FILES[wildcards.results]} if reads else {}
 
 
 def table(name):

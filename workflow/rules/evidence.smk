@@ -1,6 +1,5 @@
 # Evidence: golden data, claims, hard cases and costs. All except the golden check are built only with the
-# paper's study. By default, only the times of `accuracy_time` are measured, on this machine; `snakemake
-# accuracy` measures the others.
+# paper's study.
 CERTIFIED = [WHOLE] if WHOLE else []
 
 
@@ -70,19 +69,22 @@ rule claims_table:
         "../scripts/run.py"
 
 
-rule hard_cases:
+# What accuracy and effects cost, and the hard cases.
+rule accuracy:
     input:
         expand("{results}/data/{name}.nc", results=CERTIFIED, name=COUNTS + TIMES),
         expand(
             "{results}/figures/{name}.{kind}",
             results=CERTIFIED,
-            name=[name for name in OURS if name in EVIDENCE_FIGURES],
+            name=EVIDENCE_FIGURES,
             kind=KINDS,
         ),
 
 
-# Datasets about the computation itself.
+# Datasets about the computation itself. The motions of `accuracy` are those of two scene files.
 rule counts:
+    input:
+        lambda wildcards: MOTIONS if wildcards.counts == "accuracy" else [],
     output:
         path="{results}/data/{counts}.nc",
     log:
@@ -96,7 +98,6 @@ rule counts:
         code=lambda wildcards: code_of(
             "hard_cases" if wildcards.counts == "hard_cases" else "costs"
         ),
-        values=lambda wildcards: counted(wildcards, wildcards.counts),
         marks=lambda wildcards: MARKS[wildcards.results](wildcards.counts),
     message:
         "Computing {wildcards.counts}"
@@ -104,35 +105,23 @@ rule counts:
         "../scripts/run.py"
 
 
-# Times of this machine; nothing else must run during a measurement.
+# Times of this machine; nothing else must run during a measurement, which takes a few seconds.
 rule times:
+    input:
+        lambda wildcards: MOTIONS if wildcards.times == "accuracy_time" else [],
     output:
         path="{results}/data/{times}.nc",
     log:
         "{results}/logs/data/{times}.log",
     wildcard_constraints:
-        times=one_of([*TIMES, "accuracy", "effects"]),
+        times=one_of(TIMES),
     threads: workflow.cores
     params:
         call="evidence.jobs:{times}",
         code=code_of("costs"),
-        values=lambda wildcards: counted(wildcards, wildcards.times),
+        values=timed_study,
         marks=lambda wildcards: MARKS[wildcards.results](wildcards.times),
     message:
         "Measuring {wildcards.times}"
     script:
         "../scripts/run.py"
-
-
-rule accuracy:
-    input:
-        expand(
-            "{results}/data/{name}.nc", results=CERTIFIED, name=["accuracy", "effects"]
-        ),
-        expand(
-            "{results}/figures/{name}.{kind}",
-            results=CERTIFIED,
-            name=SUPPLEMENT,
-            kind=KINDS,
-        ),
-        [f"{WHOLE}/accuracy.pdf"] if REPORTED else [],

@@ -64,14 +64,14 @@ rule column_figure:
         "../scripts/run.py"
 
 
-# Figures of one dataset about the computation itself.
-rule file_figure:
+# Figures about the computation itself.
+rule evidence_figure:
     input:
-        source=lambda wildcards: figure_files(wildcards)[0],
+        figure_files,
     output:
         svg=report(
             "{results}/figures/{figure}.svg",
-            category="Accuracy, hard cases and effects",
+            category="What accuracy costs",
             caption="../report/file_figure.rst",
             labels={"figure": "{figure}"},
         ),
@@ -84,9 +84,10 @@ rule file_figure:
     wildcard_constraints:
         figure=one_of(EVIDENCE_FIGURES),
     params:
-        call="figures.render:file_figure",
+        call="figures.render:evidence_figure",
         code=figure_code,
         name="{figure}",
+        results="{results}",
         title=lambda wildcards: entry(wildcards.figure).title,
     message:
         "Drawing {wildcards.figure}"

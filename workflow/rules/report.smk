@@ -1,6 +1,6 @@
-# The report and its supplement on time: first their tables, then the PDFs. They describe the paper's study,
-# which golden data certify as a whole, and the study of sliders.
-#: Sources of both, in addition to the results.
+# The report: first its tables, then the PDF. It describes the paper's study, which golden data certify as a
+# whole, and the study of sliders.
+#: Sources in addition to the results.
 SOURCES = sorted(
     str(part)
     for part in Path("paper").rglob("*")
@@ -11,25 +11,11 @@ TABLES = {
     "infinite_friction_cones": ("Tables", "motion cones of infinite friction", "cones"),
     "ellipsoids": ("Tables", "ellipsoids that approximate supports", "ellipsoids"),
     "golden_summary": ("Golden check", "by dataset", "golden_summary"),
-    "accuracy_wrench": (
-        "What accuracy costs",
-        "methods for the wrench",
-        "accuracy_wrench",
-    ),
-    "accuracy_cone": (
-        "What accuracy costs",
-        "methods for motion cones",
-        "accuracy_cone",
-    ),
-    "hard_places": ("Hard cases", "by place", "hard_places"),
-    "hard_ill": ("Hard cases", "ill-conditioned", "hard_ill"),
-    "evaluations": ("Effects", "evaluations", "evaluations"),
+    "accuracy": ("What accuracy costs", "by method", "accuracy"),
+    "hard_places": ("What accuracy costs", "hard cases", "hard_places"),
+    "hard_ill": ("What accuracy costs", "ill-conditioned", "hard_ill"),
+    "effects": ("What accuracy costs", "by effect", "effects"),
 }
-#: Tables of the supplement.
-SUPPLEMENT_TABLES = [
-    "accuracy_numbers.json",
-    *(f"times_{name}.csv" for name in ("effects", "scenes", "machine")),
-]
 
 
 rule report_tables:
@@ -37,7 +23,7 @@ rule report_tables:
         rules.data.input,
         rules.figures.input,
         verdicts("verdict.txt", "verdict.json"),
-        rules.hard_cases.input,
+        rules.accuracy.input,
         rules.pushes_figures.input,
         PUSHES_FILE,
         f"{WHOLE}/tables/claims.json",
@@ -127,57 +113,6 @@ rule paper:
         ),
 
 
-rule supplement_tables:
-    input:
-        expand(f"{WHOLE}/data/{{name}}.nc", name=["accuracy", "effects"]),
-    output:
-        numbers=f"{WHOLE}/tables/accuracy_numbers.json",
-        effects=f"{WHOLE}/tables/times_effects.csv",
-        scenes=f"{WHOLE}/tables/times_scenes.csv",
-        machine=f"{WHOLE}/tables/times_machine.csv",
-    log:
-        f"{WHOLE}/logs/accuracy/supplement_tables.log",
-    params:
-        call="report.jobs:supplement_tables",
-        code=code_of("report"),
-        golden=STUDIES[WHOLE].golden if WHOLE else "",
-        results=WHOLE,
-    message:
-        "Reading the numbers of the supplement"
-    script:
-        "../scripts/run.py"
-
-
-rule supplement_pdf:
-    input:
-        rules.supplement_tables.output,
-        expand(f"{WHOLE}/figures/{{figure}}.svg", figure=SUPPLEMENT),
-        SOURCES,
-        source="paper/supplement.typ",
-    output:
-        output=report(
-            f"{WHOLE}/accuracy.pdf",
-            category="Report",
-            labels={"document": "supplement on time"},
-            caption="../report/supplement.rst",
-        ),
-    log:
-        f"{WHOLE}/logs/accuracy/supplement_pdf.log",
-    params:
-        call="report.typeset:typeset",
-        code=code_of("report"),
-        root=".",
-        results=WHOLE,
-    message:
-        "Typesetting the supplement"
-    script:
-        "../scripts/run.py"
-
-
-#: Times measured by `snakemake accuracy`; the manual shows them if they exist but does not request them.
-MEASURED = sorted(Path("results/tables").glob("times_*.csv"))
-
-
 # Sphinx converts pages, docstrings and results to HTML. `make manual` builds the manual; `all` does not.
 rule manual_pages:
     input:
@@ -200,7 +135,6 @@ rule manual_pages:
         call="report.manual:build_manual",
         source=lambda wildcards: "paper/manual",
         code=code_of("manual"),
-        measured=[path.read_text() for path in MEASURED],
     message:
         "Building the manual"
     script:

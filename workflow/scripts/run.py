@@ -5,7 +5,7 @@ from pkgutil import resolve_name
 from planar_pushing.study.running.jobs import job_log
 
 given = dict(snakemake.params.items())
-for shown in ("code", "title", "promise", "measured"):  # for Snakemake and its report
+for shown in ("code", "title", "promise"):  # for Snakemake and its report
     given.pop(shown, None)
 given |= given.pop("values", {})
 

@@ -13,10 +13,8 @@ from sphinx.application import Sphinx
 from sphinx.config import Config
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
-#: Files of numbers by key: those of the report, and those measured by `snakemake accuracy`.
-NUMBERS = ("numbers.json", "accuracy_numbers.json")
-#: Prefix of the tables that only `snakemake accuracy` writes.
-MEASURED = "times_"
+#: File of numbers by key.
+NUMBERS = "numbers.json"
 #: Symbols appended to numbers with these units; the text names all other units.
 MARKS = {"degree": "°", "percent": " %"}
 #: A number with an exponent, and the superscript digits.
@@ -45,34 +43,29 @@ class Number(SphinxRole):
     """A number, by its key in the files of numbers."""
 
     def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
-        folder = tables(self.config, self.env.srcdir)
-        files = [folder / name for name in NUMBERS if (folder / name).exists()]
-        for path in files:
-            self.env.note_dependency(path)
-            found = json.loads(path.read_text(encoding="utf-8")).get(self.text)
-            if found:
-                return [nodes.Text(written(found["text"]) + MARKS.get(found["unit"], ""))], []
-        said = f"{self.text}: no such number in {', '.join(map(str, files)) or folder}"
+        path = tables(self.config, self.env.srcdir) / NUMBERS
+        self.env.note_dependency(path)
+        number = json.loads(path.read_text(encoding="utf-8")).get(self.text)
+        if number:
+            return [nodes.Text(written(number["text"]) + MARKS.get(number["unit"], ""))], []
+        said = f"{self.text}: no such number in {path}"
         return [], [self.inliner.reporter.error(said, line=self.lineno)]
 
 
 class ResultsTable(SphinxDirective):
-    """A table from the results, or the directive's content if its times were not measured."""
+    """A table from the results."""
 
     required_arguments = 1
     final_argument_whitespace = False
-    has_content = True
     option_spec = {"caption": directives.unchanged_required}  # noqa: RUF012 - as docutils declares it
 
     def run(self) -> list[nodes.Node]:
         path = tables(self.config, self.env.srcdir) / self.arguments[0]
-        if path.exists():
-            self.env.note_dependency(path)
-            rows = list(csv.reader(path.read_text(encoding="utf-8").splitlines()))
-            return [_table(rows, self.options.get("caption", ""))]
-        if not path.name.startswith(MEASURED):
+        if not path.exists():
             raise self.error(f"{path}: no such table; build it with make")
-        return self.parse_content_to_nodes()
+        self.env.note_dependency(path)
+        rows = list(csv.reader(path.read_text(encoding="utf-8").splitlines()))
+        return [_table(rows, self.options.get("caption", ""))]
 
 
 def _table(rows: list[list[str]], caption: str) -> nodes.table:

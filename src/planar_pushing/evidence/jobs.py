@@ -52,13 +52,15 @@ def claims(json: PathLike, csv: PathLike, *, ledger: str) -> None:
         If a verdict is not the one that the ledger expects; nothing is written.
     """
     from planar_pushing.evidence.claims import table
-    from planar_pushing.evidence.claims.ledger import load_ledger
+    from planar_pushing.evidence.claims.ledger import judge_all, load_ledger
 
-    judged = table.judge_all(load_ledger(ledger))
+    listed = load_ledger(ledger)
+    judged = judge_all(listed)
     if problem := table.complaint(judged):
         raise InvalidResult(problem)
-    write_text(table.json_text(judged), json)
-    write_text(table.csv_text(judged), csv)
+    rows = table.rows(listed, judged)
+    write_text(table.json_text(rows), json)
+    write_text(table.csv_text(rows), csv)
 
 
 def hard_cases(path: PathLike, *, marks: Attributes) -> None:
@@ -68,37 +70,22 @@ def hard_cases(path: PathLike, *, marks: Attributes) -> None:
     write_dataset(of_study(build(), "hard_cases", marks), path)
 
 
-def accuracy_errors(path: PathLike, *, marks: Attributes) -> None:
-    """Compute errors and counts of evaluations of every method, which are the same in every run."""
-    from planar_pushing.evidence.costs.tables import accuracy_errors
-
-    write_dataset(of_study(accuracy_errors(), "accuracy_errors", marks), path)
-
-
-def accuracy_time(path: PathLike, *, marks: Attributes) -> None:
-    """Measure the time that the accuracy of a wrench takes on this machine."""
-    from planar_pushing.evidence.costs.times import accuracy_time
-
-    write_dataset(of_study(accuracy_time(), "accuracy_time", marks), path)
-
-
 def accuracy(path: PathLike, *, marks: Attributes) -> None:
-    """Measure the cost of accuracy on this machine."""
-    from planar_pushing.evidence.costs.times import accuracy
+    """Compute errors and evaluations of every method."""
+    from planar_pushing.evidence.costs.measure import accuracy
 
     write_dataset(of_study(accuracy(), "accuracy", marks), path)
 
 
-def evaluations(path: PathLike, *, study: str, marks: Attributes) -> None:
-    """Count the evaluations of each effect over time."""
-    from planar_pushing.evidence.costs.effects import evaluations
-    from planar_pushing.study.study_file import load_study
+def accuracy_time(path: PathLike, *, marks: Attributes) -> None:
+    """Measure the times of every method on this machine."""
+    from planar_pushing.evidence.costs.measure import accuracy_time
 
-    write_dataset(of_study(evaluations(load_study(study)), "evaluations", marks), path)
+    write_dataset(of_study(accuracy_time(), "accuracy_time", marks), path)
 
 
 def effects(path: PathLike, *, study: str, marks: Attributes) -> None:
-    """Measure the cost of effects on this machine."""
+    """Count the evaluations of each effect, and measure times on this machine."""
     from planar_pushing.evidence.costs.effects import effects
     from planar_pushing.study.study_file import load_study
 

@@ -1,4 +1,4 @@
-"""Cost of each effect: times with friction, inertia, or both, and by the number of effects."""
+"""Cost of each effect: evaluations in motion over time, and times by the effects and their number."""
 
 from __future__ import annotations
 
@@ -7,84 +7,115 @@ from typing import Any
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
+from matplotlib.patches import Patch
 
+from planar_pushing.figures.colors import DARK
 from planar_pushing.figures.figure import PAGE, Figure
 
 FIGURE = Figure(
     title="Costs of the effects",
     reads=("effects",),
-    size=(PAGE, 3.0),
+    size=(PAGE, 3.4),
 )
-NAMES = {
-    "support_friction": ("support friction", "#0072B2", "o"),
-    "inertia": ("inertia", "#8F6400", "s"),
+#: Sets of effects that a scene lists, from the top: name, color and marker.
+LISTS = {
+    "support_friction": ("friction", "#0072B2", "o"),
+    "inertia": ("inertia", "#D9A441", "s"),
     "support_friction+inertia": ("both", "#8A3C70", "D"),
 }
-#: Scene of each panel and its operations, by rows from the top.
-PANELS = {
-    "one slider": (
-        "one scene",
-        {
-            "motion_cone": "motion cone",
-            "limit_curve": "361 points of\nthe limit curve",
-            "solve": "all contact modes\nof one push",
-        },
-    ),
-    "grid": (
-        "datasets",
-        {
-            "limit_curves": "limit curves",
-            "motion_cones": "motion cones",
-            "contact_modes": "contact modes",
-        },
-    ),
+#: Name, color of the bar, and color of the number of each effect that is counted.
+EFFECTS = {
+    "support_friction": ("support friction", "#0072B2", "white"),
+    "inertia": ("inertia", "#D9A441", DARK),
 }
-WIDTH = 0.26
-#: Scene of the panel by the number of effects.
-DIVIDED = "equal supports"
+#: Titles of the panels of counts, by the method of the motion.
+PANELS = {
+    "event-driven": "evaluations, motion by events",
+    "time-stepping": "evaluations, motion by steps",
+}
+#: Names of the timed computations, from the top.
+COMPUTATIONS = {
+    "motion cone": "motion cone",
+    "limit curve": "limit curve, 361 points",
+    "contact modes": "contact modes of a push",
+    "event-driven": "motion by events",
+    "time-stepping": "motion by steps",
+}
+#: Height of a bar, and distance of the marks in a row.
+HEIGHT, APART = 0.8, 0.26
+
+
+def caption(data: xr.Dataset) -> str:
+    """Caption of the figure."""
+    return (
+        "Only the effects that a scene lists are computed. Top: evaluations of support friction and of "
+        "inertia in the log of a motion over time, for scenes that list support friction, inertia, or "
+        "both. An effect that is not listed has none. A step evaluates the motion once; the event-driven "
+        "method chooses its steps by the motion. Bottom left: shortest time of repeated runs for the same "
+        "three lists. Bottom right: time for a run by steps with friction divided among equal supports, "
+        "in units of that with one support; dotted: proportional to the number of supports."
+    )
 
 
 def draw(figure: Any, data: xr.Dataset) -> None:
-    """Draw the times as marks, one for each set of effects, and those by the number of effects."""
-    *axes, last = figure.subplots(1, len(PANELS) + 1)
-    figure.subplots_adjust(left=0.15, right=0.98, bottom=0.16, top=0.8, wspace=0.5)
-    for ax, (scene, (title, rows)) in zip(axes, PANELS.items(), strict=True):
-        part = data.isel(case=(data.scene == scene).values)
-        for i, operation in enumerate(rows):
-            _marks(ax, i, part.isel(case=(part.operation == operation).values))
-        ax.set_yticks(range(len(rows)), list(rows.values()))
-        ax.invert_yaxis()
-        ax.set_xscale("log")
-        ax.grid(True, axis="x")
-        decades = np.log10(ax.get_xlim())
-        ax.set_xlim(10.0 ** np.floor(decades[0]), 10.0 ** np.ceil(decades[1]))
-        ax.set_xlabel("time (ms)")
+    """Draw the counts as bars, the times as marks, and the times by the number of supports as a line."""
+    grid = figure.add_gridspec(2, 2, height_ratios=(1, 1.7), width_ratios=(1.35, 1))
+    figure.subplots_adjust(left=0.19, right=0.98, bottom=0.125, top=0.87, hspace=0.3, wspace=0.25)
+    for column, (method, title) in enumerate(PANELS.items()):
+        ax = figure.add_subplot(grid[0, column])
+        _counts(ax, data.evaluations.sel(integrator=method))
         ax.set_title(title)
-    handles, labels = axes[0].get_legend_handles_labels()
-    known = dict(zip(labels, handles, strict=True))
-    figure.legend(known.values(), known.keys(), ncols=3, loc="upper center")
-    _by_number(last, data.isel(case=(data.scene == DIVIDED).values))
+    _times(figure.add_subplot(grid[1, 0]), data.computation_seconds.min("repeat"))
+    _by_number(figure.add_subplot(grid[1, 1]), data.supports_seconds.min("repeat"))
+    figure.legend(
+        handles=[Patch(color=color, label=name) for name, color, _ in EFFECTS.values()],
+        ncols=2,
+        loc="upper center",
+    )
 
 
-def _marks(ax: Axes, row: int, part: xr.Dataset) -> None:
-    """Draw the marks of one operation, one for each set of effects."""
-    for i, effects in enumerate(NAMES):
-        case = part.isel(case=np.flatnonzero(part.effects == effects)[0])
-        name, color, marker = NAMES[effects]
-        place, ms = row + (i - 1) * WIDTH, 1e3 * float(case.time.min())
-        ax.plot(ms, place, marker, color=color, markersize=5, label=name)
+def _counts(ax: Axes, counts: xr.DataArray) -> None:
+    """Bars of one method, one for each list of effects: their counts behind one another."""
+    for row, effects in enumerate(LISTS):
+        start = 0
+        for effect, (_, color, ink) in EFFECTS.items():
+            count = int(counts.sel(effects=effects, effect=effect))
+            ax.barh(row, count, HEIGHT, left=start, color=color)
+            if count:
+                ax.text(
+                    start + count / 2, row, f"{count}",
+                    ha="center", va="center_baseline", color=ink, size=6.5,
+                )  # fmt: skip
+            start += count
+    ax.set_yticks(range(len(LISTS)), [name for name, _, _ in LISTS.values()], fontsize="small")
+    ax.tick_params(axis="y", length=0)
+    ax.set(xlim=(0, 1.05 * int(counts.sum("effect").max())), ylim=(len(LISTS) - 0.5, -0.5))
+    ax.set_xticks([])
+    for side in ("top", "right", "bottom"):
+        ax.spines[side].set_visible(False)
 
 
-def _by_number(ax: Axes, part: xr.Dataset) -> None:
-    """Draw times by the number of effects in units of the time with one, and what would be proportional."""
-    number, times = part.number.values, part.time.min("repeat").values
-    ax.plot(number, number / number[0], ":", color="gray", label="proportional")
-    ax.plot(number, times / times[0], "o-", color=NAMES["support_friction"][1], markersize=5)
+def _times(ax: Axes, times: xr.DataArray) -> None:
+    """Marks of the times, a row for each computation and a mark for each list of effects."""
+    for i, (effects, (name, color, marker)) in enumerate(LISTS.items()):
+        durations = 1e3 * times.sel(effects=effects, computation=list(COMPUTATIONS)).values
+        rows = np.arange(len(COMPUTATIONS)) + (i - 1) * APART
+        ax.plot(durations, rows, marker, color=color, markersize=4.5, label=name)
+    ax.set_yticks(range(len(COMPUTATIONS)), list(COMPUTATIONS.values()), fontsize="small")
+    ax.set(xscale="log", xlabel="time (ms)", ylim=(len(COMPUTATIONS) - 0.5, -0.5))
+    ax.grid(True, axis="x")
+    ax.legend(loc="lower right", title="listed", fontsize="small", title_fontsize="small")
+
+
+def _by_number(ax: Axes, times: xr.DataArray) -> None:
+    """Times by the number of supports in units of the time with one, and what would be proportional."""
+    number = times.supports.values
+    ax.plot(number, number / number[0], ":", color="gray")
+    ax.plot(number, times / times[0], "o-", color=EFFECTS["support_friction"][1], markersize=4.5)
     ax.set_xscale("log", base=2)
     ax.set_yscale("log", base=2)
-    ax.set_xticks(number, [f"{each}" for each in number])
-    ax.set_yticks(number, [f"{each}" for each in number])
-    ax.set(xlabel="number of equal supports", ylabel="time / time with one support")
+    names = [f"{each}" for each in number]
+    ax.set_xticks(number, names)
+    ax.set_yticks(number, names)
+    ax.set(xlabel="number of equal supports", ylabel="time / time with one")
     ax.grid(True)
-    ax.legend()
-    ax.set_title("a run by steps")

@@ -16,6 +16,8 @@ from typing import Any, Protocol, cast
 
 import xarray as xr
 
+from planar_pushing.study.files.replacing import PathLike
+from planar_pushing.study.store import open_dataset
 from planar_pushing.terms.errors import InvalidValue
 
 #: Widths of a journal's column and page in inches.
@@ -113,6 +115,16 @@ def drawing(name: str) -> Drawing:
 def entry(name: str) -> Figure:
     """Entry of a figure; errors as in `drawing`."""
     return drawing(name).FIGURE
+
+
+def select(name: str, results: PathLike, settings: Settings) -> xr.Dataset:
+    """Select the numbers that a figure plots from the datasets in a results folder.
+
+    A figure without `select` plots its only dataset.
+    """
+    module = drawing(name)
+    sources = {each: open_dataset(each, results) for each in module.FIGURE.reads}
+    return module.select(sources, settings) if hasattr(module, "select") else sources.popitem()[1]
 
 
 def full_caption(name: str, data: Any) -> str:

@@ -8,14 +8,13 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-import xarray as xr
 from matplotlib.figure import Figure
 
-from planar_pushing.figures.figure import Settings, drawing
+from planar_pushing.figures.figure import drawing, select
 from planar_pushing.figures.style import paper_style
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.files.replacing import replacing
-from planar_pushing.study.store import open_dataset, read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset, write_dataset
 from planar_pushing.terms.errors import InvalidValue
 
 PathLike = str | os.PathLike[str]
@@ -26,14 +25,6 @@ SAVING: dict[str, dict[str, Any]] = {
     "pdf": {"metadata": {"CreationDate": None, "Creator": "planar-pushing", "Producer": None}},
     "png": {"metadata": {"Software": None}},
 }
-
-
-def select(name: str, results: PathLike, settings: Settings) -> xr.Dataset:
-    """Select the numbers that a figure plots from the datasets in a results folder."""
-    found = drawing(name)
-    return found.select(
-        {each: open_dataset(each, results) for each in found.FIGURE.reads}, settings
-    )
 
 
 def picture(name: str, data: Any, variant: str = "") -> Figure:
@@ -104,10 +95,13 @@ def figure(
 
 
 def file_figure(source: PathLike, *, name: str, variant: str = "", **paths: PathLike) -> None:
-    """Draw a figure or a variant of it from the file of its numbers or of its one dataset."""
-    group = drawing(name).FIGURE.reads[0].partition("/")[2]
-    whole = Path(source).stem == name
-    _draw(name, read_dataset(source, None if whole else group or None), paths.values(), variant)
+    """Draw a figure or a variant of it from the file of its numbers."""
+    _draw(name, read_dataset(source), paths.values(), variant)
+
+
+def evidence_figure(*, name: str, results: PathLike, **paths: PathLike) -> None:
+    """Draw a figure on the computation itself from its datasets in a results folder."""
+    _draw(name, select(name, results, None), paths.values())
 
 
 def pushes_figure(source: PathLike, *, name: str, variant: str = "", **paths: PathLike) -> None:

@@ -17,15 +17,14 @@ from planar_pushing.terms.errors import InvalidFile
 
 #: Figures on measured pushes, drawn from numbers in the project's folder.
 PUSHES = ("measured_pressures", "measured_errors")
-#: Figures on the computations and predictions of this work, in the order of the report and of its
-#: supplement; they are the same for every study.
-OURS = (*PUSHES, "accuracy_evaluations", "hard_cases", "effect_counts", "accuracy_time")
-SUPPLEMENT = ("accuracy_cone", "accuracy_motion", "accuracy_wrench", "effects")
+#: Figures on the computations and predictions of this work, in the order of the report; they are the same
+#: for every study.
+OURS = (*PUSHES, "accuracy_wrench", "accuracy_cone_motion", "effects", "hard_cases")
 
 
 def numbered() -> list[str]:
     """Names of the numbered figures, which a study can list, in order."""
-    return [name for name in figure_names() if name not in (*OURS, *SUPPLEMENT)]
+    return [name for name in figure_names() if name not in OURS]
 
 
 def load_drawn_study(path: PathLike) -> StudyFile:

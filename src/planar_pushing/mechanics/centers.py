@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 import numpy as np
 
 from planar_pushing.core.kernels import MOTION_WIDTH
+from planar_pushing.core.tolerances import COINCIDENT
 from planar_pushing.mechanics.angles import AngleInterval, interval
 from planar_pushing.mechanics.arrays import Output, elementwise, evaluated, is_labeled
 from planar_pushing.mechanics.cones import force_columns
@@ -116,6 +117,7 @@ def conservative_spin_ratios(arm: Array) -> tuple[Array, Array]:
     the ring center. It lies across the ring center from the line, so negative arms mirror the cases.
     """
     size = np.abs(arm)
+    size = np.where(np.abs(size - 1.0) <= COINCIDENT, 1.0, size)
     near = np.where(size >= 1.0, 1.0, 0.0)
     far = np.where(size > 1.0, np.inf, np.where(size == 0.0, 0.0, 1.0))
     return np.copysign(near, arm), np.copysign(far, arm)
@@ -126,7 +128,8 @@ def _conservative_cones(length: Array, rod_angle: Array, low: Array, high: Array
 
     At a fixed spin ratio the motion angle increases with the force angle, so a bound is attained on an
     edge of the friction cone or where the line of force touches the ring. On such a tangent the cases on
-    both sides meet: the spin ratio takes every value from 0 to infinity.
+    both sides meet: the spin ratio takes every value from 0 to infinity. On an edge that is a tangent there
+    is one side only, and the spin ratio is 1.
     """
     length, rod_angle, low, high = np.broadcast_arrays(length, rod_angle, low, high)
     angles = [
@@ -138,7 +141,8 @@ def _conservative_cones(length: Array, rod_angle: Array, low: Array, high: Array
     for first in (lean, -lean, np.pi - lean, lean - np.pi):
         for turn in (-2.0 * np.pi, 0.0, 2.0 * np.pi):
             tangent = rod_angle - (first + turn)
-            inside = (length > 1.0) & (low < tangent) & (tangent < high)
+            apart = np.minimum(tangent - low, high - tangent)
+            inside = (length > 1.0) & (apart > COINCIDENT)
             for size in (0.0, np.inf):
                 ratio = np.copysign(size, np.sin(first))
                 angle = ring_motion_angles(length, rod_angle, tangent, ratio)

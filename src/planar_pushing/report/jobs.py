@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from planar_pushing.evidence.writing import write_text
-from planar_pushing.report import supplement, tables
+from planar_pushing.report import tables
 from planar_pushing.report.costs.tables import COST_TABLES
 from planar_pushing.report.provenance import provenance_text
 from planar_pushing.report.results import Results
@@ -32,10 +32,3 @@ def report_tables(*, results: str, golden: str, **paths: str) -> None:
 def report_provenance(output: str, *, study: str, results: str, golden: str, state: str) -> None:
     """Write the table that identifies the code, the state of the repository, and the study."""
     write_text(provenance_text(Results(Path(results), Path(golden)), study, state), output)
-
-
-def supplement_tables(*, results: str, golden: str, **paths: str) -> None:
-    """Write the tables of the supplement on time."""
-    found = Results(Path(results), Path(golden))
-    for path in paths.values():
-        write_text(supplement.TABLES[Path(path).name](found), path)

@@ -19,7 +19,7 @@ from planar_pushing.terms.errors import InvalidFile
 EFFECTS: tuple[str, ...] = get_args(EffectsName)
 FRICTION, INERTIA, BOTH = EFFECTS
 #: Datasets about the computation itself; the name of a group follows a slash.
-MEASURED = ("accuracy", "accuracy_errors", "accuracy_time", "effects", "evaluations", "hard_cases")
+MEASURED = ("accuracy", "accuracy_time", "effects", "hard_cases")
 
 
 #: The study of sliders; the names of its datasets follow this name and a slash.
@@ -60,7 +60,7 @@ class Results:
     def dataset(self, name: str) -> xr.Dataset:
         """Dataset named as in `open_dataset`, one of `MEASURED`, or the data of a figure; read once.
 
-        Names are, for example, "accuracy_errors/cone" for a group, "figures/figure_06" for a figure, and
+        Names are, for example, "accuracy/cone" for a group, "figures/figure_06" for a figure, and
         "sliders/supports" for a dataset of the study of sliders. Errors as in `open_dataset`.
         """
         return _opened(name, self.folder)

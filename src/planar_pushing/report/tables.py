@@ -8,9 +8,9 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.evidence.writing import csv_text, json_text
-from planar_pushing.figures.figure import entry, full_caption
+from planar_pushing.figures.figure import entry, full_caption, select
 from planar_pushing.figures.studies import OURS, PUSHES
-from planar_pushing.report.costs.times import machine, processor
+from planar_pushing.report.costs.numbers import machine, processor
 from planar_pushing.report.derived import ROD_ANGLE
 from planar_pushing.report.numbers import numbers
 from planar_pushing.report.quantities import rounded
@@ -49,7 +49,7 @@ def _ours(name: str, results: Results) -> dict[str, object]:
     """Entry of a figure about the computation itself or about measured pushes."""
     if name in PUSHES:
         return _figure(name, results.pushes, "figures")
-    data = results.dataset(entry(name).reads[0])
+    data = select(name, results.folder, None)
     found = _figure(name, data, "figures")
     return found | {"caption": f"{found['caption']}{_machine(data)}"}
 

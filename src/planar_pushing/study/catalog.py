@@ -147,27 +147,22 @@ FIGURES = "figures"
 #: Paths of both folders in the results, which hold a file for each name.
 FOLDERS = {SIMULATIONS: "data/simulations", FIGURES: "figures/data"}
 
-#: Datasets about the computation itself, with their contents; `accuracy_time` differs from run to run.
+#: Datasets about the computation itself, with their contents; those with times differ from run to run.
 EVIDENCE = {
-    "accuracy_errors": "errors and evaluations of every method, a group for each quantity",
-    "accuracy_time": "errors of the methods for the friction wrench, and their times on one machine",
-    "evaluations": "evaluations of each effect in simulations",
+    "accuracy": "errors and evaluations of every method, a group for each quantity",
+    "accuracy_time": "times of every method on one machine, a group for each quantity",
+    "effects": "evaluations of each effect, and times by the listed effects and their number",
     "hard_cases": "double-precision results for numerically hard cases, against 40-digit references",
-}
-#: Datasets with times of one machine, which only `snakemake accuracy` writes.
-TIMES = {
-    "accuracy": "cost of accuracy: errors, evaluations and times, a group for each quantity",
-    "effects": "times by the listed effects and by their number",
 }
 #: Keys of a study whose names differ from that of their axis.
 KEYS = {"support": "supports", "contact": "contact_friction_coefficient"}
 #: Names of the dataset files.
-WHOLE = (*DATASETS, *EVIDENCE, *TIMES)
+WHOLE = (*DATASETS, *EVIDENCE)
 #: Groups of the datasets that are opened one group at a time; the study names the groups of `scenes`.
 GROUPS = {
     "scenes": ("NAME",),
-    "accuracy_errors": ("cone", "wrench"),
     "accuracy": ("cone", "motion", "wrench"),
+    "accuracy_time": ("cone", "motion", "wrench"),
 }
 
 #: The result tables, with the contents of each file.
@@ -181,15 +176,10 @@ TABLES = {
     "figures.json": "captions and margins of the figures",
     "infinite_friction_cones.csv": "motion cones of infinite friction by rod length, degrees",
     "provenance.csv": "the study, the code, and the versions of the packages that computed the results",
-    "accuracy_wrench.csv": "methods for the friction wrench: setting, calls and worst error",
-    "accuracy_cone.csv": "methods for motion cones: setting, calls and largest error",
+    "accuracy.csv": "methods for wrench, cone and motion: setting, evaluations, largest error and time",
     "hard_places.csv": "hard cases by place, with their errors in units in the last place",
     "hard_ill.csv": "ill-conditioned cases: condition, digits left and error",
-    "evaluations.csv": "evaluations of each effect in simulations",
-    "accuracy_numbers.json": "numbers of the supplement on time, written by `snakemake accuracy`",
-    "times_effects.csv": "times of each set of effects, written by `snakemake accuracy`",
-    "times_scenes.csv": "times of each scene, written by `snakemake accuracy`",
-    "times_machine.csv": "machine on which the times were measured, written by `snakemake accuracy`",
+    "effects.csv": "evaluations of each effect in simulations, and times of one machine",
 }
 
 #: Labels of the contact laws without a coefficient, which follow those of Coulomb along `contact`.
@@ -232,8 +222,6 @@ def opened() -> list[str]:
 def building(name: str) -> str:
     """Command that builds a missing dataset."""
     stem = name.partition("/")[0]
-    if stem in TIMES:
-        return "measure it with snakemake accuracy, in the project's folder"
     if stem in EVIDENCE:
         return "build it with make, in the project's folder"
     entry = DATASETS.get(stem)

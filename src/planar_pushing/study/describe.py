@@ -10,7 +10,7 @@ import xarray as xr
 
 from planar_pushing.mechanics.entries import to_json, versions
 from planar_pushing.mechanics.status import BEHIND, FLAGS, flag_attributes
-from planar_pushing.study.catalog import DATASETS, EVIDENCE, TIMES
+from planar_pushing.study.catalog import DATASETS, EVIDENCE
 from planar_pushing.study.files.study_model import Part
 from planar_pushing.terms.quantities import (
     DATASET,
@@ -110,7 +110,7 @@ def of_study(
         Attributes from `provenance` that name the study.
     """
     marks: dict[str, Any] = {**GLOBAL, **study}
-    title = DATASETS[name].about if name in DATASETS else (EVIDENCE | TIMES).get(name, name)
+    title = DATASETS[name].about if name in DATASETS else EVIDENCE.get(name, name)
     if isinstance(built, xr.Dataset):
         return built.assign_attrs({"title": title} | built.attrs | marks)
     groups = {

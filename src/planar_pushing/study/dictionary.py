@@ -9,14 +9,7 @@ from pathlib import Path
 
 import xarray as xr
 
-from planar_pushing.study.catalog import (
-    DATASETS,
-    EVIDENCE,
-    FIGURES,
-    SIMULATIONS,
-    TABLES,
-    TIMES,
-)
+from planar_pushing.study.catalog import DATASETS, EVIDENCE, FIGURES, SIMULATIONS, TABLES
 from planar_pushing.study.files.replacing import replacing
 from planar_pushing.study.running.jobs import run_command
 from planar_pushing.study.store import group_names, open_dataset
@@ -34,7 +27,7 @@ The pipeline generates everything in this folder except this page:
 - `data/` holds the datasets.
 - `figures/` holds the figures, and `figures/data/` the numbers that they plot.
 - `tables/` holds the golden verdict and the tables of the report.
-- `paper.pdf` is the report, and `accuracy.pdf` its supplement on computing times.
+- `paper.pdf` is the report.
 - `manual/` is the manual, and `report.html` Snakemake's report.
 - `logs/` and `benchmarks/` hold a file for each job.
 - `studies/NAME/` holds the same for a study other than the paper's, and in `chunks/` the parts from which
@@ -60,7 +53,7 @@ def dictionary_text(results: str = "results") -> str:
         *(_section(name, DATASETS[name].about, results) for name in of_paper),
         _simulations(results),
         *(_section(name, about, results) for name, about in EVIDENCE.items()),
-        *(_times(), _figures(results), _tables()),
+        *(_figures(results), _tables()),
         *_sliders(results, [name for name in DATASETS if name not in of_paper]),
     ]
     scaled = (
@@ -112,12 +105,6 @@ def _section(name: str, about: str, results: str) -> str:
         return _lines(f"data/{name}.nc", about, listed, "", *_table(parts))
     dataset = open_dataset(name, results)
     return _lines(f"data/{name}.nc", about, *_source(dataset), *_table([dataset]))
-
-
-def _times() -> str:
-    """Section of the files that depend on the machine, which a plain run does not write."""
-    rows = [f"- `data/{name}.nc`: {what}." for name, what in TIMES.items()]
-    return _lines("Results of `snakemake accuracy`", "times measured on one machine", *rows)
 
 
 def _figures(results: str) -> str:

@@ -17,10 +17,7 @@ from planar_pushing.study.studies import study_name
 #: Keys of a study that do not affect values: the golden data to compare with, and the chunks.
 ASIDE = {"golden", "chunks", "gather"}
 #: Results about the computation itself, and the keys that they do not use.
-UNREAD = {
-    "evaluations": ("title", "scenes", "simulations", "figures"),
-    "effects": ("simulations", "figures"),
-}
+UNREAD = {"effects": ("title", "scenes", "simulations", "figures")}
 
 #: Function from the name of a result to the attributes that identify its study.
 Marks = Callable[[str], dict[str, str]]

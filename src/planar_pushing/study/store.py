@@ -198,7 +198,7 @@ def open_dataset(
         One of limit_curves, motion_cones, contact_modes, acceleration_centers and center_regions; a scene
         such as "scenes/figure_08"; a simulation such as "simulations/figure_15"; the numbers that a figure
         plots, such as "figures/figure_06"; or a dataset about the computation itself, such as
-        "accuracy_errors/cone". A study with supports also has supports, support_cones and support_modes.
+        "accuracy/cone". A study with supports also has supports, support_cones and support_modes.
         `planar-pushing query` lists the datasets that are built.
     results : path
         Results folder of the pipeline.

@@ -79,7 +79,7 @@ DATASET: Quantities = {
     "ill_conditioned": ("1", "whether double precision loses six digits with every algorithm"),
     "inertia_share": ("1", "s / (1 + s) with s = m a / W: 0 is friction alone, 1 inertia alone"),
     "law": ("1", "type of the contact law"),
-    "line": ("1", "hard place, 1 to 7: ring, ends, lengths, contact, speed, rest, Painleve"),
+    "line": ("1", "hard place, 1 to 12, in the order of the table of hard places"),
     "limit_force": ("force", "force on the limit curve"),
     "limit_force_left": ("force", "force on the limit curve at the left edge of the friction cone"),
     "limit_force_right": (
@@ -93,8 +93,6 @@ DATASET: Quantities = {
     ),
     "motion_cone_left": ("degree", "left edge of the motion cone"),
     "motion_cone_right": ("degree", "right edge of the motion cone"),
-    "number": ("1", "number of effects that the scene lists"),
-    "operation": ("1", "timed operation"),
     "outcome": ("1", "whether no, one or several solutions are consistent"),
     "pivot": (
         "1",
@@ -121,7 +119,7 @@ DATASET: Quantities = {
     "ring_center": ("length", "slider's center relative to the contact"),
     "rod_angle": ("degree", "rod angle"),
     "rod_length": ("length", "rod length, from the contact to the slider's center"),
-    "scene": ("1", "name of the scene, or grid for a dataset"),
+    "scene": ("1", "name of the scene"),
     "slip": ("motion", "motion of the slider over the fence"),
     "slips_while_pushing": ("1", "whether some push makes the contact slip"),
     "solution": ("1", "number of the solution"),
@@ -131,7 +129,6 @@ DATASET: Quantities = {
     "support_force": ("force/radian", "friction of the support on the ring, per angle of the ring"),
     "support_motion": ("motion", "motion of a point of the ring"),
     "status": ("1", "status of the solutions"),
-    "time": ("s", "duration of one run"),
     "twist": ("twist_unit", "twist of the slider at its center"),
     "twist_component": ("1", "component of the twist"),
     "twist_unit": ("1", "unit of the component of the twist"),
@@ -241,32 +238,37 @@ SLIDERS: Quantities = {
     "wrench_unit": ("1", "unit of the component of a wrench per unit weight"),
 }
 
-#: Variables of the dataset `evaluations`; a name can have another meaning than in the others.
-EVALUATIONS: Quantities = {
-    **DATASET,
-    "effect": ("1", "effect that is counted"),
-    "evaluations": ("1", "number of evaluations of the motion under the effect in a run"),
-    "integrator": ("1", "method of integration over time"),
-}
-#: Variables of the datasets on accuracy and its cost; a name can have another meaning than in the others.
+#: Variables of the datasets on the cost of accuracy and of effects; a name can have another meaning than in
+#: the others.
 COSTS: Quantities = {
-    "method": ("1", "method"),
-    "setting": ("1", "number of points, table entries or steps, or tolerance; 0 for none"),
-    "counted": ("1", "evaluated function: integrand, wrench in closed form, motion, or nothing"),
-    "spin_ratio": DATASET["spin_ratio"],
-    "error": ("1", "larger relative error of force and torque; inf where a component is NaN"),
-    "evaluations": ("1", "evaluations for one result, on average over the cones' edges"),
-    "batch": ("1", "results that a timed call computes"),
-    "wrench_seconds": ("s", "time for one wrench, each repeat"),
+    "computation": ("1", "timed computation"),
+    "computation_seconds": ("s", "time for a computation, each repeat"),
     "cone_error": ("degree", "largest error of an edge of a motion cone"),
-    "cone_error_mean": ("degree", "mean error of an edge of a motion cone"),
     "cone_seconds": ("s", "time for both edges of a motion cone, each repeat"),
-    "model": ("1", "model of the limit surface"),
-    "rim_error": ("degree", "mean direction error for a rim of 100 point supports"),
-    "scene": ("1", "scene of a motion over time"),
+    "counted": ("1", "evaluated function: integrand, wrench in closed form, motion, or nothing"),
+    "effect": ("1", "effect that is counted"),
+    "effects": DATASET["effects"],
+    "evaluations": ("1", "number of evaluations for one result, on average over the cones' edges"),
+    "integrator": ("1", "method of integration over time"),
+    "method": ("1", "method"),
     "motion_error": ("degree", "error of the rod angle at the end of a run"),
     "motion_seconds": ("s", "time for a run, each repeat"),
     "repeat": ("1", "number of the repeat"),
+    "scene": ("1", "scene of a motion over time"),
+    "setting": ("1", "number of points or steps, or tolerance; 0 for none"),
+    "spin_ratio": DATASET["spin_ratio"],
+    "supports": ("1", "number of equal supports among which friction is divided"),
+    "supports_seconds": ("s", "time for a run by steps, each repeat"),
+    "wrench_error": (
+        "1",
+        "larger relative error of force and torque; inf where a component is NaN",
+    ),
+    "wrench_seconds": ("s", "time for one wrench, each repeat"),
+}
+#: The same for the dataset `effects`, which counts in a run.
+EFFECT_COSTS: Quantities = {
+    **COSTS,
+    "evaluations": ("1", "number of evaluations of the motion under the effect in a run"),
 }
 
 #: Variables in the results of the mechanics for labeled arrays; angles are in radians.

@@ -9,10 +9,10 @@ import pytest
 
 import planar_pushing as pp
 from mechanics.supports.cases import SUPPORTS
-from planar_pushing.certified.supports.pressure.pieces import pieces as enclosed_pieces
 from planar_pushing.mechanics.entries import support_entry
 from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.outline import required_outline
+from planar_pushing.oracle.support import support as enclosed_support
 from planar_pushing.study.files.scene_model import SceneFile
 
 ANGLES = [0.0, np.pi / 2, np.pi, 0.7, -2.9]
@@ -45,9 +45,9 @@ def test_the_wrench_of_a_moved_support_is_that_of_the_support(name, angle):
 
 
 @pytest.mark.parametrize("name", MOVED)
-def test_the_certified_route_moves_supports_alike(name):
+def test_the_oracle_moves_supports_alike(name):
     moved = MOVED[name].moved(frame_at(0.7))
-    found = enclosed_pieces(json.loads(json.dumps(support_entry(moved))))
+    found = enclosed_support(json.loads(json.dumps(support_entry(moved))))
     x, y = (float(each.p) / float(each.q) for each in found.center)
     assert (x, y) == pytest.approx(moved.center_of_pressure, abs=1e-13)
     assert float(found.extent.mid()) == pytest.approx(moved.extent, rel=1e-13)

@@ -9,7 +9,6 @@ from planar_pushing.figures.figure import figure_names
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.running import code
 
-GRIDS = ("limit_curves", "motion_cones", "contact_modes")
 GRAPH = grimp.build_graph("planar_pushing", cache_dir=None)
 #: What each kind of job calls, and the members of families among it.
 CALLS = {
@@ -20,8 +19,8 @@ CALLS = {
     "simulation": ("simulation", "study.build", "study.simulations"),
     "claims": ("claims", "evidence.claims.table"),
     "hard_cases": ("hard_cases", "evidence.hard_cases.dataset"),
-    "times": ("costs", "evidence.costs.times"),
-    "effects": ("costs", "evidence.costs.effects", *map(code.builder, GRIDS)),
+    "accuracy": ("costs", "evidence.costs.measure"),
+    "effects": ("costs", "evidence.costs.effects"),
     "golden": ("golden", "evidence.golden.check"),
     "report": ("report", "report.jobs"),
     "manual": ("manual", "report.manual"),

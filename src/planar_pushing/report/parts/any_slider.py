@@ -10,20 +10,12 @@ def _constant(support: str, digits: int = 4) -> Quantity:
     return claimed("integration-constants", support, digits=digits)
 
 
-def _points(check: str) -> Quantity:
-    """Number of supports and contacts for which the library was checked."""
-    return claimed("library-on-random-supports", check, field="points", digits=0)
-
-
 def _of_l(check: str) -> Quantity:
     """Angle for the L-shaped support."""
     return claimed("shape-of-an-l", check, digits=1, unit="degree")
 
 
 CLAIMS: Numbers = {
-    "random-normal-pushes": _points("normal-pushes"),
-    "random-cones": _points("cones"),
-    "random-centers": _points("centers"),
     "l-cone-right": _of_l("along-normal"),
     "l-leaning-right": _of_l("leaning"),
     "l-difference": claimed("shape-of-an-l", "difference", digits=3, unit="W"),

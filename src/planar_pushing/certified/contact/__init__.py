@@ -1,1 +1,0 @@
-"""Contact modes of a push: sticking, slipping, and which of them are consistent."""

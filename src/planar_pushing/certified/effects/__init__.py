@@ -1,1 +1,0 @@
-"""Contact modes with any tuple of effects, in ball arithmetic."""

@@ -1,1 +1,0 @@
-"""Integrals over the pressure of a support, in ball arithmetic."""
