@@ -19,7 +19,7 @@ from planar_pushing.oracle.balls import (
 from planar_pushing.oracle.body import Body
 from planar_pushing.oracle.modes import SLIPS, Law, Mode
 from planar_pushing.oracle.prove import Slider, along, krawczyk, moves, torque, with_roundings
-from planar_pushing.oracle.support import support, together
+from planar_pushing.oracle.shapes import support, together
 
 
 def slider_of(scene):

@@ -6,7 +6,7 @@ from oracle.cases import SUPPORTS
 from planar_pushing.oracle.balls import rational
 from planar_pushing.oracle.body import Body
 from planar_pushing.oracle.prove import Slider
-from planar_pushing.oracle.support import support
+from planar_pushing.oracle.shapes import support
 
 PIECES = {name: support(entry) for name, entry in SUPPORTS.items()}
 FRICTION, INERTIA, BOTH = EFFECTS = ("friction", "inertia", "both")

@@ -17,7 +17,7 @@ from planar_pushing.oracle.modes import (
     Mode,
     contact_modes,
 )
-from planar_pushing.oracle.support import support
+from planar_pushing.oracle.shapes import support
 
 SEPARATE, STICK, RIGHT, LEFT = Mode
 #: Spin ratio and normal motion of the slowest slip for mu = 1.4, l = 2: n . u falls to -0.0400296

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
-from planar_pushing.oracle import motion
 from planar_pushing.oracle.balls import PRECISION, Undecided
-from planar_pushing.oracle.course import Scheme
-from planar_pushing.oracle.motion import log_values
+from planar_pushing.oracle.logs import log as oracle_log
+from planar_pushing.oracle.logs.course import Scheme
+from planar_pushing.oracle.logs.log import log_values
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
@@ -164,8 +164,8 @@ def test_the_time_of_an_event_is_its_own(name):
 
 
 def test_two_runs_that_differ_are_refused(monkeypatch):
-    fine, coarse = motion.SCHEMES
-    monkeypatch.setattr(motion, "SCHEMES", (fine, Scheme(coarse.rows, arb(2) ** -40)))
+    fine, coarse = oracle_log.SCHEMES
+    monkeypatch.setattr(oracle_log, "SCHEMES", (fine, Scheme(coarse.rows, arb(2) ** -40)))
     with pytest.raises(Undecided, match="two runs differ by too much"):
         log_values(SCENES["tripod"].model_dump(), [0.0, 0.5])
 

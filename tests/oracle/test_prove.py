@@ -10,7 +10,7 @@ from oracle.sliders import BOTH, EFFECTS, INERTIA, slider
 from planar_pushing.oracle.balls import PRECISION, ROUNDINGS, UNIT, Undecided, at_degrees, cone_edge
 from planar_pushing.oracle.motions import limit_point, ray, stick, unit_motion
 from planar_pushing.oracle.prove import Row3, along, krawczyk, moves, torque
-from planar_pushing.oracle.support import support
+from planar_pushing.oracle.shapes import support
 
 
 @pytest.fixture(autouse=True)

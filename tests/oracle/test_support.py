@@ -7,7 +7,8 @@ from mpmath import mp, mpf
 from oracle.cases import CENTERS, SQUARE, SUPPORTS, TRIPOD
 from planar_pushing.oracle.balls import PRECISION, Undecided
 from planar_pushing.oracle.integrals import distance_and_gradient
-from planar_pushing.oracle.support import Rim, disc, friction, ring, support
+from planar_pushing.oracle.shapes import support
+from planar_pushing.oracle.support import Rim, disc, friction, ring
 
 #: D, G = -grad D, and the torque about the origin, known from numerical integrals.
 PUBLISHED = [

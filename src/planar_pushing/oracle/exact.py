@@ -1,4 +1,4 @@
-"""What is known exactly about a slider: symmetries, tangents, directions of some motions and forces."""
+"""Exact properties of a slider: its symmetries, tangents, and the directions of some motions and forces."""
 
 from __future__ import annotations
 

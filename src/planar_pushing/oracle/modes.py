@@ -283,7 +283,7 @@ def _slips(
         ]
         q, wrench = krawczyk(body, equations, guess)
         if any(q[2].overlaps(other) for other in rotations):
-            raise Undecided("two slips under an edge are not told apart")
+            raise Undecided("two slips under an edge cannot be distinguished")
         rotations.append(q[2])
         motion = with_roundings(body, equations, q, wrench)
         if not wrench.value[0] * x + wrench.value[1] * y > 0:

@@ -7,14 +7,14 @@ import pytest
 from flint import arb, ctx
 
 from planar_pushing.evidence.golden.enclosures import EXACT, radii
-from planar_pushing.evidence.golden.storage import MOST, stored
+from planar_pushing.evidence.golden.storage import MOST, store
 from planar_pushing.oracle.balls import ROUNDINGS, UNIT, Number, Undecided, precise
 
 NOTHING = arb(0)
 
 
 def enclosure(number):
-    middle, exponent = stored(number)
+    middle, exponent = store(number)
     with ctx.workprec(800):
         return arb(middle, float(radii(np.array(exponent, np.int8))))
 
@@ -33,33 +33,33 @@ def test_the_stored_radius_is_what_roundings_allow(size, rounding):
 
 
 def test_exact_numbers_have_no_radius():
-    assert stored(0.5) == (0.5, EXACT)
-    assert stored(True) == (True, EXACT)
-    assert stored(Number(arb(0.5), NOTHING)) == (0.5, EXACT)
+    assert store(0.5) == (0.5, EXACT)
+    assert store(True) == (True, EXACT)
+    assert store(Number(arb(0.5), NOTHING)) == (0.5, EXACT)
     assert radii(np.array([EXACT], np.int8))[0] == 0
 
 
 def test_a_zero_by_symmetry_is_zero():
-    middle, exponent = stored(Number(arb(1e-60, 1e-50), NOTHING))
+    middle, exponent = store(Number(arb(1e-60, 1e-50), NOTHING))
     assert middle == 0
     assert exponent < -100
 
 
 def test_an_infinite_number_has_the_size_from_which_on_others_are_infinite_too():
-    assert stored(Number(arb.pos_inf(), NOTHING)) == (math.inf, EXACT)
-    assert stored(Number(arb.neg_inf(), arb(1e15))) == (-math.inf, 49)
+    assert store(Number(arb.pos_inf(), NOTHING)) == (math.inf, EXACT)
+    assert store(Number(arb.neg_inf(), arb(1e15))) == (-math.inf, 49)
 
 
 def test_a_number_that_roundings_do_not_determine_may_be_any():
-    assert stored(Number(arb(1), arb.pos_inf())) == (1.0, MOST)
+    assert store(Number(arb(1), arb.pos_inf())) == (1.0, MOST)
 
 
 def test_a_wide_ball_is_refused():
     with pytest.raises(Undecided, match="too wide"):
-        stored(Number(arb(1, 1e-9), NOTHING))
+        store(Number(arb(1, 1e-9), NOTHING))
 
 
 @pytest.mark.parametrize("number", [Number(arb.nan(), NOTHING), Number(arb(1), arb.nan())])
 def test_a_number_without_an_enclosure_or_a_condition_is_refused(number):
     with pytest.raises(Undecided, match="no enclosure"):
-        stored(number)
+        store(number)

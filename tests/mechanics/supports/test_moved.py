@@ -12,7 +12,7 @@ from mechanics.supports.cases import SUPPORTS
 from planar_pushing.mechanics.entries import support_entry
 from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.outline import required_outline
-from planar_pushing.oracle.support import support as enclosed_support
+from planar_pushing.oracle.shapes import support as enclosed_support
 from planar_pushing.study.files.scene_model import SceneFile
 
 ANGLES = [0.0, np.pi / 2, np.pi, 0.7, -2.9]

@@ -1,4 +1,4 @@
-"""What the checks ask of a mechanics, and the answers of the oracle.
+"""The questions of the checks to an implementation of the mechanics, and the answers of the oracle.
 
 All numbers are balls, angles are in degrees, and motions and wrenches are in the frame of the rod, with the
 torque about the contact. Floats with tolerances as radii are judged by the same checks.
@@ -38,7 +38,8 @@ from planar_pushing.oracle.modes import (
 )
 from planar_pushing.oracle.motions import ray
 from planar_pushing.oracle.prove import Proved, Slider
-from planar_pushing.oracle.support import friction, support
+from planar_pushing.oracle.shapes import support
+from planar_pushing.oracle.support import friction
 
 Pair = tuple[arb, arb]
 Triple = tuple[arb, arb, arb]
@@ -133,7 +134,7 @@ class Oracle:
     def motion(self, scene: Scene, force_angle: fmpq, power: fmpq) -> Triple:
         motion = _motion(scene, at_degrees(force_angle), power)
         known = _in_rods_frame(motion.exact, rational(scene.rod_angle))
-        u_x, u_y = (_settled(*pair) for pair in zip(motion.q, known, strict=False))
+        u_x, u_y = (_without_zero(*pair) for pair in zip(motion.q, known, strict=False))
         return power * u_x, power * u_y, power * motion.q[2]
 
     def friction_cone(self, scene: Scene) -> Pair:
@@ -210,7 +211,7 @@ def _angle(scene: Scene, force: Direction) -> arb:
     motion, e = _motion(scene, force), force.about(rod).ball
     u = motion.q[:2]
     angle = force.angle + in_degrees((cross(e, u) / dot(e, u)).atan())
-    return _settled(angle, None if motion.exact is None else motion.exact[1])
+    return _without_zero(angle, None if motion.exact is None else motion.exact[1])
 
 
 def _in_rods_frame(
@@ -224,7 +225,7 @@ def _in_rods_frame(
     return x * c + y * s, y * c - x * s
 
 
-def _settled(ball: arb, exact: Exact | None) -> arb:
+def _without_zero(ball: arb, exact: Exact | None) -> arb:
     """An exact zero if an exact multiple of the number vanishes."""
     if exact is None or not ball.contains(0) or sign(ball, lambda: exact):
         return ball

@@ -26,10 +26,11 @@ from planar_pushing.evidence.costs.methods import (
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.oracle.balls import at_radians, cross, dot, precise, rational
 from planar_pushing.oracle.body import Body
-from planar_pushing.oracle.motion import log_values
+from planar_pushing.oracle.logs.log import log_values
 from planar_pushing.oracle.motions import ray
 from planar_pushing.oracle.prove import Slider
-from planar_pushing.oracle.support import friction, support
+from planar_pushing.oracle.shapes import support
+from planar_pushing.oracle.support import friction
 from planar_pushing.study.catalog import EVIDENCE
 from planar_pushing.study.describe import describe
 from planar_pushing.study.files.scenes import load_scene_file

@@ -246,15 +246,15 @@ def _problem(scene: str) -> tuple[Scene, dict[str, Any]]:
 
 
 def _event_driven(scene: str, tolerance: float) -> tuple[float, float]:
-    return _simulated(scene, method=Integrator.EVENT_DRIVEN, rtol=tolerance)
+    return _simulate(scene, method=Integrator.EVENT_DRIVEN, rtol=tolerance)
 
 
 def _time_stepping(scene: str, steps: float) -> tuple[float, float]:
     step = _problem(scene)[1]["duration"] / steps
-    return _simulated(scene, method=Integrator.TIME_STEPPING, step=step)
+    return _simulate(scene, method=Integrator.TIME_STEPPING, step=step)
 
 
-def _simulated(scene: str, **options: Any) -> tuple[float, float]:
+def _simulate(scene: str, **options: Any) -> tuple[float, float]:
     built, settings = _problem(scene)
     log = simulate(built, **{**settings, **options})
     return float(log.rod_angle[-1]), float(log.evaluations[-1].sum())

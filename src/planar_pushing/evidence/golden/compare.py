@@ -154,7 +154,7 @@ def compare(
             plain = golden[name].dtype.kind == "f" and f"{name}{RADIUS}" not in golden
             own = Kind.PLAIN if plain and name not in golden.dims else kind
             check = Check(file=file, variable=name, kind=own)
-            checks.append(_compared(check, result[name], golden, tolerances.of(file, name)))
+            checks.append(_compare_variable(check, result[name], golden, tolerances.of(file, name)))
     return checks
 
 
@@ -201,7 +201,7 @@ def _unlike(found: xr.DataArray, wanted: xr.DataArray) -> str:
     return f"has the type {found.dtype}, not {wanted.dtype}" if one != other else ""
 
 
-def _compared(
+def _compare_variable(
     check: Check, result: xr.DataArray, golden: xr.Dataset, tolerance: Tolerance
 ) -> Check:
     wanted = golden[check.variable]

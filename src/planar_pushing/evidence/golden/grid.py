@@ -18,7 +18,7 @@ from tqdm import tqdm
 from planar_pushing.evidence.golden import cells
 from planar_pushing.evidence.golden.cells import CENTERS, Record, Values
 from planar_pushing.evidence.golden.enclosures import EXACT, RADIUS
-from planar_pushing.evidence.golden.storage import stored
+from planar_pushing.evidence.golden.storage import store
 from planar_pushing.oracle.balls import Undecided, Vector, precise
 from planar_pushing.oracle.integrals import distance_and_gradient
 from planar_pushing.oracle.support import Support
@@ -88,7 +88,7 @@ TAKEN = 400
 FEW = 100
 
 
-def evaluated(
+def evaluate(
     cell: Cell, values: Values, second: Callable[[Point], bool], point: Point
 ) -> Record | str:
     """Record of a point with each number as midpoint and exponent, or the reason why there is none.
@@ -107,15 +107,15 @@ def _record(cell: Cell, values: Values, point: Point, twice: bool) -> Record:
     record = cell.function(values, *point)
     centers = record.pop(CENTERS, [])
     count = sum(map(_agrees, centers)) if twice else 0
-    return {name: _nested(value) for name, value in record.items()} | {CENTERS: count}
+    return {name: _store_nested(value) for name, value in record.items()} | {CENTERS: count}
 
 
-def sampled(point: Point) -> bool:
+def is_sampled(point: Point) -> bool:
     """Whether the second route is taken at a point: at one of 20, by a digest of its coordinates."""
     return zlib.crc32(repr(point).encode()) % SAMPLE == 0
 
 
-def nowhere(point: Point) -> bool:
+def is_never(point: Point) -> bool:
     """No second route."""
     return False
 
@@ -138,11 +138,11 @@ def _agrees(center: tuple[Support, Vector]) -> bool:
     return True
 
 
-def _nested(value: Any) -> Any:
+def _store_nested(value: Any) -> Any:
     """Numbers as pairs of midpoint and exponent, in the same nested lists."""
     if isinstance(value, list):
-        return [_nested(each) for each in value]
-    return stored(value)
+        return [_store_nested(each) for each in value]
+    return store(value)
 
 
 def records(
@@ -150,10 +150,10 @@ def records(
     values: Values,
     points: Sequence[Point],
     processes: int,
-    second: Callable[[Point], bool] = nowhere,
+    second: Callable[[Point], bool] = is_never,
 ) -> Iterator[Record | str]:
     """Records of points, in order; `second` selects the points of the second route."""
-    wanted = partial(evaluated, cell, values, second)
+    wanted = partial(evaluate, cell, values, second)
     if len(points) < FEW:
         yield from map(wanted, points)
         return
@@ -168,7 +168,7 @@ def points(dataset: xr.Dataset, dims: Iterable[str]) -> list[Point]:
     return list(itertools.product(*axes))
 
 
-def certified(
+def certify(
     name: str, values: Values, template: xr.Dataset, processes: int
 ) -> tuple[xr.Dataset, int]:
     """A dataset with certified values instead of its own, and the exponents of their radii.
@@ -193,16 +193,16 @@ def certified(
     for cell in CELLS[name]:
         every = points(template, cell.dims)
         sizes = [template.sizes[dim] for dim in cell.dims]
-        computed = records(cell, values, every, processes, sampled)
+        computed = records(cell, values, every, processes, is_sampled)
         for index, record in enumerate(tqdm(computed, name, len(every), disable=None, leave=False)):
             if isinstance(record, str):
                 raise InvalidResult(kink(name, cell, every[index], record))
             count += record.pop(CENTERS)
             _place(arrays, template, tuple(np.unravel_index(index, sizes)), record)
-    return _assembled(name, arrays, template, PLAIN.get(name, ())), count
+    return _assemble(name, arrays, template, PLAIN.get(name, ())), count
 
 
-def single(
+def certify_record(
     name: str,
     record: Record,
     template: xr.Dataset,
@@ -210,8 +210,8 @@ def single(
 ) -> xr.Dataset:
     """A dataset with the certified values of one record instead of its own; `plain` ones are retained."""
     arrays: Arrays = {}
-    _place(arrays, template, (), {key: _nested(value) for key, value in record.items()})
-    return _assembled(name, arrays, template, plain)
+    _place(arrays, template, (), {key: _store_nested(value) for key, value in record.items()})
+    return _assemble(name, arrays, template, plain)
 
 
 def kink(name: str, cell: Cell, point: Point, reason: str) -> str:
@@ -241,7 +241,7 @@ def _place(arrays: Arrays, template: xr.Dataset, at: tuple[Any, ...], record: Re
             middle[span], exponent[span] = numbers[..., 0], numbers[..., 1]
 
 
-def _assembled(name: str, arrays: Arrays, template: xr.Dataset, plain: Sequence[str]) -> xr.Dataset:
+def _assemble(name: str, arrays: Arrays, template: xr.Dataset, plain: Sequence[str]) -> xr.Dataset:
     """The template with the certified values; all of its numbers except `plain` ones are required."""
     # As variables, so that no index aligns them: a certified time differs from the stored one.
     variables = {str(each): variable.copy() for each, variable in template.variables.items()}

@@ -50,7 +50,7 @@ def check_points(folder: Path, file: PathLike, number: int) -> tuple[list[Check]
     said, open_ones = [], []
     for name in (each for each in CELLS if computes(study, each)):
         result = read_dataset(folder / dataset_file(name))
-        taken, skipped, found = _certified(name, study_slice(study, name), result, number)
+        taken, skipped, found = _certify_points(name, study_slice(study, name), result, number)
         if not taken:
             checks.append(Check(file=name, problem="has no point that could be certified"))
         checks += [
@@ -65,7 +65,7 @@ def check_points(folder: Path, file: PathLike, number: int) -> tuple[list[Check]
     return checks, note
 
 
-def _certified(
+def _certify_points(
     name: str, values: Mapping[str, Any], result: xr.Dataset, number: int
 ) -> tuple[int, list[str], dict[str, Compared]]:
     """Numbers of random points, by variable; the number of points; and those that are undecided."""
@@ -73,7 +73,7 @@ def _certified(
     skipped = []
     chooser, taken = np.random.default_rng(SEED), 0
     for cell in CELLS[name]:
-        chosen = list(_chosen(cell, result, number, chooser))
+        chosen = list(_random_points(cell, result, number, chooser))
         points = [point for _, point in chosen]
         every = records(cell, values, points, min(os.cpu_count() or 1, 4))
         for (index, point), record in zip(chosen, every, strict=True):
@@ -89,7 +89,7 @@ def _certified(
     return taken, skipped, found
 
 
-def _chosen(
+def _random_points(
     cell: Cell, result: xr.Dataset, number: int, chooser: np.random.Generator
 ) -> Iterator[tuple[dict[str, int], Point]]:
     """Indices and coordinates of points, each at most once."""

@@ -15,13 +15,12 @@ from planar_pushing.evidence.golden.cells import (
     FRICTION,
     INERTIA,
     Record,
-    center,
-    motion_angle,
     motion_cone,
     ring_slider,
     shares,
     solutions,
 )
+from planar_pushing.evidence.golden.numbers import center, motion_angle
 from planar_pushing.oracle.balls import (
     Direction,
     Number,

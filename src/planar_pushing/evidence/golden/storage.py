@@ -16,7 +16,7 @@ LEAST, MOST = -127, 127
 WIDEST = 2.0**-60
 
 
-def stored(value: Any) -> tuple[Any, int]:
+def store(value: Any) -> tuple[Any, int]:
     """Midpoint and exponent of a number; a ball has no roundings, and anything else is exact.
 
     Raises

@@ -27,12 +27,12 @@ from planar_pushing.evidence.golden.compare import ASIDE, KIND, Kind, comparable
 from planar_pushing.evidence.golden.enclosures import RADIUS
 from planar_pushing.evidence.golden.grid import (
     CELLS,
-    certified,
-    single,
+    certify,
+    certify_record,
 )
 from planar_pushing.evidence.golden.scenes import scene_values
 from planar_pushing.oracle.balls import PRECISION, ROUNDINGS
-from planar_pushing.oracle.motion import log_values
+from planar_pushing.oracle.logs.log import log_values
 from planar_pushing.study.catalog import SIMULATIONS, dataset_place
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.study_model import StudyFile
@@ -61,13 +61,13 @@ def golden_groups(
     }
     if name in CELLS:
         values = study_slice(study, name)
-        dataset, count = certified(name, values, groups[""], processes)
+        dataset, count = certify(name, values, groups[""], processes)
         return Kind.ENCLOSED, {"": dataset}, count
     if name == "scenes":
         return (
             Kind.ENCLOSED,
             {
-                group: single(f"{name}/{group}", scene_values(_scene(study, group)), each)
+                group: certify_record(f"{name}/{group}", scene_values(_scene(study, group)), each)
                 for group, each in groups.items()
             },
             0,
@@ -114,7 +114,7 @@ def _log(name: str, path: str, log: xr.Dataset) -> tuple[Kind, Groups]:
     """The golden log of a simulation; its times are stored as computed."""
     columns = log_values(load_scene_file(path).model_dump(), log["time"].values.tolist())
     record = {variable: values for variable, (_, values) in columns.items()}
-    return Kind.INTEGRATED, {"": single(name, record, log, plain=("time",))}
+    return Kind.INTEGRATED, {"": certify_record(name, record, log, plain=("time",))}
 
 
 def differences(name: str, new: Groups, path: Path) -> list[str]:
@@ -129,11 +129,11 @@ def differences(name: str, new: Groups, path: Path) -> list[str]:
     return [
         f"{name}{'/' if group else ''}{group}: {each}"
         for group in new
-        for each in _changed(new[group], stored[group])
+        for each in _changes(new[group], stored[group])
     ]
 
 
-def _changed(new: xr.Dataset, stored: xr.Dataset) -> Iterator[str]:
+def _changes(new: xr.Dataset, stored: xr.Dataset) -> Iterator[str]:
     names = sorted(set(map(str, new.variables)) ^ set(map(str, stored.variables)))
     if names:
         yield f"different variables: {', '.join(names)}"

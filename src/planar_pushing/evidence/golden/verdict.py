@@ -28,7 +28,7 @@ def verdict(checks: Iterable[Check], note: str = "") -> Verdict:
         "failed": failed,
         "kinds": {kind.name.lower(): _counts(ranked, kind) for kind in Kind},
         "labels": sum(check.labels for check in ranked),
-        "used": _used(map(_entry, ranked)),
+        "used": _used_parts(map(_entry, ranked)),
         "note": note,
         "aside": ASIDE,
         "checks": [_entry(check) for check in ranked],
@@ -82,7 +82,7 @@ def _other_study(checks: list[Mapping[str, Any]]) -> list[str]:
     ]
 
 
-def _used(checks: Iterable[Mapping[str, Any]]) -> dict[str, float]:
+def _used_parts(checks: Iterable[Mapping[str, Any]]) -> dict[str, float]:
     """The largest part of an allowed difference that each dataset uses, without checks that failed."""
     used: dict[str, float] = {}
     for check in checks:

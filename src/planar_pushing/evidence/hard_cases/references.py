@@ -26,7 +26,8 @@ from planar_pushing.oracle.body import Body
 from planar_pushing.oracle.modes import Law, Mode, contact_modes
 from planar_pushing.oracle.motions import ray, stick, unit_motion
 from planar_pushing.oracle.prove import Proved, Slider, State
-from planar_pushing.oracle.support import Support, friction, support
+from planar_pushing.oracle.shapes import support
+from planar_pushing.oracle.support import Support, friction
 
 Entry = Mapping[str, Any]
 #: A number of a motion, with the direction of the force.

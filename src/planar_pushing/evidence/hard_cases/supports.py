@@ -117,9 +117,7 @@ def _scene(entry: references.Entry, length: float, psi: float) -> Scene:
     return Scene(slider=rod, contact=PerfectlyRough(), effects=(_effect(entry),))
 
 
-def _pushed(
-    quantity: str, entry: references.Entry, length: float, psi: float, angle: float
-) -> float:
+def _push(quantity: str, entry: references.Entry, length: float, psi: float, angle: float) -> float:
     scene = _scene(entry, length, psi)
     if quantity == "spin_ratio":
         return spin_of_stick(scene, angle)
@@ -136,7 +134,7 @@ ROUTES: dict[str, tuple[Callable[..., Number], references.Measure]] = {
 }
 
 
-def _exactly_pushed(
+def _exact_push(
     quantity: str, entry: references.Entry, length: fmpq, psi: fmpq, angle: fmpq
 ) -> Number:
     motion, measure = ROUTES[quantity]
@@ -158,6 +156,6 @@ def motions() -> Iterator[Case]:
     for line, name, push, rod, quantities in MOTIONS:
         for quantity in quantities:
             entry = SUPPORTS[name]
-            routes = partial(_pushed, quantity, entry), partial(_exactly_pushed, quantity, entry)
+            routes = partial(_push, quantity, entry), partial(_exact_push, quantity, entry)
             label = f"{quantity.replace('_', ' ')}, {name}, {push}"
             yield Case(label, line, Function(quantity, *routes), rod)

@@ -95,7 +95,7 @@ def closed_forms_on_grid(least_ratio: float, greatest_ratio: float, count: float
     return inequality(arb(10) ** -25 - widest, value=widest, points=len(gaps))
 
 
-def _turned(force: tuple[ids.Polynomial, ids.Polynomial]) -> tuple[ids.Polynomial, ids.Polynomial]:
+def _turn(force: tuple[ids.Polynomial, ids.Polynomial]) -> tuple[ids.Polynomial, ids.Polynomial]:
     """Rotate a vector from the primed frame to the frame of the fence; x' is at phi - 90 degrees."""
     return force[0] * ids.y + force[1] * ids.x, -force[0] * ids.x + force[1] * ids.y
 
@@ -103,7 +103,7 @@ def _turned(force: tuple[ids.Polynomial, ids.Polynomial]) -> tuple[ids.Polynomia
 @proof
 def fence_frame(rod_angle: float) -> Evidence:
     """Eqs. (4)-(6)."""
-    along, across = _turned((0 * ids.f, ids.f))
+    along, across = _turn((0 * ids.f, ids.f))
     moved = ids.cross((ids.l * ids.p, ids.l * ids.q), (ids.f * ids.x, ids.f * ids.y))
     torque = moved - ids.l * ids.f * (ids.y * ids.p - ids.x * ids.q)
     claimed, printed = (at_degrees(degrees).exact or () for degrees in (rod_angle, 45.0))

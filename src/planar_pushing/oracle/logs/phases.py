@@ -1,4 +1,4 @@
-"""What a contact mode determines: the smooth equations of a motion over time, and those with inertia.
+"""Equations of motion over time in a contact mode, and those of sliders with inertia.
 
 Vectors are in the frame of the fence, whose normal is y, unless a name ends in `rod`. Numbers are
 midpoints of balls: the equations are solved to the working precision, and their errors are not enclosed.
@@ -6,6 +6,7 @@ midpoints of balls: the equations are solved to the working precision, and their
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeVar
@@ -69,7 +70,7 @@ class Motion(NamedTuple):
     changes: tuple[arb, arb, arb] = (arb(0),) * 3
 
 
-def turned(vector: Sequence[arb], angle: arb) -> Vector:
+def turn(vector: Sequence[arb], angle: arb) -> Vector:
     """A vector turned by an angle."""
     sine, cosine = angle.sin_cos()
     x, y = vector
@@ -83,7 +84,7 @@ def line(start: Numbers, direction: Sequence[arb], size: arb | int) -> Numbers:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Slider:
+class Slider(ABC):
     """A slider on a fence.
 
     Attributes
@@ -100,13 +101,13 @@ class Slider:
     edges: tuple[Vector, Vector]
     body: Body | None
 
+    @abstractmethod
     def move(self, state: State, phase: Phase) -> Motion:
         """The motion in a phase."""
-        raise NotImplementedError
 
+    @abstractmethod
     def phases(self, state: State, fence: Vector) -> list[Phase]:
         """The consistent phases on a fence of some velocity."""
-        raise NotImplementedError
 
     def energy(self, angle: arb, contact: Vector, spin: arb) -> arb:
         """Kinetic energy at a rod angle, for the velocity of the contact and the rotation."""
@@ -124,7 +125,7 @@ class Slider:
 
     def rod(self, angle: arb) -> Vector:
         """Vector from the contact to the slider's center."""
-        return turned((arb(self.length), arb(0)), angle)
+        return turn((arb(self.length), arb(0)), angle)
 
     def edge(self, mode: Mode) -> Vector:
         """The edge of the friction cone on which the force of a slip lies."""
@@ -256,7 +257,7 @@ class Massive(Slider):
 
     def _arm(self, angle: arb) -> Vector:
         """Vector from the contact to the center of mass."""
-        return turned((arb(self.center[0]), arb(self.center[1])), angle)
+        return turn((arb(self.center[0]), arb(self.center[1])), angle)
 
     def _torque(self, angle: arb, force: Vector) -> arb:
         """Torque about the center of mass of a force at the contact."""
@@ -265,8 +266,8 @@ class Massive(Slider):
 
     def _friction(self, state: State, u: Vector) -> tuple[Vector, arb]:
         """Force that support friction requires at the contact, and torque about it."""
-        x, y, torque = self.wrench([*turned(u, -state.angle), state.spin])[0]
-        return turned((x, y), state.angle), torque
+        x, y, torque = self.wrench([*turn(u, -state.angle), state.spin])[0]
+        return turn((x, y), state.angle), torque
 
     def _free(self, state: State, friction: Vector, torque: arb) -> tuple[Vector, arb]:
         """Accelerations of the contact and of the rotation without a force of the fence."""

@@ -14,8 +14,7 @@ from typing import NamedTuple
 from flint import arb, fmpq
 
 from planar_pushing.oracle.balls import Undecided, Vector
-from planar_pushing.oracle.modes import Mode
-from planar_pushing.oracle.phases import (
+from planar_pushing.oracle.logs.phases import (
     SLIP_ENDS,
     STOPS,
     TOUCHES,
@@ -27,6 +26,7 @@ from planar_pushing.oracle.phases import (
     State,
     line,
 )
+from planar_pushing.oracle.modes import Mode
 
 Point = tuple[arb, ...]
 Rates = Callable[[Point], Point]
@@ -228,9 +228,9 @@ class Course:
         self._begin(self.slider.phases(state, fence), state)
 
     def _begin(self, phases: list[Phase], state: State) -> None:
-        self.phase, self.state, self.rest = self._preferred(phases), state, None
+        self.phase, self.state, self.rest = self._preferred_phase(phases), state, None
 
-    def _preferred(self, phases: list[Phase]) -> Phase:
+    def _preferred_phase(self, phases: list[Phase]) -> Phase:
         mode = self._choose([phase.mode for phase in phases])
         return next(phase for phase in phases if phase.mode is mode)
 
@@ -246,7 +246,7 @@ class Course:
     def _margins(self, state: Point) -> Margins:
         return self.slider.move(State(*state), self.phase).margins
 
-    def _advanced(self, state: State, step: arb) -> State:
+    def _state_after(self, state: State, step: arb) -> State:
         return State(*_advance(self._rates, state, step.mid(), self.scheme))
 
     def _instant(
@@ -309,9 +309,9 @@ class Course:
                 state = later = state._replace(along_rate=arb(0))
             elif event == STOPS:
                 later = state
-        phases = slider.phases(later or self._advanced(state, arb(AHEAD * self.duration)), fence)
+        phases = slider.phases(later or self._state_after(state, arb(AHEAD * self.duration)), fence)
         self._begin(phases, state)
-        there = self._advanced(state, self.times[near[0]] - state.time)
+        there = self._state_after(state, self.times[near[0]] - state.time)
         if event == TOUCHES:
             there = there._replace(gap=arb(0))
         self.instants[near[0]] = self._instant(there, len(phases), event, state.time)
@@ -367,7 +367,7 @@ class Course:
                 if found is None or found[0] != SLIP_ENDS:
                     raise Undecided("the contact changes while the motion decays")
                 after = *found[1][:3], fence[0], *found[1][4:]
-                phase = self._preferred(slider.phases(physical(after), fence))
+                phase = self._preferred_phase(slider.phases(physical(after), fence))
             z = after
         last = physical(z)
         time = (last.time + left(last)).mid()

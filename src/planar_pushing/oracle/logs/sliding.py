@@ -10,8 +10,7 @@ from flint import arb, arb_mat, ctx
 
 from planar_pushing.oracle.balls import Undecided, Vector, cross, dot, sign
 from planar_pushing.oracle.body import Body, Matrix, Row
-from planar_pushing.oracle.modes import Mode
-from planar_pushing.oracle.phases import (
+from planar_pushing.oracle.logs.phases import (
     KINK,
     LEAVES_CONE,
     NO_FOOT,
@@ -25,8 +24,9 @@ from planar_pushing.oracle.phases import (
     Phase,
     Slider,
     State,
-    turned,
+    turn,
 )
+from planar_pushing.oracle.modes import Mode
 
 #: Maximum number of Newton steps; halvings and bits in the search for a first guess.
 STEPS, HALVINGS, BITS = 16, 40, 64
@@ -133,7 +133,7 @@ class Sliding(Slider):
 
     def ray(self, angle: arb, mode: Mode) -> Ray:
         """Motion under the force of a slip, about a foot if one can carry what this requires."""
-        e_rod = turned(self.edge(mode), -angle)
+        e_rod = turn(self.edge(mode), -angle)
         for foot in self._feet:
             ray = self._pivot(angle, e_rod, foot)
             if ray.margin > 0:
@@ -151,7 +151,7 @@ class Sliding(Slider):
 
     def _stick(self, angle: arb, fence: Vector) -> tuple[arb, Vector]:
         """Rotation and force if the contact moves as the fence does."""
-        u_rod = turned(fence, -angle)
+        u_rod = turn(fence, -angle)
 
         def system(z: Row) -> tuple[Row, Matrix]:
             value, slopes = self.wrench([*u_rod, z[0]])
@@ -162,7 +162,7 @@ class Sliding(Slider):
         except (KeyError, Undecided):
             (spin,) = newton(system, [self._turn(u_rod)])
         self.guesses[Mode.STICK] = NO_FOOT, [spin]
-        return spin, turned(self.wrench([*u_rod, spin])[0][:2], angle)
+        return spin, turn(self.wrench([*u_rod, spin])[0][:2], angle)
 
     def _turn(self, u_rod: Vector) -> arb:
         """The rotation without a torque, to some digits; the torque increases with the rotation."""
@@ -187,7 +187,7 @@ class Sliding(Slider):
             low, high = -arb.pi() / 2, arb.pi() / 2
             for _ in range(HALVINGS):
                 middle = (low + high) / 2
-                u = turned(e_rod, middle)
+                u = turn(e_rod, middle)
                 q = [*u, self._turn(u)]
                 short = cross(e_rod, self.wrench(q)[0]) < 0
                 low, high = (middle, high) if short else (low, middle)
@@ -205,11 +205,11 @@ class Sliding(Slider):
         h = [(torque * e - aside * r) / lever for e, r in zip(e_rod, arm, strict=True)]
         size = dot(e_rod, (x + h[0], y + h[1]))
         margin = 1 - dot(h, h) / share**2
-        return Ray(turned(u_rod, angle), spin, size.mid(), margin.mid(), foot)
+        return Ray(turn(u_rod, angle), spin, size.mid(), margin.mid(), foot)
 
     def _ray(self, angle: arb, mode: Mode, foot: int) -> Ray:
         """The pivot about a foot, or the motion next to the last one."""
-        e_rod = turned(self.edge(mode), -angle)
+        e_rod = turn(self.edge(mode), -angle)
         if foot != NO_FOOT:
             return self._pivot(angle, e_rod, foot)
         if mode not in self.guesses:
@@ -233,7 +233,7 @@ class Sliding(Slider):
         q, _, own, _ = self._lift(near, z)
         value = self.wrench(q, near)[0]
         size = dot(e_rod, (value[0] + own[0], value[1] + own[1]))
-        return Ray(turned(q[:2], angle), q[2], size.mid(), arb(1) if near == NO_FOOT else z[0])
+        return Ray(turn(q[:2], angle), q[2], size.mid(), arb(1) if near == NO_FOOT else z[0])
 
     def _beside(self, q: Sequence[arb]) -> tuple[int, Row]:
         """The nearest foot, its speed and direction, and the rotation; without feet the motion itself."""

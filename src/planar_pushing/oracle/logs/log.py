@@ -25,10 +25,10 @@ from planar_pushing.oracle.balls import (
     rational,
 )
 from planar_pushing.oracle.body import Body
-from planar_pushing.oracle.course import FIRST, Course, Instant, Piece, Scheme
-from planar_pushing.oracle.phases import Massive, Slider, State, line
-from planar_pushing.oracle.sliding import Sliding
-from planar_pushing.oracle.support import support
+from planar_pushing.oracle.logs.course import FIRST, Course, Instant, Piece, Scheme
+from planar_pushing.oracle.logs.phases import Massive, Slider, State, line
+from planar_pushing.oracle.logs.sliding import Sliding
+from planar_pushing.oracle.shapes import support
 
 File = Mapping[str, Any]
 #: Dimensions, and nested lists of balls, or of flags.
