@@ -16,7 +16,7 @@ from planar_pushing.figures.parts.measured import PUSHES_FILE
 from planar_pushing.figures.render import pushes_figure
 from planar_pushing.study.build import build_dataset
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.store import write_dataset
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.study.study_file import load_study
 from shown import Checker
 

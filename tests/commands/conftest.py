@@ -5,7 +5,7 @@ import pytest
 from planar_pushing.commands import main
 from planar_pushing.study.build import build_dataset
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.store import write_dataset
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.study.study_file import load_study
 
 

@@ -8,7 +8,7 @@ import xarray as xr
 
 from planar_pushing.commands import main
 from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.store import write_dataset
+from planar_pushing.terms.netcdf import write_dataset
 
 
 def test_query(run, results):

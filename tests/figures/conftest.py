@@ -15,7 +15,7 @@ from planar_pushing.study.build import build_dataset
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import arguments
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.store import write_dataset
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.study.study_file import load_study
 from report.costs import accuracy, accuracy_time, effects, hard_cases
 from report.pushes import measured_pushes

@@ -10,7 +10,8 @@ from matplotlib.text import Text
 from figures.conftest import FIGURES, NUMBERED, PICTURES
 from planar_pushing.figures import render
 from planar_pushing.figures.colors import FORCE, GUIDE, MOTION, tint
-from planar_pushing.figures.figure import COLUMN, PAGE, drawing, entry
+from planar_pushing.figures.figure import drawing, entry
+from planar_pushing.figures.style import COLUMN, PAGE
 from planar_pushing.figures.marks import Arrow
 from planar_pushing.figures.studies import OURS
 from planar_pushing.figures.style import paper_style

@@ -11,7 +11,8 @@ from figures.conftest import FIGURES
 from planar_pushing.figures import render, style
 from planar_pushing.figures.figure import drawing
 from planar_pushing.figures.studies import settings
-from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.errors import InvalidValue
 
 KINDS = ("svg", "pdf", "png")

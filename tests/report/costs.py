@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.quantities import COSTS, attributes
 
 STORED = Path("tests/golden/accuracy.nc")

@@ -36,7 +36,7 @@ from planar_pushing.report.tables import (
 from planar_pushing.study.build import build_dataset
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.slices import computes, study_slice
-from planar_pushing.study.store import write_dataset
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile, InvalidValue
 from report.costs import write_costs

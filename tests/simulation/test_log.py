@@ -12,7 +12,7 @@ import xarray as xr
 
 import planar_pushing as pp
 from mechanics.builders import BOTH, FRICTION, make_scene
-from planar_pushing.study.store import write_dataset
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.quantities import unit_of
 from simulation.runs import heading, run
 

@@ -19,7 +19,7 @@ import xarray as xr
 import planar_pushing as pp
 from mechanics.builders import make_scene
 from planar_pushing.study.files.replacing import replacing
-from planar_pushing.study.store import write_dataset
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.quantities import unit_of
 from signals import interruptible, uninterruptible
 from simulation.runs import final, heading, run

@@ -13,7 +13,7 @@ from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.provenance import provenance
 from planar_pushing.study.simulations import simulate_file
 from planar_pushing.study.slices import computes, study_slice
-from planar_pushing.study.store import group_names, write_dataset
+from planar_pushing.terms.netcdf import group_names, write_dataset
 from planar_pushing.study.study_file import load_study
 
 SMOKE = "workflow/config/smoke.yaml"

@@ -9,7 +9,8 @@ from planar_pushing.study import build
 from planar_pushing.study.chunks import blocks, chunk_parts, chunk_slice, chunk_steps
 from planar_pushing.study.provenance import provenance
 from planar_pushing.study.slices import points, sizes, study_slice
-from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 from study.conftest import OF_PAPER, SLIDERS_SMOKE, SMOKE

@@ -9,7 +9,7 @@ from planar_pushing.study.build import build_dataset
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.files.study_model import labeled_law
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.store import group_names
+from planar_pushing.terms.netcdf import group_names
 from planar_pushing.study.study_file import load_study
 from study.conftest import OF_PAPER
 

@@ -8,7 +8,7 @@ import xarray as xr
 import planar_pushing as pp
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.describe import of_study, parameters_of
-from planar_pushing.study.store import read_attributes
+from planar_pushing.terms.netcdf import read_attributes
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms import quantities
 from planar_pushing.terms.quantities import DATASET, unit_of

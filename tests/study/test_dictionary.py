@@ -15,7 +15,7 @@ from planar_pushing.study.catalog import DATASETS, EVIDENCE, TABLES
 from planar_pushing.study.dictionary import dictionary_text
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.simulations import simulate_file
-from planar_pushing.study.store import write_dataset
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.study.study_file import load_study
 
 SMOKE = "workflow/config/smoke.yaml"

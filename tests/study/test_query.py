@@ -6,7 +6,8 @@ import xarray as xr
 
 from planar_pushing import InvalidFile, InvalidValue
 from planar_pushing.study.query import axis_names, select
-from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset
+from planar_pushing.terms.netcdf import write_dataset
 
 CLOSE = xr.Dataset(
     {"angle": (("contact", "side"), [[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]])},

@@ -8,12 +8,8 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
-from planar_pushing.study.store import (
-    group_names,
-    read_attributes,
-    read_dataset,
-    write_dataset,
-)
+from planar_pushing.study.store import read_dataset
+from planar_pushing.terms.netcdf import group_names, read_attributes, write_dataset
 from planar_pushing.terms.errors import InvalidFile
 
 DATASET = xr.Dataset(

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.study.store import write_dataset
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.study.studies import (
     chosen_results,
     chosen_studies,

@@ -15,7 +15,8 @@ from planar_pushing.commands import main
 from planar_pushing.figures.figure import entry
 from planar_pushing.report.closing import closing_lines
 from planar_pushing.study.catalog import DATASETS
-from planar_pushing.study.store import read_attributes, read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset
+from planar_pushing.terms.netcdf import read_attributes, write_dataset
 from planar_pushing.study.study_file import load_study
 from workflow.conftest import PROJECT, copy_project, few_targets
 

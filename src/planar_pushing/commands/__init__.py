@@ -10,32 +10,19 @@ import sys
 import threading
 from collections.abc import Sequence
 from contextlib import suppress
+from importlib.metadata import entry_points
 
 from planar_pushing import __version__
-from planar_pushing.commands import (
-    check,
-    compare,
-    completion,
-    cone,
-    convert,
-    identify,
-    init,
-    plan,
-    query,
-    run,
-    simulate,
-    solve,
-)
+from planar_pushing.commands import compare, completion, cone, convert, identify, simulate, solve
 from planar_pushing.commands.pictures import animate, draw, explore
 from planar_pushing.commands.words.arguments import Parser, check_push
 from planar_pushing.commands.words.text import text
 from planar_pushing.terms.errors import InvalidValue, PlanarPushingError
 
-#: Help, version and completion import these modules, so none imports numpy before its command runs.
-COMMANDS = (
-    solve, cone, query, draw, explore, simulate, animate, check, plan, run, init, convert, identify,
-    compare, completion,
-)  # fmt: skip
+#: Group of the entry points of other packages' commands, each a module with a function `add`. Help, version
+#: and completion import all of these modules, so none imports numpy before its command runs.
+GROUP = "planar_pushing.commands"
+COMMANDS = (solve, cone, draw, explore, simulate, animate, convert, identify, compare, completion)
 #: Exit codes other than 0, by shell convention: invalid input, Ctrl-C, and a closed output pipe.
 INVALID, INTERRUPTED, UNREAD = 2, 130, 141
 
@@ -45,7 +32,7 @@ def parser() -> Parser:
     found = Parser(prog="planar-pushing", description=__doc__, allow_abbrev=False)
     found.add_argument("--version", action="version", version=f"planar-pushing {__version__}")
     commands = found.add_subparsers(dest="command", required=True, metavar="command")
-    for command in COMMANDS:
+    for command in (*COMMANDS, *(each.load() for each in sorted(entry_points(group=GROUP)))):
         command.add(commands)
     return found
 

@@ -51,7 +51,7 @@ def compared(args: argparse.Namespace) -> dict[str, Any]:
     seed = require_seed(args.seed)
     pushes = chosen_pushes(args)
     from planar_pushing.pushes.compare import MODELS, compare
-    from planar_pushing.study.store import write_dataset
+    from planar_pushing.terms.netcdf import write_dataset
 
     models = [each for each in MODELS if args.identify or each != SLOW]
     found = compare(pushes, models, seed=seed, progress=sys.stderr.isatty())

@@ -23,6 +23,7 @@ def add(commands: Commands) -> None:
     sub = command(
         commands, "convert", converted, about, "three-feet 30_90_30_30_30_90.txt -o pushes.nc"
     )
+    sub.words = tuple(FORMATS)
     listed = "; ".join(f"{name}: {each}" for name, each in FORMATS.items())
     sub.add_argument("format", metavar="FORMAT", help=listed)
     sub.add_argument("files", type=Path, nargs="+", metavar="FILE", help="files of this format")

@@ -42,6 +42,7 @@ def add(commands: Commands) -> None:
         "percent intervals come from resampled pushes."
     )
     sub = command(commands, "identify", identified, about, "pushes.nc -o support.yaml")
+    sub.values = {"--family": tuple(FAMILIES)}
     add_pushes(sub, several=False)
     sub.add_argument(
         "--outline", type=Path, metavar="OUTLINE.yaml",

@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from planar_pushing.commands.words.arguments import Commands, command
 from planar_pushing.study.catalog import DATASETS, opened
+from planar_pushing.study.studies import PAPER
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.options import EffectSet
 from planar_pushing.terms.quantities import unit_of
 
 if TYPE_CHECKING:
@@ -28,6 +30,12 @@ def add(commands: Commands) -> None:
         "planar-pushing query [DATASET] [--AXIS VALUE ...] [--axes] [--study NAME] "
         "[--results FOLDER] [--json]"
     )
+    named = [name for name in opened() if not name.endswith("/NAME")]
+    axes = sorted({option(axis) for entry in DATASETS.values() for axis in entry.dims})
+    sub.words = (*named, *axes)
+    sub.values = {
+        "--effects": tuple(EffectSet), "--study": (PAPER, "$(ls results/studies 2>/dev/null)"),
+    }  # fmt: skip
     sub.epilog = f"{_axes_of_datasets()}\n\n{sub.epilog}"
     sub.add_argument(
         "dataset", metavar="DATASET", nargs="?",

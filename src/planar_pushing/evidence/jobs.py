@@ -8,7 +8,7 @@ from pathlib import Path
 from planar_pushing.evidence.writing import json_text, write_text
 from planar_pushing.study.describe import of_study
 from planar_pushing.study.files.replacing import PathLike
-from planar_pushing.study.store import write_dataset
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.errors import InvalidResult
 
 Attributes = Mapping[str, str]

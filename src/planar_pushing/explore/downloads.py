@@ -15,7 +15,7 @@ from planar_pushing.figures.scene import scene_picture
 from planar_pushing.figures.svg import to_svg
 from planar_pushing.study.files.scene_model import SceneFile
 from planar_pushing.study.files.scenes import save_scene_file
-from planar_pushing.study.store import write_dataset
+from planar_pushing.terms.netcdf import write_dataset
 
 #: Size of the picture and of a point in pixels.
 SIZE, POINT = (840.0, 760.0), 2.0

@@ -10,10 +10,9 @@ from typing import Any
 from ruamel.yaml import YAML
 
 from planar_pushing.explore.state import State, state_of
-from planar_pushing.study.datasets.scenes import pusher_angle
+from planar_pushing.mechanics.cones import angle_under_force
 from planar_pushing.study.files.object_model import ObjectFile
 from planar_pushing.study.files.scene_model import SceneFile
-from planar_pushing.study.files.study_model import PushEntry
 
 #: Preset that the page shows first.
 FIRST = "figure_03"
@@ -70,6 +69,6 @@ def preset(name: str) -> State:
     file, given = preset_file(name), _table()["presets"][name]
     if file.simulate is not None:
         return state_of(file)
-    push = {key: given[key] for key in ("pusher_angle", "force_angle") if key in given}
-    angle = pusher_angle(file.build(), PushEntry.model_validate({"file": name} | push))
-    return state_of(file, round(angle, 6))
+    if "pusher_angle" in given:
+        return state_of(file, float(given["pusher_angle"]))
+    return state_of(file, round(angle_under_force(file.build(), given["force_angle"]), 6))

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.figures.figure import PAGE, Figure, Sources
+from planar_pushing.figures.figure import Figure, Sources
+from planar_pushing.figures.style import PAGE
 from planar_pushing.figures.parts.methods import (
     handles,
     methods,

@@ -9,7 +9,8 @@ import xarray as xr
 from matplotlib.axes import Axes
 
 from planar_pushing.figures.colors import GRAY
-from planar_pushing.figures.figure import PAGE, Figure, Sources
+from planar_pushing.figures.figure import Figure, Sources
+from planar_pushing.figures.style import PAGE
 from planar_pushing.figures.marks import NOTE
 from planar_pushing.figures.parts.methods import handles, methods, with_times, work_precision
 from planar_pushing.mechanics.plane import Array

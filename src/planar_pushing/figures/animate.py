@@ -22,7 +22,7 @@ from planar_pushing.figures.body import body_in, name_centers
 from planar_pushing.figures.colors import GUIDE, MODES
 from planar_pushing.figures.marks import NOTE, Picture, Sheet
 from planar_pushing.figures.motion import add_instant, add_paths, box, pose
-from planar_pushing.figures.render import PathLike
+from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.figures.scene import add_center_mark
 from planar_pushing.figures.style import paper_style
 from planar_pushing.figures.timeline import announce_end, plotted

@@ -14,7 +14,7 @@ from matplotlib.path import Path
 from matplotlib.patheffects import withStroke
 
 from planar_pushing.figures.colors import DARK
-from planar_pushing.figures.figure import COLUMN, PAGE
+from planar_pushing.figures.style import COLUMN, PAGE
 from planar_pushing.figures.labels import settled
 from planar_pushing.figures.marks import (
     DASHES,

@@ -10,7 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
 from planar_pushing.figures.colors import DARK
-from planar_pushing.figures.figure import PAGE, Figure
+from planar_pushing.figures.figure import Figure
+from planar_pushing.figures.style import PAGE
 
 FIGURE = Figure(
     title="Costs of the effects",

@@ -20,8 +20,6 @@ from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.store import open_dataset
 from planar_pushing.terms.errors import InvalidValue
 
-#: Widths of a journal's column and page in inches.
-COLUMN, PAGE = 3.4, 7.0
 #: Datasets by the names in `reads`.
 Sources = Mapping[str, xr.Dataset]
 STATICS = "Sec. 3: quasi-static pushing and pulling"

@@ -14,7 +14,8 @@ import xarray as xr
 from planar_pushing.figures.axes import Panel, panels
 from planar_pushing.figures.body import add_fence, add_rod
 from planar_pushing.figures.colors import DARK, FORCE, GUIDE, MOTION, PUSHER
-from planar_pushing.figures.figure import COLUMN, FRICTION, STATICS, Figure, Settings, Sources
+from planar_pushing.figures.figure import FRICTION, STATICS, Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN
 from planar_pushing.figures.marks import NOTE, Picture, corners, unit
 from planar_pushing.figures.parts.data import mathematical, radius, rod_angle, titled, values
 from planar_pushing.figures.supports import Ink, Pose, add_support

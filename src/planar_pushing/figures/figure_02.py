@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import xarray as xr
 
-from planar_pushing.figures.figure import COLUMN, STATICS, Figure, Settings, Sources
+from planar_pushing.figures.figure import STATICS, Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN
 from planar_pushing.figures.parts.solutions import angle_of, draw_balance, of_scene, shown
 
 FIGURE = Figure(

@@ -11,7 +11,8 @@ import xarray as xr
 from planar_pushing.figures.axes import Panel, panels
 from planar_pushing.figures.body import add_body, add_fence
 from planar_pushing.figures.colors import CENTER, DARK, FORCE, GUIDE, MOTION
-from planar_pushing.figures.figure import COLUMN, STATICS, Figure, Settings, Sources
+from planar_pushing.figures.figure import STATICS, Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN
 from planar_pushing.figures.marks import NOTE, Arrow, Picture, corners, unit
 from planar_pushing.figures.parts.solutions import angle_of, of_scene, shown
 from planar_pushing.figures.scene import add_center_mark

@@ -9,7 +9,8 @@ import xarray as xr
 
 from planar_pushing.figures.axes import onto
 from planar_pushing.figures.colors import DARK, rod_color
-from planar_pushing.figures.figure import COLUMN, FRICTION, STATICS, Figure, Settings, Sources
+from planar_pushing.figures.figure import FRICTION, STATICS, Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN
 from planar_pushing.figures.marks import NOTE, Picture, Sheet, unit
 from planar_pushing.figures.parts.curves import curves, family, forces
 from planar_pushing.figures.parts.data import (

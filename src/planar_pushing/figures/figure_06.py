@@ -6,7 +6,8 @@ from typing import Any
 
 import xarray as xr
 
-from planar_pushing.figures.figure import COLUMN, FRICTION, PAGE, Figure, Settings, Sources
+from planar_pushing.figures.figure import FRICTION, Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN, PAGE
 from planar_pushing.figures.parts.curves import cone_mapping, curve_picture, curves, mapping
 from planar_pushing.figures.parts.data import mathematical, titled, values
 

@@ -11,7 +11,8 @@ import xarray as xr
 from planar_pushing.figures.axes import Panel, is_column, panels
 from planar_pushing.figures.body import add_fence, add_rod
 from planar_pushing.figures.colors import DARK, MODES, MOTION
-from planar_pushing.figures.figure import COLUMN, FRICTION, PAGE, Figure, Settings, Sources
+from planar_pushing.figures.figure import FRICTION, Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN, PAGE
 from planar_pushing.figures.marks import AREAS, NOTE, Picture, arc, corners, unit
 from planar_pushing.figures.parts.data import (
     crosses,

@@ -9,7 +9,8 @@ import xarray as xr
 
 from planar_pushing.figures.axes import Panel, panels
 from planar_pushing.figures.colors import MOTION
-from planar_pushing.figures.figure import COLUMN, Figure, Settings, Sources
+from planar_pushing.figures.figure import Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN
 from planar_pushing.figures.marks import AREAS, NOTE, Picture, corners
 from planar_pushing.figures.parts.data import degrees, values
 from planar_pushing.figures.parts.solutions import shown

@@ -11,7 +11,8 @@ import xarray as xr
 from planar_pushing.figures.axes import Panel, is_column, panels
 from planar_pushing.figures.body import Body, add_body, add_fence
 from planar_pushing.figures.colors import CENTER, FORCE, MOTION, PUSHER
-from planar_pushing.figures.figure import COLUMN, DYNAMICS, PAGE, Figure, Settings, Sources
+from planar_pushing.figures.figure import DYNAMICS, Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN, PAGE
 from planar_pushing.figures.marks import AREAS, LINES, NOTE, Picture, unit
 from planar_pushing.figures.parts.data import degrees, mathematical, number, values
 from planar_pushing.figures.parts.solutions import shown

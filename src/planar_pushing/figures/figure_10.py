@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.figures.figure import COLUMN, DYNAMICS, INERTIA, PAGE, Figure, Settings, Sources
+from planar_pushing.figures.figure import DYNAMICS, INERTIA, Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN, PAGE
 from planar_pushing.figures.marks import Picture
 from planar_pushing.figures.parts.curves import cone_mapping, curves, family, mapping
 from planar_pushing.figures.parts.data import crosses, mathematical, number, several, titled, values

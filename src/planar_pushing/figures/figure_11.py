@@ -10,7 +10,8 @@ import xarray as xr
 
 from planar_pushing.figures.axes import Panel, panels
 from planar_pushing.figures.colors import FORCE
-from planar_pushing.figures.figure import COLUMN, DYNAMICS, Figure, Settings, Sources
+from planar_pushing.figures.figure import DYNAMICS, Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN
 from planar_pushing.figures.marks import Picture, corners
 from planar_pushing.figures.parts.data import named, values
 from planar_pushing.figures.parts.solutions import angle_of, shown

@@ -12,7 +12,8 @@ import xarray as xr
 from planar_pushing.figures.axes import Panel, is_column, panels
 from planar_pushing.figures.body import Body, add_body, add_fence
 from planar_pushing.figures.colors import CENTER, DARK, MODES, MOTION, PUSHER, tint
-from planar_pushing.figures.figure import BOTH, COLUMN, DYNAMICS, PAGE, Figure, Settings, Sources
+from planar_pushing.figures.figure import BOTH, DYNAMICS, Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN, PAGE
 from planar_pushing.figures.marks import AREAS, NOTE, Picture, arc, corners, unit
 from planar_pushing.figures.parts.data import (
     attributed,

@@ -13,7 +13,8 @@ from matplotlib.patches import Patch, Rectangle
 
 from planar_pushing.figures.axes import is_column
 from planar_pushing.figures.colors import DARK, look_of
-from planar_pushing.figures.figure import COLUMN, PAGE, Figure, Settings, Sources
+from planar_pushing.figures.figure import Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN, PAGE
 from planar_pushing.figures.marks import NOTE
 from planar_pushing.figures.parts.data import (
     attributed,

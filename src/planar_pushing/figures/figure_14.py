@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.figures.figure import COLUMN, PAGE, Figure, Settings, Sources
+from planar_pushing.figures.figure import Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN, PAGE
 from planar_pushing.figures.over_time import explain, series, strip
 from planar_pushing.figures.parts.data import number, titled, values
 from planar_pushing.figures.parts.frames import add_frames

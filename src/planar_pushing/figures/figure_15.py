@@ -8,7 +8,8 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.figures.axes import schematic, to_axes
-from planar_pushing.figures.figure import COLUMN, PAGE, Figure, Settings, Sources
+from planar_pushing.figures.figure import Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN, PAGE
 from planar_pushing.figures.motion import box, snapshots
 from planar_pushing.figures.over_time import series, strip
 from planar_pushing.figures.parts.data import named, number, titled, values

@@ -11,7 +11,8 @@ from matplotlib.lines import Line2D
 
 from planar_pushing.figures.axes import is_column, onto
 from planar_pushing.figures.colors import DARK, FORCE, GRAY
-from planar_pushing.figures.figure import COLUMN, PAGE, Figure, Settings, Sources
+from planar_pushing.figures.figure import Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN, PAGE
 from planar_pushing.figures.marks import NOTE, Picture, Sheet
 from planar_pushing.figures.parts.data import named, number, titled, values
 from planar_pushing.figures.parts.gallery import (

@@ -9,7 +9,8 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.figures.colors import DARK, GRAY
-from planar_pushing.figures.figure import COLUMN, PAGE, Figure, Settings, Sources
+from planar_pushing.figures.figure import Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN, PAGE
 from planar_pushing.figures.marks import NOTE
 from planar_pushing.figures.parts.data import named, number, titled
 from planar_pushing.figures.parts.gallery import SECTION, sustaining

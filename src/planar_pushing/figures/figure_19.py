@@ -10,7 +10,8 @@ import xarray as xr
 from planar_pushing.figures.axes import is_column, schematic, to_axes
 from planar_pushing.figures.body import scene_in
 from planar_pushing.figures.colors import CENTER, DARK, FORCE
-from planar_pushing.figures.figure import COLUMN, PAGE, Figure, Settings, Sources
+from planar_pushing.figures.figure import Figure, Settings, Sources
+from planar_pushing.figures.style import COLUMN, PAGE
 from planar_pushing.figures.marks import NOTE, Picture, unit
 from planar_pushing.figures.motion import add_paths, box, snapshots
 from planar_pushing.figures.parts.data import degrees, named, number, titled, values

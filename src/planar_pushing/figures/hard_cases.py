@@ -10,7 +10,8 @@ from matplotlib.axes import Axes
 
 from planar_pushing.figures.axes import is_column
 from planar_pushing.figures.colors import FORCE, GRAY, MOTION
-from planar_pushing.figures.figure import COLUMN, PAGE, Figure
+from planar_pushing.figures.figure import Figure
+from planar_pushing.figures.style import COLUMN, PAGE
 from planar_pushing.mechanics.plane import Array
 
 FIGURE = Figure(

@@ -20,7 +20,8 @@ from planar_pushing.figures.comparison import (
     panel,
     title,
 )
-from planar_pushing.figures.figure import COLUMN, PAGE, Figure
+from planar_pushing.figures.figure import Figure
+from planar_pushing.figures.style import COLUMN, PAGE
 from planar_pushing.figures.parts.measured import PUSHES_FILE
 
 FIGURE = Figure(

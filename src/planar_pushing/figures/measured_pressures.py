@@ -10,7 +10,8 @@ import numpy as np
 from planar_pushing.figures.axes import is_column, schematic, to_axes
 from planar_pushing.figures.colors import DARK, GRAY, LIGHT, tint
 from planar_pushing.figures.comparison import LOOKS
-from planar_pushing.figures.figure import COLUMN, PAGE, Figure
+from planar_pushing.figures.figure import Figure
+from planar_pushing.figures.style import COLUMN, PAGE
 from planar_pushing.figures.marks import LINES, NOTE, Picture, Sheet, corners
 from planar_pushing.figures.parts.measured import PUSHES_FILE
 from planar_pushing.mechanics.plane import Array, direction

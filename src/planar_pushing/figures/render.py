@@ -3,29 +3,20 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping
-from pathlib import Path
+from collections.abc import Iterable, Mapping
 from types import SimpleNamespace
 from typing import Any
 
 from matplotlib.figure import Figure
 
 from planar_pushing.figures.figure import drawing, select
+from planar_pushing.figures.saving import save, save_drawn
 from planar_pushing.figures.style import paper_style
 from planar_pushing.study.describe import of_study
-from planar_pushing.study.files.replacing import replacing
-from planar_pushing.study.store import read_dataset, write_dataset
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.study.store import read_dataset
+from planar_pushing.terms.netcdf import write_dataset
 
 PathLike = str | os.PathLike[str]
-
-#: Options for each format, which omit metadata on the date and the program version.
-SAVING: dict[str, dict[str, Any]] = {
-    "svg": {"metadata": {"Date": None, "Creator": "planar-pushing"}},
-    "pdf": {"metadata": {"CreationDate": None, "Creator": "planar-pushing", "Producer": None}},
-    "png": {"metadata": {"Software": None}},
-}
-
 
 def picture(name: str, data: Any, variant: str = "") -> Figure:
     """Figure drawn from its data; call it and save the figure within `paper_style`."""
@@ -33,33 +24,6 @@ def picture(name: str, data: Any, variant: str = "") -> Figure:
     figure = Figure(figsize=found.FIGURE.variants[variant])
     found.draw(figure, data)
     return figure
-
-
-def save(figure: Figure, path: PathLike) -> None:
-    """Save a picture, completely or not at all; its bytes depend only on the picture.
-
-    Raises
-    ------
-    InvalidValue
-        If the file name does not end in .svg, .pdf or .png.
-    """
-    kind = Path(path).suffix.lstrip(".").lower()
-    if kind not in SAVING:
-        allowed = ", ".join(f".{each}" for each in SAVING)
-        raise InvalidValue("output", str(path), f"a name ending in {allowed}", "rename the file")
-    with replacing(path) as temporary:
-        figure.savefig(temporary, format=kind, **SAVING[kind])
-
-
-def save_drawn(
-    draw: Callable[[Figure], object], size: tuple[float, float], paths: Iterable[PathLike]
-) -> None:
-    """Draw on a figure of a given size in inches and save it under each name; errors as in `save`."""
-    with paper_style():
-        figure = Figure(figsize=size)
-        draw(figure)
-        for path in paths:
-            save(figure, path)
 
 
 def _draw(name: str, data: Any, paths: Iterable[PathLike], variant: str = "") -> None:

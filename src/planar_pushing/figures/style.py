@@ -8,6 +8,8 @@ from pathlib import Path
 
 import matplotlib.style
 
+#: Widths of a journal's column and page in inches.
+COLUMN, PAGE = 3.4, 7.0
 STYLE_SHEET = Path(__file__).with_name("paper.mplstyle")
 
 

@@ -169,6 +169,15 @@ def motion_angle(
     return _of_motion(scene, columns, "motion_angle", 8)
 
 
+def angle_under_force(scene: Scene, force_angle: float) -> float:
+    """Direction in which the contact, and a fence that follows it, moves under a force; both in degrees.
+
+    With friction and inertia, each effect takes an equal share of the force.
+    """
+    share = 0.5 if is_magnitude_open(scene) else None
+    return float(np.rad2deg(motion_angle(scene, in_radians(force_angle), share)))
+
+
 def _of_motion(scene: Scene, columns: Sequence[Any], name: str, column: int) -> Number:
     """One column of the results of `force_motions`."""
 

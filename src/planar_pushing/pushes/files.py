@@ -8,7 +8,7 @@ import xarray as xr
 
 from planar_pushing.pushes.schema import required_pushes
 from planar_pushing.study.files.replacing import PathLike
-from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.terms.netcdf import read_dataset, write_dataset
 from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path
 
 

@@ -12,7 +12,8 @@ import xarray as xr
 
 from planar_pushing.figures.parts.measured import PUSHES_FILE, read_pushes
 from planar_pushing.study.files.fields import EffectsName
-from planar_pushing.study.store import open_dataset, read_attributes, read_dataset
+from planar_pushing.study.store import open_dataset, read_dataset
+from planar_pushing.terms.netcdf import read_attributes
 from planar_pushing.terms.errors import InvalidFile
 
 #: Names of the sets of effects in the datasets.

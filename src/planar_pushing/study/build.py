@@ -22,7 +22,8 @@ from planar_pushing.study.describe import described, of_study
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.slices import cut, part_of, pushes, sizes
-from planar_pushing.study.store import index_of, write_dataset
+from planar_pushing.study.store import index_of
+from planar_pushing.terms.netcdf import write_dataset
 
 Built = xr.Dataset | dict[str, xr.Dataset]
 Values = dict[str, Any]

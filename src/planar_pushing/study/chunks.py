@@ -17,6 +17,7 @@ import numpy as np
 from planar_pushing.mechanics.entries import to_json
 from planar_pushing.study.slices import Cut, cut, cuts, sizes, study_slice
 from planar_pushing.terms.extras import require_extra
+from planar_pushing.terms.netcdf import block_shape
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -36,19 +37,9 @@ MEMORY = 900
 MINUTES, SECONDS_PER_POINT = 10, 1e-4
 
 
-def shape(lengths: Sequence[int], most: int) -> tuple[int, ...]:
-    """Shape of a block of at most `most` points: whole inner dimensions, a power of two, then ones."""
-    found: list[int] = []
-    for length in reversed(lengths):
-        fits = length <= most
-        found.append(length if fits else 1 << (most.bit_length() - 1))
-        most = max(most // max(length, 1), 1) if fits else 1
-    return tuple(reversed(found))
-
-
 def blocks(lengths: Mapping[str, int], most: int = BLOCK) -> list[Cut]:
     """Split a grid into blocks of at most `most` points."""
-    steps = shape(list(lengths.values()), most)
+    steps = block_shape(list(lengths.values()), most)
     return list(cuts(lengths, dict(zip(lengths, steps, strict=True))))
 
 

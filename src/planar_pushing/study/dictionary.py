@@ -12,7 +12,8 @@ import xarray as xr
 from planar_pushing.study.catalog import DATASETS, EVIDENCE, FIGURES, SIMULATIONS, TABLES
 from planar_pushing.study.files.replacing import replacing
 from planar_pushing.study.running.jobs import run_command
-from planar_pushing.study.store import group_names, open_dataset
+from planar_pushing.study.store import open_dataset
+from planar_pushing.terms.netcdf import group_names
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_name
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.quantities import FINGER, LOG, NOTES, unit_of

@@ -6,7 +6,8 @@ from pathlib import Path
 
 from planar_pushing.study.catalog import FOLDERS, WHOLE, building, opened
 from planar_pushing.study.files.replacing import PathLike
-from planar_pushing.study.store import built_results, group_names, read_attributes
+from planar_pushing.study.store import built_results
+from planar_pushing.terms.netcdf import group_names, read_attributes
 from planar_pushing.terms.errors import InvalidFile
 
 

@@ -16,7 +16,7 @@ from planar_pushing.study.build import build_dataset
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.study.slices import computes, cut, points, sizes, study_slice
-from planar_pushing.study.store import write_dataset
+from planar_pushing.terms.netcdf import write_dataset
 
 #: Number of blocks for measuring a rate, four for each set of effects if a study has all, and their points.
 SAMPLES, SAMPLE = 12, 2**14

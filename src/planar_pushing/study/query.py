@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.study.catalog import number_label
-from planar_pushing.study.store import reading
+from planar_pushing.terms.netcdf import reading
 from planar_pushing.terms.errors import InvalidValue
 
 

@@ -1,24 +1,18 @@
-"""Datasets in netCDF4 files: written completely or not at all, with one-line errors for damaged files."""
+"""Datasets of a study by name, each in one file or in chunks behind an index."""
 
 from __future__ import annotations
 
 import json
-import math
-import os
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, Literal
 
-import h5netcdf
-import h5py
-import numpy as np
 import xarray as xr
 
 from planar_pushing.study.catalog import DATASETS, FOLDERS, building, dataset_place
-from planar_pushing.study.chunks import joined, shape
-from planar_pushing.study.files.replacing import PathLike, replacing
+from planar_pushing.study.chunks import joined
+from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.studies import built_folder
+from planar_pushing.terms import netcdf
 from planar_pushing.terms.errors import (
     InvalidFile,
     InvalidValue,
@@ -26,116 +20,21 @@ from planar_pushing.terms.errors import (
     require_path,
     suggestion,
 )
+from planar_pushing.terms.netcdf import group_names, reading
 
-ENGINE: Literal["h5netcdf"] = "h5netcdf"
-#: Minimum size in bytes, one page, for which a variable gains from compression.
-SMALL = 4096
-#: Maximum number of values in a separately compressed piece, and the compression level.
-STORED, LEVEL = 2**15, 1
-#: Size in bytes above which a dataset is read on demand.
-LARGE = 2**23
 #: Attribute of an index: the maximum length of a chunk along each dimension that is split.
 CHUNKS = "chunks"
 
 
-def write_dataset(built: xr.Dataset | dict[str, xr.Dataset], path: PathLike) -> None:
-    """Write a dataset, or several as groups of one file, completely or not at all.
-
-    The bytes of the file depend only on the content, unless dask reads the dataset.
-    """
-    groups = {"/": built} if isinstance(built, xr.Dataset) else built
-    # Drop encodings inherited from other files.
-    plain = {name: each.drop_encoding() for name, each in groups.items()}
-    tree = xr.DataTree.from_dict(
-        {name: each.assign_attrs(_attributes(each.attrs)) for name, each in plain.items()}
-    )
-    encoding = {
-        node.path: {name: _encoding(each) for name, each in node.variables.items()}
-        for node in tree.subtree
-    }
-    with replacing(path) as temporary:
-        tree.to_netcdf(temporary, engine=ENGINE, encoding=encoding)
-
-
-def _attributes(attrs: Mapping[Any, Any]) -> dict[Any, Any]:
-    """Attributes with integers of 32 bits if they fit, since not every reader has attributes of 64."""
-    limits = np.iinfo(np.int32)
-    return {
-        name: np.int32(each)
-        if isinstance(each, (int, np.int64)) and limits.min <= each <= limits.max
-        else each
-        for name, each in attrs.items()
-    }
-
-
-def _encoding(variable: xr.Variable) -> dict[str, Any]:
-    """Encoding without a fill value; numbers are compressed if that saves space."""
-    chunks = stored_chunks(variable.shape, variable.dtype)
-    layout = {"zlib": True, "complevel": LEVEL, "chunksizes": chunks} if chunks else {}
-    return {"_FillValue": None} | layout
-
-
-def stored_chunks(lengths: Sequence[int], dtype: np.dtype[Any]) -> tuple[int, ...] | None:
-    """Shape of the compressed pieces of a variable; None without compression."""
-    small = dtype.kind in "OU" or math.prod(lengths) * dtype.itemsize < SMALL
-    return None if small else shape(lengths, STORED)
-
-
-@contextmanager
-def reading(path: PathLike) -> Iterator[None]:
-    """Report any error while reading a file as a one-line message, since damage can cause any error."""
-    try:
-        yield
-    except PlanarPushingError:
-        raise
-    except FileNotFoundError:
-        message = f"{path}: no such dataset; build it with make or snakemake"
-        raise InvalidFile(message) from None
-    except Exception as error:
-        number = error.errno if isinstance(error, OSError) else None
-        reason = f" ({os.strerror(number)})" if number else ""
-        raise InvalidFile(
-            f"{path}: is not a netCDF4 file{reason}; give a dataset, or rebuild a damaged one"
-        ) from None
-
-
-@contextmanager
-def _netcdf(path: PathLike) -> Iterator[h5netcdf.File]:
-    """Open a file with a readable root; otherwise h5netcdf would report a second error on closing."""
-    with reading(path):
-        with h5py.File(path, "r") as file:
-            dict(file.attrs)
-        with h5netcdf.File(path, "r") as file:
-            yield file
-
-
-def read_attributes(path: PathLike) -> dict[str, object]:
-    """Read only the root attributes of a file; errors as in `read_dataset`."""
-    with _netcdf(path) as file:
-        return dict(file.attrs)
-
-
 def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
-    """Read a dataset into memory and close its file; a dataset above 8 MB is read on demand.
-
-    A dataset that is stored in chunks is also read on demand, by dask.
+    """Read a dataset as `netcdf.read_dataset` does; one that is stored in chunks is read on demand, by dask.
 
     Raises
     ------
     InvalidFile
         If the file is missing, is not netCDF4, or has no such group.
     """
-    if group not in (None, *group_names(path)):
-        raise InvalidFile(f"{path}: has no group {group!r}; delete it and build it again")
-    with reading(path):
-        # An HDF5 file that is not netCDF4 has no named dimensions. No dataset holds dates.
-        opened = xr.open_dataset(
-            path, engine=ENGINE, group=group, phony_dims="access", decode_times=False
-        )
-        if opened.nbytes > LARGE:
-            return opened
-        with opened:
-            found = opened.load()
+    found = netcdf.read_dataset(path, group)
     return _behind_index(found, Path(path)) if CHUNKS in found.attrs else found
 
 
@@ -168,12 +67,6 @@ def _steps(index: xr.Dataset, path: Path) -> dict[str, int]:
     if not steps or not set(steps) <= set(dims) or min(steps.values()) < 1:
         raise InvalidFile(f"{path}: names no chunks; delete it and build it again")
     return steps
-
-
-def group_names(path: PathLike) -> list[str]:
-    """Names of a file's groups, in order; errors as in `read_dataset`."""
-    with _netcdf(path) as file:
-        return sorted(file.groups)
 
 
 def _filled(folder: Path) -> Path:

@@ -4,7 +4,8 @@ from functools import cache
 from pathlib import Path
 
 from planar_pushing.evidence.golden.enclosures import RADIUS
-from planar_pushing.study.store import group_names, read_dataset
+from planar_pushing.study.store import read_dataset
+from planar_pushing.terms.netcdf import group_names
 
 FOLDER = Path("tests/golden")
 

@@ -12,7 +12,8 @@ from planar_pushing.figures.figure import drawing, entry
 from planar_pushing.study import build
 from planar_pushing.study.catalog import DATASETS
 from planar_pushing.study.slices import computes, study_slice
-from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.study.study_file import load_study
 
 STUDY = """title: Mine

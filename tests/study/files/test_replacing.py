@@ -13,7 +13,8 @@ import pytest
 import xarray as xr
 
 from planar_pushing.study.files.replacing import replacing
-from planar_pushing.study.store import read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.errors import InvalidFile
 
 BUSY = r"file\.txt: another process is writing it; name another file"
@@ -175,7 +176,7 @@ def test_permissions_are_those_that_the_user_gives_new_files(tmp_path):
 SAVER = """
 import sys, time
 import numpy as np, xarray as xr
-from planar_pushing.study.store import write_dataset
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.errors import InvalidFile
 saved, refusals, start = 0, set(), time.monotonic()
 while time.monotonic() < start + (1.5 if saved else 60.0):

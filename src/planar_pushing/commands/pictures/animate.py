@@ -30,7 +30,7 @@ def animated(args: argparse.Namespace) -> dict[str, Any]:
     """Draw the log as an animation in one file."""
     from planar_pushing.figures.animate import animate
     from planar_pushing.figures.timeline import plotted
-    from planar_pushing.study.store import read_dataset
+    from planar_pushing.terms.netcdf import read_dataset
 
     if not args.log.exists():
         raise InvalidFile(f"{args.log}: no such file; give a log written by simulate")

@@ -42,7 +42,7 @@ def add(commands: Commands) -> None:
 def drawn(args: argparse.Namespace) -> dict[str, Any]:
     """Draw the scene under the given push, the push of its file, or a push straight ahead."""
     from planar_pushing.figures.draw import SCENE, draw_on
-    from planar_pushing.figures.render import save_drawn
+    from planar_pushing.figures.saving import save_drawn
     from planar_pushing.figures.sketch import Sketch, with_curve
     from planar_pushing.study.files.scenes import load_scene_file
     from planar_pushing.terms.numbers import in_radians
@@ -74,14 +74,12 @@ def _finger(file: SceneFile, scene: Scene) -> dict[str, Any]:
 
 def _push(args: argparse.Namespace, file: SceneFile, scene: Scene) -> tuple[float, float]:
     """Angle in degrees and magnitude of the push."""
-    from planar_pushing.study.datasets.scenes import pusher_angle
-    from planar_pushing.study.files.study_model import PushEntry
+    from planar_pushing.mechanics.cones import angle_under_force
 
     own = file.pieces[0] if file.simulate else None
     angle = args.pusher_angle
     if args.force_angle is not None:
-        push = PushEntry(file=str(args.scene), force_angle=args.force_angle)
-        angle = pusher_angle(scene, push)
+        angle = angle_under_force(scene, args.force_angle)
     elif angle is None:
         angle = own.angle if own else 90.0
     # The file gives a velocity, but a scene with inertia is pushed from rest by an acceleration.

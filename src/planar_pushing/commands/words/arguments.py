@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -22,7 +22,18 @@ DIRECTION = (
 
 
 class Parser(argparse.ArgumentParser):
-    """A parser that reports an error in the arguments in one line."""
+    """A parser that reports an error in the arguments in one line.
+
+    Attributes
+    ----------
+    words : tuple of str
+        Choices of its positional argument, for shell completion.
+    values : mapping
+        Choices by option, for shell completion.
+    """
+
+    words: tuple[str, ...] = ()
+    values: Mapping[str, tuple[str, ...]] = {}
 
     def __init__(self, *args: Any, **options: Any) -> None:
         super().__init__(*args, **options)
@@ -73,9 +84,9 @@ def angles(text: str) -> float | tuple[float, ...]:
 
 def command(
     commands: Commands, name: str, action: Action, about: str, example: str = ""
-) -> argparse.ArgumentParser:
+) -> Parser:
     """Add a command with an example; its results are printed as text or as JSON."""
-    sub: argparse.ArgumentParser = commands.add_parser(
+    sub: Parser = commands.add_parser(
         name, help=about, description=about, allow_abbrev=False,
         epilog=f"example: planar-pushing {name} {example}".rstrip(),
         formatter_class=argparse.RawDescriptionHelpFormatter,

@@ -18,7 +18,8 @@ from planar_pushing.study.catalog import DATASETS, FIGURES, SIMULATIONS, dataset
 from planar_pushing.study.files.replacing import PathLike
 from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.study.slices import computes
-from planar_pushing.study.store import group_names, read_attributes, read_dataset
+from planar_pushing.study.store import read_dataset
+from planar_pushing.terms.netcdf import group_names, read_attributes
 from planar_pushing.study.study_file import load_study
 from planar_pushing.terms.errors import InvalidFile
 

@@ -38,7 +38,8 @@ from planar_pushing.study.files.scenes import load_scene_file
 from planar_pushing.study.files.study_model import StudyFile
 from planar_pushing.study.running.jobs import run_command
 from planar_pushing.study.slices import study_slice
-from planar_pushing.study.store import group_names, read_attributes, read_dataset, write_dataset
+from planar_pushing.study.store import read_dataset
+from planar_pushing.terms.netcdf import group_names, read_attributes, write_dataset
 from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_folder, study_name
 from planar_pushing.study.study_file import load_study
 

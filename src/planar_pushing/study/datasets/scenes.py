@@ -11,8 +11,8 @@ import xarray as xr
 
 from planar_pushing.mechanics.centers import motion_centers
 from planar_pushing.mechanics.cones import (
+    angle_under_force,
     friction_cone,
-    is_magnitude_open,
     motion_angle,
     motion_cone,
 )
@@ -34,14 +34,10 @@ CONE_SAMPLES = 181
 
 
 def pusher_angle(scene: Scene, push: PushEntry) -> float:
-    """Angle of the fence's motion in degrees: the given one, or that of the contact under a force angle.
-
-    With friction and inertia, each effect takes an equal share of the force.
-    """
+    """Angle of the fence's motion in degrees: the given one, or that of the contact under a force angle."""
     if push.force_angle is None:
         return float(push.pusher_angle or 0.0)
-    share = 0.5 if is_magnitude_open(scene) else None
-    return float(np.rad2deg(motion_angle(scene, in_radians(push.force_angle), share)))
+    return angle_under_force(scene, push.force_angle)
 
 
 def _solutions(solutions: Solutions, pusher: Array) -> dict[str, Any]:
