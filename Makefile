@@ -39,7 +39,7 @@ LOCK := exec 9>>.making; $(PYTHON) -E -c 'import fcntl; fcntl.flock(9, fcntl.LOC
 	echo "Another make is running in this folder; waiting for it"; $(PYTHON) -E -c 'import fcntl; fcntl.flock(9, fcntl.LOCK_EX)'; }
 
 all: $(CORE)
-	@$(LOCK); $(BIN)/snakemake $(if $(STUDY),--config study=$(STUDY)) && $(BIN)/python -m planar_pushing.report.closing $(STUDY)
+	@$(LOCK); $(BIN)/snakemake $(if $(STUDY),--config study=$(STUDY)) && $(BIN)/python -m pulling_by_pushing.report.closing $(STUDY)
 
 # An environment is valid only for its folder and the locked packages.
 STATE := $(CURDIR) $(shell cat requirements.lock pyproject.toml | cksum)
@@ -69,15 +69,15 @@ test-all: $(CORE) ## run the slow tests: workflow, manual, processors, failures,
 	$(BIN)/pytest -m alone
 	$(PROCESSORS)
 
-PROCESSORS = @$(LOCK); $(BIN)/python -m planar_pushing.evidence.golden.processors
+PROCESSORS = @$(LOCK); $(BIN)/python -m pulling_by_pushing.evidence.golden.processors
 test-processors: $(CORE) ## build and check the golden data as on older processors, and with all features of this one
 	$(PROCESSORS)
 
 test-slurm: $(CORE) ## run a study in chunks on a private Slurm, including failures (needs root, slurm-wlm, munge)
-	$(BIN)/pytest -m alone tests/workflow/test_slurm.py
+	$(BIN)/pytest -m alone tests/paper/workflow/test_slurm.py
 
 test-drags: $(CORE) ## drag parts of the explorer 20,000 times in Chromium; measure frame rate, latency and memory
-	$(BIN)/pytest -s tests/browser/many_drags.py
+	$(BIN)/pytest -s tests/library/browser/many_drags.py
 
 lint: $(INSTALLED)
 	$(BIN)/ruff check src tests workflow/scripts paper/manual hatch_build.py joiner
@@ -88,7 +88,7 @@ lint: $(INSTALLED)
 	$(BIN)/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
 
 coverage: $(INSTALLED) $(CORE) ## print the lines of the core that its test of bits does not run as plain Python
-	$(BIN)/coverage run -m pytest -p no:cacheprovider -q tests/core/test_same_bits.py
+	$(BIN)/coverage run -m pytest -p no:cacheprovider -q tests/library/core/test_same_bits.py
 	$(BIN)/coverage report
 
 bench: $(CORE) ## print the speed of the mechanics and the simulations, as ratios within one run
@@ -96,16 +96,16 @@ bench: $(CORE) ## print the speed of the mechanics and the simulations, as ratio
 
 golden: $(CORE) ## recompute the golden data of the results and print the differences; WRITE=1 stores them
 	@$(LOCK); $(BIN)/snakemake data figures accuracy
-	$(BIN)/python -m planar_pushing.evidence.golden.update $(if $(WRITE),--write)
+	$(BIN)/python -m pulling_by_pushing.evidence.golden.update $(if $(WRITE),--write)
 
 images: $(CORE) ## compare the figures with their stored images; WRITE=1 stores them
-	$(BIN)/python -m planar_pushing.figures.images $(if $(WRITE),--write)
+	$(BIN)/python -m pulling_by_pushing.figures.images $(if $(WRITE),--write)
 
 dictionary: $(INSTALLED) ## write results/README.md from the attributes of the datasets
-	$(BIN)/python -m planar_pushing.study.dictionary
+	$(BIN)/python -m pulling_by_pushing.study.dictionary
 
 schemas: $(INSTALLED) ## write workflow/schemas from the models of scene and study files
-	$(BIN)/python -m planar_pushing.study.files.schemas
+	$(BIN)/python -m pulling_by_pushing.study.schemas
 
 manual: $(CORE) ## write the manual to results/manual/index.html; missing results are built first
 	@$(LOCK); $(BIN)/snakemake manual

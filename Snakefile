@@ -53,7 +53,7 @@ rule golden_passed:
         "{results}/logs/golden/golden_passed.log",
     params:
         call="evidence.jobs:require_golden",
-        code=code_of("golden"),
+        code=code_of("evidence.golden.verdict"),
     message:
         "Requiring that every value of {wildcards.results} agrees with golden data"
     script:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
+from core.both_forms import BothForms
 from hypothesis import HealthCheck, settings
 
-from core.both_forms import BothForms
 from planar_pushing.mechanics import kernels
 
 settings.register_profile(

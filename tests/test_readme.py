@@ -11,13 +11,13 @@ from PIL import Image
 
 import planar_pushing as pp
 from planar_pushing.commands import main
-from planar_pushing.figures import images
-from planar_pushing.figures.parts.measured import PUSHES_FILE
-from planar_pushing.figures.render import pushes_figure
-from planar_pushing.study.build import build_dataset
-from planar_pushing.study.slices import study_slice
 from planar_pushing.terms.netcdf import write_dataset
-from planar_pushing.study.study_file import load_study
+from pulling_by_pushing.figures import images
+from pulling_by_pushing.figures.parts.measured import PUSHES_FILE
+from pulling_by_pushing.figures.render import pushes_figure
+from pulling_by_pushing.study.running.build import build_dataset
+from pulling_by_pushing.study.slices import study_slice
+from pulling_by_pushing.study.study_file import load_study
 from shown import Checker
 
 PATH = Path("README.md").resolve()

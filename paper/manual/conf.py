@@ -8,8 +8,8 @@ import tempfile
 from pathlib import Path
 
 from planar_pushing import __version__
-from planar_pushing.figures.colors import MOTION
-from planar_pushing.figures.style import STYLE_SHEET
+from planar_pushing.drawing.canvas.colors import MOTION
+from planar_pushing.drawing.canvas.style import STYLE_SHEET
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "extensions"))

@@ -1,21 +1,10 @@
 """Planar pushing: pulling by pushing, slip with infinite friction, and the mechanics behind them."""
 
-from .figures.animate import animate
-from .figures.comparison import plot_comparison
-from .figures.draw import draw, plot_log
+from .datasets import open_dataset
+from .drawing.animate import animate
+from .drawing.comparison import plot_comparison
+from .drawing.draw import draw, plot_log
 from .mechanics.angles import AngleInterval
-from .mechanics.centers import (
-    conservative_motion_cone,
-    motion_centers,
-)
-from .mechanics.cones import (
-    can_pull,
-    friction_cone,
-    motion_angle,
-    motion_cone,
-    slips_while_pushing,
-    spin_ratio,
-)
 from .mechanics.contact import (
     ContactMode,
     Coulomb,
@@ -24,7 +13,6 @@ from .mechanics.contact import (
     PerfectlyRough,
     Status,
 )
-from .mechanics.derivatives import Derivatives, ForceDerivatives, Smoothness
 from .mechanics.effects import (
     Inertia,
     Load,
@@ -33,9 +21,23 @@ from .mechanics.effects import (
     Viscous,
     weight,
 )
-from .mechanics.force_motion import ForceMotion, motion_of_force
+from .mechanics.force.centers import (
+    conservative_motion_cone,
+    motion_centers,
+)
+from .mechanics.force.cones import (
+    can_pull,
+    friction_cone,
+    motion_angle,
+    motion_cone,
+    slips_while_pushing,
+    spin_ratio,
+)
+from .mechanics.force.derivatives import Derivatives, ForceDerivatives, Smoothness
+from .mechanics.force.force_motion import ForceMotion, motion_of_force
+from .mechanics.force.limit_curve import LimitCurve, limit_curve
+from .mechanics.force.wrench import potential, wrench
 from .mechanics.frames import Placement
-from .mechanics.limit_curve import LimitCurve, limit_curve
 from .mechanics.scene import Scene, Slider
 from .mechanics.solutions import Solution, SolutionArrays, Solutions
 from .mechanics.solve import solve
@@ -51,28 +53,26 @@ from .mechanics.supports import (
     Segment,
     fit_ellipsoid,
 )
-from .mechanics.wrench import potential, wrench
 from .objects.first_touch import Touch, first_touch
 from .objects.inverse import Push, pushes_for
 from .objects.mjcf import to_mjcf
 from .objects.scene_at import scene_at
 from .objects.wrench_set import WrenchSet, wrench_set
-from .pushes.combine import concat_pushes
 from .pushes.compare import compare
 from .pushes.files import load_pushes, save_pushes
 from .pushes.identified import Identified
 from .pushes.identify import identify
-from .pushes.mit import read_mit
-from .pushes.poses import pushes_from_poses
+from .pushes.logs.combine import concat_pushes
+from .pushes.logs.mit import read_mit
+from .pushes.logs.poses import pushes_from_poses
+from .pushes.logs.three_feet import read_three_feet
 from .pushes.simulated import simulate_pushes
-from .pushes.three_feet import read_three_feet
+from .scenes.files import load_scene, save_scene
 from .simulation.batch import simulate_batch
 from .simulation.log import to_pandas
 from .simulation.pusher import Pusher
 from .simulation.simulate import simulate
 from .simulation.until import Until
-from .study.files.scenes import load_scene, save_scene
-from .study.store import open_dataset
 from .terms.errors import (
     InvalidFile,
     InvalidValue,

@@ -16,9 +16,9 @@ from scipy.special import ellipe, ellipkm1
 
 import planar_pushing as pp
 from planar_pushing.mechanics.arrays import CORES
+from planar_pushing.mechanics.force.wrench import ring_profile, ring_spin_ratios
+from planar_pushing.mechanics.pressure.table import table_of_pieces
 from planar_pushing.mechanics.supports.moments import moments
-from planar_pushing.mechanics.supports.pressure.table import table_of_pieces
-from planar_pushing.mechanics.wrench import ring_profile, ring_spin_ratios
 
 pytestmark = pytest.mark.benchmark(timer=time.process_time)
 COUNT = 10**6

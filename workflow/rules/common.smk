@@ -6,24 +6,24 @@ from pathlib import Path
 
 from snakemake.exceptions import WorkflowError
 
-from planar_pushing.figures.figure import drawing, entry
-from planar_pushing.evidence.measured import logs
-from planar_pushing.figures.parts.measured import PUSHES_FILE
-from planar_pushing.figures.studies import (
+from pulling_by_pushing.figures.figure import drawing, entry
+from pulling_by_pushing.evidence.measured import logs
+from pulling_by_pushing.figures.parts.measured import PUSHES_FILE
+from pulling_by_pushing.figures.studies import (
     OURS,
     PUSHES,
     load_drawn_study,
     numbered,
     settings,
 )
-from planar_pushing.report.provenance import commit
-from planar_pushing.study import chunks
-from planar_pushing.study.catalog import DATASETS, dataset_file
-from planar_pushing.study.provenance import provenance, whole_digest
-from planar_pushing.study.running.code import builder, code_of
-from planar_pushing.study.running.jobs import failure_text
-from planar_pushing.study.slices import computes, points, sizes, study_slice
-from planar_pushing.study.studies import (
+from pulling_by_pushing.report.provenance import commit
+from pulling_by_pushing.study import chunks
+from pulling_by_pushing.study.catalog import DATASETS, dataset_file
+from pulling_by_pushing.study.provenance import provenance, whole_digest
+from pulling_by_pushing.study.running.code import code_of
+from pulling_by_pushing.study.running.jobs import failure_text
+from pulling_by_pushing.study.slices import computes, points, sizes, study_slice
+from pulling_by_pushing.study.studies import (
     chosen_data,
     chosen_results,
     chosen_studies,
@@ -155,7 +155,13 @@ def marks_of(wildcards):
 
 def figure_code(wildcards):
     """Digest of the code of a figure."""
-    return code_of("figure", f"figures.{wildcards.figure}")
+    return code_of("figures.render", f"figures.{wildcards.figure}")
+
+
+def dataset_code(wildcards):
+    """Digest of the code of a dataset."""
+    name = DATASETS[wildcards.dataset].module
+    return code_of("study.running.build", f"study.datasets.{name}")
 
 
 def chunked(wildcards):
@@ -199,9 +205,9 @@ def chunk_files(wildcards):
 def job_call(wildcards):
     """Name of the function that builds a dataset, combines its chunks, or writes their index."""
     if not chunked(wildcards):
-        return "study.build:dataset"
+        return "study.running.build:dataset"
     gathers = study_of(wildcards).gather.get(wildcards.dataset, True)
-    return f"study.build:{'gather' if gathers else 'index'}"
+    return f"study.running.build:{'gather' if gathers else 'index'}"
 
 
 def job_values(wildcards, threads):
@@ -229,7 +235,7 @@ def figure_settings(wildcards):
 
 def golden_results(wildcards):
     """Results of a study for which there are golden data, and the golden files."""
-    from planar_pushing.evidence.golden.check import result_names
+    from pulling_by_pushing.evidence.golden.check import result_names
 
     study = study_of(wildcards)
     files = [

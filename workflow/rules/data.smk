@@ -26,7 +26,7 @@ rule dataset:
         runtime=job_minutes,
     params:
         call=job_call,
-        code=lambda wildcards: code_of("dataset", builder(wildcards.dataset)),
+        code=dataset_code,
         name="{dataset}",
         values=job_values,
         marks=marks_of,
@@ -51,8 +51,8 @@ rule chunk:
         mem_mb=chunks.MEMORY,
         runtime=job_minutes,
     params:
-        call="study.build:dataset",
-        code=lambda wildcards: code_of("dataset", builder(wildcards.dataset)),
+        call="study.running.build:dataset",
+        code=dataset_code,
         name="{dataset}",
         study=job_slice,
         threads=lambda wildcards, threads: threads,
@@ -71,8 +71,8 @@ rule simulation:
     benchmark:
         "{results}/benchmarks/data/simulation_{simulation}.tsv"
     params:
-        call="study.build:simulation",
-        code=code_of("simulation"),
+        call="study.running.simulations:simulation",
+        code=code_of("study.running.simulations"),
         name="{simulation}",
         scene=lambda wildcards: study_of(wildcards).simulations[wildcards.simulation],
         marks=marks_of,

@@ -20,7 +20,10 @@ rule golden_verdict:
         "{results}/benchmarks/golden/golden_verdict.tsv"
     params:
         call="evidence.jobs:golden",
-        code=lambda wildcards: [code_of("golden"), whole_digest(study_of(wildcards))],
+        code=lambda wildcards: [
+            code_of("evidence.golden.check", "evidence.golden.verdict"),
+            whole_digest(study_of(wildcards)),
+        ],
         study=lambda wildcards: FILES[wildcards.results],
         results="{results}",
     message:
@@ -62,7 +65,7 @@ rule claims_table:
         "{results}/benchmarks/claims/claims_table.tsv"
     params:
         call="evidence.jobs:claims",
-        code=code_of("claims"),
+        code=code_of("evidence.claims.table"),
     message:
         "Checking the claims of the paper"
     script:
@@ -96,7 +99,9 @@ rule counts:
     params:
         call="evidence.jobs:{counts}",
         code=lambda wildcards: code_of(
-            "hard_cases" if wildcards.counts == "hard_cases" else "costs"
+            "evidence.hard_cases.dataset"
+            if wildcards.counts == "hard_cases"
+            else "evidence.costs.measure"
         ),
         marks=lambda wildcards: MARKS[wildcards.results](wildcards.counts),
     message:
@@ -118,7 +123,7 @@ rule times:
     threads: workflow.cores
     params:
         call="evidence.jobs:{times}",
-        code=code_of("costs"),
+        code=code_of("evidence.costs.measure", "evidence.costs.effects"),
         values=timed_study,
         marks=lambda wildcards: MARKS[wildcards.results](wildcards.times),
     message:

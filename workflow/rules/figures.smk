@@ -113,7 +113,7 @@ rule simulation_figure:
         "{results}/benchmarks/figures/simulation_{simulation}.tsv"
     params:
         call="figures.render:simulation_figure",
-        code=code_of("figure"),
+        code=code_of("figures.render"),
     message:
         "Drawing the simulation {wildcards.simulation}"
     script:

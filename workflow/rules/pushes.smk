@@ -55,7 +55,7 @@ if DATA is not None:
             f"{WHOLE or chosen_results(config)}/logs/pushes/measured_pushes.log",
         params:
             call="evidence.measured:measure",
-            code=code_of("pushes"),
+            code=code_of("evidence.measured"),
             folder=DATA,
         message:
             "Evaluating the pushes of {params.folder}"

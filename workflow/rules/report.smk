@@ -39,7 +39,7 @@ rule report_tables:
         f"{WHOLE}/benchmarks/paper/report_tables.tsv"
     params:
         call="report.jobs:report_tables",
-        code=[code_of("report"), *map(whole_digest, STUDIES.values())],
+        code=[code_of("report.jobs"), *map(whole_digest, STUDIES.values())],
         golden=STUDIES[WHOLE].golden if WHOLE else "",
         results=WHOLE,
     message:
@@ -58,7 +58,7 @@ rule report_provenance:
         f"{WHOLE}/logs/paper/report_provenance.log",
     params:
         call="report.jobs:report_provenance",
-        code=[code_of("report"), *map(whole_digest, STUDIES.values())],
+        code=[code_of("report.jobs"), *map(whole_digest, STUDIES.values())],
         study=FILES.get(WHOLE),
         golden=STUDIES[WHOLE].golden if WHOLE else "",
         results=WHOLE,
@@ -91,7 +91,7 @@ rule paper_pdf:
         f"{WHOLE}/benchmarks/paper/paper_pdf.tsv"
     params:
         call="report.typeset:typeset",
-        code=code_of("report"),
+        code=code_of("report.jobs"),
         root=".",
         results=WHOLE,
     message:
@@ -134,7 +134,7 @@ rule manual_pages:
     params:
         call="report.manual:build_manual",
         source=lambda wildcards: "paper/manual",
-        code=code_of("manual"),
+        code=code_of("report.manual", "study.dictionary"),
     message:
         "Building the manual"
     script:

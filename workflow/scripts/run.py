@@ -2,7 +2,7 @@
 
 from pkgutil import resolve_name
 
-from planar_pushing.study.running.jobs import job_log
+from pulling_by_pushing.study.running.jobs import job_log
 
 given = dict(snakemake.params.items())
 for shown in ("code", "title", "promise"):  # for Snakemake and its report
@@ -10,5 +10,5 @@ for shown in ("code", "title", "promise"):  # for Snakemake and its report
 given |= given.pop("values", {})
 
 with job_log(snakemake.log[0]):
-    function = resolve_name(f"planar_pushing.{given.pop('call')}")
+    function = resolve_name(f"pulling_by_pushing.{given.pop('call')}")
     function(**dict(snakemake.input.items()), **dict(snakemake.output.items()), **given)

@@ -12,11 +12,11 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
-from planar_pushing.figures.figure import entry
-from planar_pushing.figures.studies import OURS
-from planar_pushing.study.files.scenes import load_scene_file
-from planar_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
-from planar_pushing.study.study_file import load_study
+from planar_pushing.scenes.files import load_scene_file
+from pulling_by_pushing.figures.figure import entry
+from pulling_by_pushing.figures.studies import OURS
+from pulling_by_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
+from pulling_by_pushing.study.study_file import load_study
 
 #: A symbol with an index in a caption, such as v_p.
 INDEXED = re.compile(r"\b([a-z])_([a-z])\b")
@@ -28,7 +28,7 @@ PAPER, BEYOND, SUPPORTS, METHODS, MOTIONS = (
     "Numerical accuracy and measured pushes",
     "Other simulations",
 )
-MODULES = "src/planar_pushing/figures"
+MODULES = "src/pulling_by_pushing/figures"
 
 
 @dataclass(frozen=True, kw_only=True)

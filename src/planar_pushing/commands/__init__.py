@@ -13,8 +13,18 @@ from contextlib import suppress
 from importlib.metadata import entry_points
 
 from planar_pushing import __version__
-from planar_pushing.commands import compare, completion, cone, convert, identify, simulate, solve
-from planar_pushing.commands.pictures import animate, draw, explore
+from planar_pushing.commands import (
+    animate,
+    compare,
+    completion,
+    cone,
+    convert,
+    draw,
+    explore,
+    identify,
+    simulate,
+    solve,
+)
 from planar_pushing.commands.words.arguments import Parser, check_push
 from planar_pushing.commands.words.text import text
 from planar_pushing.terms.errors import InvalidValue, PlanarPushingError

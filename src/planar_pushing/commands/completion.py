@@ -16,7 +16,11 @@ from planar_pushing.terms.options import Method, Policy, Shape
 #: Lines that a shell needs before the bash function, which zsh can also run.
 SHELLS = {"bash": "", "zsh": "autoload -U +X compinit bashcompinit && compinit && bashcompinit\n"}
 #: Choices of options of several commands.
-VALUES = {"--method": tuple(Method), "--on-ambiguity": tuple(Policy), "--pusher-shape": tuple(Shape)}
+VALUES = {
+    "--method": tuple(Method),
+    "--on-ambiguity": tuple(Policy),
+    "--pusher-shape": tuple(Shape),
+}
 #: Files are completed where nothing else fits, and after an option that takes a free value.
 SCRIPT = """{start}_planar_pushing() {{
   local words=""
@@ -47,7 +51,9 @@ def script(args: argparse.Namespace) -> dict[str, Any]:
     if args.shell not in SHELLS:
         raise InvalidValue("shell", args.shell, ", ".join(SHELLS), "name one of these shells")
     known: dict[str, Parser] = args.known
-    values = {f'*" {option}"': words for option, words in VALUES.items()}
+    values: dict[str, tuple[str, ...]] = {
+        f'*" {option}"': words for option, words in VALUES.items()
+    }
     for name, parser in known.items():
         values |= {f'"{name} {option}"': words for option, words in parser.values.items()}
     return {

@@ -17,8 +17,8 @@ def add(commands: Commands) -> None:
 
 def cones(args: argparse.Namespace) -> dict[str, Any]:
     """Edges of both cones of a scene, and quantities derived from them."""
-    from planar_pushing.mechanics import cones as found
-    from planar_pushing.study.files.scenes import load_scene
+    from planar_pushing.mechanics.force import cones as found
+    from planar_pushing.scenes.files import load_scene
 
     scene = load_scene(args.scene)
     motions = found.motion_cone(scene)

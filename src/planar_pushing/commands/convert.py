@@ -39,8 +39,8 @@ def converted(args: argparse.Namespace) -> dict[str, Any]:
         allowed = f"a name ending in {' or '.join(ENDINGS)}"
         raise InvalidValue("output", str(args.output), allowed, "rename the file")
     from planar_pushing.pushes.files import save_pushes
-    from planar_pushing.pushes.mit import read_mit
-    from planar_pushing.pushes.three_feet import read_three_feet
+    from planar_pushing.pushes.logs.mit import read_mit
+    from planar_pushing.pushes.logs.three_feet import read_three_feet
 
     reader = {"three-feet": read_three_feet, "mit": read_mit}[args.format]
     pushes = reader(*args.files)

@@ -93,8 +93,8 @@ def _pushes(args: argparse.Namespace) -> xr.Dataset:
 
 def _with_outline(pushes: xr.Dataset, path: Path) -> xr.Dataset:
     """The pushes with the outline from a file; their contacts must lie on it."""
-    from planar_pushing.pushes.combine import with_outline
-    from planar_pushing.study.files.yaml_text import read_yaml
+    from planar_pushing.pushes.logs.combine import with_outline
+    from planar_pushing.scenes.yaml_text import read_yaml
 
     content = read_yaml(path)
     if isinstance(content, dict):

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     import xarray as xr
     from pydantic import ValidationError
 
-    from planar_pushing.study.files.scene_model import SceneFile
-    from planar_pushing.study.files.simulate_model import SimulateEntry
+    from planar_pushing.scenes.scene_model import SceneFile
+    from planar_pushing.scenes.simulate_model import SimulateEntry
 
 ENDINGS = (".nc", ".h5")
 #: Options that override the section simulate of the scene file: type, placeholder and help.
@@ -98,8 +98,8 @@ def add(commands: Commands) -> None:
 
 def simulated(args: argparse.Namespace) -> dict[str, Any]:
     """Simulate the scene, and return a summary of the motion."""
-    from planar_pushing.study.files.scenes import load_scene_file
-    from planar_pushing.study.simulations import simulate_file
+    from planar_pushing.scenes.files import load_scene_file
+    from planar_pushing.scenes.simulate import simulate_file
 
     if args.output.suffix.lower() not in ENDINGS:
         allowed = f"a name ending in {' or '.join(ENDINGS)}"
@@ -114,7 +114,7 @@ def _section(file: SceneFile, args: argparse.Namespace) -> SimulateEntry:
     """Section simulate of the file, with values overridden by the options."""
     from pydantic import ValidationError
 
-    from planar_pushing.study.files.simulate_model import SimulateEntry
+    from planar_pushing.scenes.simulate_model import SimulateEntry
 
     names = (name.replace("-", "_") for name in OPTIONS)
     given = {name: getattr(args, name) for name in names}

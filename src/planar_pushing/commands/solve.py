@@ -33,7 +33,7 @@ def add(commands: Commands) -> None:
 
 def solutions(args: argparse.Namespace) -> dict[str, Any]:
     """Outcome and solutions of the scene under one pusher motion or each of several."""
-    from planar_pushing.study.files.scenes import load_scene
+    from planar_pushing.scenes.files import load_scene
 
     scene, given = load_scene(args.scene), args.pusher_angle
     if isinstance(given, tuple):

@@ -15,14 +15,14 @@ import numpy as np
 from planar_pushing.core.rows import LOAD, MASS, RING, SUPPORT
 from planar_pushing.mechanics.contact.laws import Law
 from planar_pushing.mechanics.effects import Inertia, Load, Viscous
-from planar_pushing.mechanics.supports.even_ring import Ring
-from planar_pushing.mechanics.supports.in_frames import SupportInFrames, listed
-from planar_pushing.mechanics.supports.pressure.table import (
+from planar_pushing.mechanics.pressure.support_in_frames import SupportInFrames, listed
+from planar_pushing.mechanics.pressure.table import (
     Table,
     extents_of,
     joined_data,
     table_of,
 )
+from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.terms.domain import Number, required_ratio
 from planar_pushing.terms.numbers import Array
 

@@ -13,8 +13,8 @@ import numpy.typing as npt
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.arrays import component_labels, dataset, named, same
 from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
-from planar_pushing.mechanics.derivatives import Derivatives
 from planar_pushing.mechanics.entries import to_json
+from planar_pushing.mechanics.force.derivatives import Derivatives
 from planar_pushing.mechanics.pictures import picture
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.status import BEHIND

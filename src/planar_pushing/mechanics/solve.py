@@ -23,8 +23,8 @@ from planar_pushing.core.kernels import (
 )
 from planar_pushing.mechanics.arrays import Output, elementwise, is_labeled, mapped
 from planar_pushing.mechanics.contact import ContactMode, Status
-from planar_pushing.mechanics.derivatives import require_unlabeled, solution_derivatives
-from planar_pushing.mechanics.held import require_held
+from planar_pushing.mechanics.force.derivatives import require_unlabeled, solution_derivatives
+from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.kernels import run
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of

@@ -9,11 +9,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from planar_pushing.mechanics.effects import SupportFriction
+from planar_pushing.mechanics.force.wrench import wrench
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.pressure.pieces import Pieces
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import Composite, Points, Ring
-from planar_pushing.mechanics.supports.pressure.pieces import Pieces
-from planar_pushing.mechanics.wrench import wrench
 
 #: Number of samples of a line, and of an area along x and along y, before it is divided among feet. They
 #: are multiples of powers of two, so that halves of a symmetric support are halves of its samples.

@@ -11,14 +11,14 @@ import numpy as np
 
 from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
-from planar_pushing.mechanics.held import require_held
+from planar_pushing.mechanics.force.held import require_held
+from planar_pushing.mechanics.force.wrench import wrench
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.pressure.assembly import center, extent, shared
+from planar_pushing.mechanics.pressure.pieces import ATOMS, Pieces
 from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.mechanics.supports import Ring
-from planar_pushing.mechanics.supports.pressure.assembly import center, extent, shared
-from planar_pushing.mechanics.supports.pressure.pieces import ATOMS, Pieces
-from planar_pushing.mechanics.wrench import wrench
 from planar_pushing.terms.caches import cached
 from planar_pushing.terms.errors import InvalidValue
 

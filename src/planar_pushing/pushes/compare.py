@@ -12,17 +12,17 @@ import xarray as xr
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points, Polygon, fit_ellipsoid
 from planar_pushing.mechanics.supports.base import Support
-from planar_pushing.pushes.combine import of_object
-from planar_pushing.pushes.contacts import Model, final_poses
-from planar_pushing.pushes.ellipsoid import Ellipsoid
-from planar_pushing.pushes.fitted import fitted_ellipsoid
-from planar_pushing.pushes.friction import contact_friction
-from planar_pushing.pushes.given import MOST, whole
+from planar_pushing.pushes.fit.ellipsoid import Ellipsoid
+from planar_pushing.pushes.fit.fitted import fitted_ellipsoid
+from planar_pushing.pushes.fit.friction import contact_friction
+from planar_pushing.pushes.fit.statistics import QUANTITIES, REFERENCE, statistics
+from planar_pushing.pushes.fit.supported import OnSupport
 from planar_pushing.pushes.identify import identify
-from planar_pushing.pushes.measured import Mask, Measured, measured, twists_at, wrenches_about
-from planar_pushing.pushes.schema import required_pushes, without_padding
-from planar_pushing.pushes.statistics import QUANTITIES, REFERENCE, statistics
-from planar_pushing.pushes.supported import OnSupport
+from planar_pushing.pushes.logs.combine import of_object
+from planar_pushing.pushes.logs.contacts import Model, final_poses
+from planar_pushing.pushes.logs.given import MOST, whole
+from planar_pushing.pushes.logs.measured import Mask, Measured, measured, twists_at, wrenches_about
+from planar_pushing.pushes.logs.schema import required_pushes, without_padding
 from planar_pushing.terms.errors import InvalidValue, number_of, require_flag, suggestion
 
 #: Candidate contact friction coefficients for a given support, if no measured force determines it.

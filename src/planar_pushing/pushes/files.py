@@ -6,10 +6,10 @@ from pathlib import Path
 
 import xarray as xr
 
-from planar_pushing.pushes.schema import required_pushes
-from planar_pushing.study.files.replacing import PathLike
-from planar_pushing.terms.netcdf import read_dataset, write_dataset
+from planar_pushing.pushes.logs.schema import required_pushes
 from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path
+from planar_pushing.terms.netcdf import read_dataset, write_dataset
+from planar_pushing.terms.replacing import PathLike
 
 
 def save_pushes(pushes: xr.Dataset, file: PathLike) -> None:

@@ -11,7 +11,7 @@ from scipy.cluster.hierarchy import fcluster, linkage
 from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
-from planar_pushing.pushes.measured import Index
+from planar_pushing.pushes.logs.measured import Index
 from planar_pushing.terms.errors import number_of
 
 #: A point with less than this fraction of the heaviest point's weight does not belong to a foot.

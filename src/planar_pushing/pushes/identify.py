@@ -9,13 +9,13 @@ import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
-from planar_pushing.pushes.candidates import FAMILIES, Family
-from planar_pushing.pushes.combine import with_outline
-from planar_pushing.pushes.estimate import Estimate, from_forces, from_motions
-from planar_pushing.pushes.given import MOST, whole
+from planar_pushing.pushes.fit.candidates import FAMILIES, Family
+from planar_pushing.pushes.fit.estimate import Estimate, from_forces, from_motions
 from planar_pushing.pushes.identified import Identified, moments_of, summary
-from planar_pushing.pushes.measured import Index, Mask, Measured, measured
-from planar_pushing.pushes.schema import required_pushes
+from planar_pushing.pushes.logs.combine import with_outline
+from planar_pushing.pushes.logs.given import MOST, whole
+from planar_pushing.pushes.logs.measured import Index, Mask, Measured, measured
+from planar_pushing.pushes.logs.schema import required_pushes
 from planar_pushing.terms.errors import (
     InvalidValue,
     number_of,

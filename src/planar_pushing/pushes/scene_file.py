@@ -10,10 +10,10 @@ import xarray as xr
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import nearest, sides_of
 from planar_pushing.pushes.identified import Identified
-from planar_pushing.pushes.schema import corners_of
-from planar_pushing.study.files.replacing import PathLike
-from planar_pushing.study.files.scenes import save_object_file
+from planar_pushing.pushes.logs.schema import corners_of
+from planar_pushing.scenes.files import save_object_file
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.replacing import PathLike
 
 #: Most points of a support in a file, limited by the size of file that can be read.
 MOST = 3500

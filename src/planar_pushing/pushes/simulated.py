@@ -15,8 +15,8 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
 from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.objects.scene_at import scene_at
-from planar_pushing.pushes.given import MOST, noise_attributes, not_negative, whole
-from planar_pushing.pushes.poses import pushes_from_poses, turned
+from planar_pushing.pushes.logs.given import MOST, noise_attributes, not_negative, whole
+from planar_pushing.pushes.logs.poses import pushes_from_poses, turned
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.terms.errors import InvalidValue, require_positive

@@ -19,9 +19,9 @@ from planar_pushing.core.run import (
     IN_WEIGHT,
     INPUTS,
 )
+from planar_pushing.mechanics.pressure.table import Table, joined_data
 from planar_pushing.mechanics.rows import Entry, unit_vector
 from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.mechanics.supports.pressure.table import Table, joined_data
 from planar_pushing.simulation.motion import (
     POINTS,
     constant_pieces,

@@ -20,7 +20,7 @@ import xarray as xr
 from planar_pushing.core.rows import RING, SUPPORT
 from planar_pushing.mechanics.arrays import Output, mapped
 from planar_pushing.mechanics.effects import Viscous
-from planar_pushing.mechanics.held import require_held
+from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.outline import Corners, size
 from planar_pushing.mechanics.rows import Entry, entries_of
 from planar_pushing.mechanics.scene import Scene, Slider

@@ -13,8 +13,8 @@ import h5py
 import numpy as np
 import xarray as xr
 
-from planar_pushing.study.files.replacing import PathLike, replacing
 from planar_pushing.terms.errors import InvalidFile, PlanarPushingError
+from planar_pushing.terms.replacing import PathLike, replacing
 
 ENGINE: Literal["h5netcdf"] = "h5netcdf"
 #: Minimum size in bytes, one page, for which a variable gains from compression.

@@ -82,9 +82,7 @@ def angles(text: str) -> float | tuple[float, ...]:
     return tuple(start + i * step for i in range(count))
 
 
-def command(
-    commands: Commands, name: str, action: Action, about: str, example: str = ""
-) -> Parser:
+def command(commands: Commands, name: str, action: Action, about: str, example: str = "") -> Parser:
     """Add a command with an example; its results are printed as text or as JSON."""
     sub: Parser = commands.add_parser(
         name, help=about, description=about, allow_abbrev=False,

@@ -45,8 +45,8 @@ def require_ending(output: Path, endings: Sequence[str]) -> None:
 
 def chosen_pushes(args: argparse.Namespace) -> xr.Dataset:
     """Pushes of the file, or of one of its objects."""
-    from planar_pushing.pushes.combine import of_object
     from planar_pushing.pushes.files import load_pushes
+    from planar_pushing.pushes.logs.combine import of_object
 
     pushes = load_pushes(args.pushes)
     return pushes if args.object is None else of_object(pushes, args.object)

@@ -9,9 +9,9 @@ import numpy as np
 
 from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.frames import Frame
+from planar_pushing.mechanics.pressure.support_in_frames import SupportInFrames, listed
 from planar_pushing.mechanics.supports.base import is_kind, moved_support
 from planar_pushing.mechanics.supports.even_ring import Ring
-from planar_pushing.mechanics.supports.in_frames import SupportInFrames, listed
 from planar_pushing.terms.domain import Number, require_fields, required, required_ratio
 from planar_pushing.terms.errors import InvalidValue
 

@@ -1,11 +1,11 @@
 """Supports: the pressure of the slider on the plane, one file per kind of support."""
 
+from planar_pushing.mechanics.pressure.support_in_frames import KINDS
 from planar_pushing.mechanics.supports.annulus import Annulus
 from planar_pushing.mechanics.supports.composite import Composite
 from planar_pushing.mechanics.supports.disc import Disc
 from planar_pushing.mechanics.supports.ellipsoid import EllipsoidFit, fit_ellipsoid
 from planar_pushing.mechanics.supports.even_ring import Ring
-from planar_pushing.mechanics.supports.in_frames import KINDS
 from planar_pushing.mechanics.supports.points import Points
 from planar_pushing.mechanics.supports.polygon import Polygon
 from planar_pushing.mechanics.supports.pressure_map import PressureMap

@@ -9,8 +9,8 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 
 from planar_pushing.mechanics.frames import Frame
-from planar_pushing.mechanics.supports.in_frames import SupportInFrames
-from planar_pushing.mechanics.supports.pressure.pieces import Array, Pieces
+from planar_pushing.mechanics.pressure.pieces import Array, Pieces
+from planar_pushing.mechanics.pressure.support_in_frames import SupportInFrames
 from planar_pushing.terms.errors import InvalidValue, number_of, require_positive
 from planar_pushing.terms.numbers import required_array
 from planar_pushing.terms.options import SPEED

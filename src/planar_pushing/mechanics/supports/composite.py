@@ -7,15 +7,15 @@ from typing import Any
 
 from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.pictures import Pictured
-from planar_pushing.mechanics.supports.base import Position, is_kind, moved_support, weights
-from planar_pushing.mechanics.supports.even_ring import Ring
-from planar_pushing.mechanics.supports.pressure.assembly import (
+from planar_pushing.mechanics.pressure.assembly import (
     center,
     extent,
     joined,
     shared,
 )
-from planar_pushing.mechanics.supports.pressure.pieces import Pieces
+from planar_pushing.mechanics.pressure.pieces import Pieces
+from planar_pushing.mechanics.supports.base import Position, is_kind, moved_support, weights
+from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.terms.errors import InvalidValue
 
 

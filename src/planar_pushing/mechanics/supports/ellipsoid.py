@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.arrays import same
+from planar_pushing.mechanics.pressure.pieces import Array
+from planar_pushing.mechanics.pressure.table import Table, extent_of, table_of
 from planar_pushing.mechanics.supports.base import Position, Support
 from planar_pushing.mechanics.supports.moments import moments
-from planar_pushing.mechanics.supports.pressure.pieces import Array
-from planar_pushing.mechanics.supports.pressure.table import Table, extent_of, table_of
 from planar_pushing.terms.errors import InvalidValue
 
 #: Number of motions at which the ellipsoid is compared; ten times as many change the means by under 1e-4.

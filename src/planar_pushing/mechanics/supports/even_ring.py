@@ -9,8 +9,8 @@ import numpy as np
 
 from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
+from planar_pushing.mechanics.pressure.pieces import Pieces
 from planar_pushing.mechanics.supports.base import Position, length, position
-from planar_pushing.mechanics.supports.pressure.pieces import Pieces
 from planar_pushing.terms.errors import InvalidValue
 
 

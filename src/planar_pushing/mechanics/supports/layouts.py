@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from planar_pushing.mechanics.pressure.pieces import Array
 from planar_pushing.mechanics.supports.base import length, position
-from planar_pushing.mechanics.supports.pressure.pieces import Array
 from planar_pushing.terms.domain import RADIANS, required
 from planar_pushing.terms.errors import require_number
 

@@ -9,8 +9,8 @@ import numpy.typing as npt
 
 from planar_pushing.core.pieces import HEAD
 from planar_pushing.mechanics.kernels import run
-from planar_pushing.mechanics.supports.pressure.pieces import Array
-from planar_pushing.mechanics.supports.pressure.table import Table
+from planar_pushing.mechanics.pressure.pieces import Array
+from planar_pushing.mechanics.pressure.table import Table
 
 
 class Moments(NamedTuple):

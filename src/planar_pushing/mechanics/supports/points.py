@@ -10,6 +10,8 @@ import numpy as np
 
 from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.pictures import Pictured
+from planar_pushing.mechanics.pressure.assembly import center, extent
+from planar_pushing.mechanics.pressure.pieces import Pieces
 from planar_pushing.mechanics.supports.base import Position, positions, weights
 from planar_pushing.mechanics.supports.layouts import (
     disc_places,
@@ -17,8 +19,6 @@ from planar_pushing.mechanics.supports.layouts import (
     rectangle_corners,
     regular_corners,
 )
-from planar_pushing.mechanics.supports.pressure.assembly import center, extent
-from planar_pushing.mechanics.supports.pressure.pieces import Pieces
 from planar_pushing.terms.errors import InvalidValue, number_of
 
 

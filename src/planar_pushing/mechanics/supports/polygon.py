@@ -10,14 +10,14 @@ import numpy as np
 from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.kernels import run
 from planar_pushing.mechanics.pictures import Pictured
+from planar_pushing.mechanics.pressure.assembly import center, extent
+from planar_pushing.mechanics.pressure.pieces import Array, Pieces
 from planar_pushing.mechanics.supports.base import Position, positions
 from planar_pushing.mechanics.supports.layouts import (
     placed_corners,
     rectangle_corners,
     regular_corners,
 )
-from planar_pushing.mechanics.supports.pressure.assembly import center, extent
-from planar_pushing.mechanics.supports.pressure.pieces import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue
 
 #: Smallest area, relative to the square of the polygon's size; a smaller one is rounding error.

@@ -9,6 +9,8 @@ import numpy as np
 
 from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
+from planar_pushing.mechanics.pressure.assembly import center, extent
+from planar_pushing.mechanics.pressure.pieces import Array, Pieces
 from planar_pushing.mechanics.supports.base import (
     Position,
     array,
@@ -17,8 +19,6 @@ from planar_pushing.mechanics.supports.base import (
     require_all,
     require_size,
 )
-from planar_pushing.mechanics.supports.pressure.assembly import center, extent
-from planar_pushing.mechanics.supports.pressure.pieces import Array, Pieces
 from planar_pushing.terms.errors import InvalidValue, number_of
 
 #: Cells along a side of a block; a distant block is evaluated by one series.

@@ -10,9 +10,9 @@ import numpy as np
 
 from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
+from planar_pushing.mechanics.pressure.assembly import center, extent
+from planar_pushing.mechanics.pressure.pieces import Pieces
 from planar_pushing.mechanics.supports.base import Position, position, require_size
-from planar_pushing.mechanics.supports.pressure.assembly import center, extent
-from planar_pushing.mechanics.supports.pressure.pieces import Pieces
 from planar_pushing.terms.errors import InvalidValue
 
 

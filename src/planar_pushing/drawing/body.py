@@ -1,0 +1,195 @@
+"""Marks of a slider (support, rod, contact, centers) and of the fence or finger that pushes it."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.drawing.canvas.colors import DARK, FENCE, PUSHER, SLIDER, tint
+from planar_pushing.drawing.canvas.marks import (
+    AREAS,
+    ARROWS,
+    LINES,
+    NOTE,
+    Hatch,
+    Picture,
+    Place,
+    arc,
+)
+from planar_pushing.drawing.supports import OUTLINE, Ink, Pose, add_support, extents
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.rubbing import support_of
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.supports import Polygon, Ring
+from planar_pushing.scenes.scene_model import SceneFile
+from planar_pushing.terms.caches import cached
+
+#: Keys of a scene file that do not concern a motion over time.
+OWN = ("slider", "contact", "effects")
+#: A center closer to the body's origin than this, in units of the support's size, counts as at the origin.
+NEAR = 1e-6
+#: Extent of dots and signs around their positions, in units of half the support.
+RIM = 0.07
+#: Labels of the centers.
+NAMES = {"pressure": "center of\npressure", "mass": "center\nof mass"}
+#: Strength of the color of an outline's area.
+OBJECT = 0.06
+#: Drawing order of the disc of a finger.
+FINGER = AREAS + 0.9
+#: Distance between strokes of a fence's hatch, in units of its depth.
+APART = 0.8
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Body:
+    """A slider in its body frame, with its outline and the marked centers, which are off the origin."""
+
+    support: Any
+    centers: tuple[tuple[str, Any], ...] = ()
+    outline: tuple[tuple[float, float], ...] = ()
+
+    @property
+    def half(self) -> float:
+        """Half the larger side of the support; the radius of a ring."""
+        return float(np.ptp(self.bounds, axis=0).max() / 2)
+
+    @property
+    def bounds(self) -> Array:
+        """Corners of the box around the support, with sides along the axes of the body."""
+        return _bounds(self.support, self.outline)
+
+    @property
+    def middle(self) -> Array:
+        """Center of the box around the support."""
+        return np.asarray(self.bounds.mean(axis=0))
+
+    @property
+    def is_ring(self) -> bool:
+        return isinstance(self.support, Ring)
+
+    def box(self, pose: Pose) -> Array:
+        """Corners of the upright box around the support and the marks, at a pose."""
+        marked = [place for _, place in self.centers]
+        points = [*extents(self.support, pose), *map(pose.at, (*marked, *self.outline))]
+        rim = 0.0 if self.is_ring else RIM * self.half
+        return np.array([np.min(points, axis=0) - rim, np.max(points, axis=0) + rim])
+
+
+@cached(32)
+def _bounds(support: Any, outline: tuple[tuple[float, float], ...]) -> Array:
+    every = np.array([*extents(support, Pose((0.0, 0.0), 0.0)), *outline])
+    return np.array([every.min(axis=0), every.max(axis=0)])
+
+
+def body_of(scene: Scene) -> Body:
+    """Slider of a scene; an outline equal to the support's is drawn with the support."""
+    support, outline = support_of(scene), scene.slider.outline or ()
+    if isinstance(support, Polygon) and set(support.vertices) == set(outline):
+        outline = ()
+    if scene.isotropic:
+        return Body(support=support, outline=outline)
+    pressure = support.center_of_pressure
+    mass = tuple(scene.slider.radius * each for each in scene.mass_center)
+    found = {"pressure": pressure} if scene.friction else {}
+    found |= {"mass": mass} if scene.masses else {}
+    near = NEAR * support.extent
+    apart = any(np.hypot(*place) > near for place in found.values())
+    return Body(support=support, centers=tuple(found.items()) if apart else (), outline=outline)
+
+
+def body_in(data: xr.Dataset) -> Body:
+    """Slider of a scene's dataset or of a log; a ring if the dataset names no scene."""
+    named = data.attrs.get("scene") or data.attrs.get("parameters")
+    if named is None:
+        return Body(support=Ring(float(data["radius"])))
+    return _read(named)
+
+
+@lru_cache(maxsize=16)
+def _read(text: str) -> Body:
+    return body_of(scene_in(text))
+
+
+def scene_in(text: str) -> Scene:
+    """Scene stored in an attribute of a dataset."""
+    given = json.loads(text)
+    entry = given.get("scene", given)
+    return SceneFile.model_validate({name: entry[name] for name in OWN}).build()
+
+
+def add_body(
+    picture: Picture,
+    body: Body,
+    pose: Pose,
+    *,
+    contact: Place = (0.0, 0.0),
+    ink: Ink | None = None,
+) -> None:
+    """Add the outline, the support, the rod, the contact, and the signs of the centers."""
+    own = ink or Ink()
+    if body.outline:
+        add_outline(picture, pose.at(body.outline), own)
+    add_support(picture, body.support, pose, own)
+    add_rod(picture, pose.origin, contact=contact, ink=own)
+    for name, place in body.centers:
+        face = own.color if name == "pressure" else "white"
+        edge, width = ("white", 0.6) if name == "pressure" else (own.color, 0.9)
+        picture.dot(
+            pose.at(place), 7.2, face, edge=edge, width=width, shape=name, order=ARROWS - 0.5
+        )
+
+
+def add_outline(picture: Picture, corners: Array, ink: Ink) -> None:
+    """Add the outline of an object: a thin line around a pale area."""
+    picture.area(corners, color=tint(ink.color, OBJECT), order=AREAS)
+    ring = np.vstack([corners, corners[:1]])
+    picture.line(ring, tint(ink.color, 0.6), width=0.4 * ink.width, order=LINES)
+
+
+def add_rod(picture: Picture, center: Place, *, contact: Place, ink: Ink) -> None:
+    """Add the slider's center, the rod from there to the contact, and the dot of the contact."""
+    picture.line([contact, center], ink.color, width=0.6 * ink.width, order=OUTLINE)
+    picture.dot(center, 2.2, ink.color)
+    picture.dot(contact, 4.0, ink.color, order=ARROWS + 1)
+
+
+def name_centers(picture: Picture, body: Body, pose: Pose) -> None:
+    """Label the signs of the centers."""
+    for name, place in body.centers:
+        picture.label(pose.at(place), NAMES[name], size=NOTE, color=DARK, offset=(0.0, -14.0))
+
+
+def add_fence(
+    picture: Picture, left: float, right: float, *, y: float = 0.0, color: str = FENCE,
+    width: float = 1.2, depth: float = 0.0,
+) -> None:  # fmt: skip
+    """Add a horizontal fence, hatched to a depth on the side away from the slider."""
+    picture.line([(left, y), (right, y)], color, width=width)
+    if depth:
+        starts = np.arange(left + depth, right + 1e-9 * depth, APART * depth)
+        tops = np.stack([starts, np.full(len(starts), y)], axis=-1)
+        picture.add(Hatch(np.stack([tops, tops - depth], axis=1), color))
+
+
+def add_finger(
+    picture: Picture, side: Array, place: Place, color: str = SLIDER, center: Place | None = None
+) -> None:
+    """Add the flat side of the slider as a line, and the finger that touches it.
+
+    A point finger is a dot; a finger with a center away from the contact is a disc.
+    """
+    picture.line(side, color, width=1.2, order=OUTLINE)
+    away = np.zeros(2) if center is None else np.subtract(place, center)
+    if not away.any():
+        picture.dot(place, 6.0, tint(PUSHER, 0.5), edge=PUSHER, width=0.9, order=ARROWS + 1)
+        return
+    start = math.atan2(away[1], away[0])
+    rim = np.asarray(center) + math.hypot(*away) * arc(start, start + 2 * math.pi)
+    picture.area(rim, color=tint(PUSHER, 0.5), order=FINGER)
+    picture.line(rim, PUSHER, width=0.9, order=OUTLINE)

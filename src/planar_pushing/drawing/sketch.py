@@ -1,0 +1,313 @@
+"""Content of a picture of a scene: slider, cones, push and solutions, and the lengths of arrows.
+
+Arrow lengths are scaled to the slider, with one scale for all motions. The contact is the origin, and the
+fence is the x axis.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Self
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.drawing.body import Body, body_in, body_of
+from planar_pushing.drawing.canvas.marks import corners
+from planar_pushing.drawing.supports import Pose
+from planar_pushing.drawing.words import best
+from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.force.cones import friction_cone, motion_cone
+from planar_pushing.mechanics.force.limit_curve import limit_curve
+from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.mechanics.rubbing import place_friction, ring_friction
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.solutions import Solution, Solutions
+from planar_pushing.mechanics.solve import solve
+
+#: A center farther away than this, in units of the slider's span, is only pointed to.
+FAR = 2.0
+#: Radii of the motion cone and the friction cone, in units of the reach of arrows.
+MOTION_CONE, FRICTION_CONE = 0.72, 0.5
+#: Length of the longest arrow of support friction, in units of half the support.
+SUPPORT_LENGTH = 0.36
+#: Motions with angles that differ by less, radians, count as equal: a pivot, a flat of the curve.
+ALIKE = 1e-9
+#: Force angles of a limit curve, radians.
+ANGLES = np.linspace(0.0, 2 * np.pi, 721)
+#: Positions and friction of a support without friction.
+NOWHERE = np.empty((0, 2)), np.empty((0, 2))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sketch:
+    """Content of a picture of a scene.
+
+    Attributes
+    ----------
+    body, pose : Body, Pose
+        The slider and its pose.
+    friction, motion : tuple of float
+        Right and left edges of each cone, radians.
+    pusher : ndarray, shape (2,), optional
+        Motion of the pusher; None shows only the slider and its cones.
+    solutions, chosen : tuple of Solution, int
+        The consistent solutions, and the index of the one drawn in full; -1 if there is none.
+    symbol : str
+        Symbol of the motions: "a" if inertia resists, otherwise "v".
+    side : tuple of float, optional
+        Ends of the side that a finger pushes; None for a fence.
+    finger_radius : float
+        Radius of this finger; 0 for a point.
+    rubbing : tuple of ndarray
+        Positions at which the support rubs, and its friction there in the chosen solution, shapes (n, 2).
+    curve, flats : ndarray, sequence of slice
+        Forces of the limit curve, shape (n, 2), and its flats, which belong to one pivot each.
+    drawn : float, optional
+        Drawn length of the pusher's motion, in units of the reach; by default the longest motion has the
+        length of the reach.
+    unit : str
+        Unit of length, if the scene names it.
+    """
+
+    body: Body
+    pose: Pose
+    friction: tuple[float, float]
+    motion: tuple[float, float]
+    pusher: Array | None = None
+    solutions: tuple[Solution, ...] = ()
+    chosen: int = -1
+    symbol: str = "v"
+    side: tuple[float, float] | None = None
+    finger_radius: float = 0.0
+    rubbing: tuple[Array, Array] = field(default_factory=lambda: NOWHERE)
+    curve: Array = field(default_factory=lambda: NOWHERE[0])
+    flats: Sequence[slice] = ()
+    drawn: float | None = None
+    unit: str = ""
+
+    @classmethod
+    def of(
+        cls,
+        scene: Scene,
+        pusher_angle: float | None = None,
+        magnitude: float = 1.0,
+        *,
+        found: Solutions | None = None,
+        chosen: int | None = None,
+        **rest: Any,
+    ) -> Self:
+        """Sketch of a scene under a push at an angle in radians, or of the scene alone."""
+        slider = scene.slider
+        friction, motion = friction_cone(scene), motion_cone(scene)
+        own: dict[str, Any] = {
+            "body": body_of(scene),
+            "pose": Pose(slider.rod_length * direction(slider.rod_angle), float(slider.rod_angle)),
+            "friction": (friction.right, friction.left),
+            "motion": (motion.right, motion.left),
+            "symbol": "a" if scene.stores_energy else "v",
+            "unit": scene.units.length if scene.units else "",
+        }
+        if pusher_angle is not None:
+            solutions = tuple(solve(scene, pusher_angle, magnitude) if found is None else found)
+            which = best(solutions) if chosen is None else chosen
+            own |= {"pusher": magnitude * direction(pusher_angle), "solutions": solutions}
+            own |= {"chosen": which}
+            if which >= 0:
+                own["rubbing"] = rubbing_of(scene, solutions[which])
+        return cls(**own | rest)
+
+    @classmethod
+    def of_dataset(cls, data: xr.Dataset) -> Self:
+        """Sketch of a scene's dataset as a study stores it."""
+        solutions = tuple(_solution(data.isel(solution=i)) for i in range(data.sizes["solution"]))
+        which = best(solutions)
+        angle = float(np.deg2rad(data["rod_angle"].item()))
+        edges: dict[str, Any] = {
+            kind: tuple(
+                float(np.deg2rad(data[f"{kind}_cone_{side}"])) for side in ("right", "left")
+            )
+            for kind in ("friction", "motion")
+        }
+        return cls(
+            body=body_in(data), pose=Pose(data["ring_center"].values, angle),
+            friction=edges["friction"], motion=edges["motion"],
+            pusher=data["pusher_motion"].values, solutions=solutions, chosen=which,
+            symbol="a" if "inertia" in data["effect"].values else "v",
+            rubbing=_rubbing(data.isel(solution=which)) if which >= 0 else NOWHERE,
+        )  # fmt: skip
+
+    @property
+    def solution(self) -> Solution | None:
+        """The solution drawn in full."""
+        return self.solutions[self.chosen] if self.chosen >= 0 else None
+
+    @property
+    def center(self) -> Array:
+        """The slider's center."""
+        return np.asarray(self.pose.origin, dtype=float)
+
+    @property
+    def half(self) -> float:
+        """Half the larger side of the support; the radius of a ring."""
+        return self.body.half
+
+    @property
+    def middle(self) -> Array:
+        """Middle of the support; the center of a ring."""
+        return self.pose.at(self.body.middle)
+
+    @property
+    def span(self) -> float:
+        """Size of the slider."""
+        return float(np.hypot(*self.middle)) + 2 * self.half
+
+    @property
+    def reach(self) -> float:
+        """Drawn length of the longest motion."""
+        return 0.38 * self.span
+
+    @property
+    def motion_scale(self) -> float:
+        """Drawn length of a unit of motion."""
+        pusher = 0.0 if self.pusher is None else float(np.hypot(*self.pusher))
+        if self.drawn is not None:
+            return self.drawn * self.reach / (pusher or 1.0)
+        own = 0.0 if self.solution is None else float(np.hypot(*self.solution.contact_motion))
+        return self.reach / (max(pusher, own) or 1.0)
+
+    def force_scale(self, solution: Solution) -> float:
+        """Drawn length of a unit of force; it keeps the head of a force off that of a parallel motion."""
+        speed, reaches = float(np.hypot(*solution.contact_motion)), []
+        for force in forces(solution):
+            size = float(np.hypot(*force))
+            along = bool(size and force @ solution.contact_motion > 0.96 * size * speed)
+            reaches.append((0.6 if along else 0.95) * self.reach / (size or 1.0))
+        return min(reaches)
+
+    def end_of_line(self, force: Array) -> Array:
+        """End of the drawn line of a force, past the slider."""
+        heading = heading_of(force)
+        along = float(heading @ self.middle)
+        return np.asarray((along + (-1 if along < 0 else 1) * 1.2 * self.half) * heading)
+
+    def distance(self, solution: Solution) -> float:
+        """Distance of the motion center from the slider's center; infinite for a translation."""
+        away = float(np.hypot(*(solution.center - self.center)))
+        return away if solution.spin_ratio and np.isfinite(away) else np.inf
+
+    def is_near(self, solution: Solution) -> bool:
+        """Whether the motion center is in the picture."""
+        return moves(solution) and self.distance(solution) < FAR * self.span
+
+    def far_center(self, solution: Solution) -> Array:
+        """End of the line toward a motion center that is far away."""
+        if not (solution.spin_ratio and np.isfinite(solution.center).all()):
+            return self.center
+        return np.asarray(self.center + 1.6 * self.half * heading_of(solution.center - self.center))
+
+    @property
+    def curve_scale(self) -> float:
+        """Drawn length of a unit of force of the limit curve."""
+        sizes = np.hypot(*self.curve.T)
+        one = self.solution
+        if one is None or not moves(one):
+            return 0.95 * self.reach / float(sizes.max(initial=1e-300))
+        here = float(sizes[np.argmax(self.curve @ one.force / sizes)])
+        return self.force_scale(one) * float(np.hypot(*one.force)) / here
+
+    @property
+    def box(self) -> Array:
+        """Corners of the box around everything drawn in full."""
+        rim = SUPPORT_LENGTH * self.half * np.array([[-1.0, -1.0], [1.0, 1.0]])
+        rubs = bool(np.any(self.rubbing[1]))
+        points: list[Any] = [(0.0, 0.0), self.center, self.body.box(self.pose) + rubs * rim]
+        points += [(sign * 0.7 * self.reach, -0.15 * self.reach) for sign in (-1.0, 1.0)]
+        points += [MOTION_CONE * self.reach * direction(np.linspace(*self.motion, 13))]
+        finger = min(self.finger_radius, self.reach)
+        points += [(-finger, 0.0), (finger, -2 * finger)]
+        if len(self.curve):
+            points.append(self.curve_scale * self.curve)
+        if self.pusher is not None:
+            points.append(self.motion_scale * self.pusher)
+        one = self.solution
+        if one is not None and moves(one):
+            points.append(self.motion_scale * one.contact_motion)
+            for force in forces(one):
+                points += [self.force_scale(one) * force, self.end_of_line(force)]
+            points.append(one.center if self.is_near(one) else self.far_center(one))
+        return corners(points)
+
+
+def heading_of(vector: Array) -> Array:
+    """Unit vector along a vector; zero for a zero vector."""
+    return np.asarray(vector / (float(np.hypot(*vector)) or 1.0))
+
+
+def moves(solution: Solution) -> bool:
+    """Whether the pusher transmits a force."""
+    return bool(np.any(solution.force))
+
+
+def forces(solution: Solution) -> list[Array]:
+    """The force, or both ends of its interval, the right one first, if a pivot leaves it undetermined."""
+    one, other = solution.force, solution.force_end
+    if np.array_equal(one, other):
+        return [one]
+    return [one, other] if one[0] * other[1] > one[1] * other[0] else [other, one]
+
+
+def _solution(one: xr.Dataset) -> Solution:
+    """A solution in a scene's dataset."""
+    return Solution(
+        mode=ContactMode(int(one["mode"])), force=one["force"].values,
+        force_end=one.get("force_end", one["force"]).values,
+        contact_motion=one["contact_motion"].values, twist=one["twist"].values,
+        spin_ratio=float(one["spin_ratio"]), center=one["center"].values,
+        pivot=int(one["pivot"]) if "pivot" in one else -1, continuum=False,
+    )  # fmt: skip
+
+
+def rubbing_of(scene: Scene, solution: Solution) -> tuple[Array, Array]:
+    """Positions at which the support of a scene rubs, and its friction there."""
+    twist = solution.twist[None]
+    if not scene.friction:
+        return NOWHERE
+    if not scene.isotropic:
+        found = place_friction(scene, twist)
+        return found["place_position"][1], found["place_force"][1][0]
+    return _around(scene.slider.rod_length * direction(scene.slider.rod_angle),
+                   scene.slider.radius, ring_friction(scene, twist)["support_force"][1][0])  # fmt: skip
+
+
+def _around(center: Array, radius: float, friction: Array) -> tuple[Array, Array]:
+    """Every second position on a ring, because arrows at all positions would touch."""
+    turns = np.linspace(0.0, 2 * np.pi, len(friction), endpoint=False)
+    return (center + radius * direction(turns))[::2], friction[::2]
+
+
+def _rubbing(one: xr.Dataset) -> tuple[Array, Array]:
+    if "place_force" in one:
+        return one["place_position"].values, one["place_force"].values
+    return _around(one["ring_center"].values, float(one["radius"]), one["support_force"].values)
+
+
+def with_curve(sketch: Sketch, scene: Scene) -> Sketch:
+    """Sketch with the limit curve of its scene.
+
+    Raises
+    ------
+    InvalidValue
+        If the force depends on the magnitude of the motion, so that no single curve bounds the forces of
+        all motions.
+    """
+    curve = limit_curve(scene, ANGLES)
+    return replace(sketch, curve=curve.force, flats=flats(curve.motion_angle))
+
+
+def flats(motion: Array) -> list[slice]:
+    """Flats of a limit curve: runs of points with one angle of motion, in radians."""
+    flat = np.concatenate([[False], np.abs(np.diff(motion)) < ALIKE, [False]])
+    turns = np.flatnonzero(flat[1:] != flat[:-1]).reshape(-1, 2)
+    return [slice(int(start), int(stop) + 1) for start, stop in turns]

@@ -1,0 +1,209 @@
+"""Data for pictures of motion over time: the plotted rows of a log, and runs of a mode."""
+
+from __future__ import annotations
+
+import json
+import logging
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+from pydantic import ValidationError
+
+from planar_pushing.drawing.body import Body, body_in
+from planar_pushing.drawing.supports import Pose
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.supports import Ring
+from planar_pushing.terms.errors import InvalidFile, InvalidValue
+from planar_pushing.terms.options import Shape
+from planar_pushing.terms.quantities import described
+
+LOG = logging.getLogger("planar_pushing")
+#: Variables of a log that a picture shows, named path_* in the picture's data.
+PATH = (
+    "position",
+    "pusher",
+    "rod_angle",
+    "slip",
+    "gap",
+    "force",
+    "spin_ratio",
+    "mode",
+    "solutions",
+)
+#: Distance to which an endless side is drawn beyond the finger, in units of the slider's span.
+BEYOND = 0.45
+#: Speeds that differ by less count as equal.
+ROUNDING = 1e-6
+
+
+class Run(NamedTuple):
+    """Rows from `start` to `stop`, both included, with one chosen mode."""
+
+    start: int
+    stop: int
+    mode: int
+    several: bool
+
+
+def plotted(log: xr.Dataset) -> xr.Dataset:
+    """Select the data that a picture of a log shows.
+
+    Raises
+    ------
+    InvalidValue
+        If the log is not a dataset.
+    InvalidFile
+        If the dataset is not a log, or is one of a scene that no scene file describes.
+    """
+    if not isinstance(log, xr.Dataset):
+        raise InvalidValue("log", log, "a dataset returned by simulate", "call simulate first")
+    missing = [name for name in (*PATH, "twist") if name not in log]
+    try:
+        slider, body = json.loads(log.attrs.get("scene", ""))["slider"], body_in(log)
+    except ValidationError:
+        raise InvalidFile(
+            "the log is of a scene that no scene file describes, such as one with a support of your own "
+            "class; allowed: the shapes of scene files; describe the support as a Composite of them"
+        ) from None
+    except (ValueError, TypeError, KeyError):
+        missing.append("scene")
+    if missing:
+        raise InvalidFile(
+            f"the dataset lacks {', '.join(missing)}; allowed: a log of planar-pushing simulate; "
+            "name another file"
+        )
+    data = log[list(PATH)].rename({name: f"path_{name}" for name in PATH})
+    data["path_center"] = motion_center(log)
+    for name in ("radius", "rod_length"):
+        data[name] = ((), float(slider[name]), described("length", name))
+    data["radius"].attrs["long_name"] = "radius of the ring"
+    data["rod_length"].attrs["long_name"] = "rod length, from the contact to the slider's center"
+    if log.attrs.get("pusher_shape") == Shape.FINGER:
+        data["path_side"] = side_of(log, slider)
+        if radius := float(log.attrs.get("pusher_radius", 0.0)):
+            data["pusher_radius"] = ((), radius, described("length", "radius of the finger"))
+    data = data.drop_attrs(deep=False)
+    if body != Body(support=Ring(float(slider["radius"]))):
+        data["path_pivot"] = log["pivot"]
+    return data.assign_attrs(scene=log.attrs["scene"], pusher=log.attrs.get("pusher", "[]"))
+
+
+def announce_end(log: xr.Dataset) -> None:
+    """Say where the log of a run ends that has been killed, or goes on."""
+    if not log.attrs.get("finished", 1) and log.sizes["time"]:
+        end, duration = float(log["time"][-1]), float(log.attrs["duration"])
+        LOG.warning("the log is not finished: it ends at %.6g of %.6g", end, duration)
+
+
+def motion_center(log: xr.Dataset) -> xr.DataArray:
+    """Position of the motion center; NaN for a slider that does not turn."""
+    v_x, v_y, spin = np.moveaxis(log["twist"].values, -1, 0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        offset = np.stack([-v_y, v_x], axis=-1) / spin[:, None]
+    place = log["position"] + np.where(spin[:, None] == 0, np.nan, offset)
+    place.attrs = described("length", "motion center, from the contact at time 0")
+    return place
+
+
+def impacts(log: xr.Dataset) -> list[int]:
+    """Rows at which the slider's momentum jumps by more than the neighboring forces explain."""
+    effects = {each["type"]: each for each in json.loads(log.attrs["scene"])["effects"]}
+    if "inertia" not in effects:
+        return []
+    mass = float(effects["inertia"]["mass"])
+    weight = sum(float(each.get("weight", 0.0)) for each in effects.values())
+    momentum = mass * np.hypot(*np.diff(_of_mass(log, effects["inertia"]), axis=0).T)
+    force = np.hypot(*log["force"].values.T)
+    largest = weight + np.maximum(force[1:], force[:-1])
+    # A factor of two, for forces that change between two rows, and a margin for rounding.
+    allowed = 2 * largest * np.diff(log["time"].values) + ROUNDING * mass
+    return [int(row) + 1 for row in np.flatnonzero(momentum > allowed)]
+
+
+def _of_mass(log: xr.Dataset, inertia: dict[str, Any]) -> Array:
+    """Velocity of the center of mass."""
+    arm = np.asarray(inertia.get("center", (0.0, 0.0)))
+    turned = np.array([Pose((0.0, 0.0), each).at(arm) for each in np.deg2rad(log["rod_angle"])])
+    v_x, v_y, spin = log["twist"].values.T
+    return np.stack([v_x - spin * turned[:, 1], v_y + spin * turned[:, 0]], axis=-1)
+
+
+def side_of(log: xr.Dataset, slider: dict[str, Any]) -> xr.DataArray:
+    """Both ends of the side at every instant of a log: its real ends, or the drawn ends if it has none."""
+    along = log["contact_position"].values
+    beyond = BEYOND * (slider["rod_length"] + slider["radius"])
+    first, last = map(float, slider.get("side", (-np.inf, np.inf)))
+    ends = np.array([max(first, along.min() - beyond), min(last, along.max() + beyond)])
+    angle = np.deg2rad(log["rod_angle"].values)
+    touched = log["position"].values - slider["rod_length"] * _unit(angle)
+    tangent = _unit(angle - np.deg2rad(slider["rod_angle"]))
+    places = touched[:, None, :] + ends[None, :, None] * tangent[:, None, :]
+    return xr.DataArray(
+        places, dims=("time", "end", "xy"), attrs=described("length", "ends of the side")
+    )
+
+
+def _unit(angle: Array) -> Array:
+    return np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+
+
+def contact(data: xr.Dataset) -> Array:
+    """Position of the contact at every row: the finger's point nearest the side, or the rod's end."""
+    if "path_side" not in data:
+        return rod_end(data)
+    return finger_center(data) + finger_radius(data) * normal(data)
+
+
+def finger_radius(data: xr.Dataset) -> float:
+    """Radius of the finger; 0 for a point."""
+    return float(data["pusher_radius"]) if "pusher_radius" in data else 0.0
+
+
+def finger_center(data: xr.Dataset) -> Array:
+    """Position of the finger's center at every row."""
+    return np.asarray(data["path_pusher"].values - (0.0, finger_radius(data)))
+
+
+def normal(data: xr.Dataset) -> Array:
+    """Normal of the side into the slider at every row."""
+    along = np.diff(data["path_side"].values, axis=-2)[..., 0, :]
+    x, y = np.moveaxis(along / np.hypot(along[..., :1], along[..., 1:]), -1, 0)
+    return np.stack([-y, x], axis=-1)
+
+
+def rod_end(data: xr.Dataset) -> Array:
+    """Position of the rod's free end at every row; a finger touches it at time 0."""
+    angle = np.deg2rad(data["path_rod_angle"].values)
+    toward = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    return np.asarray(data["path_position"].values - float(data["rod_length"]) * toward)
+
+
+def runs(data: xr.Dataset) -> Iterator[Run]:
+    """Time intervals with one chosen mode, split where a choice begins or ends."""
+    modes, several = data["path_mode"].values, data["path_solutions"].values > 1
+    key = 2 * modes.astype(int) + several
+    starts = np.flatnonzero(np.diff(key, prepend=key[0] - 1))
+    stops = [*starts[1:], len(key) - 1]
+    for start, stop in zip(starts, stops, strict=True):
+        yield Run(int(start), int(stop), int(modes[start]), bool(several[start]))
+
+
+def pivots(data: xr.Dataset) -> Iterator[Run]:
+    """Time intervals, longer than an instant, in which the slider pivots about one support point."""
+    if "path_pivot" not in data:
+        return
+    points = data["path_pivot"].values
+    starts = np.flatnonzero(np.diff(points, prepend=points[0] - 1))
+    stops = [*(starts[1:] - 1), len(points) - 1]
+    for start, stop in zip(starts, stops, strict=True):
+        if points[start] >= 0 and stop > start:
+            yield Run(int(start), int(stop), int(data["path_mode"].values[start]), False)
+
+
+def rows(data: xr.Dataset, count: int) -> list[int]:
+    """Rows nearest to evenly spaced instants, both ends included."""
+    time = data["time"].values
+    wanted = np.linspace(time[0], time[-1], count)
+    return sorted({int(np.argmin(np.abs(time - each))) for each in wanted})

@@ -1,1 +1,0 @@
-"""Identities, lemmas and interval arguments of which the checks are composed."""

@@ -1,0 +1,306 @@
+"""The page: events create new states, and every new state creates new pictures."""
+
+from __future__ import annotations
+
+import base64
+import logging
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from html import escape
+from typing import Any
+
+import numpy as np
+import panel as pn
+from pydantic import ValidationError
+
+from planar_pushing.explorer.address import query
+from planar_pushing.explorer.downloads import written
+from planar_pushing.explorer.pictures.following import WAYS, chosen, forgotten, taken, ways_at
+from planar_pushing.explorer.pictures.maps import maps
+from planar_pushing.explorer.pictures.pictures import push_box
+from planar_pushing.explorer.pointing import Pointing
+from planar_pushing.explorer.presets import preset, titles
+from planar_pushing.explorer.python_lines import lines
+from planar_pushing.explorer.refusals import refusal
+from planar_pushing.explorer.screen import Screen
+from planar_pushing.explorer.state import State
+from planar_pushing.explorer.view import Order, View, energy_legend, map_markup, view
+from planar_pushing.explorer.widgets import FRAMES, Field, alike, fields, update
+from planar_pushing.explorer.worker import Worker
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.terms.errors import PlanarPushingError
+
+LOG = logging.getLogger("planar_pushing")
+#: Milliseconds between checks of the page, seconds without a change that count as rest, and seconds after
+#: which a picture and a map count as slow.
+LOOK, REST, SLOW, SLOW_MAP = 100, 0.2, 0.6, 1.6
+#: Labels of the buttons that save files, by file name.
+SAVES = {
+    "scene.yaml": "Scene (YAML)",
+    "scene.svg": "Picture (SVG)",
+    "log.nc": "Log (netCDF)",
+    "scene.py": "Python",
+}
+COMPUTING = "Computing \u2026"
+CLOSED = "The explorer is closed. You can close this page."
+
+
+class Page:
+    """One page: its state, its widgets, and its pictures.
+
+    Parameters
+    ----------
+    document : Document
+        Document of the session; everything except the work of the threads runs in its loop.
+    state : State
+        The first state.
+    said : str
+        Error message for the address, if any.
+    close : callable
+        Ends the server.
+    """
+
+    def __init__(self, document: Any, state: State, said: str, close: Callable[[], None]) -> None:
+        self.document, self.state = document, state
+        self.number, self.orders, self.changed_at = 0, 0, 0.0
+        self.quiet = self.starts = False
+        self.sizes = dict.fromkeys(("scene", "curve", "map", "time"), (700.0, 480.0))
+        self.box, self.view = push_box(state), View({})
+        self.screen, self.pointing = Screen(self._hear), Pointing(self)
+        self.fields = fields()
+        self.fixed = {"error": escape(said), "note": "", "energies": energy_legend()}
+        self.painter = Worker(document, view, self._show)
+        self.mapper = Worker(document, self._map, self._mapped)
+        self.writer = Worker(document, lambda order: written(*order), self._save)
+        self._build()
+        self._listen(close)
+        self.show_widgets()
+        pn.state.add_periodic_callback(self._look, LOOK)
+
+    def _build(self) -> None:
+        """Create the widgets that do not belong to the state."""
+        options = {"Start from \u2026": ""} | {title: name for name, title in titles().items()}
+        self.preset = pn.widgets.Select(options=options, sizing_mode="stretch_width", margin=0)
+        self.solution = pn.widgets.RadioButtonGroup(margin=(2, 6))
+        self.ways = {
+            way: pn.widgets.Button(label=name, visible=False) for way, name in WAYS.items()
+        }
+        self.forget = pn.widgets.Button(label="Forget the choices made", visible=False)
+        self.saves = {name: pn.widgets.Button(label=word, margin=0) for name, word in SAVES.items()}
+        self.close = pn.widgets.Button(label="Close", color="danger", margin=0)
+
+    def _listen(self, close: Callable[[], None]) -> None:
+        for field in self.fields.values():
+            field.widget.param.watch(partial(self._edited, field), "value")
+        self.preset.param.watch(self._start_from, "value")
+        self.solution.param.watch(self._choose, "value")
+        for way, button in self.ways.items():
+            button.on_click(partial(self._take, way))
+        self.forget.on_click(lambda event: self.change(forgotten))
+        for name, button in self.saves.items():
+            button.on_click(partial(self._write, name))
+        self.close.on_click(partial(self._close, close))
+
+    @property
+    def roots(self) -> dict[str, Any]:
+        """Everything that the template places, by name."""
+        found = {name: field.widget for name, field in self.fields.items()}
+        found |= {name.replace(".", "_"): button for name, button in self.saves.items()}
+        found |= {"preset": self.preset, "solution": self.solution, "forget": self.forget}
+        ways = pn.FlexBox(*self.ways.values())
+        return found | {"close": self.close, "ways": ways, "screen": self.screen}
+
+    # -- states --------------------------------------------------------------------------------------
+
+    def change(self, make: Callable[[State], State], name: str = "", given: Any = None) -> None:
+        """Show the state after a change, or report why it is not possible.
+
+        `name` and `given` are the changed widget and its value.
+        """
+        try:
+            state = make(self.state)
+            _ = state.scene
+        except (PlanarPushingError, ValidationError) as error:
+            self.say(refusal(error, name, given))
+            self.document.add_next_tick_callback(self.show_widgets)
+            return
+        self.say("")
+        if state != self.state:
+            self.put(state)
+
+    def put(self, state: State) -> None:
+        """Show another state; while a handle or only the time moves, the widgets are updated at rest."""
+        times = self.state.time, state.time
+        plays = None not in times and replace(self.state, time=state.time) == state
+        self.state = state
+        if not (self.pointing.held or plays):
+            self.show_widgets()
+        self.draw()
+
+    def draw(self) -> None:
+        """Request the pictures of the state."""
+        self.orders, self.changed_at = self.orders + 1, time.monotonic()
+        self.painter.ask(Order(self.state, self.sizes, self.box, self.number))
+
+    @property
+    def force(self) -> Array | None:
+        """The force drawn in full."""
+        return None if self.view.push is None else self.view.push.force
+
+    @property
+    def subject(self) -> State:
+        """State for the map: that of the push, or of the instant."""
+        return self.view.instant or replace(self.state, time=None)
+
+    # -- events --------------------------------------------------------------------------------------
+
+    def _hear(self, event: dict[str, Any]) -> None:
+        """Handle an event of the page; answer with a picture, or with its number if no picture is new."""
+        self.number, orders = event["number"], self.orders
+        if event["kind"] == "sizes":
+            self._resize(event["sizes"])
+        else:
+            self.pointing.hear(event)
+        if self.orders == orders and self.painter.seconds:
+            self.draw()
+        elif self.orders == orders:
+            self.screen.tell({}, number=self.number)
+
+    def _resize(self, sizes: dict[str, list[float]]) -> None:
+        """Draw for a page that has been loaded or has pictures of other sizes."""
+        self.sizes |= {name: (float(w), float(h)) for name, (w, h) in sizes.items() if w and h}
+        self.screen.forget()
+        self.draw()
+
+    def _edited(self, field: Field, event: Any) -> None:
+        if not self.quiet and not alike(event.new, field.read(self.state)):
+            name = field.widget.label
+            self.change(lambda state: field.write(state, event.new), name, event.new)
+            self.starts = field is self.fields["follow"] and event.new
+            if field is self.fields["time"] and event.new < field.widget.end:
+                field.widget.loop_policy = "once"
+
+    def _start_from(self, event: Any) -> None:
+        if event.new:
+            self.preset.value = ""
+            self.put(preset(event.new))
+
+    def _choose(self, event: Any) -> None:
+        if not self.quiet and event.new:
+            self.change(lambda state: replace(state, shown=event.new))
+
+    def _take(self, way: str, event: Any) -> None:
+        self.change(lambda state: taken(state, way))
+
+    def _write(self, name: str, event: Any) -> None:
+        self.writer.ask((self.state, name))
+
+    def _save(self, order: tuple[State, str], found: Any) -> None:
+        """Send a file to the browser."""
+        if isinstance(found, BaseException):
+            self.say(refusal(found))
+        else:
+            self.screen.tell({}, file=[order[1], base64.b64encode(found).decode()])
+
+    def _close(self, close: Callable[[], None], event: Any) -> None:
+        self.screen.tell({"words": CLOSED})
+        close()
+
+    def end(self) -> None:
+        """Stop the threads of a closed page."""
+        for worker in (self.painter, self.mapper, self.writer):
+            worker.close()
+
+    # -- pictures, texts and widgets -----------------------------------------------------------------
+
+    def _show(self, order: Order, found: Any) -> None:
+        """Show the pictures of a state, or report why there are none."""
+        if isinstance(found, BaseException):
+            LOG.debug("no picture", exc_info=found)
+            self.say(refusal(found))
+            self.screen.tell({}, number=order.number)
+            return
+        self.view = found
+        self.screen.tell(self.fixed | found.markup, number=order.number)
+        if self.starts and found.motion is not None:
+            self.starts, self.fields["time"].widget.direction = False, 1
+
+    def say(self, text: str) -> None:
+        """Show an error message, or clear it."""
+        self.fixed["error"] = escape(text)
+        self.screen.tell(self.fixed)
+
+    def show_widgets(self) -> None:
+        """Update the widgets from the state."""
+        self.quiet = True
+        try:
+            for field in self.fields.values():
+                update(field.widget, field.more(self.state) | {"value": field.read(self.state)})
+            self._show_choices()
+        finally:
+            self.quiet = False
+
+    def _show_choices(self) -> None:
+        """Offer the solutions to draw in full, the available times, and a button to forget choices."""
+        self.forget.visible = chosen(self.state)
+        motion, push = self.view.motion, self.view.push
+        if push is not None:
+            names = [each.mode.name for each in push.solutions]
+            labels = {name.replace("_", " ").capitalize(): name for name in names}
+            value = names[push.chosen] if names else None
+            off = self.state.time is not None or len(names) < 2
+            update(self.solution, {"options": labels, "value": value, "disabled": off})
+        if motion is not None and self.state.time is not None:
+            player = self.fields["time"].widget
+            end = max(int(np.ceil(FRAMES * motion.times[-1] / self.state.duration - 1e-9)), 1)
+            over = player.value >= end  # then it restarts from the beginning
+            update(player, {"end": end, "loop_policy": "loop" if over else "once"})
+
+    def _look(self) -> None:
+        """Report slow computations, and update the page once it is at rest."""
+        motion = self.view.motion if self.state.time is not None else None
+        note = "" if motion is None else motion.log.attrs["stopped"]
+        if self.painter.seconds > SLOW or self.mapper.seconds > SLOW_MAP:
+            note = COMPUTING
+        self.fixed["note"] = escape(note)
+        self.screen.tell(self.fixed)
+        rested = time.monotonic() - self.changed_at > REST and not self.painter.seconds
+        if self.changed_at and rested:
+            self.changed_at = 0.0
+            self._rest()
+
+    def _rest(self) -> None:
+        """Update what takes longer: all widgets, the frame, the address, and the map."""
+        self.show_widgets()
+        box = push_box(self.state)
+        if not self.pointing.held and not np.array_equal(box, self.box):
+            self.box = box
+            self.painter.ask(Order(self.state, self.sizes, box, self.number))
+        title = self.state.file.title
+        texts = {"python": escape(lines(self.state)), "title": escape(title)}
+        self.screen.tell(texts, address=query(self.state), title=title)
+        self.mapper.ask((self.state, self.subject, self.view))
+
+    def _map(self, order: tuple[State, State, View]) -> tuple[str, ...]:
+        """Draw a coarse and a finer map; return the modes to choose from. Runs in the mapper's thread."""
+        state, subject, found = order
+        for each in maps(subject):
+            markup = map_markup(subject, each, self.sizes["map"])
+            markup["map-when"] = found.markup["when"]
+            self.document.add_next_tick_callback(partial(self.screen.tell, markup))
+            if self.mapper.wanted:
+                return ()
+        if state.time is None or found.motion is None:
+            return ()
+        return ways_at(state, found.motion, state.time)
+
+    def _mapped(self, order: tuple[State, State, View], found: Any) -> None:
+        """Offer the modes to choose from at an instant if it is still shown."""
+        if isinstance(found, BaseException):
+            LOG.debug("no map", exc_info=found)
+        elif order[0] == self.state:
+            self.screen.tell({"choice": "From here on, the contact" if found else ""})
+            for way, button in self.ways.items():
+                update(button, {"visible": way in found})

@@ -1,0 +1,1 @@
+"""Pictures of the explorer, and what the pointer does on them."""

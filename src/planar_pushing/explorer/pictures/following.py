@@ -1,0 +1,215 @@
+"""The motion over time: the simulated push of a state, with the choices of the user."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.drawing.motion import box
+from planar_pushing.drawing.timeline import Run, contact, plotted, runs
+from planar_pushing.drawing.words import NUMBERS
+from planar_pushing.explorer.python_lines import acceleration, settings
+from planar_pushing.explorer.state import (
+    Handle,
+    Start,
+    State,
+    changed,
+    first_policy,
+    simulated,
+    wrapped,
+)
+from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.mechanics.solutions import Solution
+from planar_pushing.simulation.pusher import Pusher
+from planar_pushing.simulation.simulate import simulate
+from planar_pushing.terms.options import Shape
+
+#: Contact modes that the user can choose, by the policy that prefers each.
+WAYS = {
+    "stick": "sticks",
+    "slip-right": "slips to the right",
+    "slip-left": "slips to the left",
+    "separate": "breaks",
+}
+#: Behavior of the contact at an instant, by its mode.
+DOES = {
+    -1: "no motion is consistent",
+    ContactMode.SEPARATE: "the contact is broken",
+    ContactMode.STICK: "the contact sticks",
+    ContactMode.SLIP_RIGHT: "the slider slips to the right",
+    ContactMode.SLIP_LEFT: "the slider slips to the left",
+}
+#: Fraction of the duration after which the mode of a motion is compared with the chosen mode.
+SHORTLY = 1e-6
+#: A larger gap, in units of the slider's size, means no contact.
+CLOSED = 1e-6
+
+
+class Motion(NamedTuple):
+    """A log, its plotted data, its times, its runs of one mode, and the box around the motion."""
+
+    log: xr.Dataset
+    data: xr.Dataset
+    times: Array
+    runs: tuple[Run, ...]
+    box: Array
+
+
+def followed(state: State) -> Motion:
+    """Simulate the push of a state."""
+    return _followed(start(state))
+
+
+def start(state: State) -> State:
+    """State with the push to follow, without settings that only affect the display."""
+    return replace(state, time=None, shown="", across="", handle=Handle.PUSHER)
+
+
+@lru_cache(maxsize=4)
+def _followed(state: State) -> Motion:
+    log = simulate(state.scene, **_options(state))
+    data = plotted(log)
+    return Motion(log, data, data["time"].values, tuple(runs(data)), box(data))
+
+
+def _options(state: State) -> dict[str, Any]:
+    """Arguments for simulating the push of a state."""
+    options = settings(state)
+    if state.start == Start.ACCELERATION:
+        x, y = acceleration(state)
+        given = options["pusher"]
+        options["pusher"] = Pusher(
+            velocity=lambda time: (x * time, y * time), shape=given.shape, radius=given.radius
+        )
+    return options
+
+
+def row_at(motion: Motion, time: float) -> int:
+    """Row of the log at a time."""
+    return int(
+        np.clip(np.searchsorted(motion.times, time, side="right") - 1, 0, len(motion.times) - 1)
+    )
+
+
+def push_at(state: State, motion: Motion, time: float) -> State | None:
+    """Push at an instant as a state; None if the motion there is not that of a single push.
+
+    There is none with inertia, because the motion depends on its past; with a finger, because the side has
+    turned; with a broken contact; and with a fence at rest.
+    """
+    row, section = row_at(motion, time), state.file.simulate
+    gap = float(motion.data["path_gap"].values[row])
+    if section is None or state.shape != Shape.FENCE or state.scene.stores_energy:
+        return None
+    piece = [each for each in section.pieces if each.time <= motion.times[row]][-1]
+    angle = float(motion.data["path_rod_angle"].values[row])
+    if not piece.speed or gap > CLOSED * state.size or not 0.0 < angle < 180.0:
+        return None
+    slider = state.file.slider.model_dump(exclude_none=True) | {"rod_angle": angle}
+    mode = int(motion.data["path_mode"].values[row])
+    found = changed(state, slider=slider)
+    shown = ContactMode(mode).name if mode >= 0 else ""
+    return replace(found, angle=wrapped(piece.angle), magnitude=piece.speed, shown=shown)
+
+
+def solution_at(state: State, motion: Motion, time: float) -> tuple[Solution, Array] | None:
+    """The motion at a time as a solution, and the velocity of the contact minus its slip.
+
+    None if no motion is consistent.
+    """
+    row, log = row_at(motion, time), motion.log
+    if (mode := int(log["mode"].values[row])) < 0:
+        return None
+    twist, force, position = (log[name].values[row] for name in ("twist", "force", "position"))
+    touch = contact(motion.data)[row]
+    x, y = touch - position
+    velocity = twist[:2] + twist[2] * np.array([-y, x])
+    turned = np.deg2rad(log["rod_angle"].values[row] - log["rod_angle"].values[0])
+    along = direction(turned if state.shape == Shape.FINGER else 0.0)
+    slip = float(along @ (velocity - _pusher_velocity(state, motion.times[row])))
+    solution = Solution(
+        mode=ContactMode(mode), force=force, force_end=force, contact_motion=velocity, twist=twist,
+        spin_ratio=float(log["spin_ratio"].values[row]),
+        center=motion.data["path_center"].values[row] - touch, pivot=int(log["pivot"].values[row]),
+        continuum=False,
+    )  # fmt: skip
+    return solution, velocity - [slip, 0.0]
+
+
+def _pusher_velocity(state: State, time: float) -> Array:
+    if state.start == Start.ACCELERATION:
+        return time * np.array(acceleration(state))
+    return np.array([each for start, each in settings(state)["pusher"].pieces if start <= time][-1])
+
+
+def run_at(motion: Motion, time: float) -> Run:
+    """Run of one mode at a time."""
+    row = row_at(motion, time)
+    return next(each for each in reversed(motion.runs) if each.start <= row)
+
+
+def said_at(motion: Motion, time: float) -> str:
+    """Sentence on the contact at a time."""
+    row, data = row_at(motion, time), motion.data
+    mode, count = (int(data[f"path_{name}"].values[row]) for name in ("mode", "solutions"))
+    more = "" if count < 2 else f", one of {NUMBERS[count]} consistent solutions"
+    return f"At time {time:.3f} {DOES[mode]}{more}."
+
+
+def ways_at(state: State, motion: Motion, time: float) -> tuple[str, ...]:
+    """Consistent contact modes at a time; empty unless there are several.
+
+    They are found by simulation: a policy that prefers a mode takes it whenever it is consistent.
+    """
+    if not run_at(motion, time).several:
+        return ()
+    return tuple(way for way in WAYS if _is_consistent(replace(state, time=time), way))
+
+
+def _is_consistent(state: State, way: str) -> bool:
+    """Whether the motion continues in a mode that is preferred from the state's time onward."""
+    options = _options(taken(state, way))
+    shortly = (state.time or 0.0) + SHORTLY * options["duration"]
+    log = simulate(state.scene, **options | {"duration": shortly, "samples": 2})
+    mode = ContactMode(log["mode"].values[-1])
+    return str(mode.name) == way.replace("-", "_").upper()
+
+
+def taken(state: State, way: str) -> State:
+    """State with a mode chosen at its time; later choices are discarded."""
+    section = state.file.simulate
+    time = round(state.time or 0.0, 9)
+    before = [each.model_dump() for each in section.policies if each.time < time] if section else []
+    return _with_policies(state, [*before, {"time": time, "policy": way}])
+
+
+def forgotten(state: State) -> State:
+    """State without choices of the user."""
+    return _with_policies(state, first_policy(state))
+
+
+def chosen(state: State) -> bool:
+    """Whether the user chose a mode."""
+    section = state.file.simulate
+    return section is not None and len(section.policies) > 1
+
+
+def _with_policies(state: State, policies: Any) -> State:
+    """State with other policies at the same time."""
+    return replace(simulated(state, on_ambiguity=policies), time=state.time)
+
+
+def energies(motion: Motion) -> dict[str, Any]:
+    """Work and its distribution over time."""
+    log = motion.log
+    return {
+        "work": log["work"].values,
+        "support friction": log["dissipated"].sum("effect").values,
+        "contact friction": log["contact_dissipated"].values,
+        "kinetic energy": log["kinetic_energy"].values,
+    }

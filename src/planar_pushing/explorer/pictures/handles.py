@@ -1,0 +1,159 @@
+"""The handles of the picture: their positions, and the state after a drag."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+
+from planar_pushing.drawing.sketch import Sketch
+from planar_pushing.explorer.state import MAGNITUDES, Handle, State, pushed, with_rod, with_size
+from planar_pushing.mechanics.contact import PerfectlyRough
+from planar_pushing.mechanics.force.cones import friction_cone, is_magnitude_open, motion_angle
+from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.solve import solve
+
+#: Drawn lengths of the pusher's arrow for the smallest and largest magnitude, in units of the reach.
+LENGTHS = 0.3, 1.25
+#: Distance of the handle of the line of force, in units of the reach.
+LINE = 1.15
+#: Ratios of force to weight between which the push of a force angle is interpolated.
+RATIOS = np.geomspace(1e-2, 1e4, 49)
+
+
+@lru_cache(maxsize=8)
+def frame_of(scene: Scene) -> Sketch:
+    """Sketch of a scene without a push, which gives the positions of the handles."""
+    return Sketch.of(scene)
+
+
+def unit_of_magnitude(scene: Scene) -> float:
+    """W / m, or W / c with viscous friction, if the magnitude of a push matters; otherwise 1."""
+    if not is_magnitude_open(scene):
+        return 1.0
+    return float(scene.weight / scene.rows.strength(2))
+
+
+def arrow_length(state: State) -> float:
+    """Drawn length of the pusher's arrow, in units of the reach."""
+    scene = state.scene
+    if not is_magnitude_open(scene):
+        return 1.0
+    length = np.interp(
+        math.log(state.magnitude / unit_of_magnitude(scene)), np.log(MAGNITUDES), LENGTHS
+    )
+    return float(length)
+
+
+def _magnitude(state: State, length: float) -> float:
+    """Magnitude of the push with an arrow of this length."""
+    scene = state.scene
+    if not is_magnitude_open(scene):
+        return state.magnitude
+    return unit_of_magnitude(scene) * math.exp(
+        float(np.interp(length, LENGTHS, np.log(MAGNITUDES)))
+    )
+
+
+def places(state: State, force: Array | None) -> dict[Handle, Array]:
+    """Positions of the handles; the line of force has one if the pusher transmits a force."""
+    frame, angle = frame_of(state.scene), math.radians(state.angle)
+    found = {
+        Handle.PUSHER: frame.reach * arrow_length(state) * direction(angle),
+        Handle.ROD: frame.center,
+        Handle.SIZE: frame.middle + frame.half * direction(frame.pose.angle - math.pi / 4),
+    }
+    if force is not None and np.any(force):
+        found[Handle.LINE] = LINE * frame.reach * force / np.hypot(*force)
+    return found
+
+
+def nearest(state: State, force: Array | None, place: Array) -> Handle | None:
+    """Handle at a position in the picture; None if there is none."""
+    apart = {name: float(np.hypot(*(at - place))) for name, at in places(state, force).items()}
+    name = min(apart, key=apart.__getitem__)
+    return name if apart[name] < 0.16 * frame_of(state.scene).span else None
+
+
+def _drag_pusher(state: State, place: Array) -> State:
+    if not np.any(place):
+        return state
+    length = float(np.hypot(*place)) / frame_of(state.scene).reach
+    return pushed(state, math.degrees(math.atan2(place[1], place[0])), _magnitude(state, length))
+
+
+def _drag_rod(state: State, place: Array) -> State:
+    angle = math.degrees(math.atan2(max(place[1], 0.0), place[0]))
+    return with_rod(state, float(np.hypot(*place)), angle)
+
+
+def _drag_size(state: State, place: Array) -> State:
+    frame = frame_of(state.scene)
+    away = float(np.hypot(*(place - frame.middle)))
+    return with_size(state, state.size * away / frame.half)
+
+
+def _drag_line(state: State, place: Array) -> State:
+    """State with the push that sticks under a force along the line, or along the nearest in the cone."""
+    if not np.any(place):
+        return state
+    scene = state.scene
+    cone = friction_cone(scene)
+    middle = (cone.right + cone.left) / 2
+    offset = math.remainder(math.atan2(place[1], place[0]) - middle, 2 * math.pi)
+    force = middle + float(np.clip(offset, -cone.span / 2, cone.span / 2))
+    angle = _push_of_force(scene, force, state.magnitude)
+    return pushed(replace(state, shown="STICK"), math.degrees(angle), state.magnitude)
+
+
+def _push_of_force(scene: Scene, force: float, magnitude: float) -> float:
+    """Direction of the push that sticks under a force angle.
+
+    With friction and inertia, the motion under a force angle depends on the magnitude.
+    """
+    if not is_magnitude_open(scene):
+        return float(motion_angle(scene, force))
+    tries = np.asarray(motion_angle(scene, force, force_ratio=RATIOS))
+    slow = replace(scene, effects=tuple(each for each in scene.effects if each.degree == 1))
+    tries = np.unwrap([motion_angle(slow, force), *tries[np.isfinite(tries)]])
+    rough = replace(scene, contact=PerfectlyRough())
+    found = solve(rough, tries, magnitude)
+    sticks = found.force[np.arange(len(tries)), np.argmax(found.mode == 1, axis=-1)]
+    off = np.remainder(np.arctan2(sticks[:, 1], sticks[:, 0]) - force + np.pi, 2 * np.pi) - np.pi
+    order = np.argsort(off)
+    return float(np.interp(0.0, off[order], tries[order]))
+
+
+DRAGS: dict[Handle, Callable[[State, Array], State]] = {
+    Handle.PUSHER: _drag_pusher,
+    Handle.ROD: _drag_rod,
+    Handle.SIZE: _drag_size,
+    Handle.LINE: _drag_line,
+}
+
+
+def dragged(state: State, handle: Handle, place: Array) -> State:
+    """State after a handle is dragged to a position in the picture."""
+    return DRAGS[handle](state, np.asarray(place, dtype=float))
+
+
+#: Steps of a key in degrees and in fractions of a length; ten times larger with the shift key.
+DEGREE, PART = 1.0, 0.02
+
+
+def nudged(state: State, force: Array | None, right: int, up: int, coarse: bool) -> State:
+    """State after an arrow key: left and right turn its handle, up and down change its length."""
+    handle = state.handle
+    place = places(state, force).get(handle)
+    if place is None:
+        return state
+    step = 10.0 if coarse else 1.0
+    about = frame_of(state.scene).middle if handle == Handle.SIZE else np.zeros(2)
+    arm = place - about
+    angle = math.atan2(arm[1], arm[0]) - math.radians(DEGREE * step * right)
+    length = float(np.hypot(*arm)) * (1.0 + PART * step * up)
+    return dragged(state, handle, about + length * direction(angle))

@@ -1,0 +1,155 @@
+"""Everything that the page shows of a state, as markup by element id."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import lru_cache
+from html import escape
+from typing import NamedTuple
+
+import numpy as np
+
+from planar_pushing.drawing.canvas.colors import ENERGIES, MODES, look_of
+from planar_pushing.drawing.canvas.marks import Picture, Sheet
+from planar_pushing.drawing.words import outcome, row
+from planar_pushing.explorer.pictures import curve, maps
+from planar_pushing.explorer.pictures.following import (
+    Motion,
+    followed,
+    push_at,
+    said_at,
+    solution_at,
+    start,
+)
+from planar_pushing.explorer.pictures.pictures import (
+    TIME_BOX,
+    Push,
+    chip,
+    handles,
+    instant_picture,
+    markup,
+    now_picture,
+    push_picture,
+    solved,
+    time_picture,
+)
+from planar_pushing.explorer.state import State
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.solutions import Solution
+
+#: Pixels per point: maximum, minimum, and ratio to the picture's width in pixels.
+POINT = 1.55, 1.25, 1 / 450
+#: Padding around a picture in points.
+PAD = 10.0
+AT_START = "of the push at the start"
+
+
+class Order(NamedTuple):
+    """A state to show, sizes of pictures in pixels, the box of the push, and the last event's number."""
+
+    state: State
+    sizes: Mapping[str, tuple[float, float]]
+    box: Array
+    number: int = 0
+
+
+class View(NamedTuple):
+    """Markup by id, the push that is shown, and, over time, the motion and the push at the instant."""
+
+    markup: dict[str, str]
+    push: Push | None = None
+    motion: Motion | None = None
+    instant: State | None = None
+
+
+def sheet_of(size: tuple[float, float], box: Array) -> Sheet:
+    """Sheet of a picture with a size in pixels."""
+    most, least, each = POINT
+    return Sheet.around(box, size, PAD, float(np.clip(size[0] * each, least, most)))
+
+
+def view(order: Order) -> View:
+    """View of a state: of its push, or of the instant that is followed."""
+    return _push(order) if order.state.time is None else _instant(order, order.state.time)
+
+
+def _push(order: Order) -> View:
+    push = solved(order.state)
+    sheet = sheet_of(order.sizes["scene"], order.box)
+    found = {
+        "scene": markup(push_picture(push), sheet, handles(push, sheet)),
+        "words": outcome(push.solutions, push.sketch.pusher, push.chosen),
+        "runs": "", "now": "", "when": "",
+    }  # fmt: skip
+    return View(found | _of_push(order, push), push)
+
+
+def _of_push(order: Order, push: Push) -> dict[str, str]:
+    """Markup of the limit curve, the cross on the map, and the table for a push."""
+    scene, symbol = push.state.scene, push.sketch.symbol
+    picture = curve.curve_picture(scene, push.solutions, push.chosen, symbol)
+    return {
+        "curve": _markup(order, "curve", picture, curve.BOX),
+        "cross": _markup(order, "map", maps.cross(push.state), maps.BOX),
+        "solutions": table(push.solutions, push.sketch.pusher, push.chosen),
+    }
+
+
+def _markup(order: Order, name: str, picture: Picture, box: Array) -> str:
+    return markup(picture, sheet_of(order.sizes[name], box))
+
+
+def _instant(order: Order, time: float) -> View:
+    state, motion = order.state, followed(order.state)
+    time = min(time, float(motion.times[-1]))
+    found = {
+        "scene": markup(instant_picture(motion, time), sheet_of(order.sizes["scene"], motion.box)),
+        "words": said_at(motion, time),
+        "runs": _over_time(start(state), order.sizes["time"]),
+        "now": _markup(order, "time", now_picture(motion, time), TIME_BOX),
+    }
+    instant = push_at(state, motion, time)
+    push = solved(replace(state, time=None) if instant is None else instant)
+    found |= _of_push(order, push) | {
+        "when": AT_START if instant is None else f"at time {time:.3f}"
+    }
+    if instant is None:
+        one = solution_at(state, motion, time)
+        found["solutions"] = table([] if one is None else [one[0]], one and one[1], 0)
+    return View(found, push, motion, instant)
+
+
+@lru_cache(maxsize=4)
+def _over_time(state: State, size: tuple[float, float]) -> str:
+    return markup(time_picture(followed(state)), sheet_of(size, TIME_BOX))
+
+
+def table(solutions: Sequence[Solution], pusher: Array | None, chosen: int) -> str:
+    """Table of the consistent solutions, with the one drawn in full in bold."""
+    if not solutions:
+        return "<p>No consistent solution.</p>"
+    rows, head = "", ""
+    for index, solution in enumerate(solutions):
+        texts, look = row(solution, pusher), MODES[int(solution.mode)]
+        head = "".join(f"<th>{escape(name.capitalize())}</th>" for name in texts)
+        name = chip(escape(texts.pop("mode")), look.fill, look.hatch, look.ink)
+        cells = "".join(f"<td>{escape(text)}</td>" for text in texts.values())
+        shown = ' class="shown"' if index == chosen else ""
+        rows += f"<tr{shown}><th>{name}</th>{cells}</tr>"
+    return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
+
+
+def map_markup(state: State, found: maps.Map, size: tuple[float, float]) -> dict[str, str]:
+    """Markup of the map and its legend."""
+    looks = dict.fromkeys(look_of(code) for code in maps.sets_of(found))
+    return {
+        "areas": markup(maps.map_picture(state, found), sheet_of(size, maps.BOX)),
+        "legend": "".join(chip(*each[:2], each.hatch, each.ink) for each in looks),
+    }
+
+
+def energy_legend() -> str:
+    """Legend of the energies and of the line above the modes."""
+    lines = "".join(chip(name, color) for name, color in ENERGIES.items())
+    return f'{lines}<span class="key">\u2501 more than one mode possible</span>'

@@ -1,0 +1,90 @@
+"""Sample places, spread over a support, at which its friction is shown."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.mechanics.pressure.pieces import Pieces
+
+#: Number of places of a ring and of a segment, and approximate number of all areas together, if it carries
+#: the whole weight; one that carries a fraction has fewer, down to the minimum.
+RING, SEGMENT, AREA, LEAST = 24, 9, 24, 4
+#: Cells per side of the grid that estimates the fraction of its bounding box that an area fills.
+MEASURED = 40
+
+
+def places(pieces: Pieces) -> Array:
+    """Places in the body frame and their fractions of the weight, shape (n, 3); support points first."""
+    rings = [_around(*each) for each in pieces.rings]
+    segments = [_along(*each) for each in pieces.segments]
+    return np.concatenate([pieces.atoms, *rings, *segments, _spread(pieces)])
+
+
+def _count(whole: int, share: float) -> int:
+    """Number of places for a fraction of the weight."""
+    return max(LEAST, round(whole * share))
+
+
+def _around(x: float, y: float, radius: float, share: float) -> Array:
+    """Places around a ring."""
+    count = _count(RING, share)
+    around = [x, y] + radius * direction(np.linspace(0.0, 2.0 * np.pi, count, endpoint=False))
+    return np.column_stack([around, np.full(count, share / count)])
+
+
+def _along(x: float, y: float, end_x: float, end_y: float, share: float) -> Array:
+    """Midpoints of equal parts of a segment."""
+    count = _count(SEGMENT, share)
+    part = (np.arange(count) + 0.5) / count
+    along = np.stack([x + part * (end_x - x), y + part * (end_y - y)], axis=1)
+    return np.column_stack([along, np.full(count, share / count)])
+
+
+def _spread(pieces: Pieces) -> Array:
+    """Midpoints of nearly square cells that cover the areas, weighted by the pressure there."""
+    middles, radii = pieces.discs[:, :2], pieces.discs[:, 2:3]
+    ends = [each[:, :4].reshape(-1, 2) for each in pieces.plates]
+    corners = np.concatenate([middles - radii, middles + radii, *ends])
+    if not len(corners):
+        return np.empty((0, 3))
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    share = 1.0 - sum(float(each[:, -1].sum()) for each in pieces[:3])
+    filled = np.mean(pressure_at(pieces, _middles(low, high, MEASURED, MEASURED)) > 0)
+    side = np.sqrt(max(filled, 1 / MEASURED) * np.prod(high - low) / _count(AREA, share))
+    columns, rows = (max(1, int(each)) for each in np.rint((high - low) / side))
+    found = _middles(low, high, columns, rows)
+    pressure = pressure_at(pieces, found)
+    found, pressure = found[pressure > 0], pressure[pressure > 0]
+    return np.column_stack([found, share * pressure / pressure.sum()])
+
+
+def _middles(low: Array, high: Array, columns: int, rows: int) -> Array:
+    """Midpoints of the cells of a grid over a box, shape (n, 2)."""
+    x = low[0] + (np.arange(columns) + 0.5) * (high[0] - low[0]) / columns
+    y = low[1] + (np.arange(rows) + 0.5) * (high[1] - low[1]) / rows
+    return np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
+
+
+def pressure_at(pieces: Pieces, points: Array) -> Array:
+    """Pressure of the areas at points of shape (n, 2); exactly zero outside them."""
+    total, largest = np.zeros(len(points)), np.zeros(len(points))
+    for x, y, radius, share in pieces.discs:
+        inside = np.hypot(points[:, 0] - x, points[:, 1] - y) < radius
+        part = inside * share / (np.pi * radius**2)
+        total, largest = total + part, np.maximum(largest, np.abs(part))
+    for edges in pieces.plates:
+        part = _between(edges, points)
+        total, largest = total + part, np.maximum(largest, np.abs(part))
+    return np.where(total > 1e-9 * largest, total, 0.0)
+
+
+def _between(edges: Array, points: Array) -> Array:
+    """Pressure within a plate: the sum of its steps across all edges to the right of a point."""
+    x, y = points[:, 0, None], points[:, 1, None]
+    start_x, start_y, end_x, end_y, step = edges.T
+    upward = (start_y <= y) & (y < end_y)
+    downward = (end_y <= y) & (y < start_y)
+    rise = np.where(start_y == end_y, 1.0, end_y - start_y)
+    right = start_x + (y - start_y) / rise * (end_x - start_x) > x
+    return np.asarray(((upward * 1.0 - downward * 1.0) * right) @ step)

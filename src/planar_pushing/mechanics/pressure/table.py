@@ -1,0 +1,232 @@
+"""The pressures of several supports in one array of numbers, in which the core finds each by its place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import wraps
+from typing import Any, TypeVar
+
+import numpy as np
+
+from planar_pushing.core.multipole import ROWS
+from planar_pushing.core.pieces import (
+    ATOMS,
+    CENTER,
+    COLUMNS,
+    EDGES,
+    END,
+    HEAD,
+    SEGMENTS,
+    SERIES,
+    SPREAD,
+)
+from planar_pushing.core.rows import ENTRY, LAST
+from planar_pushing.mechanics.pressure.assembly import (
+    Gathered,
+    gathered,
+    stack,
+    write_terms,
+)
+from planar_pushing.mechanics.pressure.in_frames import gather_in_frames
+from planar_pushing.mechanics.pressure.pieces import Array, Pieces
+from planar_pushing.mechanics.pressure.support_in_frames import SupportInFrames
+from planar_pushing.terms.caches import cached
+from planar_pushing.terms.errors import InvalidValue
+
+#: Rounding error of a center of pressure, relative to its coordinates.
+ROUNDING = 1e-14
+#: Room in front of a table for the entries of 15 effects.
+FRONT = 16 * ENTRY
+#: Maximum number of supports in a small tuple, and number of small tuples whose results are cached.
+FEW, KEPT = 1000, 16
+Found = TypeVar("Found")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Table:
+    """Pressures stored one after the other, each in units of its own extent.
+
+    Tables are compared by identity, so that results computed from them can be cached.
+
+    Attributes
+    ----------
+    data : ndarray
+        The heads of all pressures, the rows of their pieces, and the terms of their plates, as in
+        `core.pieces`; places are relative to the beginning of this array.
+    count : int
+        Number of supports.
+    memory : ndarray
+        The data, preceded by room for the entries of a call that has no other table.
+    entries : list
+        The entries passed to `behind`, the first of which occupy that room.
+    most_atoms : int
+        Maximum number of atoms of a support.
+    """
+
+    data: Array
+    count: int
+    memory: Array
+    entries: list[Array]
+    most_atoms: int
+
+    @property
+    def heads(self) -> Array:
+        """The heads, shape (count, HEAD)."""
+        return self.data[: HEAD * self.count].reshape(self.count, HEAD)
+
+    @property
+    def centers(self) -> Array:
+        """Centers of pressure, shape (count, 2)."""
+        return self.heads[:, CENTER : CENTER + 2]
+
+    @property
+    def spreads(self) -> Array:
+        """Means of x x, x y and y y from the centers of pressure, shape (count, 3)."""
+        return self.heads[:, SPREAD : SPREAD + 3]
+
+    @property
+    def atom_counts(self) -> Any:
+        """Numbers of atoms, shape (count,)."""
+        return ((self.heads[:, SEGMENTS] - self.heads[:, ATOMS]) / COLUMNS).astype(np.int64)
+
+    def atoms(self, number: int) -> Array:
+        """Positions and shares of the atoms of a support, shape (n, 3)."""
+        first, last = self.heads[number, [ATOMS, SEGMENTS]].astype(int)
+        return self.data[first:last].reshape(-1, COLUMNS)[:, :3]
+
+    def behind(self, entries: Array) -> Array:
+        """Entries followed by the data, in the table's own memory if they equal the first entries."""
+        if len(entries) > FRONT:
+            return np.concatenate([entries, self.data])
+        self.entries.append(entries)
+        if not np.array_equal(self.entries[0], entries):
+            return np.concatenate([entries, self.data])
+        front = self.memory[FRONT - len(entries) :]
+        front[: len(entries)] = entries
+        return front
+
+
+def kept(function: Callable[[Any], Found]) -> Callable[[Iterable[Any]], Found]:
+    """Cache a function of supports; for many supports, which can take gigabytes, only the last result."""
+    few, many = cached(KEPT)(function), cached(1)(function)
+
+    @wraps(function)
+    def call(supports: Iterable[Any] | SupportInFrames) -> Found:
+        if isinstance(supports, SupportInFrames):
+            return (few if supports.size <= FEW else many)(supports)
+        each = tuple(supports)
+        return (few if len(each) <= FEW else many)(each)
+
+    return call
+
+
+def extents_of(supports: Iterable[Any]) -> Array:
+    """Largest distances of supports from their centers of pressure.
+
+    Raises
+    ------
+    InvalidValue
+        If a support is a single point, which resists no rotation.
+    """
+    return _gathered(supports).extents
+
+
+def extent_of(support: Any) -> float:
+    """As `extents_of`, for one support."""
+    return float(extents_of([support])[0])
+
+
+@kept
+def _gathered(supports: tuple[Any, ...] | SupportInFrames) -> Gathered:
+    """The pieces of supports, none of which may be a single point."""
+    if not isinstance(supports, SupportInFrames):
+        return _required_extents(gathered([each.pieces() for each in supports]), supports)
+    if not supports.is_rigid:
+        return _gathered(supports.supports)
+    group = gather_in_frames(supports.support.pieces(), supports.origins, supports.axes)
+    return _required_extents(group, [supports.support] * supports.size)
+
+
+def _required_extents(group: Gathered, supports: Sequence[Any]) -> Gathered:
+    """Pieces of supports, or `InvalidValue` if a support is a single point."""
+    # Rounding of the weights moves the center of pressure of a single point by a few ulp.
+    points = np.flatnonzero(group.extents <= ROUNDING * np.abs(group.centers).sum(axis=1))
+    if len(points):
+        raise InvalidValue(
+            "support", supports[points[0]], "a support with more than one point",
+            "a point resists no rotation: its force is opposite to its motion",
+        )  # fmt: skip
+    return group
+
+
+@kept
+def table_of(supports: tuple[Any, ...] | SupportInFrames) -> Table:
+    """`Table` of supports, the same object while it is cached."""
+    group = _gathered(supports)
+    return _table(group, group.extents)
+
+
+def table_of_pieces(pieces: Pieces, radius: float) -> Table:
+    """`Table` of one support in units of a radius other than its extent."""
+    return _table(gathered([pieces]), np.array([radius]))
+
+
+def _table(group: Gathered, radii: Array) -> Table:
+    """`Table` of supports, each in units of its own radius."""
+    starts, rows, plates = stack(group, radii)
+    count, size = len(radii), radii[:, None]
+    first, terms = HEAD * count, HEAD * count + rows.size
+    memory = np.empty(FRONT + terms + 2 * ROWS * len(plates))
+    data = memory[FRONT:]
+    data[:first] = 0.0
+    write_terms(group, rows, plates, data[terms:].reshape(-1, 2 * ROWS))
+    rows[plates, COLUMNS - 2 :] = first + COLUMNS * rows[plates, COLUMNS - 2 :]
+    data[first:terms] = rows.ravel()
+    heads = data[:first].reshape(count, HEAD)
+    heads[:, CENTER : CENTER + 2], heads[:, SPREAD : SPREAD + 3] = (
+        group.centers / size,
+        group.spreads / size**2,
+    )
+    heads[:, ATOMS : EDGES + 1] = first + COLUMNS * starts[:, :-1]
+    heads[:, SERIES] = terms + 2 * ROWS * starts[:, -1]
+    heads[:, END] = np.append(heads[1:, ATOMS], terms)
+    return Table(data, count, memory, [], int((starts[:, 1] - starts[:, 0]).max()))
+
+
+def joined_data(effects: Sequence[tuple[int, int, Table | None]], columns: int) -> Array:
+    """The array that the rows of one call share: the effects, and the pressures of all supports.
+
+    Parameters
+    ----------
+    effects : sequence of (int, int, Table or None)
+        For each effect: its kind, its first column in a row, and for a support its table.
+    columns : int
+        Number of columns of all effects.
+
+    Returns
+    -------
+    ndarray
+        ``ENTRY`` numbers for each effect: kind, column, and for a support the place of its table, to which
+        places in the table are relative; the kind ``LAST`` and the number of columns; then the tables. It
+        is cached while the effects are the same, with tables compared by identity, and must not be written
+        to.
+    """
+    given = tuple(effects)
+    count = sum(table.count for _, _, table in given if table is not None)
+    return (_few_joined if count <= FEW else _many_joined)(given, columns)
+
+
+def _joined(effects: tuple[tuple[int, int, Table | None], ...], columns: int) -> Array:
+    entries = np.zeros((len(effects) + 1, ENTRY))
+    tables = [table for _, _, table in effects if table is not None]
+    entries[-1, :2], place = (LAST, columns), entries.size
+    for i, (kind, column, table) in enumerate(effects):
+        entries[i, :3] = kind, column, 0.0 if table is None else place
+        place += 0 if table is None else len(table.data)
+    if len(tables) == 1:
+        return tables[0].behind(entries.ravel())
+    return np.concatenate([entries.ravel(), *(table.data for table in tables)])
+
+
+_few_joined, _many_joined = cached(KEPT)(_joined), cached(1)(_joined)

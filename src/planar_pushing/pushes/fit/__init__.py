@@ -1,0 +1,1 @@
+"""Fits of supports and models to measured pushes."""

@@ -1,0 +1,1 @@
+"""Measured pushes from published logs and from poses."""

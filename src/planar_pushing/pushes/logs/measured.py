@@ -1,0 +1,221 @@
+"""The pushes of one object as arrays, with derived quantities."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, replace
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import xarray as xr
+
+from planar_pushing.mechanics.arrays import same
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.supports.polygon import Polygon
+from planar_pushing.objects.boundary import nearest, sides_of
+from planar_pushing.pushes.logs.schema import NOISE, corners_of
+from planar_pushing.terms.errors import InvalidValue
+
+#: Arrays of flags over pushes, and of indices of pushes.
+Mask = npt.NDArray[np.bool_]
+Index = npt.NDArray[np.intp]
+#: Default standard deviations of motion capture, a force sensor and friction if a dataset gives none:
+#: fractions of the outline's size, of the median force and of friction, and an angle in degrees.
+POSITION, ANGLE, FORCE, REPEATABILITY = 0.003, 0.3, 0.02, 0.05
+#: Number of straight parts that represent the measured path of a finger.
+PARTS = 8
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Measured:
+    """Pushes of one object: arrays over n pushes, in the object's frame before the push.
+
+    Attributes
+    ----------
+    outline : ndarray, shape (corners, 2)
+        Corners in counterclockwise order.
+    contact, normal : ndarray, shape (n, 2)
+        Point of first touch, and the unit normal there, into the object.
+    finger, displacement : ndarray, shape (n, 2)
+        Displacements of the finger's center since the first touch, and of the object's frame.
+    rotation : ndarray, shape (n,)
+        Rotation of the object in radians.
+    radius : ndarray, shape (n,)
+        Radius of the finger.
+    force : ndarray, shape (n, 2)
+        Mean force on the object along the object's axes; NaN if it was not measured.
+    path : ndarray, shape (n, parts, 2)
+        Displacements of the finger's center over equal parts of its path.
+    noise : tuple of float
+        Standard deviations of the displacement, the rotation in radians, and the force.
+    repeatability : float
+        Relative variation of friction from one push to the next.
+    """
+
+    outline: Array
+    contact: Array
+    normal: Array
+    finger: Array
+    displacement: Array
+    rotation: Array
+    radius: Array
+    force: Array
+    path: Array
+    noise: tuple[float, float, float]
+    repeatability: float = REPEATABILITY
+
+    def __len__(self) -> int:
+        return len(self.contact)
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
+
+    def part(self, rows: Any) -> Measured:
+        """A selection of the pushes."""
+        kept = {each.name for each in fields(self)} - {"outline", "noise", "repeatability"}
+        return replace(self, **{name: getattr(self, name)[rows] for name in kept})
+
+    @property
+    def length(self) -> float:
+        """Length that converts angles to distances: half the extent of the outline."""
+        return self.size / 2.0
+
+    @property
+    def center(self) -> Array:
+        """Centroid of the outline."""
+        return np.array(Polygon(self.outline).center_of_pressure)
+
+    @property
+    def size(self) -> float:
+        """Largest extent of the outline along x or y."""
+        return float(np.ptp(self.outline, axis=0).max())
+
+    @property
+    def observed(self) -> Array:
+        """Displacement and rotation, shape (n, 3)."""
+        return np.column_stack([self.displacement, self.rotation])
+
+    @property
+    def twists(self) -> Array:
+        """Mean twist of the object's frame over each push, in the object's axes, shape (n, 3).
+
+        It is the constant twist that produces the measured displacement in one unit of time.
+        """
+        half = self.rotation / 2.0
+        factor = half / np.tan(np.where(half == 0.0, 1.0, half))
+        factor = np.where(half == 0.0, 1.0, factor)
+        x, y = self.displacement.T
+        return np.column_stack([factor * x + half * y, factor * y - half * x, self.rotation])
+
+    @property
+    def last_contacts(self) -> Array:
+        """Point of the outline nearest the finger after each push, in the object's frame at that time."""
+        center = self.contact - self.radius[:, None] * self.normal + self.finger
+        x, y = (center - self.displacement).T
+        c, s = np.cos(self.rotation), np.sin(self.rotation)
+        after = np.column_stack([c * x + s * y, c * y - s * x])
+        return nearest(sides_of(self.outline), after).point
+
+    @property
+    def points(self) -> Array:
+        """Point at which the finger pushes midway, in the object's frame, shape (n, 2)."""
+        return (self.contact + self.last_contacts) / 2.0
+
+    @property
+    def has_force(self) -> Mask:
+        """Whether the force of each push was measured."""
+        return np.asarray(
+            np.isfinite(self.force).all(axis=1) & (np.abs(self.force).max(axis=1) > 0.0)
+        )
+
+    @property
+    def wrenches(self) -> Array:
+        """Wrench of each push about the origin of the object's frame, shape (n, 3)."""
+        (x, y), (f_x, f_y) = self.points.T, self.force.T
+        return np.column_stack([f_x, f_y, x * f_y - y * f_x])
+
+    @property
+    def centered_twists(self) -> Array:
+        """Mean twists of the outline's centroid, shape (n, 3)."""
+        return twists_at(self.twists, self.center)
+
+    @property
+    def centered_wrenches(self) -> Array:
+        """Wrenches about the outline's centroid, shape (n, 3)."""
+        return wrenches_about(self.wrenches, self.center)
+
+    @property
+    def at_corner(self) -> Mask:
+        """Whether each push touches a convex corner first."""
+        apart = self.contact[:, None] - self.outline
+        return np.asarray(np.hypot(apart[..., 0], apart[..., 1]).min(axis=1) <= 1e-9 * self.size)
+
+
+def twists_at(twists: Array, point: Array) -> Array:
+    """Twists of a point of the object, from the twists of its frame's origin."""
+    v_x, v_y, turn = twists.T
+    return np.column_stack([v_x - turn * point[1], v_y + turn * point[0], turn])
+
+
+def wrenches_about(wrenches: Array, point: Array) -> Array:
+    """Wrenches about a point, from wrenches about the origin."""
+    f_x, f_y, torque = wrenches.T
+    return np.column_stack([f_x, f_y, torque - point[0] * f_y + point[1] * f_x])
+
+
+def measured(pushes: xr.Dataset) -> Measured:
+    """Arrays of the pushes in a checked dataset of one object.
+
+    Raises
+    ------
+    InvalidValue
+        If the dataset has several objects.
+    """
+    names = [str(each) for each in pushes["object"].values]
+    if len(names) > 1:
+        raise InvalidValue(
+            "pushes", f"pushes of {', '.join(names)}", "pushes of one object",
+            "choose one with of_object(pushes, name)",
+        )  # fmt: skip
+    corners = corners_of(pushes, names[0])
+    finger = pushes["finger_displacement"].values
+    force = pushes["force"].values if "force" in pushes else np.full(finger.shape, np.nan)
+    size = float(np.ptp(corners, axis=0).max())
+    usual = POSITION * size, ANGLE, FORCE * _median(np.hypot(*force.T)), REPEATABILITY
+    position, angle, newton, friction = (
+        float(pushes.attrs.get(name, each)) for name, each in zip(NOISE, usual, strict=True)
+    )
+    return Measured(
+        outline=corners, contact=pushes["contact"].values, normal=pushes["normal"].values,
+        finger=finger, displacement=pushes["displacement"].values,
+        rotation=np.deg2rad(pushes["rotation"].values), radius=pushes["finger_radius"].values,
+        force=force, path=_paths(pushes, finger), noise=(position, float(np.deg2rad(angle)), newton),
+        repeatability=friction,
+    )  # fmt: skip
+
+
+def _median(values: Array) -> float:
+    found = values[np.isfinite(values)]
+    return float(np.median(found)) if len(found) else 0.0
+
+
+def _paths(pushes: xr.Dataset, finger: Array) -> Array:
+    """Displacements over equal parts of the fingers' paths; paths that were not measured are straight."""
+    if "finger_path" not in pushes:
+        return finger[:, None]
+    return np.stack(
+        [_parts(each, end) for each, end in zip(pushes["finger_path"].values, finger, strict=True)]
+    )
+
+
+def _parts(path: Array, end: Array) -> Array:
+    """Displacements over equal parts of one path; an unknown path is straight."""
+    known = path[np.isfinite(path).all(axis=1)]
+    ways = (
+        np.append(0.0, np.hypot(*np.diff(known, axis=0).T).cumsum()) if len(known) else np.zeros(1)
+    )
+    marks = np.linspace(0.0, 1.0, PARTS + 1)
+    if ways[-1] == 0.0:
+        return np.tile(end / PARTS, (PARTS, 1))
+    x, y = (np.interp(marks * ways[-1], ways, each) for each in known.T)
+    return np.diff(np.column_stack([x, y]), axis=0)

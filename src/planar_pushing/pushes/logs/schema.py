@@ -1,0 +1,247 @@
+"""The dataset of pushes: its variables, and `required_pushes`, which checks a dataset."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.mechanics.outline import required_outline
+from planar_pushing.mechanics.plane import Array
+from planar_pushing.pushes.logs import checks
+from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.numbers import as_array
+
+#: Labels of vector components.
+XY = ["x", "y"]
+#: Default units of the quantities of `Variable`; the unit of length has no default.
+UNITS = {"degree": "degree", "force": "N", "time": "s", "1": "1", "mass": "kg"}
+#: Attributes of the dataset: standard deviations of the measurements, and the relative variation of
+#: friction from one push to the next.
+MEASURED_NOISE = ("position_noise", "angle_noise", "force_noise")
+NOISE = (*MEASURED_NOISE, "friction_noise")
+#: Attributes that a dataset of pushes keeps.
+ATTRIBUTES = ("source", *NOISE, "left_out")
+
+
+class Variable(NamedTuple):
+    """A variable of the schema.
+
+    `quantity` is "length", "degree", "force", "time", "mass" or "1"; a `complete` variable has no missing
+    values.
+    """
+
+    dims: tuple[str, ...]
+    quantity: str
+    long_name: str
+    required: bool = True
+    complete: bool = True
+
+
+#: All variables except `pushed`, the name of the object of each push.
+VARIABLES: dict[str, Variable] = {
+    "outline": Variable(
+        ("object", "corner", "xy"), "length", "corners of the object, counterclockwise", complete=False
+    ),
+    "feet": Variable(("object", "foot", "xy"), "length", "positions of the feet", False, False),
+    "foot_weight": Variable(("object", "foot"), "1", "fraction of the load on each foot", False, False),
+    "center_of_mass": Variable(("object", "xy"), "length", "center of mass", False, False),
+    "mass": Variable(("object",), "mass", "mass of the object", False, False),
+    "contact": Variable(("push", "xy"), "length", "point of first touch"),
+    "normal": Variable(("push", "xy"), "1", "unit normal at the first touch, into the object"),
+    "finger_displacement": Variable(
+        ("push", "xy"), "length", "displacement of the finger's center since the first touch"
+    ),
+    "finger_path": Variable(
+        ("push", "sample", "xy"), "length",
+        "displacement of the finger's center since the first touch, over time", False, False,
+    ),
+    "path_time": Variable(("push", "sample"), "time", "time since the first touch", False, False),
+    "finger_radius": Variable(("push",), "length", "radius of the finger"),
+    "displacement": Variable(("push", "xy"), "length", "displacement of the origin of the object's frame"),
+    "rotation": Variable(("push",), "degree", "rotation of the object, counterclockwise"),
+    "force": Variable(
+        ("push", "xy"), "force",
+        "mean force of the finger on the object, along the object's axes, which turn with it",
+        False, False,
+    ),
+}  # fmt: skip
+
+
+def required_pushes(given: Any) -> xr.Dataset:
+    """Return a canonical copy of a dataset of pushes, or raise a one-line error.
+
+    Parameters
+    ----------
+    given : xarray.Dataset
+        Dataset with the variables of the schema; all vectors of a push are in the object's frame before
+        the push.
+
+    Returns
+    -------
+    xarray.Dataset
+        Loaded into memory, with numbers in double precision, counterclockwise outlines, and units and long
+        names for all variables. Additional variables over `push` or `object` are kept.
+
+    Raises
+    ------
+    InvalidValue
+        If a variable is missing or has other dimensions, a value is missing, or the pushes are impossible
+        for their objects; see `planar_pushing.pushes.logs.checks`.
+    """
+    if not isinstance(given, xr.Dataset):
+        raise InvalidValue(
+            "pushes", type(given).__name__, "a dataset of pushes",
+            "read one with load_pushes, or make one with pushes_from_poses",
+        )  # fmt: skip
+    _require_variables(given)
+    units = _units(given)
+    names = _object_names(given)
+    coords = {"object": ("object", names, {"long_name": "name of the object"}), "xy": ("xy", XY)}
+    found: dict[str, Any] = {
+        "pushed": (
+            "push",
+            _pushed(given, names),
+            {"long_name": "name of the object that is pushed"},
+        )
+    }
+    for name, variable in VARIABLES.items():
+        if name in given:
+            attributes = {"units": units[variable.quantity], "long_name": variable.long_name}
+            found[name] = variable.dims, _numbers(given, name), attributes
+    found["outline"] = (
+        VARIABLES["outline"].dims,
+        _outlines(found["outline"][1], names),
+        found["outline"][2],
+    )
+    others = {
+        str(name): given[name].load()
+        for name in given.data_vars
+        if name not in found and {"push", "object"} & set(given[name].dims)
+    }
+    kept = {key: given.attrs[key] for key in ATTRIBUTES if key in given.attrs}
+    pushes = xr.Dataset(found | others, coords, {"source": ""} | kept)
+    checks.require_consistent(pushes)
+    return pushes
+
+
+def corners_of(pushes: xr.Dataset, name: str) -> Array:
+    """Corners of an object without padding, shape (n, 2)."""
+    return without_padding(pushes["outline"].sel(object=name).values)
+
+
+def without_padding(places: Array) -> Array:
+    """Positions of shape (n, 2) without rows of NaN at the end."""
+    empty = np.asarray(np.isnan(places).all(axis=1))
+    return places[: len(places) - int(empty[::-1].cumprod().sum())]
+
+
+def padded(arrays: list[Array]) -> Array:
+    """Arrays of different lengths as one array, with NaN after the shorter ones."""
+    longest = max(map(len, arrays), default=0)
+    found = np.full((len(arrays), longest, *np.shape(arrays[0])[1:]), np.nan)
+    for row, each in zip(found, arrays, strict=True):
+        row[: len(each)] = each
+    return found
+
+
+def _require_variables(given: xr.Dataset) -> None:
+    """Refuse a dataset with missing variables or wrong dimensions."""
+    missing = [each for each in ("pushed", *VARIABLES) if each not in given]
+    missing = [each for each in missing if each == "pushed" or VARIABLES[each].required]
+    if "finger_path" in given and "path_time" not in given:
+        missing.append("path_time")
+    if missing and {"time", "rod_angle", "twist"} <= set(given.variables):
+        raise InvalidValue(
+            "pushes", "a log of simulate, the motion in one push over time", "one entry for each push",
+            "make them with simulate_pushes, pushes_from_poses or planar-pushing convert",
+        )  # fmt: skip
+    if missing:
+        raise InvalidValue(
+            "pushes", f"a dataset without {', '.join(missing)}", "one with every required variable",
+            "make it with pushes_from_poses, or add the variable",
+        )  # fmt: skip
+    dims = {"pushed": ("push",)} | {name: each.dims for name, each in VARIABLES.items()}
+    for name in dims.keys() & given.variables.keys():
+        if set(given[name].dims) != set(dims[name]):
+            shape = f"dimensions {tuple(map(str, given[name].dims))}"
+            raise InvalidValue(name, shape, f"dimensions {dims[name]}", "rename the dimensions")
+    if given.sizes["xy"] != 2 or ("xy" in given.coords and list(given["xy"].values) != XY):
+        raise InvalidValue(
+            "xy", given["xy"].values.tolist(), "x, y", "give both components of vectors"
+        )
+    if not given.sizes["push"]:
+        raise InvalidValue("pushes", "no push", "at least one push", "add the measured pushes")
+
+
+def _units(given: xr.Dataset) -> dict[str, str]:
+    """Unit of each quantity, which must be the same for all its variables."""
+    found: dict[str, tuple[str, str]] = {}
+    for name, variable in VARIABLES.items():
+        unit = given[name].attrs.get("units") if name in given else None
+        if unit is None:
+            continue
+        first, known = found.setdefault(variable.quantity, (name, str(unit)))
+        if str(unit) != known:
+            raise InvalidValue(
+                "units", f"{name} in {unit}, {first} in {known}", f"one unit of {variable.quantity}",
+                "convert one of them",
+            )  # fmt: skip
+    if "length" not in found:
+        raise InvalidValue(
+            "units", None, "a name such as mm", "set the attribute units of the variable outline"
+        )
+    if found.get("degree", ("", "degree"))[1] not in ("degree", "degrees", "deg"):
+        raise InvalidValue(
+            "units", f"rotation in {found['degree'][1]}", "degree", "convert the angles"
+        )
+    return UNITS | {key: unit for key, (_, unit) in found.items()} | {"degree": "degree"}
+
+
+def _object_names(given: xr.Dataset) -> list[str]:
+    """Names of the objects, which must all be different."""
+    names = [str(each) for each in given["object"].values] if "object" in given.coords else []
+    if not names or len(set(names)) < len(names) or not all(names):
+        raise InvalidValue("object", names, "a name for each object", "set the coordinate object")
+    return names
+
+
+def _pushed(given: xr.Dataset, names: list[str]) -> Array:
+    """Name of the object of each push."""
+    pushed = [str(each) for each in given["pushed"].values]
+    unknown = sorted(set(pushed) - set(names))
+    if unknown:
+        raise InvalidValue("pushed", unknown[0], ", ".join(names), "name an object of the dataset")
+    return np.array(pushed, dtype=object)
+
+
+def _numbers(given: xr.Dataset, name: str) -> Array:
+    """Values of a variable in double precision, in the order of its dimensions."""
+    variable = VARIABLES[name]
+    values = as_array(given[name].transpose(*variable.dims).values)
+    if values is None:
+        raise InvalidValue(name, str(given[name].dtype), "numbers", "give floats")
+    bad = np.asarray(~np.isfinite(values) if variable.complete else np.isinf(values))
+    if bad.any():
+        place = f"{variable.dims[0]} {int(np.nonzero(bad)[0][0])}"
+        raise InvalidValue(
+            name,
+            f"{values[np.nonzero(bad)][0]} of {place}",
+            "finite numbers",
+            "leave out pushes that were not measured",
+        )
+    return values + 0.0
+
+
+def _outlines(given: Array, names: list[str]) -> Array:
+    """Return counterclockwise outlines, or raise the error for the first invalid outline."""
+    found = []
+    for name, corners in zip(names, given, strict=True):
+        try:
+            found.append(np.array(required_outline(without_padding(corners))))
+        except InvalidValue as error:
+            raise InvalidValue(
+                f"outline of {name}", error.given, error.allowed, error.remedy
+            ) from None
+    return padded(found)

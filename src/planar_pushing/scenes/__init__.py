@@ -1,0 +1,1 @@
+"""Scene files: their parts, and reading and writing."""

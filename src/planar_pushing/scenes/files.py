@@ -1,0 +1,166 @@
+"""Read and write scene and study files; report errors in a file in clear one-line messages."""
+
+from __future__ import annotations
+
+import difflib
+from pathlib import Path
+from typing import Any, TypeVar
+
+from pydantic import ValidationError
+from pydantic_core import ErrorDetails
+from ruamel.yaml import YAML
+
+from planar_pushing.mechanics.entries import is_in_files, scene_entry
+from planar_pushing.mechanics.scene import Scene, required_scene, required_single
+from planar_pushing.mechanics.supports import SHAPES
+from planar_pushing.scenes.fields import FileModel
+from planar_pushing.scenes.object_model import ObjectFile
+from planar_pushing.scenes.scene_model import SceneFile
+from planar_pushing.scenes.yaml_text import read_yaml, shown
+from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path, suggestion
+from planar_pushing.terms.replacing import PathLike, replacing
+
+Model = TypeVar("Model", bound=FileModel)
+
+#: Keys that identify the kind of file.
+KINDS = {"contact": "a scene file", "grid": "a study file"}
+
+
+def load_scene(path: PathLike) -> Scene:
+    """Read a scene file.
+
+    Raises
+    ------
+    InvalidFile
+        If the file is invalid; the message names the file, key, value, allowed values and remedy.
+    """
+    return load_scene_file(path).build()
+
+
+def load_scene_file(path: PathLike) -> SceneFile:
+    """Read a scene file or an object file as a scene file; errors as in `load_scene`."""
+    content = read_yaml(Path(require_path("path", path)))
+    if isinstance(content, dict) and "object" in content:
+        return load_model(path, ObjectFile).scene_file()
+    return load_model(path, SceneFile)
+
+
+def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
+    """Write a scene file that `load_scene` reads back as the same scene.
+
+    The rod angle is stored in degrees and can therefore change by one unit in the last place.
+
+    Raises
+    ------
+    InvalidValue
+        If the scene has a law, an effect or a support that scene files cannot represent.
+    """
+    if not isinstance(title, str):
+        raise InvalidValue("title", title, "text", "name the scene")
+    for effect in required_single(required_scene(scene)).effects:
+        support = getattr(effect, "support", None)
+        if support is not None and not is_in_files(support):
+            raise InvalidValue(
+                "support", support, f"the shapes of scene files: {', '.join(SHAPES)}",
+                "describe it by these shapes, for instance as a Composite of them",
+            )  # fmt: skip
+    entry = scene_entry(scene, title)
+    save_scene_file(SceneFile.model_validate(entry), require_path("path", path))
+
+
+def save_scene_file(file: SceneFile, path: PathLike) -> None:
+    """Write a scene file, including its simulation, that `load_scene_file` reads back unchanged."""
+    _write(file.model_dump(mode="json", exclude_none=True), path)
+
+
+def save_object_file(content: dict[str, Any], path: PathLike) -> None:
+    """Write the content of an object file unchanged; `load_scene` can read the file.
+
+    Raises
+    ------
+    InvalidFile
+        If the content is not a valid scene or the file cannot be written.
+    """
+    try:
+        ObjectFile.model_validate(content)
+    except ValidationError as error:
+        raise InvalidFile(explain(Path(path), error.errors()[0])) from None
+    _write(content, path)
+
+
+def _write(content: dict[str, Any], path: PathLike) -> None:
+    """Write plain values as YAML, with each vector on one line."""
+    with replacing(path) as temporary, temporary.open("w", encoding="utf-8") as stream:
+        writer = YAML(typ="safe", pure=True)
+        writer.sort_base_mapping_type_on_output = False  # type: ignore[assignment]
+        writer.default_flow_style = None
+        writer.dump(content, stream)
+
+
+def load_model(path: PathLike, model: type[Model]) -> Model:
+    """Read a YAML file as a model of its content; errors as in `load_scene`."""
+    path = Path(require_path("path", path))
+    content = read_yaml(path)
+    if not isinstance(content, dict):
+        raise InvalidFile(f"{path}: holds no keys; allowed: {', '.join(model.model_fields)}")
+    try:
+        return model.model_validate(content)
+    except ValidationError as error:
+        lines = [explain(path, each) for each in error.errors()]
+        more = [f"{path}: and {len(lines) - 5} more"] if len(lines) > 5 else []
+        raise InvalidFile("\n".join(lines[:5] + more)) from None
+
+
+def _key(location: tuple[int | str, ...]) -> str:
+    """Location as written in the file, without the tags that distinguish laws, effects and policies."""
+    key, previous = "", None
+    for index, part in enumerate(location):
+        tag = previous in ("contact", "support", "on_ambiguity") or (
+            index > 1 and location[index - 2] in ("effects", "supports")
+        )
+        if isinstance(part, int):
+            key += f"[{part}]"
+        elif not tag:
+            word = shown(part)[1:].removesuffix("'")
+            key += f".{word}" if key else word
+        previous = part
+    return key
+
+
+def _other_kind(given: dict[object, object], known: list[str]) -> str:
+    """Remedy for unknown top-level keys: another file if this one is of another kind."""
+    kinds = [kind for key, kind in KINDS.items() if key in given and key not in known]
+    return f"this is {kinds[0]}; give a file with these keys" if kinds else "remove the key"
+
+
+def explain(path: Path, error: ErrorDetails) -> str:
+    """One-line message with the file, key, value, allowed values and remedy."""
+    key, given, context = _key(error["loc"]), error["input"], error.get("ctx", {})
+    allowed, remedy = error["msg"], "change the value"
+    match error["type"]:
+        case "missing":
+            return f"{path}: {key}: missing; allowed: a value for this key; add it"
+        case "unknown_key":
+            unknown, known = context["key"], context["known"]
+            remedy = "remove the key" if key else _other_kind(given, known)
+            near = difflib.get_close_matches(str(unknown), known, n=1)
+            remedy = f"did you mean {near[0]}?" if near else remedy
+            word = shown(unknown)[1:].removesuffix("'") if isinstance(unknown, str) else unknown
+            key, given = (f"{key}.{word}" if key else str(word)), given[unknown]
+            allowed = f"the keys {', '.join(known)}"
+        case "refused" | "refused_in":
+            key = f"{context.get('place', f'{key}.')}{context['name']}"
+            given, remedy = context["given"], context["remedy"]
+        case "union_tag_invalid":
+            allowed = f"{context['discriminator']} one of {context['expected_tags']}"
+        case "union_tag_not_found":
+            allowed = f"a mapping with the key {context['discriminator']}"
+        case "literal_error":
+            allowed = context["expected"]
+        case "unknown_option":
+            remedy = suggestion(given, context["names"], remedy)
+        case "model_attributes_type" | "dict_type":
+            allowed = "a mapping"
+        case "string_type":
+            allowed = "text"
+    return f"{path}: {key or 'the file'}: {shown(given)} given; allowed: {allowed}; {remedy}"

@@ -1,0 +1,130 @@
+"""Content of an object file: a scene with its supports and contact in the object's frame."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Self
+
+from pydantic import field_validator, model_validator
+from pydantic_core import PydanticCustomError
+
+from planar_pushing.mechanics.entries import scene_entry
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.objects.scene_at import scene_at
+from planar_pushing.scenes.fields import FileModel, NotEmpty, Positive, Text
+from planar_pushing.scenes.scene_model import (
+    ContactEntry,
+    EffectEntry,
+    SceneFile,
+    UnitsEntry,
+    require_inertia,
+)
+from planar_pushing.scenes.simulate_model import SimulateEntry
+from planar_pushing.scenes.support_model import Point, Points
+from planar_pushing.terms.errors import InvalidValue
+
+#: Types of effects that have a support.
+RESTING = ("support_friction", "viscous")
+#: Keys of a file for the parameters that `scene_at` can reject.
+PLACES = {"point": "object.contact.", "normal": "object.contact.", "outline": "object."}
+
+
+class FootEntry(FileModel):
+    """A foot in the object's frame, with its load in any unit and its name."""
+
+    position: Point
+    weight: Positive = 1.0
+    name: Text | None = None
+
+
+class PlaceEntry(FileModel):
+    """Contact point on the object, and the normal there, which points into the object.
+
+    With an outline, the normal can be omitted unless the contact is at a corner.
+    """
+
+    point: Point
+    normal: Point | None = None
+
+
+class ObjectEntry(FileModel):
+    """An object in its own frame: its outline, its feet and its contact.
+
+    Effects without a support act on the feet or, without feet, on the whole outline with uniform pressure.
+    """
+
+    outline: Points | None = None
+    feet: Annotated[tuple[FootEntry, ...], NotEmpty] | None = None
+    contact: PlaceEntry
+
+
+class ObjectFile(FileModel):
+    """A scene with an object in its own frame; it is converted to a scene file when it is read."""
+
+    title: Text = ""
+    object: ObjectEntry
+    contact: ContactEntry
+    effects: Annotated[tuple[EffectEntry, ...], NotEmpty]
+    simulate: SimulateEntry | None = None
+    units: UnitsEntry | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _rests(cls, given: Any) -> Any:
+        """Give the object's support to effects without one."""
+        own = _support(given["object"]) if isinstance(given, dict) and "object" in given else None
+        effects = given.get("effects") if isinstance(given, dict) else None
+        if own is None or not isinstance(effects, list):
+            return given
+        filled = [
+            each | {"support": own}
+            if isinstance(each, dict) and each.get("type") in RESTING and "support" not in each
+            else each
+            for each in effects
+        ]
+        return given | {"effects": filled}
+
+    _twist_has_inertia = field_validator("simulate")(
+        lambda given, info: require_inertia(given, info)
+    )
+
+    @model_validator(mode="after")
+    def _makes_one(self) -> Self:
+        try:
+            self.build()
+        except InvalidValue as error:
+            about = vars(error) | {"place": PLACES.get(error.name, "")}
+            raise PydanticCustomError("refused_in", "{allowed}", about) from None
+        return self
+
+    def build(self) -> Scene:
+        place = self.object.contact
+        return scene_at(
+            place.point,
+            place.normal,
+            effects=[effect.build() for effect in self.effects],
+            contact=self.contact.build(),
+            outline=self.object.outline,
+            units=None if self.units is None else self.units.build(),
+        )
+
+    def scene_file(self) -> SceneFile:
+        """The same scene in its body frame."""
+        simulate = None if self.simulate is None else self.simulate.model_dump(exclude_none=True)
+        return SceneFile.model_validate(
+            scene_entry(self.build(), self.title) | {"simulate": simulate}
+        )
+
+
+def _support(given: Any) -> dict[str, Any] | None:
+    """Entry of an object's support, if it has feet or an outline."""
+    found = given if isinstance(given, dict) else {}
+    feet, outline = found.get("feet"), found.get("outline")
+    if isinstance(feet, list) and feet and all(isinstance(each, dict) for each in feet):
+        names = [each.get("name") for each in feet]
+        return {
+            "shape": "points",
+            "positions": [each.get("position") for each in feet],
+            "weights": [each.get("weight", 1.0) for each in feet],
+            **({"names": names} if all(names) else {}),
+        }
+    return {"shape": "polygon", "vertices": outline} if outline and not feet else None

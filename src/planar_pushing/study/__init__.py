@@ -1,1 +1,0 @@
-"""Scene and study files, and the datasets built from them; only this package uses YAML and HDF5."""

@@ -1,1 +1,0 @@
-"""Scene and study files: their models, and functions that read and write them."""

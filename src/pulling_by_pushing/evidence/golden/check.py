@@ -1,0 +1,128 @@
+"""Check of a results folder against the golden data of its study, file by file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import xarray as xr
+from tqdm import tqdm
+
+from planar_pushing.terms.errors import InvalidFile
+from planar_pushing.terms.netcdf import group_names, read_attributes
+from planar_pushing.terms.replacing import PathLike
+from pulling_by_pushing.evidence.golden.compare import (
+    Check,
+    TolerancesFile,
+    compare,
+    load_tolerances,
+)
+from pulling_by_pushing.study.catalog import DATASETS, FIGURES, SIMULATIONS, dataset_place
+from pulling_by_pushing.study.model import StudyFile
+from pulling_by_pushing.study.slices import computes
+from pulling_by_pushing.study.store import read_dataset
+from pulling_by_pushing.study.study_file import load_study
+
+#: Datasets about the computation itself without times, built together with the datasets of the paper.
+COUNTS = ("hard_cases", "accuracy")
+
+
+def result_names(study: StudyFile) -> list[str]:
+    """Names of all results of a study that golden data contain, as accepted by `open_dataset`."""
+    computed = [name for name in DATASETS if computes(study, name)]
+    return [
+        *computed,
+        *(f"{SIMULATIONS}/{name}" for name in study.simulations),
+        *(f"{FIGURES}/{name}" for name in study.figures),
+        *(COUNTS if "scenes" in computed else ()),
+    ]
+
+
+def check_results(folder: Path, file: PathLike) -> list[Check]:
+    """Compare every value of a study's results with its golden data.
+
+    Parameters
+    ----------
+    folder : Path
+        The results.
+    file : path
+        The study, which defines the contents of the results and names the folder of golden data.
+
+    Returns
+    -------
+    list of Check
+        One for each variable; a result that cannot be read is a failed check.
+
+    Raises
+    ------
+    InvalidFile
+        If the study names no golden data, a golden file is missing or damaged, or the folder is not one
+        of results.
+    """
+    study = load_study(file)
+    require_results(folder)
+    if not study.golden:
+        remedy = "certify some of its points with --points N, or name golden data in it"
+        raise InvalidFile(f"{file}: golden: missing; allowed: a folder of golden data; {remedy}")
+    golden, names = Path(study.golden), result_names(study)
+    for path in [golden / f"{name}.nc" for name in names]:
+        if not path.is_file():
+            raise InvalidFile(f"{path}: no such golden file; make it with make golden WRITE=1")
+    checks, tolerances = list(_surplus(golden, names)), load_tolerances()
+    for name in tqdm(names, "checking", disable=None, leave=False):
+        checks += _check_file(
+            name, folder / dataset_place(name)[0], golden / f"{name}.nc", tolerances
+        )
+    return checks
+
+
+def require_results(folder: Path) -> None:
+    """Refuse a folder without datasets."""
+    if not any(folder.glob("data/*.nc")):
+        place = "contains no datasets" if folder.is_dir() else "no such folder"
+        remedy = "build them with make, or with planar-pushing run STUDY.yaml"
+        raise InvalidFile(f"{folder}: {place}; name the folder of the results, or {remedy}")
+
+
+def _surplus(golden: Path, names: list[str]) -> Iterator[Check]:
+    """Golden files of results that the study does not have."""
+    for folder in ("", f"{SIMULATIONS}/", f"{FIGURES}/"):
+        for path in sorted((golden / folder).glob("*.nc")):
+            if f"{folder}{path.stem}" not in names:
+                problem = "is a golden file, but not a result of the study"
+                yield Check(file=f"{folder}{path.stem}", problem=problem)
+
+
+def _check_file(name: str, path: Path, golden: Path, tolerances: TolerancesFile) -> list[Check]:
+    """Compare every group of a file."""
+    wanted = _golden_groups(golden)
+    try:
+        found = group_names(path) or [""]
+        checks = [
+            Check(file=f"{name}/{group}", problem="is no group of this dataset")
+            for group in set(found) - set(wanted)
+        ]
+        if "" not in wanted:
+            checks += compare(name, _root(path), _root(golden), tolerances)
+        for group, each in wanted.items():
+            result = read_dataset(path, group or None).load()
+            checks += compare(f"{name}/{group}" if group else name, result, each, tolerances)
+        return checks
+    except InvalidFile as error:
+        return [Check(file=name, problem=f"cannot be read: {error}")]
+
+
+def _golden_groups(path: Path) -> dict[str, xr.Dataset]:
+    """The groups of a golden file, or `InvalidFile`."""
+    try:
+        return {
+            group: read_dataset(path, group or None).load() for group in group_names(path) or [""]
+        }
+    except InvalidFile:
+        remedy = "take it from the repository, or write it again with make golden WRITE=1"
+        raise InvalidFile(f"{path}: is a damaged golden file; {remedy}") from None
+
+
+def _root(path: Path) -> xr.Dataset:
+    """The attributes of a file with groups."""
+    return xr.Dataset(attrs=read_attributes(path))

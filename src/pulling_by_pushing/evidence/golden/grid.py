@@ -1,0 +1,271 @@
+"""Certified values over a grid, or at some of its points: each point by its cell, in several processes."""
+
+from __future__ import annotations
+
+import itertools
+import zlib
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from multiprocessing import get_context
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from flint import arb
+from tqdm import tqdm
+
+from planar_pushing.terms.errors import InvalidResult
+from pulling_by_pushing.evidence.golden import cells
+from pulling_by_pushing.evidence.golden.cells import CENTERS, Record, Values
+from pulling_by_pushing.evidence.golden.enclosures import EXACT, RADIUS
+from pulling_by_pushing.evidence.golden.storage import store
+from pulling_by_pushing.oracle.balls import Undecided, Vector, precise
+from pulling_by_pushing.oracle.integrals import distance_and_gradient
+from pulling_by_pushing.oracle.support import Support
+
+Point = tuple[Any, ...]
+#: Midpoints and exponents by variable.
+Arrays = dict[str, tuple[Any, Any]]
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """A function of a point, and the dimensions whose coordinates it takes."""
+
+    dims: tuple[str, ...]
+    function: Callable[..., Record]
+
+
+ROD = ("support", "rod_length", "rod_angle", "friction_coefficient")
+#: The cells of each dataset; together they provide all of its numbers.
+CELLS: Mapping[str, tuple[Cell, ...]] = {
+    "limit_curves": (
+        Cell(("effects", "rod_length", "rod_angle", "force_angle"), cells.limit_point_values),
+    ),
+    "motion_cones": (
+        Cell(("effects", "rod_length", "rod_angle", "friction_coefficient"), cells.motion_cone),
+        Cell(("friction_coefficient",), cells.coefficients),
+    ),
+    "contact_modes": (
+        Cell(
+            ("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle"),
+            cells.ring_solutions,
+        ),
+        Cell(("contact",), cells.contact_laws),
+    ),
+    "acceleration_centers": (
+        Cell(("rod_length", "force_angle", "inertia_share"), cells.acceleration_center),
+        Cell(("rod_length",), cells.acceleration_cones),
+    ),
+    "center_regions": (Cell(("rod_length", "rod_angle", "force_angle"), cells.region_ends),),
+    "supports": (
+        Cell(("support", "center_x", "center_y"), cells.support_wrench),
+        Cell(("support",), cells.support_numbers),
+    ),
+    "support_cones": (
+        Cell(ROD, cells.support_cone),
+        Cell(("friction_coefficient",), cells.coefficients),
+    ),
+    "support_modes": (
+        Cell((*ROD, "pusher_angle"), cells.support_solutions),
+        Cell(("friction_coefficient",), cells.coefficients),
+    ),
+}
+#: Variables that are stored as computed: the errors of another model, at motions that a search found.
+PLAIN = {
+    "supports": tuple(
+        f"{size}_{kind}_error" for size in ("mean", "worst") for kind in ("force", "motion")
+    )
+}
+#: Largest relative radius of an integral that is compared.
+WIDE = 2.0**-60
+#: The second route is taken at one of so many points.
+SAMPLE = 20
+#: Number of points that a process takes at once.
+TAKEN = 400
+#: Fewer points than this are done before another process has started.
+FEW = 100
+
+
+def evaluate(
+    cell: Cell, values: Values, second: Callable[[Point], bool], point: Point
+) -> Record | str:
+    """Record of a point with each number as midpoint and exponent, or the reason why there is none.
+
+    At the points of the second route, the entry `CENTERS` of the record is the number of its centers at
+    which D and its gradient are also those of the defining integrals.
+    """
+    try:
+        return _record(cell, values, point, second(point))
+    except Undecided as error:
+        return str(error)
+
+
+@precise
+def _record(cell: Cell, values: Values, point: Point, twice: bool) -> Record:
+    record = cell.function(values, *point)
+    centers = record.pop(CENTERS, [])
+    count = sum(map(_agrees, centers)) if twice else 0
+    return {name: _store_nested(value) for name, value in record.items()} | {CENTERS: count}
+
+
+def is_sampled(point: Point) -> bool:
+    """Whether the second route is taken at a point: at one of 20, by a digest of its coordinates."""
+    return zlib.crc32(repr(point).encode()) % SAMPLE == 0
+
+
+def is_never(point: Point) -> bool:
+    """No second route."""
+    return False
+
+
+def _agrees(center: tuple[Support, Vector]) -> bool:
+    """Whether D and its gradient at a center agree on both routes; at the end of a line there is one."""
+    pieces, c = center
+    try:
+        printed = distance_and_gradient(pieces, c)
+    except Undecided:
+        return False
+    closed = pieces.dgh(
+        c,
+        next((i for i, point in enumerate(pieces.points) if c == tuple(map(arb, point.place))), -1),
+    )
+    if any(part.rad() > WIDE * (1 + abs(part)) for part in printed):
+        return False
+    if not all(a.overlaps(b) for a, b in zip(printed, closed, strict=False)):
+        raise InvalidResult(f"the integrals disagree with D and its gradient at the center {c}")
+    return True
+
+
+def _store_nested(value: Any) -> Any:
+    """Numbers as pairs of midpoint and exponent, in the same nested lists."""
+    if isinstance(value, list):
+        return [_store_nested(each) for each in value]
+    return store(value)
+
+
+def records(
+    cell: Cell,
+    values: Values,
+    points: Sequence[Point],
+    processes: int,
+    second: Callable[[Point], bool] = is_never,
+) -> Iterator[Record | str]:
+    """Records of points, in order; `second` selects the points of the second route."""
+    wanted = partial(evaluate, cell, values, second)
+    if len(points) < FEW:
+        yield from map(wanted, points)
+        return
+    with get_context("spawn").Pool(processes) as pool:
+        step = max(1, min(TAKEN, len(points) // (4 * processes)))
+        yield from pool.imap(wanted, points, chunksize=step)
+
+
+def points(dataset: xr.Dataset, dims: Iterable[str]) -> list[Point]:
+    """The coordinates of all points along some dimensions."""
+    axes = [dataset[dim].values.tolist() for dim in dims]
+    return list(itertools.product(*axes))
+
+
+def certify(
+    name: str, values: Values, template: xr.Dataset, processes: int
+) -> tuple[xr.Dataset, int]:
+    """A dataset with certified values instead of its own, and the exponents of their radii.
+
+    Also returns the number of centers of rotation that were checked by the second route.
+
+    Parameters
+    ----------
+    name : str
+    values : mapping
+        Slice of the study.
+    template : xarray.Dataset
+        The dataset as computed; its coordinates, texts and attributes are retained.
+
+    Raises
+    ------
+    InvalidResult
+        If a point is undecided, or no cell certifies a number of the dataset.
+    """
+    arrays: Arrays = {}
+    count = 0
+    for cell in CELLS[name]:
+        every = points(template, cell.dims)
+        sizes = [template.sizes[dim] for dim in cell.dims]
+        computed = records(cell, values, every, processes, is_sampled)
+        for index, record in enumerate(tqdm(computed, name, len(every), disable=None, leave=False)):
+            if isinstance(record, str):
+                raise InvalidResult(kink(name, cell, every[index], record))
+            count += record.pop(CENTERS)
+            _place(arrays, template, tuple(np.unravel_index(index, sizes)), record)
+    return _assemble(name, arrays, template, PLAIN.get(name, ())), count
+
+
+def certify_record(
+    name: str,
+    record: Record,
+    template: xr.Dataset,
+    plain: Sequence[str] = (),
+) -> xr.Dataset:
+    """A dataset with the certified values of one record instead of its own; `plain` ones are retained."""
+    arrays: Arrays = {}
+    _place(arrays, template, (), {key: _store_nested(value) for key, value in record.items()})
+    return _assemble(name, arrays, template, plain)
+
+
+def kink(name: str, cell: Cell, point: Point, reason: str) -> str:
+    """The message about a point that cannot be certified."""
+    where = ", ".join(f"{dim}={each}" for dim, each in zip(cell.dims, point, strict=True))
+    return (
+        f"{name}: {where}: on a kink, where rounding decides ({reason}); allowed: a point off it; "
+        "choose another value of the grid, such as another coefficient of friction"
+    )
+
+
+def _place(arrays: Arrays, template: xr.Dataset, at: tuple[Any, ...], record: Record) -> None:
+    """Store the numbers of a point at their place."""
+    for name, nested in record.items():
+        if name not in arrays:
+            like = template[name].values
+            empty = np.full(like.shape, empty_entry(name, like.dtype), like.dtype)
+            arrays[name] = empty, np.full(like.shape, EXACT, np.int8)
+        middle, exponent = arrays[name]
+        if isinstance(nested, tuple):
+            middle[at], exponent[at] = nested
+        elif nested:
+            numbers = np.array(nested, dtype=object)
+            span = (*at, *(slice(0, length) for length in numbers.shape[:-1]))
+            if numbers.shape[:-1] > middle[at].shape:
+                raise InvalidResult(f"{name}: the result has too few entries; make it anew")
+            middle[span], exponent[span] = numbers[..., 0], numbers[..., 1]
+
+
+def _assemble(name: str, arrays: Arrays, template: xr.Dataset, plain: Sequence[str]) -> xr.Dataset:
+    """The template with the certified values; all of its numbers except `plain` ones are required."""
+    # As variables, so that no index aligns them: a certified time differs from the stored one.
+    variables = {str(each): variable.copy() for each, variable in template.variables.items()}
+    for each, (middle, exponent) in arrays.items():
+        dims, attrs = template[each].dims, template[each].attrs
+        variables[each] = xr.Variable(dims, middle, attrs)
+        variables[f"{each}{RADIUS}"] = xr.Variable(dims, exponent)
+    coords = {each: variables.pop(each) for each in map(str, template.coords)}
+    found = xr.Dataset(variables, coords, template.attrs)
+    _require_all(name, found, plain)
+    return found
+
+
+def empty_entry(name: str, dtype: np.dtype[Any]) -> Any:
+    """The value of unused entries, such as those after the last solution."""
+    if dtype.kind == "f":
+        return np.nan
+    return -1 if name in ("mode", "pivot") else 0
+
+
+def _require_all(name: str, found: xr.Dataset, known: Sequence[str] = ()) -> None:
+    """Refuse a dataset with numbers that no cell certifies; coordinates of the grid are exact."""
+    for each, variable in found.variables.items():
+        plain = variable.dtype.kind in "OU" or str(each) in found.dims or str(each).endswith(RADIUS)
+        given = str(each) == "friction_coefficient" or each in known
+        if not (plain or given or f"{each}{RADIUS}" in found):
+            raise InvalidResult(f"{name}: {each} is certified by no cell; add it to one")

@@ -1,0 +1,76 @@
+"""The last lines of `make`: the report, the golden verdicts, the claims and the results folder."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from pulling_by_pushing.study.running.jobs import run_command
+from pulling_by_pushing.study.studies import (
+    KEY,
+    SLIDERS_FILE,
+    chosen_study,
+    study_folder,
+    study_name,
+)
+
+
+def closing_lines(folder: Path, others: tuple[Path, ...] = ()) -> list[str]:
+    """Four lines about a results folder, with the combined verdicts of this and other folders."""
+    report = folder / "paper.pdf"
+    rows = {
+        "Report": _report(report) if report.is_file() else "none; only the paper's study has one",
+        "Golden": _verdict([folder, *others]),
+        "Claims": _claims(folder / "tables/claims.json"),
+        "Results": f"{folder}/data and {folder}/figures; results/README.md describes them",
+    }
+    return [f"{name:<9}{text}" for name, text in rows.items()]
+
+
+def _report(path: Path) -> str:
+    """Path of the report; one from a tree that differs from its commit is not for others."""
+    table = path.parent / "tables/provenance.csv"
+    changed = table.is_file() and "with changes" in table.read_text(encoding="utf-8")
+    note = "; not for publication, as the tree has changes: commit them and run make again"
+    return f"{path}{note if changed else ''}"
+
+
+def _read(path: Path) -> Any:
+    return json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
+
+
+def _verdict(folders: Sequence[Path]) -> str:
+    """Combined golden verdict of several studies."""
+    files = [folder / "tables/golden_verdict.json" for folder in folders]
+    found = [each for each in map(_read, files) if each]
+    if not found:
+        return "not compared, as the study names no golden data"
+    word = "passed" if all(each["passed"] for each in found) else "FAILED"
+    counts = {
+        kind: sum(each["kinds"][kind]["values"] for each in found) for kind in found[0]["kinds"]
+    }
+    enclosed = counts.pop("enclosed")
+    return f"{word}: {enclosed:,} numbers enclosed, {sum(counts.values()):,} compared otherwise"
+
+
+def _claims(path: Path) -> str:
+    found = _read(path)
+    if found is None:
+        return "not checked; they are about the paper's ring"
+    return ", ".join(f"{count} {verdict}" for verdict, count in found["counts"].items())
+
+
+def main() -> int:
+    """Print the lines for the study on the command line, or for the two default studies."""
+    given = sys.argv[1:]
+    file = chosen_study({KEY: given[0]} if given else {})
+    others = () if given else (study_folder(study_name(SLIDERS_FILE)),)
+    print(*closing_lines(study_folder(study_name(file)), others), sep="\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(run_command(main))

@@ -1,0 +1,124 @@
+"""The numbers of the part on measured pushes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from pulling_by_pushing.report.quantities import Numbers, Quantity
+from pulling_by_pushing.report.results import Results
+
+#: Sections of the file and comparisons in them, by their names in keys.
+GROUPS = {
+    "feet": ("three_feet", "comparison"),
+    "face": ("patch", "comparison"),
+    "sides": ("polygons", "comparison"),
+    "corners": ("polygons", "with_corners"),
+}
+IDENTIFIED, FITTED = "identified", "fitted_ellipsoid"
+
+
+def _read(
+    compute: Callable[[dict[str, Any]], float], what: str, digits: int = 0, unit: str = "1"
+) -> Quantity:
+    """A number of the file."""
+
+    def read(results: Results) -> float:
+        return float(compute(results.pushes))
+
+    return Quantity(
+        read=read, digits=digits, unit=unit, source=f"paper/measured_pushes.json: {what}"
+    )
+
+
+def _at(*path: str, digits: int = 0, unit: str = "1", factor: float = 1.0) -> Quantity:
+    """A number in the file at a path of keys, multiplied by a factor."""
+
+    def compute(found: dict[str, Any]) -> float:
+        node: Any = found
+        for key in path:
+            node = node[key]
+        return factor * float(node)
+
+    return _read(compute, ".".join(path), digits, unit)
+
+
+def _median(group: str, quantity: str, model: str) -> Quantity:
+    """Median error of a model, in degrees or mm."""
+    part, key = GROUPS[group]
+    unit = "mm" if quantity == "pose" else "degree"
+    return _at(part, key, quantity, model, "median", digits=1, unit=unit)
+
+
+def _ratio(group: str, quantity: str, model: str = IDENTIFIED) -> Numbers:
+    """Ratio of a model's median to that of the fitted ellipsoid, with its interval."""
+    part, key = GROUPS[group]
+
+    def end(place: int) -> Quantity:
+        def compute(found: dict[str, Any]) -> float:
+            return float(found[part][key][quantity][model]["ratio_interval"][place])
+
+        return _read(compute, f"{part}.{key}.{quantity}.{model}.ratio_interval", 2)
+
+    name = f"pushes-{group}-{quantity}-ratio"
+    whole = _at(part, key, quantity, model, "ratio", digits=2)
+    return {name: whole, f"{name}-low": end(0), f"{name}-high": end(1)}
+
+
+def _medians(group: str, quantity: str, *models: str) -> Numbers:
+    return {
+        f"pushes-{group}-{quantity}-{model.replace('_', '-')}": _median(group, quantity, model)
+        for model in models
+    }
+
+
+def _sides(found: dict[str, Any]) -> int:
+    """Number of polygon pushes that first touch a side."""
+    return int(found["polygons"]["pushes"] - found["polygons"]["corner_pushes"])
+
+
+def _for_a_polygon(found: dict[str, Any]) -> float:
+    """Mean number of pushes of a polygon in the half to which a model is fitted."""
+    return _sides(found) / len(found["polygons"]["objects"]) / 2
+
+
+def _for_a_triangle(found: dict[str, Any]) -> float:
+    """Mean number of pushes of a triangle in the half to which a model is fitted."""
+    logs = [*found["three_feet"]["logs"].values(), *found["patch"]["logs"].values()]
+    return sum(int(log["pushes"]) for log in logs) / len(logs) / 2
+
+
+def _better(found: dict[str, Any]) -> int:
+    """Number of objects with poses predicted better by the identified pressure than by the ellipsoid."""
+    return sum(each[IDENTIFIED] < each[FITTED] for each in found["polygons"]["objects"].values())
+
+
+MEASURED: Numbers = {
+    "pushes-feet-logs": _read(lambda found: len(found["three_feet"]["logs"]), "logs on three feet"),
+    "pushes-feet": _at("three_feet", "pushes"),
+    "pushes-face": _at("patch", "pushes"),
+    "pushes-objects": _read(lambda found: len(found["polygons"]["objects"]), "polygons"),
+    "pushes-sides": _read(_sides, "polygons: pushes less corner_pushes"),
+    "pushes-corners": _at("polygons", "corner_pushes"),
+    "pushes-fit-triangle": _read(_for_a_triangle, "half of the mean number of pushes in a log"),
+    "pushes-fit-polygon": _read(_for_a_polygon, "half of the mean number of pushes at sides"),
+    "pushes-seed": _at("seed"),
+    **_medians("feet", "motion", "known_feet", "known_feet_ellipsoid", FITTED, "uniform"),
+    **_medians("feet", "pose", "known_feet", "known_feet_ellipsoid", FITTED),
+    "pushes-near-foot": _at("about_a_foot", "pushes"),
+    "pushes-foot-distance": _at("about_a_foot", "distance", unit="mm"),
+    "pushes-load-set-tolerance": _at("about_a_foot", "tolerance", unit="percent", factor=100.0),
+    "pushes-in-load-set": _at("about_a_foot", "in_load_set", unit="percent", factor=100.0),
+    "pushes-random-in-load-set": _at(
+        "about_a_foot", "of_random_pushes", unit="percent", factor=100.0
+    ),
+    **_ratio("feet", "motion"),
+    **_ratio("face", "motion"),
+    **_ratio("feet", "wrench"),
+    **_ratio("face", "wrench"),
+    **_ratio("sides", "pose"),
+    **_ratio("corners", "pose"),
+    "pushes-objects-better": _read(_better, "objects: identified below fitted_ellipsoid"),
+    **_medians("face", "motion", IDENTIFIED, "uniform", "uniform_ellipsoid", FITTED),
+    **_medians("sides", "pose", IDENTIFIED, "uniform", "uniform_ellipsoid", FITTED),
+}

@@ -1,0 +1,60 @@
+"""Identification of the code for the report: version, commit, license, platform and package versions."""
+
+from __future__ import annotations
+
+import platform
+import subprocess
+from importlib.metadata import metadata, version
+from pathlib import Path
+
+from planar_pushing.terms.replacing import PathLike
+from pulling_by_pushing.evidence.writing import csv_text
+from pulling_by_pushing.report.results import Results
+from pulling_by_pushing.study.provenance import whole_digest
+from pulling_by_pushing.study.study_file import load_study
+
+#: Packages with which the results and the report are produced.
+PACKAGES = (
+    "numpy",
+    "scipy",
+    "clarabel",
+    "xarray",
+    "h5netcdf",
+    "h5py",
+    "matplotlib",
+    "pydantic",
+    "snakemake",
+    "typst",
+)
+
+
+def commit(folder: PathLike = ".") -> str:
+    """Current commit of a folder, its date, and whether tracked files differ from it."""
+    try:
+        head = _git(folder, "log", "-1", "--format=%h of %cs", "--abbrev=12")
+        changed = _git(folder, "status", "--porcelain", "--untracked-files=no")
+    except (OSError, subprocess.CalledProcessError):
+        return "unknown: not a clone of the repository"
+    return f"{head}, {'with changes' if changed else 'clean'}"
+
+
+def _git(folder: PathLike, *arguments: str) -> str:
+    command = ["git", "-C", str(folder), *arguments]
+    found = subprocess.run(command, capture_output=True, text=True, check=True)
+    return found.stdout.strip()
+
+
+def provenance_text(results: Results, study: PathLike, state: str) -> str:
+    """Table that identifies the code and the study; `state` is the commit from `commit`."""
+    rows = [
+        ("planar-pushing", version("planar-pushing")),
+        ("commit", state),
+        ("license", metadata("planar-pushing")["License-Expression"]),
+        ("study", str(study)),
+        ("SHA-256 of the study", whole_digest(load_study(Path(study)))[:16]),
+        ("platform", f"{platform.system()}, {platform.machine()}"),
+        ("Python", platform.python_version()),
+    ]
+    rows.append(("packages", ", ".join(f"{name} {version(name)}" for name in PACKAGES)))
+    rows.append(("golden data", results.golden_marks()[0]["golden_versions"]))
+    return csv_text([{"what": name, "value": value} for name, value in rows])

@@ -1,0 +1,67 @@
+"""Typeset a Typst source as a PDF with bytes that depend only on its inputs."""
+
+from __future__ import annotations
+
+import re
+from importlib.metadata import distribution
+from pathlib import Path
+
+import typst
+
+from planar_pushing.terms.errors import InvalidFile
+from planar_pushing.terms.replacing import PathLike, replacing
+
+#: The figures' fonts, which ship with matplotlib, so that text and figures use the same family.
+FONTS = str(distribution("matplotlib").locate_file("matplotlib/mpl-data/fonts/ttf"))
+
+
+def compiled(source: PathLike, root: PathLike, results: str = "results") -> bytes:
+    """Typeset a source as a PDF, with the fonts of the figures and those shipped with Typst.
+
+    Parameters
+    ----------
+    source : path
+        The Typst file.
+    root : path
+        The folder that contains all files that the source reads.
+    results : str
+        The folder of the results, relative to `root`.
+
+    Raises
+    ------
+    InvalidFile
+        If the source cannot be typeset, or only with a warning, such as a missing font.
+    """
+    if not Path(source).is_file():
+        raise InvalidFile(f"{source}: no such file; give the path of a Typst source")
+    compiler = typst.Compiler(
+        input=str(source),
+        root=str(root),
+        ignore_system_fonts=True,
+        font_paths=[FONTS],
+        sys_inputs={"results": f"/{results}"},
+    )
+    try:
+        pdf, warnings = compiler.compile_with_warnings(format="pdf", timestamp=0)
+    except typst.TypstError as error:
+        raise InvalidFile(_explain(source, error)) from None
+    for warning in warnings:
+        raise InvalidFile(_explain(source, warning))
+    if not isinstance(pdf, bytes):
+        raise InvalidFile(f"{source}: was not typeset as one PDF; set its output to paged")
+    return pdf
+
+
+def _explain(source: PathLike, fault: typst.TypstError | typst.TypstWarning) -> str:
+    """One-line message: the location of a fault, its description, and hints."""
+    places = re.findall(r"┌─ (\S+)", fault.diagnostic)
+    said = fault.message.removeprefix("assertion failed: ").removeprefix("panicked with: ")
+    message = f"{places[-1] if places else source}: cannot be typeset: {said}"
+    return "; ".join([message, *fault.hints])
+
+
+def typeset(source: PathLike, root: PathLike, output: PathLike, results: str = "results") -> None:
+    """Write the PDF of a source, completely or not at all; errors as in `compiled`."""
+    pdf = compiled(source, root, results)
+    with replacing(output) as temporary:
+        temporary.write_bytes(pdf)

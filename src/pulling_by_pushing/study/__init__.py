@@ -1,0 +1,1 @@
+"""Study files, and the datasets built from them."""

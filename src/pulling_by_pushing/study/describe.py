@@ -1,0 +1,120 @@
+"""Attributes of datasets: units and names of their variables, title, source and provenance."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+import xarray as xr
+
+from planar_pushing.mechanics.entries import to_json, versions
+from planar_pushing.mechanics.status import BEHIND, FLAGS, flag_attributes
+from planar_pushing.terms.quantities import (
+    DATASET,
+    GLOBAL,
+    NOTES,
+    PAPER,
+    SLIDERS,
+    SLIDERS_NOTES,
+    Quantities,
+    attributes,
+)
+from pulling_by_pushing.study.catalog import DATASETS, EVIDENCE
+from pulling_by_pushing.study.model import Part
+
+
+def describe(
+    dataset: xr.Dataset,
+    *,
+    title: str,
+    source: str,
+    parameters: object,
+    quantities: Quantities = DATASET,
+    notes: Mapping[str, str] = NOTES,
+) -> xr.Dataset:
+    """Add units and names to the variables, and title, source and provenance to the dataset."""
+    for name, variable in dataset.variables.items():
+        variable.attrs = dict(attributes(quantities, str(name)))
+        flags = FLAGS.get(str(name))
+        if flags and variable.dtype.kind == "i":
+            variable.attrs |= flag_attributes(flags, variable.dtype)
+            if "solution" in variable.dims and "solutions" in dataset:
+                variable.attrs["comment"] = BEHIND
+    dataset.attrs = {
+        "title": title,
+        "source": f"{PAPER}, {source}",
+        **GLOBAL,
+        "parameters": to_json(parameters),
+        "unit_notes": to_json(dict(notes)),
+        "versions": versions(),
+    }
+    return dataset
+
+
+def described(dataset: xr.Dataset, name: str, part: Part) -> xr.Dataset:
+    """Order a dataset as declared, and add the attributes that its declaration defines."""
+    entry = DATASETS[name]
+    order = [*entry.dims, *entry.inner]
+    ordered = dataset[list(entry.variables)].transpose(*order, missing_dims="ignore")
+    coords = sorted(map(str, ordered.coords), key=lambda each: (_place(order, each), each))
+    variables = {each: ordered[each].variable for each in entry.variables}  # without coordinates
+    ordered = xr.Dataset(variables, {each: ordered.coords[each].variable for each in coords})
+    support = "support" in entry.dims
+    return describe(
+        ordered,
+        title=f"{entry.about[0].upper()}{entry.about[1:]}",
+        source=entry.source,
+        parameters=_parameters(part, entry.dims),
+        quantities=SLIDERS if support else DATASET,
+        notes=SLIDERS_NOTES if support else NOTES,
+    )
+
+
+def _place(order: list[str], name: str) -> int:
+    return order.index(name) if name in order else len(order)
+
+
+def _parameters(part: Part, dims: tuple[str, ...]) -> dict[str, object]:
+    """Parameters of a study that are not axes; `figures` holds the values at which figures cut an axis."""
+    if "support" in dims:
+        entries = part.supports.items()
+        return {"supports": {name: each.model_dump(exclude_none=True) for name, each in entries}}
+    slider = part.slider.model_dump(exclude_none=True)
+    axes = {name: slider.pop(name) for name in dims if name in slider}
+    return {"slider": slider, **part.parts} | ({"figures": axes} if axes else {})
+
+
+def parameters_of(dataset: xr.Dataset) -> Part:
+    """Slider and effects, without axes, for which a dataset over the paper's grid was computed.
+
+    The rod angle is the one at which the figures cut the dataset.
+    """
+    found: dict[str, Any] = json.loads(dataset.attrs["parameters"])
+    figures = found.pop("figures", {})
+    return Part.model_validate({**found, "slider": found["slider"] | figures, "grid": {}})
+
+
+def of_study(
+    built: xr.Dataset | dict[str, xr.Dataset], name: str, study: Mapping[str, str]
+) -> xr.Dataset | dict[str, xr.Dataset]:
+    """Name the study and the conventions in a dataset, or in each group and their root.
+
+    Parameters
+    ----------
+    built : xarray.Dataset or dict of them
+        A dataset, or one for each group.
+    name : str
+        Name of the dataset, which provides the title for a dataset without one.
+    study : mapping
+        Attributes from `provenance` that name the study.
+    """
+    marks: dict[str, Any] = {**GLOBAL, **study}
+    title = DATASETS[name].about if name in DATASETS else EVIDENCE.get(name, name)
+    if isinstance(built, xr.Dataset):
+        return built.assign_attrs({"title": title} | built.attrs | marks)
+    groups = {
+        part: each.assign_attrs({"title": f"{title}: {part}"} | each.attrs | marks)
+        for part, each in built.items()
+    }
+    return {"/": xr.Dataset(attrs={"title": title} | marks)} | groups

@@ -1,0 +1,217 @@
+"""Content of a study file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Annotated, Any, Self
+
+import numpy as np
+from pydantic import BeforeValidator, Field, model_validator
+
+from planar_pushing.mechanics.contact import ContactLaw, Coulomb, InfiniteFriction, PerfectlyRough
+from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
+from planar_pushing.mechanics.scene import Slider
+from planar_pushing.scenes.fields import (
+    Angles,
+    Coordinates,
+    Count,
+    Degrees,
+    EffectsName,
+    FileModel,
+    FilePath,
+    FiniteFrictionCoefficients,
+    FrictionCoefficient,
+    FrictionCoefficients,
+    Lengths,
+    Magnitudes,
+    Name,
+    NonNegative,
+    NotEmpty,
+    Positive,
+    RodAngle,
+    RodAngles,
+    Shares,
+    Text,
+    Truth,
+    refuse,
+)
+from planar_pushing.scenes.support_model import WholeSupport
+from planar_pushing.terms.domain import Number
+from planar_pushing.terms.options import STUDIED
+from pulling_by_pushing.study.catalog import CONTACT_LAWS, contact_labels
+
+Values = tuple[float, ...]
+
+
+def _named(given: object) -> object:
+    if not isinstance(given, dict) or not given:
+        raise refuse("a mapping of at least one name to a support")
+    return given
+
+
+class SliderEntry(FileModel):
+    """Radius of the paper's ring, and the rod of datasets and figures that have no axis for it."""
+
+    radius: Positive = 1.0
+    rod_angle: RodAngle
+    rod_length: Positive | None = None
+
+
+class FrictionParameters(FileModel):
+    """Support friction; `weight` is W = mu_s m g, the weight times the coefficient of support friction."""
+
+    weight: Positive
+
+    def effect(self) -> RingFriction:
+        """Build the effect."""
+        return RingFriction(weight=self.weight)
+
+
+class InertiaParameters(FileModel):
+    """Parameters of inertia."""
+
+    mass: Positive
+    gyration_radius: Positive
+
+    def effect(self) -> Inertia:
+        """Build the effect."""
+        return Inertia(mass=self.mass, gyration_radius=self.gyration_radius)
+
+
+class Grid(FileModel):
+    """Axes of the datasets; angles in degrees, centers of rotation in the body frame.
+
+    A dataset is computed only if all of its axes are given.
+    """
+
+    effects: Annotated[tuple[EffectsName, ...], NotEmpty] = ()
+    rod_length: Lengths = ()
+    rod_angle: RodAngles = ()
+    friction_coefficient: FrictionCoefficients = ()
+    force_angle: Angles = ()
+    inertia_share: Shares = ()
+    pusher_angle: Angles = ()
+    pusher_magnitude: Magnitudes = ()
+    contact_friction_coefficient: FiniteFrictionCoefficients = ()
+    center_x: Coordinates = ()
+    center_y: Coordinates = ()
+
+
+class PushEntry(FileModel):
+    """A scene of the study, and the angle of the fence's motion or of the force that this motion causes.
+
+    With friction and inertia, a force angle assumes that each effect takes an equal share of the force.
+    """
+
+    file: FilePath
+    pusher_angle: Degrees | None = None
+    force_angle: Degrees | None = None
+    pusher_magnitude: Positive = 1.0
+
+    @model_validator(mode="after")
+    def _one_motion(self) -> Self:
+        if (self.pusher_angle is None) == (self.force_angle is None):
+            raise refuse("exactly one of pusher_angle and force_angle")
+        return self
+
+
+class FigureEntry(FileModel):
+    """Values of a figure that must be in the grid."""
+
+    rod_length: NonNegative | tuple[NonNegative, ...] | None = None
+    mapped_rod_length: NonNegative | None = None
+    friction_coefficient: FrictionCoefficient | None = None
+    pusher_magnitude: Positive | None = None
+
+    def grid_values(self, grid: Grid) -> Iterator[tuple[str, Values, Values]]:
+        """Key, given values and allowed values of each quantity that the figure takes from the grid."""
+        for key, given in self:
+            if given is not None:
+                allowed = getattr(grid, key.removeprefix("mapped_"))
+                yield key, given if isinstance(given, tuple) else (given,), allowed
+
+
+class Parameters(FileModel):
+    """The slider, the effects and the supports of a study."""
+
+    slider: SliderEntry
+    support_friction: FrictionParameters | None = None
+    inertia: InertiaParameters | None = None
+    supports: Annotated[dict[Name, WholeSupport], BeforeValidator(_named)] = Field(
+        default_factory=dict
+    )
+
+    @property
+    def parts(self) -> dict[str, FrictionParameters | InertiaParameters]:
+        """Parameters of the study's effects, by name."""
+        known = {str(kind): getattr(self, kind) for kind in STUDIED}
+        return {name: part for name, part in known.items() if part is not None}
+
+    def effects(self, name: EffectsName) -> tuple[Effect, ...]:
+        """Build the effects for a value of the effects axis."""
+        return tuple(self.parts[part].effect() for part in name.split("+"))
+
+    def ring(self, rod_length: Number, rod_angle: Number = None) -> Slider:
+        """Build the paper's ring on one or more rods; the angle in degrees."""
+        return Slider(
+            rod_length=rod_length,
+            rod_angle=np.deg2rad(self.slider.rod_angle if rod_angle is None else rod_angle),
+            radius=self.slider.radius,
+        )
+
+    def gallery(self) -> dict[str, Any]:
+        """Build the supports, by name."""
+        return {name: entry.build() for name, entry in self.supports.items()}
+
+
+class Part(Parameters):
+    """Part of a study: the parameters and axis values from which a dataset is computed."""
+
+    grid: dict[str, tuple[Any, ...]]
+
+
+class StudyFile(Parameters):
+    """The grid of every dataset, the scenes, and values that the paper does not specify.
+
+    `supports` is an axis of the datasets whose names begin with `support`. `simulations` names the scene
+    files to simulate, each with a section `simulate`. `chunks` gives the maximum number of values along
+    dimensions of a dataset that one job computes; `gather` says whether the chunks are combined into one
+    file. Paths are relative to the study file.
+    """
+
+    title: Text
+    grid: Grid
+    scenes: dict[Name, PushEntry] = Field(default_factory=dict)
+    simulations: dict[Name, FilePath] = Field(default_factory=dict)
+    figures: dict[Name, FigureEntry] = Field(default_factory=dict)
+    chunks: dict[Name, dict[Name, Count]] = Field(default_factory=dict)
+    gather: dict[Name, Truth] = Field(default_factory=dict)
+    golden: FilePath | None = None
+
+    def values(self, axis: str) -> tuple[Any, ...]:
+        """Values along an axis of the datasets."""
+        if axis == "support":
+            return tuple(self.supports)
+        if axis == "contact":
+            coefficients = self.grid.contact_friction_coefficient
+            return tuple(contact_labels(coefficients)) if coefficients else ()
+        values: tuple[Any, ...] = getattr(self.grid, axis)
+        return values
+
+
+#: Laws for the labels along `contact` that have no coefficient.
+LAWS: dict[str, ContactLaw] = dict(
+    zip(CONTACT_LAWS, (InfiniteFriction(), InfiniteFriction("none"), PerfectlyRough()), strict=True)
+)
+
+
+def contact_law(friction_coefficient: float) -> ContactLaw:
+    """Law for a value of the axis friction_coefficient."""
+    finite = math.isfinite(friction_coefficient)
+    return Coulomb(friction_coefficient) if finite else InfiniteFriction()
+
+
+def labeled_law(label: str) -> ContactLaw:
+    """Law for a label along the axis contact."""
+    return LAWS[label] if label in LAWS else Coulomb(float(label.removeprefix("coulomb_")))

@@ -1,0 +1,105 @@
+"""Build datasets: from the values of a study to a file, in bounded memory.
+
+A large grid is computed in blocks. Each block is written to a temporary file next to the dataset, and
+xarray and dask then combine the blocks into one file.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import xarray as xr
+
+from planar_pushing.mechanics.arrays import CORES
+from planar_pushing.terms.netcdf import write_dataset
+from planar_pushing.terms.replacing import PathLike
+from pulling_by_pushing.study.catalog import DATASETS
+from pulling_by_pushing.study.chunks import blocks, chunk_name, joined
+from pulling_by_pushing.study.describe import described, of_study
+from pulling_by_pushing.study.slices import cut, part_of, pushes, sizes
+from pulling_by_pushing.study.store import index_of
+
+Built = xr.Dataset | dict[str, xr.Dataset]
+Values = dict[str, Any]
+Attributes = Mapping[str, str]
+
+
+def build_dataset(name: str, values: Values) -> Built:
+    """Build a dataset, or one for each group, from a slice of a study or part of a slice."""
+    module = import_module(f"pulling_by_pushing.study.datasets.{DATASETS[name].module}")
+    if name == "scenes":
+        groups: dict[str, xr.Dataset] = module.build(pushes(values))
+        return groups
+    part = part_of(values)
+    return described(module.build(part), name, part)
+
+
+def dataset(
+    path: PathLike, *, name: str, study: Values, marks: Attributes | None = None, threads: int = 1
+) -> None:
+    """Write a dataset, or a chunk of one, from its slice of the study.
+
+    A chunk has no attributes that name the study (`marks`), so changes elsewhere in the study do not make
+    it outdated.
+    """
+    CORES.set(threads)
+    lengths = {} if name == "scenes" else sizes(name, study)
+    parts = blocks(lengths)
+    if len(parts) < 2:
+        write_built(build_dataset(name, study), path, name, marks)
+        return
+    with tempfile.TemporaryDirectory(dir=Path(path).parent, prefix=f".{name}.") as folder:
+        for part in parts:
+            write_built(
+                build_dataset(name, cut(study, part)), Path(folder, _file(part)), name, None
+            )
+        steps = {dim: span.stop - span.start for dim, span in parts[0].items()}
+        with _joined(folder, lengths, steps) as whole:
+            write_built(whole, path, name, marks)
+
+
+def gather(
+    path: PathLike, *, chunks: Sequence[str], name: str, whole: Values, marks: Attributes
+) -> None:
+    """Write the chunks of a dataset into one file."""
+    with _joined(Path(chunks[0]).parent, whole["lengths"], whole["steps"]) as found:
+        write_built(found, path, name, marks)
+
+
+def index(
+    path: PathLike, *, chunks: Sequence[str], name: str, whole: Values, marks: Attributes
+) -> None:
+    """Write the index of a dataset that is stored in chunks."""
+    with _joined(Path(chunks[0]).parent, whole["lengths"], whole["steps"]) as found:
+        write_built(index_of(found, whole["steps"]), path, name, marks)
+
+
+def _file(part: Mapping[str, slice]) -> str:
+    return f"{chunk_name(part)}.nc"
+
+
+@contextmanager
+def _joined(
+    folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int]
+) -> Iterator[xr.Dataset]:
+    """Open blocks or chunks as one dataset, which reads them one by one as it is written."""
+    with joined(folder, lengths, steps) as whole:
+        import dask  # an extra that grids of one block do not need
+
+        with dask.config.set(scheduler="synchronous"):
+            yield whole
+
+
+def write_built(built: Built, path: PathLike, name: str, marks: Attributes | None) -> None:
+    """Write a dataset; a whole dataset is written without unused entries along `solution`."""
+    if marks is None:
+        write_dataset(built, path)
+        return
+    if isinstance(built, xr.Dataset) and "solutions" in built and "solution" in built.dims:
+        built = built.isel(solution=slice(max(1, int(built["solutions"].max()))))
+    write_dataset(of_study(built, name, marks), path)

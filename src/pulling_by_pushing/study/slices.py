@@ -1,0 +1,83 @@
+"""Slices of a study: the values that one dataset reads; other changes to the study do not affect it."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from pulling_by_pushing.study.catalog import DATASETS
+from pulling_by_pushing.study.model import Part, PushEntry, StudyFile
+
+#: Plain values of a study: parameters, and the values along each axis under `grid`.
+Values = Mapping[str, Any]
+#: A range along each dimension that is split; the others are whole.
+Cut = Mapping[str, slice]
+
+
+def computes(study: StudyFile, name: str) -> bool:
+    """Whether a study has the axes and the effects that a dataset needs."""
+    entry = DATASETS[name]
+    if name == "scenes":
+        return bool(study.scenes)
+    return all(map(study.values, entry.axes)) and (
+        entry.effects is None or entry.effects in study.grid.effects
+    )
+
+
+def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
+    """Plain values of a study that a dataset reads."""
+    entry = DATASETS[name]
+    if name == "scenes":
+        return {"scenes": {key: push.model_dump() for key, push in study.scenes.items()}}
+    grid = {axis: list(study.values(axis)) for axis in entry.axes}
+    if entry.pushes:
+        grid["force_angle"] = [angle for angle in grid["force_angle"] if 0 <= angle <= 180]
+    if "support" in grid:
+        listed = {key: each.model_dump() for key, each in study.supports.items()}
+        slider = {"rod_angle": study.slider.rod_angle}  # required, but not read by these datasets
+        return {"slider": slider, "supports": listed, "grid": grid}
+    parts = {part: each.model_dump() for part, each in study.parts.items()}
+    return {"slider": study.slider.model_dump(), **parts, "grid": grid}
+
+
+def part_of(values: Values) -> Part:
+    """Validate plain values as part of a study."""
+    return Part.model_validate(values)
+
+
+def pushes(values: Values) -> dict[str, PushEntry]:
+    """Scenes of a slice of a study."""
+    return {name: PushEntry.model_validate(push) for name, push in values["scenes"].items()}
+
+
+def sizes(name: str, values: Values) -> dict[str, int]:
+    """Lengths of the dimensions along which a slice can be split; empty for the scenes."""
+    return {dim: len(values["grid"][dim]) for dim in DATASETS[name].dims}
+
+
+def cut(values: Values, ranges: Cut) -> dict[str, Any]:
+    """Part of a slice with only the values in a range of each axis."""
+    found = dict(values)
+    if ranges:
+        grid = {axis: each[ranges.get(axis, slice(None))] for axis, each in values["grid"].items()}
+        found["grid"] = grid
+        if "support" in grid:
+            found["supports"] = {name: values["supports"][name] for name in grid["support"]}
+    return found
+
+
+def cuts(lengths: Mapping[str, int], steps: Mapping[str, int]) -> Iterator[Cut]:
+    """Ranges that split dimensions of these lengths at multiples of the given steps."""
+    spans = [
+        [slice(start, min(start + step, lengths[dim])) for start in range(0, lengths[dim], step)]
+        for dim, step in steps.items()
+    ]
+    for chosen in itertools.product(*spans):
+        yield dict(zip(steps, chosen, strict=True))
+
+
+def points(name: str, values: Values) -> int:
+    """Number of grid points of a slice."""
+    return math.prod(sizes(name, values).values())

@@ -1,0 +1,143 @@
+"""Read study files, and find reasons why a well-formed study cannot be computed."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from pathlib import Path
+
+from planar_pushing.scenes.files import load_model, load_scene_file
+from planar_pushing.terms.domain import LONGEST
+from planar_pushing.terms.errors import InvalidFile
+from planar_pushing.terms.options import EFFECT_TYPES
+from planar_pushing.terms.replacing import PathLike
+from pulling_by_pushing.study.catalog import DATASETS
+from pulling_by_pushing.study.model import StudyFile
+from pulling_by_pushing.study.slices import computes
+
+#: Maximum number of points of a dataset's grid, which fill a terabyte.
+POINTS = 10**10
+
+
+def load_study(path: PathLike) -> StudyFile:
+    """Read a study file and check its scenes; errors as in `load_scene`.
+
+    Paths in the file are relative to its folder; in the returned study, to the current folder.
+    """
+    study = _located(load_model(path, StudyFile), Path(path).parent)
+    for problem in _study_problems(study):
+        raise InvalidFile(f"{path}: {problem}")
+    return study
+
+
+def _located(study: StudyFile, folder: Path) -> StudyFile:
+    def from_here(file: str) -> str:
+        return os.path.normpath(folder / file)
+
+    scenes = {
+        name: push.model_copy(update={"file": from_here(push.file)})
+        for name, push in study.scenes.items()
+    }
+    simulations = {name: from_here(file) for name, file in study.simulations.items()}
+    golden = study.golden and from_here(study.golden)
+    return study.model_copy(update={"scenes": scenes, "simulations": simulations, "golden": golden})
+
+
+def _study_problems(study: StudyFile) -> Iterator[str]:
+    """Reasons why a well-formed study cannot be computed."""
+    computed = [name for name in DATASETS if computes(study, name)]
+    if not computed:
+        yield "grid: no dataset has all its axes; allowed: all axes of at least one; add axes"
+    yield from _effects_problems(study)
+    yield from _support_problems(study)
+    yield from _size_problems(study, computed)
+    yield from _chunk_problems(study, computed)
+    yield from _scene_problems(study)
+    yield from _simulation_problems(study.simulations)
+    if study.inertia and study.inertia.gyration_radius != study.slider.radius:
+        yield (
+            f"inertia.gyration_radius: {study.inertia.gyration_radius!r} given; allowed: the radius of "
+            f"the ring, {study.slider.radius!r}, which the paper's bound assumes; change it"
+        )
+    if study.golden and not Path(study.golden).is_dir():
+        yield f"golden: {study.golden!r} given; allowed: a folder of golden data; leave the key out"
+
+
+def _size_problems(study: StudyFile, computed: Iterable[str]) -> Iterator[str]:
+    """Datasets with too many points."""
+    for name in computed:
+        axes = DATASETS[name].axes
+        count = math.prod(len(study.values(axis)) for axis in axes)
+        if count > POINTS:
+            yield (
+                f"grid: {count} points of {name} given; allowed: {POINTS}; "
+                f"shorten the axes {', '.join(axes)}"
+            )
+
+
+def _chunk_problems(study: StudyFile, computed: Collection[str]) -> Iterator[str]:
+    """Chunks of datasets that cannot be split, chunks along invalid axes, and `gather` without chunks."""
+    cut = [name for name in computed if DATASETS[name].dims]
+    for name, chunk in study.chunks.items():
+        allowed = DATASETS[name].dims if name in cut else ()
+        if not allowed:
+            yield f"chunks.{name}: unknown, or not computed; allowed: {', '.join(cut)}; remove it"
+        elif not chunk or not set(chunk) <= set(allowed):
+            yield f"chunks.{name}: {list(chunk)} given; allowed: {', '.join(allowed)}; name some of these"
+    for name in study.gather:
+        if name not in study.chunks:
+            known = ", ".join(study.chunks) or "none, as there are no chunks"
+            yield f"gather.{name}: unknown; allowed: {known}; remove it, or give its chunks"
+
+
+def _support_problems(study: StudyFile) -> Iterator[str]:
+    """Supports that are too small for the rods."""
+    longest = max([*study.grid.rod_length, study.slider.rod_length or 0.0])
+    for name, support in study.gallery().items():
+        if longest > LONGEST * support.extent:
+            yield (
+                f"grid.rod_length: {longest!r} given; allowed: at most {LONGEST:g} times the extent of "
+                f"supports.{name}, {support.extent!r}; shorten the rod"
+            )
+
+
+def _scene_problems(study: StudyFile) -> Iterator[str]:
+    """Scene files that cannot be read, or that list effects without parameters in the study."""
+    for name, push in study.scenes.items():
+        try:
+            kinds = {EFFECT_TYPES[effect.type] for effect in load_scene_file(push.file).effects}
+        except InvalidFile as error:
+            yield f"scenes.{name}.file: {error}"
+            continue
+        if not kinds <= set(study.parts):
+            yield (
+                f"scenes.{name}.file: {push.file} lists {', '.join(sorted(kinds))}; allowed: the effects "
+                f"of the study, {', '.join(study.parts)}; name another scene"
+            )
+
+
+def _simulation_problems(simulations: Mapping[str, str]) -> Iterator[str]:
+    """Scene files that cannot be simulated."""
+    for name, path in simulations.items():
+        try:
+            section = load_scene_file(path).simulate
+        except InvalidFile as error:
+            yield f"simulations.{name}: {error}"
+            continue
+        if section is None:
+            yield (
+                f"simulations.{name}: {path} given; allowed: scene files with the section simulate; "
+                "add it to the file"
+            )
+
+
+def _effects_problems(study: StudyFile) -> Iterator[str]:
+    """Effects of the grid without parameters in the study."""
+    for name in study.grid.effects:
+        for part in name.split("+"):
+            if part not in study.parts:
+                yield (
+                    f"grid.effects: {name!r} given; allowed: effects that the study has parameters for; "
+                    f"add the key {part}, or remove the entry"
+                )

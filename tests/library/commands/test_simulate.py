@@ -1,0 +1,198 @@
+"""The command `simulate`, with right and with wrong input."""
+
+import json
+
+import numpy as np
+import pytest
+
+from pulling_by_pushing.study.store import read_dataset
+
+PULLING = "workflow/scenes/figure_14a.yaml"
+
+PLAIN = "workflow/scenes/figure_08.yaml"
+
+
+def test_simulate_follows_the_section_of_the_scene(log):
+    found = read_dataset(log)
+    assert found.attrs["finished"] == 1
+    assert found.attrs["on_ambiguity"] == "keep-contact"
+    assert found.sizes["time"] == 97
+    assert float(found.rod_angle[-1]) == pytest.approx(55.0117131650713, abs=1e-9)
+
+
+def test_an_option_takes_the_place_of_the_section(run, tmp_path):
+    path = tmp_path / "log.nc"
+    options = ("--on-ambiguity", "separate", "--json")
+    code, out, _ = run("simulate", PULLING, "-o", str(path), *options)
+    told = json.loads(out)
+    assert (code, told["time"], told["stopped"]) == (0, 1.5, "")
+    assert [(each["time"], each["mode"]) for each in told["modes"]] == [
+        (0.0, "STICK"),
+        (0.5, "SEPARATE"),
+        (0.515625, "SEPARATE"),  # the contact has opened
+    ]
+    assert told["modes"][2]["consistent"] == 1
+    assert told["modes"][1]["consistent"] > 1
+    assert told["gap"] == pytest.approx(np.sin(np.deg2rad(10)), abs=1e-12)
+
+
+def test_the_options_alone_make_a_simulation(run, tmp_path):
+    path = tmp_path / "log.nc"
+    options = ("--pusher-angle", "165", "--duration", "3", "--samples", "5", "--rtol", "1e-9")
+    code, out, err = run("simulate", PLAIN, "-o", str(path), *options, "--no-progress")
+    assert (code, err) == (0, "")
+    assert "slip: 2.151415744" in out
+    assert "mode: SLIP_RIGHT" in out
+
+
+def test_twice_the_speed_takes_half_the_time(run, tmp_path):
+    slips = []
+    for speed, duration in (("1", "2"), ("2", "1")):
+        path = tmp_path / f"{speed}.nc"
+        options = ("--pusher-angle", "165", "--pusher-speed", speed, "--duration", duration)
+        run("simulate", PLAIN, "-o", str(path), *options)
+        slips.append(float(read_dataset(path).slip[-1]))
+    assert slips[0] == pytest.approx(slips[1], abs=1e-9)
+
+
+WORLD = """\
+slider: {rod_length: 2, rod_angle: 70}
+contact: {law: coulomb, friction_coefficient: 0.5}
+effects: [{type: ring_friction}]
+simulate:
+  waypoints: [{time: 0, x: 5, y: 5}, {time: 2, x: 3, y: 5}]
+  pusher_frame: world
+  object_pose: {x: 0, y: 0, angle: 160}
+  until: {pusher_distance: 0.5, rotation: 80}
+  duration: 9
+"""
+
+
+def test_waypoints_in_the_world_until_a_distance(run, tmp_path):
+    """Without a placement the pose is that of the body frame: the fence is along y, the pusher along -x."""
+    scene, path = tmp_path / "world.yaml", tmp_path / "log.nc"
+    scene.write_text(WORLD, encoding="utf-8")
+    code, out, _ = run("simulate", str(scene), "-o", str(path), "--json")
+    told = json.loads(out)
+    assert (code, told["stopped"]) == (0, "until: rotation 1.3962634016 or pusher_distance 0.5")
+    assert told["time"] == pytest.approx(0.5, abs=1e-12)
+    found = read_dataset(path)
+    moved = found.pusher_position[-1] - found.pusher_position[0]
+    assert moved.values == pytest.approx([-0.5, 0], abs=1e-12)
+    assert found.pusher[-1].values == pytest.approx([0, 0.5], abs=1e-12)
+    code, out, _ = run("simulate", str(scene), "-o", str(path), "--json", "--pusher-angle", "180")
+    assert json.loads(out)["position"] == pytest.approx(told["position"], abs=1e-9)
+
+
+FINGER = """\
+slider: {rod_length: 2, rod_angle: 70, side: [-1, 0.2]}
+contact: {law: coulomb, friction_coefficient: 0.1}
+effects:
+  - type: support_friction
+    support: {shape: polygon, vertices: [[1, 1], [-1, 1], [-1, -1], [1, -1]]}
+simulate: {pusher_angle: 68, pusher_shape: finger, duration: 0.7}
+"""
+
+
+def test_a_finger_leaves_the_side_of_the_scene(run, tmp_path):
+    scene, path = tmp_path / "finger.yaml", tmp_path / "log.nc"
+    scene.write_text(FINGER, encoding="utf-8")
+    code, out, _ = run("simulate", str(scene), "-o", str(path), "--json")
+    told = json.loads(out)
+    assert (code, told["time"], told["parted"]) == (0, 0.7, True)
+    assert [each["mode"] for each in told["modes"]] == ["SLIP_LEFT", "SEPARATE"]
+    assert told["contact_position"] > 0.2
+    found = read_dataset(path)
+    assert found.attrs["pusher_shape"] == "finger"
+    assert json.loads(found.attrs["scene"])["slider"]["side"] == [-1.0, 0.2]
+    run("simulate", str(scene), "-o", str(path), "--pusher-shape", "fence")
+    assert "contact_position" not in read_dataset(path)
+
+
+def test_the_radius_of_a_finger(run, tmp_path):
+    scene, path = tmp_path / "finger.yaml", tmp_path / "log.nc"
+    text = FINGER.replace("finger,", "finger, pusher_radius: 0.4,").replace("0.2]", "2]")
+    scene.write_text(text, encoding="utf-8")
+    told = []
+    for given, radius in (
+        ((), 0.4),
+        (("--pusher-radius", "0.1"), 0.1),
+        (("--pusher-radius", "0"), 0),
+    ):
+        code, out, _ = run("simulate", str(scene), "-o", str(path), "--json", *given)
+        assert (code, read_dataset(path).attrs.get("pusher_radius", 0)) == (0, radius)
+        told.append(json.loads(out)["contact_position"])
+    assert len(set(told)) == 3
+    assert run("simulate", str(scene), "-o", str(path), "--pusher-shape", "fence")[0] == 0
+    code, _, said = run("simulate", str(scene), "-o", str(path), "--pusher-radius", "-1")
+    assert code != 0
+    assert "pusher_radius: -1.0 given; allowed: a finite number >= 0; change the value" in said
+
+
+def test_a_finger_is_animated(run, tmp_path):
+    scene, path = tmp_path / "finger.yaml", tmp_path / "log.nc"
+    scene.write_text(FINGER, encoding="utf-8")
+    run("simulate", str(scene), "-o", str(path))
+    code, out, _ = run("animate", str(path), "-o", str(tmp_path / "motion.gif"), "--frames", "3")
+    assert (code, "frames: 3" in out) == (0, True)
+
+
+def test_progress_is_shown_when_asked_for(run, tmp_path):
+    path = tmp_path / "log.nc"
+    _, out, err = run("simulate", PULLING, "-o", str(path), "--progress")
+    assert "1.5" in err
+    assert out.startswith(f"written: {path}\n")
+
+
+WRONG = [
+    (["simulate", "none.yaml", "-o", "log.nc"],
+     "none.yaml: no such file; give the path of a YAML"),
+    (["simulate", PULLING, "-o", "log.txt"],
+     "output: 'log.txt' given; allowed: a name ending in .nc or .h5; rename the file"),
+    (["simulate", PULLING, "-o", "/dev/null/log.nc"],
+     "/dev/null/log.nc: cannot be written"),
+    (["simulate", PLAIN, "--pusher-angle", "1", "-o", "log.nc"],
+     "duration: None given; allowed: the option --duration, or a section simulate in"),
+    (["simulate", PLAIN, "--duration", "1", "-o", "log.nc"],
+     "pusher_angle: None given; allowed: the option --pusher-angle, or a section simulate in"),
+    (["simulate", PULLING, "--duration", "-1", "-o", "log.nc"],
+     "duration: -1.0 given; allowed: a finite number > 0"),
+    (["simulate", PULLING, "--rtol", "0", "-o", "log.nc"],
+     "rtol: 0.0 given; allowed: a number in [1e-13, 1e-2]"),
+    (["simulate", PULLING, "--samples", "1", "-o", "log.nc"],
+     "samples: 1 given; allowed: a whole number >= 2"),
+    (["simulate", PULLING, "--method", "euler", "-o", "log.nc"],
+     "method: 'euler' given; allowed: 'event-driven' or 'time-stepping'"),
+    (["simulate", PULLING, "--on-ambiguity", "both", "-o", "log.nc"],
+     "on_ambiguity: 'both' given; allowed: 'keep-contact', 'separate', 'stay-in-mode', 'stick', "
+     "'slip-right' or 'slip-left'; "),
+    (["simulate", PULLING, "--pusher-angle", "nan", "-o", "log.nc"],
+     "pusher_angle: nan given; allowed: a finite number of degrees"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("arguments", "said"), WRONG)
+def test_wrong_input(refused, arguments, said):
+    refused(arguments, said)
+
+
+def test_a_finger_that_begins_in_another_side_is_refused(refused, tmp_path):
+    scene = tmp_path / "ell.yaml"
+    scene.write_text(
+        """\
+title: A finger in the notch of an L
+units: {length: mm, force: N, time: s}
+object:
+  outline: [[0, 0], [300, 0], [300, 100], [100, 100], [100, 300], [0, 300]]
+  contact: {point: [100, 110]}
+contact: {law: coulomb, friction_coefficient: 0.3}
+effects:
+  - {type: support_friction, weight: 3.53}
+simulate: {pusher_shape: finger, pusher_angle: 90, pusher_speed: 50, duration: 1, pusher_radius: 40}
+""",
+        encoding="utf-8",
+    )
+    refused(
+        ["simulate", str(scene), "-o", str(tmp_path / "log.nc")],
+        "outline: 'an overlap of 30 with the finger' given; allowed: a finger outside the object; ",
+    )

@@ -1,0 +1,157 @@
+"""The pictures, against the mechanics."""
+
+from dataclasses import replace
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+import planar_pushing as pp
+from planar_pushing.drawing.canvas.colors import FORCE, MOTION
+from planar_pushing.drawing.canvas.marks import Area, Arrow
+from planar_pushing.drawing.words import best, outcome
+from planar_pushing.explorer.pictures import curve, maps
+from planar_pushing.explorer.pictures.following import energies, followed
+from planar_pushing.explorer.pictures.handles import places
+from planar_pushing.explorer.pictures.pictures import (
+    LONG,
+    instant_picture,
+    push_box,
+    push_picture,
+    solved,
+    time_picture,
+)
+from planar_pushing.explorer.presets import preset, titles
+from planar_pushing.explorer.state import pushed, simulated, with_law
+from planar_pushing.explorer.view import Order, map_markup, sheet_of, view
+
+PRESETS = list(titles())
+SIZES = dict.fromkeys(("scene", "curve", "map", "time"), (700.0, 480.0))
+
+
+def shown(state):
+    """The page's markup of a state, each a tree of SVG or HTML."""
+    found = view(Order(state, SIZES, push_box(state)))
+    trees = {name: ElementTree.fromstring(f"<x>{text}</x>") for name, text in found.markup.items()}
+    return found, trees
+
+
+def arrows(picture, color):
+    return [
+        mark.points
+        for mark in picture.marks
+        if isinstance(mark, Arrow) and mark.color.lower() == color.lower()
+    ]
+
+
+@pytest.mark.parametrize("name", PRESETS)
+def test_every_preset_is_shown_with_its_handles_in_their_places(name):
+    state = preset(name)
+    found, trees = shown(state)
+    sheet = sheet_of(SIZES["scene"], push_box(state))
+    circles = {each.get("data-handle"): each for each in trees["scene"].iter("circle")}
+    for handle, place in places(state, found.push.force).items():
+        pixel = [float(circles[handle].get(key)) for key in ("cx", "cy")]
+        np.testing.assert_allclose(sheet.place(pixel), place, atol=0.1 / sheet.scale)
+    assert len(list(trees["solutions"].iter("tr"))) == 1 + len(found.push.solutions)
+    assert found.markup["words"] == outcome(
+        found.push.solutions, found.push.sketch.pusher, found.push.chosen
+    )
+
+
+def test_the_arrows_are_the_solutions():
+    push = solved(pushed(preset("figure_03"), -15.0, 1.0))
+    picture = push_picture(push)
+    assert len(push.solutions) == 3
+    (force,), (motion,) = (arrows(picture, color) for color in (FORCE, MOTION))
+    stick = push.solutions[push.chosen]
+    for points, vector in ((force, stick.force), (motion, stick.contact_motion)):
+        angles = [np.arctan2(*each[::-1]) for each in (points[-1] - points[0], vector)]
+        assert angles[0] == pytest.approx(angles[1])
+
+
+@pytest.mark.parametrize(
+    "name", ["figure_03", "figure_13", "figure_09a", "figure_19", "pulling_with_inertia"]
+)
+@pytest.mark.parametrize("magnitude", [0.2, 1.0, 3.0])
+def test_the_force_lies_on_the_limit_curve_and_the_motion_is_its_normal(name, magnitude):
+    state = pushed(with_law(preset(name), {"law": "perfectly_rough"}), 40.0, magnitude)
+    (solution,) = (each for each in solved(state).solutions if each.mode == pp.ContactMode.STICK)
+    found = curve.curve_at(state.scene, curve.level(state.scene, solution))
+    angle = np.arctan2(*solution.force[::-1]) % (2 * np.pi)
+    if len(state.scene.rows.entries) > 1:
+        there = np.interp(angle, found.force_angle, found.magnitude)
+        assert there == pytest.approx(np.hypot(*solution.force), rel=3e-3)
+    normal = np.interp(angle, found.force_angle, np.unwrap(found.motion_angle))
+    assert np.cos(normal - np.deg2rad(40.0)) == pytest.approx(1.0, abs=2e-3)
+
+
+@pytest.mark.parametrize("name", ["figure_03", "figure_13", "figure_19", "figure_15"])
+def test_the_map_is_the_modes_of_single_pushes(name):
+    for across in maps.axes_of(preset(name)):
+        state = replace(preset(name), across=across)
+        found = maps.mode_map(state, (8, 5))
+        assert maps.axis_of(state) == across
+        for row, column in [(0, 0), (2, 3), (5, 1), (7, 4)]:
+            place = np.array([maps.WIDE * (column + 0.5) / 5, (row + 0.5) / 8])
+            there = solved(maps.gone(state, place)).solutions
+            assert found.codes[row, column] == sum({1 << each.mode for each in there})
+
+
+def test_a_map_covers_its_cells_and_names_every_set_of_modes():
+    state = preset("figure_03")
+    found = maps.mode_map(state, (36, 15))
+    areas = [mark for mark in maps.map_picture(state, found).marks if isinstance(mark, Area)]
+    sizes = [np.prod(np.ptp(ring, axis=0)) for area in areas for ring in area.rings]
+    assert sum(sizes) == pytest.approx(maps.WIDE)
+    legend = map_markup(state, found, (350.0, 260.0))["legend"]
+    assert legend.count('class="key"') == len(areas)
+    assert "other" not in legend
+
+
+@pytest.mark.parametrize("name", ["figure_03", "figure_13"])
+def test_a_click_on_the_cross_stays_there(name):
+    for across in maps.axes_of(preset(name)):
+        state = replace(preset(name), across=across)
+        there = maps.gone(state, maps.place_of(state))
+        assert there.scene == state.scene
+        assert (there.angle, there.magnitude) == pytest.approx((state.angle, state.magnitude))
+
+
+def test_no_motion_is_said_too():
+    state = with_law(preset("figure_08"), {"law": "infinite_friction", "at_zero_normal": "none"})
+    found, _ = shown(state)
+    assert found.push.solutions == ()
+    assert best(()) == -1
+    assert found.markup["words"] == "No motion of the slider is consistent with this push."
+
+
+@pytest.mark.parametrize("name", ["figure_14a", "figure_19", "impact", "box"])
+def test_a_motion_is_shown_at_every_instant(name):
+    motion = followed(preset(name))
+    end = float(motion.times[-1])
+    for time in np.linspace(0, end, 5):
+        found, _ = shown(replace(preset(name), time=float(time)))
+        assert found.motion is motion
+        assert (found.markup["when"] == "of the push at the start") == (found.instant is None)
+        assert instant_picture(motion, float(time)).marks
+    bar = [mark.rings[0] for mark in time_picture(motion).marks if isinstance(mark, Area)]
+    assert np.sum([np.ptp(ring[:, 0]) for ring in bar]) == pytest.approx(LONG)
+
+
+def test_the_energies_add_up():
+    found = energies(followed(preset("figure_14a")))
+    total = found["support friction"] + found["contact friction"] + found["kinetic energy"]
+    np.testing.assert_allclose(found["work"], total, atol=1e-8)
+
+
+def test_a_finger_has_its_side():
+    state = simulated(preset("figure_03"), pusher_shape="finger")
+    assert solved(state).sketch.side == (-np.inf, np.inf)
+    assert "path_side" in followed(simulated(state, duration=0.2)).data
+
+
+def test_a_finger_has_its_radius():
+    state = simulated(preset("figure_03"), pusher_shape="finger", pusher_radius=0.3)
+    assert solved(state).sketch.finger_radius == 0.3
+    assert followed(simulated(state, duration=0.2)).log.attrs["pusher_radius"] == 0.3

@@ -1,0 +1,174 @@
+"""Pushes of an object on a support: final poses, wrenches and motions against single scenes."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from pushes.written import TRIANGLE
+from simulation.runs import pose_at_the_end
+
+import planar_pushing as pp
+from planar_pushing.pushes.fit.supported import OnSupport, body_frames
+from planar_pushing.pushes.logs.contacts import contacts_of, final_poses
+from planar_pushing.pushes.logs.measured import measured
+
+#: Feet that do not coincide with the frame's origin, a plate, and both.
+SUPPORTS = {
+    "points": pp.Points([(10, 10), (130, 10), (10, 130)], [1, 2, 3]),
+    "polygon": pp.Polygon([(5, 5), (90, 5), (5, 120)]),
+    "both": pp.Composite([(1, pp.Polygon([(20, 20), (60, 20), (20, 60)])), (2, pp.Points([(90, 20)]))]),
+}  # fmt: skip
+
+
+def pushed(support, count, radius=0.0, **options):
+    effects = (pp.SupportFriction(support=support, weight=3.0),)
+    return pp.simulate_pushes(effects, TRIANGLE, count, finger_radius=radius, **options)
+
+
+@pytest.mark.parametrize("radius", [0.0, 5.0])
+@pytest.mark.parametrize("kind", SUPPORTS)
+def test_final_poses_are_those_of_single_simulations(kind, radius):
+    """`simulate_pushes` runs `simulate` of `scene_at` one by one; its poses have no noise."""
+    pushes = measured(pushed(SUPPORTS[kind], 8, radius, seed=3))
+    found = final_poses(OnSupport(SUPPORTS[kind]), pushes, 0.25)
+    assert found[:, :2] == pytest.approx(pushes.displacement, abs=2e-3)
+    assert found[:, 2] == pytest.approx(pushes.rotation, abs=2e-5)
+    # No finger leaves its side, though one that is round rolls along it as the object turns.
+    lasted = OnSupport(SUPPORTS[kind]).ends(contacts_of(pushes), 0.25).lasted
+    assert lasted == pytest.approx(np.ones(8), abs=1e-5)
+
+
+def test_infinite_friction_and_none():
+    """The contact that sticks goes with the finger; without friction the force is along the normal."""
+    support = SUPPORTS["points"]
+    pushes = measured(pushed(support, 6, contact=pp.InfiniteFriction()))
+    found = final_poses(OnSupport(support), pushes, 1e6)
+    assert found == pytest.approx(pushes.observed, abs=2e-3)
+    smooth = measured(pushed(support, 6, contact=pp.Coulomb(0.0)))
+    assert final_poses(OnSupport(support), smooth, 0.0) == pytest.approx(smooth.observed, abs=2e-3)
+
+
+def test_a_push_through_the_center_of_a_symmetric_object_does_not_turn_it():
+    square = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    support = pp.Points(square, [1, 1, 1, 1])
+    pushes = measured(pp.pushes_from_poses(
+        outline=square, poses_before=np.zeros((1, 3)), poses_after=[(0, 0.5, 0)],
+        finger_start=[(0, -1)], finger_end=[(0, -0.5)], finger_radius=0.0, units=("mm", "N"),
+    ))  # fmt: skip
+    found = final_poses(OnSupport(support), pushes, 0.3)
+    assert found[0] == pytest.approx([0, 0.5, 0], abs=1e-6)
+
+
+def test_a_path_is_followed_part_by_part():
+    """Two straight parts, along the normal and then aside."""
+    support = SUPPORTS["points"]
+    way = np.array([(0, 6.0), (3.0, 3.0)])
+    pushes = measured(pushed(support, 1, seed=0))
+    contacts = contacts_of(pushes)
+    one = replace(
+        contacts, point=np.array([[60.0, 0.0]]), normal=np.array([[0.0, 1.0]]), start=np.array([-60.0]),
+        end=np.array([90.0]), path=way[None],
+    )  # fmt: skip
+    found = OnSupport(support).ends(one, 0.25)
+    scene = pp.scene_at(
+        (60, 0), (0, 1), effects=(pp.SupportFriction(support=support),), contact=pp.Coulomb(0.25)
+    )
+    pusher = pp.Pusher(velocity=[(0.0, (0, 12.0)), (0.5, (6.0, 6.0))], shape="finger")
+    log = pp.simulate(scene, pusher=pusher, duration=1.0, object_pose=(0, 0, 0))
+    end = pose_at_the_end(log)
+    assert found.poses[0] == pytest.approx(end, abs=1e-3)
+    assert found.lasted[0] == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("radius", [0.0, 5.0])
+@pytest.mark.parametrize(("way", "lasted"), [
+    ([(20.0, 1.0)], 0.5), ([(10.0, 0.5)] * 2, 0.5), ([(-20.0, 1.0)], 1.0), ([(8.0, 1.0)], 1.0),
+    ([(0.0, 2.0), (0.0, -2.0)], 0.5), ([(0.0, -1.0)], 0.0),
+])  # fmt: skip
+def test_a_contact_lasts_until_the_finger_leaves_its_side(way, lasted, radius):
+    """The object, pushed below its center of pressure without friction, hardly turns."""
+    support = pp.Points([(0, 0), (150, 0), (0, 150)], [1, 1, 1])
+    contacts = contacts_of(measured(pushed(support, 1, seed=0)))
+    one = replace(
+        contacts, point=np.array([[50.0, 0.0]]), normal=np.array([[0.0, 1.0]]), radius=np.array([radius]),
+        start=np.array([-50.0]), end=np.array([10.0]), path=np.array([way]),
+    )  # fmt: skip
+    found = OnSupport(support).ends(one, 0.0)
+    assert found.lasted[0] == pytest.approx(lasted, abs=2e-3)
+    up = max(lasted * len(way), 0.0) * way[0][1]
+    assert found.poses[0, 1] == pytest.approx(up, abs=0.2 * abs(up))
+
+
+@pytest.mark.parametrize("kind", SUPPORTS)
+def test_wrenches_are_sums_over_the_support(kind):
+    """Of points by a loop; of others `pp.wrench`, whose torque is about the object's origin."""
+    twists = np.random.default_rng(1).normal(size=(6, 3)) * [50, 50, 1]
+    found = OnSupport(SUPPORTS[kind]).wrenches(twists)
+    friction = pp.SupportFriction(support=SUPPORTS[kind], weight=1.0)
+    assert found == pytest.approx(np.array([pp.wrench(friction, each) for each in twists]))
+    if kind == "points":
+        support = SUPPORTS[kind]
+        for (v_x, v_y, omega), load in zip(twists, found, strict=True):
+            sums = np.zeros(3)
+            for (x, y), share in zip(support.positions, np.array(support.weights) / 6, strict=True):
+                v = np.array([v_x - omega * y, v_y + omega * x])
+                f_x, f_y = share * v / np.linalg.norm(v)
+                sums += f_x, f_y, x * f_y - y * f_x
+            assert load == pytest.approx(sums, abs=1e-9)
+
+
+@pytest.mark.parametrize("kind", SUPPORTS)
+def test_the_motion_under_a_wrench_has_that_wrench(kind):
+    """Parallel, but for pivots about a point, where it is in the load set of the point."""
+    random = np.random.default_rng(2)
+    model, scale = OnSupport(SUPPORTS[kind]), np.array([1, 1, 60.0])
+    wrenches = random.normal(size=(20, 3)) * scale
+    again = model.wrenches(model.motions(wrenches)) / scale
+    given = wrenches / scale
+    apart = np.linalg.norm(np.cross(again, given), axis=1)
+    apart /= np.linalg.norm(again, axis=1) * np.linalg.norm(given, axis=1)
+    powers = (model.motions(wrenches) * wrenches).sum(axis=1)
+    assert (powers > 0.0).all()
+    pivots = np.zeros(20, dtype=bool)
+    if kind != "polygon":
+        places = np.array([(10, 10), (130, 10), (10, 130)] if kind == "points" else [(90, 20)])
+        v_x, v_y, omega = model.motions(wrenches).T[..., None]
+        speed = np.hypot(v_x - omega * places[:, 1], v_y + omega * places[:, 0])
+        pivots = (speed < 1e-6 * abs(omega)).any(axis=1)
+    assert (~pivots).sum() >= 4
+    assert apart[~pivots] == pytest.approx(0.0, abs=1e-7)
+
+
+def test_motions_maximize_the_power_of_a_wrench():
+    """Over random twists of the same dissipation none yields more, pivots included."""
+    support = SUPPORTS["points"]
+    model, random = OnSupport(support), np.random.default_rng(4)
+    wrenches = random.normal(size=(12, 3)) * [1, 1, 60]
+    places, shares = np.array(support.positions), np.array(support.weights) / 6
+
+    def yielded(wrench, twists):
+        v_x, v_y, omega = twists.T[..., None]
+        speed = np.hypot(v_x - omega * places[:, 1], v_y + omega * places[:, 0])
+        return (twists @ wrench) / (speed @ shares)
+
+    others = random.normal(size=(4000, 3)) * [1, 1, 1 / 60]
+    for wrench, twist in zip(wrenches, model.motions(wrenches), strict=True):
+        best = yielded(wrench, twist[None])[0]
+        near = twist + 0.05 * np.linalg.norm(twist[:2]) * others
+        assert best >= yielded(wrench, np.concatenate([others, near])).max() * (1 - 1e-9)
+
+
+def test_a_torque_without_a_force_has_no_line():
+    found = OnSupport(SUPPORTS["points"]).motions(np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 50.0]]))
+    assert np.isnan(found[0]).all()
+    assert np.isfinite(found[1]).all()
+    assert np.isnan(OnSupport(SUPPORTS["points"]).motions(np.array([[0.0, 0.0, 1.0]]))).all()
+
+
+def test_body_frames_have_their_origin_above_the_side():
+    """A center that is not above its side is replaced by a point that is: the poses stay the same."""
+    contacts = contacts_of(measured(pushed(SUPPORTS["points"], 8, seed=5)))
+    for center in (np.array([50.0, 50.0]), np.array([-40.0, -40.0])):
+        frames = body_frames(contacts, center, 150.0)
+        assert ((frames.origin - contacts.point) * contacts.normal).sum(axis=1).min() > 0.0
+        assert contacts.point + frames.length[:, None] * frames.axis == pytest.approx(frames.origin)

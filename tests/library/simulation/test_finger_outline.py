@@ -1,0 +1,392 @@
+"""A disc finger and the other sides of its outline: never inside them, and the run ends at the touch."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import xarray as xr
+from simulation.runs import check, final, run
+
+import planar_pushing as pp
+
+MEETS = "another point of the outline meets the finger"
+SIDE_ENDS = "the finger comes to the end of the side"
+ELL = [(0, 0), (0.3, 0), (0.3, 0.1), (0.1, 0.1), (0.1, 0.3), (0, 0.3)]
+TEE = [(-0.15, 0), (0.15, 0), (0.15, 0.1), (0.05, 0.1), (0.05, 0.3), (-0.05, 0.3), (-0.05, 0.1),
+       (-0.15, 0.1)]  # fmt: skip
+#: A channel of width 0.1 in the lower side, and a point of its left wall.
+CHANNEL = [(-0.3, 0), (-0.05, 0), (-0.05, 0.2), (0.05, 0.2), (0.05, 0), (0.3, 0), (0.3, 0.3),
+           (-0.3, 0.3)]  # fmt: skip
+#: A plate with a thin arm, of a width of 0.004, on its lower side.
+ARMED = [(-0.3, 0), (0.1, 0), (0.1, -0.2), (0.104, -0.2), (0.104, 0), (0.3, 0), (0.3, 0.3),
+         (-0.3, 0.3)]  # fmt: skip
+EFFECTS = {
+    "friction": (pp.RingFriction(),),
+    "both": (pp.RingFriction(), pp.Inertia(mass=0.3, gyration_radius=0.15)),
+}
+METHODS = pytest.mark.parametrize("method", ["event-driven", "time-stepping"])
+SETS = pytest.mark.parametrize("effects", EFFECTS)
+#: Random outlines, most of them in the slow tests.
+SEEDS = pytest.mark.parametrize(
+    "seed", [*range(6), *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(6, 30))]
+)
+
+
+def beside(outline, point, law=0.0, effects="friction", normal=None):
+    """A scene of an object whose friction is that of a ring of radius 0.2 about its rod's end."""
+    law = law if isinstance(law, pp.PerfectlyRough) else pp.Coulomb(law)
+    ring = (pp.SupportFriction(support=pp.Ring(0.2)),)
+    scene = pp.scene_at(point, normal, effects=ring, contact=law, outline=outline)
+    return replace(scene, effects=EFFECTS[effects])
+
+
+def pushed(scene, velocity, radius, duration=3.0, **options):
+    finger = pp.Pusher(velocity=velocity, shape="finger", radius=radius)
+    return run(scene, finger, duration, **options)
+
+
+def depths(log, scene, radius):
+    """Depth of the disc in the outline at each instant, by complex numbers; negative outside."""
+    spin = np.exp(1j * np.deg2rad(log.rod_angle.values))
+    own = np.asarray(scene.slider.outline) @ (1, 1j)
+    start = (log.position.values @ (1, 1j))[:, None] + spin[:, None] * own
+    end, center = np.roll(start, -1, axis=1), (log.pusher.values @ (1, 1j) - 1j * radius)[:, None]
+    part = np.clip(((center - start) / (end - start)).real, 0, 1)
+    nearest = np.abs(center - start - part * (end - start)).min(axis=1)
+    around = np.angle((end - center) / (start - center)).sum(axis=1)
+    return radius - np.where(np.abs(around) > 3.0, -nearest, nearest)
+
+
+def require_outside(log, scene, radius, first_order=2e-2):
+    """The disc overlaps nothing before the end; where it meets another point, it touches it."""
+    deep = depths(log, scene, radius)
+    exact = log.attrs["method"] == "event-driven"
+    assert deep[:-1].max() < (1e-9 if exact else 1e-5)  # steps in flight: gap of second order
+    assert deep[-1] < (1e-9 if exact else first_order)
+    if log.attrs["stopped"] == MEETS:
+        assert deep[-1] > (-1e-9 if exact else -1e-12)
+        if exact:
+            assert pp.Event(final(log, "event")) == pp.Event.PENETRATES
+    assert reached(log) or log.attrs["stopped"] in (MEETS, SIDE_ENDS)
+
+
+def reached(log):
+    return final(log, "time") == log.attrs["duration"]
+
+
+# -- the start ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("outline", "point", "radius", "gap", "deep"),
+    [
+        (ELL, (0.1, 0.11), 0.04, 0.0, "0.03"),
+        (ELL, (0.1, 0.11), np.float64(0.04), 0.0, "0.03"),
+        (ELL, (0.1, 0.11), np.float32(0.15), 0.0, "0.14"),
+        (ELL, (0.11, 0.1), 0.04, 0.0, "0.03"),
+        (ELL, (0.1, 0.15), 0.04, 0.03, ""),
+        (ELL, (0.1, 0.15), 0.06, 0.03, "0.01"),
+        (ELL, (0.1, 0.15), 0.05, 0.0, ""),
+        (ELL, (0.1, 0.15), 0.05 + 1e-9, 0.0, "1e-09"),
+        (TEE, (0.05, 0.12), 0.05, 0.0, "0.03"),
+        (TEE, (-0.05, 0.12), 0.02, 0.0, ""),
+        (CHANNEL, (0.05, 0.1), 0.04, 0.0, ""),
+        (CHANNEL, (0.05, 0.1), 0.05, 0.0, ""),
+        (CHANNEL, (0.05, 0.1), 0.06, 0.0, "0.02"),
+        (CHANNEL, (-0.2, 0), 0.3, 0.0, ""),
+        (ARMED, (0.05, 0), 0.1, 0.0, "0.05"),
+    ],
+)
+def test_a_disc_that_begins_in_another_side_is_refused(outline, point, radius, gap, deep):
+    scene = beside(outline, point, 0.3)
+    if not deep:
+        log = pushed(scene, (0, 0.01), radius, 1e-4, gap=gap)
+        assert log.attrs["stopped"] in (
+            "",
+            MEETS,
+        )  # a disc that is tangent to another side may meet it
+        assert depths(log, scene, radius).max() < 1e-9
+        return
+    said = (
+        f"outline: 'an overlap of {deep} with the finger' given; allowed: a finger outside the object; "
+        "choose a smaller radius, or move the contact onto the outline and away from its other sides"
+    )
+    finger = pp.Pusher(velocity=(0, 0.01), shape="finger", radius=radius)
+    for call in (
+        pp.simulate,
+        lambda scene, pusher, **rest: pp.simulate_batch(scene, pusher, **rest),
+    ):
+        with pytest.raises(pp.InvalidValue) as caught:
+            call(scene, pusher=finger, duration=1.0, gap=gap)
+        assert str(caught.value) == said
+
+
+def test_the_depth_at_the_start_is_that_of_the_first_touch():
+    for radius in (0.02, 0.04, 0.3):
+        overlap = pp.first_touch(ELL, (0.1 + radius, 0.11), (-1e-3, 0), radius).overlap
+        with pytest.raises(pp.InvalidValue, match=f"an overlap of {float(overlap):.6g} with"):
+            pushed(beside(ELL, (0.1, 0.11)), (0, 0.01), radius)
+
+
+@pytest.mark.parametrize("labeled", [False, True])
+def test_every_row_of_a_batch_is_checked(labeled):
+    def array(*values):
+        return xr.DataArray(list(values), dims="run") if labeled else np.array(values)
+
+    scene = beside(ELL, (0.1, 0.15), 0.3)
+    slider = scene.slider
+
+    def batch(radius, gap=0.0, **rod):
+        given = replace(slider, rod_length=rod.get("length", slider.rod_length))
+        scenes = pp.Scene(slider=given, contact=scene.contact, effects=scene.effects)
+        finger = pp.Pusher(velocity=(0, 0.01), shape="finger", radius=radius)
+        return pp.simulate_batch(scenes, finger, duration=1e-4, gap=gap)
+
+    assert not batch(array(0.0, 0.02, 0.045)).stopped.any()
+    with pytest.raises(pp.InvalidValue, match=r"an overlap of 0\.02 with the finger"):
+        batch(array(0.0, 0.02, 0.07))
+    with pytest.raises(pp.InvalidValue, match=r"an overlap of 0\.01 with the finger"):
+        batch(0.06, gap=array(0.0, 0.5))
+    with pytest.raises(pp.InvalidValue, match=r"an overlap of .* with the finger"):
+        batch(0.01, length=slider.rod_length * array(1.0, 0.9))
+    if not labeled:
+        with pytest.raises(pp.InvalidValue, match="shapes"):
+            batch(array(0.0, 0.02), gap=array(0.0, 0.1, 0.2))
+
+
+@METHODS
+def test_a_disc_that_begins_between_two_sides_may_leave_but_not_go_on(method):
+    scene = beside(ELL, (0.1, 0.15))
+    away = check(pushed(scene, (0.3, 0.05), 0.05, 0.1, method=method))
+    assert away.attrs["stopped"] == ""
+    into = pushed(scene, (-0.3, 0.05), 0.05, 0.1, method=method)
+    assert into.attrs["stopped"] == MEETS
+    assert final(into, "time") < (1e-8 if method == "event-driven" else 2.1e-4)
+    require_outside(into, scene, 0.05, 1e-4)
+
+
+@METHODS
+def test_a_point_at_a_reflex_corner_pushes_one_of_its_sides_and_a_disc_is_refused(method):
+    for normal in ((-1, 0), (0, -1)):
+        scene = beside(ELL, (0.1, 0.1), 0.5, normal=normal)
+        assert pushed(scene, (0, 0.05), 0.0, 0.1, method=method).attrs["stopped"] == ""
+        with pytest.raises(pp.InvalidValue, match=r"an overlap of 0\.02 with the finger"):
+            pushed(scene, (0, 0.05), 0.02, 0.1, method=method)
+
+
+# -- the run -----------------------------------------------------------------------------------------
+
+
+@METHODS
+@SETS
+@pytest.mark.parametrize("radius", [0.01, 0.04, 0.1])
+@pytest.mark.parametrize(
+    ("outline", "point", "along", "left"),
+    [
+        (ELL, (0.1, 0.25), -1, 0.15),
+        (ELL, (0.25, 0.1), 1, 0.15),
+        (TEE, (0.05, 0.25), -1, 0.15),
+        (TEE, (-0.05, 0.25), 1, 0.15),
+    ],
+)
+def test_the_contact_comes_no_closer_to_a_notch_than_the_radius(
+    method, effects, radius, outline, point, along, left
+):
+    scene = beside(outline, point, effects=effects)
+    log = pushed(scene, (along * 0.4, 0.05), radius, method=method)
+    assert log.attrs["stopped"] == MEETS
+    place, wanted = final(log, "contact_position"), along * (left - radius)
+    assert place == pytest.approx(wanted, abs=1e-9 if method == "event-driven" else 5e-3)
+    require_outside(log, scene, radius)
+
+
+@METHODS
+@pytest.mark.parametrize("degrees", [20, 60, 90, 140, 175])
+def test_a_disc_in_a_corner_of_any_angle_is_tangent_to_both_sides(method, degrees):
+    """In a free angle, the contact is the radius over the tangent of half the angle from the corner."""
+    angle = np.deg2rad(degrees)
+    tip = 0.4 * np.exp(1j * (np.pi + angle))
+    side, top = (tip.real, tip.imag), (0.3, 0.6)[degrees > 90]
+    behind = [(tip.real, top)] if degrees > 90 else [(0.1, tip.imag), (0.1, top)]
+    outline = [(0, 0), side, *behind, (-0.4, top), (-0.4, 0)]
+    scene = beside(outline, (-0.3, 0))
+    radius = 0.02
+    log = pushed(scene, (0.4, 0.02), radius, method=method)
+    assert log.attrs["stopped"] == MEETS
+    wanted = 0.3 - radius / np.tan(angle / 2)
+    # Where the corner is almost straight, the contact moves far while the disc sinks in a little.
+    slack = 1e-9 / np.sin(angle)
+    assert final(log, "contact_position") == pytest.approx(
+        wanted, abs=slack if method == "event-driven" else 5e-3
+    )
+    require_outside(log, scene, radius)
+
+
+@METHODS
+@SETS
+def test_a_contact_that_sticks_rolls_into_the_notch_by_the_turn(method, effects):
+    scene = beside(ELL, (0.1, 0.16), pp.PerfectlyRough(), effects)
+    log = pushed(scene, (-0.2, 0.4), 0.05, method=method, samples=1001)
+    assert (log.mode == pp.ContactMode.STICK).all()
+    assert log.attrs["stopped"] == MEETS
+    exact = method == "event-driven"
+    turn = np.deg2rad(final(log, "rod_angle") - log.rod_angle.values[0])
+    assert turn == pytest.approx(0.01 / 0.05, abs=1e-7 if exact else 5e-3)
+    require_outside(log, scene, 0.05)
+
+
+@METHODS
+@pytest.mark.parametrize("radius", [0.01, 0.049, 0.05])
+def test_a_disc_in_a_channel_goes_to_its_bottom(method, radius):
+    scene = beside(CHANNEL, (0.05, 0.02))
+    log = pushed(scene, (-0.3, 1e-6), radius, method=method)
+    assert log.attrs["stopped"] == MEETS
+    exact = method == "event-driven"
+    bottom = pytest.approx(0.18 - radius, abs=1e-7 if exact else 2e-3)
+    assert abs(final(log, "contact_position")) == bottom
+
+
+@METHODS
+@pytest.mark.parametrize("radius", [0.0, 0.03, 5.0])
+def test_a_convex_corner_is_the_end_of_the_side(method, radius):
+    scene = beside(CHANNEL, (-0.2, 0))
+    for sense in (-1, 1):
+        log = pushed(scene, (0.4 * sense, 0.02), radius, method=method)
+        assert log.attrs["stopped"] == SIDE_ENDS
+        if method == "event-driven":
+            end = 0.15 if sense > 0 else -0.1
+            assert final(log, "contact_position") == pytest.approx(end, abs=1e-10)
+
+
+@pytest.mark.parametrize("radius", [0.0, 0.04])
+def test_a_run_that_meets_nothing_is_that_without_an_outline_to_the_last_bit(radius):
+    scene = beside(ELL, (0.1, 0.25), 0.3)
+    other = replace(scene, slider=replace(scene.slider, outline=None))
+    log, bare = (pushed(each, (-0.1, 0.1), radius, 0.2) for each in (scene, other))
+    assert log.attrs["stopped"] == ""
+    xr.testing.assert_equal(log, bare)
+
+
+def test_a_batch_ends_where_each_of_its_runs_does():
+    scene, radii = beside(ELL, (0.1, 0.25)), np.array([0.0, 0.01, 0.04, 0.1])
+    finger = pp.Pusher(velocity=(-0.4, 0.05), shape="finger", radius=radii)
+    batch = pp.simulate_batch(scene, finger, duration=3.0)
+    meanings = batch.stopped.attrs["flag_meanings"].split()
+    assert batch.contact_position.values == pytest.approx(radii - 0.15, abs=1e-9)
+    for i, radius in enumerate(radii):
+        alone = pushed(scene, (-0.4, 0.05), float(radius))
+        assert batch.time.values[i] == final(alone, "time")
+        wanted = {MEETS: "PENETRATES", SIDE_ENDS: "END_OF_SIDE"}[alone.attrs["stopped"]]
+        assert meanings[int(batch.stopped[i])] == wanted
+
+
+# -- a finger that is free of the side ----------------------------------------------------------------
+
+
+@METHODS
+@pytest.mark.parametrize("radius", [0.0, 1e-3, 0.03])
+@pytest.mark.parametrize("speed", [1.0, 300.0])
+def test_a_free_finger_does_not_pass_through_a_thin_arm(method, radius, speed):
+    """It leaves the side, and crosses the arm in a step of any length."""
+    scene = beside(ARMED, (-0.2, 0), 0.3)
+    exact, away = method == "event-driven", [(0, (0, -0.5)), (0.2, (speed, 0))]
+    step = {} if exact else {"step": 1e-3 / speed}
+    log = pushed(scene, away, radius, 0.2 + 0.6 / speed, method=method, **step)
+    assert log.attrs["stopped"] == MEETS
+    wanted = 0.2 + (0.3 - radius) / speed
+    assert final(log, "time") == pytest.approx(wanted, abs=(2e-9 if exact else 2e-3) / speed)
+    assert set(log.mode.values[1:]) == {pp.ContactMode.SEPARATE}
+
+
+@METHODS
+def test_a_free_finger_that_comes_back_beside_meets_the_other_side(method):
+    scene, radius = beside(ELL, (0.1, 0.2), 0.3), 0.03
+    path = [(0, (0, -0.5)), (0.1, (-0.5, 0.0))]
+    log = pushed(scene, path, radius, 1.0, method=method, on_ambiguity="separate")
+    assert log.attrs["stopped"] == MEETS
+    exact = method == "event-driven"
+    assert final(log, "time") == pytest.approx(0.1 + 0.07 / 0.5, abs=1e-8 if exact else 2e-3)
+    assert final(log, "gap") == pytest.approx(0.05, abs=1e-9)
+    require_outside(log, scene, radius)
+
+
+@METHODS
+def test_a_free_finger_can_come_back_to_its_side_behind_an_obstacle(method):
+    """It goes around the arm, and pushes the side on the other side of it."""
+    scene, radius = beside([(-0.3, 0), (0.3, 0), (0.3, 0.3), (-0.3, 0.3)], (-0.2, 0), 0.3), 0.03
+    path = [(0, (0, -1)), (0.1, (1, 0)), (0.4, (0, 1)), (0.6, (0, 0.2))]
+    log = check(pushed(scene, path, radius, 0.7, method=method), 1e-6)
+    assert log.attrs["stopped"] == ""
+    assert final(log, "contact_position") == pytest.approx(0.3, abs=0.05)
+    # A hook hangs beside the side, and the finger comes from the other side of its end.
+    hook = [
+        (-0.3, 0),
+        (-0.1, 0),
+        (-0.1, -0.02),
+        (0, -0.02),
+        (0, 0),
+        (0.3, 0),
+        (0.3, 0.3),
+        (-0.3, 0.3),
+    ]
+    scene = beside(hook, (-0.2, 0), 0.3)
+    log = pushed(scene, path, radius, 0.7, method=method)
+    assert log.attrs["stopped"] == SIDE_ENDS  # its side ended at the hook
+    require_outside(log, scene, radius)
+
+
+# -- random outlines ---------------------------------------------------------------------------------
+
+
+def star(random):
+    """A random polygon about the origin, most of them not convex."""
+    count = int(random.integers(5, 13))
+    angles = 2 * np.pi * (np.arange(count) + random.uniform(-0.35, 0.35, count)) / count
+    return random.uniform(0.08, 0.4, count) * np.exp(1j * angles)
+
+
+def random_outline(random):
+    """A random outline, and a point of one of its sides."""
+    corners = star(random)
+    side, part = int(random.integers(len(corners))), random.uniform(0.05, 0.95)
+    point = corners[side - 1] + part * (corners[side] - corners[side - 1])
+    return np.column_stack([corners.real, corners.imag]), (point.real, point.imag)
+
+
+@METHODS
+@SETS
+@SEEDS
+def test_no_disc_is_ever_inside_a_random_outline(method, effects, seed):
+    random = np.random.default_rng(seed)
+    outline, point = random_outline(random)
+    radius, law = random.choice([0.01, 0.03, 0.1]), random.choice([0.0, 0.1, 0.5, 2.0])
+    scene = beside(outline, point, law, effects)
+    velocity = [(t, tuple(random.uniform((-1, -0.5), (1, 1.5)))) for t in (0.0, 0.6)]
+    inward = np.array(scene.placement.normal)
+    overlap = pp.first_touch(outline, np.array(point) - radius * inward, inward, radius).overlap
+    if overlap > 1e-9:
+        with pytest.raises(pp.InvalidValue, match=f"overlap of {float(overlap):.6g} with"):
+            pushed(scene, velocity, radius, 1.0, method=method)
+        return
+    log = check(pushed(scene, velocity, radius, 1.0, method=method), 1e-6)
+    require_outside(log, scene, radius)
+
+
+@METHODS
+@SETS
+@SEEDS
+def test_no_free_finger_is_ever_inside_a_random_outline(method, effects, seed):
+    random = np.random.default_rng(seed)
+    outline, point = random_outline(random)
+    radius = random.choice([0.0, 0.01, 0.03])
+    scene = beside(outline, point, random.choice([0.0, 0.5]), effects)
+    inward = np.array(scene.placement.normal)
+    if pp.first_touch(outline, np.array(point) - radius * inward, inward, radius).overlap > 0:
+        pytest.skip("the disc begins in another side")
+    aside = random.uniform(-2, 2)
+    path = [(0, (0.1, -0.4)), (0.2, (aside, -0.2)), (0.4, (aside, 1.0)), (0.6, (-2 * aside, 1.0)),
+            (0.8, (aside, 1.0))]  # fmt: skip
+    log = pushed(scene, path, radius, 1.0, method=method, on_ambiguity="separate", samples=401)
+    require_outside(log, scene, radius)

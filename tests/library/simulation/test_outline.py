@@ -1,0 +1,321 @@
+"""Outlines: a run ends where another point of the slider meets the fence, or the finger's side ends."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from mechanics.builders import BOTH, FRICTION, INERTIA
+from scipy.optimize import brentq
+from simulation.runs import check, final, heading, run
+
+import planar_pushing as pp
+
+MEETS = "another point of the outline meets the fence"
+SIDE_ENDS = "the finger comes to the end of the side"
+SQUARE = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+#: A table with two legs, and its slot between them.
+BENCH = np.array(
+    [(-1, -1), (-0.8, -1), (-0.8, 0.5), (0.7, 0.5), (0.7, -0.6), (1, -0.6), (1, 1), (-1, 1)]
+)
+METHODS = pytest.mark.parametrize("method", ["event-driven", "time-stepping"])
+EFFECTS = pytest.mark.parametrize(
+    "effects", [FRICTION, BOTH, INERTIA], ids=["friction", "both", "inertia"]
+)
+
+
+def turned(points, angle):
+    return np.asarray(points) @ np.array(
+        [[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]]
+    )
+
+
+def standing(shape, contact, tilt, law, effects=FRICTION, side=(-np.inf, np.inf)):
+    """A slider whose outline is turned by an angle; its contact is a point of the shape."""
+    x, y = -turned(contact, tilt)
+    angle = np.arctan2(y, x)
+    slider = pp.Slider(
+        rod_length=np.hypot(x, y),
+        rod_angle=angle,
+        radius=1.0,
+        side=side,
+        outline=turned(shape, tilt - angle),
+    )
+    return pp.Scene(slider=slider, contact=pp.Coulomb(law), effects=effects)
+
+
+def heights(log, shape, tilt):
+    """Heights of the corners over the fence, shape (instants, corners), by complex numbers."""
+    spin = np.exp(1j * (tilt + np.deg2rad(log.rod_angle.values - log.rod_angle.values[0])))
+    center = log.position.values @ (1, 1j)
+    corners = center[:, None] + spin[:, None] * (np.asarray(shape) @ (1, 1j))
+    return corners.imag - log.pusher.values[:, 1:]
+
+
+def depth(scene):
+    """How deep a corner is where a run ends: a part in a billion of the extent."""
+    return 1e-9 * np.ptp(scene.slider.outline, axis=0).max()
+
+
+def without(scene):
+    """The scene without its outline."""
+    slider = scene.slider
+    plain = pp.Slider(
+        rod_length=slider.rod_length,
+        rod_angle=slider.rod_angle,
+        radius=slider.radius,
+        side=slider.side,
+    )
+    return pp.Scene(slider=plain, contact=scene.contact, effects=scene.effects)
+
+
+@METHODS
+@EFFECTS
+@pytest.mark.parametrize("law", [0.0, 0.5])
+def test_a_side_that_lies_on_the_fence_is_pushed_on_without_an_event(method, effects, law):
+    scene = standing(SQUARE, (0, -1), 0.0, law, effects)
+    log = run(scene, [(0, (0, 1)), (1, (0, 0.5)), (2, (0, 0.7))], 5.0, method=method)
+    assert log.attrs["stopped"] == ""
+    assert final(log, "time") == 5
+    assert np.all(log.rod_angle == 90)
+
+
+@METHODS
+@EFFECTS
+def test_a_side_on_the_fence_that_turns_ends_the_run_at_once(method, effects):
+    scene = standing(SQUARE, (0, -1), 0.0, 0.5, effects)
+    log = check(run(scene, heading(60), 1.0, method=method), 1e-8)
+    assert log.attrs["stopped"] == MEETS
+    assert final(log, "time") < 1e-4 if method == "event-driven" else 1.1e-3
+    assert heights(log, SQUARE, 0.0).min() < -1e-9
+
+
+def test_the_end_of_a_side_that_turns_is_where_it_is_as_deep_as_the_tolerance():
+    scene = standing(SQUARE, (0, -1), 0.0, 0.5)
+    log = run(scene, heading(60), 1.0)
+    assert pp.Event(final(log, "event")) == pp.Event.PENETRATES
+    # The extent of the square is 2, its corner 1 from the contact.
+    assert final(log, "time") == pytest.approx(2e-9 / abs(log.twist[0, 2].item()), rel=1e-4)
+    assert heights(log, SQUARE, 0.0).min() == pytest.approx(-2e-9, rel=1e-4)
+
+
+@METHODS
+@pytest.mark.parametrize("effects", [FRICTION, BOTH], ids=["friction", "both"])
+@pytest.mark.parametrize(
+    ("shape", "contact", "tilt", "left"),
+    [
+        (SQUARE, (-1, -1), 0.3, -0.3),
+        (SQUARE, (-1, -1), 0.7, -0.7),
+        (SQUARE, (1, -1), -0.3, 0.3),
+        (BENCH, (-1, -1), 0.1, -0.1),
+        (BENCH, (1, -0.6), -0.9, 0.9 - np.arctan2(0.4, 1.8)),
+    ],
+)
+def test_a_corner_comes_down_where_its_side_is_along_the_fence(
+    method, effects, shape, contact, tilt, left
+):
+    """The slider turns about its contact until the next corner is at its height."""
+    scene = standing(shape, contact, tilt, 2.0, effects)
+    log = check(
+        run(scene, (0, 1), 20.0, method=method, step=None if method == "event-driven" else 5e-3)
+    )
+    assert log.attrs["stopped"] == MEETS
+    rotation = np.deg2rad(final(log, "rod_angle") - log.rod_angle[0].item())
+    assert rotation == pytest.approx(left, abs=3e-8 if method == "event-driven" else 2e-2)
+    over = heights(log, shape, tilt)
+    assert over[:-1].min() > -1e-9
+    if method == "event-driven":
+        assert over[-1].min() == pytest.approx(-depth(scene), rel=1e-3)
+
+        def behind(duration):
+            alone = run(without(scene), (0, 1), duration, samples=2)
+            return np.deg2rad(final(alone, "rod_angle") - alone.rod_angle[0].item()) - left
+
+        assert final(log, "time") == pytest.approx(
+            brentq(behind, 0.01, final(log, "time") + 0.01), abs=1e-7
+        )
+
+
+@pytest.mark.parametrize("spin", [1.0, -0.5])
+def test_a_corner_of_a_slider_in_flight_meets_the_fence_at_a_known_time(spin):
+    """It spins about its center at a height of 1.3: sqrt 2 cos(pi / 4 - t |spin|) = 1.3."""
+    scene = standing(SQUARE, (0, -1), 0.0, 0.5, INERTIA)
+    log = run(scene, (0, 0), 3.0, gap=0.3, twist=(0.2, 0, spin))
+    assert log.attrs["stopped"] == MEETS
+    assert final(log, "time") == pytest.approx(
+        (np.pi / 4 - np.arccos(1.3 / np.sqrt(2))) / abs(spin), abs=1e-8
+    )
+    assert final(log, "gap") > 0.1
+
+
+@METHODS
+def test_a_fence_that_rises_to_a_slider_at_rest_meets_its_lowest_corner(method):
+    """The contact is 0.5 above the fence, and another corner 0.4 below the contact."""
+    lower = np.array([(-1, -1), (1, -1.4), (1, 1), (-1, 1)])
+    log = run(standing(lower, (-1, -1), 0.0, 0.5), (0.3, 1), 1.0, gap=0.5, method=method)
+    assert log.attrs["stopped"] == MEETS
+    assert final(log, "time") == pytest.approx(
+        0.1, abs=1e-8 if method == "event-driven" else 1.1e-3
+    )
+    assert set(log.mode.values) == {pp.ContactMode.SEPARATE}
+
+
+def test_a_slider_that_lands_flush_touches_first():
+    log = run(standing(SQUARE, (0, -1), 0.0, 0.5, INERTIA), (0, 0), 1.0, gap=0.3, twist=(0, -1, 0))
+    assert log.attrs["stopped"] == ""
+    assert pp.Event.TOUCHES in log.event.values
+    log = run(
+        standing(SQUARE, (0.5, -1), 0.0, 0.5, INERTIA), (0, 0), 1.0, gap=0.3, twist=(0, -1, 0)
+    )
+    assert log.attrs["stopped"] == MEETS
+    assert final(log, "time") == pytest.approx(0.3, abs=1e-8)
+
+
+def test_a_slider_that_falls_on_a_corner_turns_until_the_next_comes_down():
+    scene = standing(SQUARE, (-1, -1), 0.4, 1.0, BOTH)
+    log = check(run(scene, (0, 0.2), 9.0, gap=0.2, twist=(0, -0.5, 0)), 1e-8)
+    assert pp.Event.TOUCHES in log.event.values
+    assert log.attrs["stopped"] == MEETS
+    rotation = np.deg2rad(final(log, "rod_angle") - log.rod_angle[0].item())
+    assert rotation == pytest.approx(-0.4, abs=1e-8)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_no_corner_of_a_random_outline_is_ever_below_the_fence(seed):
+    random = np.random.default_rng(seed)
+    count = int(random.integers(3, 9))
+    angles = 2 * np.pi * (np.arange(count) + random.uniform(0, 0.4, count)) / count
+    radii = random.uniform(0.3, 1.5, count)  # hooks among them
+    shape = radii[:, None] * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+    tilt = random.uniform(0, 2 * np.pi)
+    contact = shape[turned(shape, tilt)[:, 1].argmin()]
+    if turned(contact, tilt)[1] > -0.05:
+        pytest.skip("the center is below the fence")
+    effects = (FRICTION, BOTH)[seed % 2]
+    scene = standing(shape, contact, tilt, random.uniform(0.1, 2), effects)
+    log = check(run(scene, heading(random.uniform(30, 150)), 8.0), 1e-8)
+    over = heights(log, shape, tilt)
+    assert over.min() > -1.001 * depth(scene)
+    if log.attrs["stopped"] == MEETS:
+        assert over[-1].min() == pytest.approx(-depth(scene), rel=1e-3)
+    else:
+        assert over.min() > -depth(scene)
+
+
+@pytest.mark.parametrize("effects", [FRICTION, BOTH], ids=["friction", "both"])
+def test_a_run_that_meets_nothing_is_that_without_an_outline_to_the_last_bit(effects):
+    scene = standing(SQUARE, (-1, -1), 0.3, 0.5, effects)
+    for velocity in (heading(150), [(0, heading(60)), (0.05, heading(-60))]):
+        log, plain = (run(each, velocity, 0.1) for each in (scene, without(scene)))
+        assert log.attrs["stopped"] == ""
+        xr.testing.assert_equal(log, plain)
+
+
+@METHODS
+@pytest.mark.parametrize("degrees", [60, 120])
+def test_a_finger_that_comes_to_the_end_of_its_side_ends_the_run(method, degrees):
+    scene = standing(SQUARE, (0.3, -1), 0.0, 0.1, side=(-1.3, 0.7))
+    pusher = pp.Pusher(velocity=heading(degrees), shape="finger")
+    log = run(scene, pusher, 9.0, method=method)
+    assert log.attrs["stopped"] == SIDE_ENDS
+    assert not log.parted.any()
+    plain = run(without(scene), pusher, 9.0, method=method)
+    assert plain.attrs["stopped"] == ""
+    parts = plain.time.values[plain.parted.values][0]
+    assert final(log, "time") == pytest.approx(
+        parts, abs=1e-12 if method == "event-driven" else 1e-2
+    )
+    if method == "event-driven":
+        assert pp.Event(final(log, "event")) == pp.Event.END_OF_SIDE
+        assert min(abs(final(log, "contact_position") - np.array([-1.3, 0.7]))) < 1e-9
+
+
+def test_a_finger_takes_no_notice_of_the_height_of_corners():
+    scene = standing(SQUARE, (0, -1), 0.0, 0.5, side=(-1, 1))
+    log = run(scene, pp.Pusher(velocity=heading(80), shape="finger"), 0.5)
+    assert log.attrs["stopped"] == ""
+    assert abs(final(log, "rod_angle") - 90) > 1
+
+
+@pytest.mark.parametrize("shape", ["fence", "finger"])
+def test_a_batch_ends_where_each_of_its_runs_does(shape):
+    laws = np.array([0.05, 0.3, 0.8, 2.0])
+    base = standing(SQUARE, (-0.9, -1) if shape == "finger" else (-1, -1), 0.3 * (shape == "fence"), 1.0,
+                    side=(-0.1, 1.9))  # fmt: skip
+    scenes = pp.Scene(slider=base.slider, contact=pp.Coulomb(laws), effects=FRICTION)
+    pusher = pp.Pusher(velocity=heading(60), shape=shape)
+    batch = pp.simulate_batch(scenes, pusher, duration=9.0)
+    meanings = batch.stopped.attrs["flag_meanings"].split()
+    ended = set()
+    for i, law in enumerate(laws):
+        alone = run(
+            pp.Scene(slider=base.slider, contact=pp.Coulomb(law), effects=FRICTION), pusher, 9.0
+        )
+        for name in ("rod_angle", "slip", "position"):
+            np.testing.assert_array_equal(batch[name].values[i], final(alone, name))
+        assert batch.time.values[i] == final(alone, "time")
+        wanted = {MEETS: "PENETRATES", SIDE_ENDS: "END_OF_SIDE", "": "NO"}[alone.attrs["stopped"]]
+        assert meanings[int(batch.stopped[i])] == wanted
+        ended.add(alone.attrs["stopped"])
+    assert MEETS in ended if shape == "fence" else SIDE_ENDS in ended
+
+
+def test_a_batch_of_radii_has_one_outline():
+    slider = standing(SQUARE, (-1, -1), 0.3, 1.0).slider
+    radii = np.array([0.7, 1.0, 1.4])
+    batch = pp.simulate_batch(
+        pp.Scene(
+            slider=pp.Slider(rod_length=slider.rod_length, rod_angle=slider.rod_angle, radius=radii,
+                             outline=slider.outline),
+            contact=pp.Coulomb(1.0), effects=FRICTION,
+        ),
+        pp.Pusher(velocity=(0, 1)), duration=9.0,
+    )  # fmt: skip
+    np.testing.assert_allclose(batch.rod_angle, np.rad2deg(slider.rod_angle - 0.3), atol=1e-6)
+    for i, radius in enumerate(radii):
+        own = pp.Slider(rod_length=slider.rod_length, rod_angle=slider.rod_angle, radius=radius,
+                        outline=slider.outline)  # fmt: skip
+        alone = run(pp.Scene(slider=own, contact=pp.Coulomb(1.0), effects=FRICTION), (0, 1), 9.0)
+        assert alone.attrs["stopped"] == MEETS
+        assert batch.time.values[i] == final(alone, "time")
+
+
+def test_an_outline_that_begins_through_the_fence_is_refused():
+    scene = standing(SQUARE, (0, -1), 0.2, 0.5)
+    message = f"outline: 'a corner {np.sin(0.2):.6g} below the fence' given; allowed: corners on"
+    with pytest.raises(pp.InvalidValue) as caught:
+        run(scene, (0, 1), 1.0)
+    assert message in str(caught.value)
+    assert "\n" not in str(caught.value)
+    with pytest.raises(pp.InvalidValue, match="below the fence"):
+        pp.simulate_batch(scene, pp.Pusher(velocity=(0, 1)), duration=1.0, gap=np.array([0.5, 0.1]))
+    assert run(scene, (0, 0.1), 1.0, gap=0.3).attrs["stopped"] == ""
+    assert run(scene, pp.Pusher(velocity=(0, 0.1), shape="finger"), 0.1).attrs["stopped"] == ""
+
+
+def test_shapes_that_do_not_match_are_refused_by_name():
+    slider = standing(SQUARE, (-1, -1), 0.3, 1.0).slider
+    scene = pp.Scene(
+        slider=pp.Slider(rod_length=np.full(3, slider.rod_length), rod_angle=slider.rod_angle,
+                         radius=1.0, outline=slider.outline),
+        contact=pp.Coulomb(1.0), effects=FRICTION,
+    )  # fmt: skip
+    with pytest.raises(pp.InvalidValue, match="shapes"):
+        pp.simulate_batch(scene, pp.Pusher(velocity=(0, 1)), duration=1.0, gap=np.zeros(2))
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_a_contact_that_is_written_with_seven_digits_is_on_the_side(seed):
+    """It is up to a millionth of the outline off the side, within or outside."""
+    random = np.random.default_rng(seed)
+    corners = np.round(turned(SQUARE, random.uniform(0, 2)), 4)
+    support = pp.SupportFriction(support=pp.Polygon(corners))
+    point = np.round(0.5 * (corners[0] + corners[1]) + random.uniform(-1e-7, 1e-7, 2), 7)
+    law = pp.Coulomb(0.5)
+    scene = pp.scene_at(point, effects=(support,), contact=law, outline=corners)
+    assert np.array(scene.placement.point) == pytest.approx(point, abs=3e-7)
+    corner = pp.scene_at(
+        corners[0] + (1e-7, -1e-7), -corners[0], effects=(support,), contact=law, outline=corners
+    )
+    assert corner.placement.point == tuple(corners[0])
+    for each in (scene, corner):
+        log = run(each, (0, 0.1), 1e-6)
+        assert final(log, "time") > 0

@@ -1,0 +1,187 @@
+"""The pusher's motion in a log: pieces, waypoints, and functions of time as polynomials."""
+
+from __future__ import annotations
+
+import math
+import time
+
+import numpy as np
+import pytest
+import xarray as xr
+from mechanics.builders import make_scene
+from simulation.runs import final, run
+
+import planar_pushing as pp
+
+SCENE = make_scene(2, 0.5)
+#: Far from a pusher that may come down to the slider.
+FAR = {"gap": 50.0}
+
+
+def displacement(velocity, duration, samples=101, breakpoints=(), **options):
+    """Times and displacement of a pusher that is far from the slider."""
+    pusher = pp.Pusher(velocity=velocity, breakpoints=breakpoints)
+    log = run(SCENE, pusher, duration, samples=samples, **options, **FAR)
+    return log.time.values, np.add(log.pusher.values, (0.0, FAR["gap"]))
+
+
+def test_constant_pieces_are_integrated_exactly():
+    times, path = displacement([(0, (1, 2)), (0.5, (0, 0)), (2.0, (3, -1))], 2.5, 6)
+    assert times.tolist() == [0.0, 0.5, 1.0, 1.5, 2.0, 2.5]
+    assert path.tolist() == [[0, 0], [0.5, 1], [0.5, 1], [0.5, 1], [0.5, 1], [2, 0.5]]
+
+
+def test_a_smooth_function_is_a_polynomial_to_rounding():
+    times, path = displacement(lambda t: (0.2 * t, math.sin(5 * t)), 3.0)
+    wanted = np.stack([0.1 * times**2, (1 - np.cos(5 * times)) / 5], axis=-1)
+    assert path == pytest.approx(wanted, abs=2e-14)  # the gap takes two digits
+
+
+def test_the_acceleration_of_a_function_is_that_of_its_polynomials():
+    """A mass that sticks has no force but that of the acceleration."""
+    scene = make_scene(2, pp.PerfectlyRough(), (pp.Inertia(mass=2.0),), psi=np.pi / 2)
+    log = run(scene, pp.Pusher(velocity=lambda t: (0.0, 0.4 * t + math.sin(5 * t))), 1.0)
+    wanted = 2.0 * (0.4 + 5 * np.cos(5 * log.time.values))
+    assert log.force.values[:, 1] == pytest.approx(wanted, abs=1e-9)
+    assert log.twist.values[:, 1] == pytest.approx(0.4 * log.time + np.sin(5 * log.time), abs=1e-9)
+
+
+def test_each_side_of_a_breakpoint_has_its_own_polynomials():
+    def velocity(t):
+        return 0.0, 1.0 if t < 1 else t
+
+    times, path = displacement(velocity, 2.0, breakpoints=(1.0,))
+    wanted = np.where(times < 1, times, 0.5 + times**2 / 2)
+    assert path[:, 1] == pytest.approx(wanted, abs=2e-14)
+    log = run(
+        make_scene(1, 0.5, psi=np.pi / 2), pp.Pusher(velocity=velocity, breakpoints=(1.0,)), 2.0
+    )
+    assert log.twist[:, 1].values == pytest.approx(np.maximum(1, log.time.values), abs=1e-13)
+
+
+def test_a_function_with_a_jump_takes_no_forever():
+    start = time.perf_counter()
+    _, path = displacement(lambda t: (0.0, 1.0 if t < 1 / 3 else 2.0), 1.0)
+    assert path[-1] == pytest.approx((0, 5 / 3), abs=1e-8)
+    log = run(SCENE, pp.Pusher(velocity=lambda t: (0.0, 1.0 if t < 1 / 3 else 2.0)), 1.0)
+    assert final(log, "pusher") == pytest.approx((0, 5 / 3), abs=1e-8)
+    assert final(log, "evaluations").max() < 10_000
+    assert time.perf_counter() - start < 30
+
+
+def test_what_rounding_leaves_of_a_velocity_is_zero():
+    """So that a slider is not pushed at once by a fence that starts from rest."""
+    log = run(SCENE, pp.Pusher(velocity=lambda t: (0.0, t * t)), 1.0, samples=3)
+    assert not log.twist[0].values.any()
+    assert log["mode"][0] == pp.ContactMode.SEPARATE
+    assert log["mode"][-1] != pp.ContactMode.SEPARATE
+
+
+@pytest.mark.parametrize("method", ["event-driven", "time-stepping"])
+@pytest.mark.parametrize(
+    "velocity",
+    [(1.0, -0.2), [(0, (1.0, -0.2)), (0.2, (0.9, -0.2))], lambda t: (1.0, -0.2 - 0.1 * t)],
+    ids=["constant", "pieces", "function"],
+)
+def test_each_policy_begins_at_its_time(velocity, method):
+    """Also between the pieces of the velocity, and at their breaks."""
+    scene, pusher = make_scene(2, 2.0), pp.Pusher(velocity=velocity)
+    policies = [(0, "stick"), (0.1, "slip-left"), (0.2, "separate"), (3.0, "stick")]
+    log = run(scene, pusher, 0.3, on_ambiguity=policies, method=method)
+    for mode, start, end in ((1, 0.0, 0.1), (3, 0.1, 0.2), (0, 0.2, 0.3)):
+        assert set(log.sel(time=slice(start + 1e-3, end - 1e-3))["mode"].values) == {mode}
+    times, path = log.time.values, log.pusher.values
+    alone = run(scene, pusher, 0.3)
+    for axis in (0, 1):
+        wanted = np.interp(times, alone.time.values, alone.pusher.values[:, axis])
+        assert path[:, axis] == pytest.approx(wanted, abs=1e-5)
+
+
+def test_arrays_are_velocities():
+    log = run(SCENE, np.array([0.0, 1.0]), 0.5)
+    assert final(log, "pusher") == pytest.approx([0, 0.5], abs=1e-12)
+
+
+# --- Waypoints -----------------------------------------------------------------------------------
+
+#: There and back, a stop, the same place again, and a jump in speed.
+WAYPOINTS = [
+    (0, (2, 1)),
+    (0.4, (2.1, 1.4)),
+    (0.7, (2.1, 1.4)),
+    (1.0, (1.9, 1.8)),
+    (1.1, (1.9, 1.7)),
+]
+
+
+@pytest.mark.parametrize("shape", ["fence", "finger"])
+@pytest.mark.parametrize("method", ["event-driven", "time-stepping"])
+@pytest.mark.parametrize("gap", [0.0, 0.25])
+def test_the_pusher_is_on_the_straight_way_between_the_waypoints(shape, method, gap):
+    pusher = pp.Pusher(waypoints=WAYPOINTS, shape=shape)
+    log = run(SCENE, pusher, 1.5, method=method, gap=gap)
+    times, places = [t for t, _ in WAYPOINTS], np.array([p for _, p in WAYPOINTS]) - (2, 1 + gap)
+    for axis in (0, 1):
+        way = np.interp(log.time, times, places[:, axis])
+        np.testing.assert_allclose(log.pusher[:, axis], way, atol=4e-15)
+    assert set(times) <= set(log.time.values)
+
+
+def test_waypoints_are_pieces_of_constant_velocity():
+    velocity = [(0, (0.0, 1.0)), (0.5, (-0.5, 0.25)), (1.5, (0.0, 0.0))]
+    waypoints = [(0, (0, 0)), (0.5, (0, 0.5)), (1.5, (-0.5, 0.75))]
+    pushers = [pp.Pusher(velocity=velocity), pp.Pusher(waypoints=waypoints)]
+    xr.testing.assert_identical(*(run(SCENE, each, 2.0) for each in pushers))
+    xr.testing.assert_identical(*(pp.simulate_batch(SCENE, each, duration=2.0) for each in pushers))
+
+
+# --- Refusals ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"waypoints": [(0, (0, 0)), (1, (0, 1)), (0.5, (1, 1))]}, "times that begin at 0 and increase"),
+        ({"waypoints": [(0, (0, 0)), (0, (0, 1))]}, "times that begin at 0 and increase"),
+        ({"waypoints": [(1, (0, 0)), (2, (0, 1))]}, "times that begin at 0 and increase"),
+        ({"waypoints": [(-1, (0, 0)), (2, (0, 1))]}, "waypoints: -1 given; allowed: times >= 0"),
+        ({"waypoints": [(0, (0, 0))]}, "allowed: at least two (time, (x, y)) of finite numbers"),
+        ({"waypoints": []}, "waypoints: [] given; allowed: at least two"),
+        ({"waypoints": 3}, "waypoints: 3 given; allowed: at least two"),
+        ({"waypoints": [(0, (0, 0)), (1, 2)]}, "allowed: at least two"),
+        ({"waypoints": [(0, 0, 0), (1, 2, 3)]}, "allowed: at least two"),
+        ({"waypoints": [(0, (0, 0)), (1, (0, np.nan))]}, "allowed: at least two"),
+        ({"waypoints": [(0, (0, 0)), (1e-200, (0, 1))]}, "velocity"),
+        ({"waypoints": WAYPOINTS, "velocity": (0, 1)}, "velocity: (0, 1) given; allowed: none with"),
+        ({}, "velocity: None given; allowed: (v_x, v_y)"),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_bad_waypoints_are_refused(given, message):
+    with pytest.raises(pp.InvalidValue) as caught:
+        pp.Pusher(**given)
+    assert message in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "velocity",
+    [
+        3, None, "ab", (1,), (1, 2, 3), (1, np.nan), [], [(0, 1)], [(1, (0, 1))],
+        [(0, (0, 1)), (0, (0, 2))], [(0, (0, np.inf))],
+    ],
+    ids=str,
+)  # fmt: skip
+def test_velocities_of_another_shape_are_refused(velocity):
+    with pytest.raises(pp.InvalidValue, match=r"velocity: .* given; allowed: "):
+        pp.Pusher(velocity=velocity)
+
+
+def test_function_that_returns_no_velocity_is_refused():
+    with pytest.raises(pp.InvalidValue, match=r"velocity: 1\.0 given"):
+        run(SCENE, pp.Pusher(velocity=lambda _: 1.0), 1)
+
+
+def test_breakpoints_in_disorder_are_refused():
+    with pytest.raises(pp.InvalidValue, match="breakpoints"):
+        pp.Pusher(velocity=lambda _: (0, 1), breakpoints=(2, 1))

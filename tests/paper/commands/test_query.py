@@ -1,0 +1,197 @@
+"""The command `query`, with right and with wrong input."""
+
+import json
+import shutil
+
+import pytest
+import xarray as xr
+
+from planar_pushing.commands import main
+from planar_pushing.terms.netcdf import write_dataset
+from pulling_by_pushing.study.catalog import DATASETS
+
+
+def test_query(run, results):
+    words = [
+        "--effects",
+        "inertia",
+        "--rod-length",
+        "2",
+        "--rod-angle",
+        "45",
+        "--friction-coefficient",
+        "2",
+    ]
+    code, out, _ = run("query", "motion_cones", "--results", results, *words)
+    assert code == 0
+    assert "effects=inertia, rod_length=2.0" in out
+    assert "motion_cone_right [degree]    -14.036243467" in out
+
+
+def test_query_with_equals_signs(run, results):
+    words = ["--effects=inertia", "--rod-length=2", "--rod-angle=45", "--friction-coefficient=inf"]
+    code, out, _ = run("query", "motion_cones", "--results", results, *words)
+    assert code == 0
+    assert "motion_cone_right [degree]    -33.69006752597" in out
+
+
+def test_query_of_several_axes_prints_a_table_each(run, results):
+    code, out, _ = run("query", "motion_cones", "--results", results, "--rod-length", "2")
+    assert code == 0
+    assert out.splitlines()[0] == "rod_length=2.0"
+    assert out.count("motion_cone_right [degree]") == 1
+
+
+CONTACT = [
+    "--effects", "support_friction", "--contact", "coulomb_2", "--rod-length", "2",
+    "--pusher-magnitude", "1",
+]  # fmt: skip
+
+
+def test_query_of_solutions_names_the_modes(run, results):
+    asked = ["--results", results, *CONTACT, "--pusher-angle", "-15"]
+    code, out, _ = run("query", "contact_modes", *asked)
+    assert code == 0
+    assert "outcome    AMBIGUOUS" in out
+    assert " twist [motion, motion, radian motion/length]\n" in out
+    table = out[out.index("mode  consistent") :].splitlines()[2:5]
+    assert [line.split()[:2] for line in table] == [
+        ["0", "SEPARATE"], ["1", "STICK"], ["2", "SLIP_LEFT"],
+    ]  # fmt: skip
+
+
+def test_places_behind_the_last_solution_are_not_printed(run, results):
+    code, out, _ = run("query", "contact_modes", "--results", results, *CONTACT)
+    assert code == 0
+    assert "NaN" not in out
+    assert " - " not in out
+
+
+def test_query_json(run, results):
+    words = ["--rod-length", "2", "--friction-coefficient", "inf", "--json"]
+    code, out, _ = run("query", "motion_cones", "--results", results, *words)
+    told = json.loads(out)
+    assert code == 0
+    assert told["dims"] == {"effects": 3, "rod_angle": 2}
+    assert told["coords"]["friction_coefficient"]["data"] == "inf"
+
+
+def test_query_lists_the_axes_and_their_values(run, results):
+    code, out, _ = run("query", "motion_cones", "--results", results, "--axes")
+    assert code == 0
+    assert [line.partition(":")[0] for line in out.splitlines()] == [
+        "--effects", "--friction-angle", "--friction-coefficient", "--rod-angle", "--rod-length",
+    ]  # fmt: skip
+    assert "--rod-length: 0, 1, 2, 5" in out
+    _, out, _ = run("query", "motion_cones", "--results", results, "--axes", "--rod-length", "2")
+    assert "--rod-length" not in out
+
+
+def test_help_lists_the_axes_of_every_dataset(capsys):
+    with pytest.raises(SystemExit):
+        main(["query", "--help"])
+    said = capsys.readouterr().out
+    for name, entry in DATASETS.items():
+        if entry.dims:
+            axes = " ".join("--" + dim.replace("_", "-") for dim in entry.dims)
+            assert f"{name}: {axes}\n" in said
+
+
+@pytest.mark.parametrize(
+    ("folder", "said"),
+    [
+        (
+            "nowhere",
+            "nowhere: no such folder; name the folder of the results, or build them with make, or with "
+            "planar-pushing run STUDY.yaml",
+        ),
+        (
+            "src",
+            "src: holds no folder data; name the folder of the results, or build them with make, or with "
+            "planar-pushing run STUDY.yaml",
+        ),
+    ],
+)
+def test_a_wrong_folder_is_named(refused, folder, said):
+    refused(["query", "motion_cones", "--results", folder], said)
+
+
+def test_a_dataset_that_is_not_built(refused, results):
+    refused(
+        ["query", "limit_curves", "--results", results],
+        f"{results}/data/limit_curves.nc: no such dataset; build it with planar-pushing run, from a study "
+        "that gives effects, rod_length, rod_angle, force_angle; make builds it for the study paper",
+    )
+
+
+def test_without_a_name_the_datasets_are_listed(run, results):
+    code, out, _ = run("query", "--results", results)
+    lines = out.splitlines()
+    assert code == 0
+    assert lines[:3] == [
+        "motion_cones   friction cones, and the motion cones to which they map",
+        "contact_modes  consistent solutions for each motion of the pusher: none, one or several",
+        "not built here:",
+    ]
+    assert lines[-1].startswith(
+        "  figures/NAME: build it with planar-pushing run, from a study that "
+    )
+    assert any(
+        "effects, hard_cases: build it with make, in the project's folder" in each for each in lines
+    )
+    code, out, _ = run("query", "--results", results, "--json")
+    listed = json.loads(out)
+    assert list(listed["datasets"]) == ["motion_cones", "contact_modes"]
+    assert "limit_curves" in listed["not_built"]
+    assert listed["studies"] == []
+
+
+def test_groups_files_and_studies_are_listed(run, results, tmp_path):
+    data = tmp_path / "results/studies/mine/data"
+    shutil.copytree(results, data.parent)
+    grouped = {"figure_02": xr.Dataset(), "figure_03": xr.Dataset()}
+    write_dataset({"/": xr.Dataset(attrs={"title": "Scenes"}), **grouped}, data / "scenes.nc")
+    (data / "simulations").mkdir()
+    (data / "simulations/push.nc").write_bytes(b"no data")
+    _, out, _ = run("query", "--results", str(tmp_path / "results"))
+    assert out.splitlines()[0].endswith("results: holds no datasets of the paper's study")
+    assert out.splitlines()[-1] == "other studies, for --study: mine"
+    _, out, _ = run("query", "--results", str(tmp_path / "results"), "--study", "mine")
+    listed = dict(line.split(maxsplit=1) for line in out.splitlines()[:5])
+    assert listed["scenes/figure_02"] == listed["scenes/figure_03"] == "scenes"
+    assert listed["simulations/push"].endswith(
+        "is not a netCDF4 file; give a dataset, or rebuild a damaged one"
+    )
+    assert "scenes/NAME" not in out
+
+
+def test_query_of_another_study(run, results, tmp_path):
+    folder = tmp_path / "results/studies/mine"
+    shutil.copytree(results, folder)
+    asked = ["--rod-length", "2", "--json"]
+    ours = run("query", "motion_cones", "--results", results, *asked)
+    theirs = ["--results", str(tmp_path / "results"), "--study", "mine"]
+    assert run("query", "motion_cones", *theirs, *asked) == ours
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["query", "motion_cones", "--rod-length=2", "--rod-length", "3"],
+         "query: '--rod-length=2 --rod-length 3' given; allowed: pairs"),
+        (["query", "cones"],
+         "name: 'cones' given; allowed: limit_curves"),
+        (["query", "motion_cone"],
+         "name: 'motion_cone' given; allowed: limit_curves, motion_cones"),
+        (["query", "motion_cones", "--rod-lenght", "2"],
+         "rod_lenght: '2' given; allowed: the axes effects"),
+        (["query", "motion_cones", "--rod-length", "7"],
+         "rod_length: '7' given; allowed: 0, 1, 2, 5; choose a value"),
+        (["query", "motion_cones", "--rod-length", "long"],
+         "rod_length: 'long' given; allowed: a number, or inf"),
+        (["query", "motion_cones", "--rod-length"],
+         "query: '--rod-length' given; allowed: pairs"),
+    ],
+)  # fmt: skip
+def test_wrong_input(refused, results, arguments, said):
+    refused([*arguments[:2], "--results", results, *arguments[2:]], said)

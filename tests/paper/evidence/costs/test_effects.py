@@ -1,0 +1,98 @@
+"""A scene pays for the effects that it lists, and for no other."""
+
+import json
+import sys
+from collections import Counter
+from functools import partial
+
+import numpy as np
+import pytest
+
+from planar_pushing.core import rows
+from planar_pushing.core.ring import ring_response
+from planar_pushing.mechanics import kernels
+from planar_pushing.mechanics.solve import solve
+from planar_pushing.terms.options import EffectSet, Method
+from pulling_by_pushing.evidence.costs import effects
+from pulling_by_pushing.study.study_file import load_study
+
+STUDY = load_study("workflow/config/smoke.yaml")
+EFFECTS = ("support_friction", "inertia")
+#: Kinds of the effects in the core; in a step, the momentum is a load.
+KINDS = {rows.RING: "support_friction", rows.MASS: "inertia", rows.LOAD: "inertia"}
+#: Computations that evaluate the effects.
+RUNS = {
+    "solve": lambda scene: solve(scene, 0.4),
+    **{str(method): partial(effects.run, method=method) for method in Method},
+}
+
+
+@pytest.fixture(scope="module")
+def found():
+    with pytest.MonkeyPatch.context() as patch:
+        for name in ("REPEATS", "COPIES"):
+            patch.setattr(effects, name, 2)
+        patch.setattr(effects, "DIVIDED_STEPS", 5)
+        yield effects.effects(STUDY)
+
+
+def listed(found):
+    return np.array([[e in names.split("+") for e in EFFECTS] for names in found.effects.values])
+
+
+def test_logs_hold_what_is_listed_and_nothing_else(found):
+    for names in STUDY.grid.effects:
+        for method in Method:
+            log = effects.run(effects.pushed_slider(STUDY, names), method)
+            assert log.effect.values.tolist() == names.split("+")
+            counts = found.evaluations.sel(integrator=str(method), effects=names, effect=log.effect)
+            assert np.array_equal(counts, log.evaluations[-1])
+    assert ((found.evaluations.values > 0) == listed(found)).all()
+
+
+def test_a_step_evaluates_the_motion_once(found):
+    steps = found.evaluations.sel(integrator="time-stepping").values
+    assert np.array_equal(steps, effects.STEPS * listed(found))
+
+
+@pytest.mark.parametrize("names", [*EffectSet])
+@pytest.mark.parametrize("run", RUNS)
+def test_the_core_evaluates_what_is_listed_and_nothing_else(monkeypatch, run, names):
+    """As a profiler of Python sees the plain core."""
+    monkeypatch.setattr(kernels, "COMPILED", None)
+    scene, evaluated, integrals = effects.pushed_slider(STUDY, names), Counter(), Counter()
+
+    def note(frame, event, _):
+        if event == "call" and frame.f_code is rows.effect_resistance.__code__:
+            given = frame.f_locals
+            evaluated[KINDS[rows.kind_of(given["effects"].data, given["effect"])]] += 1
+        elif event == "call":
+            integrals[frame.f_code is ring_response.__code__] += 1
+
+    sys.setprofile(note)
+    try:
+        RUNS[run](scene)
+    finally:
+        sys.setprofile(None)
+    assert evaluated.keys() <= set(names.split("+"))
+    assert (integrals[True] > 0) == (evaluated["support_friction"] > 0) == ("friction" in names)
+
+
+@pytest.mark.parametrize("number", [2, 5])
+def test_friction_divided_among_supports_is_that_of_one(number):
+    one, several = (solve(effects.divided(STUDY, each), 0.4) for each in (1, number))
+    for each, other in zip(one, several, strict=True):
+        assert other.force == pytest.approx(each.force, rel=1e-12)
+        assert other.twist == pytest.approx(each.twist, rel=1e-12)
+
+
+def test_every_computation_is_timed(found):
+    assert found.computation_seconds.dims == ("computation", "effects", "repeat")
+    assert found.supports_seconds.dims == ("supports", "repeat")
+    assert dict(found.sizes) == {
+        "integrator": 2, "effects": 3, "effect": 2, "computation": 5, "supports": 5, "repeat": 2,
+    }  # fmt: skip
+    assert (found.computation_seconds > 0).all()
+    assert (found.supports_seconds > 0).all()
+    assert all({"units", "long_name"} <= set(each.attrs) for each in found.variables.values())
+    assert json.loads(found.attrs["machine"])["cores"]

@@ -1,0 +1,115 @@
+"""Small studies, logs, and the figures that are drawn from them, each when it is first asked for."""
+
+from types import SimpleNamespace
+from unittest.mock import patch
+
+import pytest
+from drawing.conftest import LOGS as LOGS
+from drawing.conftest import OTHERS as OTHERS
+from drawing.conftest import Made
+from drawing.conftest import logs as logs
+from report.costs import accuracy, accuracy_time, effects, hard_cases
+from report.pushes import measured_pushes
+
+from planar_pushing.drawing.canvas import axes
+from planar_pushing.drawing.canvas.style import paper_style
+from planar_pushing.terms.netcdf import write_dataset
+from pulling_by_pushing.figures import render
+from pulling_by_pushing.figures.figure import drawing, entry, figure_names
+from pulling_by_pushing.figures.parts.measured import PUSHES_FILE
+from pulling_by_pushing.figures.studies import numbered, settings
+from pulling_by_pushing.study.running.build import build_dataset
+from pulling_by_pushing.study.slices import study_slice
+from pulling_by_pushing.study.study_file import load_study
+
+FIGURES, NUMBERED = figure_names(), numbered()
+#: Pictures by name: each figure, and its variant for one column.
+PICTURES = [name + variant for name in FIGURES for variant in entry(name).variants]
+
+
+@pytest.fixture(scope="session")
+def studies():
+    """The study of each figure."""
+    files = [f"workflow/config/{name}.yaml" for name in ("smoke", "sliders_smoke")]
+    return {name: study for study in map(load_study, files) for name in study.figures}
+
+
+@pytest.fixture(scope="session")
+def sources(studies, logs):
+    """Datasets by the names that figures read them by; times are made up."""
+
+    def whole(name):
+        study = studies["figure_16" if name.startswith("support") else "figure_01"]
+        return build_dataset(name, study_slice(study, name))
+
+    datasets = Made(whole)
+
+    def source(name):
+        if name == PUSHES_FILE:
+            return measured_pushes()
+        stem, _, group = name.partition("/")
+        if stem == "simulations":
+            return logs[group]
+        costs = {
+            "accuracy": accuracy, "accuracy_time": accuracy_time,
+            "effects": effects, "hard_cases": hard_cases,
+        }  # fmt: skip
+        if stem in costs:
+            return costs[stem](group) if group else costs[stem]()
+        return datasets[stem][group] if group else datasets[stem]
+
+    return Made(source)
+
+
+@pytest.fixture(scope="session")
+def plotted(studies, sources):
+    """The numbers that each figure plots."""
+
+    def select(name):
+        figure = drawing(name)
+        given = {each: sources[each] for each in figure.FIGURE.reads}
+        if not hasattr(figure, "select"):
+            return next(iter(given.values()))
+        values = settings(studies[name], name) if name in NUMBERED else {}
+        return figure.select(given, SimpleNamespace(**values))
+
+    return Made(select)
+
+
+@pytest.fixture(scope="session")
+def pictures(plotted):
+    """The pictures of `PICTURES`, with their axes, marks and sheets as `drawn`."""
+
+    def draw(name):
+        stem, drawn = name.removesuffix("_column"), []
+        spies = {
+            kind: lambda *given, add=add: (drawn.append(given), add(*given))
+            for kind, add in axes.DRAWN.items()
+        }
+        with paper_style(), patch.dict(axes.DRAWN, spies):
+            found = render.picture(stem, plotted[stem], name.removeprefix(stem))
+            found.draw_without_rendering()
+        found.drawn = drawn
+        return found
+
+    return Made(draw)
+
+
+@pytest.fixture
+def results(sources, tmp_path):
+    """A folder of results with what a figure reads."""
+
+    def write(name):
+        files = {}
+        for each in entry(name).reads:
+            stem, _, group = each.partition("/")
+            path = f"{stem}/{group}" if stem == "simulations" else stem
+            if group and path == stem:
+                files.setdefault(path, {})[group] = sources[each]
+            else:
+                files[path] = sources[each]
+        for path, given in files.items():
+            write_dataset(given, tmp_path / f"data/{path}.nc")
+        return tmp_path
+
+    return write

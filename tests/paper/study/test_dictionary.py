@@ -1,0 +1,75 @@
+"""The data dictionary covers every file that is written, and every one is opened by its name."""
+
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+import planar_pushing as pp
+from planar_pushing.scenes.files import load_scene_file
+from planar_pushing.scenes.simulate import simulate_file
+from planar_pushing.terms.netcdf import write_dataset
+from pulling_by_pushing.evidence.costs.effects import effects
+from pulling_by_pushing.evidence.costs.measure import accuracy, accuracy_time
+from pulling_by_pushing.evidence.hard_cases.dataset import build as hard_cases
+from pulling_by_pushing.figures.render import select
+from pulling_by_pushing.figures.studies import settings
+from pulling_by_pushing.study.catalog import DATASETS, EVIDENCE, TABLES
+from pulling_by_pushing.study.dictionary import dictionary_text
+from pulling_by_pushing.study.study_file import load_study
+
+SMOKE = "workflow/config/smoke.yaml"
+SLIDERS_SMOKE = "workflow/config/sliders_smoke.yaml"
+
+
+@pytest.fixture(scope="module")
+def whole(results, sliders):
+    """Results with a file of every kind."""
+    study = load_study(SMOKE)
+    for name in ("figure_14a", "figure_14b"):
+        log = simulate_file(load_scene_file(study.simulations[name]))
+        write_dataset(log, results / f"data/simulations/{name}.nc")
+    for name in study.figures:
+        data = select(name, results, SimpleNamespace(**settings(study, name)))
+        write_dataset(data, results / f"figures/data/{name}.nc")
+    log = simulate_file(load_scene_file("workflow/scenes/tripod.yaml"))
+    own = sliders / "studies/sliders"
+    write_dataset(log, own / "data/simulations/tripod.nc")
+    of_sliders = load_study(SLIDERS_SMOKE)
+    for name in of_sliders.figures:
+        data = select(name, own, SimpleNamespace(**settings(of_sliders, name)))
+        write_dataset(data, own / f"figures/data/{name}.nc")
+    write_dataset(accuracy(), results / "data/accuracy.nc")
+    write_dataset(accuracy_time(), results / "data/accuracy_time.nc")
+    write_dataset(effects(study), results / "data/effects.nc")
+    write_dataset(hard_cases(), results / "data/hard_cases.nc")
+    return results
+
+
+@pytest.mark.slow
+def test_data_dictionary_is_that_of_the_datasets(whole):
+    stored = Path("results/README.md").read_text(encoding="utf-8")
+    assert stored == dictionary_text(str(whole)), "run make dictionary"
+
+
+@pytest.mark.slow
+def test_every_file_is_opened_by_its_name(whole):
+    own = "studies/sliders/"
+    for path in whole.rglob("*.nc"):
+        stem = path.relative_to(whole).with_suffix("").as_posix()
+        study = "sliders" if stem.startswith(own) else None
+        stem = stem.removeprefix(own)
+        name = stem.replace("figures/data/", "figures/").removeprefix("data/")
+        try:
+            found = pp.open_dataset(name, whole, study=study)
+        except pp.InvalidValue as error:
+            parts = str(error).partition("allowed: ")[2].partition(";")[0].split(", ")
+            found = pp.open_dataset(parts[0], whole, study=study)
+        assert found.variables
+
+
+def test_the_dictionary_names_every_file():
+    stored = Path("results/README.md").read_text(encoding="utf-8")
+    for name in {**DATASETS, **EVIDENCE}:
+        assert f"data/{name}.nc" in stored
+    assert all(f"tables/{name}`" in stored for name in TABLES)

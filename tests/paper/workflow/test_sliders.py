@@ -1,0 +1,67 @@
+"""The study of sliders in the workflow: beside the paper's, and alone."""
+
+import pytest
+from workflow.conftest import Copy, copy_project
+from workflow.test_workflow import edited, jobs, outputs, targets
+
+from pulling_by_pushing.figures.studies import numbered
+from pulling_by_pushing.study.catalog import DATASETS
+from pulling_by_pushing.study.study_file import load_study
+
+pytestmark = pytest.mark.slow
+
+STUDY = "workflow/config/sliders_smoke.yaml"
+GALLERY = load_study(STUDY).figures
+OF_SUPPORTS = [name for name, entry in DATASETS.items() if "support" in entry.dims]
+
+
+@pytest.fixture(scope="module")
+def sliders(tmp_path_factory):
+    """A copy in which the smoke study of sliders is built."""
+    copy = Copy(copy_project(tmp_path_factory.mktemp("sliders")).root, STUDY)
+    copy.snakemake()
+    return copy
+
+
+def test_everything_is_built_into_a_folder_of_its_own(sliders):
+    files = set(sliders.digests())
+    assert {f"data/{name}.nc" for name in OF_SUPPORTS} | {"data/simulations/tripod.nc"} <= files
+    assert {f"figures/data/{name}.nc" for name in GALLERY} <= files
+    for kind in ("svg", "pdf", "png"):
+        assert {f"figures/{name}.{kind}" for name in GALLERY} <= files
+    others = DATASETS.keys() - set(OF_SUPPORTS)
+    assert not others & {path.stem for path in sliders.results.rglob("*.nc")}
+    assert [path.name for path in (sliders.root / "results").iterdir()] == ["studies"]
+    assert "Nothing to be done" in sliders.snakemake("--dry-run")
+
+
+def test_every_output_is_a_target(sliders):
+    assert outputs(sliders) == targets(sliders)
+
+
+@pytest.mark.parametrize(
+    ("module", "stale"),
+    [
+        ("figures/figure_17.py", {"figure": 1, "column_figure": 1}),
+        ("study/datasets/support_modes.py", {"dataset": 1}),
+        ("study/datasets/supports.py", {"dataset": 1, "figure": 3, "column_figure": 3}),
+        ("simulation/pusher.py", {"simulation": 1, "figure": 1, "column_figure": 1}),
+    ],
+)
+def test_only_what_depends_on_a_module_reruns(sliders, module, stale):
+    with edited(sliders.root / "src/planar_pushing" / module):
+        assert jobs(sliders.snakemake("--dry-run")) == stale | {"all": 1}
+
+
+def test_both_studies_are_built_and_nothing_twice(fresh):
+    # Without the golden data, which the copy lacks, there is no verdict and no report.
+    for name, golden in (("paper", "tests/golden"), ("sliders", "tests/golden/sliders")):
+        file = fresh.root / f"workflow/config/{name}.yaml"
+        text = file.read_text(encoding="utf-8").replace(f"golden: ../../{golden}\n", "")
+        file.write_text(text, encoding="utf-8")
+    alone = jobs(fresh.dry("--config", "study=workflow/config/sliders.yaml"))
+    assert alone == {"dataset": 3, "simulation": 1, "figure": 4, "column_figure": 4, "all": 1}
+    both = jobs(fresh.dry())
+    assert both["dataset"] == len(DATASETS)
+    assert both["figure"] == len(numbered())
+    assert jobs(fresh.dry("--config", "study=workflow/config/paper.yaml")) == both
