@@ -10,10 +10,10 @@ import numpy.typing as npt
 
 from planar_pushing.core.tolerances import RESOLUTION as RESOLUTION
 from planar_pushing.mechanics.arrays import dataset, is_labeled, named, same
-from planar_pushing.mechanics.status import Status
 from planar_pushing.terms.domain import RADIANS, TO_RADIANS, TURNS, required
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import Number, as_numbers, is_lazy
+from planar_pushing.terms.options import Status
 
 
 @dataclass(frozen=True, slots=True)

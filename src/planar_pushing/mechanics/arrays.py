@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextvars import ContextVar
 from dataclasses import fields
@@ -20,9 +20,9 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.kernels import run
-from planar_pushing.mechanics.status import FLAGS, flag_attributes
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import Array
+from planar_pushing.terms.options import FLAGS
 from planar_pushing.terms.quantities import MECHANICS, TWIST, TWIST_UNITS, attributes
 
 #: Rows per block: 1 to 100 ms of work, so that Ctrl-C is noticed and threads cost little.
@@ -201,6 +201,14 @@ def named(name: str, value: Any) -> Any:
         return value
     flags = flag_attributes(FLAGS[name]) if name in FLAGS else {}
     return value.rename(name).assign_attrs(attributes(MECHANICS, name) | flags)
+
+
+def flag_attributes(names: Mapping[str, int], dtype: npt.DTypeLike = np.int8) -> dict[str, Any]:
+    """Attributes of a variable of flags, by the CF conventions."""
+    return {
+        "flag_values": np.array([int(each) for each in names.values()], dtype),
+        "flag_meanings": " ".join(names),
+    }
 
 
 def component_labels() -> dict[str, Any]:

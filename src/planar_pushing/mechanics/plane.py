@@ -17,15 +17,27 @@ the force of the pusher on the slider. The moment arm ``h = l sin(psi - phi)`` i
 the line of force from the slider's center, and the spin ratio ``k = R omega / v`` compares the rotation
 with the center's speed `v` along `f`. "Motion" is velocity in a quasi-static scene and initial
 acceleration from rest otherwise. Angles are radians. The core has lengths in units of R.
+
+There are three frames. The *object's frame* is the user's own. The *fence frame* has its origin at the
+contact and +y along the inward normal there. The *body frame* has its origin at the slider's center and x
+along the rod, away from the contact.
 """
 
 from __future__ import annotations
 
+import math
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal, NamedTuple
+
 import numpy as np
 import numpy.typing as npt
 
+from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.kernels import run
+from planar_pushing.terms.declared import Pair, finite, require_declared
+from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import Array as Array
+from planar_pushing.terms.numbers import Number, as_array
 
 
 def direction(angle: npt.ArrayLike) -> Array:
@@ -35,3 +47,184 @@ def direction(angle: npt.ArrayLike) -> Array:
     """
     angles = np.asarray(angle, dtype=float)
     return run("unit_vectors", (), angles.reshape(-1, 1), 2).reshape(*angles.shape, 2)
+
+
+#: Kind of a vector of numbers, which determines how it transforms between frames.
+Kind = Literal["vector", "point", "twist", "wrench"]
+#: Rounding error of the length of a unit vector.
+UNIT = 4e-16
+#: Number of components of each kind.
+SIZES: dict[str, int] = {"vector": 2, "point": 2, "twist": 3, "wrench": 3}
+
+
+class Frame(NamedTuple):
+    """A frame: its origin and the direction of its x axis, in a parent frame."""
+
+    origin: tuple[Number, Number]
+    axis: tuple[Number, Number]
+
+    def vector_in(self, vector: npt.ArrayLike) -> Array:
+        """Vectors of shape S + (2,) from the parent frame to this frame."""
+        vectors = np.asarray(vector, dtype=float)
+        (x, y), (a, b) = (vectors[..., 0], vectors[..., 1]), self.axis
+        return _vectors(x * a + y * b, y * a - x * b)
+
+    def vector_out(self, vector: npt.ArrayLike) -> Array:
+        """Vectors of shape S + (2,) from this frame to the parent frame."""
+        vectors = np.asarray(vector, dtype=float)
+        (x, y), (a, b) = (vectors[..., 0], vectors[..., 1]), self.axis
+        return _vectors(x * a - y * b, y * a + x * b)
+
+    def point_in(self, point: npt.ArrayLike) -> Array:
+        """Points of shape S + (2,) from the parent frame to this frame."""
+        return self.vector_in(np.asarray(point, dtype=float) - self._origin)
+
+    def point_out(self, point: npt.ArrayLike) -> Array:
+        """Points of shape S + (2,) from this frame to the parent frame."""
+        return self.vector_out(point) + self._origin
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of an array of frames."""
+        return np.shape(self.axis[0])
+
+    @property
+    def _origin(self) -> Array:
+        return _vectors(*self.origin)
+
+    @property
+    def inverse(self) -> Frame:
+        """The parent frame, expressed in this frame."""
+        x, y = self.point_in((0.0, 0.0)).T
+        a, b = self.axis
+        return Frame((x.T, y.T), (a, -b))
+
+
+def _vectors(x: Number, y: Number) -> Array:
+    """Vectors of shape S + (2,) from their components."""
+    vectors = np.empty((*np.broadcast(x, y).shape, 2))
+    vectors[..., 0], vectors[..., 1] = x, y
+    return vectors
+
+
+def moved_place(place: tuple[float, float], frame: Frame) -> tuple[Number, Number]:
+    """A position expressed in another frame, or in each of an array of frames."""
+    x, y = components(frame.point_in(place), frame)
+    return x + 0.0, y + 0.0
+
+
+def components(vectors: Array, frame: Frame) -> tuple[Number, Number]:
+    """Components of a vector in a frame, or of one in each frame, labeled if the frames are."""
+    if not frame.shape:
+        x, y = vectors.tolist()
+        return x, y
+    other = frame.axis[0]
+    return labeled_like(other, vectors[..., 0]), labeled_like(other, vectors[..., 1])
+
+
+def labeled_like(other: Number, numbers: npt.NDArray[Any]) -> Number:
+    """An array with the labels of another one of its shape, if that has labels."""
+    return other.copy(data=numbers) if hasattr(other, "dims") else numbers
+
+
+#: Declaration of two numbers in the object's frame.
+OBJECT_PAIR = Pair(finite("give x and y in the object's frame"))
+
+
+@dataclass(frozen=True, slots=True)
+class Placement:
+    """Contact of an object: the fence frame in the object's frame.
+
+    Parameters
+    ----------
+    point : (x, y), of floats or arrays
+        The contact in the object's frame.
+    normal : (n_x, n_y), of floats or arrays
+        Inward normal there, in the object's frame; of any length, stored as a unit vector.
+
+    Raises
+    ------
+    InvalidValue
+        If the point or the normal is not two finite numbers, or the normal is zero.
+    """
+
+    point: Annotated[tuple[Number, Number], OBJECT_PAIR]
+    normal: Annotated[tuple[Number, Number], OBJECT_PAIR]
+
+    def __post_init__(self) -> None:
+        given = self.normal
+        require_declared(self)
+        (x, y), (n_x, n_y) = (map(_plain, each) for each in (self.point, self.normal))
+        with np.errstate(over="ignore"):
+            length = np.hypot(n_x, n_y)
+        if not ((length > 0.0) & (length < math.inf)).all():
+            raise InvalidValue(
+                "normal", given, "a nonzero vector",
+                "give the direction from the contact into the object",
+            )  # fmt: skip
+        # A unit vector is left unchanged.
+        length = np.where(abs(length - 1.0) <= UNIT, 1.0, length)[()]
+        object.__setattr__(self, "point", (x, y))
+        object.__setattr__(self, "normal", (_plain(n_x / length), _plain(n_y / length)))
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
+
+    @property
+    def fence(self) -> Frame:
+        """The fence frame in the object's: +y is the normal, +x the normal rotated by -90 degrees."""
+        x, y = self.normal
+        return Frame(self.point, (y, -x))
+
+
+def _plain(numbers: Number) -> Number:
+    """A number or an array without negative zeros."""
+    return numbers + 0.0 if np.ndim(numbers) else float(numbers) + 0.0
+
+
+def changed(value: npt.ArrayLike, kind: str, to: Frame, center: Array, into: bool) -> Array:
+    """Transform numbers from the fence frame to an object's frame, or back.
+
+    Parameters
+    ----------
+    value : array_like, shape S + (2,) or S + (3,)
+    kind : {"vector", "point", "twist", "wrench"}
+    to : Frame
+        The object's frame in the fence frame.
+    center : ndarray, shape (2,)
+        The slider's center in the fence frame. Twists and wrenches are about it in the fence frame, and
+        about the origin in the object's frame.
+    into : bool
+        Whether to transform into the object's frame.
+    """
+    numbers = _numbers(value, kind)
+    if kind == "vector":
+        return to.vector_in(numbers) if into else to.vector_out(numbers)
+    if kind == "point":
+        return to.point_in(numbers) if into else to.point_out(numbers)
+    lever = to._origin - center
+    plane, last = numbers[..., :2], numbers[..., 2]
+    if not into:
+        plane = to.vector_out(plane)
+        lever = -lever
+    if kind == "twist":
+        plane = plane + last[..., None] * np.stack([-lever[..., 1], lever[..., 0]], axis=-1)
+    else:
+        last = last - (lever[..., 0] * plane[..., 1] - lever[..., 1] * plane[..., 0])
+    plane = to.vector_in(plane) if into else plane
+    return np.concatenate([plane, np.broadcast_to(last, plane.shape[:-1])[..., None]], axis=-1)
+
+
+def _numbers(value: Any, kind: str) -> Array:
+    """Numbers of a kind, or `InvalidValue`."""
+    if kind not in SIZES:
+        raise InvalidValue("kind", kind, ", ".join(SIZES), "name one of these kinds")
+    numbers = as_array(value)
+    if numbers is None or numbers.shape[-1:] != (SIZES[kind],):
+        raise InvalidValue(
+            kind,
+            value,
+            f"numbers of shape S + ({SIZES[kind]},)",
+            "give the components along the last axis",
+        )
+    return numbers

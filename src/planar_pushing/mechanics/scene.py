@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.arrays import same
-from planar_pushing.mechanics.contact.laws import ContactLaw, as_numbers, is_law
+from planar_pushing.mechanics.contact import ContactLaw, as_numbers, is_law
 from planar_pushing.mechanics.effects import (
     Effect,
     Inertia,
@@ -20,24 +20,86 @@ from planar_pushing.mechanics.effects import (
     SupportFriction,
     Viscous,
 )
-from planar_pushing.mechanics.frames import Frame, Kind, Placement, changed
 from planar_pushing.mechanics.outline import required_outline
 from planar_pushing.mechanics.pictures import picture
-from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.mechanics.plane import Array, Frame, Kind, Placement, changed, direction
 from planar_pushing.mechanics.rows import Rows, extents, is_own_ring
+from planar_pushing.terms.declared import (
+    NUMBER,
+    PAIR,
+    Declaration,
+    Degrees,
+    Read,
+    Within,
+    nonnegative,
+    positive,
+    require_declared,
+)
 from planar_pushing.terms.domain import (
+    RADIANS,
+    TO_RADIANS,
+    TURNS,
     Number,
-    require_fields,
     required,
     required_ratio,
-    required_side,
 )
-from planar_pushing.terms.errors import InvalidValue, require_kind
+from planar_pushing.terms.errors import InvalidValue, as_floats, require_kind
 from planar_pushing.terms.numbers import pair_of
 from planar_pushing.terms.units import Units
 
 if TYPE_CHECKING:
     import xarray as xr
+
+
+#: The angle of the rod; the slider's center is above the fence.
+ROD_ANGLE = Degrees(
+    lambda x: (x > 0) & (x < math.pi), "radians in the open interval (0, pi)",
+    "keep the slider above the fence; convert degrees to radians with np.deg2rad",
+    degrees=Within(
+        lambda x: 0 < x < 180, "degrees in the open interval (0, 180)",
+        "keep the slider above the fence",
+        {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 180},
+    ),
+)  # fmt: skip
+ENDS = (
+    "(start, end) with start < 0 < end, infinite for a side without an end",
+    "measure both ends along the side from the contact, which is between them, the one toward -x first",
+)
+START, END = Within(lambda x: x < 0, *ENDS), Within(lambda x: x > 0, *ENDS)
+
+
+class Side(Declaration):
+    """Ends of a side, measured along it from the contact, which is between them."""
+
+    words = ENDS[0]
+    schema = PAIR | {"items": {"anyOf": [NUMBER, {"enum": ["inf", "-inf"]}]}}
+
+    def required(self, name: str, given: Any) -> tuple[Number, Number]:
+        pair = pair_of(given)
+        if pair is None:
+            raise InvalidValue(name, given, *ENDS)
+        ends = START.required(name, pair[0]), END.required(name, pair[1])
+        if any(0 in np.shape(each) for each in ends):
+            raise InvalidValue(name, given, *ENDS)
+        return ends
+
+    def read(self, given: Any) -> tuple[float, float]:
+        start, end = pair_of(given) or (None, None)
+        try:
+            return START.read(start), END.read(end)
+        except InvalidValue:
+            raise InvalidValue("", given, *ENDS) from None
+
+    def to_file(self, value: tuple[Number, Number]) -> list[float] | None:
+        ends = [float(each) for each in value]
+        return ends if any(map(math.isfinite, ends)) else None
+
+
+SIDE = Side()
+OUTLINE = Read(
+    lambda name, given: required_outline(given, name), "the corners of a simple polygon, in order",
+    {"type": "array", "minItems": 3, "items": PAIR},
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -68,20 +130,18 @@ class Slider:
         simple polygon.
     """
 
-    rod_length: Number
-    rod_angle: Number
-    radius: Number = None
-    side: tuple[Number, Number] = (-math.inf, math.inf)
-    outline: Any = None
+    rod_length: Annotated[
+        Number, nonnegative("give the distance from the contact to the slider's center")
+    ]
+    rod_angle: Annotated[Number, ROD_ANGLE]
+    radius: Annotated[Number, positive("give it in the unit of the rod length")] = None
+    side: Annotated[tuple[Number, Number], SIDE] = (-math.inf, math.inf)
+    outline: Annotated[Any, OUTLINE] = None
 
     def __post_init__(self) -> None:
-        require_fields(self, "rod_length", "rod_angle")
+        require_declared(self)
         if self.radius is not None:
-            require_fields(self, "radius")
             _ = self.length_ratio
-        object.__setattr__(self, "side", required_side(self.side))
-        if self.outline is not None:
-            object.__setattr__(self, "outline", required_outline(self.outline))
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)
@@ -328,3 +388,68 @@ def required_single(scene: Scene) -> Scene:
             "take the scenes one by one, or call simulate_batch",
         )  # fmt: skip
     return scene
+
+
+#: A pose: x, y, and the angle in radians.
+Pose = tuple[float, float, float]
+
+
+class World(NamedTuple):
+    """The world frame over time.
+
+    Attributes
+    ----------
+    fence : Frame
+        The fence frame at time 0, in the world.
+    origin : ndarray, shape (2,)
+        Origin of the object's frame, in the body frame.
+    angle : float
+        Angle of the object in the world minus the rod angle, a constant.
+    """
+
+    fence: Frame
+    origin: Array
+    angle: float
+
+    def object_pose(self, position: Array, rod_angle: Array) -> tuple[Array, Array]:
+        """Positions of the object in the world, shape S + (2,), and angles in degrees, shape S.
+
+        Parameters
+        ----------
+        position : ndarray, shape S + (2,)
+            The slider's center in the fence frame of time 0.
+        rod_angle : ndarray, shape S
+            Radians.
+        """
+        body = Frame((position[..., 0], position[..., 1]), (np.cos(rod_angle), np.sin(rod_angle)))
+        place = self.fence.point_out(body.point_out(self.origin))
+        return place, np.asarray(np.rad2deg(rod_angle + self.angle))
+
+
+def world_of(scene: Scene, pose: Pose) -> World:
+    """The world of a scene whose object has this pose at time 0."""
+    x, y, angle = pose
+    own = _frame((x, y), direction(angle))
+    origin = own.point_out(scene.to_object((0.0, 0.0), "point"))
+    fence = _frame(origin, own.vector_out(scene.to_object((1.0, 0.0), "vector")))
+    rod, length = float(scene.slider.rod_angle), float(scene.slider.rod_length)
+    body = _frame(length * direction(rod), direction(rod))
+    return World(fence, body.point_in(scene.to_fence((0.0, 0.0), "point")), angle - rod)
+
+
+def _frame(origin: Any, axis: Any) -> Frame:
+    return Frame((float(origin[0]), float(origin[1])), (float(axis[0]), float(axis[1])))
+
+
+def required_pose(given: Any) -> Pose:
+    """A pose as floats, or `InvalidValue`."""
+    pose = as_floats(given)
+    if len(pose) != 3 or not all(map(math.isfinite, pose)):
+        raise InvalidValue(
+            "object_pose", given, "(x, y, angle) of finite numbers",
+            "give the pose of the object's frame in the world at time 0, the angle in radians",
+        )  # fmt: skip
+    x, y, angle = pose
+    if abs(angle) > TURNS:
+        raise InvalidValue("object_pose", given, f"an angle in {RADIANS}", TO_RADIANS)
+    return x, y, angle

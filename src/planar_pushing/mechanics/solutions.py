@@ -17,8 +17,8 @@ from planar_pushing.mechanics.entries import to_json
 from planar_pushing.mechanics.force.derivatives import Derivatives
 from planar_pushing.mechanics.pictures import picture
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.status import BEHIND
 from planar_pushing.terms.errors import InvalidValue, number_of
+from planar_pushing.terms.options import BEHIND
 
 if TYPE_CHECKING:
     import xarray as xr

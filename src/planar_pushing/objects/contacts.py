@@ -15,7 +15,7 @@ from math import copysign, hypot, inf, sqrt
 from typing import NamedTuple
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.objects.sides import Side
+from planar_pushing.objects.boundary import Side
 from planar_pushing.objects.wrench_set import WrenchSet
 from planar_pushing.terms.domain import ROUGHEST
 

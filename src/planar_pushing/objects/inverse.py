@@ -11,9 +11,9 @@ import numpy.typing as npt
 from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.objects.boundary import Side, sides
 from planar_pushing.objects.contacts import Contact, Stretch, stretches
 from planar_pushing.objects.resistance import motion_at, require_friction, required_effects
-from planar_pushing.objects.sides import Side, sides
 from planar_pushing.objects.wrench_set import required_twist, wrench_set
 
 

@@ -7,8 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from planar_pushing.mechanics.arrays import is_labeled
-from planar_pushing.mechanics.frames import Placement, labeled_like
-from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.plane import Array, Placement, labeled_like
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import required_array

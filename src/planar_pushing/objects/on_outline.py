@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.frames import Placement
 from planar_pushing.mechanics.outline import Corners
-from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.plane import Array, Placement
 from planar_pushing.objects.boundary import nearest, sides_between
 from planar_pushing.objects.many import Contacts
 from planar_pushing.terms.domain import Number

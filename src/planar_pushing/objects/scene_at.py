@@ -11,9 +11,8 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactLaw
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
-from planar_pushing.mechanics.frames import Frame, Placement
 from planar_pushing.mechanics.outline import required_outline
-from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.plane import Array, Frame, Placement
 from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.objects.many import Contacts, required_contacts

@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 import math
 import re
-from collections.abc import Callable
 from enum import StrEnum
 from typing import Annotated, Any, Literal
 
@@ -19,12 +18,11 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.terms.domain import SIDE
+from planar_pushing.mechanics.contact import FRICTION_COEFFICIENT, ContactMode
+from planar_pushing.mechanics.scene import ROD_ANGLE
+from planar_pushing.terms.declared import NUMBER, Within, finite, nonnegative, positive
+from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import (
-    SAMPLES,
-    TOLERANCE,
-    AtZeroNormal,
     EffectSet,
     Event,
     Method,
@@ -39,21 +37,31 @@ def refuse(allowed: str) -> PydanticCustomError:
     return PydanticCustomError("not_allowed", "{allowed}", {"allowed": allowed})
 
 
+def refused(name: str, given: object, allowed: str, remedy: str) -> PydanticCustomError:
+    """Error for a key of a section whose value is not as `allowed` describes."""
+    context = {"name": name, "given": given, "allowed": allowed, "remedy": remedy}
+    return PydanticCustomError("refused", "{allowed}", context)
+
+
 class FileModel(BaseModel):
     """Section of a file; it is frozen and rejects unknown keys."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True)
+    model_config = ConfigDict(extra="forbid", frozen=True, ser_json_inf_nan="constants")
 
     @model_validator(mode="before")
     @classmethod
     def _known_keys(cls, given: object) -> object:
-        if not isinstance(given, dict):
-            raise refuse(f"a mapping with the keys {', '.join(cls.model_fields)}")
-        for key in given:
-            if key not in cls.model_fields:
-                context = {"key": key, "known": list(cls.model_fields)}
-                raise PydanticCustomError("unknown_key", "unknown key", context)
-        return given
+        return known_keys(given, list(cls.model_fields))
+
+
+def known_keys(given: object, known: list[str]) -> object:
+    """Refuse anything but a mapping with some of these keys."""
+    if not isinstance(given, dict):
+        raise refuse(f"a mapping with the keys {', '.join(known)}")
+    for key in given:
+        if key not in known:
+            raise PydanticCustomError("unknown_key", "unknown key", {"key": key, "known": known})
+    return given
 
 
 def _not_empty(given: object) -> object:
@@ -105,43 +113,9 @@ Truth = Annotated[bool, BeforeValidator(_truth)]
 FilePath = Annotated[str, BeforeValidator(_file_path)]
 
 
-def _number(given: object, allows: Callable[[float], bool], allowed: str) -> float:
-    number = math.inf if given == "inf" else given
-    if isinstance(number, bool) or not isinstance(number, (int, float)):
-        raise refuse(allowed)
-    try:
-        value = float(number)
-    except OverflowError:
-        raise refuse(allowed) from None
-    if not allows(value):
-        raise refuse(allowed)
-    return value
-
-
-def number(allowed: str, allows: Callable[[float], bool], **schema: Any) -> Any:
-    """Type of a number that satisfies `allows`, described by `allowed`."""
-    return Annotated[
-        float,
-        BeforeValidator(lambda given: _number(given, allows, allowed)),
-        WithJsonSchema({"description": allowed} | (schema or {"type": "number"})),
-    ]
-
-
 def choice(options: type[StrEnum]) -> Any:
     """Type of a text that must be one of these options."""
     return Literal.__getitem__(tuple(map(str, options)))
-
-
-#: Corners of a regular polygon.
-CornerCount: Any = number(
-    "a whole number >= 3", lambda x: x >= 3 and x == int(x), type="integer", minimum=3
-)
-#: Counting numbers.
-COUNT = "an integer >= 1"
-
-
-def _counts(given: float) -> bool:
-    return 1 <= given < math.inf and given == int(given)
 
 
 def spelled(options: type[StrEnum]) -> Any:
@@ -161,32 +135,6 @@ def named(names: tuple[str, ...]) -> Any:
     return Annotated[Literal.__getitem__(names), BeforeValidator(known)]
 
 
-def _side(given: object) -> object:
-    ends = [_number_of(each) for each in given] if isinstance(given, (list, tuple)) else []
-    if len(ends) != 2 or not ends[0] < 0 < ends[1]:
-        raise refuse(f"{SIDE[0]}; {SIDE[1]}")
-    return tuple(ends)
-
-
-def _number_of(given: object) -> float:
-    """Convert to a number; JSON stores infinity as text. NaN if it is not a number."""
-    number = (
-        {"inf": math.inf, "-inf": -math.inf}.get(given, given) if isinstance(given, str) else given
-    )
-    plain = isinstance(number, (int, float)) and not isinstance(number, bool)
-    return float(number) if plain else math.nan  # type: ignore[arg-type]
-
-
-END = {"anyOf": [{"type": "number"}, {"enum": ["inf", "-inf"]}]}
-#: Ends of a side, measured along it from the contact.
-Side = Annotated[
-    tuple[float, float],
-    BeforeValidator(_side),
-    WithJsonSchema(
-        {"description": SIDE[0], "type": "array", "minItems": 2, "maxItems": 2, "items": END}
-    ),
-]
-
 #: Maximum number of values on an axis.
 MOST = 10**5
 AXIS = (
@@ -200,10 +148,7 @@ def _expand(given: object) -> object:
         given = _range(given)
     elif isinstance(given, (list, tuple)) and any(isinstance(each, dict) for each in given):
         parts = [_range(each) if isinstance(each, dict) else [each] for each in given]
-        numbers = [
-            _number(each, lambda x: not math.isnan(x), AXIS) for part in parts for each in part
-        ]
-        given = sorted(set(numbers))
+        given = sorted({_axis_number(each) for part in parts for each in part})
     if not isinstance(given, (list, tuple)):
         raise refuse(AXIS)
     if not given:
@@ -215,7 +160,14 @@ def _range(given: dict[object, object]) -> list[float]:
     keys = ("start", "stop", "step")
     if set(given) != set(keys):
         raise refuse(AXIS)
-    return _steps(*(_number(given[key], math.isfinite, AXIS) for key in keys))
+    return _steps(*(_axis_number(given[key]) for key in keys))
+
+
+def _axis_number(given: object) -> float:
+    try:
+        return NOT_NAN.read(given)
+    except InvalidValue:
+        raise refuse(AXIS) from None
 
 
 def _increasing(values: tuple[float, ...]) -> tuple[float, ...]:
@@ -238,7 +190,7 @@ def _steps(start: float, stop: float, step: float) -> list[float]:
 
 def axis(item: Any) -> Any:
     """Type of a grid axis: a range, or a list of ranges and numbers of type `item`."""
-    numbers = item.__metadata__[-1].json_schema
+    numbers = {"description": item.__metadata__[0].words} | dict(item.__metadata__[0].schema)
     span = {"type": "object", "additionalProperties": False, "required": ["start", "stop", "step"]}
     span["properties"] = {
         "start": numbers,
@@ -255,44 +207,38 @@ def axis(item: Any) -> Any:
     ]
 
 
-Positive: Any = number(
-    "a finite number > 0", lambda x: 0 < x < math.inf, type="number", exclusiveMinimum=0
-)
-NonNegative: Any = number(
-    "a finite number >= 0", lambda x: 0 <= x < math.inf, type="number", minimum=0
-)
-RodAngle: Any = number(
-    "degrees in the open interval (0, 180)", lambda x: 0 < x < 180,
-    type="number", exclusiveMinimum=0, exclusiveMaximum=180,
-)  # fmt: skip
-Degrees: Any = number("a finite number of degrees", math.isfinite)
-FiniteNumber: Any = number("a finite number", math.isfinite)
-RelativeTolerance: Any = number(
-    TOLERANCE.allowed, TOLERANCE.holds,
-    type="number", minimum=TOLERANCE.least, maximum=TOLERANCE.most,
-)  # fmt: skip
-SampleCount: Any = number(
-    SAMPLES.allowed, lambda n: SAMPLES.holds(n) and n == int(n),
-    type="integer", minimum=SAMPLES.least, maximum=int(SAMPLES.most),
-)  # fmt: skip
-Number: Any = number("a number, or inf", lambda x: not math.isnan(x))
-Share: Any = number(
-    "a number in [0, 1]", lambda x: 0 <= x <= 1, type="number", minimum=0, maximum=1
-)
-FrictionCoefficient: Any = number(
-    "a number >= 0, or inf", lambda x: x >= 0,
-    anyOf=[{"type": "number", "minimum": 0}, {"const": "inf"}],
-)  # fmt: skip
-FiniteFrictionCoefficient: Any = number(
-    "a finite number >= 0; infinite friction is a separate law, law: infinite_friction",
-    lambda x: 0 <= x < math.inf, type="number", minimum=0,
-)  # fmt: skip
-
+#: A remedy that says no more than that the value is wrong.
+CHANGE = "change the value"
+POSITIVE, NONNEGATIVE, FINITE = positive(CHANGE), nonnegative(CHANGE), finite(CHANGE)
+Positive = Annotated[float, POSITIVE]
+NonNegative = Annotated[float, NONNEGATIVE]
+FiniteNumber = Annotated[float, FINITE]
+RodAngle = Annotated[float, ROD_ANGLE.degrees]
+Degrees = Annotated[float, finite(CHANGE, "a finite number of degrees")]
+NOT_NAN = Within(lambda x: not math.isnan(x), "a number, or inf", CHANGE)
+Number = Annotated[float, NOT_NAN]
+Share = Annotated[
+    float,
+    Within(
+        lambda x: 0 <= x <= 1, "a number in [0, 1]", CHANGE, NUMBER | {"minimum": 0, "maximum": 1}
+    ),
+]
+FrictionCoefficient = Annotated[
+    float,
+    Within(
+        lambda x: x >= 0, "a number >= 0, or inf", CHANGE,
+        {"anyOf": [NUMBER | {"minimum": 0}, {"const": "inf"}]},
+    ),
+]  # fmt: skip
+FiniteFrictionCoefficient = Annotated[float, FRICTION_COEFFICIENT]
 Count = Annotated[
     int,
-    BeforeValidator(lambda given: int(_number(given, _counts, COUNT))),
-    WithJsonSchema({"type": "integer", "minimum": 1, "description": COUNT}),
-]
+    Within(
+        lambda x: 1 <= x < math.inf and x == int(x), "an integer >= 1", CHANGE,
+        {"type": "integer", "minimum": 1},
+    ),
+    AfterValidator(int),
+]  # fmt: skip
 
 PolicyName: Any = choice(Policy)
 MethodName: Any = choice(Method)
@@ -300,7 +246,6 @@ ShapeName: Any = spelled(Shape)
 FrameName: Any = spelled(PusherFrame)
 EventName = named(tuple(event.name for event in Event if event is not Event.NONE))
 ModeName = named(tuple(mode.name for mode in ContactMode))
-AtZeroNormalName: Any = choice(AtZeroNormal)
 EffectsName: Any = choice(EffectSet)
 
 Coordinates: Any = axis(FiniteNumber)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -10,9 +11,9 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 from ruamel.yaml import YAML
 
-from planar_pushing.mechanics.entries import is_in_files, scene_entry
+from planar_pushing.mechanics.entries import TAGS, scene_entry
 from planar_pushing.mechanics.scene import Scene, required_scene, required_single
-from planar_pushing.mechanics.supports import SHAPES
+from planar_pushing.mechanics.supports import SHAPES, Composite
 from planar_pushing.scenes.fields import FileModel
 from planar_pushing.scenes.object_model import ObjectFile
 from planar_pushing.scenes.scene_model import SceneFile
@@ -59,13 +60,19 @@ def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
         raise InvalidValue("title", title, "text", "name the scene")
     for effect in required_single(required_scene(scene)).effects:
         support = getattr(effect, "support", None)
-        if support is not None and not is_in_files(support):
+        if support is not None and not _is_in_files(support):
             raise InvalidValue(
                 "support", support, f"the shapes of scene files: {', '.join(SHAPES)}",
                 "describe it by these shapes, for instance as a Composite of them",
             )  # fmt: skip
     entry = scene_entry(scene, title)
     save_scene_file(SceneFile.model_validate(entry), require_path("path", path))
+
+
+def _is_in_files(support: Any) -> bool:
+    """Whether a scene file can describe a support: all but those of a class of the user's own."""
+    members = support.members if type(support) is Composite else ()
+    return type(support) in TAGS and all(_is_in_files(member) for _, member in members)
 
 
 def save_scene_file(file: SceneFile, path: PathLike) -> None:
@@ -115,9 +122,8 @@ def _key(location: tuple[int | str, ...]) -> str:
     """Location as written in the file, without the tags that distinguish laws, effects and policies."""
     key, previous = "", None
     for index, part in enumerate(location):
-        tag = previous in ("contact", "support", "on_ambiguity") or (
-            index > 1 and location[index - 2] in ("effects", "supports")
-        )
+        tag = previous in ("support", "on_ambiguity") or location[:index] == ("contact",)
+        tag |= index > 1 and location[index - 2] in ("effects", "supports")
         if isinstance(part, int):
             key += f"[{part}]"
         elif not tag:
@@ -148,11 +154,14 @@ def explain(path: Path, error: ErrorDetails) -> str:
             word = shown(unknown)[1:].removesuffix("'") if isinstance(unknown, str) else unknown
             key, given = (f"{key}.{word}" if key else str(word)), given[unknown]
             allowed = f"the keys {', '.join(known)}"
-        case "refused" | "refused_in":
-            key = f"{context.get('place', f'{key}.')}{context['name']}"
-            given, remedy = context["given"], context["remedy"]
+        case "refused":
+            name, remedy = context["name"], context["remedy"]
+            key = f"{key}.{name}" if key and name[:1] not in ("", "[") else f"{key}{name}"
+            given = context["given"] if name else given
         case "union_tag_invalid":
-            allowed = f"{context['discriminator']} one of {context['expected_tags']}"
+            tag, words = context["discriminator"][1:-1], context["expected_tags"]
+            key, given, allowed = f"{key}.{tag}", context["tag"], words
+            remedy = suggestion(given, re.findall(r"\w+", words), remedy)
         case "union_tag_not_found":
             allowed = f"a mapping with the key {context['discriminator']}"
         case "literal_error":

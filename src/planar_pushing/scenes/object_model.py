@@ -9,19 +9,15 @@ from pydantic_core import PydanticCustomError
 
 from planar_pushing.mechanics.entries import scene_entry
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.supports.base import POSITION, POSITIONS
 from planar_pushing.objects.scene_at import scene_at
+from planar_pushing.scenes.entries import ContactEntry, EffectEntry, UnitsEntry
 from planar_pushing.scenes.fields import FileModel, NotEmpty, Positive, Text
-from planar_pushing.scenes.scene_model import (
-    ContactEntry,
-    EffectEntry,
-    SceneFile,
-    UnitsEntry,
-    require_inertia,
-)
+from planar_pushing.scenes.scene_model import SceneFile, require_inertia
 from planar_pushing.scenes.simulate_model import SimulateEntry
-from planar_pushing.scenes.support_model import Point, Points
 from planar_pushing.terms.errors import InvalidValue
 
+Point = Annotated[Any, POSITION]
 #: Types of effects that have a support.
 RESTING = ("support_friction", "viscous")
 #: Keys of a file for the parameters that `scene_at` can reject.
@@ -52,7 +48,7 @@ class ObjectEntry(FileModel):
     Effects without a support act on the feet or, without feet, on the whole outline with uniform pressure.
     """
 
-    outline: Points | None = None
+    outline: Annotated[Any, POSITIONS] | None = None
     feet: Annotated[tuple[FootEntry, ...], NotEmpty] | None = None
     contact: PlaceEntry
 
@@ -92,8 +88,8 @@ class ObjectFile(FileModel):
         try:
             self.build()
         except InvalidValue as error:
-            about = vars(error) | {"place": PLACES.get(error.name, "")}
-            raise PydanticCustomError("refused_in", "{allowed}", about) from None
+            about = vars(error) | {"name": PLACES.get(error.name, "") + error.name}
+            raise PydanticCustomError("refused", "{allowed}", about) from None
         return self
 
     def build(self) -> Scene:

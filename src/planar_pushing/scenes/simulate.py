@@ -36,7 +36,6 @@ def simulate_file(
 def arguments(entry: SimulateEntry) -> dict[str, Any]:
     """Keyword arguments of `simulate`; angles in radians."""
     twist, pose, until = entry.initial_twist, entry.object_pose, entry.until
-    goals = Until(**until.goals) if until and until.goals else None
     return {
         "pusher": _pusher(entry),
         "duration": entry.duration,
@@ -47,7 +46,7 @@ def arguments(entry: SimulateEntry) -> dict[str, Any]:
         "gap": entry.initial_gap,
         "samples": int(entry.samples),
         "step": entry.step,
-        "until": (until.event or until.mode or goals) if until else None,
+        "until": (until.event or until.mode or Until(**until.goals)) if until else None,
         "object_pose": (pose.x, pose.y, float(in_radians(pose.angle))) if pose else None,
     }
 

@@ -22,10 +22,18 @@ from planar_pushing.scenes.fields import (
     NotEmpty,
     PolicyName,
     Positive,
-    RelativeTolerance,
-    SampleCount,
     ShapeName,
     refuse,
+    refused,
+)
+from planar_pushing.terms.domain import (
+    DISTANCE,
+    DURATION,
+    FINGER_RADIUS,
+    GAP,
+    ROTATION,
+    RTOL,
+    SAMPLE_COUNT,
 )
 from planar_pushing.terms.options import Method, Policy, PusherFrame, Shape
 
@@ -73,22 +81,20 @@ class UntilEntry(FileModel):
 
     event: EventName | None = None
     mode: ModeName | None = None
-    rotation: Positive | None = None
-    distance: Positive | None = None
-    pusher_distance: Positive | None = None
+    rotation: Annotated[float, ROTATION] | None = None
+    distance: Annotated[float, DISTANCE] | None = None
+    pusher_distance: Annotated[float, DISTANCE] | None = None
 
     @model_validator(mode="after")
     def _one(self) -> Self:
         if sum(map(bool, (self.event, self.mode, self.goals))) != 1:
             raise refuse("an event, a mode, or some of rotation, distance and pusher_distance")
-        if self.rotation is not None and self.rotation > 720.0:
-            raise refuse("a rotation of at most 720 degrees")
         return self
 
     @property
     def goals(self) -> dict[str, float]:
         """The given goals; angles in radians."""
-        rotation = None if self.rotation is None else math.radians(self.rotation)
+        rotation = None if self.rotation is None else ROTATION.from_file(self.rotation)
         goals = {
             "rotation": rotation,
             "distance": self.distance,
@@ -119,35 +125,40 @@ class SimulateEntry(FileModel):
     pusher_angle: Degrees | None = None
     pusher_speed: NonNegative | None = None
     pusher_shape: ShapeName = Shape.FENCE.value
-    pusher_radius: NonNegative | None = None
+    pusher_radius: Annotated[float, FINGER_RADIUS] | None = None
     pusher_frame: FrameName = PusherFrame.FENCE.value
     pusher: Annotated[tuple[PieceEntry, ...], NotEmpty] | None = None
     waypoints: tuple[WaypointEntry, ...] | None = None
-    duration: Positive
+    duration: Annotated[float, DURATION]
     method: MethodName = Method.EVENT_DRIVEN.value
     on_ambiguity: PolicyEntries = Policy.KEEP_CONTACT.value
-    rtol: RelativeTolerance = 1e-10
+    rtol: Annotated[float, RTOL] = 1e-10
     initial_twist: TwistEntry | None = None
-    initial_gap: NonNegative = 0.0
+    initial_gap: Annotated[float, GAP] = 0.0
     object_pose: PoseEntry | None = None
     until: UntilEntry | None = None
-    samples: SampleCount = 101
+    samples: Annotated[float, SAMPLE_COUNT] = 101
     step: Positive | None = None
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
-        if [self.pusher_angle, self.pusher, self.waypoints].count(None) != 2:
-            raise refuse("exactly one of pusher_angle, pusher and waypoints")
+        kinds = ("pusher_angle", "pusher", "waypoints")
+        given = [name for name in kinds if getattr(self, name) is not None]
+        if len(given) != 1:
+            allowed = f"exactly one of {', '.join(kinds[:2])} and {kinds[2]}"
+            if given:
+                raise refused(given[1], " and ".join(given), allowed, "remove the others")
+            raise refused(kinds[0], None, allowed, "give one of them")
         if self.pusher_angle is None and self.pusher_speed is not None:
-            raise refuse(
-                "pusher_speed with pusher_angle only; each piece of pusher has its own speed"
-            )
+            self._refuse("pusher_speed", "pusher_angle", "give each piece of pusher its own speed")
         if self.pusher_radius and self.pusher_shape != Shape.FINGER:
-            raise refuse("pusher_radius with pusher_shape finger only; a fence is a line")
-        if self.waypoints is not None and len(self.waypoints) < 2:
-            raise refuse("at least two waypoints")
+            self._refuse("pusher_radius", "pusher_shape finger", "leave it out: a fence is a line")
         if self.pusher_frame == PusherFrame.WORLD and self.object_pose is None:
-            raise refuse("pusher_frame world with an object_pose only")
+            self._refuse("pusher_frame", "an object_pose", "give the pose of the object at time 0")
+        if self.step is not None and self.method != Method.TIME_STEPPING:
+            self._refuse(
+                "step", "the method time-stepping", "leave it out: rtol controls the steps"
+            )
         timed: dict[str, Sequence[Any]] = {
             "pusher": self.pusher or (), "waypoints": self.waypoints or (),
             "on_ambiguity": self.policies,
@@ -155,10 +166,16 @@ class SimulateEntry(FileModel):
         for name, pieces in timed.items():
             times = [piece.time for piece in pieces] or [0.0]
             if times[0] != 0 or any(b <= a for a, b in itertools.pairwise(times)):
-                raise refuse(f"times of {name} that begin at 0 and increase")
-        if self.step is not None and self.method != Method.TIME_STEPPING:
-            raise refuse("step with the method time-stepping only")
+                raise refused(
+                    name, times, "times that begin at 0 and increase", "put them in order"
+                )
+        if self.waypoints is not None and len(self.waypoints) < 2:
+            raise refused("waypoints", len(self.waypoints), "at least two waypoints", "add one")
         return self
+
+    def _refuse(self, name: str, other: str, remedy: str) -> None:
+        """Refuse a key that goes with another one only."""
+        raise refused(name, getattr(self, name), f"this key with {other} only", remedy)
 
     @property
     def pieces(self) -> tuple[PieceEntry, ...]:

@@ -11,15 +11,16 @@ import xarray as xr
 
 from planar_pushing.core.run import LOG_EVALUATIONS
 from planar_pushing.mechanics.arrays import is_labeled
-from planar_pushing.mechanics.contact.laws import friction_coefficient
+from planar_pushing.mechanics.contact import friction_coefficient
 from planar_pushing.mechanics.scene import Scene, required_scene
 from planar_pushing.simulation.fields import FIELDS, arrays, sampled_fields
 from planar_pushing.simulation.inputs import Scenes, numbers_of
 from planar_pushing.simulation.log import variable_attributes, without_fill_values
-from planar_pushing.simulation.problem import Problem, sample_count
+from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.runs import run_scenes
 from planar_pushing.terms import quantities
+from planar_pushing.terms.domain import SAMPLE_COUNT
 from planar_pushing.terms.errors import InvalidValue, require_flag, require_kind
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Policy, PolicyName
@@ -79,7 +80,11 @@ def simulate_batch(
     columns, over = _broadcast(numbers)
     _require_free_names(over)
     scenes = Scenes.of(problem, data, np.stack(columns, axis=-1))
-    parts = np.ones(1) if samples is None else np.linspace(0.0, 1.0, sample_count(samples))
+    parts = (
+        np.ones(1)
+        if samples is None
+        else np.linspace(0.0, 1.0, int(SAMPLE_COUNT.required("samples", samples)))
+    )
     ends = scenes.ends
     # Bit for bit the times of `simulate`.
     times = ends[:, None] if samples is None else np.linspace(0.0, ends, len(parts), axis=-1)

@@ -12,15 +12,15 @@ from xarray.indexes import PandasIndex
 
 from planar_pushing.core.run import LOG_TIME
 from planar_pushing.core.system import NO_MODE
+from planar_pushing.mechanics.arrays import flag_attributes
 from planar_pushing.mechanics.entries import scene_entry, to_json, versions
-from planar_pushing.mechanics.status import FLAGS as RESULTS
-from planar_pushing.mechanics.status import flag_attributes
 from planar_pushing.simulation.fields import Stop, arrays, logged_fields
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms import quantities
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import Array
-from planar_pushing.terms.options import EFFECT_CLASSES, EffectKind, Event, Shape
+from planar_pushing.terms.options import FLAGS as RESULTS
+from planar_pushing.terms.options import Event, Shape
 from planar_pushing.terms.quantities import LOG_TWIST_UNITS
 from planar_pushing.terms.units import Units, unit_names, with_units
 
@@ -38,8 +38,7 @@ FLAGS: dict[str, Mapping[str, int]] = {
 
 def _effect_names(problem: Problem) -> list[str]:
     """Names of the effects; those that occur several times are numbered."""
-    classes = (type(effect).__name__ for effect in problem.scene.effects)
-    names = [str(EFFECT_CLASSES.get(name, EffectKind.SUPPORT_FRICTION)) for name in classes]
+    names = [str(effect.kind) for effect in problem.scene.effects]
     return [name if names.count(name) == 1 else f"{name}_{i}" for i, name in enumerate(names)]
 
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 import xarray as xr
@@ -23,14 +23,14 @@ from planar_pushing.mechanics.effects import Viscous
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.outline import Corners, size
 from planar_pushing.mechanics.rows import Entry, entries_of
-from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.mechanics.world import World, required_pose, world_of
+from planar_pushing.mechanics.scene import Scene, Slider, World, required_pose, world_of
 from planar_pushing.simulation.motion import required_policies
 from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.terms.domain import SPEEDS, Number, require_fields, required_ratio
-from planar_pushing.terms.errors import InvalidValue, has_entries, require_number
+from planar_pushing.terms.declared import require_declared
+from planar_pushing.terms.domain import DURATION, GAP, RTOL, SPEEDS, Number, required_ratio
+from planar_pushing.terms.errors import InvalidValue, has_entries
 from planar_pushing.terms.numbers import Array, as_numbers
-from planar_pushing.terms.options import SAMPLES, TOLERANCE, Policy, PusherFrame, Shape
+from planar_pushing.terms.options import Policy, PusherFrame, Shape
 
 #: Allowed initial twists.
 TWIST = f"three finite numbers of at most {SPEEDS[1]:g}"
@@ -56,21 +56,16 @@ class Problem:
 
     scene: Scene
     pusher: Pusher
-    duration: Number
+    duration: Annotated[Number, DURATION]
     twist: Sequence[Number] = (0.0, 0.0, 0.0)
-    gap: Number = 0.0
+    gap: Annotated[Number, GAP] = 0.0
     on_ambiguity: Any = Policy.KEEP_CONTACT
-    rtol: float = 1e-10
+    rtol: Annotated[float, RTOL] = 1e-10
     object_pose: Any = None
     world: World | None = field(init=False, default=None)
 
     def __post_init__(self) -> None:
-        require_fields(self, "duration", "gap")
-        rtol = require_number(
-            "rtol", self.rtol, TOLERANCE.holds, TOLERANCE.allowed,
-            "choose a tolerance that double precision can achieve",
-        )  # fmt: skip
-        self._set("rtol", rtol)
+        require_declared(self)
         self._set("twist", _required_twist(self.twist, self.scene))
         self._set("on_ambiguity", required_policies(self.on_ambiguity))
         require_held(self.scene)
@@ -165,15 +160,6 @@ def _required_twist(value: Any, scene: Scene) -> tuple[Number, ...]:
             "leave the twist out, since the fence determines a quasi-static motion",
         )  # fmt: skip
     return twist
-
-
-def sample_count(value: object) -> int:
-    """Validate a number of samples, which includes the first and the last instant."""
-    count = require_number(
-        "samples", value, lambda n: SAMPLES.holds(n) and n == int(n), SAMPLES.allowed,
-        "request at least the first and the last instant",
-    )  # fmt: skip
-    return int(count)
 
 
 def depth_tolerance(outline: Corners) -> float:

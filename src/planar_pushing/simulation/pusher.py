@@ -7,14 +7,14 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
-from typing import Any, Literal, TypeVar
+from typing import Annotated, Any, Literal, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.frames import Frame
+from planar_pushing.mechanics.plane import Frame
 from planar_pushing.simulation.motion import values_over_time
-from planar_pushing.terms.domain import SPEEDS, Number, required, required_finger_radius
+from planar_pushing.terms.domain import FINGER_RADIUS, SPEEDS, Number, required
 from planar_pushing.terms.errors import (
     InvalidValue,
     as_floats,
@@ -94,7 +94,7 @@ class Pusher:
     acceleration: Motion | None = None
     breakpoints: Sequence[float] = ()
     shape: Shape | Literal["fence", "finger"] = Shape.FENCE
-    radius: npt.ArrayLike = 0.0
+    radius: Annotated[npt.ArrayLike, FINGER_RADIUS] = 0.0
     frame: PusherFrame | Literal["fence", "world"] = PusherFrame.FENCE
     pieces: tuple[tuple[float, Vector], ...] = field(init=False, default=(), repr=False)
     arrays: tuple[tuple[float, tuple[Any, Any]], ...] = field(init=False, default=(), repr=False)
@@ -180,7 +180,7 @@ def _required_breakpoints(value: Any) -> tuple[float, ...]:
 
 def _required_radius(value: Number, shape: Shape) -> Number:
     """Validate the radius of one or many fingers; that of a fence must be 0."""
-    radius = required_finger_radius(value)
+    radius = FINGER_RADIUS.required("radius", value)
     if shape == Shape.FENCE and np.any(np.asarray(radius) != 0):
         raise InvalidValue(
             "radius", value, "0 for a fence, which is a line",

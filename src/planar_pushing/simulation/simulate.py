@@ -14,11 +14,11 @@ from planar_pushing.core.run import LOG_TIME
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.scene import Scene, required_scene, required_single
 from planar_pushing.simulation.log import dataset, without_fill_values
-from planar_pushing.simulation.problem import Problem, sample_count
+from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.runs import Run, progress_bar
 from planar_pushing.simulation.until import Until, UntilRun, required_condition
-from planar_pushing.terms.domain import required
+from planar_pushing.terms.domain import DURATION, GAP, SAMPLE_COUNT
 from planar_pushing.terms.errors import (
     InvalidValue,
     require_flag,
@@ -122,8 +122,8 @@ def simulate(
             raise InvalidValue(
                 name, "arrays", f"one {name}", "simulate them one by one, or call simulate_batch"
             )
-    for name, value in (("duration", duration), ("gap", gap)):
-        require_number(name, required(name, value), math.isfinite, "one number", "give one")
+    for name, number, value in (("duration", DURATION, duration), ("gap", GAP, gap)):
+        require_number(name, number.required(name, value), math.isfinite, "one number", "give one")
     problem = Problem(
         scene=scene, pusher=pusher, duration=duration, twist=twist, gap=gap,
         on_ambiguity=on_ambiguity, rtol=rtol, object_pose=object_pose,
@@ -132,7 +132,9 @@ def simulate(
         require_path("path", path)
     require_flag("progress", progress)
     chosen = require_option("method", method, Method, "name one of these methods")
-    times = np.linspace(0.0, float(problem.duration), sample_count(samples))
+    times = np.linspace(
+        0.0, float(problem.duration), int(SAMPLE_COUNT.required("samples", samples))
+    )
     run = _run(problem, chosen, times, step, until)
     if path is None:
         return dataset(problem, chosen, np.concatenate(list(_rows(run, progress))), run.stopped)

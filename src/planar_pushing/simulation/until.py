@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
@@ -14,8 +14,9 @@ from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation.fields import arrays, logged_fields
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.runs import Run
-from planar_pushing.terms.domain import TURNS
-from planar_pushing.terms.errors import InvalidValue, require_positive, suggestion
+from planar_pushing.terms.declared import require_declared
+from planar_pushing.terms.domain import DISTANCE, ROTATION
+from planar_pushing.terms.errors import InvalidValue, suggestion
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Event, Method
 
@@ -49,22 +50,16 @@ class Until:
         likely in degrees.
     """
 
-    rotation: float | None = None
-    distance: float | None = None
-    pusher_distance: float | None = None
+    rotation: Annotated[float | None, ROTATION] = None
+    distance: Annotated[float | None, DISTANCE] = None
+    pusher_distance: Annotated[float | None, DISTANCE] = None
 
     def __post_init__(self) -> None:
-        goals = self.goals
-        if not goals:
+        if not self.goals:
             raise InvalidValue(
                 "Until", None, ", ".join(self.__slots__), "give at least one of them"
             )
-        for name, goal in goals.items():
-            positive = require_positive(name, goal, "give a positive number, or leave it out")
-            object.__setattr__(self, name, positive)
-        if self.rotation is not None and self.rotation > TURNS:
-            allowed, remedy = "radians in (0, 4 pi]", "convert degrees with np.deg2rad"
-            raise InvalidValue("rotation", self.rotation, allowed, remedy)
+        require_declared(self)
 
     @property
     def goals(self) -> dict[str, float]:

@@ -1,10 +1,11 @@
-"""Options shared by files, Python and the command line: their names and allowed values.
+"""Enumerations: options of files, Python and the command line, and the flags of results.
 
-An option is given as the enum or as its value.
+An option is given as the enum or as its value. Contact modes, outcomes and statuses are flags.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from enum import IntEnum, StrEnum
 from typing import Literal, NamedTuple
 
@@ -79,22 +80,6 @@ class EffectSet(StrEnum):
     BOTH = f"{EffectKind.SUPPORT_FRICTION}+{EffectKind.INERTIA}"
 
 
-#: Effects by their types in scene files.
-EFFECT_TYPES = {
-    "ring_friction": EffectKind.SUPPORT_FRICTION,
-    "support_friction": EffectKind.SUPPORT_FRICTION,
-    "inertia": EffectKind.INERTIA,
-    "viscous": EffectKind.VISCOUS,
-    "load": EffectKind.LOAD,
-}
-#: Effects by the names of their classes.
-EFFECT_CLASSES = {
-    "RingFriction": EffectKind.SUPPORT_FRICTION,
-    "SupportFriction": EffectKind.SUPPORT_FRICTION,
-    "Inertia": EffectKind.INERTIA,
-    "Viscous": EffectKind.VISCOUS,
-    "Load": EffectKind.LOAD,
-}
 #: The effects of studies.
 STUDIED = (EffectKind.SUPPORT_FRICTION, EffectKind.INERTIA)
 
@@ -150,3 +135,66 @@ class Event(IntEnum):
     END_OF_SIDE = 13
     #: Another point of the outline meets the pusher.
     PENETRATES = 14
+
+
+def name_of(member: IntEnum) -> str:
+    """The printed form of a member, which is its name; `int` gives its number."""
+    return member.name
+
+
+def formatted(member: IntEnum, format_spec: str) -> str:
+    """A member in a formatted string: its name, or its number with the format d."""
+    number = format_spec.endswith("d")
+    return format(int(member) if number else member.name, format_spec)
+
+
+class ContactMode(IntEnum):
+    """The motion at the contact; in a slip the slider moves to the right or to the left along the fence."""
+
+    SEPARATE = 0
+    STICK = 1
+    SLIP_RIGHT = 2
+    SLIP_LEFT = 3
+
+    __str__ = name_of
+    __format__ = formatted
+
+
+class Outcome(IntEnum):
+    """How many solutions are consistent: none, one, or several; a continuum counts as several."""
+
+    INCONSISTENT = 0
+    UNIQUE = 1
+    AMBIGUOUS = 2
+
+    __str__ = name_of
+    __format__ = formatted
+
+
+class Status(IntEnum):
+    """The status of the solutions of one push, or of a curve at one angle.
+
+    `NONE`: no mode is consistent. `CONSISTENT`: every solution is an isolated motion. `PIVOTS`: one of
+    them is a rotation about a support point, which is the same for an interval of forces. `CONTINUUM`: one
+    of them belongs to a continuum of motions. `UNSOLVED`: an iteration has not converged, or there are
+    more slips than expected.
+    """
+
+    NONE = 0
+    CONSISTENT = 1
+    PIVOTS = 2
+    CONTINUUM = 3
+    UNSOLVED = 4
+
+    __str__ = name_of
+    __format__ = formatted
+
+
+#: Names of the values of variables that hold flags, in datasets of every kind.
+FLAGS: dict[str, Mapping[str, int]] = {
+    "mode": ContactMode.__members__,
+    "outcome": Outcome.__members__,
+    "status": Status.__members__,
+}
+#: Description of the value of a mode after the last solution.
+BEHIND = "-1 after the last solution"

@@ -76,6 +76,11 @@ DATASET: Quantities = {
     "friction_coefficient": ("1", "coefficient of friction at the contact"),
     "friction_cone_left": ("degree", "left edge of the friction cone"),
     "friction_cone_right": ("degree", "right edge of the friction cone"),
+    "furthest_pull": (
+        "degree",
+        "pusher angle at which the sticking force is on the right edge of the friction cone",
+    ),
+    "gyration_radius": ("length", "radius of gyration"),
     "ill_conditioned": ("1", "whether double precision loses six digits with every algorithm"),
     "inertia_share": ("1", "s / (1 + s) with s = m a / W: 0 is friction alone, 1 inertia alone"),
     "law": ("1", "type of the contact law"),
@@ -86,7 +91,9 @@ DATASET: Quantities = {
         "force",
         "force on the limit curve at the right edge of the friction cone",
     ),
+    "mass": ("mass", "mass"),
     "mode": ("1", "contact mode"),
+    "modes": ("1", "set of consistent contact modes"),
     "motion_angle": (
         "degree",
         "angle of the contact motion, unwrapped",
@@ -125,6 +132,7 @@ DATASET: Quantities = {
     "solution": ("1", "number of the solution"),
     "solutions": ("1", "number of consistent solutions"),
     "spin_ratio": ("1", "spin ratio R omega / v"),
+    "sticking_force_angle": ("degree", "force angle of perfectly rough contact, sticking"),
     "support_angle": ("degree", "angle of a point of the ring, from the ring center"),
     "support_force": ("force/radian", "friction of the support on the ring, per angle of the ring"),
     "support_motion": ("motion", "motion of a point of the ring"),
@@ -132,6 +140,7 @@ DATASET: Quantities = {
     "twist": ("twist_unit", "twist of the slider at its center"),
     "twist_component": ("1", "component of the twist"),
     "twist_unit": ("1", "unit of the component of the twist"),
+    "weight": ("force", "weight times the coefficient of support friction, W = mu_s m g"),
     "xy": ("1", "along the fence, normal to the fence"),
 }
 #: Variables of the log of a simulation; a name can have another meaning than in a dataset.
@@ -215,6 +224,10 @@ SLIDERS: Quantities = {
     "extent": ("length", "largest distance of the support from its center of pressure"),
     "force_x": ("force", "force that sustains the rotation, along the rod"),
     "force_y": ("force", "force that sustains the rotation, across the rod"),
+    "inertia_pulling_friction_angle": (
+        "degree",
+        "smallest angle of friction with which the contact can pull the ring, with inertia alone",
+    ),
     "integration_constant": (
         "1",
         "mean distance from the center of pressure divided by the extent: the torque of spinning about it",
@@ -223,7 +236,19 @@ SLIDERS: Quantities = {
     "mean_force_error": ("degree", "mean angle between the ellipsoid's wrench and the support's"),
     "mean_motion_error": ("degree", "mean angle between the ellipsoid's motion and the support's"),
     "motion_angle": ("degree", "angle of the contact motion"),
+    "pulling_friction_angle": (
+        "degree",
+        "smallest angle of friction with which the contact can pull; 90 if it cannot pull",
+    ),
+    "ring_force": ("force", "force on the limit curve of the ring"),
+    "ring_motion_angle": ("degree", "angle of the contact motion of the ring"),
+    "ring_pulling_friction_angle": (
+        "degree",
+        "smallest angle of friction with which the contact can pull the ring",
+    ),
+    "rod": ("1", "number of the rod"),
     "support": ("1", "support of the slider"),
+    "sweep": ("1", "quantity that differs between the rods of a sweep"),
     "torque": ("force length", "torque about the slider's center that sustains the rotation"),
     "width": ("degree", "angle between the edges of the motion cone"),
     "worst_force_error": (
@@ -291,12 +316,14 @@ MECHANICS: Quantities = {
 NOTES = {
     "length": "the unit of the study's radius",
     "force": "the unit of the study's weight; without friction, mass times a unit motion",
+    "mass": "the unit of the study's mass",
     "motion": "speed in a quasi-static scene, initial acceleration from rest otherwise",
 }
 #: Meaning of the units of a dataset of a study of sliders.
 SLIDERS_NOTES = {
     "length": "the unit of the study's lengths",
     "force": "the friction of the whole support in a translation",
+    "mass": NOTES["mass"],
     "motion": NOTES["motion"],
 }
 #: Meaning of the units of a log.
@@ -304,13 +331,14 @@ LOG_NOTES = {
     "length": "the unit of the scene's lengths",
     "time": "the unit of the simulated duration",
     "force": "the unit of the scene's weight; without friction, mass length / time^2",
+    "mass": "the unit of the scene's mass",
 }
 
 
 #: Units that UDUNITS lacks, in readable form; the notes define their scale.
 READABLE = {
     "force/radian": "radian-1",
-    **dict.fromkeys(("length", "force", "motion", "time"), "1"),
+    **dict.fromkeys(("length", "force", "mass", "motion", "time"), "1"),
     **dict.fromkeys(("force length", "length/time"), "1"),
 }
 

@@ -3,10 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, fields
-from typing import Any
+from dataclasses import dataclass
+from typing import Annotated, Any
 
+from planar_pushing.terms.declared import Read, require_declared
 from planar_pushing.terms.errors import InvalidValue
+
+
+def _name(name: str, given: Any) -> str:
+    """The name of a unit."""
+    if not isinstance(given, str) or not given.strip() or not given.isprintable():
+        raise InvalidValue(name, given, "the name of a unit", "give it as text, such as m")
+    return given
+
+
+UNIT = Read(_name, "the name of a unit", {"type": "string"})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -26,17 +37,12 @@ class Units:
         If a name is not a nonempty string.
     """
 
-    length: str = "m"
-    force: str = "N"
-    time: str = "s"
+    length: Annotated[str, UNIT] = "m"
+    force: Annotated[str, UNIT] = "N"
+    time: Annotated[str, UNIT] = "s"
 
     def __post_init__(self) -> None:
-        for each in fields(self):
-            given = getattr(self, each.name)
-            if not isinstance(given, str) or not given.strip():
-                raise InvalidValue(
-                    each.name, given, "the name of a unit", "give it as text, such as m"
-                )
+        require_declared(self)
 
     def of(self, quantity: str, *, inertia: bool = False) -> str:
         """Unit of a quantity of the tables in `quantities`, as a product of powers in UDUNITS syntax."""

@@ -80,7 +80,7 @@ REFUSED = {
     ("  outline: [[0, 0], [300, 0], [300, 200], [0, 200]]\n", ""): "effects[0].support: missing",
     ("  contact: {point: [200, 0]}\n", ""): "object.contact: missing",
     ("support_friction", "ring_friction"): "yaml: effects: [RingFriction(weight=3.53)] given",
-    ("length: mm", "length: 3"): "units.length: 3 given; allowed: text",
+    ("length: mm", "length: 3"): "units.length: 3 given; allowed: the name of a unit",
     ("title: A box", "slider: {rod_length: 1}"): "given; allowed: the keys title, object",
 }  # fmt: skip
 

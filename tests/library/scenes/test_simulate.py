@@ -3,12 +3,13 @@
 import numpy as np
 import pytest
 import xarray as xr
+from pydantic import TypeAdapter
 
 from planar_pushing import InvalidValue, Until
+from planar_pushing.scenes.entries import SupportEntry
 from planar_pushing.scenes.files import load_scene_file
 from planar_pushing.scenes.simulate import arguments, simulate_file, velocity
 from planar_pushing.scenes.simulate_model import PieceEntry, SimulateEntry
-from planar_pushing.scenes.support_model import RectangleSupport
 from pulling_by_pushing.study.datasets.base import pushing
 
 
@@ -38,7 +39,8 @@ def test_any_finite_number_of_degrees_is_a_direction(degrees):
     assert np.sin(file.build().push[0]) == pytest.approx(1.0)
     over = pushing(xr.DataArray([degrees, 30.0], dims="pusher_angle"))
     assert np.sin(over.values) == pytest.approx([1.0, 0.5])
-    support = RectangleSupport(shape="rectangle", width=2, height=1, angle=degrees).build()
+    entry = {"shape": "rectangle", "width": 2, "height": 1, "angle": degrees}
+    support = TypeAdapter(SupportEntry).validate_python(entry).build()
     assert np.ptp(support.vertices, axis=0) == pytest.approx((1.0, 2.0))
 
 

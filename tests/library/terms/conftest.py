@@ -2,16 +2,10 @@
 
 import pytest
 
-from planar_pushing.terms.netcdf import write_dataset
-from pulling_by_pushing.study.running.build import build_dataset
-from pulling_by_pushing.study.slices import study_slice
-from pulling_by_pushing.study.study_file import load_study
+from smoke import smoke_results
 
 
 @pytest.fixture(scope="session")
 def cones(tmp_path_factory):
     """A folder of results with the motion cones of the small study."""
-    folder = tmp_path_factory.mktemp("results")
-    values = study_slice(load_study("workflow/config/smoke.yaml"), "motion_cones")
-    write_dataset(build_dataset("motion_cones", values), folder / "data/motion_cones.nc")
-    return str(folder)
+    return str(smoke_results(tmp_path_factory))

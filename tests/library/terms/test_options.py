@@ -1,17 +1,13 @@
 """Options are given as enums or as their values, in Python as in files."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 import xarray as xr
 
 import planar_pushing as pp
-from planar_pushing.scenes.files import load_scene_file
+from planar_pushing.mechanics.effects import EFFECTS
 from planar_pushing.scenes.simulate_model import SimulateEntry
 from planar_pushing.terms.options import (
-    EFFECT_CLASSES,
-    EFFECT_TYPES,
     STUDIED,
     TOLERANCE,
     AtZeroNormal,
@@ -60,10 +56,7 @@ def test_a_section_takes_an_option_or_its_value():
 
 def test_effects_have_one_name_each():
     assert list(EffectSet) == [*STUDIED, "+".join(STUDIED)]
-    assert set(EFFECT_TYPES.values()) == set(EFFECT_CLASSES.values()) == set(EffectKind)
-    for path in Path("workflow/scenes").glob("*.yaml"):
-        for entry in load_scene_file(path).effects:
-            assert EFFECT_TYPES[entry.type] is EFFECT_CLASSES[type(entry.build()).__name__]
+    assert {effect.kind for effect in EFFECTS.values()} == set(EffectKind)
 
 
 @pytest.mark.parametrize(

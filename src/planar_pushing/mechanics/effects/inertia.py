@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Annotated, Any, ClassVar
 
 from planar_pushing.mechanics.arrays import same
-from planar_pushing.mechanics.frames import Frame, moved_place
-from planar_pushing.terms.domain import Number, require_fields, required
-from planar_pushing.terms.errors import InvalidValue
-from planar_pushing.terms.numbers import pair_of
+from planar_pushing.mechanics.plane import Frame, moved_place
+from planar_pushing.terms.declared import Pair, finite, positive, require_declared
+from planar_pushing.terms.numbers import Number
+from planar_pushing.terms.options import EffectKind
+
+NONE = "leave the effect out of the scene if the slider has no inertia"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -32,19 +34,16 @@ class Inertia:
         If a parameter is not a positive finite number, or the center is not two finite numbers.
     """
 
-    mass: Number = 1.0
-    gyration_radius: Number = 1.0
-    center: tuple[Number, Number] = (0.0, 0.0)
+    kind: ClassVar = EffectKind.INERTIA
+    mass: Annotated[Number, positive(NONE)] = 1.0
+    gyration_radius: Annotated[Number, positive(NONE)] = 1.0
+    center: Annotated[
+        tuple[Number, Number],
+        Pair(finite("give x and y of the center of mass in the body frame")),
+    ] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        require_fields(self, "mass", "gyration_radius")
-        center = pair_of(self.center)
-        if center is None:
-            raise InvalidValue(
-                "center", self.center, "two finite numbers", "give x and y in the body frame"
-            )
-        center = tuple(required("mass_center", each) for each in center)
-        object.__setattr__(self, "center", center)
+        require_declared(self)
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)

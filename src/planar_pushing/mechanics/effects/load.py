@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Annotated, Any, ClassVar
 
 from planar_pushing.mechanics.arrays import same
-from planar_pushing.mechanics.frames import Frame, components, moved_place
-from planar_pushing.terms.domain import Number, required
-from planar_pushing.terms.errors import InvalidValue
-from planar_pushing.terms.numbers import pair_of
+from planar_pushing.mechanics.plane import Frame, components, moved_place
+from planar_pushing.terms.declared import Pair, finite, require_declared
+from planar_pushing.terms.numbers import Number
+from planar_pushing.terms.options import EffectKind
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,13 +29,14 @@ class Load:
         If the force or the center is not two finite numbers.
     """
 
-    force: tuple[Number, Number]
-    center: tuple[Number, Number] | None = None
+    kind: ClassVar = EffectKind.LOAD
+    force: Annotated[tuple[Number, Number], Pair(finite("give its components along x and y"))]
+    center: Annotated[
+        tuple[Number, Number] | None, Pair(finite("give x and y in the body frame"))
+    ] = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "force", _pair("force", self.force))
-        if self.center is not None:
-            object.__setattr__(self, "center", _pair("center", self.center))
+        require_declared(self)
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)
@@ -49,11 +50,3 @@ class Load:
     @property
     def degree(self) -> int:
         return 1
-
-
-def _pair(name: str, given: Any) -> tuple[Number, Number]:
-    pair = pair_of(given)
-    if pair is None:
-        raise InvalidValue(name, given, "two finite numbers", "give its components along x and y")
-    x, y = (required(f"load_{name}", each) for each in pair)
-    return x, y

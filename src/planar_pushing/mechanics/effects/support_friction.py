@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
 from planar_pushing.mechanics.arrays import same
-from planar_pushing.mechanics.frames import Frame
-from planar_pushing.mechanics.pressure.support_in_frames import SupportInFrames, listed
-from planar_pushing.mechanics.supports.base import is_kind, moved_support
+from planar_pushing.mechanics.plane import Frame
+from planar_pushing.mechanics.supports.base import SUPPORTS, moved_support
 from planar_pushing.mechanics.supports.even_ring import Ring
-from planar_pushing.terms.domain import Number, require_fields, required, required_ratio
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.declared import positive, require_declared
+from planar_pushing.terms.domain import Number, required, required_ratio
+from planar_pushing.terms.options import EffectKind
+
+#: The declaration of a weight.
+WEIGHT = positive("leave the effect out of the scene if the support is frictionless")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -23,8 +26,7 @@ class SupportFriction:
     Parameters
     ----------
     support : Support, or array of supports
-        Pressure of the slider on the plane: `Ring`, `Points`, `Segment`, `Disc`, `Annulus`, `Polygon`,
-        `PressureMap` or `Composite`.
+        Pressure of the slider on the plane.
     weight : float or array
         W = mu_s m g, the weight times the coefficient of support friction; > 0.
 
@@ -34,19 +36,12 @@ class SupportFriction:
         If the weight is not a positive finite number, or the support is of another type.
     """
 
-    support: Any = field(default_factory=Ring)
-    weight: Number = 1.0
+    kind: ClassVar = EffectKind.SUPPORT_FRICTION
+    support: Annotated[Any, SUPPORTS] = field(default_factory=Ring)
+    weight: Annotated[Number, WEIGHT] = 1.0
 
     def __post_init__(self) -> None:
-        require_fields(self, "weight")
-        own = self.support
-        supports = [own.support] if isinstance(own, SupportInFrames) else listed(own)
-        if not len(supports) or not all(map(is_kind, map(type, supports))):
-            raise InvalidValue(
-                "support", self.support,
-                "Ring, Points, Segment, Disc, Annulus, Polygon, PressureMap or Composite",
-                "construct one of these supports",
-            )  # fmt: skip
+        require_declared(self)
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)
@@ -75,10 +70,11 @@ class RingFriction:
         If the weight is not a positive finite number.
     """
 
-    weight: Number = 1.0
+    kind: ClassVar = EffectKind.SUPPORT_FRICTION
+    weight: Annotated[Number, WEIGHT] = 1.0
 
     def __post_init__(self) -> None:
-        require_fields(self, "weight")
+        require_declared(self)
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Annotated, Any, ClassVar
 
 from planar_pushing.mechanics.arrays import same
-from planar_pushing.mechanics.frames import Frame
-from planar_pushing.mechanics.supports.base import is_kind, moved_support
-from planar_pushing.terms.domain import Number, require_fields
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.mechanics.plane import Frame
+from planar_pushing.mechanics.supports.base import SUPPORT, moved_support
+from planar_pushing.terms.declared import positive, require_declared
+from planar_pushing.terms.numbers import Number
+from planar_pushing.terms.options import EffectKind
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -32,18 +33,14 @@ class Viscous:
         If the coefficient is not a positive finite number, or the support is of another type.
     """
 
-    support: Any
-    coefficient: Number = 1.0
+    kind: ClassVar = EffectKind.VISCOUS
+    support: Annotated[Any, SUPPORT]
+    coefficient: Annotated[
+        Number, positive("leave the effect out of the scene if nothing is viscous")
+    ] = 1.0
 
     def __post_init__(self) -> None:
-        require_fields(self, "coefficient")
-        kind: Any = type(self.support)
-        if not is_kind(kind):
-            raise InvalidValue(
-                "support", self.support,
-                "Ring, Points, Segment, Disc, Annulus, Polygon, PressureMap or Composite",
-                "construct one of these supports",
-            )  # fmt: skip
+        require_declared(self)
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, Protocol, overload
 
 import numpy as np
 
@@ -15,10 +15,57 @@ from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import scale_forces
 from planar_pushing.mechanics.scene import Scene, required_scene
-from planar_pushing.mechanics.typed import of_force
-from planar_pushing.terms.domain import Number, required
+from planar_pushing.terms.domain import Number, Numbers, Scalar, required
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import in_radians
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+class OfForce(Protocol):
+    """A function of a scene, force angles, and an inertia share or a magnitude of the force."""
+
+    __name__: str
+
+    @overload
+    def __call__(
+        self, scene: Scene, force_angle: Scalar, inertia_share: Scalar | None = None,
+        force_ratio: Scalar | None = None,
+    ) -> float: ...  # fmt: skip
+    @overload
+    def __call__(
+        self, scene: Scene, force_angle: Numbers, inertia_share: Scalar | Numbers | None = None,
+        force_ratio: Scalar | Numbers | None = None,
+    ) -> Array: ...  # fmt: skip
+    @overload
+    def __call__(self, scene: Scene, force_angle: Scalar, inertia_share: Numbers) -> Array: ...
+    @overload
+    def __call__(
+        self, scene: Scene, force_angle: Scalar, inertia_share: None = None, *, force_ratio: Numbers
+    ) -> Array: ...
+    @overload
+    def __call__(
+        self, scene: Scene, force_angle: xr.DataArray,
+        inertia_share: Scalar | Numbers | xr.DataArray | None = None,
+        force_ratio: Scalar | Numbers | xr.DataArray | None = None,
+    ) -> xr.DataArray: ...  # fmt: skip
+    @overload
+    def __call__(
+        self, scene: Scene, force_angle: Scalar | Numbers, inertia_share: xr.DataArray
+    ) -> xr.DataArray: ...
+    @overload
+    def __call__(
+        self, scene: Scene, force_angle: Scalar | Numbers, inertia_share: None = None, *,
+        force_ratio: xr.DataArray,
+    ) -> xr.DataArray: ...  # fmt: skip
+
+
+def of_force(function: Callable[..., Any]) -> OfForce:
+    """The same function, with the types of `OfForce`."""
+    typed: OfForce = function
+    return typed
+
 
 CONE = (
     Output("motion_cone_right"), Output("motion_cone_left"), Output("closed", (), "?"),

@@ -22,8 +22,8 @@ from planar_pushing.mechanics.force.parameters import (
 )
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.mechanics.status import formatted, name_of
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.options import formatted, name_of
 
 #: The mode changes if a force is this close to an edge of the friction cone, relative to its magnitude, or
 #: a free motion this close to the pusher's: a little more than `solve` resolves.

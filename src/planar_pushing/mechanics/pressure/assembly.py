@@ -20,8 +20,8 @@ from planar_pushing.mechanics.pressure.pieces import (
     SEGMENTS,
     Array,
     Pieces,
+    spreads,
 )
-from planar_pushing.mechanics.pressure.spread import spreads
 
 #: Plates per block of terms: a few milliseconds of work.
 BLOCK = 512

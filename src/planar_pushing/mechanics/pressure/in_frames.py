@@ -7,15 +7,14 @@ from functools import partial
 import numpy as np
 
 from planar_pushing.core.multipole import ORDER, TERMS
-from planar_pushing.mechanics.frames import Frame
+from planar_pushing.mechanics.plane import Frame
 from planar_pushing.mechanics.pressure.assembly import (
     Gathered,
     gathered,
     measure_pieces,
     stacked,
 )
-from planar_pushing.mechanics.pressure.pieces import PLATES, Array, Pieces
-from planar_pushing.mechanics.pressure.spread import ENDS
+from planar_pushing.mechanics.pressure.pieces import ENDS, PLATES, Array, Pieces
 
 
 def gather_in_frames(pieces: Pieces, origins: Array, axes: Array) -> Gathered:

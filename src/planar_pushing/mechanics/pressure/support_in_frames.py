@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.frames import Frame, labeled_like
-from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.plane import Array, Frame, labeled_like
 
 #: Types of supports whose pieces move rigidly with them, which need not hold for a user's own types.
 KINDS: set[type] = set()

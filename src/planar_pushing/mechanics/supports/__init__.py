@@ -13,14 +13,14 @@ from planar_pushing.mechanics.supports.segment import Segment
 
 #: Supports by their shape in scene files.
 SHAPES = {
-    "annulus": Annulus,
-    "composite": Composite,
-    "disc": Disc,
+    "ring": Ring,
     "points": Points,
+    "segment": Segment,
+    "disc": Disc,
+    "annulus": Annulus,
     "polygon": Polygon,
     "pressure_map": PressureMap,
-    "ring": Ring,
-    "segment": Segment,
+    "composite": Composite,
 }
 KINDS.update(SHAPES.values())
 

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
-from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
+from planar_pushing.mechanics.plane import Frame, moved_place
 from planar_pushing.mechanics.pressure.pieces import Pieces
-from planar_pushing.mechanics.supports.base import Position, length, position
+from planar_pushing.mechanics.supports.base import POSITION, Position, a_length
+from planar_pushing.terms.declared import require_declared
 from planar_pushing.terms.errors import InvalidValue
 
 
@@ -37,21 +38,17 @@ class Annulus(Pictured):
     ``outer / (outer - inner)``. Use `Ring` for a rim narrower than the uncertainty of its radius.
     """
 
-    inner: float
-    outer: float
-    center: Any = (0.0, 0.0)
+    inner: Annotated[float, a_length("use Disc for a support without a hole")]
+    outer: Annotated[float, a_length("give the outer radius")]
+    center: Annotated[Any, POSITION] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        inner = length("inner", self.inner, "use Disc for a support without a hole")
-        outer = length("outer", self.outer, "give the outer radius")
-        if inner >= outer:
+        require_declared(self)
+        if self.inner >= self.outer:
             raise InvalidValue(
-                "inner", inner, f"a number less than outer, {outer!r}",
+                "inner", self.inner, f"a number less than outer, {self.outer!r}",
                 "use Ring for a rim without width",
             )  # fmt: skip
-        object.__setattr__(self, "inner", inner)
-        object.__setattr__(self, "outer", outer)
-        object.__setattr__(self, "center", position("center", self.center))
 
     @property
     def center_of_pressure(self) -> Position:

@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
-from functools import lru_cache
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
-from planar_pushing.mechanics.frames import Frame
-from planar_pushing.mechanics.pressure.pieces import Array, Pieces
-from planar_pushing.mechanics.pressure.support_in_frames import SupportInFrames
+from planar_pushing.mechanics.plane import Frame
+from planar_pushing.mechanics.pressure.assembly import gathered
+from planar_pushing.mechanics.pressure.pieces import PLATES, Array, Pieces
+from planar_pushing.mechanics.pressure.support_in_frames import KINDS, SupportInFrames, listed
+from planar_pushing.terms.declared import NUMBER, PAIR, Read
 from planar_pushing.terms.errors import InvalidValue, number_of, require_positive
-from planar_pushing.terms.numbers import required_array
+from planar_pushing.terms.numbers import as_array, required_array
 from planar_pushing.terms.options import SPEED
 
 #: Range of sizes whose squares are doubles, and remedy.
 LENGTHS = SPEED.least, SPEED.most
 UNIT = "choose another unit of length"
+#: Largest relative difference of what a support says of itself.
+SAME = 1e-9
 #: A position in the body frame: origin at the slider's center, x along the rod and away from the contact.
 Position = tuple[float, float]
 
@@ -61,10 +65,49 @@ def moved_support(support: Any, frame: Frame) -> Any:
     return moved
 
 
-@lru_cache
-def is_kind(kind: type) -> bool:
-    """Whether the instances of a class are supports; testing an instance would compute its properties."""
-    return all(hasattr(kind, name) for name in ("center_of_pressure", "extent", "pieces"))
+def required_support(name: str, given: Any) -> Any:
+    """The given support, or `InvalidValue`; one of the user's own class must fulfill `Support`."""
+    if type(given) not in KINDS:
+        names = ("center_of_pressure", "extent", "pieces")
+        if not all(hasattr(type(given), each) for each in names):
+            raise InvalidValue(
+                name, given, "a support, such as Disc or Polygon",
+                f"construct one, or give your class {', '.join(names[:2])} and {names[2]}()",
+            )  # fmt: skip
+        _require_pieces(name, given)
+    return given
+
+
+def _require_pieces(name: str, support: Support) -> None:
+    """Refuse a support of the user's own class that does not have the pressure that it describes."""
+    pieces = support.pieces()
+    try:
+        group = gathered([pieces])
+        share = sum(float(rows[:, -1].sum()) for rows in group.rows[: PLATES + 1])
+    except (TypeError, ValueError, LookupError, AttributeError):
+        share = math.nan
+    if not abs(share - 1.0) <= SAME:
+        raise InvalidValue(
+            name, support, "a support whose pieces() are Pieces with shares that add up to 1",
+            "return those of a support of the package, for instance Composite(...).pieces()",
+        )  # fmt: skip
+    described = (*support.center_of_pressure, support.extent)
+    found = (*group.centers[0], group.extents[0])
+    if not np.allclose(described, found, rtol=SAME, atol=SAME * float(group.extents[0])):
+        raise InvalidValue(
+            name, support,
+            "a support whose center_of_pressure and extent are those of its pieces(), here "
+            f"({found[0]:.6g}, {found[1]:.6g}) and {found[2]:.6g}",
+            "correct these properties",
+        )  # fmt: skip
+
+
+def required_supports(name: str, given: Any) -> Any:
+    """The given support, or array of supports, or `InvalidValue`."""
+    supports = [given.support] if isinstance(given, SupportInFrames) else listed(given)
+    for each in supports if len(supports) else [given]:
+        required_support(name, each)
+    return given
 
 
 def array(
@@ -77,6 +120,9 @@ def array(
     InvalidValue
         If the shape differs, or an entry is not a finite number.
     """
+    for i, each in enumerate(given if isinstance(given, (list, tuple)) else ()):
+        if as_array(each) is None:
+            raise InvalidValue(f"{name}[{i}]", each, "finite numbers", remedy)
     numbers = required_array(name, given, allowed, remedy)
     fits = numbers.ndim == len(shape) and all(
         length in (None, actual) for length, actual in zip(shape, numbers.shape, strict=True)
@@ -128,19 +174,53 @@ def position(name: str, given: object) -> Position:
     return x, y
 
 
-def positions(name: str, given: object, remedy: str) -> tuple[Position, ...]:
+def positions(
+    name: str, given: object, remedy: str = "give x and y of each in the body frame"
+) -> tuple[Position, ...]:
     """Positions in the plane."""
+    entries: Any = given if isinstance(given, (list, tuple)) else None
+    if entries is not None and not entries:
+        raise InvalidValue(name, given, "at least one point", remedy)
+    for i, each in enumerate(entries or ()):
+        place = as_array(each)
+        if place is None or place.shape != (2,):
+            raise InvalidValue(f"{name}[{i}]", each, "two finite numbers", remedy)
     places = coordinates(name, given, (None, 2), "pairs of finite numbers", remedy)
-    if len(places) and (span := float(np.ptp(places, axis=0).max())):
+    if not len(places):
+        raise InvalidValue(name, given, "at least one point", remedy)
+    if span := float(np.ptp(places, axis=0).max()):
         require_size(name, span)
     return tuple((x, y) for x, y in places.tolist())
 
 
-def weights(name: str, given: object, count: int, remedy: str) -> tuple[float, ...]:
-    """Positive weights, one per member, whose sum is finite."""
-    loads = array(name, given, (count,), number_of(count, "positive number"), remedy)
+def weights(name: str, given: object) -> tuple[float, ...]:
+    """Positive weights, whose sum is finite."""
+    loads = array(name, given, (None,), "positive numbers", "give one weight for each")
     require_all(name, loads, lambda x: x > 0, "a number > 0", "leave out what carries no weight")
-    if loads.max(initial=0.0) > np.finfo(float).max / count:
+    if loads.max(initial=0.0) > np.finfo(float).max / max(len(loads), 1):
         allowed = "numbers with a finite sum"
         raise InvalidValue(name, float(loads.max()), allowed, "choose another unit")
     return tuple(loads.tolist())
+
+
+def require_count(name: str, given: Any, count: int, noun: str) -> None:
+    """Refuse a sequence that does not have one entry for each of several things."""
+    if len(given) != count:
+        raise InvalidValue(name, given, number_of(count, noun), f"give one {noun} for each point")
+
+
+PLACES = {"type": "array", "minItems": 1, "items": PAIR}
+#: Declarations of parameters: a support, a support or an array of them, a position, positions, weights.
+SUPPORT = Read(required_support, "a support", {})
+SUPPORTS = Read(required_supports, "a support", {})
+POSITION = Read(position, "two finite numbers, [x, y] in the body frame", PAIR)
+POSITIONS = Read(positions, "pairs of finite numbers, [x, y] in the body frame", PLACES)
+WEIGHTS = Read(
+    weights, "positive numbers", {"type": "array", "minItems": 1, "items": NUMBER | {"exclusiveMinimum": 0}}
+)  # fmt: skip
+
+
+def a_length(remedy: str) -> Read:
+    """Declaration of a length."""
+    return Read(lambda name, given: length(name, given, remedy), "a finite number > 0",
+                NUMBER | {"exclusiveMinimum": 0})  # fmt: skip

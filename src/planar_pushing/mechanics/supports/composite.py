@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
-from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.pictures import Pictured
+from planar_pushing.mechanics.plane import Frame
 from planar_pushing.mechanics.pressure.assembly import (
     center,
     extent,
@@ -14,9 +14,40 @@ from planar_pushing.mechanics.pressure.assembly import (
     shared,
 )
 from planar_pushing.mechanics.pressure.pieces import Pieces
-from planar_pushing.mechanics.supports.base import Position, is_kind, moved_support, weights
+from planar_pushing.mechanics.supports.base import (
+    Position,
+    moved_support,
+    required_support,
+    weights,
+)
 from planar_pushing.mechanics.supports.even_ring import Ring
+from planar_pushing.terms.declared import Read, require_declared
 from planar_pushing.terms.errors import InvalidValue
+
+
+def _members(name: str, given: Any) -> tuple[tuple[float, Any], ...]:
+    """Shares and supports."""
+    try:
+        pairs = tuple((share, support) for share, support in given)
+    except (TypeError, ValueError):
+        pairs = ()
+    if not pairs:
+        raise InvalidValue(
+            name, given, "at least one pair of a share and a support",
+            "give for instance [(0.5, Disc(1.0)), (0.5, Points([(2.0, 0.0)], [1.0]))]",
+        )  # fmt: skip
+    for i, (_, support) in enumerate(pairs):
+        if isinstance(required_support(f"{name}[{i}]", support), Ring) and support.radius is None:
+            raise InvalidValue(
+                name, Ring(), "a ring with a radius", "give the radius, as in Ring(1.0)"
+            )
+    shares = weights("share", [share for share, _ in pairs])
+    return tuple((share, support) for share, (_, support) in zip(shares, pairs, strict=True))
+
+
+MEMBERS = Read(
+    _members, "pairs of a share of the weight and a support", {"type": "array", "minItems": 1}
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,26 +65,10 @@ class Composite(Pictured):
         If there is no member, a share is not positive, a member is not a support, or a ring has no radius.
     """
 
-    members: Any
+    members: Annotated[Any, MEMBERS]
 
     def __post_init__(self) -> None:
-        try:
-            pairs = tuple((share, support) for share, support in self.members)
-        except (TypeError, ValueError):
-            pairs = ()
-        kinds: list[Any] = [type(support) for _, support in pairs]
-        if not pairs or not all(map(is_kind, kinds)):
-            raise InvalidValue(
-                "members", self.members, "at least one pair of a share and a support",
-                "give for instance [(0.5, Disc(1.0)), (0.5, Points([(2.0, 0.0)], [1.0]))]",
-            )  # fmt: skip
-        if any(isinstance(each, Ring) and each.radius is None for _, each in pairs):
-            raise InvalidValue(
-                "members", Ring(), "a ring with a radius", "give the radius, as in Ring(1.0)"
-            )
-        shares = weights("share", [share for share, _ in pairs], len(pairs), "give one for each")
-        members = tuple((share, support) for share, (_, support) in zip(shares, pairs, strict=True))
-        object.__setattr__(self, "members", members)
+        require_declared(self)
 
     @property
     def center_of_pressure(self) -> Position:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
-from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
+from planar_pushing.mechanics.plane import Frame, moved_place
 from planar_pushing.mechanics.pressure.pieces import Pieces
-from planar_pushing.mechanics.supports.base import Position, length, position
+from planar_pushing.mechanics.supports.base import POSITION, Position, a_length
+from planar_pushing.terms.declared import require_declared
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,13 +31,11 @@ class Disc(Pictured):
         If the radius is not positive, or the center is not a pair of finite numbers.
     """
 
-    radius: float
-    center: Any = (0.0, 0.0)
+    radius: Annotated[float, a_length("use Points for a support on one point")]
+    center: Annotated[Any, POSITION] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        radius = length("radius", self.radius, "use Points for a support on one point")
-        object.__setattr__(self, "radius", radius)
-        object.__setattr__(self, "center", position("center", self.center))
+        require_declared(self)
 
     @property
     def center_of_pressure(self) -> Position:

@@ -11,10 +11,8 @@ import numpy as np
 
 from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.pressure.pieces import Array
-from planar_pushing.mechanics.pressure.table import Table, extent_of, table_of
-from planar_pushing.mechanics.supports.base import Position, Support
-from planar_pushing.mechanics.supports.moments import moments
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.mechanics.pressure.table import Table, extent_of, moments, table_of
+from planar_pushing.mechanics.supports.base import Position, Support, required_support
 
 #: Number of motions at which the ellipsoid is compared; ten times as many change the means by under 1e-4.
 MOTIONS = 20_000
@@ -92,11 +90,7 @@ def fit_ellipsoid(support: Support) -> EllipsoidFit:
     InvalidValue
         If the argument is not a support, or is a single point, which resists no rotation.
     """
-    if not isinstance(support, Support):
-        raise InvalidValue(
-            "support", support, "a support, such as Disc or Polygon",
-            "for a scene give the support of its friction, scene.friction[0].support",
-        )  # fmt: skip
+    required_support("support", support)
     extent, table = extent_of(support), table_of([support])
     constant = float(moments(table, *table.centers[0]).torque)
 

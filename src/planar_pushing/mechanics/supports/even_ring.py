@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
-from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
+from planar_pushing.mechanics.plane import Frame, moved_place
 from planar_pushing.mechanics.pressure.pieces import Pieces
-from planar_pushing.mechanics.supports.base import Position, length, position
+from planar_pushing.mechanics.supports.base import POSITION, Position, a_length
+from planar_pushing.terms.declared import require_declared
 from planar_pushing.terms.errors import InvalidValue
 
 
@@ -31,23 +32,17 @@ class Ring(Pictured):
         If the radius is not positive, or a center is given without a radius.
     """
 
-    radius: float | None = None
-    center: Any = None
+    radius: Annotated[float | None, a_length("use Points for a support on one point")] = None
+    center: Annotated[Any, POSITION] = None
 
     def __post_init__(self) -> None:
-        if self.radius is not None:
-            radius = length("radius", self.radius, "use Points for a support on one point")
-            object.__setattr__(self, "radius", radius)
-        if self.center is not None:
-            center = position("center", self.center)
-            if self.radius is None:
-                raise InvalidValue(
-                    "radius",
-                    None,
-                    "a radius if a center is given",
-                    "give the radius, as in Ring(1.0)",
-                )
-            object.__setattr__(self, "center", None if center == (0.0, 0.0) else center)
+        require_declared(self)
+        if self.center is not None and self.radius is None:
+            raise InvalidValue(
+                "radius", None, "a radius if a center is given", "give the radius, as in Ring(1.0)"
+            )
+        if self.center == (0.0, 0.0):
+            object.__setattr__(self, "center", None)
 
     @property
     def center_of_pressure(self) -> Position:

@@ -4,22 +4,43 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
-from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.pictures import Pictured
+from planar_pushing.mechanics.plane import Frame
 from planar_pushing.mechanics.pressure.assembly import center, extent
 from planar_pushing.mechanics.pressure.pieces import Pieces
-from planar_pushing.mechanics.supports.base import Position, positions, weights
+from planar_pushing.mechanics.supports.base import (
+    POSITIONS,
+    WEIGHTS,
+    Position,
+    require_count,
+)
 from planar_pushing.mechanics.supports.layouts import (
     disc_places,
     placed_corners,
     rectangle_corners,
     regular_corners,
 )
-from planar_pushing.terms.errors import InvalidValue, number_of
+from planar_pushing.terms.declared import Read, require_declared
+from planar_pushing.terms.errors import InvalidValue
+
+
+def _names(name: str, given: Any) -> tuple[str, ...]:
+    """Distinct names."""
+    names = tuple(given) if isinstance(given, (list, tuple)) else ()
+    if not names or not all(isinstance(each, str) and each for each in names):
+        raise InvalidValue(name, given, "names of the points", "give a name for each, or none")
+    if len(set(names)) < len(names):
+        raise InvalidValue(name, given, "distinct names", "give each point its own name")
+    return names
+
+
+NAMES = Read(
+    _names, "a name for each point", {"type": "array", "minItems": 1, "items": {"type": "string"}}
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,23 +62,21 @@ class Points(Pictured):
         If there is no point, a number is not finite, or a weight is missing or not positive.
     """
 
-    positions: Any
-    weights: Any = None
-    names: Any = None
+    positions: Annotated[Any, POSITIONS]
+    weights: Annotated[Any, WEIGHTS] = None
+    names: Annotated[Any, NAMES] = None
 
     def __post_init__(self) -> None:
-        remedy = "give x and y of each point in the body frame"
-        named = isinstance(self.positions, Mapping)
-        given = list(self.positions.values()) if named else self.positions
-        places = positions("positions", given, remedy)
-        if not places:
-            raise InvalidValue("positions", self.positions, "at least one point", remedy)
-        shares = [1.0] * len(places) if self.weights is None else self.weights
-        loads = weights("weights", shares, len(places), "give one weight for each point")
-        names = _names(list(self.positions) if named else self.names, len(places))
-        object.__setattr__(self, "positions", places)
-        object.__setattr__(self, "weights", loads)
-        object.__setattr__(self, "names", names)
+        if isinstance(self.positions, Mapping):
+            object.__setattr__(self, "names", list(self.positions))
+            object.__setattr__(self, "positions", list(self.positions.values()))
+        require_declared(self)
+        count = len(self.positions)
+        if self.weights is None:
+            object.__setattr__(self, "weights", (1.0,) * count)
+        require_count("weights", self.weights, count, "weight")
+        if self.names is not None:
+            require_count("names", self.names, count, "name")
 
     @classmethod
     def rectangle(
@@ -93,17 +112,3 @@ class Points(Pictured):
     def pieces(self) -> Pieces:
         loads = np.array(self.weights)
         return Pieces(atoms=np.column_stack([self.positions, loads / loads.sum()]))
-
-
-def _names(given: Any, count: int) -> tuple[str, ...] | None:
-    """A name for each point, or None."""
-    if given is None:
-        return None
-    names = tuple(given) if isinstance(given, (list, tuple)) else ()
-    if len(names) != count or not all(isinstance(each, str) and each for each in names):
-        raise InvalidValue(
-            "names", given, number_of(count, "name"), "give a name for each point, or none"
-        )
-    if len(set(names)) < count:
-        raise InvalidValue("names", given, "distinct names", "give each point its own name")
-    return names

@@ -3,25 +3,41 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
-from planar_pushing.mechanics.frames import Frame
 from planar_pushing.mechanics.kernels import run
 from planar_pushing.mechanics.pictures import Pictured
+from planar_pushing.mechanics.plane import Frame
 from planar_pushing.mechanics.pressure.assembly import center, extent
 from planar_pushing.mechanics.pressure.pieces import Array, Pieces
-from planar_pushing.mechanics.supports.base import Position, positions
+from planar_pushing.mechanics.supports.base import PLACES, POSITION, POSITIONS, Position, positions
 from planar_pushing.mechanics.supports.layouts import (
+    COUNT,
+    HEIGHT,
+    RADIUS,
+    TURN,
+    WIDTH,
     placed_corners,
     rectangle_corners,
     regular_corners,
 )
+from planar_pushing.terms.declared import Read
 from planar_pushing.terms.errors import InvalidValue
 
 #: Smallest area, relative to the square of the polygon's size; a smaller one is rounding error.
 THINNEST = 1e-12
+
+
+def _rings(name: str, given: Any) -> tuple[tuple[Position, ...], ...]:
+    """Vertices of at least one hole."""
+    if not isinstance(given, (list, tuple)) or not given:
+        raise InvalidValue(name, given, "a sequence of rings", "give the vertices of each hole")
+    return tuple(positions(f"{name}[{i}]", ring) for i, ring in enumerate(given))
+
+
+HOLES = Read(_rings, "the vertices of each hole", {"type": "array", "minItems": 1, "items": PLACES})
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,8 +60,8 @@ class Polygon(Pictured):
         not inside of the polygon, the area is zero, or the object has several parts.
     """
 
-    vertices: Any
-    holes: Any = ()
+    vertices: Annotated[Any, POSITIONS]
+    holes: Annotated[Any, HOLES] = ()
 
     def __post_init__(self) -> None:
         outer = simple_ring("vertices", self.vertices)
@@ -66,15 +82,17 @@ class Polygon(Pictured):
 
     @classmethod
     def rectangle(
-        cls, width: float, height: float, center: Any = (0.0, 0.0), angle: float = 0.0
-    ) -> Polygon:
+        cls, width: Annotated[float, WIDTH], height: Annotated[float, HEIGHT],
+        center: Annotated[Any, POSITION] = (0.0, 0.0), angle: Annotated[float, TURN] = 0.0,
+    ) -> Polygon:  # fmt: skip
         """A rectangle about a center, whose width is at an angle from x, in radians."""
         return cls(placed_corners(rectangle_corners(width, height), center, angle))
 
     @classmethod
     def regular(
-        cls, count: int, radius: float, center: Any = (0.0, 0.0), angle: float = 0.0
-    ) -> Polygon:
+        cls, count: Annotated[int, COUNT], radius: Annotated[float, RADIUS],
+        center: Annotated[Any, POSITION] = (0.0, 0.0), angle: Annotated[float, TURN] = 0.0,
+    ) -> Polygon:  # fmt: skip
         """A regular polygon with `count` corners at a radius, the first at an angle from x, in radians."""
         return cls(placed_corners(regular_corners(count, radius), center, angle))
 

@@ -3,28 +3,67 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
-from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
+from planar_pushing.mechanics.plane import Frame, moved_place
 from planar_pushing.mechanics.pressure.assembly import center, extent
 from planar_pushing.mechanics.pressure.pieces import Array, Pieces
 from planar_pushing.mechanics.supports.base import (
+    POSITION,
     Position,
     array,
     coordinates,
-    position,
     require_all,
     require_size,
 )
+from planar_pushing.terms.declared import NUMBER, Read, require_declared
 from planar_pushing.terms.errors import InvalidValue, number_of
 
 #: Cells along a side of a block; a distant block is evaluated by one series.
 BLOCK = 4
 #: Largest deviation of the squared length of a unit vector from 1: rounding of its two components.
 UNIT = 1e-12
+
+
+def _edges(name: str, given: object) -> tuple[float, ...]:
+    """Edges of cells along an axis."""
+    remedy = "give the edges of the cells in increasing order"
+    edges = coordinates(name, given, (None,), "a sequence of finite numbers", remedy)
+    if len(edges) < 2 or not (np.diff(edges) > 0).all():
+        raise InvalidValue(name, edges.tolist(), "at least two increasing numbers", remedy)
+    require_size(name, float(np.diff(edges).min()))
+    return tuple(edges.tolist())
+
+
+def _cells(name: str, given: object) -> tuple[tuple[float, ...], ...]:
+    """Pressures of cells."""
+    allowed, remedy = "rows of finite numbers", "give a row of pressures for each interval of y"
+    cells = array(name, given, (None, None), allowed, remedy)
+    require_all(name, cells, lambda p: p >= 0, "a number >= 0", "a support cannot pull; clip noise")
+    if not cells.any():
+        raise InvalidValue(name, 0.0, "at least one number > 0", "leave out empty maps")
+    return tuple(map(tuple, cells.tolist()))
+
+
+def _unit(name: str, given: object) -> Position:
+    """A unit vector."""
+    x, y = POSITION.required(name, given)
+    if abs(x**2 + y**2 - 1.0) > UNIT:
+        raise InvalidValue(name, (x, y), "a unit vector", "divide it by its length")
+    return x, y
+
+
+EDGES = Read(
+    _edges, "at least two increasing numbers", {"type": "array", "minItems": 2, "items": NUMBER}
+)
+CELLS = Read(
+    _cells, "a row of numbers >= 0 for each interval of y",
+    {"type": "array", "items": {"type": "array", "items": NUMBER | {"minimum": 0}}},
+)  # fmt: skip
+AXIS = Read(_unit, "a unit vector", POSITION.schema)
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,35 +88,21 @@ class PressureMap(Pictured):
         negative, or all pressures are zero.
     """
 
-    x: Any
-    y: Any
-    pressure: Any
-    origin: Any = None
-    axis: Any = None
+    x: Annotated[Any, EDGES]
+    y: Annotated[Any, EDGES]
+    pressure: Annotated[Any, CELLS]
+    origin: Annotated[Any, POSITION] = None
+    axis: Annotated[Any, AXIS] = None
 
     def __post_init__(self) -> None:
-        x, y = (_edges(name, getattr(self, name)) for name in ("x", "y"))
-        shape = len(y) - 1, len(x) - 1
-        remedy = "give the edges of the cells in x and y, one more than columns and rows"
-        allowed = f"{number_of(shape[0], 'row')} of {number_of(shape[1], 'number')}, to fit y and x"
-        cells = array("pressure", self.pressure, shape, allowed, remedy)
-        require_all(
-            "pressure",
-            cells,
-            lambda p: p >= 0,
-            "a number >= 0",
-            "a support cannot pull; clip noise",
-        )
-        if not cells.any():
-            raise InvalidValue("pressure", 0.0, "at least one number > 0", "leave out empty maps")
-        for name in ("origin", "axis"):
-            if getattr(self, name) is not None:
-                object.__setattr__(self, name, position(name, getattr(self, name)))
-        if self.axis is not None:
-            _require_unit(self.axis)
-        object.__setattr__(self, "x", tuple(x.tolist()))
-        object.__setattr__(self, "y", tuple(y.tolist()))
-        object.__setattr__(self, "pressure", tuple(map(tuple, cells.tolist())))
+        require_declared(self)
+        shape = len(self.y) - 1, len(self.x) - 1
+        if np.shape(self.pressure) != shape:
+            raise InvalidValue(
+                "pressure", self.pressure,
+                f"{number_of(shape[0], 'row')} of {number_of(shape[1], 'number')}, to fit y and x",
+                "give the edges of the cells in x and y, one more than columns and rows",
+            )  # fmt: skip
 
     @property
     def center_of_pressure(self) -> Position:
@@ -117,26 +142,10 @@ class PressureMap(Pictured):
         return Pieces(plates=tuple(plates))
 
 
-def _require_unit(axis: Position) -> None:
-    """Refuse a direction that is not a unit vector."""
-    if abs(axis[0] ** 2 + axis[1] ** 2 - 1.0) > UNIT:
-        raise InvalidValue("axis", axis, "a unit vector", "divide it by its length")
-
-
 def _turned(plate: Array, frame: Frame) -> Array:
     """Edges transformed from a frame to its parent frame."""
     ends = frame.point_out(plate[:, :4].reshape(-1, 2)).reshape(-1, 4)
     return np.column_stack([ends, plate[:, 4]])
-
-
-def _edges(name: str, given: object) -> Array:
-    """Edges of cells along an axis."""
-    remedy = "give the edges of the cells in increasing order"
-    edges = coordinates(name, given, (None,), "a sequence of finite numbers", remedy)
-    if len(edges) < 2 or not (np.diff(edges) > 0).all():
-        raise InvalidValue(name, edges.tolist(), "at least two increasing numbers", remedy)
-    require_size(name, float(np.diff(edges).min()))
-    return edges
 
 
 def _block(x: Array, y: Array, cells: Array) -> Array:

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
-from planar_pushing.mechanics.frames import Frame, moved_place
 from planar_pushing.mechanics.pictures import Pictured
+from planar_pushing.mechanics.plane import Frame, moved_place
 from planar_pushing.mechanics.pressure.assembly import center, extent
 from planar_pushing.mechanics.pressure.pieces import Pieces
-from planar_pushing.mechanics.supports.base import Position, position, require_size
+from planar_pushing.mechanics.supports.base import POSITION, Position, require_size
+from planar_pushing.terms.declared import require_declared
 from planar_pushing.terms.errors import InvalidValue
 
 
@@ -31,12 +32,11 @@ class Segment(Pictured):
         If an end is not a pair of finite numbers, or both ends coincide.
     """
 
-    start: Any
-    end: Any
+    start: Annotated[Any, POSITION]
+    end: Annotated[Any, POSITION]
 
     def __post_init__(self) -> None:
-        for name in ("start", "end"):
-            object.__setattr__(self, name, position(name, getattr(self, name)))
+        require_declared(self)
         if self.start == self.end:
             raise InvalidValue(
                 "end", self.end, "a position other than the start",

@@ -1,18 +1,24 @@
-"""Contact laws: the angles of the forces that a contact transmits, and whether it slips at their limits."""
+"""Contact laws: the angles of the forces that a contact transmits, and whether it slips at their limits.
+
+The modes of a contact and the outcomes of a push come from `terms.options` and are public here, too.
+"""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple, Protocol, runtime_checkable
+from typing import Annotated, Any, Literal, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 
 from planar_pushing.mechanics.angles import AngleInterval
 from planar_pushing.mechanics.arrays import same
-from planar_pushing.terms.domain import Number, require_fields
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.declared import Within, one_of, require_declared
+from planar_pushing.terms.domain import ROUGHEST, Number
 from planar_pushing.terms.options import AtZeroNormal
+from planar_pushing.terms.options import ContactMode as ContactMode
+from planar_pushing.terms.options import Outcome as Outcome
+from planar_pushing.terms.options import Status as Status
 
 
 @runtime_checkable
@@ -30,6 +36,18 @@ class ContactLaw(Protocol):
         ...
 
 
+#: Declarations of the parameters of contact laws.
+FRICTION_COEFFICIENT = Within(
+    lambda x: (x >= 0) & (x <= ROUGHEST), f"a number in [0, {ROUGHEST:g}]",
+    "use the law of infinite friction where no coefficient is large enough",
+    {"type": "number", "minimum": 0, "maximum": ROUGHEST},
+)  # fmt: skip
+AT_ZERO_NORMAL = one_of(
+    AtZeroNormal, '"free" or "none"',
+    'choose "free" for definition 1 and "none" for definition 2',
+)  # fmt: skip
+
+
 @dataclass(frozen=True, slots=True)
 class Coulomb:
     """Coulomb friction (Sec. 2): |f_t| <= mu f_n, with equality while slipping.
@@ -40,10 +58,10 @@ class Coulomb:
         mu in [0, 1e9]. For infinite friction use `InfiniteFriction`.
     """
 
-    friction_coefficient: Number
+    friction_coefficient: Annotated[Number, FRICTION_COEFFICIENT]
 
     def __post_init__(self) -> None:
-        require_fields(self, "friction_coefficient")
+        require_declared(self)
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)
@@ -70,16 +88,10 @@ class InfiniteFriction:
         contact can slip with f_n = 0; zero with "none", definition 2, under which it cannot.
     """
 
-    at_zero_normal: AtZeroNormal | Literal["free", "none"] = "free"
+    at_zero_normal: Annotated[AtZeroNormal | Literal["free", "none"], AT_ZERO_NORMAL] = "free"
 
     def __post_init__(self) -> None:
-        if self.at_zero_normal not in ("free", "none"):
-            raise InvalidValue(
-                "at_zero_normal",
-                self.at_zero_normal,
-                '"free" or "none"',
-                'choose "free" for definition 1 and "none" for definition 2',
-            )
+        require_declared(self)
 
     @property
     def force_angles(self) -> AngleInterval:
@@ -101,6 +113,14 @@ class PerfectlyRough:
     @property
     def slips(self) -> bool:
         return False
+
+
+#: Contact laws by their names in scene files.
+LAWS = {
+    "coulomb": Coulomb,
+    "infinite_friction": InfiniteFriction,
+    "perfectly_rough": PerfectlyRough,
+}
 
 
 def friction_coefficient(law: ContactLaw) -> float:
