@@ -37,7 +37,7 @@ from .mechanics.force.derivatives import Derivatives, ForceDerivatives, Smoothne
 from .mechanics.force.force_motion import ForceMotion, motion_of_force
 from .mechanics.force.limit_curve import LimitCurve, limit_curve
 from .mechanics.force.wrench import potential, wrench
-from .mechanics.frames import Placement
+from .mechanics.plane import Placement
 from .mechanics.scene import Scene, Slider
 from .mechanics.solutions import Solution, SolutionArrays, Solutions
 from .mechanics.solve import solve

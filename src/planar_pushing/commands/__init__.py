@@ -22,17 +22,29 @@ from planar_pushing.commands import (
     draw,
     explore,
     identify,
+    schema,
     simulate,
     solve,
 )
-from planar_pushing.commands.words.arguments import Parser, check_push
-from planar_pushing.commands.words.text import text
+from planar_pushing.commands.words import Parser, check_push, text
 from planar_pushing.terms.errors import InvalidValue, PlanarPushingError
 
 #: Group of the entry points of other packages' commands, each a module with a function `add`. Help, version
 #: and completion import all of these modules, so none imports numpy before its command runs.
 GROUP = "planar_pushing.commands"
-COMMANDS = (solve, cone, draw, explore, simulate, animate, convert, identify, compare, completion)
+COMMANDS = (
+    solve,
+    cone,
+    draw,
+    explore,
+    simulate,
+    animate,
+    convert,
+    identify,
+    compare,
+    schema,
+    completion,
+)
 #: Exit codes other than 0, by shell convention: invalid input, Ctrl-C, and a closed output pipe.
 INVALID, INTERRUPTED, UNREAD = 2, 130, 141
 

@@ -7,15 +7,16 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from planar_pushing.commands.words.arguments import Commands, command
-from planar_pushing.commands.words.pushes import (
+from planar_pushing.commands.words import (
+    Commands,
     add_pushes,
     chosen_pushes,
-    columns,
+    command,
     require_ending,
     require_seed,
+    table,
+    text,
 )
-from planar_pushing.commands.words.text import text
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -112,10 +113,14 @@ def lines(told: dict[str, Any]) -> str:
 
 def _table(quantity: str, unit: str, rows: dict[str, dict[str, Any]]) -> str:
     """Table with a row for each model."""
-    heading = [f"{quantity} [{unit}]", "median", "90 %", "ratio", "from", "to"]
-    listed = [
-        [model, *(f"{each[name]:.3g}" for name in ("median", "percentile_90")),
-         *(f"{number:.3f}" for number in (each["ratio"], *each["ratio_interval"]))]
+    return table([
+        {
+            f"{quantity} [{unit}]": model,
+            "median": f"{each['median']:.3g}",
+            "90 %": f"{each['percentile_90']:.3g}",
+            "ratio": f"{each['ratio']:.3f}",
+            "from": f"{each['ratio_interval'][0]:.3f}",
+            "to": f"{each['ratio_interval'][1]:.3f}",
+        }
         for model, each in rows.items()
-    ]  # fmt: skip
-    return columns([heading, *listed])
+    ])  # fmt: skip

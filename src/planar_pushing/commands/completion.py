@@ -9,7 +9,7 @@ import argparse
 from collections.abc import Iterable
 from typing import Any
 
-from planar_pushing.commands.words.arguments import Commands, Parser, command
+from planar_pushing.commands.words import Commands, Parser, command
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import Method, Policy, Shape
 

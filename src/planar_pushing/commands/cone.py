@@ -5,8 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from planar_pushing.commands.words.arguments import Commands, add_scene, command
-from planar_pushing.commands.words.text import numbers
+from planar_pushing.commands.words import Commands, add_scene, command, numbers
 
 
 def add(commands: Commands) -> None:

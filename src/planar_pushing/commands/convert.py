@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from planar_pushing.commands.words.arguments import Commands, add_output, command
+from planar_pushing.commands.words import Commands, add_output, command
 from planar_pushing.terms.errors import InvalidValue, suggestion
 
 #: Formats of measured pushes: name and help.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING, Any
 
-from planar_pushing.commands.words.arguments import (
+from planar_pushing.commands.words import (
     Commands,
     add_output,
     add_push,
@@ -41,7 +41,7 @@ def add(commands: Commands) -> None:
 
 def drawn(args: argparse.Namespace) -> dict[str, Any]:
     """Draw the scene under the given push, the push of its file, or a push straight ahead."""
-    from planar_pushing.drawing.canvas.saving import save_drawn
+    from planar_pushing.drawing.canvas.style import save_drawn
     from planar_pushing.drawing.draw import SCENE, draw_on
     from planar_pushing.drawing.sketch import Sketch, with_curve
     from planar_pushing.scenes.files import load_scene_file

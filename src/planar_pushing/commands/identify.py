@@ -7,15 +7,17 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from planar_pushing.commands.words.arguments import Commands, add_output, command
-from planar_pushing.commands.words.pushes import (
+from planar_pushing.commands.words import (
+    Commands,
+    add_output,
     add_pushes,
     chosen_pushes,
-    columns,
+    command,
     require_ending,
     require_seed,
+    table,
+    text,
 )
-from planar_pushing.commands.words.text import text
 from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_positive, suggestion
 
 if TYPE_CHECKING:
@@ -194,6 +196,7 @@ def lines(told: dict[str, Any]) -> str:
 
 def _table(told: dict[str, Any], length: str, force: str) -> str:
     """Table with a row for each quantity: its value and the ends of its interval."""
+    names = ("quantity", "value", "5 %", "95 %")
     x, y = told["center_of_pressure"]
     values = {
         "weight": (told["weight"], force),
@@ -203,19 +206,19 @@ def _table(told: dict[str, Any], length: str, force: str) -> str:
         "spin_torque": (told["spin_torque"], length),
     }
     rows = [
-        [f"{name} [{unit}]" if unit else name, *map(_word, (value, *told["intervals"][name]))]
+        (f"{name} [{unit}]" if unit else name, *map(_word, (value, *told["intervals"][name])))
         for name, (value, unit) in values.items()
         if value is not None
     ]
-    return columns([["quantity", "value", "5 %", "95 %"], *rows])
+    return table([dict(zip(names, row, strict=True)) for row in rows])
 
 
 def _footlines(told: dict[str, Any], length: str) -> list[str]:
     """Table with a row for each foot, or one line if there are none."""
     if told["feet"] is None:
         return ["feet: none; neighboring points form a patch"]
-    rows = [[*map(_word, foot)] for foot in told["feet"]]
-    return [columns([[f"foot_x [{length}]", f"foot_y [{length}]", "fraction"], *rows])]
+    names = (f"foot_x [{length}]", f"foot_y [{length}]", "fraction")
+    return [table([dict(zip(names, map(_word, foot), strict=True)) for foot in told["feet"]])]
 
 
 def _word(value: float | None) -> str:

@@ -6,7 +6,7 @@ import argparse
 import sys
 from typing import TYPE_CHECKING, Any
 
-from planar_pushing.commands.words.arguments import (
+from planar_pushing.commands.words import (
     DIRECTION,
     Commands,
     add_output,
@@ -139,9 +139,10 @@ def _section(file: SceneFile, args: argparse.Namespace) -> SimulateEntry:
 def _invalid(error: ValidationError, section: dict[str, Any]) -> InvalidValue:
     """First of the errors, named after its option."""
     first = error.errors()[0]
-    name = str(first["loc"][0]) if first["loc"] else "simulate"
-    allowed = str(first.get("ctx", {}).get("expected", first["msg"]))
-    return InvalidValue(name, section.get(name, section), allowed, "change the value")
+    context = first.get("ctx", {})
+    name = str(first["loc"][0]) if first["loc"] else str(context["name"])
+    allowed, remedy = str(context.get("expected", first["msg"])), context.get("remedy")
+    return InvalidValue(name, section.get(name), allowed, remedy or "change the value")
 
 
 def summary(log: xr.Dataset) -> dict[str, Any]:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING, Any
 
-from planar_pushing.commands.words.arguments import Commands, add_push, add_scene, command
-from planar_pushing.commands.words.text import numbers
+from planar_pushing.commands.words import Commands, add_push, add_scene, command, numbers, table
 from planar_pushing.terms.errors import InvalidValue
 
 if TYPE_CHECKING:
@@ -102,15 +101,11 @@ def _solutions(found: Solutions, feet: tuple[str, ...]) -> list[dict[str, Any]]:
 
 def _table(pushes: list[dict[str, Any]]) -> str:
     """Table with a line for each solution of each push, and one for a push without a solution."""
-    import pandas as pd
-
-    rows = [
+    return table([
         {"angle": f"{each['pusher_angle']:.10g}"} | _row(one)
         for each in pushes
         for one in each["solutions"] or [{"mode": each["outcome"]}]
-    ]
-    frame = pd.DataFrame(rows).dropna(axis="columns", how="all").fillna("")
-    return str(frame.to_string(index=False))
+    ])  # fmt: skip
 
 
 def _row(one: dict[str, Any]) -> dict[str, Any]:

@@ -23,8 +23,8 @@ from planar_pushing.drawing.canvas.marks import (
     arc,
 )
 from planar_pushing.drawing.supports import OUTLINE, Ink, Pose, add_support, extents
+from planar_pushing.mechanics.force.rubbing import support_of
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.rubbing import support_of
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import Polygon, Ring
 from planar_pushing.scenes.scene_model import SceneFile

@@ -20,8 +20,8 @@ from planar_pushing.drawing.words import best
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.force.cones import friction_cone, motion_cone
 from planar_pushing.mechanics.force.limit_curve import limit_curve
+from planar_pushing.mechanics.force.rubbing import place_friction, ring_friction
 from planar_pushing.mechanics.plane import Array, direction
-from planar_pushing.mechanics.rubbing import place_friction, ring_friction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solutions import Solution, Solutions
 from planar_pushing.mechanics.solve import solve

@@ -1,20 +1,27 @@
-"""Conversion between the state of the page and the query of its address."""
+"""Conversion between the state of the page and the query of its address, and lines that refuse values."""
 
 from __future__ import annotations
 
 import json
 import math
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 from urllib.parse import urlencode
 
 from pydantic import ValidationError
 
-from planar_pushing.explorer.refusals import explained
 from planar_pushing.explorer.state import Handle, Start, State, pushed
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.scenes.files import explain
 from planar_pushing.scenes.scene_model import SceneFile
-from planar_pushing.terms.errors import InvalidFile, InvalidValue, as_float
+from planar_pushing.terms.errors import (
+    InvalidFile,
+    InvalidValue,
+    PlanarPushingError,
+    as_float,
+    shown,
+)
 
 #: Named components of the state outside the scene file, and their values.
 NAMES: dict[str, tuple[str, ...]] = {
@@ -95,3 +102,18 @@ def _value(given: str) -> Any:
         return json.loads(given)
     except (ValueError, RecursionError):  # a text of thousands of brackets
         return given
+
+
+def refusal(error: BaseException, name: str = "", given: Any = None) -> str:
+    """One-line message with the changed widget and its value, if any, and the allowed values."""
+    if isinstance(error, ValidationError):
+        line = explained("scene", error)
+        value = "nothing" if given is None or given == [] else shown(given)
+        return f"{name}: {value} given; {line.partition(' given; ')[2]}" if name else line
+    known = isinstance(error, PlanarPushingError)
+    return " ".join((str(error) if known else f"{type(error).__name__}: {error}").split())
+
+
+def explained(start: str, error: ValidationError) -> str:
+    """First error of a scene file as the package states it, after a prefix."""
+    return explain(Path(start), error.errors()[0])

@@ -9,13 +9,15 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from html import escape
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import panel as pn
+from panel.custom import JSComponent
 from pydantic import ValidationError
 
-from planar_pushing.explorer.address import query
+from planar_pushing.explorer.address import query, refusal
 from planar_pushing.explorer.downloads import written
 from planar_pushing.explorer.pictures.following import WAYS, chosen, forgotten, taken, ways_at
 from planar_pushing.explorer.pictures.maps import maps
@@ -23,14 +25,44 @@ from planar_pushing.explorer.pictures.pictures import push_box
 from planar_pushing.explorer.pointing import Pointing
 from planar_pushing.explorer.presets import preset, titles
 from planar_pushing.explorer.python_lines import lines
-from planar_pushing.explorer.refusals import refusal
-from planar_pushing.explorer.screen import Screen
 from planar_pushing.explorer.state import State
 from planar_pushing.explorer.view import Order, View, energy_legend, map_markup, view
 from planar_pushing.explorer.widgets import FRAMES, Field, alike, fields, update
 from planar_pushing.explorer.worker import Worker
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.errors import PlanarPushingError
+
+
+class Screen(JSComponent):  # type: ignore[misc]
+    """A component without its own display, which acts on the elements of the template.
+
+    Parameters
+    ----------
+    hear : callable
+        Called with each message of the page, which has a kind and the number of the last event.
+    """
+
+    _esm = Path(__file__).with_name("screen.js").read_text(encoding="utf-8")
+
+    def __init__(self, hear: Callable[[dict[str, Any]], None]) -> None:
+        super().__init__(width=0, height=0)
+        self._hear = hear
+        self._known: dict[str, str] = {}
+
+    def _handle_msg(self, data: dict[str, Any]) -> None:
+        self._hear(data)
+
+    def tell(self, markup: dict[str, str], **rest: Any) -> None:
+        """Send the markup of changed elements by id, and other data for the script."""
+        fresh = {name: text for name, text in markup.items() if self._known.get(name) != text}
+        self._known |= fresh
+        if fresh or rest:
+            self._send_msg({"markup": fresh, **rest})
+
+    def forget(self) -> None:
+        """Send all markup again, because the page is new."""
+        self._known = {}
+
 
 LOG = logging.getLogger("planar_pushing")
 #: Milliseconds between checks of the page, seconds without a change that count as rest, and seconds after

@@ -10,11 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.explorer.supports import scaled
-from planar_pushing.mechanics.rubbing import support_of
+from planar_pushing.mechanics.effects import EFFECTS
+from planar_pushing.mechanics.force.rubbing import support_of
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.scenes.scene_model import SceneFile
-from planar_pushing.terms.options import EFFECT_TYPES, EffectKind, Policy, PusherFrame, Shape
+from planar_pushing.terms.options import EffectKind, Policy, PusherFrame, Shape
 
 #: Ranges of handles and widgets: magnitudes of a push in units of W / m, and rod angles in degrees.
 MAGNITUDES = 0.01, 100.0
@@ -174,7 +174,8 @@ def with_rod(state: State, length: float, angle: float) -> State:
 
 def _own_slider(state: State) -> dict[str, Any]:
     """Slider without its outline, because its contact is no longer on the outline."""
-    return state.file.slider.model_dump(exclude_none=True, exclude={"outline"})
+    slider: dict[str, Any] = state.file.slider.model_dump(exclude_none=True, exclude={"outline"})
+    return slider
 
 
 def with_size(state: State, size: float) -> State:
@@ -205,13 +206,13 @@ def entries(state: State) -> list[dict[str, Any]]:
 
 def effect(state: State, kind: EffectKind) -> dict[str, Any] | None:
     """First effect of a kind; None if there is none."""
-    found = [each for each in entries(state) if EFFECT_TYPES[each["type"]] == kind]
+    found = [each for each in entries(state) if EFFECTS[each["type"]].kind == kind]
     return found[0] if found else None
 
 
 def with_effect(state: State, kind: EffectKind, entry: dict[str, Any] | None) -> State:
     """State with another effect of a kind, or without such an effect."""
-    others = [each for each in entries(state) if EFFECT_TYPES[each["type"]] != kind]
+    others = [each for each in entries(state) if EFFECTS[each["type"]].kind != kind]
     effects = [entry, *others] if kind == EffectKind.SUPPORT_FRICTION else [*others, entry]
     found = changed(state, effects=[each for each in effects if each is not None])
     start = Start.ACCELERATION if found.scene.stores_energy else Start.VELOCITY
@@ -233,3 +234,65 @@ def with_support(state: State, support: dict[str, Any] | None) -> State:
     return with_effect(
         changed(state, slider=slider, placement=None), EffectKind.SUPPORT_FRICTION, friction
     )
+
+
+#: Keys of a support with lengths as values.
+LENGTHS = frozenset(
+    (
+        "radius",
+        "inner",
+        "outer",
+        "center",
+        "start",
+        "end",
+        "positions",
+        "vertices",
+        "holes",
+        "x",
+        "y",
+    )
+)
+#: Relative tolerance for equal sizes.
+ROUNDING = 1e-9
+
+
+def scaled(entry: dict[str, Any], factor: float) -> dict[str, Any]:
+    """Support enlarged by a factor."""
+    found = {key: _times(each, factor) if key in LENGTHS else each for key, each in entry.items()}
+    if "members" in entry:
+        found["members"] = [
+            {**each, "support": scaled(each["support"], factor)} for each in entry["members"]
+        ]
+    return found
+
+
+def _times(given: Any, factor: float) -> Any:
+    if isinstance(given, (list, tuple)):
+        return [_times(each, factor) for each in given]
+    return given * factor
+
+
+def name_in(gallery: dict[str, Any], entry: dict[str, Any] | None, size: float) -> str:
+    """Name of a support in the gallery, which has supports of size 1; empty if it is not there."""
+    if entry is None:
+        return "ring"
+    own = scaled(entry, 1.0 / size)
+    return next((name for name, each in gallery.items() if _alike(own, each)), "")
+
+
+def _alike(one: Any, other: Any) -> bool:
+    """Whether two supports are equal up to rounding."""
+    if isinstance(one, dict):
+        kept = {key for key, each in one.items() if not _is_origin(key, each)}
+        kin = {key for key, each in other.items() if not _is_origin(key, each)}
+        return kept == kin and all(_alike(one[key], other[key]) for key in kept)
+    if isinstance(one, (list, tuple)):
+        return len(one) == len(other) and all(map(_alike, one, other))
+    if isinstance(one, str):
+        return bool(one == other)
+    return bool(np.isclose(one, other, rtol=ROUNDING, atol=ROUNDING))
+
+
+def _is_origin(key: str, given: Any) -> bool:
+    """Whether a key only states the default, that the support is centered at the origin."""
+    return key == "center" and not any(given)

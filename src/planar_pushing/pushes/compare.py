@@ -11,7 +11,7 @@ import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points, Polygon, fit_ellipsoid
-from planar_pushing.mechanics.supports.base import Support
+from planar_pushing.mechanics.supports.base import required_support
 from planar_pushing.pushes.fit.ellipsoid import Ellipsoid
 from planar_pushing.pushes.fit.fitted import fitted_ellipsoid
 from planar_pushing.pushes.fit.friction import contact_friction
@@ -232,14 +232,13 @@ def _required_models(given: Any) -> dict[str, Callable[[Half], tuple[Model, floa
         )  # fmt: skip
     if not isinstance(given, Mapping):
         return {name: MODELS[name] for name in dict.fromkeys((*names, REFERENCE))}
-    wrong = [
-        name for name, each in given.items() if name in MODELS or not isinstance(each, Support)
-    ]
-    if wrong:
-        raise InvalidValue(
-            "models", {wrong[0]: given[wrong[0]]}, "supports under names of your own",
-            f"give Points or another support, and use none of the names {', '.join(MODELS)}",
-        )  # fmt: skip
+    for name, support in given.items():
+        required_support("models", support)
+        if name in MODELS:
+            raise InvalidValue(
+                "models", {name: support}, "supports under names of your own",
+                f"use none of the names {', '.join(MODELS)}",
+            )  # fmt: skip
     own = {name: partial(_given, support) for name, support in given.items()}
     return {**own, **MODELS}
 

@@ -17,6 +17,7 @@ from planar_pushing.drawing.canvas.colors import DARK
 from planar_pushing.drawing.canvas.labels import settled
 from planar_pushing.drawing.canvas.marks import (
     DASHES,
+    SHAPES,
     Area,
     Arrow,
     Dot,
@@ -26,8 +27,6 @@ from planar_pushing.drawing.canvas.marks import (
     Picture,
     Sheet,
 )
-from planar_pushing.drawing.canvas.shapes import SHAPES
-from planar_pushing.drawing.canvas.style import COLUMN, PAGE
 from planar_pushing.mechanics.plane import Array
 
 #: Height of a row of titles in points.
@@ -142,11 +141,6 @@ class Panel(NamedTuple):
     box: Array
     title: str = ""
     pad: float = 12.0
-
-
-def is_column(figure: Any) -> bool:
-    """Whether a figure has the width of a column rather than a page."""
-    return bool(figure.get_figwidth() < COLUMN + PAGE / 4)
 
 
 def panels(

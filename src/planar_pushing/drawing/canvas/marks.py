@@ -2,7 +2,7 @@
 
 Positions are in the units of the scene, with y upward. Widths, heads, dots, letters and offsets are in
 points, so that their size on paper does not depend on the scene; a page sets the pixels per point. Marks
-of a higher order cover those of a lower order.
+of a higher order cover those of a lower order. `SHAPES` are the outlines of dots.
 """
 
 from __future__ import annotations
@@ -296,3 +296,31 @@ def corners(points: Iterable[Place], margin: float = 0.0) -> Array:
     """Corners of the smallest upright box around points."""
     every = np.concatenate([np.reshape(np.asarray(each, dtype=float), (-1, 2)) for each in points])
     return np.array([every.min(axis=0) - margin, every.max(axis=0) + margin])
+
+
+def _turns(start: float, stop: float, count: int) -> Array:
+    return np.asarray(direction(np.linspace(start, stop, count)))
+
+
+def _quarter(start: float) -> Array:
+    return np.vstack([[(0.0, 0.0)], _turns(start, start + np.pi / 2, 13)])
+
+
+def _burst() -> Array:
+    rays = _turns(np.pi / 2, 2.5 * np.pi, 17)[:-1]
+    return rays * np.where(np.arange(16) % 2, 0.55, 1.0)[:, None]
+
+
+_CIRCLE = _turns(0.0, 2 * np.pi, 33)[:-1]
+_PLUS = np.array(
+    [(1, 3), (1, 1), (3, 1), (3, -1), (1, -1), (1, -3), (-1, -3), (-1, -1), (-3, -1), (-3, 1),
+     (-1, 1), (-1, 3)]
+) / 3.0  # fmt: skip
+
+#: A center of mass is a disc with two dark quadrants, and a center of pressure is a cross.
+SHAPES: dict[str, tuple[tuple[Array, bool], ...]] = {
+    "o": ((_CIRCLE, False),),
+    "mass": ((_CIRCLE, False), (_quarter(0.0), True), (_quarter(np.pi), True)),
+    "pressure": ((_PLUS, False),),
+    "burst": ((_burst(), False),),
+}

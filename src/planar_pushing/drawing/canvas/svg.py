@@ -12,6 +12,7 @@ import numpy as np
 from planar_pushing.drawing.canvas.labels import settled
 from planar_pushing.drawing.canvas.marks import (
     DASHES,
+    SHAPES,
     Area,
     Arrow,
     Dot,
@@ -21,7 +22,6 @@ from planar_pushing.drawing.canvas.marks import (
     Picture,
     Sheet,
 )
-from planar_pushing.drawing.canvas.shapes import SHAPES
 from planar_pushing.mechanics.plane import Array
 
 FONT = "STIXGeneral, 'STIX Two Text', 'Times New Roman', 'DejaVu Serif', serif"

@@ -11,8 +11,7 @@ from planar_pushing.mechanics.contact import Coulomb, InfiniteFriction
 from planar_pushing.mechanics.effects import SupportFriction
 from planar_pushing.mechanics.force.force_motion import motion_of_force
 from planar_pushing.mechanics.force.wrench import wrench
-from planar_pushing.mechanics.frames import Frame
-from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.plane import Array, Frame
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.objects.scene_at import scene_at
 from planar_pushing.pushes.logs.contacts import Contacts, Ends

@@ -1,15 +1,19 @@
-"""Arguments that several commands take."""
+"""Arguments and printed text that the commands share."""
 
 from __future__ import annotations
 
 import argparse
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import chain
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
-from planar_pushing.terms.errors import require_number, require_positive
+from planar_pushing.terms.errors import InvalidValue, require_number, require_positive
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 #: Return type of `add_subparsers`, for which argparse has no public name.
 Commands = Any
@@ -132,3 +136,99 @@ def check_push(args: argparse.Namespace) -> None:
     magnitude = getattr(args, "pusher_magnitude", None)
     if magnitude is not None:
         require_positive("pusher_magnitude", magnitude, "use the angle to reverse the pusher")
+
+
+def add_pushes(sub: argparse.ArgumentParser, several: bool) -> None:
+    """Add the dataset of pushes, the name of an object, and the seed."""
+    sub.add_argument(
+        "pushes", type=Path, metavar="PUSHES.nc",
+        help="dataset of pushes written by save_pushes or planar-pushing convert",
+    )  # fmt: skip
+    default = "all objects of the dataset" if several else "the only object of the dataset"
+    sub.add_argument(
+        "--object", metavar="NAME", help=f"object whose pushes are used (default: {default})"
+    )
+    sub.add_argument(
+        "--seed", type=int, default=0, metavar="NUMBER",
+        help="seed of all random choices, a whole number >= 0 (default: 0)",
+    )  # fmt: skip
+
+
+def require_seed(seed: int) -> int:
+    """Return a valid seed, or raise `InvalidValue`."""
+    allowed = "a whole number >= 0"
+    return int(require_number("seed", seed, lambda x: 0 <= x < math.inf, allowed, "give another"))
+
+
+def require_ending(output: Path, endings: Sequence[str]) -> None:
+    """Reject an output file name without one of the allowed endings."""
+    if output.suffix.lower() not in endings:
+        allowed = f"a name ending in {' or '.join(endings)}"
+        raise InvalidValue("output", str(output), allowed, "rename the file")
+
+
+def chosen_pushes(args: argparse.Namespace) -> xr.Dataset:
+    """Pushes of the file, or of one of its objects."""
+    from planar_pushing.pushes.files import load_pushes
+    from planar_pushing.pushes.logs.combine import of_object
+
+    pushes = load_pushes(args.pushes)
+    return pushes if args.object is None else of_object(pushes, args.object)
+
+
+def table(rows: Sequence[Mapping[str, str | None]]) -> str:
+    """Lines of a table from rows with a word for each column, or None; empty columns are left out.
+
+    Words in the first column are left-aligned, numbers and all other columns right-aligned.
+    """
+    columns = dict.fromkeys(chain(*rows))
+    names = [name for name in columns if any(row.get(name) is not None for row in rows)]
+    cells = [names, *([row.get(name) or "" for name in names] for row in rows)]
+    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+    counted = all(re.match(r"-?\.?\d", row[0]) for row in cells[1:])
+    first = str.rjust if counted else str.ljust
+    lines = ([first(row[0], widths[0]), *map(str.rjust, row[1:], widths[1:])] for row in cells)
+    return "\n".join("  ".join(line).rstrip() for line in lines)
+
+
+#: Components of a vector below this, relative to the largest, are rounding errors.
+ROUNDING = 1e-12
+
+
+def numbers(values: Iterable[Any]) -> list[float]:
+    """Components of a vector as plain numbers, without negative zeros."""
+    return [float(value) + 0.0 for value in values]
+
+
+def text(value: Any, indent: int = 0) -> str:
+    """Readable lines of nested results."""
+    if _nested(value):
+        blocks = (
+            f"{' ' * indent}{i}:\n{text(each, indent + 2)}" for i, each in enumerate(value, 1)
+        )
+        return "\n".join(blocks)
+    if isinstance(value, dict):
+        return "\n".join(_line(str(key), each, indent) for key, each in value.items())
+    entries = value if isinstance(value, list) else [value]
+    finite = [abs(v) for v in entries if isinstance(v, float) and math.isfinite(v)]
+    least = ROUNDING * max(finite, default=0.0)
+    return " ".join(_word(v, least) for v in entries)
+
+
+def _word(value: Any, least: float) -> str:
+    """Twelve digits of a number; 0 for a vector component that is only rounding error."""
+    if value is None:
+        return "none"
+    return (
+        f"{0.0 if abs(value) < least else value:.12g}" if isinstance(value, float) else str(value)
+    )
+
+
+def _nested(value: Any) -> bool:
+    return isinstance(value, list) and bool(value) and isinstance(value[0], dict)
+
+
+def _line(key: str, value: Any, indent: int) -> str:
+    if _nested(value):
+        return f"{' ' * indent}{key}:\n{text(value, indent + 2)}"
+    return f"{' ' * indent}{key}: {text(value)}" if key else str(value)

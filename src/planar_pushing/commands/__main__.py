@@ -1,7 +1,0 @@
-"""`python -m planar_pushing.commands` is the command `planar-pushing`."""
-
-import sys
-
-from planar_pushing.commands import main
-
-sys.exit(main())

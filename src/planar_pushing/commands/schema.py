@@ -1,0 +1,41 @@
+"""The command `schema`: the JSON schema of a kind of file, for editors."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from importlib.metadata import entry_points
+from typing import Any
+
+from planar_pushing.commands.words import Commands, command
+from planar_pushing.terms.errors import InvalidValue
+
+#: Group of the entry points of other packages' kinds of files, each a model of the content.
+GROUP = "planar_pushing.schemas"
+SCENE = "scene"
+
+
+def add(commands: Commands) -> None:
+    """Add the command to the command line."""
+    kinds = (SCENE, *sorted(each.name for each in entry_points(group=GROUP)))
+    about = "Print the JSON schema of a kind of file, with which an editor completes and checks its keys."
+    sub = command(commands, "schema", schema, about, "scene > scene.schema.json")
+    sub.add_argument("kind", metavar="KIND", help=" or ".join(kinds))
+    sub.words = kinds
+
+
+def schema(args: argparse.Namespace) -> dict[str, Any]:
+    """Schema of a kind of file."""
+    from pydantic import TypeAdapter
+
+    from planar_pushing.scenes.object_model import ObjectFile
+    from planar_pushing.scenes.scene_model import SceneFile
+
+    models = {each.name: each for each in entry_points(group=GROUP)}
+    if args.kind not in (SCENE, *models):
+        kinds = ", ".join((SCENE, *models))
+        raise InvalidValue("kind", args.kind, kinds, "name one of these kinds of files")
+    # A scene file is either in the body frame or in the frame of an object.
+    model: Any = SceneFile | ObjectFile if args.kind == SCENE else models[args.kind].load()
+    content = TypeAdapter(model).json_schema()
+    return content if args.json else {"": json.dumps(content, indent=2)}

@@ -1,1 +1,0 @@
-"""Arguments and printed text that the commands share."""
