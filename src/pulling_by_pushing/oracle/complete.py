@@ -15,7 +15,7 @@ from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
 
-from flint import arb, fmpq
+from flint import arb, ctx, fmpq
 
 from pulling_by_pushing.oracle.balls import ZERO, Direction, Undecided, remember, sign
 from pulling_by_pushing.oracle.body import Body
@@ -29,6 +29,8 @@ ONLY_A_RING = (
 )
 #: Most parts of a cover, and the relative width of a gap.
 MOST, GAP = 4096, arb(2) ** -60
+#: Least precision of a cover in bits, which needs signs alone; it follows a quarter of the precision.
+COARSE = 96
 
 
 class Part(NamedTuple):
@@ -103,6 +105,10 @@ class Path:
     @cached_property
     def parts(self) -> list[Part]:
         """Monotone parts and gaps that cover the interval, in order of k."""
+        with ctx.workprec(max(COARSE, ctx.prec // 4)):
+            return self._cover()
+
+    def _cover(self) -> list[Part]:
         low, high = sorted((self.friction, self.inertia), key=float)
         if not low < high:
             raise Undecided(

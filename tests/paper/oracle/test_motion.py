@@ -43,16 +43,26 @@ QUADRUPED = {
 DISC = {"shape": "disc", "radius": 0.9}
 SQUARE = {"shape": "polygon", "vertices": [[-1, -1], [1, -1], [1, 1], [-1, 1]]}
 RING = {"type": "ring_friction", "weight": 3.0}
+
+
+def mass_aside(duration):
+    mass = {"type": "inertia", "mass": 2.0, "gyration_radius": 0.6, "center": (0.1, 0.05)}
+    return changed(
+        "pulling_with_inertia", slider={"radius": 0.9}, effects=[RING | {"weight": 1.5}, mass],
+        simulate={"duration": duration, **fence((0.0, -10.0, 1.2), (0.4, -10.0, 0.0))},
+    )  # fmt: skip
+
+
 #: Radius, weight, speed and mass are not 1. The fence leaves the slider and meets it again; the slider
 #: pivots about a foot, while the slip reverses; it lands with support friction, sticks and slips; it comes
 #: to rest.
 SCENES = {
-    "figure_14a": changed("figure_14a"),
+    "figure_14a": changed("figure_14a", samples=7, simulate={"duration": 0.75}),
     "figure_14b": changed("figure_14b"),
-    "figure_15": changed("figure_15"),
+    "figure_15": changed("figure_15", simulate={"duration": 1.0}),
     "impact": changed("impact"),
     "pulling_with_inertia": changed("pulling_with_inertia"),
-    "tripod": changed("tripod"),
+    "tripod": changed("tripod", simulate={"duration": 1.2}),
     "other units": changed(
         "figure_14a",
         slider={"rod_length": 1.4, "rod_angle": 40.0, "radius": 0.7},
@@ -74,7 +84,7 @@ SCENES = {
         "tripod",
         contact={"friction_coefficient": 0.2},
         effects=[{"type": "support_friction", "weight": 2.5, "support": SQUARE}],
-        simulate={"duration": 0.5, **fence((0.0, 80.0, 1.3))},
+        simulate={"duration": 0.2, **fence((0.0, 80.0, 1.3))},
     ),
     "quadruped": changed(
         "tripod",
@@ -91,19 +101,18 @@ SCENES = {
         ],
         simulate={"duration": 1.0, "initial_gap": 0.2},
     ),
-    "mass aside": changed(
-        "pulling_with_inertia",
-        slider={"radius": 0.9},
-        effects=[
-            {"type": "ring_friction", "weight": 1.5},
-            {"type": "inertia", "mass": 2.0, "gyration_radius": 0.6, "center": (0.1, 0.05)},
-        ],
-        simulate={"duration": 1.2, **fence((0.0, -10.0, 1.2), (0.4, -10.0, 0.0))},
-    ),
+    "mass aside": mass_aside(0.5),
+    "mass aside that comes to rest": mass_aside(1.2),
 }  # fmt: skip
 
 
-@pytest.fixture(scope="module", params=SCENES)
+LONG = ("mass aside that comes to rest", "pulling_with_inertia", "tripod")
+
+
+@pytest.fixture(
+    scope="module",
+    params=[pytest.param(x, marks=pytest.mark.slow if x in LONG else ()) for x in SCENES],
+)
 def name(request):
     """Tests of one scene are run in a row."""
     return request.param

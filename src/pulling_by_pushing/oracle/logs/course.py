@@ -35,7 +35,7 @@ NEAR = fmpq(1, 10**8)
 #: Longest step, and the time after an event at which modes are listed, as fractions of the duration.
 LONGEST, AHEAD = fmpq(1, 16), fmpq(1, 2**24)
 #: Maximum number of halvings of a step, and of Newton steps to an event.
-HALVINGS, STEPS = 10, 40
+HALVINGS, STEPS = 64, 40
 #: Step of a difference quotient, accuracy of an event, and rounding, as fractions of the duration.
 TINY, CLOSE, NOISE = (arb(2) ** -power for power in (56, 100, 110))
 #: Unit steps in the logarithm of the speed after which a motion has decayed to zero to all digits.

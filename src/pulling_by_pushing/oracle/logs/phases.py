@@ -52,11 +52,15 @@ class State(NamedTuple):
 
 
 class Phase(NamedTuple):
-    """A contact mode on a fence of constant velocity, and the foot about which the slider pivots."""
+    """A contact mode on a fence of constant velocity, and the foot about which the slider pivots.
+
+    `side` is 1 if the motion center of a sticking ring is outside the ring, and -1 if it is inside.
+    """
 
     fence: Vector
     mode: Mode
     foot: int = NO_FOOT
+    side: int = 0
 
 
 class Motion(NamedTuple):
@@ -166,7 +170,7 @@ class Massive(Slider):
     center: Place
 
     def move(self, state: State, phase: Phase) -> Motion:
-        fence, mode, _ = phase
+        fence, mode = phase.fence, phase.mode
         u, edge = self.velocity(state, fence), self.edge(mode)
         margins: Margins = ((TOUCHES, state.gap),)
         if _rests(u, state):

@@ -10,6 +10,7 @@ from flint import arb, arb_mat, ctx
 
 from pulling_by_pushing.oracle.balls import Undecided, Vector, cross, dot, sign
 from pulling_by_pushing.oracle.body import Body, Matrix, Row
+from pulling_by_pushing.oracle.exact import ring_radius
 from pulling_by_pushing.oracle.logs.phases import (
     KINK,
     LEAVES_CONE,
@@ -91,7 +92,7 @@ class Sliding(Slider):
     guesses: dict[Mode, tuple[int, Row]] = field(default_factory=dict)
 
     def move(self, state: State, phase: Phase) -> Motion:
-        fence, mode, foot = phase
+        fence, mode, foot, side = phase
         if mode is Mode.SEPARATE:
             return Motion(
                 ZERO, ZERO, arb(0), arb(0), ((TOUCHES, state.gap),) if fence[1] > 0 else ()
@@ -100,6 +101,8 @@ class Sliding(Slider):
             spin, force = self._stick(state.angle, fence)
             low, high = self.cone(force)
             margins: Margins = (LEAVES_CONE, low), (LEAVES_CONE, high)
+            if side:
+                margins = (*margins, (KINK, side * self._beyond(state.angle, fence, spin)))
             return Motion(fence, force, spin, dot(force, fence), margins)
         ray, (x, y) = self._ray(state.angle, mode, foot), self.edge(mode)
         scale = fence[1] / ray.contact[1]
@@ -118,12 +121,22 @@ class Sliding(Slider):
         rise = sign(fence[1])
         phases = [] if rise > 0 else [Phase(fence, Mode.SEPARATE)]
         if past > 0 > short:
-            phases.append(Phase(fence, Mode.STICK))
+            spin, _ = self._stick(state.angle, fence)
+            side = sign(self._beyond(state.angle, fence, spin))
+            phases.append(Phase(fence, Mode.STICK, side=side))
         if rise and sign(left.contact[1]) == rise == short:
             phases.append(Phase(fence, Mode.SLIP_RIGHT, left.foot))
         if rise and sign(right.contact[1]) == rise == -past:
             phases.append(Phase(fence, Mode.SLIP_LEFT, right.foot))
         return phases
+
+    def _beyond(self, angle: arb, contact: Vector, spin: arb) -> arb:
+        """A number that is positive while the motion center is outside a ring; 0 for other supports."""
+        radius, rod = ring_radius(self.body), self.rod(angle)
+        if radius is None:
+            return arb(0)
+        x, y = contact[0] - spin * rod[1], contact[1] + spin * rod[0]
+        return (x * x + y * y - (radius * spin) ** 2).mid()
 
     @property
     def _feet(self) -> range:
