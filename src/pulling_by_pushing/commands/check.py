@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from planar_pushing.commands.words.arguments import Commands, command
+from planar_pushing.commands.words import Commands, command
 from planar_pushing.terms.errors import InvalidFile, InvalidValue, number_of
 from pulling_by_pushing.study.studies import (
     PAPER_FILE,

@@ -8,7 +8,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from planar_pushing.commands.words.arguments import Commands, command
+from planar_pushing.commands.words import Commands, command
 from planar_pushing.terms.errors import InvalidFile, MissingExtra
 from planar_pushing.terms.extras import pip_install, require_extra
 

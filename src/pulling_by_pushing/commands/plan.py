@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from planar_pushing.commands.words.arguments import Commands, command
+from planar_pushing.commands.words import Commands, command, table
 
 if TYPE_CHECKING:
     from pulling_by_pushing.study.running.plan import Plan
@@ -54,16 +54,12 @@ def planned(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def _table(found: list[Plan]) -> str:
-    """Table with right-aligned columns after the first, and the totals below."""
-    rows = [list(COLUMNS), *([shape.format(each) for shape in COLUMNS.values()] for each in found)]
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    lines = [
-        "  ".join([row[0].ljust(widths[0]), *(map(str.rjust, row[1:], widths[1:]))]) for row in rows
-    ]
+    """Table with a line for each dataset, and the totals below."""
+    rows = [{name: shape.format(each) for name, shape in COLUMNS.items()} for each in found]
     hours, disk = sum(each.cpu_hours for each in found), sum(each.disk for each in found)
     jobs = sum(each.jobs for each in found)
     total = f"{_counted(jobs, 'job')}, {hours:,.3f} CPU hours, {disk / 1e3:,.3f} GB of disk"
-    return "\n".join([*lines, f"together: {total}"])
+    return "\n".join([*([table(rows)] if rows else []), f"together: {total}"])
 
 
 def _counted(number: int, noun: str) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Hashable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from planar_pushing.commands.words.arguments import Commands, command
+from planar_pushing.commands.words import Commands, command
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import EffectSet
 from planar_pushing.terms.quantities import unit_of
@@ -84,7 +84,7 @@ def part(args: argparse.Namespace) -> dict[str, Any]:
 
 def _listing(args: argparse.Namespace) -> dict[str, Any]:
     """The datasets that are built, the commands that build the others, and the other studies."""
-    from pulling_by_pushing.study.listing import built_datasets, other_datasets
+    from pulling_by_pushing.study.query import built_datasets, other_datasets
     from pulling_by_pushing.study.studies import built_studies
 
     if args.where:

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pulling_by_pushing
-from planar_pushing.commands.words.arguments import Commands, command
+from planar_pushing.commands.words import Commands, command
 from planar_pushing.terms.errors import InvalidFile, InvalidValue
 
 #: Locations of the workflow: inside an installed package, or at the top of a checkout.

@@ -1,52 +1,53 @@
-"""Each figure is one module with its sources, data, caption and drawing; modules are found by name.
+"""Each figure is a view of datasets: a declaration, a drawing and a caption, found by the figure's name.
 
-A module such as `figure_03` defines `FIGURE`, `select(sources, settings)` for the plotted numbers,
-`caption(data)` and `draw(figure, data)`. The job of a figure first stores the numbers and then draws from
-that file alone.
+A module such as `paper.figure_05` defines `FIGURE`, `draw(figure, data)` and `caption(data)`. Its data are
+the datasets that it reads, cut at the values that the study gives. A module of `SEVERAL` holds figures
+of one kind, as entries of its table `FIGURES`.
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass, field
 from importlib import import_module
 from pathlib import Path
-from typing import Any, Protocol, cast
-
-import xarray as xr
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from planar_pushing.terms.errors import InvalidValue
-from planar_pushing.terms.replacing import PathLike
-from pulling_by_pushing.study.store import open_dataset
 
-#: Datasets by the names in `reads`.
-Sources = Mapping[str, xr.Dataset]
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from planar_pushing.terms.replacing import PathLike
+
 STATICS = "Sec. 3: quasi-static pushing and pulling"
 DYNAMICS = "Sec. 4: dynamic pushing and pulling"
 FRICTION, INERTIA, BOTH = "support_friction", "inertia", "support_friction+inertia"
+#: Folders of the figures, and the modules with several figures.
+FOLDERS, SEVERAL = ("paper", "sliders", "evidence"), ("paper.schematics", "paper.mappings")
+#: Datasets by the names under which a figure reads them.
+Data = Mapping[str, "xr.Dataset"]
+#: Values of axes: one value, several in a list, or None for the whole axis; under the name of a dataset,
+#: those of this dataset alone.
+Cuts = Mapping[str, Any]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figure:
-    """Description of a figure before it is drawn.
+    """Declaration of a figure.
 
     Attributes
     ----------
     title : str
         Subject of the figure in a few words.
     reads : tuple of str
-        Datasets from which it is drawn, as "dataset" or "dataset/group", or a file of the project.
+        Datasets that it shows, as "dataset" or "dataset/group", or a JSON file of the project.
     size : tuple of float
         Width and height, inches.
-    column : tuple of float, optional
-        Width and height of the one-column variant, if the figure is wider than a column.
     takes : tuple of str
-        Names of values that its entry in the study provides.
-    needs : str, optional
-        Effects that the grid of the study must list.
-    at : mapping
-        Axis values at which it cuts its datasets, in addition to the rod angle of the study.
+        Axes at which its entry in the study cuts the datasets.
+    cuts : mapping
+        Values of further axes at which it cuts them, in the form of `Cuts`.
     section : str
         Section of the paper to which it belongs.
     promise : str
@@ -57,78 +58,150 @@ class Figure:
     title: str
     reads: tuple[str, ...]
     size: tuple[float, float]
-    column: tuple[float, float] | None = None
     takes: tuple[str, ...] = ()
-    needs: str | None = None
-    at: Mapping[str, float] = field(default_factory=dict)
+    cuts: Cuts = field(default_factory=dict)
     section: str = ""
     promise: str = ""
 
-    @property
-    def variants(self) -> dict[str, tuple[float, float]]:
-        """Sizes by file-name suffix: of the figure, and of its one-column variant."""
-        return {"": self.size} | ({"_column": self.column} if self.column else {})
+
+class Drawing(NamedTuple):
+    """A figure, the function that draws it, and the one that writes its caption."""
+
+    figure: Figure
+    draw: Callable[[Any, Any], None]
+    caption: Callable[[Any], str]
 
 
-#: Values that a study provides for a figure, by key.
-Settings = Any
+#: Module and fields of each figure, by its name. The workflow fills it with `declarations` of an earlier
+#: run, because the modules import what draws.
+DECLARED: dict[str, tuple[str, dict[str, Any]]] = {}
 
 
-class Drawing(Protocol):
-    """Module of a figure; a figure that plots a whole dataset needs no `select`."""
+def modules() -> list[str]:
+    """Modules with figures, within the package of figures."""
+    folders = (Path(__file__).parent / folder for folder in FOLDERS)
+    return sorted(f"{path.parent.name}.{path.stem}" for f in folders for path in f.glob("[!_]*.py"))
 
-    FIGURE: Figure
 
-    def select(self, sources: Sources, settings: Settings) -> xr.Dataset: ...
+def module_names() -> dict[str, str]:
+    """Module that contains each figure, by the name of the figure."""
+    if DECLARED:
+        return {name: module for name, (module, _) in DECLARED.items()}
+    single = {name.rpartition(".")[2]: name for name in modules() if name not in SEVERAL}
+    several = {name: module for module in SEVERAL for name in _load(module).FIGURES}
+    return dict(sorted((single | several).items()))
 
-    def caption(self, data: xr.Dataset) -> str: ...
 
-    def draw(self, figure: Any, data: xr.Dataset) -> None: ...
+def declarations() -> dict[str, tuple[str, dict[str, Any]]]:
+    """Module and fields of each figure as plain values, by the name of the figure."""
+    return {name: (module, asdict(entry(name))) for name, module in module_names().items()}
+
+
+def _load(module: str) -> Any:
+    return import_module(f"pulling_by_pushing.figures.{module}")
 
 
 def figure_names() -> list[str]:
     """Names of all figures."""
-    found = [path for path in Path(__file__).parent.glob("*.py") if _is_figure(path)]
-    return sorted(path.stem for path in found)
+    return list(module_names())
 
 
-def _is_figure(path: Path) -> bool:
-    return re.search(r"^FIGURE = ", path.read_text(encoding="utf-8"), re.MULTILINE) is not None
-
-
-def drawing(name: str) -> Drawing:
-    """Module of a figure, such as "figure_08".
+def module_name(name: str) -> str:
+    """Module that contains a figure, such as "paper.figure_05" for "figure_05".
 
     Raises
     ------
     InvalidValue
         If there is no figure of this name.
     """
-    known = figure_names()
-    if name not in known:
-        raise InvalidValue("figure", name, ", ".join(known), "name one of these figures")
-    return cast(Drawing, import_module(f"pulling_by_pushing.figures.{name}"))
+    modules = module_names()
+    if name not in modules:
+        raise InvalidValue("figure", name, ", ".join(modules), "name one of these figures")
+    return modules[name]
+
+
+def drawing(name: str) -> Drawing:
+    """Figure with its functions, such as "figure_08"; errors as in `module_name`."""
+    module = _load(module_name(name))
+    if hasattr(module, "FIGURES"):
+        one: Drawing = module.FIGURES[name]
+        return one
+    return Drawing(module.FIGURE, module.draw, module.caption)
 
 
 def entry(name: str) -> Figure:
-    """Entry of a figure; errors as in `drawing`."""
-    return drawing(name).FIGURE
+    """Declaration of a figure; errors as in `module_name`."""
+    return Figure(**DECLARED[name][1]) if name in DECLARED else drawing(name).figure
 
 
-def select(name: str, results: PathLike, settings: Settings) -> xr.Dataset:
-    """Select the numbers that a figure plots from the datasets in a results folder.
+def files(name: str, results: PathLike) -> list[str]:
+    """Files that a figure reads, of a study with this results folder; errors as in `module_name`."""
+    from pulling_by_pushing.study.catalog import dataset_file
 
-    A figure without `select` plots its only dataset.
+    return sorted(
+        {
+            source if _is_file(source) else f"{results}/{dataset_file(source)}"
+            for source in entry(name).reads
+        }
+    )
+
+
+def view(name: str, results: PathLike, cuts: Cuts | None = None) -> Any:
+    """Datasets of a figure, cut at the values of the study; of a file of the project, its content.
+
+    Parameters
+    ----------
+    name : str
+        The figure; errors as in `module_name`.
+    results : path
+        Results folder of the study.
+    cuts : mapping, optional
+        Values that the study gives, from `studies.cuts`.
+
+    Returns
+    -------
+    mapping of str to xarray.Dataset
+        By the names in `reads`. An axis that is cut at one value remains as a scalar coordinate.
     """
-    module = drawing(name)
-    sources = {each: open_dataset(each, results) for each in module.FIGURE.reads}
-    return module.select(sources, settings) if hasattr(module, "select") else sources.popitem()[1]
+    from pulling_by_pushing.figures.measured import read_pushes
+    from pulling_by_pushing.study.store import open_dataset
+
+    figure = entry(name)
+    if any(map(_is_file, figure.reads)):
+        return read_pushes(figure.reads[0])
+    return {source: cut(open_dataset(source, results), cuts_of(figure, source, cuts or {}))
+            for source in figure.reads}  # fmt: skip
+
+
+def cuts_of(figure: Figure, source: str, cuts: Cuts) -> Cuts:
+    """Values at which one dataset of a figure is cut: those of the study, and the figure's own."""
+    given = [
+        {axis: value for axis, value in each.items() if not isinstance(value, Mapping)}
+        | dict(each.get(source, {}))
+        for each in (cuts, figure.cuts)
+    ]
+    return {axis: value for axis, value in (given[0] | given[1]).items() if value is not None}
+
+
+def cut(dataset: xr.Dataset, values: Cuts) -> xr.Dataset:
+    """Part of a dataset at one or several values of the axes that it has."""
+    return dataset.sel(
+        {
+            axis: list(value) if isinstance(value, (list, tuple)) else value
+            for axis, value in values.items()
+            if axis in dataset.dims
+        }
+    )
+
+
+def _is_file(source: str) -> bool:
+    return source.endswith(".json")
 
 
 def full_caption(name: str, data: Any) -> str:
-    """Caption as printed; a reconstruction names its figure in the paper; errors as in `drawing`."""
-    module = drawing(name)
-    if not module.FIGURE.promise:
-        return module.caption(data)
+    """Caption as printed; a reconstruction names its figure in the paper; errors as in `module_name`."""
+    one = drawing(name)
+    if not one.figure.promise:
+        return one.caption(data)
     number = int(name.removeprefix("figure_"))
-    return f"{module.caption(data)} After Fig. {number} of Lynch and Mason."
+    return f"{one.caption(data)} After Fig. {number} of Lynch and Mason."

@@ -1,4 +1,4 @@
-"""The last lines of `make`: the report, the golden verdicts, the claims and the results folder."""
+"""The end of a run: the golden check is required, and the last lines of `make` say what was built."""
 
 from __future__ import annotations
 
@@ -8,6 +8,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from planar_pushing.terms.errors import InvalidResult
+from planar_pushing.terms.replacing import PathLike
+from pulling_by_pushing.evidence.writing import write_text
 from pulling_by_pushing.study.running.jobs import run_command
 from pulling_by_pushing.study.studies import (
     KEY,
@@ -16,6 +19,26 @@ from pulling_by_pushing.study.studies import (
     study_folder,
     study_name,
 )
+
+#: Number of lines of a failed verdict that are shown, the worst first.
+WORST = 8
+
+
+def require_golden(verdict: PathLike, passed: PathLike) -> None:
+    """Write a file that says that the golden check has passed; this job runs after all others.
+
+    Raises
+    ------
+    InvalidResult
+        If a value differs; the message contains the worst differences, and nothing is written.
+    """
+    lines = Path(verdict).read_text(encoding="utf-8").splitlines()
+    failed = [line for line in lines if line.startswith("FAIL")]
+    if failed:
+        rest = [f"and {len(failed) - 1 - WORST} more"] if len(failed) - 1 > WORST else []
+        where = f"{verdict} lists all; everything else is built, and the report names the failures"
+        raise InvalidResult("\n".join([*failed[: WORST + 1], *rest, where]))
+    write_text(f"{lines[0]}\n", passed)
 
 
 def closing_lines(folder: Path, others: tuple[Path, ...] = ()) -> list[str]:

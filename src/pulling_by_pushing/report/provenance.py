@@ -6,12 +6,15 @@ import platform
 import subprocess
 from importlib.metadata import metadata, version
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from planar_pushing.terms.replacing import PathLike
-from pulling_by_pushing.evidence.writing import csv_text
-from pulling_by_pushing.report.results import Results
+from pulling_by_pushing.evidence.writing import csv_text, write_text
 from pulling_by_pushing.study.provenance import whole_digest
 from pulling_by_pushing.study.study_file import load_study
+
+if TYPE_CHECKING:
+    from pulling_by_pushing.report.results import Results
 
 #: Packages with which the results and the report are produced.
 PACKAGES = (
@@ -42,6 +45,13 @@ def _git(folder: PathLike, *arguments: str) -> str:
     command = ["git", "-C", str(folder), *arguments]
     found = subprocess.run(command, capture_output=True, text=True, check=True)
     return found.stdout.strip()
+
+
+def write_provenance(output: str, *, study: str, results: str, golden: str, state: str) -> None:
+    """Write the table that identifies the code, the state of the repository, and the study."""
+    from pulling_by_pushing.report.results import Results
+
+    write_text(provenance_text(Results(Path(results), Path(golden)), study, state), output)
 
 
 def provenance_text(results: Results, study: PathLike, state: str) -> str:

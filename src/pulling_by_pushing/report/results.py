@@ -13,7 +13,7 @@ import xarray as xr
 from planar_pushing.scenes.fields import EffectsName
 from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.netcdf import read_attributes
-from pulling_by_pushing.figures.parts.measured import PUSHES_FILE, read_pushes
+from pulling_by_pushing.figures.measured import PUSHES_FILE, read_pushes
 from pulling_by_pushing.study.store import open_dataset, read_dataset
 
 #: Names of the sets of effects in the datasets.
@@ -30,8 +30,6 @@ SLIDERS = "sliders"
 @cache
 def _opened(name: str, folder: Path) -> xr.Dataset:
     kind, _, part = name.partition("/")
-    if kind == "figures":
-        return read_dataset(folder / "figures" / "data" / f"{part}.nc")
     if kind == SLIDERS:
         return open_dataset(part, folder, study=SLIDERS)
     if kind in MEASURED:
@@ -59,10 +57,10 @@ class Results:
     measured: Path = Path(PUSHES_FILE)
 
     def dataset(self, name: str) -> xr.Dataset:
-        """Dataset named as in `open_dataset`, one of `MEASURED`, or the data of a figure; read once.
+        """Dataset named as in `open_dataset`, or one of `MEASURED`; read once.
 
-        Names are, for example, "accuracy/cone" for a group, "figures/figure_06" for a figure, and
-        "sliders/supports" for a dataset of the study of sliders. Errors as in `open_dataset`.
+        Names are, for example, "accuracy/cone" for a group, and "sliders/supports" for a dataset of the
+        study of sliders. Errors as in `open_dataset`.
         """
         return _opened(name, self.folder)
 

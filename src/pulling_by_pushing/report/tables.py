@@ -2,25 +2,56 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray as xr
 
 from planar_pushing.terms.errors import InvalidFile
-from pulling_by_pushing.evidence.writing import csv_text, json_text
-from pulling_by_pushing.figures.figure import entry, full_caption, select
-from pulling_by_pushing.figures.studies import OURS, PUSHES
+from pulling_by_pushing.evidence.writing import csv_text, json_text, write_text
+from pulling_by_pushing.figures.captions import words
+from pulling_by_pushing.figures.figure import entry, full_caption, view
+from pulling_by_pushing.figures.studies import OURS, PUSHES, cuts
 from pulling_by_pushing.report.costs.numbers import machine, processor
+from pulling_by_pushing.report.costs.tables import COST_TABLES
 from pulling_by_pushing.report.derived import ROD_ANGLE
-from pulling_by_pushing.report.numbers import numbers
-from pulling_by_pushing.report.quantities import rounded
+from pulling_by_pushing.report.parts import costs, evidence, mechanics, pushes
+from pulling_by_pushing.report.quantities import Numbers, rounded
 from pulling_by_pushing.report.results import FRICTION, INERTIA, SLIDERS, Results
 from pulling_by_pushing.report.verdict import failure_rows, verdict_rows
-from pulling_by_pushing.study.datasets.base import words
-from pulling_by_pushing.study.store import read_dataset
 from pulling_by_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
 from pulling_by_pushing.study.study_file import load_study
+
+#: All numbers of the prose; the numbers of a new part must be added here.
+NUMBERS: Numbers = {
+    **mechanics.SETTING,
+    **mechanics.QUASI_STATIC,
+    **mechanics.INFINITE_FRICTION,
+    **mechanics.DYNAMIC,
+    **mechanics.BOTH_EFFECTS,
+    **mechanics.MODES,
+    **mechanics.OVER_TIME,
+    **evidence.ANY_SLIDER,
+    **pushes.MEASURED,
+    **costs.ACCURACY,
+    **costs.TIMES,
+    **costs.HARD_CASES,
+    **costs.EFFECTS,
+    **evidence.GOLDEN,
+    **evidence.CLAIMS,
+}
+
+
+def numbers(results: Results) -> dict[str, dict[str, str]]:
+    """Text, unit and source of every number.
+
+    Raises
+    ------
+    InvalidFile
+        If a file of the results is missing.
+    """
+    return {key: quantity.entry(results) for key, quantity in NUMBERS.items()}
 
 
 def numbers_text(results: Results) -> str:
@@ -34,24 +65,18 @@ def figures_text(results: Results) -> str:
     Figures about our own computation are numbered after those on the paper's subjects and on any slider.
     The caption of a figure that shows times ends with the machine.
     """
-    studies = {"figures": PAPER_FILE, f"studies/{SLIDERS}/figures": SLIDERS_FILE}
-    found: dict[str, dict[str, object]] = {}
-    for folder, file in studies.items():
-        for name in load_study(file).figures:
-            data = read_dataset(results.folder / folder / "data" / f"{name}.nc")
-            found[name] = _figure(name, data, folder)
-    for number, name in enumerate(OURS, len(found) + 1):
-        found[name] = _ours(name, results) | {"number": str(number)}
-    return json_text(found)
-
-
-def _ours(name: str, results: Results) -> dict[str, object]:
-    """Entry of a figure about the computation itself or about measured pushes."""
-    if name in PUSHES:
-        return _figure(name, results.pushes, "figures")
-    data = select(name, results.folder, None)
-    found = _figure(name, data, "figures")
-    return found | {"caption": f"{found['caption']}{_machine(data)}"}
+    entries: dict[str, dict[str, object]] = {}
+    for part, file in {"": PAPER_FILE, f"studies/{SLIDERS}/": SLIDERS_FILE}.items():
+        study = load_study(file)
+        for name in study.figures:
+            data = view(name, results.folder / part, cuts(study, name))
+            entries[name] = _figure(name, data, f"{part}figures")
+    for number, name in enumerate(OURS, len(entries) + 1):
+        data = results.pushes if name in PUSHES else view(name, results.folder)
+        ours = _figure(name, data, "figures")
+        ours["caption"] = f"{ours['caption']}{_machine(data)}"
+        entries[name] = ours | {"number": str(number)}
+    return json_text(entries)
 
 
 def _figure(name: str, data: Any, folder: str) -> dict[str, object]:
@@ -64,13 +89,15 @@ def _figure(name: str, data: Any, folder: str) -> dict[str, object]:
     }
 
 
-def _machine(data: xr.Dataset) -> str:
-    """Sentence that describes the machine on which a figure's dataset was measured, if any."""
-    if "machine" not in data.attrs:
+def _machine(data: Mapping[str, Any]) -> str:
+    """Sentence that describes the machine on which a dataset of a figure was measured, if any."""
+    measured = (each for each in data.values() if "machine" in getattr(each, "attrs", ()))
+    dataset = next(measured, None)
+    if dataset is None:
         return ""
-    found = machine(data)
-    versions = f"Python {found['python']}, NumPy {found['numpy']}"
-    return f" Machine: {processor(data)}, number of cores: {found['cores']}, {versions}."
+    known = machine(dataset)
+    versions = f"Python {known['python']}, NumPy {known['numpy']}"
+    return f" Machine: {processor(dataset)}, number of cores: {known['cores']}, {versions}."
 
 
 def ellipsoids_text(results: Results) -> str:
@@ -138,3 +165,23 @@ def verdict_text(results: Results) -> str:
 def failures_text(results: Results) -> str:
     """Table of the failed comparisons; only its header if the golden check passed."""
     return csv_text(failure_rows(results), FAILURES)
+
+
+#: Texts of the tables by their names.
+TABLES = {
+    "numbers": numbers_text,
+    "figures": figures_text,
+    "infinite_friction_cones": cones_text,
+    "ellipsoids": ellipsoids_text,
+    "golden_summary": verdict_text,
+    "golden_failures": failures_text,
+    **COST_TABLES,
+}
+
+
+def write_tables(*, results: str, golden: str, **paths: str) -> None:
+    """Write the tables of the report, each to the path given under its name."""
+    sources = Results(Path(results), Path(golden))
+    texts = {name: text(sources) for name, text in TABLES.items()}
+    for name, path in paths.items():
+        write_text(texts[name], path)

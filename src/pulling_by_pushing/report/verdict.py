@@ -78,7 +78,7 @@ def mark_count(mark: str, join: Any) -> Quantity:
 def verdict_rows(results: Results) -> list[dict[str, str]]:
     """Number of variables and finite values, worst error and its tolerance, by dataset.
 
-    Scenes, logs and figures are each counted together.
+    Scenes and logs are each counted together.
     """
     groups: dict[str, list[Check]] = defaultdict(list)
     for found in results.verdicts:

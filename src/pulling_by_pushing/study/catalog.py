@@ -40,6 +40,10 @@ class Dataset:
         Effects that the grid must list.
     pushes : bool
         Whether the dataset holds only the force angles from 0 to 180 degrees.
+    fine : bool
+        Whether the study must list the dataset under `fine_grids`, which can give axes of its own.
+    rod : bool
+        Whether a dataset over supports also depends on the rod of the study's slider, and on its ring.
     """
 
     about: str
@@ -51,11 +55,24 @@ class Dataset:
     module: str
     effects: str | None = None
     pushes: bool = False
+    fine: bool = False
+    rod: bool = False
 
     @property
     def axes(self) -> tuple[str, ...]:
         """Axes of the grid that the dataset depends on."""
         return (*self.dims, *self.reads)
+
+    @property
+    def needs(self) -> str:
+        """Keys of the study from which the dataset is computed, in words."""
+        effects = f", and the effects {self.effects}" if self.effects else ""
+        fine = ", and lists it under fine_grids" if self.fine else ""
+        return f"{', '.join(KEYS.get(axis, axis) for axis in self.axes)}{effects}{fine}"
+
+
+#: Keys of a study whose names differ from that of their axis.
+KEYS = {"support": "supports", "contact": "contact_friction_coefficient"}
 
 
 #: The datasets of a study.
@@ -66,6 +83,14 @@ DATASETS: Mapping[str, Dataset] = {
         dims=("effects", "rod_length", "rod_angle", "force_angle"),
         variables=("force", "force_x", "force_y", "spin_ratio", "motion_angle"),
         module="limit_curves",
+    ),
+    "curves": Dataset(
+        about="limit curves at fine force angles, for drawing; at the rod angle of the study",
+        source="Eqs. (2)-(7), Sec. 3, Figs. 5 and 6, and the ellipses of Sec. 4, Fig. 10",
+        dims=("effects", "rod_length", "force_angle"),
+        variables=("force", "force_x", "force_y", "motion_angle"),
+        module="limit_curves",
+        fine=True,
     ),
     "motion_cones": Dataset(
         about="friction cones, and the motion cones to which they map",
@@ -84,6 +109,14 @@ DATASETS: Mapping[str, Dataset] = {
         inner=("solution", "xy", "twist_component"),
         variables=SOLUTIONS,
         module="contact_modes",
+    ),
+    "mode_maps": Dataset(
+        about="sets of consistent contact modes over friction and the direction of the push",
+        source="Secs. 2, 3.2, 4 and 5",
+        dims=("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle"),
+        variables=("modes", "sticking_force_angle", "furthest_pull"),
+        module="mode_maps",
+        fine=True,
     ),
     "acceleration_centers": Dataset(
         about="acceleration centers and cones with support friction and inertia",
@@ -128,7 +161,7 @@ DATASETS: Mapping[str, Dataset] = {
         dims=("support", "rod_length", "rod_angle", "friction_coefficient"),
         inner=("edge",),
         variables=("motion_angle", "pivot", "width", "pulls", "slips_while_pushing"),
-        module="support_cones",
+        module="support_motions",
     ),
     "support_modes": Dataset(
         about="consistent solutions of each support for each motion of the pusher",
@@ -136,16 +169,38 @@ DATASETS: Mapping[str, Dataset] = {
         dims=("support", "rod_length", "rod_angle", "friction_coefficient", "pusher_angle"),
         inner=("solution", "xy", "twist_component"),
         variables=SOLUTIONS,
-        module="support_modes",
+        module="support_motions",
+    ),
+    "support_curves": Dataset(
+        about="limit curves of each support and of the ring, and the support points of their pivots",
+        source="Sec. 3, Fig. 5, for any pressure distribution",
+        dims=("support", "force_angle"),
+        variables=("force", "motion_angle", "pivot", "ring_force"),
+        module="support_motions",
+        fine=True,
+        rod=True,
+    ),
+    "support_rods": Dataset(
+        about="motion cones of infinite friction and friction that pulling needs, over rod lengths and "
+        "over rod angles, of each support and of the ring",
+        source="Secs. 3.1 and 3.2, for any pressure distribution",
+        dims=("support",),
+        inner=("rod", "edge"),
+        reads=("rod_length", "rod_angle"),
+        variables=(
+            "motion_angle", "pulling_friction_angle", "ring_motion_angle",
+            "ring_pulling_friction_angle", "inertia_pulling_friction_angle",
+        ),
+        module="support_motions",
+        fine=True,
+        rod=True,
     ),
 }  # fmt: skip
 
 #: Folder of the simulation logs.
 SIMULATIONS = "simulations"
-#: Folder of the numbers that the figures plot.
-FIGURES = "figures"
-#: Paths of both folders in the results, which hold a file for each name.
-FOLDERS = {SIMULATIONS: "data/simulations", FIGURES: "figures/data"}
+#: Paths of folders in the results that hold a file for each name.
+FOLDERS = {SIMULATIONS: "data/simulations"}
 
 #: Datasets about the computation itself, with their contents; those with times differ from run to run.
 EVIDENCE = {
@@ -154,8 +209,8 @@ EVIDENCE = {
     "effects": "evaluations of each effect, and times by the listed effects and their number",
     "hard_cases": "double-precision results for numerically hard cases, against 40-digit references",
 }
-#: Keys of a study whose names differ from that of their axis.
-KEYS = {"support": "supports", "contact": "contact_friction_coefficient"}
+#: Those without times, and those with.
+COUNTS, TIMES = ("hard_cases", "accuracy"), ("accuracy_time", "effects")
 #: Names of the dataset files.
 WHOLE = (*DATASETS, *EVIDENCE)
 #: Groups of the datasets that are opened one group at a time; the study names the groups of `scenes`.
@@ -227,8 +282,7 @@ def building(name: str) -> str:
     entry = DATASETS.get(stem)
     needs = f"lists it under {stem}"
     if entry and entry.axes:
-        effects = f", and the effects {entry.effects}" if entry.effects else ""
-        needs = f"gives {', '.join(KEYS.get(axis, axis) for axis in entry.axes)}{effects}"
+        needs = f"gives {entry.needs}"
     ours = "sliders" if entry and "support" in entry.dims else "paper"
     run = f"build it with planar-pushing run, from a study that {needs}"
     return f"{run}; make builds it for the study {ours}"

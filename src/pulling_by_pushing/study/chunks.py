@@ -16,8 +16,8 @@ import numpy as np
 
 from planar_pushing.mechanics.entries import to_json
 from planar_pushing.terms.extras import require_extra
-from planar_pushing.terms.netcdf import block_shape
-from pulling_by_pushing.study.slices import Cut, cut, cuts, sizes, study_slice
+from pulling_by_pushing.study.catalog import DATASETS
+from pulling_by_pushing.study.slices import Cut, cut, cuts, points, sizes, study_slice
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -39,8 +39,15 @@ MINUTES, SECONDS_PER_POINT = 10, 1e-4
 
 def blocks(lengths: Mapping[str, int], most: int = BLOCK) -> list[Cut]:
     """Split a grid into blocks of at most `most` points."""
+    from planar_pushing.terms.netcdf import block_shape
+
     steps = block_shape(list(lengths.values()), most)
     return list(cuts(lengths, dict(zip(lengths, steps, strict=True))))
+
+
+def in_blocks(study: StudyFile, name: str) -> bool:
+    """Whether a dataset is computed in blocks, because it has more points than one."""
+    return bool(DATASETS[name].dims) and points(name, study_slice(study, name)) > BLOCK
 
 
 def chunk_name(part: Cut) -> str:

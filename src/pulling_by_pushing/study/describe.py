@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, cast
 
+import numpy as np
 import xarray as xr
 
+from planar_pushing.mechanics.arrays import flag_attributes
+from planar_pushing.mechanics.contact import ContactLaw, friction_coefficient
 from planar_pushing.mechanics.entries import to_json, versions
-from planar_pushing.mechanics.status import BEHIND, FLAGS, flag_attributes
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.terms.options import BEHIND, FLAGS
 from planar_pushing.terms.quantities import (
     DATASET,
     GLOBAL,
@@ -41,6 +44,9 @@ def describe(
             variable.attrs |= flag_attributes(flags, variable.dtype)
             if "solution" in variable.dims and "solutions" in dataset:
                 variable.attrs["comment"] = BEHIND
+        if name == "modes":
+            masks = np.array([1 << mode for mode in FLAGS["mode"].values()], variable.dtype)
+            variable.attrs |= {"flag_masks": masks, "flag_meanings": " ".join(FLAGS["mode"])}
     dataset.attrs = {
         "title": title,
         "source": f"{PAPER}, {source}",
@@ -61,6 +67,8 @@ def described(dataset: xr.Dataset, name: str, part: Part) -> xr.Dataset:
     variables = {each: ordered[each].variable for each in entry.variables}  # without coordinates
     ordered = xr.Dataset(variables, {each: ordered.coords[each].variable for each in coords})
     support = "support" in entry.dims
+    if entry.rod or not support:
+        ordered = ordered.assign_coords(_scalars(part, (*entry.dims, *coords)))
     return describe(
         ordered,
         title=f"{entry.about[0].upper()}{entry.about[1:]}",
@@ -76,23 +84,31 @@ def _place(order: list[str], name: str) -> int:
 
 
 def _parameters(part: Part, dims: tuple[str, ...]) -> dict[str, object]:
-    """Parameters of a study that are not axes; `figures` holds the values at which figures cut an axis."""
+    """Parameters of a study that are not axes."""
     if "support" in dims:
         entries = part.supports.items()
         return {"supports": {name: each.model_dump(exclude_none=True) for name, each in entries}}
-    slider = part.slider.model_dump(exclude_none=True)
-    axes = {name: slider.pop(name) for name in dims if name in slider}
-    return {"slider": slider, **part.parts} | ({"figures": axes} if axes else {})
+    slider = part.slider.model_dump(exclude_none=True, exclude=set(dims))
+    return {"slider": slider, **part.parts}
 
 
-def parameters_of(dataset: xr.Dataset) -> Part:
-    """Slider and effects, without axes, for which a dataset over the paper's grid was computed.
+def _scalars(part: Part, dims: tuple[str, ...]) -> dict[str, float]:
+    """Scalar coordinates: the parameters of slider and effects that are not axes."""
+    groups = (part.slider, *part.parts.values())
+    every = {name: value for group in groups for name, value in group}
+    return {name: value for name, value in every.items() if value is not None and name not in dims}
 
-    The rod angle is the one at which the figures cut the dataset.
-    """
-    found: dict[str, Any] = json.loads(dataset.attrs["parameters"])
-    figures = found.pop("figures", {})
-    return Part.model_validate({**found, "slider": found["slider"] | figures, "grid": {}})
+
+def scene_scalars(scene: Scene) -> dict[str, float]:
+    """Parameters of a scene, which its log and its dataset have as scalars."""
+    slider = scene.slider
+    found = {"rod_length": float(slider.rod_length), "radius": float(slider.radius)}
+    found["friction_coefficient"] = friction_coefficient(cast(ContactLaw, scene.contact))
+    for effect in scene.effects:
+        for name in ("weight", "mass", "gyration_radius"):
+            if hasattr(effect, name):
+                found[name] = float(getattr(effect, name))
+    return found
 
 
 def of_study(

@@ -12,11 +12,10 @@ import xarray as xr
 from planar_pushing.terms.netcdf import group_names
 from planar_pushing.terms.quantities import FINGER, LOG, NOTES, unit_of
 from planar_pushing.terms.replacing import replacing
-from pulling_by_pushing.study.catalog import DATASETS, EVIDENCE, FIGURES, SIMULATIONS, TABLES
+from pulling_by_pushing.study.catalog import DATASETS, EVIDENCE, SIMULATIONS, TABLES
 from pulling_by_pushing.study.running.jobs import run_command
 from pulling_by_pushing.study.store import open_dataset
-from pulling_by_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_name
-from pulling_by_pushing.study.study_file import load_study
+from pulling_by_pushing.study.studies import SLIDERS_FILE, study_name
 
 #: The study of sliders.
 STUDY = study_name(SLIDERS_FILE)
@@ -26,7 +25,7 @@ HEAD = """# Data dictionary
 The pipeline generates everything in this folder except this page:
 
 - `data/` holds the datasets.
-- `figures/` holds the figures, and `figures/data/` the numbers that they plot.
+- `figures/` holds the figures.
 - `tables/` holds the golden verdict and the tables of the report.
 - `paper.pdf` is the report.
 - `manual/` is the manual, and `report.html` Snakemake's report.
@@ -54,7 +53,7 @@ def dictionary_text(results: str = "results") -> str:
         *(_section(name, DATASETS[name].about, results) for name in of_paper),
         _simulations(results),
         *(_section(name, about, results) for name, about in EVIDENCE.items()),
-        *(_figures(results), _tables()),
+        _tables(),
         *_sliders(results, [name for name in DATASETS if name not in of_paper]),
     ]
     scaled = (
@@ -108,26 +107,12 @@ def _section(name: str, about: str, results: str) -> str:
     return _lines(f"data/{name}.nc", about, *_source(dataset), *_table([dataset]))
 
 
-def _figures(results: str) -> str:
-    """Section of the figures' data."""
-    found = [open_dataset(f"{FIGURES}/{name}", results) for name in load_study(PAPER_FILE).figures]
-    about = (
-        "the numbers that the figures plot, one file for each figure: parts of the datasets, and curves "
-        "with finer sampling"
-    )
-    return _lines("figures/data/NAME.nc", about, *_table(found))
-
-
 def _sliders(results: str, names: Iterable[str]) -> Iterator[str]:
-    """Sections of the study of sliders: its datasets, and the numbers that its figures plot."""
+    """Sections of the datasets of the study of sliders."""
     for name in names:
         dataset = open_dataset(name, results, study=STUDY)
         place = f"studies/{STUDY}/data/{name}.nc"
         yield _lines(place, DATASETS[name].about, *_source(dataset), *_table([dataset]))
-    names = load_study(SLIDERS_FILE).figures
-    plotted = [open_dataset(f"{FIGURES}/{name}", results, study=STUDY) for name in names]
-    about = "the numbers that each figure of the study of sliders plots"
-    yield _lines(f"studies/{STUDY}/figures/data/NAME.nc", about, *_table(plotted))
 
 
 def _tables() -> str:

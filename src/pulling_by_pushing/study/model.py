@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from typing import Annotated, Any, Self
 
 import numpy as np
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import BeforeValidator, ConfigDict, Field, model_validator
 
 from planar_pushing.mechanics.contact import ContactLaw, Coulomb, InfiniteFriction, PerfectlyRough
 from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
 from planar_pushing.mechanics.scene import Slider
+from planar_pushing.scenes.entries import WholeSupport
 from planar_pushing.scenes.fields import (
     Angles,
     Coordinates,
@@ -34,12 +34,12 @@ from planar_pushing.scenes.fields import (
     Shares,
     Text,
     Truth,
+    known_keys,
     refuse,
 )
-from planar_pushing.scenes.support_model import WholeSupport
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.options import STUDIED
-from pulling_by_pushing.study.catalog import CONTACT_LAWS, contact_labels
+from pulling_by_pushing.study.catalog import CONTACT_LAWS, DATASETS, KEYS, contact_labels
 
 Values = tuple[float, ...]
 
@@ -116,20 +116,24 @@ class PushEntry(FileModel):
         return self
 
 
-class FigureEntry(FileModel):
-    """Values of a figure that must be in the grid."""
+class Cut(FileModel):
+    """Values of axes at which a figure cuts a dataset: one, or several in a list."""
 
     rod_length: NonNegative | tuple[NonNegative, ...] | None = None
-    mapped_rod_length: NonNegative | None = None
-    friction_coefficient: FrictionCoefficient | None = None
-    pusher_magnitude: Positive | None = None
+    friction_coefficient: FrictionCoefficient | tuple[FrictionCoefficient, ...] | None = None
+    pusher_magnitude: Positive | tuple[Positive, ...] | None = None
 
-    def grid_values(self, grid: Grid) -> Iterator[tuple[str, Values, Values]]:
-        """Key, given values and allowed values of each quantity that the figure takes from the grid."""
-        for key, given in self:
-            if given is not None:
-                allowed = getattr(grid, key.removeprefix("mapped_"))
-                yield key, given if isinstance(given, tuple) else (given,), allowed
+
+class FigureEntry(Cut):
+    """Values at which a figure cuts its datasets, or under the name of a dataset, this one alone."""
+
+    model_config = ConfigDict(extra="allow")
+    __pydantic_extra__: dict[str, Cut]
+
+    @model_validator(mode="before")
+    @classmethod
+    def _known_keys(cls, given: object) -> object:
+        return known_keys(given, [*cls.model_fields, *DATASETS])
 
 
 class Parameters(FileModel):
@@ -175,29 +179,41 @@ class StudyFile(Parameters):
     """The grid of every dataset, the scenes, and values that the paper does not specify.
 
     `supports` is an axis of the datasets whose names begin with `support`. `simulations` names the scene
-    files to simulate, each with a section `simulate`. `chunks` gives the maximum number of values along
-    dimensions of a dataset that one job computes; `gather` says whether the chunks are combined into one
-    file. Paths are relative to the study file.
+    files to simulate, each with a section `simulate`. `fine_grids` gives the axes of datasets from which
+    lines and maps are drawn; an axis that it does not give is that of `grid`. `chunks` gives the maximum
+    number of values along dimensions of a dataset that one job computes; `gather` says whether the chunks
+    are combined into one file. Paths are relative to the study file.
     """
 
     title: Text
     grid: Grid
     scenes: dict[Name, PushEntry] = Field(default_factory=dict)
     simulations: dict[Name, FilePath] = Field(default_factory=dict)
+    fine_grids: dict[Name, Grid] = Field(default_factory=dict)
     figures: dict[Name, FigureEntry] = Field(default_factory=dict)
     chunks: dict[Name, dict[Name, Count]] = Field(default_factory=dict)
     gather: dict[Name, Truth] = Field(default_factory=dict)
     golden: FilePath | None = None
 
-    def values(self, axis: str) -> tuple[Any, ...]:
-        """Values along an axis of the datasets."""
+    def values(self, axis: str, dataset: str = "") -> tuple[Any, ...]:
+        """Values along an axis of a dataset, which can have a grid of its own."""
         if axis == "support":
             return tuple(self.supports)
-        if axis == "contact":
-            coefficients = self.grid.contact_friction_coefficient
-            return tuple(contact_labels(coefficients)) if coefficients else ()
-        values: tuple[Any, ...] = getattr(self.grid, axis)
-        return values
+        key = KEYS.get(axis, axis)
+        values: tuple[Any, ...] = getattr(self._grid(axis, dataset), key)
+        return tuple(contact_labels(values)) if axis == "contact" and values else values
+
+    def place(self, axis: str, dataset: str) -> str:
+        """Key of the study that gives the values along an axis of a dataset."""
+        key = KEYS.get(axis, axis)
+        if axis == "support":
+            return key
+        fine = self._grid(axis, dataset) is not self.grid
+        return f"fine_grids.{dataset}.{key}" if fine else f"grid.{key}"
+
+    def _grid(self, axis: str, dataset: str) -> Grid:
+        fine = self.fine_grids.get(dataset)
+        return fine if fine and getattr(fine, KEYS.get(axis, axis)) else self.grid
 
 
 #: Laws for the labels along `contact` that have no coefficient.

@@ -7,12 +7,12 @@ from collections.abc import Callable
 from typing import Any
 
 from planar_pushing.mechanics.entries import to_json
-from planar_pushing.scenes.files import load_scene_file
 from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.study.catalog import DATASETS, SIMULATIONS
 from pulling_by_pushing.study.model import StudyFile
 from pulling_by_pushing.study.slices import study_slice
 from pulling_by_pushing.study.studies import study_name
+from pulling_by_pushing.study.study_file import scene_file
 
 #: Keys of a study that do not affect values: the golden data to compare with, and the chunks.
 ASIDE = {"golden", "chunks", "gather"}
@@ -27,8 +27,8 @@ def provenance(study: StudyFile, file: PathLike) -> Marks:
     """Function that gives the attributes `study` and `study_digest` of a result by its name.
 
     The digest covers the validated values from which the result is computed. Comments, layout, and values
-    of other results do not affect it. Results are named as in `open_dataset`, figures without their folder.
-    Scene files are read once, when this function is called.
+    of other results do not affect it. Results are named as in `open_dataset`. Scene files are read once,
+    when this function is called.
     """
     name, whole = study_name(file), contents(study)
 
@@ -59,7 +59,7 @@ def contents(study: StudyFile) -> dict[str, Any]:
     """Plain values of a study, with paths of scene files replaced by their contents."""
 
     def scene(path: str) -> dict[str, Any]:
-        return load_scene_file(path).model_dump(exclude_defaults=True)
+        return scene_file(path).model_dump(exclude_defaults=True)
 
     values = study.model_dump(exclude=ASIDE)
     values["simulations"] = {name: scene(path) for name, path in study.simulations.items()}
@@ -77,8 +77,6 @@ def _read(study: StudyFile, whole: dict[str, Any], result: str) -> object:
         return whole["scenes"]
     if name in DATASETS:
         return study_slice(study, name)
-    if name in study.figures:
-        return {"figure": whole["figures"][name], "slider": whole["slider"]}
     if name in UNREAD:
         return {key: each for key, each in whole.items() if key not in UNREAD[name]}
     return None

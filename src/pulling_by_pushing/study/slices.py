@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from pulling_by_pushing.study.catalog import DATASETS
+from pulling_by_pushing.study.catalog import COUNTS, DATASETS, SIMULATIONS
 from pulling_by_pushing.study.model import Part, PushEntry, StudyFile
 
 #: Plain values of a study: parameters, and the values along each axis under `grid`.
@@ -21,9 +21,16 @@ def computes(study: StudyFile, name: str) -> bool:
     entry = DATASETS[name]
     if name == "scenes":
         return bool(study.scenes)
-    return all(map(study.values, entry.axes)) and (
-        entry.effects is None or entry.effects in study.grid.effects
-    )
+    given = name in study.fine_grids or not entry.fine
+    effects = entry.effects is None or entry.effects in study.grid.effects
+    return given and effects and all(study.values(axis, name) for axis in entry.axes)
+
+
+def result_names(study: StudyFile) -> list[str]:
+    """Names of the results of a study that do not differ from run to run, as in `open_dataset`."""
+    computed = [name for name in DATASETS if computes(study, name)]
+    logs = [f"{SIMULATIONS}/{name}" for name in study.simulations]
+    return [*computed, *logs, *(COUNTS if "scenes" in computed else ())]
 
 
 def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
@@ -31,12 +38,13 @@ def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
     entry = DATASETS[name]
     if name == "scenes":
         return {"scenes": {key: push.model_dump() for key, push in study.scenes.items()}}
-    grid = {axis: list(study.values(axis)) for axis in entry.axes}
+    grid = {axis: list(study.values(axis, name)) for axis in entry.axes}
     if entry.pushes:
         grid["force_angle"] = [angle for angle in grid["force_angle"] if 0 <= angle <= 180]
     if "support" in grid:
         listed = {key: each.model_dump() for key, each in study.supports.items()}
-        slider = {"rod_angle": study.slider.rod_angle}  # required, but not read by these datasets
+        # An angle is required, but not read by the other datasets.
+        slider = study.slider.model_dump(include=None if entry.rod else {"rod_angle"})
         return {"slider": slider, "supports": listed, "grid": grid}
     parts = {part: each.model_dump() for part, each in study.parts.items()}
     return {"slider": study.slider.model_dump(), **parts, "grid": grid}

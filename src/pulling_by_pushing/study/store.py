@@ -88,11 +88,11 @@ def open_dataset(
     Parameters
     ----------
     name : str
-        One of limit_curves, motion_cones, contact_modes, acceleration_centers and center_regions; a scene
-        such as "scenes/figure_08"; a simulation such as "simulations/figure_15"; the numbers that a figure
-        plots, such as "figures/figure_06"; or a dataset about the computation itself, such as
-        "accuracy/cone". A study with supports also has supports, support_cones and support_modes.
-        `planar-pushing query` lists the datasets that are built.
+        One of limit_curves, curves, motion_cones, contact_modes, mode_maps, acceleration_centers and
+        center_regions; a scene such as "scenes/figure_08"; a simulation such as "simulations/figure_15";
+        or a dataset about the computation itself, such as "accuracy/cone". A study with supports also has
+        supports, support_curves, support_cones, support_rods and support_modes. `planar-pushing query`
+        lists the datasets that are built.
     results : path
         Results folder of the pipeline.
     study : str, optional

@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from functools import lru_cache
 from pathlib import Path
 
+from planar_pushing.mechanics.effects import EFFECTS
 from planar_pushing.scenes.files import load_model, load_scene_file
+from planar_pushing.scenes.scene_model import SceneFile
 from planar_pushing.terms.domain import LONGEST
 from planar_pushing.terms.errors import InvalidFile
-from planar_pushing.terms.options import EFFECT_TYPES
 from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.study.catalog import DATASETS
 from pulling_by_pushing.study.model import StudyFile
@@ -29,6 +31,18 @@ def load_study(path: PathLike) -> StudyFile:
     for problem in _study_problems(study):
         raise InvalidFile(f"{path}: {problem}")
     return study
+
+
+def scene_file(path: PathLike) -> SceneFile:
+    """Scene file that a study names, read again only if it has changed; errors as in `load_scene_file`."""
+    file = Path(path)
+    state = file.stat() if file.is_file() else None
+    return _scene_file(file, state and (state.st_mtime_ns, state.st_size))
+
+
+@lru_cache(maxsize=64)
+def _scene_file(file: Path, stamp: object) -> SceneFile:
+    return load_scene_file(file)
 
 
 def _located(study: StudyFile, folder: Path) -> StudyFile:
@@ -51,6 +65,7 @@ def _study_problems(study: StudyFile) -> Iterator[str]:
         yield "grid: no dataset has all its axes; allowed: all axes of at least one; add axes"
     yield from _effects_problems(study)
     yield from _support_problems(study)
+    yield from _rod_problems(study, computed)
     yield from _size_problems(study, computed)
     yield from _chunk_problems(study, computed)
     yield from _scene_problems(study)
@@ -68,7 +83,7 @@ def _size_problems(study: StudyFile, computed: Iterable[str]) -> Iterator[str]:
     """Datasets with too many points."""
     for name in computed:
         axes = DATASETS[name].axes
-        count = math.prod(len(study.values(axis)) for axis in axes)
+        count = math.prod(len(study.values(axis, name)) for axis in axes)
         if count > POINTS:
             yield (
                 f"grid: {count} points of {name} given; allowed: {POINTS}; "
@@ -93,20 +108,33 @@ def _chunk_problems(study: StudyFile, computed: Collection[str]) -> Iterator[str
 
 def _support_problems(study: StudyFile) -> Iterator[str]:
     """Supports that are too small for the rods."""
-    longest = max([*study.grid.rod_length, study.slider.rod_length or 0.0])
-    for name, support in study.gallery().items():
-        if longest > LONGEST * support.extent:
-            yield (
-                f"grid.rod_length: {longest!r} given; allowed: at most {LONGEST:g} times the extent of "
-                f"supports.{name}, {support.extent!r}; shorten the rod"
-            )
+    grids = {"grid": study.grid} | {
+        f"fine_grids.{key}": grid for key, grid in study.fine_grids.items()
+    }
+    lengths = {key: grid.rod_length for key, grid in grids.items() if grid.rod_length}
+    if study.slider.rod_length:
+        lengths["slider"] = (study.slider.rod_length,)
+    for key, values in lengths.items():
+        for name, support in study.gallery().items():
+            if values[-1] > LONGEST * support.extent:
+                yield (
+                    f"{key}.rod_length: {values[-1]!r} given; allowed: at most {LONGEST:g} times the "
+                    f"extent of supports.{name}, {support.extent!r}; shorten the rod"
+                )
+
+
+def _rod_problems(study: StudyFile, computed: Iterable[str]) -> Iterator[str]:
+    """Datasets for the rod of a slider without a rod length."""
+    for name in computed:
+        if DATASETS[name].rod and study.slider.rod_length is None:
+            yield f"slider.rod_length: missing; allowed: a length > 0, for {name}; add it"
 
 
 def _scene_problems(study: StudyFile) -> Iterator[str]:
     """Scene files that cannot be read, or that list effects without parameters in the study."""
     for name, push in study.scenes.items():
         try:
-            kinds = {EFFECT_TYPES[effect.type] for effect in load_scene_file(push.file).effects}
+            kinds = {EFFECTS[effect.type].kind for effect in scene_file(push.file).effects}
         except InvalidFile as error:
             yield f"scenes.{name}.file: {error}"
             continue
@@ -121,7 +149,7 @@ def _simulation_problems(simulations: Mapping[str, str]) -> Iterator[str]:
     """Scene files that cannot be simulated."""
     for name, path in simulations.items():
         try:
-            section = load_scene_file(path).simulate
+            section = scene_file(path).simulate
         except InvalidFile as error:
             yield f"simulations.{name}: {error}"
             continue

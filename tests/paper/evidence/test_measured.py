@@ -13,7 +13,7 @@ import planar_pushing as pp
 from planar_pushing.terms.errors import InvalidFile
 from pulling_by_pushing.evidence import measured, published
 from pulling_by_pushing.evidence.writing import json_text
-from pulling_by_pushing.figures.parts.measured import PUSHES_FILE
+from pulling_by_pushing.figures.measured import PUSHES_FILE
 
 #: The environment variable that names the folder of the published logs.
 FOLDER = "PLANAR_PUSHING_PUSHES"

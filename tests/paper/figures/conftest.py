@@ -1,30 +1,28 @@
 """Small studies, logs, and the figures that are drawn from them, each when it is first asked for."""
 
-from types import SimpleNamespace
 from unittest.mock import patch
 
 import pytest
 from drawing.conftest import LOGS as LOGS
 from drawing.conftest import OTHERS as OTHERS
 from drawing.conftest import Made
-from drawing.conftest import logs as logs
+from matplotlib.figure import Figure
 from report.costs import accuracy, accuracy_time, effects, hard_cases
 from report.pushes import measured_pushes
 
 from planar_pushing.drawing.canvas import axes
 from planar_pushing.drawing.canvas.style import paper_style
+from planar_pushing.scenes.files import load_scene_file
 from planar_pushing.terms.netcdf import write_dataset
-from pulling_by_pushing.figures import render
-from pulling_by_pushing.figures.figure import drawing, entry, figure_names
-from pulling_by_pushing.figures.parts.measured import PUSHES_FILE
-from pulling_by_pushing.figures.studies import numbered, settings
+from pulling_by_pushing.figures.figure import cut, cuts_of, drawing, entry, figure_names
+from pulling_by_pushing.figures.measured import PUSHES_FILE
+from pulling_by_pushing.figures.studies import cuts, numbered
 from pulling_by_pushing.study.running.build import build_dataset
+from pulling_by_pushing.study.running.simulations import study_log
 from pulling_by_pushing.study.slices import study_slice
 from pulling_by_pushing.study.study_file import load_study
 
 FIGURES, NUMBERED = figure_names(), numbered()
-#: Pictures by name: each figure, and its variant for one column.
-PICTURES = [name + variant for name in FIGURES for variant in entry(name).variants]
 
 
 @pytest.fixture(scope="session")
@@ -32,6 +30,12 @@ def studies():
     """The study of each figure."""
     files = [f"workflow/config/{name}.yaml" for name in ("smoke", "sliders_smoke")]
     return {name: study for study in map(load_study, files) for name in study.figures}
+
+
+@pytest.fixture(scope="session")
+def logs():
+    """Logs of scene files, with the parameters of their scenes."""
+    return Made(lambda name: study_log(load_scene_file(f"workflow/scenes/{name}.yaml")))
 
 
 @pytest.fixture(scope="session")
@@ -63,31 +67,31 @@ def sources(studies, logs):
 
 @pytest.fixture(scope="session")
 def plotted(studies, sources):
-    """The numbers that each figure plots."""
+    """The datasets of each figure, cut at the values of its study."""
 
-    def select(name):
-        figure = drawing(name)
-        given = {each: sources[each] for each in figure.FIGURE.reads}
-        if not hasattr(figure, "select"):
-            return next(iter(given.values()))
-        values = settings(studies[name], name) if name in NUMBERED else {}
-        return figure.select(given, SimpleNamespace(**values))
+    def view(name):
+        figure = entry(name)
+        if figure.reads == (PUSHES_FILE,):
+            return sources[PUSHES_FILE]
+        values = cuts(studies[name], name) if name in NUMBERED else {}
+        return {each: cut(sources[each], cuts_of(figure, each, values)) for each in figure.reads}
 
-    return Made(select)
+    return Made(view)
 
 
 @pytest.fixture(scope="session")
 def pictures(plotted):
-    """The pictures of `PICTURES`, with their axes, marks and sheets as `drawn`."""
+    """The pictures of figures, with their axes, marks and sheets as `drawn`."""
 
     def draw(name):
-        stem, drawn = name.removesuffix("_column"), []
+        drawn, one = [], drawing(name)
         spies = {
             kind: lambda *given, add=add: (drawn.append(given), add(*given))
             for kind, add in axes.DRAWN.items()
         }
         with paper_style(), patch.dict(axes.DRAWN, spies):
-            found = render.picture(stem, plotted[stem], name.removeprefix(stem))
+            found = Figure(figsize=one.figure.size)
+            one.draw(found, plotted[name])
             found.draw_without_rendering()
         found.drawn = drawn
         return found

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from pulling_by_pushing.figures import accuracy_cone_motion, accuracy_wrench, effects
-from pulling_by_pushing.figures import hard_cases as cases
-from pulling_by_pushing.figures.parts.methods import setting_text, within
+from pulling_by_pushing.figures.evidence import accuracy_cone_motion, accuracy_wrench, effects
+from pulling_by_pushing.figures.evidence import hard_cases as cases
+from pulling_by_pushing.figures.parts.methods import setting_text, with_times, within
 
 #: Figures of work and precision, and their panels: selection of the data, quantity and limits.
 WRENCHES = [
@@ -34,7 +34,7 @@ def ordered(points):
 def test_markers_are_at_the_least_times_with_hairs_to_the_medians(
     pictures, plotted, name, panel, where, quantity, limits
 ):
-    ax, part = pictures[name].axes[panel], plotted[name].sel(where)
+    ax, part = pictures[name].axes[panel], with_times(plotted[name], quantity).sel(where)
     times, errors = part[f"{quantity}_seconds"], within(part[f"{quantity}_error"].values, limits)
     drawn = markers(ax)
     assert np.array_equal(drawn, ordered(np.column_stack([times.min("repeat"), errors])))
@@ -56,9 +56,8 @@ def test_panels_are_named_by_their_spin_ratios(pictures, panel, k):
 @pytest.mark.parametrize("name", ["accuracy_wrench", "accuracy_cone_motion"])
 def test_the_legend_names_every_method(pictures, plotted, name):
     (legend,) = pictures[name].legends
-    data = plotted[name]
-    names = [*data.get("cone_method", data.method).values, *data.method.values]
-    assert {text.get_text() for text in legend.get_texts()} == set(names)
+    names = {method for each in plotted[name].values() for method in each.method.values}
+    assert {text.get_text() for text in legend.get_texts()} == names
 
 
 @pytest.mark.parametrize(
@@ -77,14 +76,14 @@ def test_settings_are_written_in_one_way(value, text):
     ],
 )
 def test_the_ends_of_a_line_are_named_by_their_settings(pictures, plotted, panel, method, words):
-    data, prefix = plotted["accuracy_cone_motion"], "" if panel else "cone_"
-    settings = data[f"{prefix}setting"].values[data[f"{prefix}method"].values == method]
+    data = plotted["accuracy_cone_motion"][f"accuracy/{'motion' if panel else 'cone'}"]
+    settings = data.setting.values[data.method.values == method]
     texts = [text.get_text() for text in pictures["accuracy_cone_motion"].axes[panel].texts]
     assert {words.format(setting_text(end)) for end in settings[[0, -1]]} <= set(texts)
 
 
 def test_evaluations_are_bars_of_what_is_listed(pictures, plotted):
-    counts = plotted["effects"].evaluations
+    counts = plotted["effects"]["effects"].evaluations
     for ax, method in zip(pictures["effects"].axes, effects.PANELS, strict=False):
         one = counts.sel(integrator=method)
         shown = [one.sel(effects=each).values for each in effects.LISTS]
@@ -94,7 +93,10 @@ def test_evaluations_are_bars_of_what_is_listed(pictures, plotted):
 
 
 def test_times_of_the_effects_are_the_least_ones(pictures, plotted):
-    times, ax = plotted["effects"].computation_seconds.min("repeat"), pictures["effects"].axes[2]
+    times, ax = (
+        plotted["effects"]["effects"].computation_seconds.min("repeat"),
+        pictures["effects"].axes[2],
+    )
     for line, listed in zip(ax.lines, effects.LISTS, strict=True):
         one = 1e3 * times.sel(effects=listed, computation=list(effects.COMPUTATIONS))
         assert line.get_xdata().tolist() == one.values.tolist()
@@ -102,15 +104,17 @@ def test_times_of_the_effects_are_the_least_ones(pictures, plotted):
 
 
 def test_times_by_the_number_of_supports_are_ratios_to_one(pictures, plotted):
-    times, ax = plotted["effects"].supports_seconds.min("repeat"), pictures["effects"].axes[3]
+    times, ax = (
+        plotted["effects"]["effects"].supports_seconds.min("repeat"),
+        pictures["effects"].axes[3],
+    )
     proportional, drawn = (np.column_stack(line.get_data()) for line in ax.lines)
     assert proportional.tolist() == [[number, number] for number in times.supports.values]
     assert drawn.tolist() == np.column_stack([times.supports, times / times[0]]).tolist()
 
 
-@pytest.mark.parametrize("name", ["hard_cases", "hard_cases_column"])
-def test_hard_cases_are_drawn_in_groups_from_best_to_worst_condition(pictures, plotted, name):
-    data, (ax,) = plotted["hard_cases"], pictures[name].axes
+def test_hard_cases_are_drawn_in_groups_from_best_to_worst_condition(pictures, plotted):
+    data, (ax,) = plotted["hard_cases"]["hard_cases"], pictures["hard_cases"].axes
     strokes, usual, ill = (np.column_stack(line.get_data()) for line in ax.lines[:3])
     order = np.lexsort((data.condition.values, data.line.values))
     assert strokes[:, 1].tolist() == data.condition.values[order].tolist()

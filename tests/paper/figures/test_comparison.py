@@ -15,8 +15,9 @@ from planar_pushing.drawing import comparison
 from planar_pushing.drawing.canvas.marks import Area, Dot, Line
 from planar_pushing.drawing.comparison import LOOKS, looks
 from planar_pushing.terms.errors import InvalidFile, InvalidValue
-from pulling_by_pushing.figures import measured_errors, measured_pressures, render
-from pulling_by_pushing.figures.parts.measured import read_pushes
+from pulling_by_pushing.figures.evidence import measured_errors, measured_pressures
+from pulling_by_pushing.figures.figure import view
+from pulling_by_pushing.figures.measured import PUSHES_FILE, read_pushes
 
 
 def compared(
@@ -281,14 +282,8 @@ def test_the_caption_counts_the_pushes():
 # -- the file ----------------------------------------------------------------------------------------
 
 
-def test_the_figures_are_drawn_from_the_file(tmp_path):
-    import json
-
-    source = tmp_path / "pushes.json"
-    source.write_text(json.dumps(measured_pushes()), encoding="utf-8")
-    for name in ("measured_pressures", "measured_errors"):
-        render.pushes_figure(source, name=name, png=tmp_path / f"{name}.png")
-        assert (tmp_path / f"{name}.png").stat().st_size > 10_000
+def test_the_figures_show_the_content_of_the_file():
+    assert view("measured_errors", "results") == read_pushes(PUSHES_FILE)
 
 
 @pytest.mark.parametrize(

@@ -44,5 +44,5 @@ def test_a_missing_picture_is_one_line(tmp_path):
 def test_the_pictures_are_those_of_both_default_studies_and_of_measured_pushes(tmp_path):
     found = images.every_picture(tmp_path)
     assert found["figure_01"] == tmp_path / "figures/figure_01.png"
-    assert found["figure_17_column"] == tmp_path / "studies/sliders/figures/figure_17_column.png"
+    assert found["figure_17"] == tmp_path / "studies/sliders/figures/figure_17.png"
     assert found["measured_pressures"] == tmp_path / "figures/measured_pressures.png"

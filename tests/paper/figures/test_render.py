@@ -1,6 +1,6 @@
-"""Selecting, storing, drawing and saving by name."""
+"""Viewing, drawing and saving by name."""
 
-from types import SimpleNamespace
+from pathlib import Path
 
 import matplotlib
 import pytest
@@ -12,9 +12,8 @@ from planar_pushing.drawing.canvas import style
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.netcdf import write_dataset
 from pulling_by_pushing.figures import render
-from pulling_by_pushing.figures.figure import drawing
-from pulling_by_pushing.figures.studies import settings
-from pulling_by_pushing.study.store import read_dataset
+from pulling_by_pushing.figures.figure import drawing, files, view
+from pulling_by_pushing.figures.studies import cuts
 
 KINDS = ("svg", "pdf", "png")
 
@@ -27,7 +26,7 @@ def contents(folder):
     return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
 
 
-@pytest.mark.parametrize("call", [drawing, lambda name: render.select(name, "results", None)])
+@pytest.mark.parametrize("call", [drawing, lambda name: view(name, "results")])
 def test_an_unknown_figure_is_one_line_with_the_names_of_all(call):
     with pytest.raises(InvalidValue) as caught:
         call("figure_99")
@@ -36,66 +35,33 @@ def test_an_unknown_figure_is_one_line_with_the_names_of_all(call):
     assert str(caught.value) == said
 
 
-@pytest.mark.parametrize("name", ["figure_08", "figure_15", "figure_16"])
-def test_a_figure_stores_its_numbers_and_draws_from_them_alike_twice(
-    results, studies, plotted, name
-):
+@pytest.mark.parametrize("name", ["figure_08", "figure_10", "figure_15", "hard_cases"])
+def test_a_figure_is_drawn_from_its_datasets_alike_twice(results, studies, plotted, name):
     folder = results(name)
-    given = settings(studies[name], name)
+    given = cuts(studies[name], name) if name in studies else {}
+    assert all(Path(file).is_file() for file in files(name, folder))
+    for source, dataset in view(name, folder, given).items():
+        xr.testing.assert_equal(dataset, plotted[name][source])
     for run in ("one", "two"):
         (folder / run).mkdir()
-        data = folder / run / f"{name}.nc"
-        render.figure(name=name, results=folder, settings=given, marks={"study": "small"}, data=data,
-                      **paths(folder / run))  # fmt: skip
+        render.figure(name=name, results=folder, cuts=given, **paths(folder / run))
     assert contents(folder / "one") == contents(folder / "two")
-    assert len(contents(folder / "one")) == 4
-    stored = read_dataset(folder / f"one/{name}.nc")
-    assert stored.attrs["study"] == "small"
-    xr.testing.assert_equal(stored, plotted[name])
-    xr.testing.assert_equal(render.select(name, folder, SimpleNamespace(**given)), plotted[name])
-    render.file_figure(folder / f"one/{name}.nc", name=name, **paths(folder))
-    assert (folder / "picture.svg").read_bytes() == contents(folder / "one")["picture.svg"]
-
-
-@pytest.mark.parametrize(
-    ("name", "variant", "file"),
-    [
-        ("figure_09", "_column", "figure_09"),
-        ("hard_cases", "_column", "data/hard_cases"),
-    ],
-)
-def test_a_variant_is_drawn_from_its_numbers_or_its_one_dataset(
-    results, plotted, name, variant, file
-):
-    folder = results(name)
-    write_dataset(plotted[name], folder / f"{name}.nc")
-    render.file_figure(folder / f"{file}.nc", name=name, variant=variant, **paths(folder))
-    wide, _ = drawing(name).FIGURE.variants[variant]
-    assert f'width="{72 * wide:g}pt"' in (folder / "picture.svg").read_text(encoding="utf-8")
-
-
-@pytest.mark.parametrize(
-    "name", ["accuracy_wrench", "accuracy_cone_motion", "effects", "hard_cases"]
-)
-def test_a_figure_on_the_computation_is_drawn_from_its_datasets(results, plotted, name):
-    folder = results(name)
-    xr.testing.assert_equal(render.select(name, folder, None), plotted[name])
-    render.evidence_figure(name=name, results=folder, **paths(folder))
-    wide, _ = drawing(name).FIGURE.size
-    assert f'width="{72 * wide:g}pt"' in (folder / "picture.svg").read_text(encoding="utf-8")
+    wide, _ = drawing(name).figure.size
+    assert f'width="{72 * wide:g}pt"' in (folder / "one/picture.svg").read_text(encoding="utf-8")
 
 
 def test_a_simulation_is_drawn_from_its_log(logs, tmp_path):
     write_dataset(logs["figure_14b"], tmp_path / "log.nc")
     for run in ("one", "two"):
         (tmp_path / run).mkdir()
-        render.simulation_figure(tmp_path / "log.nc", **paths(tmp_path / run))
+        files = {kind: [path] for kind, path in paths(tmp_path / run).items()}
+        render.simulation_figures([tmp_path / "log.nc"], **files)
     assert contents(tmp_path / "one") == contents(tmp_path / "two")
 
 
 def test_an_unknown_kind_of_file_is_named(tmp_path):
     with pytest.raises(InvalidValue) as caught:
-        render.save(Figure(), tmp_path / "picture.jpg")
+        style.save(Figure(), tmp_path / "picture.jpg")
     allowed = "allowed: a name ending in .svg, .pdf, .png; rename the file"
     assert str(caught.value) == f"output: '{tmp_path}/picture.jpg' given; {allowed}"
     assert not list(tmp_path.iterdir())
@@ -104,7 +70,7 @@ def test_an_unknown_kind_of_file_is_named(tmp_path):
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_picture_has_no_date(tmp_path, kind):
     path = tmp_path / f"picture.{kind}"
-    render.save_drawn(lambda figure: figure.text(0.5, 0.5, "$f$"), (2.0, 2.0), [path])
+    style.save_drawn(lambda figure: figure.text(0.5, 0.5, "$f$"), (2.0, 2.0), [path])
     assert b"Date" not in path.read_bytes()
     assert b"dc:date" not in path.read_bytes()
 
@@ -113,7 +79,7 @@ def test_a_picture_that_cannot_be_drawn_leaves_the_old_one(tmp_path):
     path = tmp_path / "picture.svg"
     path.write_text("old", encoding="utf-8")
     with pytest.raises(ValueError, match="nosuchcommand"):
-        render.save_drawn(lambda figure: figure.text(0, 0, "$\\nosuchcommand$"), (2.0, 2.0), [path])
+        style.save_drawn(lambda figure: figure.text(0, 0, "$\\nosuchcommand$"), (2.0, 2.0), [path])
     assert path.read_text(encoding="utf-8") == "old"
     assert list(tmp_path.iterdir()) == [path]
 

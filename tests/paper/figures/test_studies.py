@@ -2,16 +2,18 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
+import xarray as xr
 
 from planar_pushing.terms.errors import InvalidFile
-from pulling_by_pushing.figures.figure import entry
+from pulling_by_pushing.figures.figure import Figure, cut, cuts_of
 from pulling_by_pushing.figures.studies import (
+    cuts,
     load_drawn_study,
     numbered,
     pictures,
     problems,
-    settings,
 )
 from pulling_by_pushing.study.model import FigureEntry
 from pulling_by_pushing.study.study_file import load_study
@@ -61,25 +63,34 @@ def message(tmp_path, text):
         ("sliders_smoke", "simulations:\n  tripod: ../scenes/tripod.yaml\n", "",
          "simulations.tripod: missing; allowed: an entry, from which figures.figure_19 is drawn; add it"),
         ("smoke", "  force_angle: {start: 0, stop: 360, step: 15}\n", "",
-         "figures.figure_05: drawn from limit_curves; allowed: where the grid has "),
+         "figures.figure_12: drawn from acceleration_centers; allowed: where the study gives "),
+        ("smoke", "  curves: {force_angle: {start: 0, stop: 360, step: 3}}\n", "",
+         "figures.figure_05: drawn from curves; allowed: where the study gives effects, rod_length, "
+         "force_angle, and lists it under fine_grids; remove it"),
         ("smoke", "effects: [support_friction, inertia, support_friction+inertia]", "effects: [inertia]",
-         "figures.figure_01: shows support_friction; allowed: where grid.effects lists it; remove it"),
+         "grid.effects: ('inertia',) given; allowed: values that include 'support_friction', "
+         "at which figures.figure_01 is drawn; add it, or remove the figure"),
         ("smoke", "effects: [support_friction, inertia, support_friction+inertia]",
          "effects: [support_friction, inertia]",
-         "figures.figure_12: shows support_friction+inertia; allowed: where grid.effects lists it; "
-         "remove it"),
+         "figures.figure_12: drawn from acceleration_centers; allowed: where the study gives rod_length, "
+         "force_angle, inertia_share, and the effects support_friction+inertia; remove it"),
         ("smoke", "  figure_07: {rod_length: [1, 2, 5]}\n", "  figure_07: {}\n",
          "figures.figure_07.rod_length: missing; allowed: values of the grid; add it"),
-        ("smoke", "mapped_rod_length: 1, ", "",
-         "figures.figure_10.mapped_rod_length: missing; allowed: values of the grid; add it"),
+        ("smoke", ", motion_cones: {rod_length: 1}", "",
+         "figures.figure_10.motion_cones.rod_length: missing; allowed: values of the grid; add it"),
+        ("smoke", "motion_cones: {rod_length: 1}", "motion_cones: {rod_length: 1}, scenes: {rod_length: 1}",
+         "figures.figure_10.scenes: given; allowed: curves, motion_cones; remove it"),
         ("smoke", "figure_13: {rod_length: 2, pusher_magnitude: 1}", "figure_13: {rod_length: 2}",
          "figures.figure_13.pusher_magnitude: missing; allowed: values of the grid; add it"),
         ("smoke", "figure_06: {rod_length: 2", "figure_06: {rod_length: 4",
-         "figures.figure_06.rod_length: (4.0,) given; allowed: values of the grid, "
-         "(0.0, 1.0, 2.0, 5.0); change it or add it to the grid"),
-        ("smoke", "mapped_rod_length: 1", "mapped_rod_length: 3",
-         "figures.figure_10.mapped_rod_length: (3.0,) given; allowed: values of the grid, "
-         "(0.0, 1.0, 2.0, 5.0); change it or add it to the grid"),
+         "figures.figure_06.rod_length: (4.0,) given; allowed: values of grid.rod_length, "
+         "(0.0, 1.0, 2.0, 5.0); change it or add it there"),
+        ("smoke", "motion_cones: {rod_length: 1}", "motion_cones: {rod_length: 3}",
+         "figures.figure_10.motion_cones.rod_length: (3.0,) given; allowed: values of grid.rod_length, "
+         "(0.0, 1.0, 2.0, 5.0); change it or add it there"),
+        ("smoke", "mode_maps: {rod_length: [2]", "mode_maps: {rod_length: [5]",
+         "figures.figure_13.rod_length: (2.0,) given; allowed: values of fine_grids.mode_maps.rod_length, "
+         "(5.0,); change it or add it there"),
         ("smoke", "rod_angle: [45, 90]", "rod_angle: [60, 90]",
          "grid.rod_angle: (60.0, 90.0) given; allowed: values that include 45.0, "
          "at which figures.figure_01 is drawn; add it, or remove the figure"),
@@ -87,10 +98,7 @@ def message(tmp_path, text):
          "grid.friction_coefficient: (0.0, 1.5, 2.0) given; allowed: values that include inf, "
          "at which figures.figure_07 is drawn; add it, or remove the figure"),
         ("sliders_smoke", "rod_length: 2, ", "",
-         "figures.figure_16.rod_length: missing; allowed: values of the grid; add it"),
-        ("sliders_smoke", "rod_length: 2, ", "rod_length: 3, ",
-         "grid.rod_length: (1.0, 2.0) given; allowed: values that include 3.0, "
-         "at which figures.figure_18 is drawn; add it, or remove the figure"),
+         "slider.rod_length: missing; allowed: a length > 0, for support_curves; add it"),
         ("sliders_smoke", "[0.25, 2, inf]", "[0.25, 2]",
          "grid.friction_coefficient: (0.25, 2.0) given; allowed: values that include inf, "
          "at which figures.figure_18 is drawn; add it, or remove the figure"),
@@ -113,18 +121,27 @@ def test_a_figure_that_is_not_listed_needs_nothing(name):
 
 def test_a_figure_takes_the_rod_of_the_study_unless_it_has_its_own():
     study = load_study(CONFIG / "sliders_smoke.yaml")
-    assert settings(study, "figure_17") == {"rod_length": 2.0, "rod_angle": 45.0}
+    assert cuts(study, "figure_17") == {"rod_length": 2.0, "rod_angle": 45.0}
     own = study.model_copy(update={"figures": {"figure_17": FigureEntry(rod_length=1.0)}})
-    assert settings(own, "figure_17")["rod_length"] == 1.0
-    assert list(problems(own)) == []
-    given = settings(load_study(CONFIG / "smoke.yaml"), "figure_10")
-    assert given == {"rod_length": (0.0, 1.0, 2.0, 5.0), "rod_angle": 45.0, "mapped_rod_length": 1.0,
-                     "friction_coefficient": float("inf")}  # fmt: skip
+    assert cuts(own, "figure_17")["rod_length"] == 1.0
+    given = cuts(load_study(CONFIG / "smoke.yaml"), "figure_10")
+    assert given == {"rod_length": (0.0, 1.0, 2.0, 5.0), "rod_angle": 45.0, "friction_coefficient": np.inf,
+                     "motion_cones": {"rod_length": 1.0}}  # fmt: skip
 
 
-def test_pictures_of_a_study_are_those_of_its_figures_and_their_variants():
+def test_a_dataset_is_cut_at_one_or_several_values_or_at_its_own():
+    figure = Figure(title="", reads=("one", "other"), size=(1.0, 1.0), cuts={"effects": "inertia"})
+    given = {"rod_length": (1.0, 2.0), "rod_angle": 45.0, "other": {"rod_length": 1.0}}
+    axes = {"rod_length": [0.0, 1.0, 2.0], "effects": ["inertia", "none"]}
+    whole = xr.Dataset({"x": (("rod_length", "effects"), np.arange(6.0).reshape(3, 2))}, axes)
+    one, other = (cut(whole, cuts_of(figure, name, given)) for name in figure.reads)
+    assert one.x.values.tolist() == [2.0, 4.0]
+    assert other.x.item() == 2.0
+    assert other.rod_length.item() == 1.0
+    assert other.effects.item() == "inertia"
+
+
+def test_pictures_of_a_study_are_those_of_its_figures():
     study = load_study(CONFIG / "smoke.yaml")
-    found = pictures(Path("results"), study)
-    assert set(found) == {name + end for name in study.figures for end in entry(name).variants}
-    assert found["figure_06_column"] == Path("results/figures/figure_06_column.png")
-    assert "figure_01_column" not in found
+    expected = {name: Path(f"results/figures/{name}.png") for name in study.figures}
+    assert pictures(Path("results"), study) == expected

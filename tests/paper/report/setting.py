@@ -6,17 +6,21 @@ import json
 import re
 import shutil
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from report.pushes import measured_pushes
 
 from pulling_by_pushing.evidence.claims.table import COLUMNS
-from pulling_by_pushing.figures.figure import entry, full_caption
-from pulling_by_pushing.figures.studies import OURS, PUSHES, numbered
-from pulling_by_pushing.report.numbers import NUMBERS
+from pulling_by_pushing.figures.figure import entry, full_caption, view
+from pulling_by_pushing.figures.studies import OURS, PUSHES, cuts, numbered
 from pulling_by_pushing.report.parts.evidence import VERDICTS
 from pulling_by_pushing.report.quantities import Numbers
+from pulling_by_pushing.report.tables import NUMBERS
+from pulling_by_pushing.study.model import StudyFile
 from pulling_by_pushing.study.store import read_dataset
+from pulling_by_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
+from pulling_by_pushing.study.study_file import load_study
 
 Entries = dict[str, dict[str, str]]
 #: Table of the numbers of the report.
@@ -26,6 +30,8 @@ PICTURE = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="40pt" height="20pt" viewBox="0 0 40 20">'
     '<circle cx="20" cy="10" r="8"/></svg>'
 )
+#: Studies of the figures.
+STUDIES = (PAPER_FILE, SLIDERS_FILE)
 NOTHING = dict.fromkeys(COLUMNS)
 CONES = "rod length," + ",".join(f"{side} {i}" for i in range(4) for side in "rl") + "\n"
 
@@ -99,14 +105,25 @@ def claims() -> list[dict[str, object]]:
     return [*marked, claim("claim-ours", ours, origin="ours"), *map(claim, cited())]
 
 
-def captioned(name: str) -> str:
-    """Caption of a figure from its golden numbers; those of ours show hard cases, or read none."""
+def captioned(name: str, root: Path) -> str:
+    """Caption of a figure from golden data; those of ours show hard cases, or read none."""
     if name in PUSHES:
         return full_caption(name, measured_pushes())
-    files = {"hard_cases": "hard_cases"} | {each: f"figures/{each}" for each in numbered()}
-    folder = GOLDEN / "sliders" if any(map(name.endswith, SLIDERS)) else GOLDEN
-    data = read_dataset(folder / f"{files[name]}.nc") if name in files else None
-    return full_caption(name, data)
+    if name in OURS:
+        return full_caption(name, {"hard_cases": read_dataset(GOLDEN / "hard_cases.nc")})
+    study, golden = next(pair for pair in map(load_golden, STUDIES) if name in pair[0].figures)
+    data = root / "golden" / golden.name / "data"
+    if not data.exists():
+        data.parent.mkdir(parents=True)
+        data.symlink_to(golden.resolve())
+    return full_caption(name, view(name, data.parent, cuts(study, name)))
+
+
+@cache
+def load_golden(file: str) -> tuple[StudyFile, Path]:
+    """A study and the folder of its golden data."""
+    study = load_study(file)
+    return study, Path(study.golden)
 
 
 def set_up(root: Path) -> Setting:
@@ -119,7 +136,7 @@ def set_up(root: Path) -> Setting:
         (pictures / f"{name}.svg").write_text(PICTURE, encoding="utf-8")
     figures = {
         name: {
-            "caption": captioned(name),
+            "caption": captioned(name, root),
             "promise": entry(name).promise,
             "section": entry(name).section,
             "file": f"figures/{name}",

@@ -13,7 +13,7 @@ from report.setting import REPORT, set_up
 from planar_pushing.terms.errors import InvalidFile
 from pulling_by_pushing.figures.figure import entry
 from pulling_by_pushing.figures.studies import OURS, numbered
-from pulling_by_pushing.report.numbers import NUMBERS
+from pulling_by_pushing.report.tables import NUMBERS
 from pulling_by_pushing.report.typeset import compiled, typeset
 
 pytestmark = pytest.mark.slow

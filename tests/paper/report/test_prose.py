@@ -12,7 +12,7 @@ import pytest
 
 from pulling_by_pushing.figures.figure import entry
 from pulling_by_pushing.figures.studies import OURS, numbered
-from pulling_by_pushing.report.numbers import NUMBERS
+from pulling_by_pushing.report.tables import NUMBERS
 
 SECTION_FILES = sorted(Path("paper/sections").glob("*.typ"))
 NUMBER = re.compile(r"#(?:n|word)\(\"([\w-]+)\"\)|#equal\(\$\w+\$, \"([\w-]+)\"\)")

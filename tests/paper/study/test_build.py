@@ -1,6 +1,7 @@
 """Datasets in files: in blocks, in chunks that are gathered or stay, each as if in one piece."""
 
 import h5py
+import numpy as np
 import pytest
 import xarray as xr
 from study.conftest import OF_PAPER, SLIDERS_SMOKE, SMOKE
@@ -16,10 +17,8 @@ from pulling_by_pushing.study.store import read_dataset
 from pulling_by_pushing.study.study_file import load_study
 
 CHUNKS = {
-    "contact_modes": {"pusher_angle": 13, "contact": 4},
-    "acceleration_centers": {"force_angle": 7},
     "motion_cones": {"effects": 2, "friction_coefficient": 3},
-    "support_modes": {"support": 2, "pusher_angle": 5},
+    "support_rods": {"support": 2},
 }
 STUDIES = {file: load_study(file) for file in (SMOKE, SLIDERS_SMOKE)}
 
@@ -58,7 +57,7 @@ def test_a_grid_in_blocks_is_the_one_in_one_piece(sliders, tmp_path, monkeypatch
     study, marks = of(name)
     values = study_slice(study, name)
     # A ring alone in a block has formulas of its own, which differ from a pressure's by rounding.
-    most = 256 if name == "support_modes" else min(256, points(name, values) // 3)
+    most = 256 if name == "support_modes" else points(name, values) // 3
     monkeypatch.setattr(build, "blocks", lambda lengths: blocks(lengths, most))
     assert len(build.blocks(sizes(name, values))) > 1
     path = tmp_path / f"{name}.nc"
@@ -140,21 +139,16 @@ def test_gathered_chunks_are_the_whole_file(chunked, sliders, tmp_path, name):
 def test_chunks_open_as_the_whole_dataset(chunked, sliders, name):
     found, expected = pp.open_dataset(name, chunked), read_dataset(whole_file(sliders, name))
     assert all(each.chunks for each in found.data_vars.values())
-    filled = (
-        found.isel(solution=slice(expected.sizes["solution"]))
-        if "solution" in found.dims
-        else found
-    )
-    xr.testing.assert_identical(filled.compute(), expected.load())
+    xr.testing.assert_identical(found.compute(), expected.load())
     assert list(found.variables) == list(expected.variables)
     assert list(found.attrs) == list(expected.attrs)
 
 
 def test_a_part_of_what_stays_in_chunks_is_read_alone(chunked):
-    modes = pp.open_dataset("contact_modes", chunked).sel(effects="inertia", rod_length=2)
-    found = modes.consistent.sel(contact="coulomb_1.4", pusher_angle=[0, 15])  # of two chunks
-    assert dict(found.sizes) == {"pusher_magnitude": 1, "pusher_angle": 2, "solution": 8}
-    assert found.sum() > 0
+    cones = pp.open_dataset("motion_cones", chunked).sel(effects="inertia", rod_length=2)
+    edges = cones.motion_cone_left.sel(rod_angle=45, friction_coefficient=[1.5, np.inf])
+    assert dict(edges.sizes) == {"friction_coefficient": 2}  # of two chunks
+    assert np.isfinite(edges).all()
 
 
 def test_a_chunk_that_is_missing_is_named(chunked, tmp_path):

@@ -73,6 +73,8 @@ def test_no_nan(every):
                 nan = np.isnan(variable.values)
                 if key == "center":
                     assert (nan == ~dataset.twist.values.any(axis=-1)[:, None]).all(), name
+                elif key == "furthest_pull":  # perfectly rough contact has none
+                    assert set(dataset.contact.values[nan.any((0, 2, 3))]) == {"perfectly_rough"}
                 else:
                     assert not nan.any(), f"{name}: {key}"
 

@@ -1,44 +1,31 @@
 """The data dictionary covers every file that is written, and every one is opened by its name."""
 
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 
 import planar_pushing as pp
 from planar_pushing.scenes.files import load_scene_file
-from planar_pushing.scenes.simulate import simulate_file
 from planar_pushing.terms.netcdf import write_dataset
 from pulling_by_pushing.evidence.costs.effects import effects
 from pulling_by_pushing.evidence.costs.measure import accuracy, accuracy_time
 from pulling_by_pushing.evidence.hard_cases.dataset import build as hard_cases
-from pulling_by_pushing.figures.render import select
-from pulling_by_pushing.figures.studies import settings
 from pulling_by_pushing.study.catalog import DATASETS, EVIDENCE, TABLES
 from pulling_by_pushing.study.dictionary import dictionary_text
+from pulling_by_pushing.study.running.simulations import study_log
 from pulling_by_pushing.study.study_file import load_study
 
 SMOKE = "workflow/config/smoke.yaml"
-SLIDERS_SMOKE = "workflow/config/sliders_smoke.yaml"
 
 
 @pytest.fixture(scope="module")
 def whole(results, sliders):
     """Results with a file of every kind."""
     study = load_study(SMOKE)
-    for name in ("figure_14a", "figure_14b"):
-        log = simulate_file(load_scene_file(study.simulations[name]))
-        write_dataset(log, results / f"data/simulations/{name}.nc")
-    for name in study.figures:
-        data = select(name, results, SimpleNamespace(**settings(study, name)))
-        write_dataset(data, results / f"figures/data/{name}.nc")
-    log = simulate_file(load_scene_file("workflow/scenes/tripod.yaml"))
-    own = sliders / "studies/sliders"
-    write_dataset(log, own / "data/simulations/tripod.nc")
-    of_sliders = load_study(SLIDERS_SMOKE)
-    for name in of_sliders.figures:
-        data = select(name, own, SimpleNamespace(**settings(of_sliders, name)))
-        write_dataset(data, own / f"figures/data/{name}.nc")
+    log = study_log(load_scene_file(study.simulations["figure_14a"]))
+    write_dataset(log, results / "data/simulations/figure_14a.nc")
+    log = study_log(load_scene_file("workflow/scenes/tripod.yaml"))
+    write_dataset(log, sliders / "studies/sliders/data/simulations/tripod.nc")
     write_dataset(accuracy(), results / "data/accuracy.nc")
     write_dataset(accuracy_time(), results / "data/accuracy_time.nc")
     write_dataset(effects(study), results / "data/effects.nc")
@@ -59,7 +46,7 @@ def test_every_file_is_opened_by_its_name(whole):
         stem = path.relative_to(whole).with_suffix("").as_posix()
         study = "sliders" if stem.startswith(own) else None
         stem = stem.removeprefix(own)
-        name = stem.replace("figures/data/", "figures/").removeprefix("data/")
+        name = stem.removeprefix("data/")
         try:
             found = pp.open_dataset(name, whole, study=study)
         except pp.InvalidValue as error:

@@ -53,7 +53,9 @@ def test_chunks_are_kept_and_gathered(plan):
 
 def test_a_dataset_that_is_not_computed_has_no_plan(plan):
     grid = SMOKE.grid.model_copy(update={"effects": ("inertia",)})
-    assert set(plan(grid=grid)) == {"limit_curves", "motion_cones", "contact_modes"}
+    assert set(plan(grid=grid)) == {
+        "limit_curves", "curves", "motion_cones", "contact_modes", "mode_maps"
+    }  # fmt: skip
 
 
 @pytest.mark.parametrize(("study", "name"), [(SMOKE, "contact_modes"), (SLIDERS, "support_cones")])

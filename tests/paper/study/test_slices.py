@@ -22,7 +22,7 @@ def test_centers_need_both_effects():
     grid = STUDY.grid.model_copy(update={"effects": ("inertia", "support_friction")})
     apart = STUDY.model_copy(update={"grid": grid})
     found = [name for name in OF_PAPER if computes(apart, name)]
-    assert found == ["limit_curves", "motion_cones", "contact_modes"]
+    assert found == ["limit_curves", "curves", "motion_cones", "contact_modes", "mode_maps"]
 
 
 def test_a_slice_holds_the_supports_and_the_axes():

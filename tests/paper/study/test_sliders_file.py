@@ -21,13 +21,12 @@ def test_paths_are_relative_to_the_file():
     ("written", "instead", "said"),
     [
         ("shape: ring", "shape: rings",
-         "supports.ring: {'shape': 'rings', 'radius': 1} given; allowed: 'shape' one of 'ring', 'points', "
-         "'segment', 'disc', 'annulus', 'polygon', 'rectangle', "
-         "'regular_polygon', 'pressure_map', 'composite'; change the value"),
+         "supports.ring.shape: 'rings' given; allowed: 'ring', 'points', 'segment', 'disc', 'annulus', "
+         "'polygon', 'pressure_map', 'composite', 'rectangle', 'regular_polygon'; did you mean ring?"),
         (BOX, "vertices: [[0, 0], [1, 0]]",
          "supports.box.vertices: ((0.0, 0.0), (1.0, 0.0)) given; allowed: at least three vertices; "),
         ("weights: [1, 1, 1]", "weights: [1, 1]",
-         "supports.tripod.weights: (1.0, 1.0) given; allowed: 3 positive numbers; "),
+         "supports.tripod.weights: (1.0, 1.0) given; allowed: 3 weights; "),
         ("weights: [1, 1, 1]", "weights: [1, 1, heavy]", "supports.tripod.weights[2]: 'heavy' given; "),
         ("{shape: ring, radius: 1}", "{shape: points, positions: [[1, 0]], weights: [1]}",
          "supports.ring: {'shape': 'points', 'positions': [[1, 0]], 'weights': [1]} given; allowed: a "
@@ -48,10 +47,12 @@ def test_paths_are_relative_to_the_file():
          "a step > 0 that divides the range, or a list that holds such ranges; change the value"),
         ("title:", "effects: [inertia]\ntitle:",
          "effects: ['inertia'] given; allowed: the keys slider, support_friction, inertia, supports, "
-         "title, grid, scenes, simulations, figures, chunks, gather, golden; remove the key"),
+         "title, grid, scenes, simulations, fine_grids, figures, chunks, gather, golden; remove the key"),
         ("  center_x", "  effects: [inertia]\n  center_x",
          "grid.effects: 'inertia' given; allowed: effects that the study has parameters for; add the key "
          "inertia, or remove the entry"),
+        ("{rod_length: 2, rod_angle: 45}", "{rod_angle: 45}",
+         "slider.rod_length: missing; allowed: a length > 0, for support_curves; add it"),
         ("tripod.yaml", "figure_08.yaml", "simulations.tripod: "),
         ("simulations:", "golden: nowhere\nsimulations:", "golden: "),
     ],

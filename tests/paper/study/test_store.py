@@ -178,16 +178,18 @@ def test_open_dataset_that_is_not_built(tmp_path):
         pp.open_dataset("accuracy/cone", tmp_path)
 
 
-def test_a_figure_that_is_not_there_is_answered_by_those_that_are(results, tmp_path):
+def test_a_log_that_is_not_there_is_answered_by_those_that_are(results, tmp_path):
     (tmp_path / "data").mkdir()
-    with pytest.raises(pp.InvalidFile, match=r"no such dataset; .* lists it under figures; make"):
-        pp.open_dataset("figures/figure_99", tmp_path)
-    write_dataset(pp.open_dataset("motion_cones", results), tmp_path / "figures/data/figure_06.nc")
+    with pytest.raises(
+        pp.InvalidFile, match=r"no such dataset; .* lists it under simulations; make"
+    ):
+        pp.open_dataset("simulations/pull", tmp_path)
+    write_dataset(pp.open_dataset("motion_cones", results), tmp_path / "data/simulations/push.nc")
     with pytest.raises(
         pp.InvalidValue,
-        match="'figures/figure_99' given; allowed: figures/figure_06; name one of these, or list it",
+        match="'simulations/pull' given; allowed: simulations/push; name one of these, or list it",
     ):
-        pp.open_dataset("figures/figure_99", tmp_path)
+        pp.open_dataset("simulations/pull", tmp_path)
 
 
 def test_open_damaged_dataset(tmp_path):

@@ -44,7 +44,7 @@ def message(tmp_path, text):
          "grid.friction_coefficient[0]: -1 given; allowed: a number >= 0, or inf; change the value"),
         ("rod_angle: [45, 90]", "rod_angle: [0, 90]",
          "grid.rod_angle[0]: 0 given; allowed: degrees in the open interval (0, 180); "
-         "change the value"),
+         "keep the slider above the fence"),
         ("inertia: {mass: 1, gyration_radius: 1}", "inertia: {mass: 1, gyration_radius: 2}",
          "inertia.gyration_radius: 2.0 given; allowed: the radius of the ring, 1.0, "
          "which the paper's bound assumes; change it"),
@@ -75,8 +75,8 @@ def message(tmp_path, text):
          "simulations.a/b.[key]: 'a/b' given; allowed: a name of letters, digits and underscores, "
          "which becomes a file's name; change the value"),
         ("figures:\n", "chunks: {cones: {rod_length: 3}}\nfigures:\n",
-         "chunks.cones: unknown, or not computed; allowed: limit_curves, motion_cones, contact_modes, "
-         "acceleration_centers, center_regions; remove it"),
+         "chunks.cones: unknown, or not computed; allowed: limit_curves, curves, motion_cones, "
+         "contact_modes, mode_maps, acceleration_centers, center_regions; remove it"),
         ("figures:\n", "chunks: {motion_cones: {mode: 3}}\nfigures:\n",
          "chunks.motion_cones: ['mode'] given; allowed: effects, rod_length, rod_angle, "
          "friction_coefficient; name some of these"),

@@ -9,9 +9,9 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
+from planar_pushing.scenes.entries import SupportEntry
 from planar_pushing.scenes.fields import FileModel, NotEmpty, Number, refuse
 from planar_pushing.scenes.files import load_model
-from planar_pushing.scenes.support_model import SupportEntry
 from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.evidence.claims import (  # each registers its checks and numbers

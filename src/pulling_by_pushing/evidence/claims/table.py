@@ -9,8 +9,16 @@ from typing import Any
 
 from flint import arb, fmpq
 
+from planar_pushing.terms.errors import InvalidResult
+from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.evidence import writing
-from pulling_by_pushing.evidence.claims.ledger import CheckEntry, Judged, Ledger
+from pulling_by_pushing.evidence.claims.ledger import (
+    CheckEntry,
+    Judged,
+    Ledger,
+    judge_all,
+    load_ledger,
+)
 from pulling_by_pushing.evidence.proofs.verdicts import Evidence, Verdict
 from pulling_by_pushing.oracle.balls import precise
 
@@ -23,6 +31,23 @@ COLUMNS = (
 DIGITS = 20
 
 Row = dict[str, Any]
+
+
+def write_table(json: PathLike, csv: PathLike, *, ledger: str) -> None:
+    """Judge the claims of the ledger, and write the table.
+
+    Raises
+    ------
+    InvalidResult
+        If a verdict is not the one that the ledger expects; nothing is written.
+    """
+    listed = load_ledger(ledger)
+    judged = judge_all(listed)
+    if problem := complaint(judged):
+        raise InvalidResult(problem)
+    claims = rows(listed, judged)
+    writing.write_text(json_text(claims), json)
+    writing.write_text(csv_text(claims), csv)
 
 
 def rows(ledger: Ledger, judged: Iterable[Judged]) -> list[Row]:

@@ -5,7 +5,7 @@ The core loops over the listed effects, and a log counts the evaluations of each
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -25,10 +25,13 @@ from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.terms.options import STUDIED, EffectSet, Method
 from planar_pushing.terms.quantities import EFFECT_COSTS
-from pulling_by_pushing.evidence.costs.measure import seconds, stamped
+from planar_pushing.terms.replacing import PathLike
+from pulling_by_pushing.evidence.costs.measure import accuracy_time, seconds, stamped
 from pulling_by_pushing.study.catalog import EVIDENCE
 from pulling_by_pushing.study.describe import describe
 from pulling_by_pushing.study.model import StudyFile
+from pulling_by_pushing.study.running.build import Attributes, write_built
+from pulling_by_pushing.study.study_file import load_study
 
 #: A push, and the duration and the number of steps of its simulation.
 FRICTION_COEFFICIENT, PUSHER_ANGLE = 2.0, np.deg2rad(-10.0)
@@ -38,7 +41,7 @@ FORCE_ANGLES = np.deg2rad(np.arange(361.0))
 SUPPORTS, DIVIDED_STEPS = (1, 2, 4, 8, 16), 1000
 SQUARE = Polygon([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
 #: Number of times that each computation is timed, and how often it then runs.
-REPEATS, COPIES = 7, 10
+REPEATS, COPIES = 5, 10
 
 
 def pushed_slider(study: StudyFile, effects: Any) -> Scene:
@@ -70,6 +73,24 @@ COMPUTATIONS: dict[str, Callable[[Scene], object]] = {
     "contact modes": lambda scene: solve(scene, PUSHER_ANGLE),
     **{str(method): partial(run, method=method) for method in Method},
 }
+
+
+def write_times(
+    times: PathLike, costs: PathLike, *, study: str, marks: Mapping[str, Attributes]
+) -> None:
+    """Measure times on this machine, of every method and of each effect, and count evaluations.
+
+    Parameters
+    ----------
+    times, costs : path
+        The datasets `accuracy_time` and `effects`.
+    study : str
+        Study file with the slider on which the effects act.
+    marks : mapping
+        Attributes that identify the study in each of the two datasets.
+    """
+    write_built(accuracy_time(), times, "accuracy_time", marks["accuracy_time"])
+    write_built(effects(load_study(study)), costs, "effects", marks["effects"])
 
 
 def effects(study: StudyFile) -> xr.Dataset:

@@ -19,6 +19,7 @@ from flint import arb, fmpq
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.scenes.files import load_scene_file
 from planar_pushing.terms.quantities import COSTS
+from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.evidence.costs.methods import (
     METHODS,
     ROD_ANGLE,
@@ -35,9 +36,10 @@ from pulling_by_pushing.oracle.shapes import support
 from pulling_by_pushing.oracle.support import friction
 from pulling_by_pushing.study.catalog import EVIDENCE
 from pulling_by_pushing.study.describe import describe
+from pulling_by_pushing.study.running.build import Attributes, write_built
 
 #: Number of times that each call is timed.
-REPEATS = 7
+REPEATS = 5
 PACKAGES = ("planar-pushing", "numpy", "scipy", "h5py", "python-flint")
 
 
@@ -166,6 +168,11 @@ def accuracy() -> dict[str, xr.Dataset]:
         variables = {f"{name}_error": errors, "evaluations": counts}
         groups[name] = _labeled(name, "accuracy", variables)
     return groups
+
+
+def write_accuracy(path: PathLike, *, marks: Attributes) -> None:
+    """Write the dataset of errors and evaluations."""
+    write_built(accuracy(), path, "accuracy", marks)
 
 
 def accuracy_time() -> dict[str, xr.Dataset]:

@@ -14,7 +14,13 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from pulling_by_pushing.evidence.golden.numbers import center, centers_of, motion_angle, spin_ratio
+from pulling_by_pushing.evidence.golden.numbers import (
+    center,
+    centers_of,
+    force_angle,
+    motion_angle,
+    spin_ratio,
+)
 from pulling_by_pushing.oracle import bounds
 from pulling_by_pushing.oracle.balls import (
     Direction,
@@ -38,8 +44,14 @@ from pulling_by_pushing.oracle.modes import (
     contact_modes,
     normal_motion,
 )
-from pulling_by_pushing.oracle.motions import limit_point, ray, unit_motion
-from pulling_by_pushing.oracle.prove import Slider, State
+from pulling_by_pushing.oracle.motions import (
+    contact_motion,
+    limit_point,
+    ray,
+    stick,
+    unit_motion,
+)
+from pulling_by_pushing.oracle.prove import Proved, Slider, State
 from pulling_by_pushing.oracle.shapes import support
 from pulling_by_pushing.oracle.support import Support
 
@@ -79,9 +91,7 @@ def _ring_slider(entry: str, effects: str, length: float, angle: float | None) -
         "gyration": rational((inertia or {}).get("gyration_radius", slider["radius"])) ** 2
     }
     if effects != INERTIA:
-        parameters |= {
-            "support": _support(json.dumps({"shape": "ring", "radius": slider["radius"]}))
-        }
+        parameters |= {"support": ring_of({"slider": slider})}
         parameters |= {"weight": rational((friction or {}).get("weight", 1))}
     if effects != FRICTION:
         parameters |= {"mass": rational((inertia or {}).get("mass", 1))}
@@ -97,6 +107,11 @@ def _support(entry: str) -> Support:
 def support_of(values: Values, name: str) -> Support:
     """A support of a study."""
     return _support(json.dumps(values["supports"][name]))
+
+
+def ring_of(values: Values) -> Support:
+    """The ring of a study."""
+    return _support(json.dumps({"shape": "ring", "radius": values["slider"]["radius"]}))
 
 
 @lru_cache(1 << 10)
@@ -131,6 +146,13 @@ def limit_point_values(
         "motion_angle": motion_angle(slider, force, motion),
         CENTERS: centers_of(slider, [motion]),
     }
+
+
+def curve_point(values: Values, effects: str, length: float, force_angle: float) -> Record:
+    """Point of the limit curve at the study's rod angle."""
+    angle = values["slider"]["rod_angle"]
+    record = limit_point_values(values, effects, length, angle, force_angle)
+    return {name: each for name, each in record.items() if name != "spin_ratio"}
 
 
 def _along(force: Direction, size: arb) -> list[arb]:
@@ -203,6 +225,43 @@ def ring_solutions(
     slider, pusher = ring_slider(values, effects, length), at_degrees(pusher_angle)
     modes = contact_modes(slider, labeled_law(contact), pusher, rational(magnitude))
     return solutions(slider, modes, rational(values["slider"]["radius"]))
+
+
+def mode_set(
+    values: Values, effects: str, contact: str, length: float, magnitude: float, pusher_angle: float
+) -> Record:
+    """Code of the set of consistent modes of a push."""
+    slider, pusher = ring_slider(values, effects, length), at_degrees(pusher_angle)
+    listed = contact_modes(slider, labeled_law(contact), pusher, rational(magnitude))
+    motions = [each.motion for each in listed]
+    return {
+        "modes": sum({1 << each.mode for each in listed}),
+        CENTERS: centers_of(slider, motions),
+    }
+
+
+def sticking_force(
+    values: Values, effects: str, length: float, magnitude: float, pusher_angle: float
+) -> Record:
+    """Angle of the force under which the contact moves with the pusher."""
+    slider, pusher = ring_slider(values, effects, length), at_degrees(pusher_angle)
+    motion, _ = stick(slider, pusher, rational(magnitude))
+    return {"sticking_force_angle": force_angle(slider, pusher, motion)}
+
+
+def furthest_pull(
+    values: Values, effects: str, contact: str, length: float, magnitude: float
+) -> Record:
+    """Pusher angle at which the sticking force is on the right edge of the friction cone."""
+    law = labeled_law(contact)
+    if law.adhesive:
+        return {"furthest_pull": math.nan}
+    slider, force = ring_slider(values, effects, length), cone_edge(law.friction_coefficient, 1)
+    if effects == FRICTION:
+        motion = ray(slider, force)
+    else:
+        motion = contact_motion(slider, force, rational(magnitude))
+    return {"furthest_pull": motion_angle(slider, force, motion)}
 
 
 #: Entries of a solution; `columns` converts them to lists along `solution`.
@@ -285,7 +344,7 @@ def _shared_slider(entry: str, length: float, angle: float | None, share: float)
     part = rational(share)
     body = Body(
         length=rational(length),
-        support=_support(json.dumps({"shape": "ring", "radius": slider["radius"]})),
+        support=ring_of({"slider": slider}),
         weight=1 - part,
         mass=part,
         gyration=rational(inertia["gyration_radius"]) ** 2,
@@ -357,9 +416,7 @@ def support_numbers(values: Values, name: str) -> Record:
 def support_cone(values: Values, name: str, length: float, angle: float, friction: float) -> Record:
     """Edges of a motion cone, the feet about which they pivot, and the quantities derived from them."""
     slider = support_slider(support_of(values, name), length, angle)
-    edges = [cone_edge(friction, side) for _, side in EDGES]
-    motions = [ray(slider, force) for force in edges]
-    right, left = (motion_angle(slider, force, m) for force, m in zip(edges, motions, strict=True))
+    (right, left), motions = edges(slider, friction)
     signs = [settle(*normal_motion(slider, motion)) for motion in motions]
     return {
         "motion_angle": [right, left],
@@ -371,6 +428,14 @@ def support_cone(values: Values, name: str, length: float, angle: float, frictio
     }
 
 
+def edges(slider: Slider, friction: float) -> tuple[list[Number], list[Proved]]:
+    """Angles of the edges of a motion cone, right and left, and their motions."""
+    forces = [cone_edge(friction, side) for _, side in EDGES]
+    motions = [ray(slider, force) for force in forces]
+    angles = [motion_angle(slider, force, m) for force, m in zip(forces, motions, strict=True)]
+    return angles, motions
+
+
 def support_solutions(
     values: Values, name: str, length: float, angle: float, friction: float, pusher: float
 ) -> Record:
@@ -379,3 +444,87 @@ def support_solutions(
     slider = support_slider(pieces, length, angle)
     modes = contact_modes(slider, Law(friction), at_degrees(pusher), ONE)
     return solutions(slider, modes, pieces.extent)
+
+
+def support_curve(values: Values, name: str, force_angle: float) -> Record:
+    """Point of the limit curve of a support, for the rod of the study."""
+    size, motion, slider = _curve_point(values, support_of(values, name), force_angle)
+    return {
+        "force": size,
+        "motion_angle": motion_angle(slider, at_degrees(force_angle), motion),
+        "pivot": motion.pivot,
+        CENTERS: centers_of(slider, [motion]),
+    }
+
+
+def ring_curve(values: Values, force_angle: float) -> Record:
+    """Point of the limit curve of the ring, for the rod of the study."""
+    return {"ring_force": _curve_point(values, ring_of(values), force_angle)[0]}
+
+
+def _curve_point(
+    values: Values, pieces: Support, force_angle: float
+) -> tuple[Number, Proved, Slider]:
+    rod = values["slider"]
+    slider = support_slider(pieces, rod["rod_length"], rod["rod_angle"])
+    motion = ray(slider, at_degrees(force_angle))
+    return motion.numbers(slider, lambda s: [norm(s.f_x, s.f_y)])[0], motion, slider
+
+
+def swept_rod(values: Values, index: int) -> tuple[float, float]:
+    """Length and angle of a rod: all lengths at the slider's angle precede all angles at its length."""
+    rod, lengths, angles = (
+        values["slider"],
+        values["grid"]["rod_length"],
+        values["grid"]["rod_angle"],
+    )
+    if index < len(lengths):
+        return lengths[index], rod["rod_angle"]
+    return rod["rod_length"], angles[index - len(lengths)]
+
+
+def support_rod(values: Values, name: str, index: int) -> Record:
+    """Cone of infinite friction of a support with a rod, and the friction that pulling needs."""
+    slider = support_slider(support_of(values, name), *swept_rod(values, index))
+    angles, motions = edges(slider, math.inf)
+    return {
+        "motion_angle": angles,
+        "pulling_friction_angle": pulling_friction_angle(slider),
+        CENTERS: centers_of(slider, motions),
+    }
+
+
+def ring_rod(values: Values, index: int) -> Record:
+    """A rod, and the same of the ring; with inertia alone, too."""
+    length, angle = swept_rod(values, index)
+    slider = support_slider(ring_of(values), length, angle)
+    body = Body(
+        length=rational(length), mass=ONE, gyration=rational(values["slider"]["radius"]) ** 2
+    )
+    return {
+        "rod_length": length,
+        "rod_angle": angle,
+        "ring_motion_angle": edges(slider, math.inf)[0],
+        "ring_pulling_friction_angle": pulling_friction_angle(slider),
+        "inertia_pulling_friction_angle": pulling_friction_angle(Slider(body, rational(angle))),
+    }
+
+
+def pulling_friction_angle(slider: Slider) -> Number:
+    """Smallest angle of friction, degrees, at which the contact can pull; 90 if it never can.
+
+    The friction cone must contain a force beyond those that sustain the motion along the fence, to the
+    right or to the left.
+    """
+    sides = []
+    for heading in (ONE, -ONE):
+        ends = stick(slider, at_degrees(90 - 90 * heading), ONE)
+
+        def above(state: State, heading: fmpq = heading) -> list[arb]:
+            f_x, f_y = state.turned(state.f_x, state.f_y)
+            return [in_degrees(arb.atan2(f_y, heading * f_x))]
+
+        sides.append(reduce(_least, (end.numbers(slider, above)[0] for end in ends)))
+    steeper = reduce(_greatest, [*sides, Number(arb(0), arb(0))])
+    angle = 90 - steeper.ball
+    return Number(angle, steeper.rounding + 90 + abs(angle))

@@ -17,25 +17,10 @@ from pulling_by_pushing.evidence.golden.compare import (
     compare,
     load_tolerances,
 )
-from pulling_by_pushing.study.catalog import DATASETS, FIGURES, SIMULATIONS, dataset_place
-from pulling_by_pushing.study.model import StudyFile
-from pulling_by_pushing.study.slices import computes
+from pulling_by_pushing.study.catalog import SIMULATIONS, dataset_place
+from pulling_by_pushing.study.slices import result_names
 from pulling_by_pushing.study.store import read_dataset
 from pulling_by_pushing.study.study_file import load_study
-
-#: Datasets about the computation itself without times, built together with the datasets of the paper.
-COUNTS = ("hard_cases", "accuracy")
-
-
-def result_names(study: StudyFile) -> list[str]:
-    """Names of all results of a study that golden data contain, as accepted by `open_dataset`."""
-    computed = [name for name in DATASETS if computes(study, name)]
-    return [
-        *computed,
-        *(f"{SIMULATIONS}/{name}" for name in study.simulations),
-        *(f"{FIGURES}/{name}" for name in study.figures),
-        *(COUNTS if "scenes" in computed else ()),
-    ]
 
 
 def check_results(folder: Path, file: PathLike) -> list[Check]:
@@ -86,7 +71,7 @@ def require_results(folder: Path) -> None:
 
 def _surplus(golden: Path, names: list[str]) -> Iterator[Check]:
     """Golden files of results that the study does not have."""
-    for folder in ("", f"{SIMULATIONS}/", f"{FIGURES}/"):
+    for folder in ("", f"{SIMULATIONS}/"):
         for path in sorted((golden / folder).glob("*.nc")):
             if f"{folder}{path.stem}" not in names:
                 problem = "is a golden file, but not a result of the study"

@@ -3,7 +3,7 @@
 A golden file is the dataset with its certified values: for a variable `x` the midpoints of the
 enclosures, with the exponents of their radii in `x_radius`. A computed value passes if it differs from
 the midpoint by no more than the radius, which is what rounding can change in the solution of the problem.
-Numbers that are no solutions of a problem (logs, errors of methods, data of figures) have tolerances
+Numbers that are no solutions of a problem (logs, errors of methods) have tolerances
 instead. Texts, integers and booleans must be equal, and angles up to whole turns.
 """
 
@@ -23,7 +23,7 @@ from pydantic import Field
 
 from planar_pushing.scenes.fields import FileModel, NonNegative
 from planar_pushing.scenes.files import load_model
-from pulling_by_pushing.evidence.golden.enclosures import RADIUS, radii
+from pulling_by_pushing.evidence.golden.enclosures import RADIUS, holds_radii, is_exact, radii
 from pulling_by_pushing.study.catalog import SIMULATIONS
 
 Floats = npt.NDArray[np.float64]
@@ -152,7 +152,7 @@ def compare(
     for name in _variables(golden):
         if name in result.variables and not _unlike(result[name], golden[name]):
             plain = golden[name].dtype.kind == "f" and f"{name}{RADIUS}" not in golden
-            own = Kind.PLAIN if plain and name not in golden.dims else kind
+            own = Kind.PLAIN if plain and not is_exact(golden, name) else kind
             check = Check(file=file, variable=name, kind=own)
             checks.append(_compare_variable(check, result[name], golden, tolerances.of(file, name)))
     return checks
@@ -160,7 +160,7 @@ def compare(
 
 def _variables(golden: xr.Dataset) -> list[str]:
     """Variables and coordinates of a golden file, without their radii."""
-    return [str(name) for name in golden.variables if not str(name).endswith(RADIUS)]
+    return [str(name) for name in golden.variables if not holds_radii(name, golden)]
 
 
 def _differences(result: xr.Dataset, golden: xr.Dataset) -> Iterator[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 import zlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -12,15 +13,14 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from flint import arb
+from flint import arb, ctx
 from tqdm import tqdm
 
 from planar_pushing.terms.errors import InvalidResult
 from pulling_by_pushing.evidence.golden import cells
 from pulling_by_pushing.evidence.golden.cells import CENTERS, Record, Values
-from pulling_by_pushing.evidence.golden.enclosures import EXACT, RADIUS
-from pulling_by_pushing.evidence.golden.storage import store
-from pulling_by_pushing.oracle.balls import Undecided, Vector, precise
+from pulling_by_pushing.evidence.golden.enclosures import EXACT, RADIUS, holds_radii, is_exact
+from pulling_by_pushing.oracle.balls import FINE, Number, Undecided, Vector, precise
 from pulling_by_pushing.oracle.integrals import distance_and_gradient
 from pulling_by_pushing.oracle.support import Support
 
@@ -37,21 +37,29 @@ class Cell:
     function: Callable[..., Record]
 
 
+RODS = ("effects", "contact", "rod_length")
 ROD = ("support", "rod_length", "rod_angle", "friction_coefficient")
 #: The cells of each dataset; together they provide all of its numbers.
 CELLS: Mapping[str, tuple[Cell, ...]] = {
     "limit_curves": (
         Cell(("effects", "rod_length", "rod_angle", "force_angle"), cells.limit_point_values),
     ),
+    "curves": (Cell(("effects", "rod_length", "force_angle"), cells.curve_point),),
     "motion_cones": (
         Cell(("effects", "rod_length", "rod_angle", "friction_coefficient"), cells.motion_cone),
         Cell(("friction_coefficient",), cells.coefficients),
     ),
     "contact_modes": (
         Cell(
-            ("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle"),
+            (*RODS, "pusher_magnitude", "pusher_angle"),
             cells.ring_solutions,
         ),
+        Cell(("contact",), cells.contact_laws),
+    ),
+    "mode_maps": (
+        Cell((*RODS, "pusher_magnitude", "pusher_angle"), cells.mode_set),
+        Cell(("effects", "rod_length", "pusher_magnitude", "pusher_angle"), cells.sticking_force),
+        Cell((*RODS, "pusher_magnitude"), cells.furthest_pull),
         Cell(("contact",), cells.contact_laws),
     ),
     "acceleration_centers": (
@@ -70,6 +78,14 @@ CELLS: Mapping[str, tuple[Cell, ...]] = {
     "support_modes": (
         Cell((*ROD, "pusher_angle"), cells.support_solutions),
         Cell(("friction_coefficient",), cells.coefficients),
+    ),
+    "support_curves": (
+        Cell(("support", "force_angle"), cells.support_curve),
+        Cell(("force_angle",), cells.ring_curve),
+    ),
+    "support_rods": (
+        Cell(("support", "rod"), cells.support_rod),
+        Cell(("rod",), cells.ring_rod),
     ),
 }
 #: Variables that are stored as computed: the errors of another model, at motions that a search found.
@@ -263,9 +279,53 @@ def empty_entry(name: str, dtype: np.dtype[Any]) -> Any:
 
 
 def _require_all(name: str, found: xr.Dataset, known: Sequence[str] = ()) -> None:
-    """Refuse a dataset with numbers that no cell certifies; coordinates of the grid are exact."""
+    """Refuse a dataset with numbers that no cell certifies; axes and parameters are exact."""
     for each, variable in found.variables.items():
-        plain = variable.dtype.kind in "OU" or str(each) in found.dims or str(each).endswith(RADIUS)
+        plain = (
+            variable.dtype.kind in "OU" or holds_radii(each, found) or is_exact(found, str(each))
+        )
         given = str(each) == "friction_coefficient" or each in known
         if not (plain or given or f"{each}{RADIUS}" in found):
             raise InvalidResult(f"{name}: {each} is certified by no cell; add it to one")
+
+
+#: The smallest and the largest exponent of a radius.
+LEAST, MOST = -127, 127
+#: Largest radius of an enclosure itself, relative to the number, or to 1 for numbers smaller than 1.
+WIDEST = 2.0**-60
+
+
+def store(value: Any) -> tuple[Any, int]:
+    """Midpoint and exponent of a number; a ball has no roundings, and anything else is exact.
+
+    Raises
+    ------
+    Undecided
+        If the enclosure is too wide to be useful.
+    """
+    if isinstance(value, arb):
+        value = Number(value, arb(0))
+    if not isinstance(value, Number):
+        return value, EXACT
+    ball, rounding = value
+    if ball.is_nan() or rounding.is_nan():
+        raise Undecided("no enclosure, or no condition, of a number")
+    middle = float(ball.mid())
+    if not math.isfinite(middle):
+        return middle, EXACT if rounding.is_zero() else _exponent(rounding, math.floor)
+    with ctx.workprec(FINE):
+        radius = (ball - middle).abs_upper()
+        if ball.rad() > WIDEST * max(abs(middle), 1.0):
+            raise Undecided(f"{ball} is too wide to store")
+        if middle and ball.contains(0) and radius < 2.0**LEAST:
+            middle, radius = 0.0, ball.abs_upper()  # a number that vanishes by symmetry
+        radius = arb(radius) + value.allowed
+    return middle, EXACT if radius.is_zero() else _exponent(radius, math.ceil)
+
+
+def _exponent(size: arb, to_integer: Any) -> int:
+    if not size.is_finite():
+        return MOST
+    with ctx.workprec(FINE):
+        logarithm = arb(size.abs_upper()).log() / arb(2).log()
+        return int(min(max(to_integer(float(logarithm.upper())), LEAST), MOST))

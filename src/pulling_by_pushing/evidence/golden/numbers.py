@@ -32,6 +32,18 @@ def motion_angle(slider: Slider, force: Direction, motion: Proved) -> Number:
     return Number(angle, number.rounding + abs(force.angle) + abs(angle))
 
 
+def force_angle(slider: Slider, pusher: Direction, motion: Proved) -> Number:
+    """Angle of a sticking force in degrees, on the branch within 90 degrees of the motion."""
+
+    def turn(state: State) -> list[arb]:
+        f, u = state.turned(state.f_x, state.f_y), pusher.ball
+        return [in_degrees(arb.atan2(cross(u, f), dot(u, f)))]
+
+    number = motion.numbers(slider, turn)[0]
+    angle = pusher.angle + number.ball
+    return Number(angle, number.rounding + abs(pusher.angle) + abs(angle))
+
+
 def spin_ratio(slider: Slider, motion: Proved, size: fmpq | arb) -> Number:
     """Rotation times a length over the speed of the slider's center; infinite for a rotation about it."""
 

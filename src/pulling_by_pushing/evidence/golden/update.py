@@ -24,9 +24,8 @@ from tqdm import tqdm
 
 from planar_pushing.scenes.files import load_scene_file
 from planar_pushing.terms.netcdf import group_names, read_attributes, write_dataset
-from pulling_by_pushing.evidence.golden.check import result_names
 from pulling_by_pushing.evidence.golden.compare import ASIDE, KIND, Kind, comparable
-from pulling_by_pushing.evidence.golden.enclosures import RADIUS
+from pulling_by_pushing.evidence.golden.enclosures import RADIUS, holds_radii
 from pulling_by_pushing.evidence.golden.grid import (
     CELLS,
     certify,
@@ -38,7 +37,7 @@ from pulling_by_pushing.oracle.logs.log import log_values
 from pulling_by_pushing.study.catalog import SIMULATIONS, dataset_place
 from pulling_by_pushing.study.model import StudyFile
 from pulling_by_pushing.study.running.jobs import run_command
-from pulling_by_pushing.study.slices import study_slice
+from pulling_by_pushing.study.slices import result_names, study_slice
 from pulling_by_pushing.study.store import read_dataset
 from pulling_by_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_folder, study_name
 from pulling_by_pushing.study.study_file import load_study
@@ -142,7 +141,7 @@ def _changes(new: xr.Dataset, stored: xr.Dataset) -> Iterator[str]:
     if _marks(new.attrs) != _marks(stored.attrs):
         yield "different attributes"
     for name in map(str, new.variables):
-        if name.endswith(RADIUS):
+        if holds_radii(name, new):
             continue
         one, other = new[name], stored[name]
         if one.dims != other.dims or one.shape != other.shape:

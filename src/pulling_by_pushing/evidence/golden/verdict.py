@@ -5,14 +5,25 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict
+from pathlib import Path
 from typing import Any
 
+from planar_pushing.terms.replacing import PathLike
+from pulling_by_pushing.evidence.golden.check import check_results
 from pulling_by_pushing.evidence.golden.compare import OTHER_STUDY, Check, Kind
+from pulling_by_pushing.evidence.writing import json_text, write_text
 
 #: Whether all passed, counts of values by kind, and every check, worst first.
 Verdict = dict[str, Any]
 #: Results that are not compared, and why.
 ASIDE = {"accuracy_time": "times", "effects": "times, and evaluations in logs"}
+
+
+def write_verdict(data: PathLike, text: PathLike, *, study: str, results: str) -> None:
+    """Compare the results of a study with its golden data, and write the verdict, passed or failed."""
+    judged = verdict(check_results(Path(results), study))
+    write_text(verdict_text(judged), text)
+    write_text(json_text(judged), data)
 
 
 def verdict(checks: Iterable[Check], note: str = "") -> Verdict:

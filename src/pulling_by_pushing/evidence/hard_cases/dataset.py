@@ -11,10 +11,12 @@ import numpy as np
 import xarray as xr
 from flint import arb, ctx, fmpq
 
+from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.evidence.hard_cases.case import QUANTITIES, Case
 from pulling_by_pushing.evidence.hard_cases.cases import cases
 from pulling_by_pushing.oracle.balls import Number, Undecided, rational
 from pulling_by_pushing.study.describe import describe
+from pulling_by_pushing.study.running.build import Attributes, write_built
 
 #: Working precision in bits, doubled until a reference has the digits that are stored, and the largest one.
 PRECISION, FINEST = 320, 5120
@@ -150,3 +152,8 @@ def build() -> xr.Dataset:
         source="Eqs. (2)-(12)",
         parameters={"precision_bits": PRECISION, "ill_conditioned_from": ILL_CONDITIONED},
     )
+
+
+def write(path: PathLike, *, marks: Attributes) -> None:
+    """Write the dataset."""
+    write_built(build(), path, "hard_cases", marks)

@@ -13,6 +13,7 @@ from matplotlib.lines import Line2D
 from planar_pushing.drawing.canvas.colors import FORCE, GRAY, MOTION
 from planar_pushing.drawing.canvas.marks import NOTE
 from planar_pushing.mechanics.plane import Array
+from pulling_by_pushing.figures.figure import Data
 
 #: Colors of the groups of methods: ours, other formulas, and quadrature rules.
 OURS, FORMULA, RULE = FORCE, MOTION, "#8F6400"
@@ -40,10 +41,12 @@ def methods(data: xr.Dataset) -> list[str]:
     return list(dict.fromkeys(map(str, data.method.values)))
 
 
-def with_times(errors: xr.Dataset, times: xr.Dataset) -> xr.Dataset:
-    """Errors and times of the same methods, with the attributes of the times."""
+def with_times(data: Data, quantity: str) -> xr.Dataset:
+    """Errors of the methods for a quantity with their times."""
+    errors: xr.Dataset = data[f"accuracy/{quantity}"]
+    times = data[f"accuracy_time/{quantity}"]
     seconds = {name: variable.variable for name, variable in times.data_vars.items()}
-    return errors.drop_vars(["counted", "evaluations"]).assign(seconds).assign_attrs(times.attrs)
+    return errors.assign(seconds)
 
 
 def work_precision(

@@ -10,7 +10,6 @@ from pulling_by_pushing.report.derived import (
     bound_reach,
     conservative_excess,
     ellipse_deviation,
-    furthest_pull,
     motion_direction,
     outcomes,
     pull_end,
@@ -20,7 +19,7 @@ from pulling_by_pushing.report.derived import (
     sticking_pulls,
 )
 from pulling_by_pushing.report.quantities import Numbers, Quantity, computed, picked
-from pulling_by_pushing.report.results import FRICTION, INERTIA
+from pulling_by_pushing.report.results import BOTH, FRICTION, INERTIA
 
 #: A contact law for which slow pulling is possible but fast pulling is not.
 SLOW = "coulomb_1.4"
@@ -60,18 +59,23 @@ def _spin_ratio(number: str) -> Quantity:
     return picked(name, "spin_ratio", {"solution": 1}, digits=3, unit="1")
 
 
-def _map(number: str, prefix: str) -> Numbers:
-    """Rod length and friction coefficient of the map in a figure."""
-    name = f"figures/figure_{number}"
+def _map(prefix: str, rod_length: float, friction: float) -> Numbers:
+    """Rod length and friction coefficient of a mapped cone."""
     return {
-        f"{prefix}-rod-length": picked(name, "mapped_rod_length", digits=0, unit="length"),
-        f"{prefix}-friction": picked(name, "friction_coefficient", digits=0, unit="1"),
+        f"{prefix}-rod-length": _axis("motion_cones", "rod_length", rod_length, unit="length"),
+        f"{prefix}-friction": _axis("motion_cones", "friction_coefficient", friction),
     }
 
 
-def _axis(dataset: str, axis: str, value: float, digits: int = 0) -> Quantity:
+def _furthest_pull(magnitude: float) -> Quantity:
+    """Smallest pusher angle at which the contact can stick, with both effects."""
+    at: dict[str, float | str] = {"effects": BOTH, "contact": SLOW, "rod_length": 2.0}
+    return picked("mode_maps", "furthest_pull", at | {"pusher_magnitude": magnitude}, digits=1)
+
+
+def _axis(dataset: str, axis: str, value: float, digits: int = 0, unit: str = "1") -> Quantity:
     """A value on an axis."""
-    return picked(dataset, axis, {axis: value}, digits=digits, unit="1")
+    return picked(dataset, axis, {axis: value}, digits=digits, unit=unit)
 
 
 def _bounds() -> Numbers:
@@ -104,11 +108,11 @@ QUASI_STATIC: Numbers = {
     "long-rod-length": _axis("limit_curves", "rod_length", 10.0),
     "force-across-rod": _force(FRICTION, 2.0, ROD_ANGLE + 90),
     "force-across-long-rod": _force(FRICTION, 10.0, ROD_ANGLE + 90),
-    "ellipse-deviation": computed("limit_curves", ellipse_deviation, 2.0, digits=1, unit="percent"),
+    "ellipse-deviation": computed("curves", ellipse_deviation, 2.0, digits=1, unit="percent"),
     "ellipse-deviation-long-rod": computed(
-        "limit_curves", ellipse_deviation, 10.0, digits=1, unit="percent"
+        "curves", ellipse_deviation, 10.0, digits=1, unit="percent"
     ),
-    **_map("06", "cone"),
+    **_map("cone", 2.0, 2.0),
     **_cone("velocity-cone", FRICTION, 2.0, 2.0),
 }
 
@@ -124,7 +128,7 @@ DYNAMIC: Numbers = {
     **_cone("infinite-acceleration-cone", INERTIA, 2.0, math.inf),
     **_scene("09a", "dynamic-pulling"),
     **_scene("09b", "dynamic-slip"),
-    **_map("10", "ellipse"),
+    **_map("ellipse", 1.0, 5.0),
     **_cone("ellipse-cone", INERTIA, 1.0, 5.0),
     "ellipse-minor-axis": _force(INERTIA, 1.0, ROD_ANGLE + 90),
 }
@@ -138,9 +142,9 @@ BOTH_EFFECTS: Numbers = {
 }
 
 OVER_TIME: Numbers = {
-    "pull-end-time": computed("simulations/figure_14a", pull_end, "time", digits=3, unit="time"),
+    "pull-end-time": computed("simulations/end_of_pull", pull_end, "time", digits=3, unit="time"),
     "pull-end-rod-angle": computed(
-        "simulations/figure_14a", pull_end, "rod_angle", digits=2, unit="degree"
+        "simulations/end_of_pull", pull_end, "rod_angle", digits=2, unit="degree"
     ),
 }
 
@@ -161,7 +165,7 @@ MODES: Numbers = {
         "contact_modes", "friction_coefficient", {"contact": SLOW}, digits=1, unit="1"
     ),
     "slow-magnitude": _axis("contact_modes", "pusher_magnitude", 0.1, digits=1),
-    "slow-pull": computed("contact_modes", furthest_pull, SLOW, 0.1, digits=1, unit="degree"),
+    "slow-pull": _furthest_pull(0.1),
     "fast-magnitude": _axis("contact_modes", "pusher_magnitude", 10.0),
-    "fast-pull": computed("contact_modes", furthest_pull, SLOW, 10.0, digits=1, unit="degree"),
+    "fast-pull": _furthest_pull(10.0),
 }

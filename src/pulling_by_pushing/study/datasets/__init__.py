@@ -1,1 +1,1 @@
-"""Builders of the datasets: one module per dataset, with a function `build`."""
+"""Builders of the datasets: each is a function with the name of its dataset."""

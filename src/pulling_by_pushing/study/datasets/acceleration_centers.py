@@ -14,7 +14,7 @@ from pulling_by_pushing.study.datasets.base import axis, pushing
 from pulling_by_pushing.study.model import Part
 
 
-def build(part: Part) -> xr.Dataset:
+def acceleration_centers(part: Part) -> xr.Dataset:
     """Build the dataset for part of a study; centers are relative to the contact."""
     scene = Scene(
         slider=part.ring(axis(part, "rod_length")),

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.mechanics.contact import ContactLaw
-from planar_pushing.mechanics.effects import SupportFriction
-from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.terms.numbers import in_radians
 from pulling_by_pushing.study.model import Part, contact_law
 
@@ -37,20 +33,6 @@ def friction_axis(part: Part) -> xr.DataArray:
     return objects("friction_coefficient", coefficients, map(contact_law, coefficients))
 
 
-def support_axis(supports: Mapping[str, Any]) -> xr.DataArray:
-    """Supports along the axis `support`."""
-    return objects("support", supports, supports.values())
-
-
-def supported(part: Part, contact: xr.DataArray | ContactLaw) -> Scene:
-    """Scene with every support and rod of the grid under one or more contact laws; the weight is 1."""
-    slider = Slider(
-        rod_length=axis(part, "rod_length"), rod_angle=np.deg2rad(axis(part, "rod_angle"))
-    )
-    friction = SupportFriction(support=support_axis(part.gallery()))
-    return Scene(slider=slider, contact=contact, effects=(friction,))
-
-
 def over_effects(part: Part, build: Callable[[tuple[Any, ...]], xr.Dataset]) -> xr.Dataset:
     """Combine the datasets for the grid's sets of effects along the axis `effects`."""
     names = list(part.grid["effects"])
@@ -67,9 +49,3 @@ def friction_angle(coefficients: npt.ArrayLike) -> npt.NDArray[np.float64]:
     """Friction angles in degrees; 90 for an infinite coefficient, NaN for a NaN coefficient."""
     angles: npt.NDArray[np.float64] = np.arctan(np.asarray(coefficients, dtype=float))
     return np.degrees(angles)
-
-
-def words(name: str) -> str:
-    """Name of a support in prose: rectangle_2_1 is "rectangle 2:1", l_shape "L shape"."""
-    parts = re.sub(r"(\d)_(?=\d)", r"\1:", name).split("_")
-    return " ".join(part.upper() if len(part) == 1 else part for part in parts)

@@ -33,7 +33,7 @@ def _bound(length: float, angle: float, force_angle: float) -> Array:
     return np.where(np.isinf(ends) & (arm < 0), -ends, ends)
 
 
-def build(part: Part) -> xr.Dataset:
+def center_regions(part: Part) -> xr.Dataset:
     """Build the dataset for part of a study: ends of both regions along every line of force."""
     slider = part.ring(axis(part, "rod_length"), axis(part, "rod_angle"))
     scene = Scene(slider=slider, contact=InfiniteFriction(), effects=part.effects(EffectSet.BOTH))

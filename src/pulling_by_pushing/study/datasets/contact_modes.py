@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.contact import ContactLaw, Coulomb, PerfectlyRough
-from planar_pushing.mechanics.contact.laws import friction_coefficient
+from planar_pushing.mechanics.contact import (
+    ContactLaw,
+    Coulomb,
+    PerfectlyRough,
+    friction_coefficient,
+)
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import SOLUTIONS, solve
 from pulling_by_pushing.study.datasets.base import (
@@ -38,7 +43,7 @@ def kind(law: ContactLaw) -> str:
     return "perfectly_rough" if isinstance(law, PerfectlyRough) else "infinite_friction"
 
 
-def build(part: Part) -> xr.Dataset:
+def contact_modes(part: Part) -> xr.Dataset:
     """Build the dataset for part of a study by `solve` on labeled arrays."""
     labels = part.grid["contact"]
     laws = list(map(labeled_law, labels))
@@ -52,9 +57,14 @@ def build(part: Part) -> xr.Dataset:
         numbered = found.assign_coords(solution=np.arange(found.sizes["solution"]))
         return numbered.reindex(solution=PLACES, fill_value=FILL).drop_vars("solution")
 
+    return over_effects(part, solutions).assign_coords(law_coordinates(laws))
+
+
+def law_coordinates(laws: Sequence[ContactLaw]) -> dict[str, tuple[str, Any]]:
+    """Coordinates along `contact`: type, friction coefficient and friction angle of each law."""
     coefficients = list(map(coefficient, laws))
-    return over_effects(part, solutions).assign_coords(
-        law=("contact", list(map(kind, laws))),
-        friction_coefficient=("contact", coefficients),
-        friction_angle=("contact", friction_angle(coefficients)),
-    )
+    return {
+        "law": ("contact", list(map(kind, laws))),
+        "friction_coefficient": ("contact", coefficients),
+        "friction_angle": ("contact", friction_angle(coefficients)),
+    }

@@ -10,18 +10,27 @@ import xarray as xr
 from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.force.limit_curve import curve_of_unit_motions
 from planar_pushing.mechanics.plane import direction
-from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.scene import Scene, Slider
 from pulling_by_pushing.study.datasets.base import axis, over_effects, pushing
 from pulling_by_pushing.study.model import Part
 
 
-def build(part: Part) -> xr.Dataset:
+def limit_curves(part: Part) -> xr.Dataset:
     """Build the dataset for part of a study."""
-    slider = part.ring(axis(part, "rod_length"), axis(part, "rod_angle"))
+    return _curves_of(part, part.ring(axis(part, "rod_length"), axis(part, "rod_angle")))
+
+
+def curves(part: Part) -> xr.Dataset:
+    """Build the dataset of fine lines, at the rod angle of the study (Figs. 5, 6 and 10)."""
+    return _curves_of(part, part.ring(axis(part, "rod_length")))
+
+
+def _curves_of(part: Part, slider: Slider) -> xr.Dataset:
+    """Limit curves of a slider for all effects and force angles of part of a study."""
     phi = pushing(axis(part, "force_angle"))
     heading = xr.DataArray(direction(phi.values), dims=("force_angle", "xy"))
 
-    def curves(effects: tuple[Any, ...]) -> xr.Dataset:
+    def curve_of(effects: tuple[Any, ...]) -> xr.Dataset:
         scene = Scene(slider=slider, contact=InfiniteFriction(), effects=effects)
         curve = curve_of_unit_motions(scene, phi)
         return xr.Dataset(
@@ -34,4 +43,4 @@ def build(part: Part) -> xr.Dataset:
             }
         )
 
-    return over_effects(part, curves)
+    return over_effects(part, curve_of)

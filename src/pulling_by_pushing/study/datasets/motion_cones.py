@@ -19,7 +19,7 @@ from pulling_by_pushing.study.datasets.base import axis, friction_angle, frictio
 from pulling_by_pushing.study.model import Part
 
 
-def build(part: Part) -> xr.Dataset:
+def motion_cones(part: Part) -> xr.Dataset:
     """Build the dataset for part of a study."""
     slider = part.ring(axis(part, "rod_length"), axis(part, "rod_angle"))
     laws = friction_axis(part)

@@ -16,17 +16,17 @@ from planar_pushing.mechanics.force.cones import (
     motion_angle,
     motion_cone,
 )
+from planar_pushing.mechanics.force.rubbing import RING_ANGLES, place_friction, ring_friction
 from planar_pushing.mechanics.plane import Array, direction
-from planar_pushing.mechanics.rubbing import RING_ANGLES, place_friction, ring_friction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solutions import Solutions
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.scenes.files import load_scene_file
 from planar_pushing.scenes.scene_model import SceneFile
 from planar_pushing.terms.numbers import in_radians
-from planar_pushing.terms.options import EFFECT_CLASSES, EffectKind
+from planar_pushing.terms.options import EffectKind
 from planar_pushing.terms.quantities import TWIST, TWIST_UNITS
-from pulling_by_pushing.study.describe import describe
+from pulling_by_pushing.study.describe import describe, scene_scalars
 from pulling_by_pushing.study.model import PushEntry
 
 #: Samples of the friction cone, from its right to its left edge.
@@ -70,7 +70,7 @@ def _kinds(scene: Scene) -> dict[str, tuple[Any, ...]]:
     """Effects that resist a push from rest, grouped by the name of their kind."""
     absent = {EffectKind.LOAD} | ({EffectKind.VISCOUS} if scene.stores_energy else set())
     found = {
-        kind: tuple(each for each in scene.effects if EFFECT_CLASSES[type(each).__name__] == kind)
+        kind: tuple(each for each in scene.effects if each.kind == kind)
         for kind in EffectKind
         if kind not in absent
     }
@@ -121,6 +121,7 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
         "twist_component": list(TWIST),
         "twist_unit": ("twist_component", list(TWIST_UNITS)),
     }
+    coords |= {name: each for name, each in scene_scalars(scene).items() if name not in variables}
     twists = values["twist"][1]
     if scene.isotropic:
         variables |= ring_friction(scene, twists)
@@ -138,6 +139,6 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
     )
 
 
-def build(pushes: Mapping[str, PushEntry]) -> dict[str, xr.Dataset]:
+def scenes(pushes: Mapping[str, PushEntry]) -> dict[str, xr.Dataset]:
     """Build the datasets of scenes by name, one group of scenes.nc each."""
     return {name: scene_dataset(load_scene_file(push.file), push) for name, push in pushes.items()}

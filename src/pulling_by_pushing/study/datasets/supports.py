@@ -59,7 +59,7 @@ def _ellipsoids(fits: list[EllipsoidFit]) -> dict[str, Any]:
     }
 
 
-def build(part: Part) -> xr.Dataset:
+def supports(part: Part) -> xr.Dataset:
     """Build the dataset for part of a study; the weight is 1."""
     supports = list(part.gallery().values())
     entries = [entry.model_dump(exclude_none=True) for entry in part.supports.values()]

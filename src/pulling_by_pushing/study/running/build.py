@@ -32,11 +32,12 @@ Attributes = Mapping[str, str]
 def build_dataset(name: str, values: Values) -> Built:
     """Build a dataset, or one for each group, from a slice of a study or part of a slice."""
     module = import_module(f"pulling_by_pushing.study.datasets.{DATASETS[name].module}")
+    build = getattr(module, name)
     if name == "scenes":
-        groups: dict[str, xr.Dataset] = module.build(pushes(values))
+        groups: dict[str, xr.Dataset] = build(pushes(values))
         return groups
     part = part_of(values)
-    return described(module.build(part), name, part)
+    return described(build(part), name, part)
 
 
 def dataset(

@@ -2,7 +2,7 @@
 
 Snakemake tracks a script but not its imports. The digest of a job covers the modules that it names and all
 modules of this project that they import, directly or not, with the data files beside them. Comments,
-docstrings and layout do not count.
+docstrings, layout, and imports that serve only the types do not count. The minor version of Python does.
 """
 
 from __future__ import annotations
@@ -10,12 +10,15 @@ from __future__ import annotations
 import ast
 import hashlib
 import json
-from collections.abc import Iterable, Iterator
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from planar_pushing.terms.errors import PlanarPushingError
 from planar_pushing.terms.replacing import replacing
 
 PAPER = "pulling_by_pushing"
@@ -24,93 +27,118 @@ ROOTS = {
     name: Path(find_spec(name).submodule_search_locations[0])  # type: ignore[union-attr, index]
     for name in (PAPER, "planar_pushing")
 }
-#: Package that imports its modules by name.
+#: Package whose modules are imported together, by name.
 CORE = "planar_pushing.core"
-#: Digests and imports of unchanged files, kept from one run to the next.
-KEPT = Path(".snakemake/code.json")
+#: Endings of data files that count for all modules beside them.
+DATA = (".yaml", ".mplstyle", ".json", ".csv")
+#: Facts about files, kept from one run to the next for this version of Python, and their format.
+CACHE, FORMAT = Path(".snakemake/code.json"), [1, *sys.version_info[:2]]
+
+#: Digest of a file, names of the modules that it imports, and its time and size when it was read.
+Facts = dict[str, Any]
 
 
 @cache
 def code_of(*modules: str) -> str:
     """Digest of modules of `pulling_by_pushing`, such as "study.build", and of all that they import."""
+    reached = closure(f"{PAPER}.{name}" for name in modules)
+    files = {_path(name) for name in reached}
+    files |= {file for folder in {file.parent for file in files} for file in _data_files(folder)}
+    whole = hashlib.sha256()
+    for file in sorted(files):
+        whole.update(f"{file.name}\0{_facts(file)['digest']}\0".encode())
+    return whole.hexdigest()
+
+
+def closure(modules: Iterable[str]) -> set[str]:
+    """Full names of modules and of all modules of this project that they import, directly or not."""
     reached: set[str] = set()
-    ahead = [f"{PAPER}.{name}" for name in modules]
+    ahead = list(modules)
     while ahead:
         name = ahead.pop()
         if name not in reached:
             reached.add(name)
-            ahead += _facts()(name)["imports"]
-    files = {_path(name) for name in reached} | {
-        file for name in reached for file in _data_files(_path(name).parent)
-    }
-    whole = hashlib.sha256()
-    for file in sorted(files):
-        whole.update(f"{file.name}\0{_facts().digest(file)}\0".encode())
-    _facts().keep()
-    return whole.hexdigest()
+            ahead += _facts(_path(name))["imports"]
+    return reached
 
 
-def _path(name: str) -> Path:
-    """File of a module or a package."""
-    root, *parts = name.split(".")
-    place = ROOTS[root].joinpath(*parts)
-    return place / "__init__.py" if place.is_dir() else place.with_suffix(".py")
+def value_of_code(name: str, digest: str, compute: Callable[[], Any]) -> Any:
+    """Value that depends on code alone, as JSON; it is computed anew if the digest of the code differs.
+
+    Parameters
+    ----------
+    name : str
+        Name under which the value is kept.
+    digest : str
+        Digest of the code, from `code_of`.
+    compute : callable
+        Function without arguments that returns the value.
+    """
+    entry = _known()["values"].get(name)
+    if not isinstance(entry, list) or entry[:1] != [digest]:
+        _known()["values"][name] = entry = [digest, compute()]
+    return entry[1]
 
 
-def _data_files(folder: Path) -> Iterator[Path]:
-    for file in folder.iterdir():
-        if file.is_file() and file.suffix in (".yaml", ".mplstyle", ".json", ".csv"):
-            yield file
+def keep_facts() -> None:
+    """Store what was read for the next run; a folder that cannot be written costs only time."""
+    content = json.dumps(_known())
+    with suppress(OSError, PlanarPushingError):
+        stored = CACHE.read_text(encoding="utf-8") if CACHE.is_file() else ""
+        if content != stored and CACHE.parent.is_dir():
+            with replacing(CACHE) as temporary:
+                temporary.write_text(content, encoding="utf-8")
 
 
-class Facts:
-    """Digest and imports of each file, read again only if the file has changed."""
-
-    def __init__(self) -> None:
-        try:
-            self.known: dict[str, Any] = json.loads(KEPT.read_text(encoding="utf-8"))
-        except (OSError, ValueError):
-            self.known = {}
-        self.changed = False
-
-    def __call__(self, name: str) -> dict[str, Any]:
-        return self._of(_path(name), name)
-
-    def digest(self, file: Path) -> str:
-        return str(self._of(file, "")["digest"])
-
-    def _of(self, file: Path, name: str) -> dict[str, Any]:
-        state = file.stat()
-        stamp = [state.st_mtime_ns, state.st_size]
-        entry = self.known.get(str(file))
-        if entry is None or entry["stamp"] != stamp:
-            entry = {"stamp": stamp} | _read(file, name)
-            self.known[str(file)], self.changed = entry, True
-        return dict(entry)
-
-    def keep(self) -> None:
-        """Store what was read; a folder that cannot be written costs only time."""
-        if self.changed and KEPT.parent.is_dir():
-            with replacing(KEPT) as temporary:
-                temporary.write_text(json.dumps(self.known), encoding="utf-8")
-            self.changed = False
+def forget_facts() -> None:
+    """Forget what was read in this process; files are then examined again."""
+    for function in (code_of, _known, _facts, _path, _data_files):
+        function.cache_clear()
 
 
 @cache
-def _facts() -> Facts:
-    return Facts()
+def _known() -> dict[str, Any]:
+    """Stored facts by file, and values that depend on code; empty if the store cannot be read."""
+    empty: dict[str, Any] = {"format": FORMAT, "files": {}, "values": {}}
+    try:
+        stored = json.loads(CACHE.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return empty
+    same = isinstance(stored, dict) and stored.get("format") == FORMAT
+    return stored if same and stored.keys() == empty.keys() else empty
 
 
-def _read(file: Path, name: str) -> dict[str, Any]:
+@cache
+def _facts(file: Path) -> Facts:
+    """Facts about a file, read again only if its time or size has changed."""
+    state, files = file.stat(), _known()["files"]
+    stamp = [state.st_mtime_ns, state.st_size]
+    facts: Facts | None = files.get(str(file))
+    if facts is None or facts["stamp"] != stamp:
+        facts = files[str(file)] = {"stamp": stamp} | _read(file)
+    return facts
+
+
+@cache
+def _path(name: str) -> Path:
+    """File of a module or a package."""
+    root, *parts = name.split(".")
+    path = ROOTS[root].joinpath(*parts)
+    return path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
+
+
+@cache
+def _data_files(folder: Path) -> list[Path]:
+    return [file for file in folder.iterdir() if file.suffix in DATA and file.is_file()]
+
+
+def _read(file: Path) -> Facts:
     content = file.read_bytes()
     if file.suffix != ".py":
         return {"digest": hashlib.sha256(content).hexdigest(), "imports": []}
     tree = _Plain().visit(ast.parse(content))
-    text = ast.dump(tree)
-    return {
-        "digest": hashlib.sha256(text.encode()).hexdigest(),
-        "imports": sorted(set(_imports(tree)) - {name}),
-    }
+    digest = hashlib.sha256(ast.dump(tree).encode()).hexdigest()
+    return {"digest": digest, "imports": sorted(set(_imports(tree)))}
 
 
 class _Plain(ast.NodeTransformer):
@@ -125,7 +153,8 @@ class _Plain(ast.NodeTransformer):
         return self.generic_visit(node)
 
 
-def _imports(tree: ast.AST) -> Iterable[str]:
+def _imports(tree: ast.AST) -> Iterator[str]:
+    """Modules of this project that a module imports, at its top or in a function."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             yield from filter(_is_ours, (alias.name for alias in node.names))

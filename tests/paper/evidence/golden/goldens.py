@@ -4,7 +4,7 @@ from functools import cache
 from pathlib import Path
 
 from planar_pushing.terms.netcdf import group_names
-from pulling_by_pushing.evidence.golden.enclosures import RADIUS
+from pulling_by_pushing.evidence.golden.enclosures import holds_radii
 from pulling_by_pushing.study.store import read_dataset
 
 FOLDER = Path("tests/golden")
@@ -24,7 +24,7 @@ def golden(file, group=""):
 
 def result(dataset):
     """The dataset that is computed without an error."""
-    return dataset.drop_vars([name for name in dataset.variables if str(name).endswith(RADIUS)])
+    return dataset.drop_vars([name for name in dataset.variables if holds_radii(name, dataset)])
 
 
 def dataset_name(file):

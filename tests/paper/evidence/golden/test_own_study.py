@@ -9,7 +9,6 @@ import pytest
 from planar_pushing.commands import main
 from planar_pushing.terms.netcdf import write_dataset
 from pulling_by_pushing.evidence.golden import update
-from pulling_by_pushing.figures.figure import drawing, entry
 from pulling_by_pushing.study.catalog import DATASETS
 from pulling_by_pushing.study.running import build
 from pulling_by_pushing.study.slices import computes, study_slice
@@ -38,7 +37,9 @@ grid:
   contact_friction_coefficient: [0, 1.4]
   center_x: [0, 0.5]
   center_y: [0.25]
-figures: {figure_16: {}, figure_17: {}, figure_18: {}}
+fine_grids:
+  support_curves: {force_angle: [10, 70]}
+  support_rods: {rod_length: [1, 2], rod_angle: [70, 90]}
 """
 
 
@@ -56,10 +57,6 @@ def built(path, results, names=DATASETS):
         file = folder / f"data/{name}.nc"
         file.parent.mkdir(parents=True, exist_ok=True)
         build.dataset(file, name=name, study=study_slice(study, name), marks=marks)
-    for name in study.figures if names is DATASETS else ():
-        sources = {each: read_dataset(folder / f"data/{each}.nc") for each in entry(name).reads}
-        data = drawing(name).select(sources, study.slider)
-        write_dataset(data, folder / f"figures/data/{name}.nc")
     return folder
 
 
@@ -70,7 +67,7 @@ def mine(tmp_path_factory):
     path, results, golden = written(folder, 0.75), folder / "results", folder / "golden"
     built(path, results)
     arguments = ["--study", str(path), "--results", str(results), "--golden", str(golden)]
-    few = ["--only", "limit_curves", "support_modes", "figures/figure_16"]
+    few = ["--only", "limit_curves", "support_modes", "support_curves"]
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(update.os, "cpu_count", lambda: 1)  # another takes longer to start
         assert update.main([*arguments, "--write"]) == 1

@@ -7,7 +7,7 @@ import pytest
 from flint import arb, ctx
 
 from pulling_by_pushing.evidence.golden.enclosures import EXACT, radii
-from pulling_by_pushing.evidence.golden.storage import MOST, store
+from pulling_by_pushing.evidence.golden.grid import MOST, store
 from pulling_by_pushing.oracle.balls import ROUNDINGS, UNIT, Number, Undecided, precise
 
 NOTHING = arb(0)

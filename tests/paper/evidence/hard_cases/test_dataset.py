@@ -20,7 +20,7 @@ from pulling_by_pushing.evidence.hard_cases.case import QUANTITIES
 from pulling_by_pushing.evidence.hard_cases.cases import cases, make_scene
 from pulling_by_pushing.evidence.hard_cases.dataset import DIGITS, build, measure
 from pulling_by_pushing.evidence.hard_cases.references import in_exact_degrees
-from pulling_by_pushing.figures import hard_cases
+from pulling_by_pushing.figures.evidence import hard_cases
 from pulling_by_pushing.oracle.balls import Undecided
 
 LINES, THIN = range(1, 13), 12
@@ -177,7 +177,7 @@ def test_dataset_is_described():
 
 def test_figure_shows_every_case():
     data, figure = build(), Figure(figsize=hard_cases.FIGURE.size)
-    hard_cases.draw(figure, data)
+    hard_cases.draw(figure, {"hard_cases": data})
     (ax,) = figure.axes
     strokes, fine, ill = (line.get_xdata().size for line in ax.lines[:3])
     assert strokes == fine + ill == data.sizes["case"]

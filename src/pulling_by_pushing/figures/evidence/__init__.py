@@ -1,0 +1,1 @@
+"""Figures on the computation itself and on measured pushes."""

@@ -1,0 +1,101 @@
+"""The hard cases: their errors in units in the last place, compared with their condition numbers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from planar_pushing.drawing.canvas.colors import FORCE, GRAY, MOTION
+from planar_pushing.drawing.canvas.style import PAGE
+from planar_pushing.mechanics.plane import Array
+from pulling_by_pushing.figures.figure import Data, Figure
+
+FIGURE = Figure(
+    title="Errors of the hard cases",
+    reads=("hard_cases",),
+    size=(PAGE, 2.8),
+)
+#: Names of the hard places, in the order of `line`.
+PLACES = (
+    "center on\nthe ring",
+    "translation,\nrotation",
+    "lengths,\nangles",
+    "cone\nedges",
+    "slow,\nfast",
+    "rest",
+    "slips\nmerge",
+    "feet",
+    "edges",
+    "rims",
+    "segments",
+    "thin\nshapes",
+)
+#: Smaller errors, zero included, are drawn at this value.
+FLOOR = 0.01
+#: Gap between two groups, in cases.
+GAP = 4
+
+
+def positions(lines: Array) -> Array:
+    """Abscissa of each case, in order, with gaps between the groups."""
+    return np.asarray(np.arange(lines.size) + GAP * (lines.astype(int) - 1))
+
+
+def caption(data: Data) -> str:
+    """Caption of the figure."""
+    every = data["hard_cases"]
+    cases, ill = every.sizes["case"], int((every.ill_conditioned > 0).sum())
+    return (
+        f"Errors of the {cases} hard cases in units in the last place (ulp), ordered within each "
+        "group from best to worst condition: rings first, then other supports. A stroke is the "
+        "condition number, the error caused by half an ulp in the inputs; shaded: up to four ulp. "
+        f"Diamonds are the {ill} ill-conditioned "
+        "cases, in which rounding the inputs costs six digits or more; an algorithm can still have "
+        "a small error because the references are computed from the rounded inputs. Thin "
+        "shapes are computed as differences, which costs more digits than their condition does."
+    )
+
+
+def draw(figure: Any, data: Data) -> None:
+    """Draw errors as dots and condition numbers as strokes, ordered by condition within each group."""
+    cases = data["hard_cases"]
+    cases = cases.isel(case=np.lexsort((cases.condition.values, cases.line.values)))
+    ax = figure.add_axes((0.075, 0.17, 0.915, 0.7))
+    at = positions(cases.line.values)
+    error = np.maximum(cases.error_ulp.values, FLOOR)
+    ill = cases.ill_conditioned.values > 0
+    ax.set(yscale="log", xlim=(at[0] - GAP / 2, at[-1] + GAP / 2), ylim=(FLOOR / 1.6, 1e18))
+    ax.axhspan(FLOOR / 1.6, 4, color="#E3EEF6", zorder=0, lw=0, label="up to 4 ulp")
+    ax.plot(
+        at, np.maximum(cases.condition, 1), "_", color=GRAY, ms=3, mew=1.4,
+        label="condition number",
+    )  # fmt: skip
+    ax.plot(at[~ill], error[~ill], "o", color=MOTION, ms=2.6, mew=0, label="error")
+    ax.plot(
+        at[ill], error[ill], "D", color=FORCE, ms=3.4, mew=0,
+        label="error, ill-conditioned",
+    )  # fmt: skip
+    _decorate(ax, cases.line.values, at)
+    ax.legend(
+        loc="lower left",
+        bbox_to_anchor=(0.0, 1.0),
+        ncols=4,
+        handletextpad=0.4,
+        columnspacing=1.5,
+    )
+
+
+def _decorate(ax: Axes, lines: Array, at: Array) -> None:
+    middles = [at[lines == line].mean() for line in range(1, len(PLACES) + 1)]
+    ax.set_xticks(middles, PLACES)
+    ax.tick_params(axis="x", length=0)
+    for line in range(2, len(PLACES) + 1):
+        ax.axvline(at[lines == line][0] - (GAP + 1) / 2, color="#D0D0D0", lw=0.5, zorder=0)
+    powers = (4, 8, 12, 16)
+    ax.set_yticks(
+        [FLOOR, 1, *(10**n for n in powers)], ["0", "1", *(f"$10^{{{n}}}$" for n in powers)]
+    )
+    ax.minorticks_off()
+    ax.set_ylabel("error (ulp)")

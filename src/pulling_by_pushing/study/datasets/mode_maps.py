@@ -1,0 +1,84 @@
+"""Sets of consistent contact modes over friction and the direction of the push (Secs. 2-5)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from planar_pushing.mechanics.contact import ContactMode, PerfectlyRough
+from planar_pushing.mechanics.force.cones import friction_cone
+from planar_pushing.mechanics.plane import direction
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.solve import solve
+from pulling_by_pushing.study.datasets.base import axis, objects, over_effects, pushing
+from pulling_by_pushing.study.datasets.contact_modes import law_coordinates
+from pulling_by_pushing.study.model import Part, labeled_law
+
+#: Halvings of the half turn that contains an angle, until it is known to a rounding.
+HALVINGS = 56
+
+
+def mode_maps(part: Part) -> xr.Dataset:
+    """Build the dataset for part of a study by `solve` on labeled arrays.
+
+    A perfectly rough contact sticks under every motion. Under Coulomb's law the contact sticks if the
+    force of the perfectly rough contact is inside the friction cone; the angle of this force therefore
+    gives the exact limits of sticking.
+    """
+    labels = part.grid["contact"]
+    laws = list(map(labeled_law, labels))
+    slider = part.ring(axis(part, "rod_length"))
+    angle, magnitude = pushing(axis(part, "pusher_angle")), axis(part, "pusher_magnitude")
+
+    finite = xr.DataArray([not isinstance(law, PerfectlyRough) for law in laws], dims="contact")
+
+    def maps(effects: tuple[Any, ...]) -> xr.Dataset:
+        scene = Scene(slider=slider, contact=objects("contact", labels, laws), effects=effects)
+        rough = Scene(slider=slider, contact=PerfectlyRough(), effects=effects)
+        x, y = _sticking_force(rough, angle, magnitude)
+        pull = _furthest_pull(scene, rough, magnitude)
+        return xr.Dataset(
+            {
+                "modes": mode_sets(solve(scene, angle, magnitude)["mode"]),
+                "sticking_force_angle": np.rad2deg(np.arctan2(y, x)),
+                "furthest_pull": np.rad2deg(pull.where(finite)),
+            }
+        )
+
+    return over_effects(part, maps).assign_coords(law_coordinates(laws))
+
+
+def mode_sets(mode: xr.DataArray) -> xr.DataArray:
+    """Code of the set of consistent modes along `solution`: the sum of 2 ** mode over the modes.
+
+    Several slips of one mode count as one mode.
+    """
+    code = xr.zeros_like(mode.isel(solution=0, drop=True))
+    for each in ContactMode:
+        code += (mode == each).any("solution").astype(code.dtype) << each
+    return code
+
+
+def _sticking_force(rough: Scene, angle: xr.DataArray, magnitude: xr.DataArray) -> Any:
+    """Components of the force of a perfectly rough contact, sticking."""
+    found = solve(rough, angle, magnitude)
+    force = found.force.where(found["mode"] == ContactMode.STICK).max("solution")
+    return [force.isel(xy=i, drop=True) for i in (0, 1)]
+
+
+def _furthest_pull(scene: Scene, rough: Scene, magnitude: xr.DataArray) -> xr.DataArray:
+    """Pusher angle, radians, at which the sticking force is on the right edge of the friction cone.
+
+    A force and its motion differ by less than 90 degrees; this half turn is halved.
+    """
+    edge: xr.DataArray = friction_cone(scene).right
+    e_x, e_y = (edge.copy(data=part) for part in direction(edge.values).T)
+    angle = edge + 0 * magnitude
+    step = np.pi / 2
+    for _ in range(HALVINGS):
+        x, y = _sticking_force(rough, angle, magnitude)
+        angle = angle - step * np.sign(e_x * y - e_y * x)
+        step /= 2
+    return angle
