@@ -1,28 +1,40 @@
-# Load and validate the studies before any job starts, and define functions that the rules use.
+# What has to be computed: the studies, read and validated before any job starts, and for each job its values,
+# its resources and the code that it runs. The Snakefile and the other files contain the rules.
+import atexit
 import fcntl
+import os
 import re
 import sys
+from functools import cache
 from pathlib import Path
 
 from snakemake.exceptions import WorkflowError
 
-from pulling_by_pushing.figures.figure import drawing, entry
+from planar_pushing.terms.errors import PlanarPushingError
+from planar_pushing.terms.extras import require_extra
 from pulling_by_pushing.evidence.measured import logs
-from pulling_by_pushing.figures.parts.measured import PUSHES_FILE
+from pulling_by_pushing.figures import figure as figures
+from pulling_by_pushing.figures.measured import PUSHES_FILE
 from pulling_by_pushing.figures.studies import (
     OURS,
     PUSHES,
+    cuts,
     load_drawn_study,
     numbered,
-    settings,
 )
 from pulling_by_pushing.report.provenance import commit
 from pulling_by_pushing.study import chunks
-from pulling_by_pushing.study.catalog import DATASETS, dataset_file
+from pulling_by_pushing.study.catalog import COUNTS, DATASETS, TIMES, dataset_file
 from pulling_by_pushing.study.provenance import provenance, whole_digest
-from pulling_by_pushing.study.running.code import code_of
+from pulling_by_pushing.study.running import code
 from pulling_by_pushing.study.running.jobs import failure_text
-from pulling_by_pushing.study.slices import computes, points, sizes, study_slice
+from pulling_by_pushing.study.slices import (
+    computes,
+    points,
+    result_names,
+    sizes,
+    study_slice,
+)
 from pulling_by_pushing.study.studies import (
     chosen_data,
     chosen_results,
@@ -30,13 +42,19 @@ from pulling_by_pushing.study.studies import (
     study_folder,
     study_name,
 )
-from planar_pushing.terms.errors import PlanarPushingError
-from planar_pushing.terms.extras import require_extra
 
 if any(" " in path for path in (sys.executable, workflow.basedir)):
     raise WorkflowError(
         f"{workflow.basedir}: Snakemake cannot run in a path with a space; move the project"
     )
+
+# Digests of code are kept from one run to the next, and so are the declarations of the figures, because their
+# modules import what draws.
+atexit.register(code.keep_facts)
+FIGURE_MODULES = [f"figures.{name}" for name in figures.modules()]
+figures.DECLARED |= code.value_of_code(
+    "figures", code.code_of("figures.figure", *FIGURE_MODULES), figures.declarations
+)
 
 # By results folder: the file of each study, the study, and the attributes that name it in a result.
 try:
@@ -45,9 +63,9 @@ try:
         for file in chosen_studies(config)
     }
     STUDIES = {folder: load_drawn_study(file) for folder, file in FILES.items()}
+    MARKS = {folder: provenance(STUDIES[folder], FILES[folder]) for folder in FILES}
     if any(study.chunks for study in STUDIES.values()):
         require_extra("chunks")
-    MARKS = {folder: provenance(STUDIES[folder], FILES[folder]) for folder in FILES}
     DATA = chosen_data(config)
     LOGS = [] if DATA is None else logs(DATA)
 except PlanarPushingError as error:
@@ -65,47 +83,26 @@ if workflow.is_main_process:
     except BlockingIOError:
         pass  # Snakemake reports that another run is in progress
 
+# xarray imports dask, if it is installed, at the first sum of a job, which takes as long as all else that a
+# small job imports. Only grids in blocks or chunks need it.
+DIVIDED = any(
+    study.chunks or chunks.in_blocks(study, name)
+    for study in STUDIES.values()
+    for name in DATASETS
+    if computes(study, name)
+)
+os.environ.update(PLANAR_PUSHING_DASK="yes" if DIVIDED else "no")
+
+#: The script of every job, in the words of a rule in any file.
+RUN = f"{workflow.basedir}/workflow/scripts/run.py"
+#: Priorities: a measurement that takes all cores begins the run, then long jobs, then those that others await.
+TO_BEGIN, LONG, AWAITED = 10, 2, 1
 #: File formats of every picture.
 KINDS = ["svg", "pdf", "png"]
-#: Datasets about the computation itself, the scenes that they simulate, and their figures; times of this
-#: machine have no golden data.
-COUNTS, TIMES = ["hard_cases", "accuracy"], ["accuracy_time", "effects"]
+#: Scenes whose motions are computed with each accuracy.
 MOTIONS = [f"workflow/scenes/figure_{name}.yaml" for name in ("14a", "15")]
-EVIDENCE_FIGURES = [name for name in OURS if name not in PUSHES]
-#: Numbered figures, which are drawn from datasets.
-DRAWN = numbered()
-
-
-def one_of(names):
-    """Pattern of a wildcard that must be one of these names; without names, it matches nothing."""
-    return "|".join(map(re.escape, names)) or "(?!)"
-
-
-def computed(folder):
-    """Datasets that a study computes; only these have jobs."""
-    return [name for name in DATASETS if computes(STUDIES[folder], name)]
-
-
-def drawn(folder):
-    """Figures of a study."""
-    return list(STUDIES[folder].figures)
-
-
-def columns(folder):
-    """Figures of a study that have a single-column variant."""
-    return [name for name in drawn(folder) if entry(name).column]
-
-
-def undrawn(folder):
-    """Simulations of a study that are not shown in its figures."""
-    shown = {source for name in drawn(folder) for source in entry(name).reads}
-    return [
-        name
-        for name in STUDIES[folder].simulations
-        if f"simulations/{name}" not in shown
-    ]
-
-
+#: The ledger of the paper's claims, in the project's folder; without it, no claim is checked.
+LEDGER = "paper/claims.yaml"
 #: Folder of the paper's study, which golden data certify as a whole and the report describes.
 WHOLE = next(
     (
@@ -115,76 +112,119 @@ WHOLE = next(
     ),
     None,
 )
+#: The same folder in a list, which is empty without the paper's study.
+CERTIFIED = [WHOLE] if WHOLE else []
+#: Digests of the evaluated logs; `pushes` runs again if they are missing or the logs have changed.
+DIGESTS = f"{WHOLE or chosen_results(config)}/tables/measured_pushes.txt"
 #: Whether the report can be built: all of its figures are drawn by the studies of this run.
-REPORTED = WHOLE is not None and set(DRAWN) == set(sum(map(drawn, STUDIES), []))
+REPORTED = WHOLE is not None and set(numbered()) == {
+    name for study in STUDIES.values() for name in study.figures
+}
+
+
+def one_of(names):
+    """Pattern of a wildcard that must be one of these names; without names, it matches nothing."""
+    return "|".join(map(re.escape, names)) or "(?!)"
 
 
 def over(pattern, names):
-    """Expand a file pattern for every study, with the names that a function returns for its folder."""
+    """Expand a file pattern for every study, with the names that a function returns for the study."""
     return [
         path
-        for folder in STUDIES
-        for path in expand(pattern, results=folder, name=names(folder), kind=KINDS)
+        for folder, study in STUDIES.items()
+        for path in expand(pattern, results=folder, name=names(study), kind=KINDS)
     ]
+
+
+def computed(study):
+    """Datasets that a study computes; only these have jobs."""
+    return [name for name in DATASETS if computes(study, name)]
+
+
+def undrawn(study):
+    """Simulations of a study that are not shown in its figures."""
+    shown = {source for name in study.figures for source in figures.entry(name).reads}
+    return [name for name in study.simulations if f"simulations/{name}" not in shown]
 
 
 def verdicts(*names):
     """Files of the golden verdicts, with these endings, of the studies that have golden data."""
-    return [
-        f"{folder}/tables/golden_{name}"
-        for folder, study in STUDIES.items()
-        if study.golden
-        for name in names
+    return over(
+        "{results}/tables/golden_{name}",
+        lambda study: list(names) if study.golden else [],
+    )
+
+
+def golden_files(study):
+    """Golden data of a study."""
+    return sorted(map(str, Path(study.golden).rglob("*.nc"))) if study.golden else []
+
+
+def all_golden_files():
+    return sorted({path for study in STUDIES.values() for path in golden_files(study)})
+
+
+def golden_results(wildcards):
+    """Results of a study for which there are golden data, and the golden files."""
+    study = STUDIES[wildcards.results]
+    files = [
+        f"{wildcards.results}/{dataset_file(name)}" for name in result_names(study)
     ]
+    return [*files, *golden_files(study)]
 
 
-wildcard_constraints:
-    results=one_of(STUDIES),
+@cache
+def content(folder):
+    """Digest of all values from which results of a study are computed."""
+    return whole_digest(STUDIES[folder])
 
 
-def study_of(wildcards):
-    return STUDIES[wildcards.results]
+def contents(wildcards):
+    """Digests of all studies, which the report describes."""
+    return [content(folder) for folder in STUDIES]
 
 
-def marks_of(wildcards):
-    """Attributes that name the study in a dataset, a simulation or a figure."""
-    if "simulation" in wildcards.keys():
-        return MARKS[wildcards.results](f"simulations/{wildcards.simulation}")
-    return MARKS[wildcards.results](wildcards.get("dataset") or wildcards.figure)
+def runs(call, *members, also=lambda wildcards: []):
+    """Parameters of a job: the function that it calls, and the digest of the code that it runs.
+
+    Members are modules that the function imports by name; `also` returns what else makes a result outdated.
+    """
+
+    def digest(wildcards):
+        named = [member.format(**wildcards) for member in members]
+        own = code.code_of(call.partition(":")[0], *named)
+        return [own, *more] if (more := also(wildcards)) else own
+
+    return {"call": call, "code": digest}
 
 
-def figure_code(wildcards):
-    """Digest of the code of a figure."""
-    return code_of("figures.render", f"figures.{wildcards.figure}")
+def marks(*names):
+    """Attributes that name the study in a result; of several results, by name."""
 
+    def attributes(wildcards):
+        marks_of = MARKS[wildcards.results]
+        named = {name: marks_of(name.format(**wildcards)) for name in names}
+        return named if len(names) > 1 else named.popitem()[1]
 
-def dataset_code(wildcards):
-    """Digest of the code of a dataset."""
-    name = DATASETS[wildcards.dataset].module
-    return code_of("study.running.build", f"study.datasets.{name}")
+    return attributes
 
 
 def chunked(wildcards):
     """Chunks of a dataset by name; empty for a dataset that is built in one piece."""
-    study = study_of(wildcards)
-    return (
-        chunks.chunk_parts(study, wildcards.dataset)
-        if wildcards.dataset in study.chunks
-        else {}
-    )
+    study, name = STUDIES[wildcards.results], wildcards.dataset
+    return chunks.chunk_parts(study, name) if name in study.chunks else {}
 
 
 def job_slice(wildcards):
     """Values of the study from which a dataset or a chunk is computed."""
-    study, name = study_of(wildcards), wildcards.dataset
     part = chunked(wildcards).get(wildcards.get("chunk"), {})
-    return chunks.chunk_slice(study, name, part)
+    return chunks.chunk_slice(STUDIES[wildcards.results], wildcards.dataset, part)
 
 
 def job_points(wildcards):
-    if wildcards.dataset == "scenes":
-        return 0
-    return points(wildcards.dataset, job_slice(wildcards))
+    """Points of a dataset or a chunk, which determine the threads and the time limit of its job."""
+    name = wildcards.dataset
+    return points(name, job_slice(wildcards)) if DATASETS[name].dims else 0
 
 
 def job_threads(wildcards):
@@ -202,72 +242,40 @@ def chunk_files(wildcards):
     return {"chunks": files} if files else {}
 
 
-def job_call(wildcards):
+def dataset_code(wildcards):
+    """Digest of the code of a dataset."""
+    builder = DATASETS[wildcards.dataset].module
+    return code.code_of("study.running.build", f"study.datasets.{builder}")
+
+
+def figure_code(wildcards):
+    """Digest of the code of a figure."""
+    drawing = figures.module_name(wildcards.figure)
+    return code.code_of("figures.render", f"figures.{drawing}")
+
+
+def figure_category(wildcards):
+    """Section in Snakemake's report of a figure."""
+    name = wildcards.figure
+    ours = "Measured pushes" if name in PUSHES else "What accuracy costs"
+    return figures.entry(name).section or ours
+
+
+def dataset_call(wildcards):
     """Name of the function that builds a dataset, combines its chunks, or writes their index."""
+    gathers = STUDIES[wildcards.results].gather.get(wildcards.dataset, True)
+    function = "gather" if gathers else "index"
+    return f"study.running.build:{function if chunked(wildcards) else 'dataset'}"
+
+
+def dataset_values(wildcards, threads):
+    """Keyword arguments of the function that `dataset_call` names."""
+    study, name = STUDIES[wildcards.results], wildcards.dataset
+    values = study_slice(study, name)
     if not chunked(wildcards):
-        return "study.running.build:dataset"
-    gathers = study_of(wildcards).gather.get(wildcards.dataset, True)
-    return f"study.running.build:{'gather' if gathers else 'index'}"
-
-
-def job_values(wildcards, threads):
-    """Keyword arguments of the function that `job_call` names."""
-    study, name = study_of(wildcards), wildcards.dataset
-    if not chunked(wildcards):
-        return {"study": study_slice(study, name), "threads": threads}
-    lengths, steps = (
-        sizes(name, study_slice(study, name)),
-        chunks.chunk_steps(study, name),
-    )
-    return {"whole": {"lengths": lengths, "steps": steps}}
-
-
-def figure_files(wildcards):
-    """Datasets from which a figure is drawn."""
-    sources = entry(wildcards.figure).reads
-    return sorted({f"{wildcards.results}/{dataset_file(source)}" for source in sources})
-
-
-def figure_settings(wildcards):
-    """Values of the study for a figure."""
-    return settings(study_of(wildcards), wildcards.figure)
-
-
-def golden_results(wildcards):
-    """Results of a study for which there are golden data, and the golden files."""
-    from pulling_by_pushing.evidence.golden.check import result_names
-
-    study = study_of(wildcards)
-    files = [
-        f"{wildcards.results}/{dataset_file(name)}" for name in result_names(study)
-    ]
-    return [*files, *sorted(map(str, Path(study.golden).rglob("*.nc")))]
-
-
-def timed_study(wildcards):
-    """Study from which a dataset of times is computed, if any."""
-    reads = wildcards.times == "effects"
-    return {"study": FILES[wildcards.results]} if reads else {}
-
-
-def table(name):
-    category, title, caption = TABLES[name]
-    return report(
-        f"{WHOLE}/tables/{name}.csv",
-        category=category,
-        labels={"table": title},
-        caption=f"../report/{caption}.rst",
-    )
-
-
-def golden_files():
-    """Golden data of all studies that are built."""
-    folders = [Path(study.golden) for study in STUDIES.values() if study.golden]
-    return sorted({str(path) for folder in folders for path in folder.rglob("*.nc")})
-
-
-#: Digests of the evaluated logs; `pushes` runs again if they are missing or the logs have changed.
-DIGESTS = f"{WHOLE or chosen_results(config)}/tables/measured_pushes.txt"
+        return {"study": values, "threads": threads}
+    steps = chunks.chunk_steps(study, name)
+    return {"whole": {"lengths": sizes(name, values), "steps": steps}}
 
 
 def measured_files(wildcards):
@@ -278,3 +286,18 @@ def measured_files(wildcards):
             "run snakemake pushes --config data=FOLDER"
         )
     return [PUSHES_FILE, DIGESTS]
+
+
+def table(name):
+    """A table of the report, with its title in Snakemake's report."""
+    category, title, caption = TABLES[name]
+    return report(
+        f"{WHOLE}/tables/{name}.csv",
+        category=category,
+        labels={"table": title},
+        caption=f"../report/{caption}.rst",
+    )
+
+
+wildcard_constraints:
+    results=one_of(STUDIES),

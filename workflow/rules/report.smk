@@ -21,13 +21,11 @@ TABLES = {
 rule report_tables:
     input:
         rules.data.input,
-        rules.figures.input,
+        expand("{results}/data/{name}.nc", results=CERTIFIED, name=COUNTS + TIMES),
         verdicts("verdict.txt", "verdict.json"),
-        rules.accuracy.input,
-        rules.pushes_figures.input,
         PUSHES_FILE,
         f"{WHOLE}/tables/claims.json",
-        golden_files(),
+        all_golden_files(),
     output:
         **{name: table(name) for name in TABLES},
         golden_failures=f"{WHOLE}/tables/golden_failures.csv",
@@ -38,35 +36,33 @@ rule report_tables:
     benchmark:
         f"{WHOLE}/benchmarks/paper/report_tables.tsv"
     params:
-        call="report.jobs:report_tables",
-        code=[code_of("report.jobs"), *map(whole_digest, STUDIES.values())],
+        **runs("report.tables:write_tables", *FIGURE_MODULES, also=contents),
         golden=STUDIES[WHOLE].golden if WHOLE else "",
         results=WHOLE,
     message:
         "Reading the numbers of the report"
     script:
-        "../scripts/run.py"
+        RUN
 
 
 # The commit is a parameter, so that a new commit rebuilds only this table and the report.
 rule report_provenance:
     input:
-        golden_files(),
+        all_golden_files(),
     output:
         output=f"{WHOLE}/tables/provenance.csv",
     log:
         f"{WHOLE}/logs/paper/report_provenance.log",
     params:
-        call="report.jobs:report_provenance",
-        code=[code_of("report.jobs"), *map(whole_digest, STUDIES.values())],
+        **runs("report.provenance:write_provenance", also=contents),
         study=FILES.get(WHOLE),
         golden=STUDIES[WHOLE].golden if WHOLE else "",
         results=WHOLE,
-        state=commit(),
+        state=lambda wildcards: commit(),
     message:
         "Identifying the code"
     script:
-        "../scripts/run.py"
+        RUN
 
 
 rule paper_pdf:
@@ -74,7 +70,7 @@ rule paper_pdf:
         rules.report_tables.output,
         rules.report_provenance.output,
         f"{WHOLE}/tables/claims.json",
-        over("{results}/figures/{name}.svg", drawn),
+        over("{results}/figures/{name}.svg", lambda study: study.figures),
         expand(f"{WHOLE}/figures/{{name}}.svg", name=OURS),
         SOURCES,
         source="paper/report.typ",
@@ -90,14 +86,13 @@ rule paper_pdf:
     benchmark:
         f"{WHOLE}/benchmarks/paper/paper_pdf.tsv"
     params:
-        call="report.typeset:typeset",
-        code=code_of("report.jobs"),
+        **runs("report.typeset:typeset"),
         root=".",
         results=WHOLE,
     message:
         "Typesetting the report"
     script:
-        "../scripts/run.py"
+        RUN
 
 
 rule paper:
@@ -132,13 +127,12 @@ rule manual_pages:
     benchmark:
         f"{WHOLE}/benchmarks/manual/manual_pages.tsv"
     params:
-        call="report.manual:build_manual",
+        **runs("report.manual:build_manual", "study.dictionary"),
         source=lambda wildcards: "paper/manual",
-        code=code_of("report.manual", "study.dictionary"),
     message:
         "Building the manual"
     script:
-        "../scripts/run.py"
+        RUN
 
 
 rule manual:

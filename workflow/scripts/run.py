@@ -1,6 +1,11 @@
 """Call the function named by a job, with its named files and parameters as keyword arguments."""
 
+import os
+import sys
 from pkgutil import resolve_name
+
+if os.environ.get("PLANAR_PUSHING_DASK") == "no":
+    sys.modules["dask"] = None  # not imported by xarray, as no grid of this run is divided
 
 from pulling_by_pushing.study.running.jobs import job_log
 

@@ -19,8 +19,8 @@ def test_the_plan_is_a_table(capsys):
     assert main(["plan", "workflow/config/smoke.yaml"]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].split()[:4] == ["dataset", "points", "chunks", "jobs"]
-    assert lines[3].split()[:4] == ["contact_modes", "2,100", "1", "1"]
-    assert lines[-2].startswith("together: 5 jobs, 0.004 CPU hours, ")
+    assert lines[4].split()[:4] == ["contact_modes", "2,100", "1", "1"]
+    assert lines[-2].startswith("together: 7 jobs, ")
     assert lines[-1] == "not counted: 7 scenes, 3 simulations, 15 figures"
     assert len(set(map(len, lines[:-2]))) == 1
 
@@ -29,15 +29,16 @@ def test_the_plan_as_json(capsys):
     assert main(["plan", "workflow/config/smoke.yaml", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)["datasets"]
     assert [each["dataset"] for each in found] == [
-        "limit_curves", "motion_cones", "contact_modes", "acceleration_centers", "center_regions",
+        "limit_curves", "curves", "motion_cones", "contact_modes", "mode_maps",
+        "acceleration_centers", "center_regions",
     ]  # fmt: skip
-    assert found[2]["points"] == 2100
+    assert found[3]["points"] == 2100
 
 
 def test_the_plan_of_a_study_with_supports(capsys):
     assert main(["plan", "workflow/config/sliders_smoke.yaml", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
-    names = ["supports", "support_cones", "support_modes"]
+    names = ["supports", "support_cones", "support_modes", "support_curves", "support_rods"]
     assert [each["dataset"] for each in found["datasets"]] == names
     assert found["not_counted"] == {"scenes": 0, "simulations": 1, "figures": 4}
 
@@ -62,8 +63,8 @@ def test_a_study_of_any_kind_has_a_plan(capsys, tmp_path, grid, names):
     shutil.copy("workflow/scenes/figure_03.yaml", tmp_path / "scene.yaml")
     assert main(["plan", str(tmp_path / "mine.yaml")]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert [line.split()[0] for line in lines[1 : 1 + len(names)]] == names
-    assert lines[1 + len(names)].startswith(f"together: {len(names)} job")
+    last = next(k for k, line in enumerate(lines) if line.startswith(f"together: {len(names)} job"))
+    assert [line.split()[0] for line in lines[1:last]] == names
     assert (lines[-1] == "not counted: 1 scene") == ("scenes" in grid)
 
 

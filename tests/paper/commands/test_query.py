@@ -38,7 +38,7 @@ def test_query_with_equals_signs(run, results):
 def test_query_of_several_axes_prints_a_table_each(run, results):
     code, out, _ = run("query", "motion_cones", "--results", results, "--rod-length", "2")
     assert code == 0
-    assert out.splitlines()[0] == "rod_length=2.0"
+    assert out.startswith("rod_length=2.0, radius=1.0, ")
     assert out.count("motion_cone_right [degree]") == 1
 
 
@@ -134,7 +134,7 @@ def test_without_a_name_the_datasets_are_listed(run, results):
         "not built here:",
     ]
     assert lines[-1].startswith(
-        "  figures/NAME: build it with planar-pushing run, from a study that "
+        "  simulations/NAME: build it with planar-pushing run, from a study that "
     )
     assert any(
         "effects, hard_cases: build it with make, in the project's folder" in each for each in lines
@@ -182,7 +182,7 @@ def test_query_of_another_study(run, results, tmp_path):
         (["query", "cones"],
          "name: 'cones' given; allowed: limit_curves"),
         (["query", "motion_cone"],
-         "name: 'motion_cone' given; allowed: limit_curves, motion_cones"),
+         "name: 'motion_cone' given; allowed: limit_curves, curves, motion_cones"),
         (["query", "motion_cones", "--rod-lenght", "2"],
          "rod_lenght: '2' given; allowed: the axes effects"),
         (["query", "motion_cones", "--rod-length", "7"],

@@ -47,7 +47,7 @@ def snakemake(root: Path, *arguments: str, code: int = 0) -> str:
 def files(root: Path) -> dict[str, bytes]:
     """Every chunk and figure, and the content of every dataset, which dask gathers in any order."""
     folder = root / RESULTS
-    kinds = ("chunks/*/*.nc", "figures/data/*.nc", "figures/*.*")
+    kinds = ("chunks/*/*.nc", "figures/*.*")
     paths = [path for kind in kinds for path in folder.glob(kind)]
     found = {str(path.relative_to(folder)): path.read_bytes() for path in sorted(paths)}
     datasets = {path.name: read_dataset(path) for path in sorted(folder.glob("data/*.nc"))}

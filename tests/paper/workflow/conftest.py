@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import fcntl
 import hashlib
 import os
 import shutil
@@ -14,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from pulling_by_pushing.study.studies import study_folder
+from smoke import build_once
 
 PROJECT = Path(__file__).parents[3]
 PARTS = (
@@ -101,16 +101,7 @@ def copy_project(root: Path) -> Copy:
 
 def once(factory: pytest.TempPathFactory, name: str, *targets: str) -> Copy:
     """A copy in which targets are built, by default everything; processes of a run share the build."""
-    shared = os.environ.get("PYTEST_XDIST_WORKER") is not None
-    base = factory.getbasetemp()
-    original = (base.parent if shared else base) / f"original_{name}"
-    with original.with_suffix(".lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)  # one process builds it, and each works on its own copy
-        if not original.exists():
-            started = original.with_suffix(".started")
-            started.mkdir()
-            copy_project(started).snakemake(*targets)
-            started.rename(original)
+    original = build_once(factory, name, lambda folder: copy_project(folder).snakemake(*targets))
     root = factory.mktemp(name) / "copy"
     shutil.copytree(original, root, symlinks=True)
     return Copy(root)

@@ -71,7 +71,7 @@ def test_the_datasets_are_those_in_one_piece(root):
         ("[0, 1.5, 2, inf]", "[0, 1.5, 2, 7, inf]", {"friction_coefficient_3"}),
         ("[0, 1.5, 2, inf]", "[0, 1.5, 2, 3, 4, 5, inf]",
          {"friction_coefficient_3", "friction_coefficient_6"}),
-        ("mapped_rod_length: 1,", "mapped_rod_length: 2,", set()),
+        ("figure_12: {rod_length: 5}", "figure_12: {rod_length: 2}", set()),
     ],
 )  # fmt: skip
 def test_a_change_computes_the_chunks_that_hold_it(root, written, instead, chunks):

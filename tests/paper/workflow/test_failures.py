@@ -15,10 +15,10 @@ from workflow.chunked import ENVIRONMENT, RESULTS, command, copy_workflow, files
 pytestmark = pytest.mark.alone
 
 CHUNKS = "chunks: {motion_cones: {rod_length: 2, friction_coefficient: 3}}\n"
-TARGETS = [f"{RESULTS}/figures/figure_13.svg"]
+TARGETS = [f"{RESULTS}/figures/figure_01.svg"]
 KILLS = 20
 #: Kilobytes of a disk that is full as the output of a rule is written.
-DISKS = {"chunk": 40, "dataset": 150, "figure": 440}
+DISKS = {"chunk": 40, "motion_cones": 170, "figure": 240}
 
 
 @pytest.fixture(scope="session")

@@ -105,7 +105,7 @@ def command(installed, tmp_path):
 def test_a_study_is_built_read_and_certified(command, tmp_path, installed):
     (tmp_path / "tiny.yaml").write_text(TINY, encoding="utf-8")
     said = command("run", "tiny.yaml", "--cores", "1")
-    assert str(installed / "planar_pushing/workflow/profiles/default") in said
+    assert str(installed / "pulling_by_pushing/workflow/profiles/default") in said
     assert "148.610391" in command("query", "motion_cones", "--study", "tiny")
     assert "passed" in command("check", "--study", "tiny.yaml", "--points", "2")
 

@@ -161,4 +161,4 @@ def test_the_submitting_process_may_be_killed_and_started_again(cluster, run, lo
     process.wait()
     run.ends(run.submit(TARGET))
     assert_same(run, local)
-    assert run.done()["dataset"] == 1
+    assert run.done()["contact_modes"] == 1

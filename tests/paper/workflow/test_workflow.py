@@ -65,24 +65,29 @@ def test_everything_is_built_and_nothing_is_left_to_do(built):
             assert str(built.root).encode() not in path.read_bytes(), path
 
 
+#: A line that changes the code of a module.
+CODE = ("", "\nEDITED = True\n")
 #: Edits that change nothing that a job of `FEW_FILES` reads or runs.
 WITHOUT_EFFECT = [
     (CONFIG, "rod_angle: [45, 90]", "rod_angle:  # degrees\n    - 45.0\n    - 90"),
     ("workflow/scenes/figure_15.yaml",),
-    ("src/pulling_by_pushing/study/datasets/contact_modes.py",),
-    ("src/pulling_by_pushing/figures/figure_05.py",),
-    ("src/pulling_by_pushing/commands/query.py",),
+    ("src/planar_pushing/mechanics/solve.py",),  # with a comment
+    ("src/pulling_by_pushing/study/datasets/contact_modes.py", *CODE),
+    ("src/pulling_by_pushing/figures/paper/figure_05.py", *CODE),
+    ("src/pulling_by_pushing/commands/query.py", *CODE),
 ]
 ADDED = "[0, 1.5, 2, inf]", "[0, 1.5, 2, 3, inf]"
+PAPER = "src/pulling_by_pushing"
 
 
 @pytest.mark.parametrize(
     ("edits", "stale"),
     [
         (WITHOUT_EFFECT, {"all": 1}),
-        ([(CONFIG, *ADDED)], {"dataset": 1, "figure": 1}),
-        ([("src/pulling_by_pushing/figures/figure_06.py",), ("src/planar_pushing/simulation/pusher.py",)],
-         {"figure": 1, "simulation": 1}),
+        ([(CONFIG, *ADDED)], {"motion_cones": 1, "figure": 1}),
+        ([(f"{PAPER}/figures/paper/mappings.py", *CODE),
+          ("src/planar_pushing/simulation/pusher.py", *CODE)],
+         {"figure": 1, "simulations_smoke": 1}),
     ],
 )  # fmt: skip
 def test_only_what_depends_on_edits_reruns(partly_built, edits, stale):
@@ -92,7 +97,7 @@ def test_only_what_depends_on_edits_reruns(partly_built, edits, stale):
         assert jobs(partly_built.snakemake("--dry-run", *few_targets())) == stale
 
 
-AXIS = {"dataset": 1, "figure": 5, "column_figure": 4}
+AXIS = {"motion_cones": 1, "figure": 5}
 
 
 @pytest.mark.slow
@@ -104,13 +109,13 @@ AXIS = {"dataset": 1, "figure": 5, "column_figure": 4}
         ("workflow/scenes/figure_15.yaml", (), {}),
         (CONFIG, ADDED, AXIS),
         ("workflow/scenes/figure_15.yaml", ("samples: 97", "samples: 9"),
-         {"simulation": 1, "figure": 1, "column_figure": 1}),
-        ("src/pulling_by_pushing/figures/figure_06.py", (), {"figure": 1, "column_figure": 1}),
-        ("src/pulling_by_pushing/study/datasets/motion_cones.py", (), AXIS),
-        ("src/pulling_by_pushing/study/datasets/contact_modes.py", (), {"dataset": 1}),
-        ("src/planar_pushing/simulation/pusher.py", (),
-         {"simulation": 3, "figure": 2, "column_figure": 2}),
-        ("src/pulling_by_pushing/commands/query.py", (), {}),
+         {"simulations_smoke": 1, "figure": 2}),
+        ("src/planar_pushing/mechanics/solve.py", (), {}),
+        (f"{PAPER}/figures/paper/figure_05.py", CODE, {"figure": 1}),
+        (f"{PAPER}/study/datasets/motion_cones.py", CODE, AXIS),
+        (f"{PAPER}/study/datasets/center_regions.py", CODE, {"center_regions": 1}),
+        ("src/planar_pushing/simulation/pusher.py", CODE, {"simulations_smoke": 1, "figure": 2}),
+        (f"{PAPER}/commands/query.py", CODE, {}),
     ],
 )  # fmt: skip
 def test_only_what_depends_on_a_change_reruns(built, file, change, stale):
@@ -179,6 +184,7 @@ def test_golden_check_fails_the_run_after_everything_else_and_says_why(fresh):
     assert passed.is_file()
 
 
+@pytest.mark.slow
 def test_a_killed_run_goes_on_without_a_word(partly_built, fresh):
     """What a killed run has left is finished by a plain one, to the bytes of another build."""
     targets = few_targets()
@@ -217,7 +223,7 @@ def test_report(built):
 
 @pytest.mark.slow
 def test_an_edited_module_is_rebuilt_once(built):
-    with edited(built.root / "src/pulling_by_pushing/figures/figure_06.py"):
+    with edited(built.root / "src/pulling_by_pushing/figures/paper/figure_05.py", *CODE):
         before = built.digests()
         assert jobs(built.snakemake())["figure"] == 1
         assert built.digests() == before
@@ -243,7 +249,7 @@ def test_every_output_is_a_target(built):
     """What no target asks for is not rebuilt when it is deleted."""
     found = outputs(built)
     assert found == targets(built)
-    names = ("tables/claims.csv", "tables/claims.json", "figures/data/figure_04.nc")
+    names = ("tables/claims.csv", "tables/claims.json", "figures/figure_04.svg")
     assert {f"results/studies/smoke/{name}" for name in names} <= found
 
 
