@@ -12,9 +12,8 @@ from PIL import Image
 import planar_pushing as pp
 from planar_pushing.commands import main
 from planar_pushing.terms.netcdf import write_dataset
-from pulling_by_pushing.figures import images
-from pulling_by_pushing.figures.parts.measured import PUSHES_FILE
-from pulling_by_pushing.figures.render import pushes_figure
+from pulling_by_pushing.figures import images, render
+from pulling_by_pushing.figures.measured import PUSHES_FILE
 from pulling_by_pushing.study.running.build import build_dataset
 from pulling_by_pushing.study.slices import study_slice
 from pulling_by_pushing.study.study_file import load_study
@@ -72,8 +71,9 @@ def test_commands_make_the_animation(folder, monkeypatch, capsys):
 
 def test_the_measured_picture_is_that_of_the_report(tmp_path):
     assert MEASURED.relative_to(PATH.parent).as_posix() in README
-    pushes_figure(PUSHES_FILE, name="measured_pressures", png=tmp_path / "measured_pressures.png")
-    assert images.difference(tmp_path / "measured_pressures.png", MEASURED) < TOLERANCE
+    picture = tmp_path / "measured_pressures.png"
+    render.figure(name="measured_pressures", results="results", png=picture)
+    assert images.difference(picture, MEASURED) < TOLERANCE
 
 
 def test_numbers_of_measured_pushes():

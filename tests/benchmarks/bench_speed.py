@@ -17,8 +17,7 @@ from scipy.special import ellipe, ellipkm1
 import planar_pushing as pp
 from planar_pushing.mechanics.arrays import CORES
 from planar_pushing.mechanics.force.wrench import ring_profile, ring_spin_ratios
-from planar_pushing.mechanics.pressure.table import table_of_pieces
-from planar_pushing.mechanics.supports.moments import moments
+from planar_pushing.mechanics.pressure.table import moments, table_of_pieces
 
 pytestmark = pytest.mark.benchmark(timer=time.process_time)
 COUNT = 10**6

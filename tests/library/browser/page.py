@@ -27,7 +27,7 @@ class Server:
     """`planar-pushing explore` without a browser of its own."""
 
     def __init__(self, *arguments):
-        command = [sys.executable, "-m", "planar_pushing.commands", "explore", "--no-browser"]
+        command = [sys.executable, "-m", "planar_pushing", "explore", "--no-browser"]
         self.process = subprocess.Popen(
             [*command, *map(str, arguments)],
             stdout=subprocess.PIPE,

@@ -126,12 +126,9 @@ def test_wrong_input_is_refused_before_any_work(refused, files, tmp_path, monkey
         raise AssertionError("work has begun")
 
     monkeypatch.setattr("planar_pushing.pushes.compare.errors_of", never)
-    none, text, path = tmp_path / "none.nc", tmp_path / "text.nc", tmp_path / "comparison.nc"
-    text.write_text("pushes")
+    path = tmp_path / "comparison.nc"
     tripod, two = str(files / "tripod.nc"), str(files / "two.nc")
     for arguments, said in (
-        ([str(none)], f"{none}: no such file; write one with save_pushes or "),
-        ([str(text)], f"{text}: is not a netCDF4 file of pushes; "),
         ([two, "--object", "plato"], "object: 'plato' given; allowed: tripod, plate; did you mean plate?"),
         ([tripod, "--seed", "-1"], "seed: -1 given; allowed: a whole number >= 0; "),
         ([tripod, "-o", "table.csv"],

@@ -30,26 +30,18 @@ def completed(run):
 
 @pytest.mark.skipif(BASH is None, reason="needs bash")
 @pytest.mark.parametrize(("words", "expected"), [
-    (["s"], ["solve", "simulate"]),
+    (["s"], ["solve", "simulate", "schema"]),
     (["--v"], ["--version"]),
-    (["solve", "--p"], ["--pusher-angle", "--pusher-magnitude"]),
-    (["simulate", "scene.yaml", "--method", ""], ["event-driven", "time-stepping"]),
     (["simulate", "scene.yaml", "--on-ambiguity", "s"],
      ["separate", "stay-in-mode", "stick", "slip-right", "slip-left"]),
     (["query", "motion_cones", "--rod"], ["--rod-angle", "--rod-length"]),
     (["query", "mot"], ["motion_cones"]),
-    (["query", "hard"], ["hard_cases"]),
     (["query", "acc"], ["acceleration_centers", "accuracy/cone", "accuracy/motion", "accuracy/wrench",
      "accuracy_time/cone", "accuracy_time/motion", "accuracy_time/wrench"]),
     (["query", "scen"], []),
-    (["simulate", "scene.yaml", "--pusher-shape", ""], ["fence", "finger"]),
     (["query", "motion_cones", "--effects", "in"], ["inertia"]),
     (["identify", "pushes.nc", "--family", ""], ["points", "uniform_and_corners", "ellipse", "map"]),
-    (["identify", "pushes.nc", "--o"], ["--object", "--outline", "--output"]),
-    (["compare", "pushes.nc", "--i"], ["--identify"]),
     (["query", "motion_cones", "--rod-length", ""], []),
-    (["draw", "scene.yaml", "-o", ""], []),
-    (["check", "--study", ""], []),
     (["run", "study.yaml", "--"], ["--help", "--json", "--results", "--cores", "--dry-run"]),
     (["solve", "scene"], []),
 ], ids=str)  # fmt: skip

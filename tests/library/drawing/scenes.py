@@ -1,6 +1,6 @@
 """Scenes to draw, from the entries of scene files."""
 
-from planar_pushing.mechanics.entries import support_entry
+from planar_pushing.mechanics.entries import entry
 from planar_pushing.scenes.scene_model import SceneFile
 from pulling_by_pushing.study.datasets.scenes import scene_dataset
 from pulling_by_pushing.study.model import PushEntry
@@ -17,7 +17,7 @@ def coulomb(mu):
 
 
 def supported(support):
-    return {"type": "support_friction", "support": support_entry(support)}
+    return {"type": "support_friction", "support": entry(support)}
 
 
 def scene_file(contact, effects=(RING,), **slider):

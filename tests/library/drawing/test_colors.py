@@ -1,6 +1,6 @@
 """Colors: one a meaning, legible on white, in gray, and to a deuteranope."""
 
-from itertools import combinations, cycle
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -28,10 +28,6 @@ from planar_pushing.drawing.canvas.colors import (
     tint,
 )
 from planar_pushing.mechanics.contact import ContactMode
-from pulling_by_pushing.figures.parts.gallery import families
-from pulling_by_pushing.figures.parts.methods import LOOKS
-from pulling_by_pushing.figures.parts.rods import DASHES
-from pulling_by_pushing.study.study_file import load_study
 
 #: How a deuteranope sees linear red, green and blue (Machado, Oliveira and Fernandes 2009).
 DEUTERANOPE = np.array(
@@ -90,7 +86,6 @@ def test_letters_and_marks_have_contrast_on_white(color):
     [
         *(look.ink for look in MODE_SETS.values()), *colors.ENERGIES.values(),
         *support_colors(STUDIED).values(),
-        *(look["color"] for look in LOOKS.values()),
     ],
 )  # fmt: skip
 def test_lines_have_contrast_on_white(color):
@@ -124,14 +119,6 @@ def test_meanings_differ_for_a_deuteranope(one, other):
 @pytest.mark.parametrize(("one", "other"), [*combinations((SEPARATE, STICK, LEFT, RIGHT), 2)])
 def test_fills_of_single_modes_differ_for_a_deuteranope(one, other):
     assert distance(MODES[one].fill, MODES[other].fill) >= 10
-
-
-@pytest.mark.parametrize("family", [0, 1])
-def test_supports_of_a_panel_differ_for_a_deuteranope_or_by_their_dashes(family):
-    names = families(load_study("workflow/config/sliders.yaml").gallery())[family]
-    looks = list(zip(support_colors(names).values(), cycle(DASHES), strict=False))
-    for (one, dash), (other, broken) in combinations(looks, 2):
-        assert dash != broken or distance(one, other) >= 20
 
 
 @pytest.mark.parametrize(

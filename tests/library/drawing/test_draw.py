@@ -129,14 +129,9 @@ def test_the_magnitude_counts_where_friction_and_inertia_resist():
     ("options", "said"),
     [
         ({"solution": 7}, f"solution: 7 given; allowed: {NUMBERS}; choose one of these, or leave it out"),
-        ({"solution": -1}, f"solution: -1 given; allowed: {NUMBERS}; "),
         ({"solution": ContactMode.SLIP_RIGHT}, f"given; allowed: {NUMBERS}; "),
         ({"pusher_angle": np.nan}, "pusher_angle: nan given; allowed: a finite number"),
-        ({"pusher_angle": np.array([1.0, 2.0])}, "pusher_angle: array([1., 2.]) given; allowed: "),
         ({"pusher_magnitude": -1.0}, "pusher_magnitude: -1.0 given; allowed: "),
-        ({"pusher_magnitude": np.array([1.0, 2.0])}, "pusher_magnitude: "),
-        ({"pusher_angle": np.float64(90)}, "pusher_angle: 90.0 given; allowed: radians in [-4 pi, 4 pi]"),
-        ({"pusher_angle": None, "pusher_magnitude": "x"}, "pusher_magnitude: 'x' given; allowed: "),
         ({"pusher_angle": None, "pusher_magnitude": -5}, "pusher_magnitude: -5 given; allowed: "),
         ({"pusher_angle": None, "solution": 7}, "solution: 7 given; allowed: None without pusher_angle"),
         ({"ax": 1}, "ax: 1 given; allowed: axes of matplotlib"),
@@ -227,15 +222,6 @@ def test_pivots_are_a_bar_on_the_strip_with_a_legend(logs):
     assert (bar.get_x(), bar.get_x() + bar.get_width()) == pytest.approx(tuple(times))
 
 
-@pytest.mark.parametrize("call", [pp.plot_log, pp.animate])
-def test_what_is_no_log_is_refused(call):
-    with pytest.raises(
-        pp.InvalidFile, match=r"the dataset lacks position, .*a log of planar-pushing"
-    ):
-        call(xr.Dataset())
-    assert not plt.get_fignums()
-
-
 # -- animations --------------------------------------------------------------------------------------
 
 
@@ -284,13 +270,8 @@ def test_any_support_is_animated_in_a_notebook_or_a_file(logs, tmp_path, name):
         ({"path": "a.mp4"}, "output: 'a.mp4' given; allowed: a name ending in .gif; rename the file"),
         ({"path": 1}, "path: 1 given; allowed: the path of a file"),
         ({"frames": 1}, "frames: 1 given; allowed: a whole number from 2 to 1000; choose another number"),
-        ({"frames": 2.5}, "frames: 2.5 given; allowed: a whole number from 2 to 1000"),
-        ({"frames": 1001}, "frames: 1001 given; allowed: a whole number from 2 to 1000"),
-        ({"frames": "many"}, "frames: 'many' given; allowed: a whole number from 2 to 1000"),
         ({"frames_per_second": 0.0},
          "frames_per_second: 0.0 given; allowed: a number in (0, 50]; slow it down"),
-        ({"frames_per_second": np.nan}, "frames_per_second: nan given; allowed: a number in (0, 50]"),
-        ({"frames_per_second": 51}, "frames_per_second: 51 given; allowed: a number in (0, 50]"),
     ],
 )  # fmt: skip
 def test_wrong_options_of_an_animation_are_one_line(logs, options, said):
@@ -301,17 +282,12 @@ def test_wrong_options_of_an_animation_are_one_line(logs, options, said):
 
 
 @pytest.mark.parametrize("function", [pp.animate, pp.plot_log])
-@pytest.mark.parametrize("given", [None, 1, "log.nc", np.ones(2)], ids=repr)
+@pytest.mark.parametrize("given", [None, "log.nc"])
 def test_what_is_no_log_is_one_line(function, given):
     with pytest.raises(
         pp.InvalidValue, match=r"^log: .* given; allowed: a dataset returned by simulate"
     ):
         function(given)
-
-
-def test_a_figure_is_one_of_matplotlib(logs):
-    with pytest.raises(pp.InvalidValue, match=r"^figure: 1 given; allowed: a Figure"):
-        pp.plot_log(logs["figure_15"], figure=1)
 
 
 # -- notebooks ---------------------------------------------------------------------------------------
@@ -339,10 +315,6 @@ def test_solutions_have_the_picture_of_their_push():
     none = pp.solve(scene(NO_ADHESION), np.deg2rad(165))._repr_html_()
     assert "<svg" in none
     assert "<table" not in none
-
-
-def test_arrays_of_scenes_have_no_picture():
-    assert MANY._repr_svg_() is None
 
 
 def test_without_matplotlib_there_is_a_table_and_no_picture(monkeypatch):

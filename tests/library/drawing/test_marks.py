@@ -16,6 +16,7 @@ from planar_pushing.drawing.canvas.axes import Panel, panels, schematic, to_axes
 from planar_pushing.drawing.canvas.labels import settled
 from planar_pushing.drawing.canvas.marks import (
     DASHES,
+    SHAPES,
     Area,
     Arrow,
     Hatch,
@@ -26,7 +27,6 @@ from planar_pushing.drawing.canvas.marks import (
     corners,
     unit,
 )
-from planar_pushing.drawing.canvas.shapes import SHAPES
 from planar_pushing.drawing.canvas.svg import text, to_svg
 
 SIZE, BOX = (210.0, 150.0), np.array([(-2.0, -1.0), (3.0, 2.5)])

@@ -117,7 +117,6 @@ def test_widgets_follow_a_drag_once_it_rests(page, slow):
 
 @pytest.mark.parametrize(("name", "value", "said"), [
     ("weight", -1.0, "Friction W: -1.0 given; allowed: a finite number > 0"),
-    ("duration", None, "Duration: nothing given; allowed: a finite number > 0"),
     ("effects", [], "Effects: nothing given; allowed: a list with at least one entry"),
 ])  # fmt: skip
 def test_a_bad_value_is_said_in_one_line_and_taken_back(page, name, value, said):

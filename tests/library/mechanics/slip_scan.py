@@ -9,11 +9,10 @@ import numpy as np
 from mechanics.friction_transcription import of_places
 from mechanics.problems import cross, turned
 from mechanics.transcription import gradient
+from scipy.optimize.elementwise import find_root
 
 #: Width of the bracket at the end, relative to the rotation.
-ROUNDING = 1e-15
-#: Steps of the bracket, of which every third halves it.
-STEPS = 150
+ROUNDING = {"xatol": 0.0, "xrtol": 1e-15, "fatol": 0.0, "frtol": 0.0}
 #: Distances from the pusher's motion over its magnitude, and from the free motion over the normal part
 #: between them.
 FROM_PUSHER, FROM_REST = np.logspace(-8, 4, 240), np.logspace(-3, 4, 120)
@@ -41,26 +40,24 @@ def force_at(problem, motion):
     """Force of the pusher at motions of the contact, in the fence's frame; on a kink, between its sides."""
     body = turned(motion, -problem.psi)
     size = np.hypot(*motion.T) / np.maximum(problem.length + problem.extent, 1e-300) + 1e-300
-    low, high = -size, size
-    for _ in range(200):
-        below, above = torque_at(problem, body, low)[1], torque_at(problem, body, high)[1]
-        if (below <= 0).all() and (above >= 0).all():
-            break
-        low, high = np.where(below > 0, 4 * low, low), np.where(above < 0, 4 * high, high)
-    active = np.arange(len(body))
-    for step in range(STEPS):
-        part = _secant(below[active], above[active])
-        # Beside the secant's root, alternately above and below, so that both ends come closer.
-        part = 0.5 if step % 3 == 2 else part + (-1) ** step * 0.1 * part * (1 - part)
-        middle = low[active] + part * (high[active] - low[active])
-        torque = torque_at(problem[active], body[active], middle)[1]
-        up, down = active[torque > 0], active[torque <= 0]
-        high[up], above[up] = middle[torque > 0], torque[torque > 0]
-        low[down], below[down] = middle[torque <= 0], torque[torque <= 0]
-        wide = high - low > ROUNDING * np.maximum(np.abs(low), np.abs(high))
-        active = np.flatnonzero(wide & (below < 0))
-        if not len(active):
-            break
+
+    def torque(spin, row):
+        rows = row.astype(int)
+        return torque_at(problem[rows], body[rows], spin)[1]
+
+    rows = np.arange(len(body), dtype=float)
+    ends = []
+    for sense in (-1.0, 1.0):
+        end, short = sense * size, rows
+        for _ in range(200):
+            near = short.astype(int)
+            short = short[sense * torque(end[near], short) < 0]
+            if not len(short):
+                break
+            end[short.astype(int)] *= 4.0
+        ends.append(end)
+    with np.errstate(invalid="ignore"):  # of a step that it then does not take
+        low, high = find_root(torque, ends, args=(rows,), tolerances=ROUNDING).bracket
     (one, below), (other, above) = torque_at(problem, body, low), torque_at(problem, body, high)
     part = _secant(below, above)
     return turned(one + np.clip(part, 0, 1)[:, None] * (other - one), problem.psi)

@@ -57,18 +57,6 @@ def test_viscous_friction_is_absent_from_a_push_from_rest_with_inertia():
     assert pp.solve(scene(*heavy, film), 0.7) == pp.solve(scene(*heavy), 0.7)
 
 
-def test_several_effects_of_a_kind_act_like_their_sum():
-    rings = pp.RingFriction(weight=0.4), pp.RingFriction(weight=0.6)
-    masses = pp.Inertia(mass=0.1), pp.Inertia(mass=0.15)
-    (one, other) = (
-        pp.solve(scene(*effects), 0.7)
-        for effects in ((*masses, *rings), (RING, pp.Inertia(mass=0.25)))
-    )
-    assert one.modes == other.modes
-    for a, b in zip(one, other, strict=True):
-        assert a.force == pytest.approx(b.force, abs=1e-13)
-
-
 def test_the_force_determines_the_motion_where_the_acceleration_does_not():
     """With the mass aside two motions share m a / W = 0.235787; this one has |f| = 0.8415 W."""
     aside = scene(RING, pp.Inertia(gyration_radius=0.5, center=(-0.5, 0.0)))

@@ -5,7 +5,7 @@ import pytest
 from mechanics.supports.cases import SUPPORTS
 
 import planar_pushing as pp
-from planar_pushing.mechanics.places import places, pressure_at
+from planar_pushing.mechanics.force.rubbing import places, pressure_at
 
 
 @pytest.mark.parametrize("name", SUPPORTS)

@@ -1,7 +1,5 @@
 """Statements about every slider on random supports with random contacts, the same in every run."""
 
-import sys
-
 import numpy as np
 import pytest
 
@@ -115,19 +113,11 @@ def center_lies_within_the_bound(sliders):
     return apart <= np.maximum(size**2 / offset, size) * (1 + ROUNDING)
 
 
-#: Each invariant with a route of the library that it rests on, and a wrong one.
-INVARIANTS = {
-    normal_push_sticks: ("solve", lambda scenes, angle: pp.solve(scenes, np.deg2rad(175.0))),
-    push_sticks_inside_the_cone_and_slips_outside: ("solve", lambda s, a: pp.solve(s, np.pi - a)),
-    cone_spans_180_degrees: ("motion_cone", lambda scenes: pp.friction_cone(COULOMB)),
-    pulls_where_it_slips: ("can_pull", lambda scenes: ~pp.can_pull(scenes)),
-    pull_has_three_solutions: ("solve", lambda scenes, angle: pp.solve(scenes, -np.pi / 2)),
-    center_lies_within_the_bound: (
-        "motion_centers", lambda scenes, force, origin: np.full((*force.shape, 2), 1e3)
-    ),
-}  # fmt: skip
-SLIDERS, FEW = Sliders(), Sliders(40, 5)
-COULOMB = pp.Scene(slider=FEW.scenes.slider, contact=pp.Coulomb(2.0), effects=FEW.scenes.effects)
+INVARIANTS = (
+    normal_push_sticks, push_sticks_inside_the_cone_and_slips_outside, cone_spans_180_degrees,
+    pulls_where_it_slips, pull_has_three_solutions, center_lies_within_the_bound,
+)  # fmt: skip
+SLIDERS = Sliders()
 
 
 @pytest.mark.parametrize("invariant", INVARIANTS)
@@ -142,15 +132,9 @@ def test_a_hundred_thousand_normal_pushes_stick():
     assert normal_push_sticks(Sliders(50_000, 2)).all()
 
 
-@pytest.mark.parametrize("invariant", INVARIANTS)
-def test_a_wrong_library_is_noticed(monkeypatch, invariant):
-    route, wrong = INVARIANTS[invariant]
-    monkeypatch.setattr(sys.modules[__name__], route, wrong)
-    assert not invariant(FEW).all()
-
-
 def test_every_kind_is_drawn_and_other_pushes_slip():
-    kinds = {type(each) for each in FEW.supports.ravel()}
-    assert kinds == {pp.Points, pp.Segment, pp.Polygon, pp.Composite}
-    along = pp.solve(FEW.scenes, np.deg2rad(179.0))
-    assert 20 < (along.mode[..., 0] != pp.ContactMode.STICK).sum() < 180
+    assert {type(each) for each in SLIDERS.supports.ravel()} == {
+        pp.Points, pp.Segment, pp.Polygon, pp.Composite,
+    }  # fmt: skip
+    slips = pp.solve(SLIDERS.scenes, np.deg2rad(179.0)).mode[..., 0] != pp.ContactMode.STICK
+    assert 0.1 < slips.mean() < 0.9

@@ -5,8 +5,8 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.entries import support_entry
-from planar_pushing.mechanics.rubbing import place_friction, ring_friction, support_of
+from planar_pushing.mechanics.entries import entry
+from planar_pushing.mechanics.force.rubbing import place_friction, ring_friction, support_of
 from planar_pushing.scenes.scene_model import SceneFile
 from pulling_by_pushing.study.datasets.scenes import scene_dataset
 from pulling_by_pushing.study.model import PushEntry
@@ -27,7 +27,7 @@ def coulomb(mu):
 
 
 def friction(support, **more):
-    return {"type": "support_friction", "weight": 2.0, "support": support_entry(support)} | more
+    return {"type": "support_friction", "weight": 2.0, "support": entry(support)} | more
 
 
 def sticking(data):

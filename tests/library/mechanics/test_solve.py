@@ -1,32 +1,13 @@
-"""The enumeration of contact modes, elementwise and one at a time; cones and centers around it."""
+"""Solutions of one push: their order, their centers, and the angle of the pusher."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
-from mechanics.builders import DEFINITION_2, EVERY_EFFECT, PSI, make_scene, names
+from mechanics.builders import EVERY_EFFECT, PSI, make_scene, names
 
 import planar_pushing as pp
 from planar_pushing.mechanics.plane import direction
-
-EVERY_LAW = pytest.mark.parametrize(
-    "law", [pp.Coulomb(1.4), pp.InfiniteFriction(), DEFINITION_2, pp.PerfectlyRough()], ids=str
-)
-ANGLES = np.deg2rad([-170.0, -90.0, -1.0, 0.0, 30.0, 90.0, 140.0, 165.0, 180.0])
-
-
-@EVERY_EFFECT
-@EVERY_LAW
-def test_solutions_of_arrays_are_those_of_each_number(effects, law):
-    scene, magnitudes = make_scene(2.0, law, effects), np.array([[1.0], [3.0]])
-    found = pp.solve(scene, ANGLES, magnitudes)
-    assert found.outcome.shape == found.solutions.shape == (2, ANGLES.size)
-    for row, column in np.ndindex(2, ANGLES.size):
-        single = pp.solve(scene, ANGLES[column], magnitudes[row, 0])
-        modes = found.mode[row, column]
-        assert tuple(modes[found.consistent[row, column]]) == single.modes
-        assert found.outcome[row, column] == single.outcome
-        assert found.solutions[row, column] == len(single)
 
 
 def test_solutions_are_an_iterable_of_known_length():

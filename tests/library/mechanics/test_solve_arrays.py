@@ -89,28 +89,6 @@ def test_empty_arrays():
     assert found.force.shape == (0, 3, 4, 2)
 
 
-@EVERY_EFFECT
-def test_units_scale_as_they_should(effects):
-    """Lengths by 3, forces by 5, motions by 7: the numbers in the new units are the same."""
-    length, force, motion = 3.0, 5.0, 7.0
-    given = {**BASE, "pusher_angle": np.array([-0.15, 0.4, 1.0, 2.9])}
-    mass = force / motion
-    other = {
-        **given, "weight": force * given["weight"], "mass": mass * given["mass"],
-        **{name: length * given[name] for name in ("rod_length", "radius", "gyration_radius")},
-        "pusher_magnitude": motion * given["pusher_magnitude"],
-    }  # fmt: skip
-    one, two = call("solve", given, effects), call("solve", other, effects)
-    assert np.array_equal(one.mode, two.mode)
-    scales = {
-        "force": force, "contact_motion": motion, "spin_ratio": 1.0, "center": length,
-        "twist": np.array([motion, motion, motion / length]),
-    }  # fmt: skip
-    for name, scale in scales.items():
-        expected = getattr(one, name) * scale
-        np.testing.assert_allclose(getattr(two, name), expected, rtol=1e-13, atol=1e-14)
-
-
 def test_the_force_of_a_translation_is_the_weight_and_the_mass():
     for effects, force in (
         ((pp.RingFriction(weight=3.0),), 3.0),

@@ -52,58 +52,7 @@ def edges_of(scene):
     return cone.right, cone.left
 
 
-# --- Every solution satisfies the conditions of its mode -----------------------------------------
-
-
-def check_balance(scene, solution):
-    """Eqs. (1)-(10): the effects' wrench is the pusher's, its torque from the moment arm."""
-    slider = scene.slider
-    wrench = np.zeros(3)
-    for effect in scene.effects:
-        wrench += pp.wrench(effect, solution.twist, slider)
-    size = np.hypot(*wrench[:2]) + 1e-300
-    assert solution.force == pytest.approx(wrench[:2], abs=1e-13 * size)
-    fx, fy = solution.force
-    torque = slider.rod_length * (fx * np.sin(slider.rod_angle) - fy * np.cos(slider.rod_angle))
-    assert wrench[2] == pytest.approx(torque, abs=1e-12 * size * (1 + slider.rod_length))
-
-
-def check_kinematics(scene, solution):
-    length, psi = scene.slider.rod_length, scene.slider.rod_angle
-    vx, vy, omega = solution.twist
-    contact = [vx + omega * length * np.sin(psi), vy - omega * length * np.cos(psi)]
-    scale = np.hypot(vx, vy) + abs(omega) * length
-    assert solution.contact_motion == pytest.approx(contact, abs=1e-13 * scale)
-
-
-def check_conditions(scene, solution, pusher):
-    force, motion, size = solution.force, solution.contact_motion, np.hypot(*pusher)
-    cone, phi = pp.friction_cone(scene), np.arctan2(*solution.force[::-1])
-    if solution.mode is pp.ContactMode.SEPARATE:
-        assert pusher[1] <= 0
-        assert not np.any(force)
-        assert not np.any(solution.twist)
-        return
-    assert np.hypot(*force) > 0
-    if solution.mode is pp.ContactMode.STICK:
-        assert motion == pytest.approx(pusher, abs=1e-12 * size)
-        assert cone.contains(phi) or min(np.abs([phi - cone.right, phi - cone.left])) < 1e-10
-        return
-    right = solution.mode is pp.ContactMode.SLIP_RIGHT
-    assert np.sin((phi - (cone.left if right else cone.right)) / 2) == pytest.approx(0, abs=1e-15)
-    assert motion[1] == pytest.approx(pusher[1], rel=1e-9, abs=1e-12 * np.hypot(*motion))
-    assert (motion[0] - pusher[0]) * (1 if right else -1) > 0
-    assert force[0] * (motion[0] - pusher[0]) <= 1e-15 * np.hypot(*force) * np.hypot(*motion)
-    assert force @ motion >= -1e-13 * np.hypot(*force) * np.hypot(*motion)
-
-
-@given(scenes(length=lengths), pusher_angles, magnitudes)
-def test_every_solution_satisfies_its_mode(scene, angle, magnitude):
-    pusher = magnitude * np.array([np.cos(angle), np.sin(angle)])
-    for solution in pp.solve(scene, angle, magnitude):
-        check_balance(scene, solution)
-        check_kinematics(scene, solution)
-        check_conditions(scene, solution, pusher)
+# --- Numbers of solutions -------------------------------------------------------------------------
 
 
 @given(scenes(effects=one_effect), pusher_angles)

@@ -16,6 +16,7 @@ import pytest
 import xarray
 from mechanics.builders import names
 from mechanics.checked import UPRIGHT, scene_of, solved
+from mechanics.supports.exact import about
 
 import planar_pushing as pp
 
@@ -220,15 +221,11 @@ def test_feet_beside_a_line(size):
         assert found.twist[2] == pytest.approx(exact, abs=1e-14)
 
 
-def mean_torque(start, end, motion, omega):
-    """Torque about the origin of a uniform segment, by its integral."""
-
-    def at(part):
-        x, y = (a + part * (b - a) for a, b in zip(start, end, strict=True))
-        v_x, v_y = motion[0] - omega * y, motion[1] + omega * x
-        return (x * v_y - y * v_x) / mpmath.sqrt(v_x**2 + v_y**2)
-
-    return mpmath.quad(at, [0, 0.5, 1])
+def mean_torque(piece, motion, omega):
+    """Torque about the origin of an even segment or a point, from its moments about the motion center."""
+    x, y = -motion[1] / omega, motion[0] / omega
+    distance, g_x, g_y = about(piece, x, y)
+    return mpmath.sign(omega) * (distance + x * g_x + y * g_y)
 
 
 #: Ends and shares of segments and points, whose torques add up to zero exactly; the rotation, roughly.
@@ -239,32 +236,29 @@ PIECES = {
 }  # fmt: skip
 
 
+def piece_of(a, b, back=0.0):
+    """A segment or a point, as seen from a place behind."""
+    start, end = (a[0] - back, a[1]), (b[0] - back, b[1])
+    return pp.Segment(start, end) if a != b else pp.Points([start])
+
+
 def bar_of(pieces):
     """A slider on segments and points, whose rod begins at the contact, and is upright."""
-    parts = [
-        (
-            share,
-            pp.Segment((a[0] - 2, a[1]), (b[0] - 2, b[1]))
-            if a != b
-            else pp.Points([(a[0] - 2, a[1])]),
-        )
-        for a, b, share in pieces
-    ]
+    parts = [(share, piece_of(a, b, 2.0)) for a, b, share in pieces]
     return scene_of(pp.Composite(parts), 2.0, UPRIGHT, ROUGH)
 
 
 def exact_rotation_of(pieces, aside, near):
-    """Root of the torque about the contact that moves across, and aside by an angle, in 50 digits."""
-    with mpmath.workdps(50):
+    """Root of the torque about the contact that moves across, and aside by an angle, in 80 digits."""
+    parts = [(share, piece_of(a, b)) for a, b, share in pieces]
+    with mpmath.workdps(80):
         motion = -mpmath.sin(aside), mpmath.cos(aside)
-        return float(
-            mpmath.findroot(
-                lambda omega: sum(
-                    share * mean_torque(start, end, motion, omega) for start, end, share in pieces
-                ),
-                (near - 0.01, near + 0.01), solver="anderson", tol=1e-40,
-            )
-        )  # fmt: skip
+        ends = near - 0.01 + mpmath.mpf("1e-30"), near + 0.01  # no motion is a translation
+
+        def torque(omega):
+            return sum(share * mean_torque(piece, motion, omega) for share, piece in parts)
+
+        return float(mpmath.findroot(torque, ends, solver="anderson", tol=1e-55))
 
 
 @pytest.mark.parametrize("aside", [0.0, 1e-9, 1e-3, 0.3])

@@ -248,17 +248,6 @@ def test_a_slow_push_in_mujoco_is_ours(push):
     np.testing.assert_allclose(found * scale, ours * scale, atol=ERROR)
 
 
-def test_the_first_motion_in_mujoco_is_the_twist_of_solve():
-    """After 4 mm, in which the box has turned by 0.3 degrees: within 1 percent of the speed."""
-    angle = np.deg2rad(80)
-    velocity = SPEED * np.array([np.cos(angle), np.sin(angle)])
-    _, found = pushed(pp.to_mjcf(box(), pusher="finger"), velocity, 0.6, 0.4)
-    (solution,) = pp.solve(box(inertia=False), angle)
-    assert solution.mode == pp.ContactMode.STICK
-    scale = 1, 1, GYRATION
-    np.testing.assert_allclose(found / SPEED * scale, solution.twist * scale, atol=0.01)
-
-
 def test_a_pivot_of_solve_stays_in_mujoco():
     """Three equal feet, pushed across the radius of one, beyond the center: creep is 1e-4 of the speed."""
     friction = pp.SupportFriction(support=pp.Points.regular(3, 1.0))

@@ -201,12 +201,10 @@ def test_the_fitted_ellipsoid_is_found_again():
 
 @pytest.mark.parametrize(("models", "options", "said"), [
     (["exakt"], {}, "models: 'exakt' given; allowed: a sequence of known_feet, identified,"),
-    ("known_feet", {}, "models: 'known_feet' given; allowed: a sequence of"),
     (3, {}, "models: 3 given; allowed: a sequence of"),
     ({"known_feet": FEET}, {}, "models: {'known_feet': Points("),
-    ({"mine": 3}, {}, "models: {'mine': 3} given; allowed: supports under names of your own"),
+    ({"mine": 3}, {}, "models: 3 given; allowed: a support, such as Disc or Polygon; construct one"),
     (["known_feet"], {"resamples": 0}, "resamples: 0 given; allowed: a whole number >= 1"),
-    (["known_feet"], {"seed": -1}, "seed: -1 given; allowed: a whole number >= 0"),
     (["identified"], {"family": "line"}, "family: 'line' given; allowed: points,"),
 ])  # fmt: skip
 def test_wrong_input(pushes, models, options, said):

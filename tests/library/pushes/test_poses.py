@@ -202,26 +202,17 @@ def test_a_push_that_begins_deep_in_the_object_is_named_or_left_out():
     ({"finger_start": [(5.5, -999)]},
      "finger_start: '1000 from the middle of an outline of size 2' given; allowed: "
      "lengths in one unit; check the units of outline, poses and finger"),
-    ({"outline": np.multiply(SQUARE, 1e3)},
-     "finger_start: '2.062 from the middle of an outline of size 2000' "),
     ({"force": [(1, 2, 3)]}, "force: 'shape (1, 3)' given; allowed: shape (1, 2); give NaN where"),
-    ({"foot_weights": [1, 2]}, "foot_weights: [1, 2] given; allowed: a number >= 0 for each foot"),
     ({"feet": [(0, 0), (1, 0)], "foot_weights": [1, -2]}, "foot_weights: [1, -2] given; allowed: "),
     ({"noise": (0.1, 0.2)}, "noise: (0.1, 0.2) given; allowed: three numbers: position, angle in degrees"),
-    ({"noise": (0.1, 0.2, -1)}, "force_noise: -1 given; allowed: a number >= 0"),
     ({"poses_before": np.zeros((0, 3))}, "poses_before: 'shape (0, 3)' given; allowed: shape (n, 3)"),
     ({"units": "mm"}, "units: 'mm' given; allowed: the names of two units, such as (mm, N); give both"),
-    ({"finger_radius": -1.0}, "finger_radius: -1.0 given; allowed: a number >= 0"),
     ({"finger_radius": [1.0]}, "finger_radius: [1.0] given; allowed: a number >= 0"),
-    ({"tolerance": [1.0]}, "tolerance: [1.0] given; allowed: a number >= 0"),
     ({"skip_missed": np.array([True, False])}, "skip_missed: array([ True, False]) given; allowed: True"),
     *(({"mass": mass}, f"mass: {mass!r} given; allowed: a finite number > 0")
-      for mass in (-1, 0, float("nan"), float("inf"), "2", True, [[1.0]], np.datetime64("2020-01-01"))),
-    ({"poses_after": [(5.0, 1.3, b"2")]}, "poses_after: [(5.0, 1.3, b'2')] given; allowed: an array of"),
+      for mass in (0, float("nan"), True)),
     ({"poses_after": [(5.0, 1.3, True)]}, "poses_after: [(5.0, 1.3, True)] given; allowed: an array of"),
-    ({"force": np.array([[1 + 5j, 2]])}, "force: array([[1.+5.j, 2.+0.j]]) given; allowed: an array of"),
     ({"force": np.ma.masked_array([[1.0, 2.0]], [[True, True]])}, "force: masked_array(data=[[--, --]]"),
-    ({"poses_before": "x"}, "poses_before: 'x' given; allowed: an array of numbers"),
 ])  # fmt: skip
 def test_wrong_input(changes, said):
     with pytest.raises(pp.InvalidValue) as error:

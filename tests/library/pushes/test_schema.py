@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-import xarray as xr
 from pushes.written import SQUARE, small
 
 import planar_pushing as pp
@@ -90,7 +89,6 @@ TIMES = "times that increase; put the samples in order"
      "dimensions"),
     ({"pushed": ("push", ["square", "circle", "square"])}, "pushed: 'circle'", "square; name an object"),
     ({"rotation": ("push", [0, np.nan, 0])}, "rotation: 'nan of push 1'", "finite numbers; leave out"),
-    ({"rotation": ("push", [0, np.inf, 0])}, "rotation: 'inf of push 1'", "finite numbers"),
     ({"rotation": ("push", ["a", "b", "c"])}, "rotation: '<U1'", "numbers; give floats"),
     ({"rotation": ("push", [0, 0, 0], {"units": "radian"})}, "units: 'rotation in radian'",
      "degree; convert"),
@@ -103,8 +101,6 @@ TIMES = "times that increase; put the samples in order"
      "a point of the outline of square, within 2 % of its size 2; check frame and units"),
     ({"contact": rows(*CONTACTS / 1e3)},
      "contact: 'a typical length of 0.001118, where the outline reaches to 1'", SCALED),
-    ({"contact": rows(*CONTACTS * 1e3)},
-     "contact: 'a typical length of 1118, where the outline reaches to 1'", SCALED),
     ({"finger_displacement": rows((0, 2e-4), (0, 2e-4), (-2e-4, 0))},
      "finger_displacement: \"a typical length of 0.0002, where the outline's size is 2\"", SCALED),
     ({"displacement": rows((0, 1.5e-4), (0, 2e-4), (-2e-4, 0))},
@@ -123,8 +119,6 @@ TIMES = "times that increase; put the samples in order"
     ({"finger_path": path(PATH)["finger_path"]}, "pushes: 'a dataset without path_time'",
      "one with every"),
     (path(PATH + 0.1), "finger_path: '[[0.1, 0.1], [0.1, 0.3]] of push 0 and 2 more'",
-     "displacements since the first touch"),
-    (path(2 * PATH), "finger_path: '[[0. , 0. ], [0. , 0.4]] of push 0 and 2 more'",
      "displacements since the first touch"),
     (path(PATH, np.ones((3, 2))), "path_time: '[1., 1.] of push 0 and 2 more'", TIMES),
     (path(np.where(PATH < 0, np.nan, PATH)), "finger_path: '[[ 0., 0.], [nan, 0.]] of push 2'",
@@ -146,7 +140,6 @@ def test_what_is_wrong_is_said_in_a_line(changes, given, allowed):
     (small().isel(push=[]), "pushes: 'no push' given; allowed: at least one push"),
     (small().isel(xy=[0]), "xy: ['x'] given; allowed: x, y"),
     (small().drop_vars("object"), "object: [] given; allowed: a name for each object"),
-    (xr.Dataset(), "pushes: 'a dataset without pushed, outline, contact, normal, finger_displacement, "),
 ])  # fmt: skip
 def test_other_things_than_pushes(given, said):
     with pytest.raises(pp.InvalidValue) as error:

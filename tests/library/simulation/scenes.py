@@ -223,6 +223,19 @@ MOVING = {
         )), mu=0.2),
         velocity=(0.6, 1.0),
     ),
+    "viscous with a load": Case(
+        scene=scene(BOX, FILM, PULL, mu=0.3, length=1.0), velocity=(-0.8, 1.0)
+    ),
+    "load under infinite friction": Case(
+        scene=scene(UNEVEN, PULL, mu=FREE, psi=1.74), velocity=(-0.23, 1.5)
+    ),
+    "load and a slip": Case(scene=scene(RING, PULL, mu=0.2, psi=0.8), velocity=(0.9, 0.6)),
+    "retreats and pulls": Case(scene=scene(mu=4.0, psi=0.8), velocity=(0.9, -0.2)),
+    "zero friction aside": Case(scene=scene(mu=0.0, psi=RIGHT_ANGLE), velocity=(0.4, 1.0)),
+    "slips to the right": Case(
+        scene=scene(mu=2.0, psi=math.pi / 4), velocity=(-0.985, 0.174), duration=3.0
+    ),
+    "turns far": Case(scene=scene(mu=0.5, length=1.0, psi=1.4), velocity=(0.94, 0.342), duration=2.0),
     "viscous": Case(scene=scene(FILM, mu=0.2), velocity=(0.6, 1.0)),
     "viscous and dry": Case(scene=scene(RING, FILM, mu=0.2), velocity=JERK),
     "load that friction holds": Case(scene=scene(RING, PULL, mu=0.2), velocity=LEFT),

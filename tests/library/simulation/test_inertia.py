@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from mechanics.builders import BOTH, DEFINITION_2, INERTIA, make_scene
-from mechanics.strategies import both, coefficients, inertia, scenes
+from mechanics.builders import BOTH, DEFINITION_2, FRICTION, INERTIA, make_scene
+from mechanics.strategies import coefficients, scenes
 from simulation.runs import check, final, heading, run
 
 import planar_pushing as pp
@@ -41,12 +41,17 @@ def test_first_acceleration_from_rest_is_that_of_solve(effects, angle, length):
     assert final(log, "twist") / 1e-4 == pytest.approx(solution.twist, abs=1e-7)
 
 
-def test_slow_pushing_tends_to_the_quasi_static_motion_like_the_square_of_the_speed():
-    quasi_static = run(make_scene(2, 2.0), heading(30), 0.5)
-    gaps = []
-    for speed in (0.1, 0.05, 0.025):
-        log = check(run(make_scene(2, 2.0, BOTH), heading(30, speed), 0.5 / speed))
-        gaps.append(final(log, "rod_angle") - final(quasi_static, "rod_angle"))
+@pytest.mark.parametrize("method", ["event-driven", "time-stepping"])
+def test_slow_pushing_tends_to_the_quasi_static_motion_like_the_square_of_the_speed(method):
+    def turned(effects, speed):
+        step = {"step": 1 / 400 / speed} if method == "time-stepping" else {}
+        log = run(
+            make_scene(2, 2.0, effects), heading(30, speed), 0.5 / speed, method=method, **step
+        )
+        return final(check(log), "rod_angle")
+
+    quasi_static = turned(FRICTION, 1.0)
+    gaps = [turned(BOTH, speed) - quasi_static for speed in (0.1, 0.05, 0.025)]
     assert np.log2(np.abs(np.divide(gaps[:-1], gaps[1:]))) == pytest.approx([2, 2], abs=0.05)
 
 
@@ -228,15 +233,17 @@ def test_friction_that_settles_fast_is_followed():
     assert final(log, "rod_angle") == pytest.approx(final(finer, "rod_angle"), abs=1e-8)
 
 
-@settings(max_examples=20)
+@settings(max_examples=45)
 @given(
-    scenes(contact=coefficients, effects=st.one_of(inertia, both)), st.floats(-180, 180),
-    st.floats(-1, 1), st.floats(0, 0.3), st.sampled_from(["keep-contact", "separate", "stay-in-mode"]),
+    scenes(contact=coefficients), st.floats(-180, 180), st.floats(-180, 180),
+    st.tuples(st.floats(-1, 1), st.floats(0, 0.3)),
+    st.sampled_from(["keep-contact", "separate", "stay-in-mode"]),
 )  # fmt: skip
-def test_random_scenes_run_to_an_end_that_is_explained(scene, angle, omega, gap, policy):
-    fence = [(0, heading(angle)), (0.4, STILL)]
-    options = {"twist": (0.2, -0.3, omega), "gap": gap, "on_ambiguity": policy}
-    check(run(scene, fence, 1, samples=11, rtol=1e-8, **options), 1e-7)
+def test_random_scenes_run_to_an_end_that_is_explained(scene, first, second, start, policy):
+    fence, (omega, gap) = [(0, heading(first)), (0.4, heading(second))], start
+    options = {"twist": (0.2, -0.3, omega), "gap": gap} if scene.stores_energy else {}
+    log = check(run(scene, fence, 1, samples=11, rtol=1e-8, on_ambiguity=policy, **options), 1e-7)
+    assert not log.attrs["stopped"] or log.attrs["stopped"].startswith(("the", "no "))
 
 
 def test_initial_twist_into_the_fence_is_an_impact():

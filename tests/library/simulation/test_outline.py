@@ -1,22 +1,25 @@
 """Outlines: a run ends where another point of the slider meets the fence, or the finger's side ends."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
-import xarray as xr
 from mechanics.builders import BOTH, FRICTION, INERTIA
 from scipy.optimize import brentq
 from simulation.runs import check, final, heading, run
+from simulation.scenes import FENCE_MEETS as MEETS
+from simulation.scenes import METHODS as BOTH_METHODS
+from simulation.scenes import SIDE_ENDS
+from simulation.scenes import SQUARE as CORNERS
 
 import planar_pushing as pp
 
-MEETS = "another point of the outline meets the fence"
-SIDE_ENDS = "the finger comes to the end of the side"
-SQUARE = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+SQUARE = np.array(CORNERS)
 #: A table with two legs, and its slot between them.
 BENCH = np.array(
     [(-1, -1), (-0.8, -1), (-0.8, 0.5), (0.7, 0.5), (0.7, -0.6), (1, -0.6), (1, 1), (-1, 1)]
 )
-METHODS = pytest.mark.parametrize("method", ["event-driven", "time-stepping"])
+METHODS = pytest.mark.parametrize("method", BOTH_METHODS)
 EFFECTS = pytest.mark.parametrize(
     "effects", [FRICTION, BOTH, INERTIA], ids=["friction", "both", "inertia"]
 )
@@ -33,12 +36,9 @@ def standing(shape, contact, tilt, law, effects=FRICTION, side=(-np.inf, np.inf)
     x, y = -turned(contact, tilt)
     angle = np.arctan2(y, x)
     slider = pp.Slider(
-        rod_length=np.hypot(x, y),
-        rod_angle=angle,
-        radius=1.0,
-        side=side,
+        rod_length=np.hypot(x, y), rod_angle=angle, radius=1.0, side=side,
         outline=turned(shape, tilt - angle),
-    )
+    )  # fmt: skip
     return pp.Scene(slider=slider, contact=pp.Coulomb(law), effects=effects)
 
 
@@ -57,14 +57,7 @@ def depth(scene):
 
 def without(scene):
     """The scene without its outline."""
-    slider = scene.slider
-    plain = pp.Slider(
-        rod_length=slider.rod_length,
-        rod_angle=slider.rod_angle,
-        radius=slider.radius,
-        side=slider.side,
-    )
-    return pp.Scene(slider=plain, contact=scene.contact, effects=scene.effects)
+    return replace(scene, slider=replace(scene.slider, outline=None))
 
 
 @METHODS
@@ -200,15 +193,6 @@ def test_no_corner_of_a_random_outline_is_ever_below_the_fence(seed):
         assert over.min() > -depth(scene)
 
 
-@pytest.mark.parametrize("effects", [FRICTION, BOTH], ids=["friction", "both"])
-def test_a_run_that_meets_nothing_is_that_without_an_outline_to_the_last_bit(effects):
-    scene = standing(SQUARE, (-1, -1), 0.3, 0.5, effects)
-    for velocity in (heading(150), [(0, heading(60)), (0.05, heading(-60))]):
-        log, plain = (run(each, velocity, 0.1) for each in (scene, without(scene)))
-        assert log.attrs["stopped"] == ""
-        xr.testing.assert_equal(log, plain)
-
-
 @METHODS
 @pytest.mark.parametrize("degrees", [60, 120])
 def test_a_finger_that_comes_to_the_end_of_its_side_ends_the_run(method, degrees):
@@ -235,87 +219,15 @@ def test_a_finger_takes_no_notice_of_the_height_of_corners():
     assert abs(final(log, "rod_angle") - 90) > 1
 
 
-@pytest.mark.parametrize("shape", ["fence", "finger"])
-def test_a_batch_ends_where_each_of_its_runs_does(shape):
-    laws = np.array([0.05, 0.3, 0.8, 2.0])
-    base = standing(SQUARE, (-0.9, -1) if shape == "finger" else (-1, -1), 0.3 * (shape == "fence"), 1.0,
-                    side=(-0.1, 1.9))  # fmt: skip
-    scenes = pp.Scene(slider=base.slider, contact=pp.Coulomb(laws), effects=FRICTION)
-    pusher = pp.Pusher(velocity=heading(60), shape=shape)
-    batch = pp.simulate_batch(scenes, pusher, duration=9.0)
-    meanings = batch.stopped.attrs["flag_meanings"].split()
-    ended = set()
-    for i, law in enumerate(laws):
-        alone = run(
-            pp.Scene(slider=base.slider, contact=pp.Coulomb(law), effects=FRICTION), pusher, 9.0
-        )
-        for name in ("rod_angle", "slip", "position"):
-            np.testing.assert_array_equal(batch[name].values[i], final(alone, name))
-        assert batch.time.values[i] == final(alone, "time")
-        wanted = {MEETS: "PENETRATES", SIDE_ENDS: "END_OF_SIDE", "": "NO"}[alone.attrs["stopped"]]
-        assert meanings[int(batch.stopped[i])] == wanted
-        ended.add(alone.attrs["stopped"])
-    assert MEETS in ended if shape == "fence" else SIDE_ENDS in ended
-
-
-def test_a_batch_of_radii_has_one_outline():
-    slider = standing(SQUARE, (-1, -1), 0.3, 1.0).slider
-    radii = np.array([0.7, 1.0, 1.4])
-    batch = pp.simulate_batch(
-        pp.Scene(
-            slider=pp.Slider(rod_length=slider.rod_length, rod_angle=slider.rod_angle, radius=radii,
-                             outline=slider.outline),
-            contact=pp.Coulomb(1.0), effects=FRICTION,
-        ),
-        pp.Pusher(velocity=(0, 1)), duration=9.0,
-    )  # fmt: skip
-    np.testing.assert_allclose(batch.rod_angle, np.rad2deg(slider.rod_angle - 0.3), atol=1e-6)
-    for i, radius in enumerate(radii):
-        own = pp.Slider(rod_length=slider.rod_length, rod_angle=slider.rod_angle, radius=radius,
-                        outline=slider.outline)  # fmt: skip
-        alone = run(pp.Scene(slider=own, contact=pp.Coulomb(1.0), effects=FRICTION), (0, 1), 9.0)
-        assert alone.attrs["stopped"] == MEETS
-        assert batch.time.values[i] == final(alone, "time")
-
-
-def test_an_outline_that_begins_through_the_fence_is_refused():
-    scene = standing(SQUARE, (0, -1), 0.2, 0.5)
-    message = f"outline: 'a corner {np.sin(0.2):.6g} below the fence' given; allowed: corners on"
-    with pytest.raises(pp.InvalidValue) as caught:
-        run(scene, (0, 1), 1.0)
-    assert message in str(caught.value)
-    assert "\n" not in str(caught.value)
-    with pytest.raises(pp.InvalidValue, match="below the fence"):
-        pp.simulate_batch(scene, pp.Pusher(velocity=(0, 1)), duration=1.0, gap=np.array([0.5, 0.1]))
-    assert run(scene, (0, 0.1), 1.0, gap=0.3).attrs["stopped"] == ""
-    assert run(scene, pp.Pusher(velocity=(0, 0.1), shape="finger"), 0.1).attrs["stopped"] == ""
-
-
-def test_shapes_that_do_not_match_are_refused_by_name():
-    slider = standing(SQUARE, (-1, -1), 0.3, 1.0).slider
-    scene = pp.Scene(
-        slider=pp.Slider(rod_length=np.full(3, slider.rod_length), rod_angle=slider.rod_angle,
-                         radius=1.0, outline=slider.outline),
-        contact=pp.Coulomb(1.0), effects=FRICTION,
-    )  # fmt: skip
-    with pytest.raises(pp.InvalidValue, match="shapes"):
-        pp.simulate_batch(scene, pp.Pusher(velocity=(0, 1)), duration=1.0, gap=np.zeros(2))
-
-
-@pytest.mark.parametrize("seed", range(10))
-def test_a_contact_that_is_written_with_seven_digits_is_on_the_side(seed):
+def test_a_contact_that_is_written_with_seven_digits_is_on_the_side():
     """It is up to a millionth of the outline off the side, within or outside."""
-    random = np.random.default_rng(seed)
-    corners = np.round(turned(SQUARE, random.uniform(0, 2)), 4)
-    support = pp.SupportFriction(support=pp.Polygon(corners))
-    point = np.round(0.5 * (corners[0] + corners[1]) + random.uniform(-1e-7, 1e-7, 2), 7)
-    law = pp.Coulomb(0.5)
-    scene = pp.scene_at(point, effects=(support,), contact=law, outline=corners)
-    assert np.array(scene.placement.point) == pytest.approx(point, abs=3e-7)
-    corner = pp.scene_at(
-        corners[0] + (1e-7, -1e-7), -corners[0], effects=(support,), contact=law, outline=corners
-    )
-    assert corner.placement.point == tuple(corners[0])
-    for each in (scene, corner):
-        log = run(each, (0, 0.1), 1e-6)
-        assert final(log, "time") > 0
+    random, law = np.random.default_rng(1), pp.Coulomb(0.5)
+    for _ in range(10):
+        corners = np.round(turned(SQUARE, random.uniform(0, 2)), 4)
+        given = {"effects": (pp.SupportFriction(support=pp.Polygon(corners)),), "contact": law}
+        point = np.round(0.5 * (corners[0] + corners[1]) + random.uniform(-1e-7, 1e-7, 2), 7)
+        scene = pp.scene_at(point, outline=corners, **given)
+        assert np.array(scene.placement.point) == pytest.approx(point, abs=3e-7)
+        corner = pp.scene_at(corners[0] + (1e-7, -1e-7), -corners[0], outline=corners, **given)
+        assert corner.placement.point == tuple(corners[0])
+        assert all(final(run(each, (0, 0.1), 1e-6), "time") > 0 for each in (scene, corner))

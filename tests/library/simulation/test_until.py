@@ -12,22 +12,6 @@ import planar_pushing as pp
 TURNING = make_scene(2, 0.5)
 PULLED = [(0, heading(60)), (0.5, heading(-10))]
 METHODS = pytest.mark.parametrize("method", ["event-driven", "time-stepping"])
-#: An impact, a slip that ends, and flights.
-DROPPED = {"scene": make_scene(2, 1.0, BOTH), "velocity": (0.3, 0.1), "duration": 4.0, "gap": 0.3,
-           "twist": (0.4, -0.5, 0.6)}  # fmt: skip
-
-
-def test_a_run_until_an_event_is_the_beginning_of_the_whole_run():
-    whole = run(**DROPPED)
-    events = dict.fromkeys(pp.Event(event) for event in whole.event.values if event >= 0)
-    assert {pp.Event.TOUCHES, pp.Event.SLIP_ENDS} <= set(events)
-    for event in events:
-        row = int((whole.event.values == event).argmax())
-        for until in (event, event.name):
-            log = run(**DROPPED, until=until)
-            assert log.attrs["stopped"] == f"until: event {event.name}"
-            assert log.attrs["stopped_time"] == whole.time[row]
-            xr.testing.assert_equal(log, whole.isel(time=slice(row + 1)))
 
 
 @pytest.mark.parametrize("shape", ["fence", "finger"])
@@ -140,59 +124,3 @@ def test_time_stepping_stops_at_the_end_of_a_step_and_goes_the_same_way_until_th
     assert np.isclose(log.time[-1] * 100, np.round(log.time[-1] * 100))
     alone = run(TURNING, PULLED, 1.0, **given, samples=2, until=pp.Until(rotation=0.15))
     assert abs(np.deg2rad(final(alone, "rod_angle")) - np.pi / 4) < 0.15 + 0.02
-
-
-@pytest.mark.parametrize(
-    ("until", "message"),
-    [
-        ("SLIP_END", "until: 'SLIP_END' given; allowed: an Event or a ContactMode or its name, an Until, "
-         "or a function of an instant of the log; did you mean SLIP_ENDS?"),
-        ("NONE", "until: 'NONE' given"),
-        (pp.Event.NONE, "use a name from the log, such as SLIP_ENDS"),
-        (3, "until: 3 given"), (0.5, "until: 0.5 given"), ([], r"until: [] given"),
-        (lambda now: now["gap"], "until: np.float64(0.0) given; allowed: a function that returns"),
-        (lambda now: None, "until: None given; allowed: a function that returns True or False"),
-    ],
-)  # fmt: skip
-def test_bad_conditions_are_refused(until, message):
-    with pytest.raises(pp.InvalidValue) as caught:
-        run(TURNING, PULLED, 1.0, until=until)
-    assert message in str(caught.value)
-    assert "\n" not in str(caught.value)
-
-
-def test_time_stepping_locates_no_events():
-    with pytest.raises(
-        pp.InvalidValue, match="until: 'KINK' given; allowed: a mode, an Until or a"
-    ):
-        run(TURNING, PULLED, 1.0, method="time-stepping", until="KINK")
-
-
-@pytest.mark.parametrize(
-    ("given", "message"),
-    [
-        (
-            {},
-            "Until: None given; allowed: rotation, distance, pusher_distance; give at least one of them",
-        ),
-        (
-            {"rotation": 0},
-            "rotation: 0 given; allowed: a finite number > 0; give a positive number",
-        ),
-        ({"distance": -1.0}, "distance: -1.0 given"),
-        ({"pusher_distance": np.inf}, "pusher_distance: inf given"),
-        ({"rotation": "1"}, "rotation: '1' given"),
-        *(
-            (
-                {"rotation": given},
-                "rotation: 90.0 given; allowed: radians in (0, 4 pi]; convert degrees",
-            )
-            for given in (90, 90.0, np.float32(90), np.int64(90))
-        ),
-    ],
-    ids=str,
-)
-def test_bad_goals_are_refused(given, message):
-    with pytest.raises(pp.InvalidValue) as caught:
-        pp.Until(**given)
-    assert message in str(caught.value)

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 import xarray as xr
-from mechanics.builders import FRICTION, make_scene
 from simulation.runs import final, heading, run
 
 import planar_pushing as pp
@@ -109,15 +108,6 @@ def test_pushes_along_the_fence_stay_exactly_along_it():
         assert log.pusher[-1, 1] == 0
 
 
-@METHODS
-def test_without_a_placement_the_pose_is_that_of_the_body_frame(method):
-    scene = make_scene(2, 1.0, FRICTION, psi=0.9)
-    log = run(scene, heading(70), 0.5, method=method, object_pose=(1.0, 2.0, 0.9))
-    start = log.position.values - log.position.values[0]
-    np.testing.assert_allclose(log.object_position, np.add(start, (1, 2)), atol=1e-14)
-    np.testing.assert_allclose(log.object_angle, log.rod_angle, atol=1e-12)
-
-
 def test_the_pose_moves_by_the_twist():
     """Central differences of the pose against the log's twist, taken about the object's origin."""
     log = run(box(), heading(80, 0.1), 1.0, samples=2001, object_pose=(1.0, 2.0, 0.4))
@@ -144,32 +134,3 @@ def test_a_log_without_a_pose_has_none_and_a_streamed_one_is_the_same(tmp_path):
         xr.testing.assert_identical(
             kept.drop_attrs(deep=False), streamed.load().drop_attrs(deep=False)
         )
-
-
-@pytest.mark.parametrize(
-    "pose", [3, (1, 2), (1, 2, np.nan), (1, 2, "x"), (1, np.inf, 0), (1, 2, 3, 4)], ids=str
-)
-def test_bad_poses_are_refused(pose):
-    with pytest.raises(
-        pp.InvalidValue, match=r"object_pose: .* given; allowed: \(x, y, angle\) of"
-    ):
-        run(box(), (0, 0.1), 0.1, object_pose=pose)
-
-
-@pytest.mark.parametrize("angle", [90, -90.0, np.float64(90), np.int64(90), np.array(90)], ids=repr)
-def test_poses_in_degrees_are_refused(angle):
-    with pytest.raises(
-        pp.InvalidValue, match=r"object_pose: .*; allowed: an angle in radians in \[-4 pi, 4 pi\]"
-    ):
-        run(box(), (0, 0.1), 0.1, object_pose=(1, 2, angle))
-
-
-def test_a_pusher_along_the_world_needs_the_pose():
-    pusher = pp.Pusher(velocity=(0, 1), frame="world")
-    message = "frame: 'world' given; allowed: fence, if no object_pose is given; give simulate"
-    with pytest.raises(pp.InvalidValue, match=message):
-        run(box(), pusher, 0.1)
-    with pytest.raises(pp.InvalidValue, match=message):
-        pp.simulate_batch(box(), pusher, duration=0.1)
-    with pytest.raises(pp.InvalidValue, match=r"frame: 'word' given; .*; did you mean world\?"):
-        pp.Pusher(velocity=(0, 1), frame="word")

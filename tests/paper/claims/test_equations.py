@@ -81,7 +81,7 @@ def test_eq_06_torque_about_the_contact(phi):
     assert torque + arm[0] * fy - arm[1] * fx == pytest.approx(float(expected), abs=1e-14)
 
 
-@pytest.mark.parametrize(("length", "phi"), [(2.0, 0.2), (0.5, 3.0), (1.0, PSI)])
+@pytest.mark.parametrize(("length", "phi"), [(0.5, 3.0), (1.0, PSI)])
 def test_eq_07_spin_ratio_balances_the_torque(length, phi):
     """Eq. (7), its root found with the integrals as printed."""
     expected = float(reference.eq_07_spin_ratio(length, phi, PSI))

@@ -28,7 +28,7 @@ READ = {
             "src/pulling_by_pushing/study/templates/my_study.yaml",
             {},
         )
-        for name in ("limit_curves", "motion_cones", "contact_modes")
+        for name in ("limit_curves", "curves", "motion_cones", "contact_modes", "mode_maps")
     },
     "studies/sliders/data/support_cones.nc": (
         SLIDERS_FILE,
@@ -82,7 +82,7 @@ def pages_as_html(root):
     _link(root, *BESIDE)
     shutil.copy("results/README.md", root / "results")
     (root / "results/paper.pdf").touch()
-    for name in ("impact", "pulling_with_inertia"):
+    for name in ("end_of_pull", "impact", "pulling_with_inertia"):
         (root / f"results/figures/simulation_{name}.svg").write_text(PICTURE, encoding="utf-8")
     for page in PAGES:
         for name in re.findall(

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from pulling_by_pushing.figures.figure import entry
+from pulling_by_pushing.figures.figure import entry, module_name
 from pulling_by_pushing.figures.studies import OURS, numbered
 from pulling_by_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
 from pulling_by_pushing.study.study_file import load_study
@@ -38,7 +38,9 @@ def test_every_figure_has_its_picture_caption_command_and_code(gallery, name):
     assert "<figcaption>" in found
     text = unescape(re.sub("<[^>]*>", "", found))
     assert f"figures/{name}.svg\n" in text
-    assert Path(f"src/pulling_by_pushing/figures/{name}.py").read_text(encoding="utf-8") in text
+    module = module_name(name).replace(".", "/")
+    code = Path(f"src/pulling_by_pushing/figures/{module}.py").read_text(encoding="utf-8")
+    assert code in text
 
 
 def test_every_other_simulation_has_its_picture_and_its_scene(gallery):

@@ -7,8 +7,7 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
-from planar_pushing.mechanics.contact import ContactLaw
-from planar_pushing.mechanics.contact.laws import as_numbers, friction_coefficient, is_law
+from planar_pushing.mechanics.contact import ContactLaw, as_numbers, friction_coefficient, is_law
 
 LAWS = {
     pp.Coulomb(1.0): (np.pi / 4, 3 * np.pi / 4, True, True, False),

@@ -72,7 +72,7 @@ def test_what_is_no_support_is_refused(support):
     with pytest.raises(pp.InvalidValue) as caught:
         pp.SupportFriction(support=support)
     assert "support: " in str(caught.value)
-    assert "construct one of these supports" in str(caught.value)
+    assert "construct one, or give your class" in str(caught.value)
 
 
 @pytest.mark.parametrize("support", [BOX, pp.Ring(2.0)], ids=["box", "other ring"])

@@ -13,9 +13,8 @@ from mechanics.supports.exact import about, exact_moments
 from mpmath import mp, mpf
 
 from planar_pushing.core.pieces import ATOMS, COLUMNS, END
-from planar_pushing.mechanics.pressure.table import table_of_pieces
+from planar_pushing.mechanics.pressure.table import moments, table_of_pieces
 from planar_pushing.mechanics.supports.disc import Disc
-from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.points import Points
 
 #: Center of rotation, D, G_x, G_y and the torque, from numerical integrals.
@@ -168,7 +167,7 @@ def test_the_table_is_in_units_of_the_radius_and_its_array_is_contiguous():
 
 PLAIN = """
 from mechanics.supports.cases import SUPPORTS
-from planar_pushing.mechanics.supports.moments import moments
+from planar_pushing.mechanics.pressure.table import moments
 from planar_pushing.mechanics.pressure.table import table_of_pieces
 for support, _ in SUPPORTS.values():
     table = table_of_pieces(support.pieces(), 1.0)

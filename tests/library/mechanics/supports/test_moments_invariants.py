@@ -9,10 +9,9 @@ from hypothesis import strategies as st
 from mechanics.supports.cases import regular, rows_of
 
 from planar_pushing.core.pieces import ATOMS
-from planar_pushing.mechanics.pressure.table import table_of_pieces
+from planar_pushing.mechanics.pressure.table import moments, table_of_pieces
 from planar_pushing.mechanics.supports.composite import Composite
 from planar_pushing.mechanics.supports.disc import Disc
-from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.points import Points
 from planar_pushing.mechanics.supports.polygon import Polygon
 from planar_pushing.mechanics.supports.pressure_map import PressureMap

@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 from mechanics.supports.cases import SUPPORTS, rectangle, regular
 
-from planar_pushing.mechanics.pressure.table import table_of_pieces
+from planar_pushing.mechanics.pressure.table import moments, table_of_pieces
 from planar_pushing.mechanics.supports.annulus import Annulus
 from planar_pushing.mechanics.supports.disc import Disc
 from planar_pushing.mechanics.supports.even_ring import Ring
-from planar_pushing.mechanics.supports.moments import moments
 from planar_pushing.mechanics.supports.points import Points
 from planar_pushing.mechanics.supports.polygon import Polygon
 from planar_pushing.mechanics.supports.pressure_map import PressureMap

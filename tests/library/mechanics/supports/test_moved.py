@@ -9,9 +9,9 @@ import pytest
 from mechanics.supports.cases import SUPPORTS
 
 import planar_pushing as pp
-from planar_pushing.mechanics.entries import support_entry
-from planar_pushing.mechanics.frames import Frame
+from planar_pushing.mechanics.entries import entry
 from planar_pushing.mechanics.outline import required_outline
+from planar_pushing.mechanics.plane import Frame
 from planar_pushing.scenes.scene_model import SceneFile
 from pulling_by_pushing.oracle.shapes import support as enclosed_support
 
@@ -47,7 +47,7 @@ def test_the_wrench_of_a_moved_support_is_that_of_the_support(name, angle):
 @pytest.mark.parametrize("name", MOVED)
 def test_the_oracle_moves_supports_alike(name):
     moved = MOVED[name].moved(frame_at(0.7))
-    found = enclosed_support(json.loads(json.dumps(support_entry(moved))))
+    found = enclosed_support(json.loads(json.dumps(entry(moved))))
     x, y = (float(each.p) / float(each.q) for each in found.center)
     assert (x, y) == pytest.approx(moved.center_of_pressure, abs=1e-13)
     assert float(found.extent.mid()) == pytest.approx(moved.extent, rel=1e-13)

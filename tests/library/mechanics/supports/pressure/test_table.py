@@ -11,10 +11,10 @@ from planar_pushing.mechanics.kernels import run
 from planar_pushing.mechanics.pressure.table import (
     FEW,
     joined_data,
+    moments,
     table_of,
     table_of_pieces,
 )
-from planar_pushing.mechanics.supports.moments import moments
 
 SQUARE = pp.Polygon([(-1, -1), (1, -1), (1, 1), (-1, 1)])
 SUPPORTS = [
