@@ -31,7 +31,7 @@ export XDG_CACHE_HOME := $(HOME)/.cache
 $(shell mkdir -p "$(XDG_CACHE_HOME)")
 endif
 
-.PHONY: all test test-all test-processors test-slurm test-drags lint coverage bench golden images dictionary schemas lock report manual clean help
+.PHONY: all test test-all test-processors test-slurm test-drags lint coverage bench golden images dictionary lock report manual clean help
 .DELETE_ON_ERROR:
 
 # One make at a time. The operating system releases the lock when its process ends, even if it is killed.
@@ -95,7 +95,7 @@ bench: $(CORE) ## print the speed of the mechanics and the simulations, as ratio
 	$(BIN)/pytest tests/benchmarks/bench_speed.py --benchmark-columns=min,median,rounds
 
 golden: $(CORE) ## recompute the golden data of the results and print the differences; WRITE=1 stores them
-	@$(LOCK); $(BIN)/snakemake data figures accuracy
+	@$(LOCK); $(BIN)/snakemake data accuracy
 	$(BIN)/python -m pulling_by_pushing.evidence.golden.update $(if $(WRITE),--write)
 
 images: $(CORE) ## compare the figures with their stored images; WRITE=1 stores them
@@ -103,9 +103,6 @@ images: $(CORE) ## compare the figures with their stored images; WRITE=1 stores 
 
 dictionary: $(INSTALLED) ## write results/README.md from the attributes of the datasets
 	$(BIN)/python -m pulling_by_pushing.study.dictionary
-
-schemas: $(INSTALLED) ## write workflow/schemas from the models of scene and study files
-	$(BIN)/python -m pulling_by_pushing.study.schemas
 
 manual: $(CORE) ## write the manual to results/manual/index.html; missing results are built first
 	@$(LOCK); $(BIN)/snakemake manual

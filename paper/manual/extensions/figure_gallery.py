@@ -13,7 +13,7 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 from planar_pushing.scenes.files import load_scene_file
-from pulling_by_pushing.figures.figure import entry
+from pulling_by_pushing.figures.figure import entry, module_name
 from pulling_by_pushing.figures.studies import OURS
 from pulling_by_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
 from pulling_by_pushing.study.study_file import load_study
@@ -58,7 +58,8 @@ def figures(project: Path, results: Path) -> Iterator[Shown]:
             group = PAPER if about.promise else BEYOND
         yield Shown(
             group=group, name=name, file=values["file"], title=f"Figure {number}. {about.title}",
-            caption=values["caption"], code=f"{MODULES}/{name}.py",
+            caption=values["caption"],
+            code=f"{MODULES}/{module_name(name).replace('.', '/')}.py",
         )  # fmt: skip
 
 
