@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = "Draw a pushing problem and one of its solutions, the sticking one if it exists."
-    sub = command(commands, "draw", drawn, about, "scene.yaml --pusher-angle 170 -o scene.svg")
+    sub = command(commands, "draw", draw_scene, about, "scene.yaml --pusher-angle 170 -o scene.svg")
     add_scene(sub)
     add_push(sub, ranges=False)
     sub.add_argument(
@@ -39,7 +39,7 @@ def add(commands: Commands) -> None:
     add_output(sub, "FILE.svg|pdf|png", "output picture; its name ends in .svg, .pdf or .png")
 
 
-def drawn(args: argparse.Namespace) -> dict[str, Any]:
+def draw_scene(args: argparse.Namespace) -> dict[str, Any]:
     """Draw the scene under the given push, the push of its file, or a push straight ahead."""
     from planar_pushing.drawing.canvas.style import save_drawn
     from planar_pushing.drawing.draw import SCENE, draw_on

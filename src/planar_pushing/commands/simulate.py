@@ -81,7 +81,7 @@ def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = "Simulate a scene over time and write the log."
     example = "scene.yaml --pusher-angle 165 --duration 3 -o log.nc"
-    sub = command(commands, "simulate", simulated, about, example)
+    sub = command(commands, "simulate", simulate_scene, about, example)
     add_scene(sub)
     add_output(
         sub, "LOG.nc",
@@ -96,7 +96,7 @@ def add(commands: Commands) -> None:
     )  # fmt: skip
 
 
-def simulated(args: argparse.Namespace) -> dict[str, Any]:
+def simulate_scene(args: argparse.Namespace) -> dict[str, Any]:
     """Simulate the scene, and return a summary of the motion."""
     from planar_pushing.scenes.files import load_scene_file
     from planar_pushing.scenes.simulate import simulate_file

@@ -99,7 +99,7 @@ def draw(
         found = solve(scene, pusher_angle, pusher_magnitude)
         chosen = None if solution is None else _number(list(found), solution)
         sketch = Sketch.of(scene, pusher_angle, pusher_magnitude, found=found, chosen=chosen)
-    return _drawn(with_curve(sketch, scene) if limit_curve else sketch, cones, ax)
+    return _draw_axes(with_curve(sketch, scene) if limit_curve else sketch, cones, ax)
 
 
 def said(sketch: Sketch) -> str:
@@ -122,7 +122,7 @@ def _number(found: Sequence[Any], wanted: int | ContactMode) -> int:
     return numbers[0]
 
 
-def _drawn(sketch: Sketch, cones: bool, ax: Axes | None) -> Axes:
+def _draw_axes(sketch: Sketch, cones: bool, ax: Axes | None) -> Axes:
     """Axes with the picture of a sketch, its scale bar and its title."""
     with paper_style():
         own = schematic(_new_figure(SCENE), (0.0, 0.0, 1.0, 0.9)) if ax is None else ax
@@ -150,7 +150,7 @@ def _new_figure(size: tuple[float, float]) -> Figure:
 
 def draw_on(figure: Figure, sketch: Sketch, *, cones: bool = True) -> None:
     """Draw a sketch on a separate figure, as `draw` does."""
-    _drawn(sketch, cones, schematic(figure, (0.0, 0.0, 1.0, 0.9)))
+    _draw_axes(sketch, cones, schematic(figure, (0.0, 0.0, 1.0, 0.9)))
 
 
 def plot_log(log: xr.Dataset, figure: Figure | None = None) -> Figure:

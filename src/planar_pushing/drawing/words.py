@@ -59,15 +59,15 @@ def outcome(solutions: Sequence[Solution], pusher: Any, shown: int) -> str:
     """One sentence on the solution that is drawn and on the others."""
     if not solutions:
         return "No motion of the slider is consistent with this push."
-    said = _capital(_named(does(solutions[shown], pusher)))
+    said = _capital(_with_subject(does(solutions[shown], pusher)))
     others = [does(each, pusher) for i, each in enumerate(solutions) if i != shown]
     if not others:
         return f"{said}."
     count = f"{NUMBERS[len(others)]} other solution{'' if len(others) == 1 else 's'}"
-    return f"{said}; {count}: {_joined(others)}."
+    return f"{said}; {count}: {_alternatives(others)}."
 
 
-def _named(said: str) -> str:
+def _with_subject(said: str) -> str:
     """Behavior with its subject."""
     return said if said.startswith("the contact") else f"the contact {said}"
 
@@ -76,9 +76,9 @@ def _capital(said: str) -> str:
     return said[0].upper() + said[1:]
 
 
-def _joined(others: list[str]) -> str:
+def _alternatives(others: list[str]) -> str:
     """Alternatives as a list in words, the first with its subject."""
-    named = [_named(others[0]), *others[1:]]
+    named = [_with_subject(others[0]), *others[1:]]
     if len(named) == 1:
         return named[0]
     return f"{', '.join(named[:-1])}, or {named[-1]}"

@@ -72,7 +72,7 @@ def state_in(arguments: Mapping[str, str]) -> State:
         state = state if state.file.simulate else pushed(state, state.angle, state.magnitude)
         _ = state.scene
     except ValidationError as error:
-        line = explained("address", error)
+        line = explain_problem("address", error)
         raise InvalidFile(f"{line.rpartition('; ')[0]}; {REMEDY}") from None
     return state
 
@@ -107,13 +107,13 @@ def _value(given: str) -> Any:
 def refusal(error: BaseException, name: str = "", given: Any = None) -> str:
     """One-line message with the changed widget and its value, if any, and the allowed values."""
     if isinstance(error, ValidationError):
-        line = explained("scene", error)
+        line = explain_problem("scene", error)
         value = "nothing" if given is None or given == [] else shown(given)
         return f"{name}: {value} given; {line.partition(' given; ')[2]}" if name else line
     known = isinstance(error, PlanarPushingError)
     return " ".join((str(error) if known else f"{type(error).__name__}: {error}").split())
 
 
-def explained(start: str, error: ValidationError) -> str:
+def explain_problem(start: str, error: ValidationError) -> str:
     """First error of a scene file as the package states it, after a prefix."""
     return explain(Path(start), error.errors()[0])

@@ -55,7 +55,7 @@ WRITERS: dict[str, Callable[[State, Path], None]] = {
 }
 
 
-def written(state: State, name: str) -> bytes:
+def download(state: State, name: str) -> bytes:
     """Content of a file for download."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / name

@@ -18,7 +18,7 @@ from panel.custom import JSComponent
 from pydantic import ValidationError
 
 from planar_pushing.explorer.address import query, refusal
-from planar_pushing.explorer.downloads import written
+from planar_pushing.explorer.downloads import download
 from planar_pushing.explorer.pictures.following import WAYS, chosen, forgotten, taken, ways_at
 from planar_pushing.explorer.pictures.maps import maps
 from planar_pushing.explorer.pictures.pictures import push_box
@@ -105,7 +105,7 @@ class Page:
         self.fixed = {"error": escape(said), "note": "", "energies": energy_legend()}
         self.painter = Worker(document, view, self._show)
         self.mapper = Worker(document, self._map, self._mapped)
-        self.writer = Worker(document, lambda order: written(*order), self._save)
+        self.writer = Worker(document, lambda order: download(*order), self._save)
         self._build()
         self._listen(close)
         self.show_widgets()

@@ -33,7 +33,7 @@ class Entry(FileModel):
     maker: ClassVar[Callable[..., Any]]
 
     def build(self) -> Any:
-        """What the section describes.
+        """Build the scene part that the section describes.
 
         Raises
         ------

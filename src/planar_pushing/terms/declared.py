@@ -30,7 +30,7 @@ PAIR: dict[str, Any] = {"type": "array", "minItems": 2, "maxItems": 2, "items": 
 
 
 class Declaration:
-    """What a parameter allows: the base of the declarations.
+    """Base of the declarations, each of which states the allowed values of a parameter.
 
     Attributes
     ----------

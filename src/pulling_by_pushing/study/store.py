@@ -83,35 +83,7 @@ def _filled(folder: Path) -> Path:
 def open_dataset(
     name: str, results: PathLike = "results", *, study: str | None = None
 ) -> xr.Dataset:
-    """Open a dataset of a study by name.
-
-    Parameters
-    ----------
-    name : str
-        One of limit_curves, curves, motion_cones, contact_modes, mode_maps, acceleration_centers and
-        center_regions; a scene such as "scenes/figure_08"; a simulation such as "simulations/figure_15";
-        or a dataset about the computation itself, such as "accuracy/cone". A study with supports also has
-        supports, support_curves, support_cones, support_rods and support_modes. `planar-pushing query`
-        lists the datasets that are built.
-    results : path
-        Results folder of the pipeline.
-    study : str, optional
-        Name of a study other than the paper's, whose results are in studies/NAME in that folder.
-
-    Returns
-    -------
-    xarray.Dataset
-        Dataset in memory, or read on demand if it is above 8 MB or stored in chunks; angles are in
-        degrees.
-
-    Raises
-    ------
-    InvalidValue
-        If there is no dataset or no study with this name.
-    InvalidFile
-        If the folder is not a results folder, or the dataset has not been built; the message says which
-        command builds it.
-    """
+    """Open a dataset of a study by name, as `planar_pushing.open_dataset` describes."""
     file, group = dataset_place(name)
     folder = built_results(results, study)
     path = folder / file

@@ -13,7 +13,7 @@ from matplotlib.patches import Patch
 from matplotlib.spines import Spine
 
 from planar_pushing.drawing.canvas.axes import Panel, panels, schematic, to_axes
-from planar_pushing.drawing.canvas.labels import settled
+from planar_pushing.drawing.canvas.labels import settle
 from planar_pushing.drawing.canvas.marks import (
     DASHES,
     SHAPES,
@@ -310,27 +310,27 @@ def test_labels_part_stay_in_the_frame_and_settle_alike_twice():
     drawn = Picture()
     for place in (*np.zeros((4, 2)), BOX[1]):
         drawn.label(place, "label", offset=(9.0, 0.0))
-    boxes = [taken(each) for each in settled(drawn, SHEET)]
+    boxes = [taken(each) for each in settle(drawn, SHEET)]
     for i, (low, high) in enumerate(boxes):
         assert (low >= 0).all()
         assert (high <= SIZE).all()
         assert all((low >= other[1]).any() or (high <= other[0]).any() for other in boxes[:i])
-    assert settled(drawn, SHEET) == settled(drawn, SHEET)
+    assert settle(drawn, SHEET) == settle(drawn, SHEET)
 
 
 @pytest.mark.parametrize(
     "mark", [Arrow(SQUARE[:2], RED, True), Line(SQUARE[:2], RED), Area((SQUARE,), RED, "/")]
 )
 def test_a_label_moves_off_lines_unless_it_is_held_or_has_no_offset(mark):
-    def settle(**options):
+    def settle_label(**options):
         found = Picture([mark, Label(np.array([1.0, -0.12]), "on it", **options)])
-        return settled(found, SHEET)[0]
+        return settle(found, SHEET)[0]
 
-    low, high = taken(settle(offset=(0.0, 6.0)))
+    low, high = taken(settle_label(offset=(0.0, 6.0)))
     line = SHEET.to((1.0, 0.0))[1]
     assert high[1] < line or low[1] > line
-    assert settle(offset=(0.0, 6.0), held=True).offset == (0.0, 6.0)
-    assert settle().offset == (0.0, 0.0)
+    assert settle_label(offset=(0.0, 6.0), held=True).offset == (0.0, 6.0)
+    assert settle_label().offset == (0.0, 0.0)
 
 
 @pytest.mark.parametrize(

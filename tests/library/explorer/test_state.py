@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 import planar_pushing as pp
 from planar_pushing.explorer.address import query, state_in
-from planar_pushing.explorer.downloads import written
+from planar_pushing.explorer.downloads import download
 from planar_pushing.explorer.pictures.following import (
     chosen,
     followed,
@@ -80,7 +80,7 @@ def test_an_address_holds_the_whole_state(name):
 @pytest.mark.parametrize("name", PRESETS)
 def test_a_saved_scene_is_the_same_scene(name, tmp_path):
     state = preset(name)
-    (tmp_path / "scene.yaml").write_bytes(written(state, "scene.yaml"))
+    (tmp_path / "scene.yaml").write_bytes(download(state, "scene.yaml"))
     file = load_scene_file(tmp_path / "scene.yaml")
     assert file.build() == state.scene
     if state.start == Start.VELOCITY:

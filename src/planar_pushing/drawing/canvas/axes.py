@@ -14,7 +14,7 @@ from matplotlib.path import Path
 from matplotlib.patheffects import withStroke
 
 from planar_pushing.drawing.canvas.colors import DARK
-from planar_pushing.drawing.canvas.labels import settled
+from planar_pushing.drawing.canvas.labels import settle
 from planar_pushing.drawing.canvas.marks import (
     DASHES,
     SHAPES,
@@ -54,7 +54,7 @@ def to_axes(picture: Picture, ax: Axes, box: Array, pad: float = 12.0) -> Sheet:
 
 def onto(picture: Picture, ax: Axes, sheet: Sheet) -> None:
     """Draw marks on axes without changing their limits; the sheet gives the length of a point."""
-    labels = iter(settled(picture, sheet))
+    labels = iter(settle(picture, sheet))
     for mark in picture.marks:
         one = next(labels) if isinstance(mark, Label) else mark
         DRAWN[type(one)](ax, one, sheet)

@@ -17,7 +17,7 @@ STRETCHES = (1.0, 1.45, 2.0)
 GAP, STEP = 1.5, 1.5
 
 
-def settled(picture: Picture, sheet: Sheet) -> list[Label]:
+def settle(picture: Picture, sheet: Sheet) -> list[Label]:
     """Labels of a picture with the offsets that they take on a sheet.
 
     Held labels and labels without an offset stay; the others make room in turn.

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.drawing.canvas.labels import settled
+from planar_pushing.drawing.canvas.labels import settle
 from planar_pushing.drawing.canvas.marks import (
     DASHES,
     SHAPES,
@@ -66,7 +66,7 @@ def content(picture: Picture, sheet: Sheet) -> str:
 
 def _labels(picture: Picture, sheet: Sheet) -> Iterable[tuple[Label, Label]]:
     own = [mark for mark in picture.marks if isinstance(mark, Label)]
-    return zip(own, settled(picture, sheet), strict=True)
+    return zip(own, settle(picture, sheet), strict=True)
 
 
 def _name(hatch: str, ink: str) -> str:
