@@ -14,6 +14,8 @@ from planar_pushing.core.drag import (
 )
 from planar_pushing.core.equations import motion_in_mode, path_along_fence
 from planar_pushing.core.fence import Span
+from planar_pushing.core.flush_force import FLUSH_SOLUTION, FlatSide
+from planar_pushing.core.flush_solutions import MOST_ON_SIDE, SIDE_SOLUTION, side_modes
 from planar_pushing.core.free import free_twist
 from planar_pushing.core.inertia import slowest_foot_at
 from planar_pushing.core.instant import Instant
@@ -21,7 +23,15 @@ from planar_pushing.core.modes import contact_modes
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.path import is_flat, sample_path
 from planar_pushing.core.rows import NO_POINT, Vector
-from planar_pushing.core.run import IN_MASS, IN_SLIPS, IN_WEIGHT, RUN_FORCE, RUN_SPEED
+from planar_pushing.core.run import (
+    IN_MASS,
+    IN_SLIPS,
+    IN_WEIGHT,
+    RUN_FORCE,
+    RUN_OTHER_END,
+    RUN_POINT,
+    RUN_SPEED,
+)
 from planar_pushing.core.shapes import (
     Pose,
     center_motion,
@@ -34,6 +44,7 @@ from planar_pushing.core.shapes import (
     size_of_twist,
     to_contact,
 )
+from planar_pushing.core.side import MOST_OF_SIDE, modes_of_side, offset_in_solution
 from planar_pushing.core.solution import (
     FORCE,
     MODE,
@@ -50,20 +61,36 @@ from planar_pushing.core.solution import (
 )
 from planar_pushing.core.system import (
     ANGLE,
+    BARELY_LEAVES,
+    CANDIDATE,
+    ELSEWHERE,
+    MOST_CANDIDATES,
     OVER,
     REST,
     RISE,
     SPIN,
     Mode,
     System,
+    candidate_at,
+    copy_numbers,
     is_loaded,
     is_massive,
     law_of,
     pace_of,
     slip_side,
+    vector_of,
     write_candidate,
 )
-from planar_pushing.core.tolerances import AT_REST, PUSHER_AT_REST, SLACK
+from planar_pushing.core.tolerances import AT_REST, PUSHER_AT_REST, SLACK, STOPPED
+from planar_pushing.core.touch import (
+    count_points,
+    hold_contact,
+    is_flush,
+    leave_side,
+    put_contact,
+    side_length,
+    side_on_fence,
+)
 
 #: Tangential acceleration, in units of the normal one, that represents a fence already slipping at a
 #: contact.
@@ -87,6 +114,58 @@ def _write_contact(system: System, index: int, contact: int, x: float, y: float)
     write_candidate(system, index, contact, NO_POINT, False, False, x, y, 0.0)
 
 
+def _write_ends(
+    system: System, during: Span, time: float, state: Numbers, count: int, starts: bool
+) -> int:
+    """Store, after other candidates, the modes at either end of a side that lift its other end.
+
+    The modes of a slider at rest are starts.
+    """
+    run, there = system.run, vector_of(system, ELSEWHERE)
+    point, other_end, length = (
+        int(run[RUN_POINT]),
+        int(run[RUN_OTHER_END]),
+        side_length(system, state),
+    )
+    for i in range(2):
+        copy_numbers(there, state, system.entries)
+        hold_contact(system, there, point if i == 0 else other_end, NO_POINT)
+        first = count
+        if starts:
+            count = _write_starts_at_contact(system, during, time, there, count)
+        elif is_massive(system):
+            count = _write_in_motion(system, during, time, there, STICK, SLIP_LEFT, count)
+        else:
+            count = _write_quasi_static_at_contact(system, during, time, there, count)
+        count = _keep_leaving(system, during, time, there, length, first, count)
+        length = -length
+    put_contact(system, point, other_end)
+    return count
+
+
+def _keep_leaving(
+    system: System, during: Span, time: float, state: Numbers, length: float, first: int, count: int
+) -> int:
+    """Keep those of the last candidates that lift the other end of a side of a signed length."""
+    kept, slack = first, SLACK * system.run[RUN_SPEED]
+    for i in range(first, count):
+        mode = candidate_at(system, i, during.first)
+        instant = motion_in_mode(system, mode, time, state)
+        lift = instant.spin * length
+        if is_massive(system):
+            lift, slack = (
+                instant.turn * length,
+                SLACK * system.run[RUN_FORCE] / system.scene[IN_MASS],
+            )
+        system.candidates[i * CANDIDATE + BARELY_LEAVES] = 1.0 if lift <= slack else 0.0
+        if mode.contact != SEPARATE and lift >= -slack:
+            copy_numbers(
+                system.candidates[kept * CANDIDATE :], system.candidates[i * CANDIDATE :], CANDIDATE
+            )
+            kept += 1
+    return kept
+
+
 # Without inertia
 
 
@@ -98,8 +177,19 @@ def _write_quasi_static(system: System, during: Span, time: float, state: Number
     x, y = pusher_velocity(system, during, time, state)
     if x == 0.0 and y == 0.0 and during.constant:
         return 1
-    _write_contact(system, 1, STICK, 0.0, 0.0)
-    count = 2
+    count = _write_quasi_static_at_contact(system, during, time, state, 1)
+    if is_flush(system):
+        count = _write_ends(system, during, time, state, count, False)
+    return count
+
+
+def _write_quasi_static_at_contact(
+    system: System, during: Span, time: float, state: Numbers, count: int
+) -> int:
+    """Store the stick and the slips of the contact after the candidates so far."""
+    x, y = pusher_velocity(system, during, time, state)
+    _write_contact(system, count, STICK, 0.0, 0.0)
+    count += 1
     if system.scene[IN_SLIPS] == 0.0:
         return count
     if depends_on_speed(system):
@@ -113,12 +203,12 @@ def _write_quasi_static(system: System, during: Span, time: float, state: Number
 
 def _write_slips_at_speed(system: System, state: Numbers, x: float, y: float, count: int) -> int:
     """Store each slip as a candidate, for forces that depend on the speed."""
-    solutions = zeros(MOST_SOLUTIONS * SOLUTION)
-    size = sqrt(x * x + y * y)
+    solutions = zeros(MOST_OF_SIDE * FLUSH_SOLUTION)
+    size, width = sqrt(x * x + y * y), FLUSH_SOLUTION if is_flush(system) else SOLUTION
     for i in range(_solve_at_speed(system, state, x, y, solutions)):
-        solution = solutions[i * SOLUTION :]
+        solution = solutions[i * width :]
         contact = int(solution[MODE])
-        if slip_side(contact) != 0.0 and count < MOST_SOLUTIONS - 2:
+        if slip_side(contact) != 0.0 and count < MOST_CANDIDATES - 2:
             _write_contact(system, count, contact, size * solution[MOTION], y)
             count += 1
     return count
@@ -129,8 +219,14 @@ def _solve_at_speed(system: System, state: Numbers, x: float, y: float, solution
     size = sqrt(x * x + y * y)
     scale_films(system, size if size > 0.0 else 1.0)
     put_loads_at(system, state[ANGLE])
-    pose, part = pose_at_start(system, state), 1.0 if size > 0.0 else 0.0
-    count, _ = modes_of_push(system, pose, x, y, part, solutions)
+    pose, part, count = pose_at_start(system, state), 1.0 if size > 0.0 else 0.0, 0
+    if is_flush(system):
+        unit = size if size > 0.0 else 1.0
+        count = modes_of_side(
+            system, pose, side_length(system, state), x / unit, y / unit, 0.0, solutions
+        )
+    else:
+        count, _ = modes_of_push(system, pose, x, y, part, solutions)
     scale_films(system, 1.0)
     return count
 
@@ -143,6 +239,9 @@ def count_quasi_static(system: System, mode: Mode, instant: Instant, state: Numb
     """
     x, y = instant.fence_x, instant.fence_y
     size, slips = sqrt(x * x + y * y), slip_side(mode.contact) * instant.slip > SLACK * fabs(y)
+    left, right = side_on_fence(system, state)
+    if left >= 0:
+        return _count_at_side(system, state, left, right, x, y)
     if slips and y > 0.0 and not depends_on_speed(system):
         path = path_along_fence(
             system, problem_effects(system), pose_of(system, state), mode.contact, y, 1.0
@@ -152,6 +251,28 @@ def count_quasi_static(system: System, mode: Mode, instant: Instant, state: Numb
             return 1
     solutions = zeros(MOST_SOLUTIONS * SOLUTION)
     return _solve_at_speed(system, state, x, y, solutions)
+
+
+def _count_at_side(
+    system: System, state: Numbers, left: int, right: int, x: float, y: float
+) -> int:
+    """Number of contact modes of a side on the fence and of its ends; `UNSOLVED` if it is not known."""
+    run, there = system.run, vector_of(system, ELSEWHERE)
+    point, other_end = int(run[RUN_POINT]), int(run[RUN_OTHER_END])
+    copy_numbers(there, state, system.entries)
+    hold_contact(system, there, left, right)
+    pose, size = pose_at_start(system, there), sqrt(x * x + y * y)
+    scale_films(system, size if size > 0.0 else 1.0)
+    put_loads_at(system, there[ANGLE])
+    solutions = zeros(MOST_ON_SIDE * SIDE_SOLUTION)
+    push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
+    count = side_modes(
+        push, FlatSide(0.0, side_length(system, there)), law_of(system, pose.rod),
+        _pusher_along(pose, x, y, 1.0 if size > 0.0 else 0.0), solutions,
+    )  # fmt: skip
+    scale_films(system, 1.0)
+    put_contact(system, point, other_end)
+    return count
 
 
 def note_slip(system: System, time: float, state: Numbers, index: int, mode: Mode) -> None:
@@ -168,32 +289,38 @@ def _write_with_inertia(system: System, during: Span, time: float, state: Number
     pose, speed = pose_of(system, state), system.run[RUN_SPEED]
     fence_x, fence_y = pusher_velocity(system, during, time, state)
     v_x, v_y = center_motion(pose, fence_x + state[OVER], fence_y + state[RISE], state[SPIN])
-    rests: bool = size_of_twist(v_x, v_y, state[SPIN]) <= AT_REST * speed
+    # A side leaves a fence that comes to rest, and is then about to stop itself.
+    slowest = STOPPED if count_points(system) > 0 else AT_REST
+    rests: bool = size_of_twist(v_x, v_y, state[SPIN]) <= slowest * speed
     rests = rests and system.scene[IN_WEIGHT] > 0.0
     clear: bool = clearance_of(system, state) > SLACK or fabs(state[RISE]) > SLACK * speed
     if clear:
         if rests:
             return _write_clear(system, state)
-        return _write_in_motion(system, pose, during, time, state, v_x, v_y, SEPARATE)
+        return _write_in_motion(system, during, time, state, SEPARATE, SEPARATE, 0)
     if rests:
         return write_starts(system, during, time, state)
-    return _write_in_motion(system, pose, during, time, state, v_x, v_y, SLIP_LEFT)
+    count = _write_in_motion(system, during, time, state, SEPARATE, SLIP_LEFT, 0)
+    if is_flush(system):
+        count = _write_ends(system, during, time, state, count, False)
+    return count
 
 
 def _write_in_motion(
-    system: System, pose: Pose, during: Span, time: float, state: Numbers,
-    v_x: float, v_y: float, last: int,
-) -> int:  # fmt: skip
-    """Store the candidates, up to the last contact mode, of a moving slider."""
-    slack, count, slip = SLACK * system.run[RUN_SPEED], 0, state[OVER]
+    system: System, during: Span, time: float, state: Numbers, first: int, last: int, count: int
+) -> int:
+    """Store the candidates of a moving slider, from one contact mode to another, after those so far."""
+    slack, slip, pose = SLACK * system.run[RUN_SPEED], state[OVER], pose_of(system, state)
+    fence_x, fence_y = pusher_velocity(system, during, time, state)
+    v_x, v_y = center_motion(pose, fence_x + slip, fence_y + state[RISE], state[SPIN])
     foot = slowest_foot_at(system, pose, v_x, v_y, state[SPIN])
     near = foot.number if foot.speed <= AT_REST else NO_POINT
-    for contact in range(SEPARATE, last + 1):
-        mode = Mode(contact, near, True, False, 0.0, 0.0, 0.0, during)
+    for contact in range(first, last + 1):
+        mode = Mode(contact, near, True, False, 0.0, 0.0, 0.0, 0.0, during)
         hinged: bool = near >= 0 and contact != STICK
         if hinged:
             hinged = motion_in_mode(system, mode, time, state).hold > SLACK
-        mode = Mode(contact, near, hinged, False, 0.0, 0.0, 0.0, during)
+        mode = Mode(contact, near, hinged, False, 0.0, 0.0, 0.0, 0.0, during)
         fits: bool = system.scene[IN_SLIPS] != 0.0 and slip_side(contact) * slip >= -slack
         if contact == SEPARATE:
             fits = last == SEPARATE
@@ -204,6 +331,8 @@ def _write_in_motion(
             fits = fabs(slip) <= slack
         if fits:
             write_candidate(system, count, contact, near, hinged, False, 0.0, 0.0, 0.0)
+            if contact == SEPARATE:
+                leave_side(system, count)
             count += 1
     return count
 
@@ -236,62 +365,92 @@ def _write_clear(system: System, state: Numbers) -> int:
 
 def write_starts(system: System, during: Span, time: float, state: Numbers) -> int:
     """Store all modes in which a slider at rest on the fence can start."""
-    speed, slip = system.run[RUN_SPEED], state[OVER]
-    x, y, moves = _pusher_at_start(system, during, time, state)
-    if not moves and not is_loaded(system):
-        _write_rest(system, 0, True, SEPARATE, 0.0, 0.0)
-        return 1
-    slides: bool = fabs(slip) > AT_REST * speed
-    if not moves:
-        x, y = 0.0, 0.0
-    unit = 0.0
-    if is_loaded(system):
-        unit = system.run[RUN_FORCE] / system.scene[IN_MASS]
-    if slides:
-        # The fence already slips at the contact, so only its normal motion matters.
-        fast = ALREADY_SLIPS * max(fabs(y), unit)
-        x = -fast if slip > 0.0 else fast
-    size = sqrt(x * x + y * y)
-    unit = max(size, unit)
+    _, _, unit = _push_at_start(system, during, time, state)
     if unit == 0.0:
         _write_rest(system, 0, True, SEPARATE, 0.0, 0.0)
         return 1
+    count = _write_starts_at_contact(system, during, time, state, 0)
+    if is_flush(system):
+        count = _write_ends(system, during, time, state, count, True)
+    return count
+
+
+def _push_at_start(
+    system: System, during: Span, time: float, state: Numbers
+) -> tuple[float, float, float]:
+    """Acceleration of a pusher that meets a slider at rest, and the unit of accelerations, 0 at rest."""
+    slip, unit = state[OVER], 0.0
+    x, y, moves = _pusher_at_start(system, during, time, state)
+    if not moves and not is_loaded(system):
+        return 0.0, 0.0, 0.0
+    if not moves:
+        x, y = 0.0, 0.0
+    if is_loaded(system):
+        unit = system.run[RUN_FORCE] / system.scene[IN_MASS]
+    if _slides(system, slip):
+        # The fence already slips at the contact, so only its normal motion matters.
+        fast = ALREADY_SLIPS * max(fabs(y), unit)
+        x = -fast if slip > 0.0 else fast
+    return x, y, max(sqrt(x * x + y * y), unit)
+
+
+def _slides(system: System, slip: float) -> bool:
+    """Whether the pusher already slips at a slider at rest."""
+    return fabs(slip) > AT_REST * system.run[RUN_SPEED]
+
+
+def _write_starts_at_contact(
+    system: System, during: Span, time: float, state: Numbers, count: int
+) -> int:
+    """Store, after other candidates, the modes in which a slider at rest can start at the contact."""
+    slip, pose = state[OVER], pose_at_start(system, state)
+    x, y, unit = _push_at_start(system, during, time, state)
     _prepare_start(system, state, unit)
-    pose = pose_at_start(system, state)
-    solutions = zeros(MOST_SOLUTIONS * SOLUTION)
-    number, _ = modes_of_push(system, pose, x, y, size / unit, solutions)
-    count = 0
+    solutions = zeros(MOST_OF_SIDE * FLUSH_SOLUTION)
+    width, length, number = SOLUTION, 0.0, 0
+    if is_flush(system):
+        width, length = FLUSH_SOLUTION, side_length(system, state)
+        number = modes_of_side(system, pose, length, x / unit, y / unit, 0.0, solutions)
+    else:
+        number, _ = modes_of_push(system, pose, x, y, sqrt(x * x + y * y) / unit, solutions)
     for i in range(number):
-        solution = solutions[i * SOLUTION :]
+        solution = solutions[i * width :]
         contact, point = int(solution[MODE]), int(solution[PIVOT])
         # A start has the same direction of slip, or no contact force.
-        if slides and contact != SEPARATE and slip_side(contact) * slip <= 0.0:
+        if _slides(system, slip) and contact != SEPARATE and slip_side(contact) * slip <= 0.0:
             continue
         if solution[TWIST] == 0.0 and solution[TWIST + 1] == 0.0 and solution[TWIST + 2] == 0.0:
             f_x, f_y = solution[FORCE], solution[FORCE + 1]
             _write_rest(system, count, True, contact, f_x, f_y)
+            if is_flush(system):
+                numbers = system.candidates[count * CANDIDATE :]
+                numbers[9] = offset_in_solution(solution, length)
         else:
             write_candidate(
                 system, count, contact, point, point >= 0 and contact != STICK, False,
                 unit * solution[TWIST], unit * solution[TWIST + 1], unit * solution[TWIST + 2],
             )  # fmt: skip
+            if contact == SEPARATE:
+                leave_side(system, count)
         count += 1
     return count
+
+
+def _pusher_along(pose: Pose, x: float, y: float, part: float) -> Direction:
+    """The motion of a pusher along (x, y), at a fraction of unit speed."""
+    pusher = direction_at(pose.rod, atan2(y, x))
+    if part == 1.0:
+        return pusher
+    return Direction(
+        pusher.angle, part * pusher.x, part * pusher.y, part * pusher.along, part * pusher.across
+    )
 
 
 def modes_of_push(
     system: System, pose: Pose, x: float, y: float, part: float, solutions: Numbers
 ) -> tuple[int, bool]:
     """`contact_modes` of the problem at hand for a pusher along (x, y), at a fraction of unit speed."""
-    pusher = direction_at(pose.rod, atan2(y, x))
-    if part != 1.0:
-        pusher = Direction(
-            pusher.angle,
-            part * pusher.x,
-            part * pusher.y,
-            part * pusher.along,
-            part * pusher.across,
-        )
+    pusher = _pusher_along(pose, x, y, part)
     push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
     return contact_modes(push, law_of(system, pose.rod), pusher, solutions)
 

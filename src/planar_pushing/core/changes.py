@@ -6,16 +6,17 @@ from math import fabs, sqrt
 
 from planar_pushing.core.candidates import pose_at_start, write_starts
 from planar_pushing.core.equations import motion_in_mode, write_rates
-from planar_pushing.core.fence import fence_velocity, span_at
+from planar_pushing.core.fence import Span, fence_velocity, span_at
 from planar_pushing.core.impact import collide
 from planar_pushing.core.instant import load_power
 from planar_pushing.core.numbers import Numbers
-from planar_pushing.core.run import RUN_SPEED
+from planar_pushing.core.run import IN_MASS, RUN_SPEED
 from planar_pushing.core.shapes import (
     center_motion,
     clearance_of,
     contact_motion,
     from_world,
+    has_finger,
     kinetic_energy_of,
     pose_of,
     pusher_acceleration,
@@ -31,6 +32,7 @@ from planar_pushing.core.system import (
     MOVING,
     NO_MODE,
     OVER,
+    PENETRATES,
     PUSH_STARTS,
     RATES,
     REST,
@@ -48,7 +50,16 @@ from planar_pushing.core.system import (
     is_preferred,
     vector_of,
 )
-from planar_pushing.core.tolerances import SLACK
+from planar_pushing.core.tolerances import RATTLES, SLACK
+from planar_pushing.core.touch import (
+    approach_of,
+    count_points,
+    hold_candidate,
+    is_flush,
+    land_on_fence,
+    settle_on_fence,
+    take_lowest_point,
+)
 
 
 def _set_off(system: System, mode: Mode, time: float, state: Numbers, policy: int) -> int:
@@ -62,6 +73,7 @@ def _set_off(system: System, mode: Mode, time: float, state: Numbers, policy: in
     if chosen < 0:
         return collide(system, mode.during, time, state, current, policy)
     start = candidate_at(system, chosen, mode.during.first)
+    hold_candidate(system, state, chosen)
     _, b_y = pusher_acceleration(system, mode.during, time, state)
     fence_x, fence_y = pusher_velocity(system, mode.during, time, state)
     part = fence_y / b_y if b_y != 0.0 else 0.0
@@ -120,10 +132,58 @@ def enter_span(system: System, index: int, state: Numbers, current: int, policy:
     state[OVER] += jump_x
     state[RISE] += jump_y
     slack = SLACK * system.run[RUN_SPEED]
-    hits: bool = sqrt(jump_x * jump_x + jump_y * jump_y) > slack or state[RISE] < -slack
-    if clearance_of(system, state) <= SLACK and hits:
+    touches: bool = clearance_of(system, state) <= SLACK
+    if touches:
+        take_lowest_point(system, state)
+    hits: bool = (
+        sqrt(jump_x * jump_x + jump_y * jump_y) > slack or approach_of(system, state) < -slack
+    )
+    if touches and hits:
         return collide(system, during, during.start, state, current, policy)
     return GOES_ON
+
+
+def settle(
+    system: System,
+    during: Span,
+    time: float,
+    state: Numbers,
+    slack: float,
+    current: int,
+    policy: int,
+) -> int:
+    """Settle a side on the fence, as `settle_on_fence`, by an impulse that stops its normal motion.
+
+    An end that still approaches collides before. Returns `GOES_ON` or why there is no impulse.
+    """
+    if not is_massive(system) or count_points(system) == 0:
+        settle_on_fence(system, state, slack)
+        return GOES_ON
+    touches: bool = clearance_of(system, state) <= SLACK
+    if touches:
+        take_lowest_point(system, state)
+    reason = GOES_ON
+    if touches and approach_of(system, state) < -SLACK * system.run[RUN_SPEED]:
+        reason = collide(system, during, time, state, current, policy)
+        # Of a slow impact, the slip is rounding error.
+        slack = slack if reason == GOES_ON else RATTLES
+    fence_x, fence_y = pusher_velocity(system, during, time, state)
+    pose = pose_of(system, state)
+    v_x, v_y = center_motion(pose, fence_x + state[OVER], fence_y + state[RISE], state[SPIN])
+    energy = kinetic_energy_of(system, pose, v_x, v_y, state[SPIN])
+    c_x = v_x - state[SPIN] * (pose.arm_y - pose.y)
+    c_y = v_y + state[SPIN] * (pose.arm_x - pose.x)
+    settle_on_fence(system, state, slack)
+    if is_flush(system):
+        if fabs(state[OVER]) > SLACK * system.run[RUN_SPEED]:
+            state[OVER] = c_x - fence_x  # without an impulse along the fence
+        x, y = fence_x + state[OVER], fence_y
+        mass, pose = system.scene[IN_MASS], pose_of(system, state)
+        work = mass * ((x - c_x) * fence_x + (y - c_y) * fence_y)
+        state[WORK] += work
+        state[LOST] += work - (kinetic_energy_of(system, pose, x, y, 0.0) - energy)
+        return GOES_ON
+    return reason
 
 
 def change_state(
@@ -131,7 +191,9 @@ def change_state(
 ) -> tuple[float, int]:
     """Change the state just after an event; return the time, and `GOES_ON` or why the run ends."""
     if not is_massive(system):
-        if cause == TOUCHES or state[GAP] <= SLACK:
+        if cause == TOUCHES or (cause == PENETRATES and not has_finger(system)):
+            land_on_fence(system, state)
+        elif state[GAP] <= SLACK:
             state[GAP] = 0.0
         return time, GOES_ON
     contact = contact_mode_of(mode)
@@ -139,7 +201,11 @@ def change_state(
         instant = motion_in_mode(system, mode, time, state)
         state[OVER], state[RISE] = instant.slip, instant.rise
     if cause == TOUCHES:
-        state[GAP] = 0.0
+        land_on_fence(system, state)
+    meets: bool = cause == PENETRATES and not has_finger(system)
+    if meets:
+        land_on_fence(system, state)
+    if cause == TOUCHES or meets:
         return time, collide(system, mode.during, time, state, contact, policy)
     if cause == SLIP_ENDS:
         state[OVER] = 0.0
@@ -147,8 +213,10 @@ def change_state(
         return _come_to_rest(system, mode, time, state), GOES_ON
     elif cause == PUSH_STARTS:
         return time, _set_off(system, mode, time, state, policy)
-    falls: bool = state[RISE] < -SLACK * system.run[RUN_SPEED]
-    if mode.contact == SEPARATE and falls and clearance_of(system, state) <= SLACK:
+    touches: bool = mode.contact == SEPARATE and clearance_of(system, state) <= SLACK
+    if touches:
+        take_lowest_point(system, state)
+    if touches and state[RISE] < -SLACK * system.run[RUN_SPEED]:
         state[GAP] = 0.0
         return time, collide(system, mode.during, time, state, contact, policy)
     return time, GOES_ON

@@ -12,14 +12,18 @@ from planar_pushing.core.run import (
     RUN_CHOSEN,
     RUN_COUNT,
     RUN_MODE,
+    RUN_OTHER_END,
     RUN_PIECE,
+    RUN_POINT,
     RUN_SOLUTIONS,
     RUN_TIME,
 )
 from planar_pushing.core.shapes import clearance_of
 from planar_pushing.core.system import (
+    BARELY_LEAVES,
     CANDIDATE,
     CAUSES,
+    LASTS,
     LATER_GUARDS,
     NO_MODE,
     STATE,
@@ -37,6 +41,7 @@ from planar_pushing.core.system import (
     vector_of,
 )
 from planar_pushing.core.tolerances import NEAR_ZERO, NO_TREND, SLACK
+from planar_pushing.core.touch import hold_candidate, put_contact, state_at_candidate
 
 #: Time over which the trend of a margin is evaluated, as a fraction of that in which the pusher moves by
 #: one length.
@@ -53,7 +58,14 @@ def current_policy(system: System) -> int:
     return policy_at(system.fence, int(system.run[RUN_PIECE]))
 
 
-def _holds(system: System, mode: Mode, time: float, state: Numbers) -> bool:
+def _holds(system: System, mode: Mode, time: float, state: Numbers, later: bool) -> bool:
+    """Whether a mode holds at an instant, or a moment later."""
+    if later:
+        return _will_hold(system, mode, time, state)
+    return _holds_at(system, mode, time, state)
+
+
+def _holds_at(system: System, mode: Mode, time: float, state: Numbers) -> bool:
     """Whether the margins of a mode are positive, or zero and not decreasing."""
     guards, later = guards_of(system, TRIAL_GUARDS), guards_of(system, LATER_GUARDS)
     write_guards(system, mode, time, state, guards)
@@ -93,19 +105,26 @@ def _look_ahead(system: System, mode: Mode, time: float, state: Numbers) -> None
     write_guards(system, mode, time + ahead, trial, guards_of(system, LATER_GUARDS))
 
 
-def choose_mode(system: System, excluded: int) -> bool:
-    """Choose a consistent mode other than `excluded` by the policy; return whether there is one."""
+def choose_mode(system: System, excluded: int, point: int, other_end: int) -> bool:
+    """Choose a consistent mode by the policy; return whether there is one.
+
+    A contact mode can be excluded at a contact.
+    """
     run, state, piece = system.run, vector_of(system, STATE), int(system.run[RUN_PIECE])
     current, time = int(run[RUN_MODE]), run[RUN_TIME]
     count = write_candidates(system, span_at(system.fence, piece), time, state)
     for i in range(count):
-        if contact_mode_of(candidate_at(system, i, piece)) == excluded:
-            system.candidates[i * CANDIDATE] = float(NO_MODE)
+        numbers = system.candidates[i * CANDIDATE :]
+        same: bool = numbers[7] == float(point) and numbers[8] == float(other_end)
+        if same and contact_mode_of(candidate_at(system, i, piece)) == excluded:
+            numbers[0] = float(NO_MODE)
     run[RUN_COUNT] = float(count)
     chosen, solutions = _preferred_of_lasting(system, current, time, state, False)
     if chosen < 0:
         chosen, solutions = _preferred_of_lasting(system, current, time, state, True)
     contact = NO_MODE if chosen < 0 else contact_mode_of(candidate_at(system, chosen, piece))
+    if chosen >= 0:
+        hold_candidate(system, state, chosen)
     run[RUN_CHOSEN], run[RUN_MODE], run[RUN_SOLUTIONS] = (
         float(chosen),
         float(contact),
@@ -125,14 +144,16 @@ def _preferred_of_lasting(
     """
     run, policy = system.run, current_policy(system)
     chosen, contact, count = -1, NO_MODE, 0
+    point, other_end = int(run[RUN_POINT]), int(run[RUN_OTHER_END])
     for i in range(int(run[RUN_COUNT])):
         mode = candidate_at(system, i, int(run[RUN_PIECE]))
         lasts: bool = mode.contact != NO_MODE
-        if lasts and later:
-            lasts = _will_hold(system, mode, time, state)
-        elif lasts:
-            lasts = _holds(system, mode, time, state)
         if lasts:
+            there = state_at_candidate(system, state, i)
+            lasts = _holds(system, mode, time, there, later)
+            put_contact(system, point, other_end)
+        system.candidates[i * CANDIDATE + LASTS] = 1.0 if lasts else 0.0
+        if lasts and not _repeats(system, i):
             count += 1
             if is_preferred(policy, current, contact_mode_of(mode), contact):
                 chosen, contact = i, contact_mode_of(mode)
@@ -148,9 +169,26 @@ def count_modes(system: System, mode: Mode, instant: Instant, time: float, state
         solutions = count_quasi_static(system, mode, instant, state)
         if solutions > 0:
             return solutions
+    point, other_end = int(run[RUN_POINT]), int(run[RUN_OTHER_END])
     for i in range(int(run[RUN_COUNT])):
         other = candidate_at(system, i, int(run[RUN_PIECE]))
         known: bool = i == int(run[RUN_CHOSEN]) or other.contact == NO_MODE
-        if not known and _holds(system, other, time, state):
+        lasts: bool = i == int(run[RUN_CHOSEN])
+        if not known:
+            lasts = _holds_at(system, other, time, state_at_candidate(system, state, i))
+            put_contact(system, point, other_end)
+        system.candidates[i * CANDIDATE + LASTS] = 1.0 if lasts else 0.0
+        if lasts and not known and not _repeats(system, i):
             count += 1
     return count
+
+
+def _repeats(system: System, index: int) -> bool:
+    """Whether a candidate at an end of a side is the motion of the side, which lasts."""
+    numbers = system.candidates[index * CANDIDATE :]
+    for i in range(index if numbers[BARELY_LEAVES] != 0.0 else 0):
+        other = system.candidates[i * CANDIDATE :]
+        same: bool = other[0] == numbers[0] and other[8] >= 0.0
+        if same and other[LASTS] != 0.0:
+            return True
+    return False

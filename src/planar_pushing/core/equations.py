@@ -13,18 +13,20 @@ from planar_pushing.core.drag import depends_on_speed, problem_effects, put_load
 from planar_pushing.core.force import ContactMotion, motion_at_root, motion_under_force
 from planar_pushing.core.impact import cone_margin, edge_angle, edge_of_slip
 from planar_pushing.core.inertia import motion_with_inertia, slowest_foot_at
-from planar_pushing.core.instant import Instant, instant_at_rest, load_power
+from planar_pushing.core.instant import Instant, instant_at_rest, load_power, support_of_side
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers
 from planar_pushing.core.path import Path, find_root, first_sample, sample_at_infinity
 from planar_pushing.core.psi import guess_spin, psi
-from planar_pushing.core.rows import NO_POINT, Effects
+from planar_pushing.core.rows import NO_POINT, Effects, resistance
 from planar_pushing.core.run import (
     IN_LENGTH,
     IN_MASS,
+    IN_ROUGH,
     IN_WEIGHT,
     RUN_EVALUATIONS,
     RUN_FEET,
     RUN_FORCE,
+    RUN_PARTED,
     RUN_RING,
     RUN_SPEED,
 )
@@ -42,6 +44,7 @@ from planar_pushing.core.shapes import (
     to_contact,
     travel_rate,
 )
+from planar_pushing.core.side import slip_of_side
 from planar_pushing.core.solution import SEPARATE, STICK
 from planar_pushing.core.system import (
     ALONG,
@@ -74,10 +77,12 @@ from planar_pushing.core.system import (
     System,
     contact_mode_of,
     energies_of,
+    is_loaded,
     is_massive,
     slip_side,
 )
 from planar_pushing.core.tolerances import ARRIVED, HAS_LEFT, NO_FORCE, PUSHES, SLACK, STOPPED
+from planar_pushing.core.touch import is_flush, side_length
 
 
 def motion_in_mode(system: System, mode: Mode, time: float, state: Numbers) -> Instant:
@@ -91,10 +96,12 @@ def _quasi_static_motion(system: System, mode: Mode, time: float, state: Numbers
     fence_x, fence_y = pusher_velocity(system, mode.during, time, state)
     stays: bool = mode.contact == SEPARATE or mode.contact == REST
     if stays or (mode.contact == STICK and fence_x == 0.0 and fence_y == 0.0):
-        return instant_at_rest(fence_x, fence_y, 0.0, 0.0, 0.0, 0.0)
+        return instant_at_rest(fence_x, fence_y, 0.0, 0.0, 0.0, 0.0, 0.0)
     system.run[RUN_EVALUATIONS] += 1.0
     put_loads_at(system, state[ANGLE])
     pose, effects = pose_of(system, state), problem_effects(system)
+    if is_flush(system):
+        return _translation(system, effects, pose, mode, state, fence_x, fence_y)
     slip, lift = 0.0, 0.0
     if mode.contact == STICK:
         u_x, u_y = to_body(pose.rod, fence_x, fence_y)
@@ -113,7 +120,45 @@ def _quasi_static_motion(system: System, mode: Mode, time: float, state: Numbers
     power += load_power(system, pose, state, v_x, v_y, spin)
     return Instant(
         slip, 0.0, fence_x, fence_y, v_x, v_y, spin, sqrt(v_x * v_x + v_y * v_y), f_x, f_y,
-        power, 0.0, 0.0, 0.0, lift, pivot, 1.0,
+        power, 0.0, 0.0, 0.0, lift, pivot, 1.0, 0.0, UNKNOWN,
+    )  # fmt: skip
+
+
+def _translation(
+    system: System, effects: Effects, pose: Pose, mode: Mode, state: Numbers,
+    fence_x: float, fence_y: float,
+) -> Instant:  # fmt: skip
+    """The motion of a slider with a side on the fence."""
+    along, ahead = fence_x, 1.0
+    if mode.contact != STICK:
+        along = slip_of_side(system, effects, pose, mode, fence_y, is_loaded(system))
+        if along != along:
+            # The slip has ended. Until its end is located, it continues backwards.
+            ahead = -1.0
+            along = slip_of_side(system, effects, pose, mode, -fence_y, is_loaded(system))
+    if along != along or (along == 0.0 and fence_y == 0.0):
+        return _mark_unknown(instant_at_rest(fence_x, fence_y, 0.0, 0.0, 0.0, 0.0, 0.0), along)
+    x, y = to_body(pose.rod, along, ahead * fence_y)
+    total = resistance(effects, x, y, 0.0, 0.0)
+    f_x, f_y = to_contact(pose.rod, total.f_x, total.f_y)
+    torque = total.torque + (pose.x * f_y - pose.y * f_x)
+    support = support_of_side(side_length(system, state), f_y, torque)
+    press = support.press if ahead > 0.0 else -fabs(support.press)
+    along *= ahead
+    power = f_x * along + f_y * fence_y + load_power(system, pose, state, along, fence_y, 0.0)
+    return Instant(
+        along - fence_x, 0.0, fence_x, fence_y, along, fence_y, 0.0,
+        sqrt(along * along + fence_y * fence_y), f_x, f_y, power, 0.0, 0.0, 0.0, 0.0, NO_POINT, 1.0,
+        support.offset, press,
+    )  # fmt: skip
+
+
+def _mark_unknown(rest: Instant, along: float) -> Instant:
+    """A slider at rest, or a motion that is not found, if its component along the fence is NaN."""
+    return Instant(
+        rest.slip + along, rest.rise, rest.fence_x, rest.fence_y, along, rest.v_y,
+        0.0 if along == along else UNKNOWN, rest.speed, rest.f_x, rest.f_y, rest.dissipated,
+        0.0, 0.0, 0.0, 0.0, NO_POINT, 1.0, 0.0, UNKNOWN,
     )  # fmt: skip
 
 
@@ -220,9 +265,8 @@ def _write_guards(
     is_open: bool = mode.contact == SEPARATE or (rests and not rests_on_pusher)
     if rests_on_pusher:
         guards[PUSH_STARTS] = PUSHES - instant.fence_y / system.run[RUN_SPEED]
-    elif is_open:
-        height = clearance_of(system, state)
-        guards[TOUCHES] = height if height < INFINITY else UNKNOWN
+    elif is_open and system.run[RUN_PARTED] == 0.0:
+        guards[TOUCHES] = state[GAP]
     if not rests:
         guards[CENTER_DOWN] = center_height(system, state)
     is_open = is_open or state[GAP] > SLACK
@@ -247,6 +291,8 @@ def _guard_moving_contact(
         return
     if mode.contact == STICK:
         guards[LEAVES_CONE] = cone_margin(system, instant.f_x, instant.f_y, NO_FORCE * force)
+    if is_flush(system):
+        guards[FORCE_ENDS] = _margin_of_side(system, instant)
     elif side != 0.0:
         e_x, e_y = edge_of_slip(system, mode.contact)
         push = instant.f_x * e_x + instant.f_y * e_y
@@ -278,6 +324,7 @@ def _guard_quasi_static_contact(
         margin = cone_margin(system, instant.f_x, instant.f_y, 0.0)
         # The force of a pivot can be any in an interval, so the trend of the margin decides.
         guards[LEAVES_CONE] = -1.0 if rests else 0.0 if instant.pivot >= 0 else margin
+        guards[FORCE_ENDS] = _margin_of_side(system, instant)
     elif slips:
         _guard_slip(system, mode, instant, speed, guards)
     if mode.contact == STICK or slips:
@@ -299,7 +346,9 @@ def _guard_slip(
         guards[SLIP_ENDS] = slip_side(mode.contact) * instant.slip / (speed + fabs(instant.slip))
         # A slipping contact transmits no motion from a fence that only moves along its own line.
         if instant.fence_y != 0.0 or not mode.during.constant:
-            if depends_on_speed(system):
+            if is_flush(system):
+                guards[FORCE_ENDS] = _margin_of_side(system, instant)
+            elif depends_on_speed(system):
                 # The force jumps where the contact comes to rest, so the margin vanishes with its motion.
                 x, y = instant.fence_x + instant.slip, instant.fence_y
                 motion = sqrt(x * x + y * y)
@@ -308,6 +357,15 @@ def _guard_slip(
             else:
                 lift = instant.lift / (1.0 + system.scene[IN_LENGTH])
                 guards[FORCE_ENDS] = lift * instant.fence_y / speed
+
+
+def _margin_of_side(system: System, instant: Instant) -> float:
+    """Margin of the forces at the ends of a side, NaN at a point and where the contact can pull."""
+    if system.scene[IN_ROUGH] != 0.0 or not is_flush(system):
+        return UNKNOWN
+    if instant.press != instant.press:
+        return 0.0  # at rest
+    return instant.press / (fabs(instant.f_x) + fabs(instant.f_y) + system.run[RUN_FORCE])
 
 
 def _kink_of(system: System, instant: Instant, slips: bool) -> float:

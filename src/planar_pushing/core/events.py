@@ -10,7 +10,7 @@ from __future__ import annotations
 from math import sqrt
 
 from planar_pushing.core.candidates import note_slip
-from planar_pushing.core.changes import change_state, enter_span
+from planar_pushing.core.changes import change_state, enter_span, settle
 from planar_pushing.core.choice import choose_mode, count_modes, current_mode, current_policy
 from planar_pushing.core.equations import motion_in_mode, write_guards, write_rates
 from planar_pushing.core.explicit import (
@@ -43,10 +43,12 @@ from planar_pushing.core.run import (
     RUN_LAST_SIZE,
     RUN_MODE,
     RUN_NEXT,
+    RUN_OTHER_END,
     RUN_PARTED,
     RUN_PHASE,
     RUN_PIECE,
     RUN_PLANNED,
+    RUN_POINT,
     RUN_PREPARED,
     RUN_ROWS,
     RUN_SIDE,
@@ -58,6 +60,7 @@ from planar_pushing.core.run import (
 )
 from planar_pushing.core.shapes import (
     confine_finger,
+    has_finger,
     has_outline,
     longest_step,
     put_initial_state,
@@ -97,6 +100,8 @@ from planar_pushing.core.system import (
     system_of,
     vector_of,
 )
+from planar_pushing.core.tolerances import RATTLES, SLACK
+from planar_pushing.core.touch import count_points, name_contact
 
 #: What a run does next: begin, enter a span of the pusher's motion, take a step, log the times within the
 #: step, choose a mode, log the current instant; or it has ended.
@@ -155,6 +160,7 @@ def _begin(system: System) -> None:
     prepare_system(system)
     scale_state(system)
     put_initial_state(system, vector_of(system, STATE))
+    name_contact(system, vector_of(system, STATE))
     run = system.run
     run[RUN_PHASE], run[RUN_CHOSEN], run[RUN_MODE] = float(ENTERS), -1.0, float(NO_MODE)
     run[RUN_CAUSE] = float(NOTHING)
@@ -233,13 +239,32 @@ def _change_mode(system: System) -> None:
         _begin_mode(system, excluded)
 
 
+def _settle_and_choose(
+    system: System, slack: float, excluded: int, point: int, other_end: int
+) -> int:
+    """Settle a side on the fence, and choose a mode; return `GOES_ON` or why there is none."""
+    run, state = system.run, vector_of(system, STATE)
+    during = span_at(system.fence, int(run[RUN_PIECE]))
+    reason = settle(
+        system, during, run[RUN_TIME], state, slack, int(run[RUN_MODE]), current_policy(system)
+    )
+    if reason == GOES_ON and not choose_mode(system, excluded, point, other_end):
+        return INCONSISTENT
+    return reason
+
+
 def _begin_mode(system: System, excluded: int) -> None:
     """Choose a mode and begin it, or stop if none is consistent."""
     run = system.run
     run[RUN_PHASE] = float(LOGS)
+    point, other_end = int(run[RUN_POINT]), int(run[RUN_OTHER_END])
     confine_finger(system, vector_of(system, STATE))
-    if not choose_mode(system, excluded):
-        run[RUN_STOPPED] = float(INCONSISTENT)
+    reason = _settle_and_choose(system, SLACK, excluded, point, other_end)
+    if reason == INCONSISTENT and count_points(system) > 0:
+        # The ends of a side can meet the fence in turn, faster and faster, until it lies there.
+        reason = _settle_and_choose(system, RATTLES, NO_MODE, point, other_end)
+    if reason != GOES_ON:
+        run[RUN_STOPPED] = float(reason)
         return
     run[RUN_BEFORE], run[RUN_FRESH] = run[RUN_TIME], 1.0
     # The motion is not smooth after a kink.
@@ -349,7 +374,7 @@ def _go_to_event(system: System) -> None:
         run[RUN_TIME] = time
     if cause == CENTER_DOWN:
         reason = LAID_DOWN
-    elif cause == PENETRATES:
+    elif cause == PENETRATES and has_finger(system):
         reason = MET_OUTLINE
     run[RUN_PHASE] = float(CHANGES)
     if reason != GOES_ON:

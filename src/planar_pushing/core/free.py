@@ -76,6 +76,29 @@ def free_twist(effects: Effects, more: Vector) -> Vector:
     return _descend(effects, loads, level.twist, False) if level.value < 0.0 else rest
 
 
+def friction_share(effects: Effects, more: Vector) -> Level:
+    """The twist whose friction is proportional to all loads, and their ratio to the largest that it holds.
+
+    Parameters
+    ----------
+    effects : Effects
+        Among them friction and a mass, which only guides the search.
+    more : Vector
+        Wrench about the origin that acts on the slider besides the effects.
+    """
+    listed = load_wrench(effects)
+    total = Vector(listed.x + more.x, listed.y + more.y, listed.spin + more.spin)
+    if _size_of(total) < SLIGHTEST_LOAD:
+        return Level(Vector(0.0, 0.0, 0.0), 0.0)
+    loads, fall = Loads(total, more), _frictionless_twist(effects, total)
+    start = _lowest_start(effects, loads, fall, True).twist
+    twist = _descend(effects, loads, start, True)
+    friction = _net_resistance(effects, loads, twist, 0.0)
+    wrench = Vector(friction.f_x + total.x, friction.f_y + total.y, friction.torque + total.spin)
+    held = _power(wrench, twist)
+    return Level(twist, _power(total, twist) / held if held > 0.0 else INFINITY)
+
+
 def _frictionless_twist(effects: Effects, load: Vector) -> Vector:
     """The twist that loads would cause without friction."""
     mass = rough_mass(effects, INFINITY, 0.0, 0.0)

@@ -11,7 +11,9 @@ from math import atan2, fabs, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.fence import Span
+from planar_pushing.core.instant import support_of_side
 from planar_pushing.core.numbers import Numbers
+from planar_pushing.core.rows import NO_POINT
 from planar_pushing.core.run import (
     IN_CLOSED,
     IN_LEFT,
@@ -41,6 +43,7 @@ from planar_pushing.core.system import (
     slip_side,
 )
 from planar_pushing.core.tolerances import SLACK
+from planar_pushing.core.touch import hold_contact, offset_of, side_on_fence
 
 
 class Answer(NamedTuple):
@@ -136,29 +139,157 @@ def answer_of(system: System, pose: Pose, contact: int, x: float, y: float) -> A
     return Answer(size * e_x, size * e_y, x + size * along, 0.0)
 
 
+def answer_of_side(system: System, contact: int, x: float, y: float) -> Answer:
+    """The force on a side that lies on the fence, from the acceleration of the center of mass without it.
+
+    The acceleration is relative to the fence. As in `answer_of`, also the impulse. The side does not rotate
+    with it.
+    """
+    mass = system.scene[IN_MASS]
+    if contact == STICK:
+        return Answer(-mass * x, -mass * y, 0.0, 0.0)
+    if slip_side(contact) == 0.0:
+        return Answer(0.0, 0.0, x, y)
+    e_x, e_y = edge_of_slip(system, contact)
+    size = -mass * y / e_y if e_y > SLACK else -system.run[RUN_FORCE]
+    return Answer(size * e_x, size * e_y, x + size * e_x / mass, 0.0)
+
+
 def collide(
     system: System, during: Span, time: float, state: Numbers, current: int, policy: int
 ) -> int:
     """Change the twist by the impulse that the policy prefers; return why there is none, or `GOES_ON`."""
-    x, y, speed = state[OVER], state[RISE], system.run[RUN_SPEED]
-    if max(fabs(x), fabs(y)) <= SLACK * speed:
+    left, right = side_on_fence(system, state)
+    if left >= 0:
+        return _collide_side(system, during, time, state, left, right, current, policy)
+    if max(fabs(state[OVER]), fabs(state[RISE])) <= SLACK * system.run[RUN_SPEED]:
         state[OVER], state[RISE] = 0.0, 0.0
         return GOES_ON
-    pose, chosen = pose_of(system, state), NO_MODE
-    for contact in range(SEPARATE, SLIP_LEFT + 1):
-        preferred: bool = is_preferred(policy, current, contact, chosen)
-        if preferred and _is_consistent(system, pose, contact, x, y):
-            chosen = contact
+    chosen = _mode_at_point(system, state, 0.0, SEPARATE, current, policy, NO_MODE)
     if chosen == NO_MODE:
         return NO_IMPULSE
-    impulse = answer_of(system, pose, chosen, x, y)
+    _strike_point(system, during, time, state, chosen)
+    return GOES_ON
+
+
+def _mode_at_point(
+    system: System, state: Numbers, length: float, first: int, current: int, policy: int, other: int
+) -> int:
+    """The preferred mode of an impact at the contact, from a first one on, or the other if it is as good.
+
+    With a side of a signed length, its other end may not approach after the impact.
+    """
+    x, y, pose, chosen = state[OVER], state[RISE], pose_of(system, state), other
+    for contact in range(first, SLIP_LEFT + 1):
+        preferred: bool = is_preferred(policy, current, contact, chosen)
+        if preferred and _is_consistent(system, pose, contact, x, y):
+            impulse = answer_of(system, pose, contact, x, y)
+            turn = moment_of(pose, impulse.f_x, impulse.f_y) / system.run[RUN_MOMENT]
+            leaves = impulse.y + (state[SPIN] + turn) * length
+            if length == 0.0 or leaves >= -SLACK * system.run[RUN_SPEED]:
+                chosen = contact
+    return chosen
+
+
+def _strike_point(system: System, during: Span, time: float, state: Numbers, contact: int) -> None:
+    """Change the twist by the impulse of a mode at the contact."""
+    x, y, pose = state[OVER], state[RISE], pose_of(system, state)
+    impulse = answer_of(system, pose, contact, x, y)
     p_x, p_y = impulse.f_x, impulse.f_y
     state[OVER], state[RISE] = impulse.x, impulse.y
     state[SPIN] += moment_of(pose, p_x, p_y) / system.run[RUN_MOMENT]
     fence_x, fence_y = pusher_velocity(system, during, time, state)
     state[WORK] += p_x * fence_x + p_y * fence_y
     state[LOST] -= p_x * (x + impulse.x) / 2.0 + p_y * (y + impulse.y) / 2.0
+
+
+def _collide_side(
+    system: System, during: Span, time: float, state: Numbers, left: int, right: int,
+    current: int, policy: int,
+) -> int:  # fmt: skip
+    """`collide` at both ends of a side, or at one of them if the other one would be pulled.
+
+    Of equal modes, both ends come first, then the end that arrives faster.
+    """
+    hold_contact(system, state, left, NO_POINT)
+    length, slack = offset_of(system, state, right).x, SLACK * system.run[RUN_SPEED]
+    x, first, last = state[OVER], state[RISE], state[RISE] + state[SPIN] * length
+    if max(max(fabs(x), fabs(first)), fabs(last)) <= slack:
+        state[OVER], state[RISE], state[SPIN] = 0.0, 0.0, 0.0
+        return GOES_ON
+    chosen = SEPARATE if min(first, last) >= -slack else NO_MODE
+    chosen = _mode_on_side(system, state, length, current, policy, chosen)
+    struck = NO_POINT
+    for i in range(2):
+        at_left: bool = (first <= last) == (i == 0)
+        end, reach = left if at_left else right, length if at_left else -length
+        hold_contact(system, state, end, NO_POINT)
+        contact = _mode_at_point(system, state, reach, STICK, current, policy, chosen)
+        if contact != chosen:
+            chosen, struck = contact, end
+    if chosen == NO_MODE:
+        return NO_IMPULSE
+    hold_contact(system, state, left if struck < 0 else struck, NO_POINT)
+    if struck >= 0:
+        _strike_point(system, during, time, state, chosen)
+    elif chosen != SEPARATE:
+        _strike_side(system, during, time, state, length, chosen)
     return GOES_ON
+
+
+def _motion_of_mass(state: Numbers, pose: Pose) -> tuple[float, float]:
+    """Velocity of the center of mass relative to the pusher."""
+    return state[OVER] - state[SPIN] * pose.arm_y, state[RISE] + state[SPIN] * pose.arm_x
+
+
+def _mode_on_side(
+    system: System, state: Numbers, length: float, current: int, policy: int, other: int
+) -> int:
+    """The preferred mode of an impact at both ends of a side; the other mode if it is as good."""
+    pose, spin, chosen = pose_of(system, state), state[SPIN], other
+    x, y = _motion_of_mass(state, pose)
+    for contact in range(STICK, SLIP_LEFT + 1):
+        preferred: bool = is_preferred(policy, current, contact, chosen)
+        if preferred and _fits_side(system, pose, contact, x, y, spin, length):
+            chosen = contact
+    return chosen
+
+
+def _strike_side(
+    system: System, during: Span, time: float, state: Numbers, length: float, contact: int
+) -> None:
+    """Stop the rotation and the normal motion of a side by the impulse of a mode at both of its ends."""
+    pose, spin, x, first = pose_of(system, state), state[SPIN], state[OVER], state[RISE]
+    v_x, v_y = _motion_of_mass(state, pose)
+    impulse = answer_of_side(system, contact, v_x, v_y)
+    p_x, p_y = impulse.f_x, impulse.f_y
+    at_last = _torque_on_side(system, pose, p_x, p_y, spin) / length
+    state[OVER], state[RISE], state[SPIN] = impulse.x, 0.0, 0.0
+    fence_x, fence_y = pusher_velocity(system, during, time, state)
+    state[WORK] += p_x * fence_x + p_y * fence_y
+    lost = p_x * (x + impulse.x) + p_y * first + at_last * spin * length
+    state[LOST] -= lost / 2.0
+
+
+def _torque_on_side(system: System, pose: Pose, p_x: float, p_y: float, spin: float) -> float:
+    """Torque about the contact of an impulse on a side that stops the rotation."""
+    return -(system.run[RUN_MOMENT] * spin + moment_of(pose, p_x, p_y))
+
+
+def _fits_side(
+    system: System, pose: Pose, contact: int, x: float, y: float, spin: float, length: float
+) -> bool:
+    """Whether the impulse at both ends of a side lies in the cone and pushes at each of them."""
+    impulse = answer_of_side(system, contact, x, y)
+    torque = _torque_on_side(system, pose, impulse.f_x, impulse.f_y, spin)
+    press = support_of_side(length, impulse.f_y, torque).press
+    size = fabs(impulse.f_x) + fabs(impulse.f_y)
+    if press < -SLACK * size and system.scene[IN_ROUGH] == 0.0:
+        return False
+    if contact == STICK:
+        return _admits_impulse(system, impulse.f_x, impulse.f_y)
+    slips: bool = slip_side(contact) * impulse.x > SLACK * system.run[RUN_SPEED]
+    return system.scene[IN_SLIPS] != 0.0 and impulse.f_y > 0.0 and slips
 
 
 def _is_consistent(system: System, pose: Pose, contact: int, x: float, y: float) -> bool:

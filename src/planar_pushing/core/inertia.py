@@ -12,9 +12,9 @@ from math import copysign, fabs, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.drag import Foot, drag, friction_effects, load_at, slowest_foot
-from planar_pushing.core.impact import answer_of, edge_of_slip, moment_of
-from planar_pushing.core.instant import Instant, instant_at_rest
-from planar_pushing.core.numbers import Numbers
+from planar_pushing.core.impact import answer_of, answer_of_side, edge_of_slip, moment_of
+from planar_pushing.core.instant import Instant, Support, instant_at_rest, support_of_side
+from planar_pushing.core.numbers import UNKNOWN, Numbers
 from planar_pushing.core.rows import NO_POINT, foot_position
 from planar_pushing.core.run import (
     IN_MASS,
@@ -41,6 +41,7 @@ from planar_pushing.core.shapes import (
 from planar_pushing.core.solution import SEPARATE, STICK
 from planar_pushing.core.system import ANGLE, OVER, REST, RISE, SPIN, STATE, Mode, System, vector_of
 from planar_pushing.core.tolerances import HAS_LEFT, NO_DIRECTION
+from planar_pushing.core.touch import is_flush, side_length
 
 
 class Hinge(NamedTuple):
@@ -175,7 +176,7 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
     fence_x, fence_y = pusher_velocity(system, mode.during, time, state)
     b_x, b_y = pusher_acceleration(system, mode.during, time, state)
     if mode.contact == REST:
-        return instant_at_rest(fence_x, fence_y, b_x, b_y, mode.x, mode.y)
+        return instant_at_rest(fence_x, fence_y, b_x, b_y, mode.x, mode.y, mode.offset)
     mass, moment = system.scene[IN_MASS], system.run[RUN_MOMENT]
     pose, spin = pose_of(system, state), state[SPIN]
     system.run[RUN_EVALUATIONS] += 1.0
@@ -183,7 +184,9 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
     v_x, v_y = center_motion(pose, fence_x + slip, fence_y + rise, spin)
     number = mode.foot
     sticks: bool = mode.contact == STICK
-    if sticks:
+    if is_flush(system):
+        number = NO_POINT
+    elif sticks:
         foot = slowest_foot_at(system, pose, v_x, v_y, spin)
         number = foot.number if foot.speed < HAS_LEFT else NO_POINT
     t_x, t_y = v_x, v_y
@@ -208,6 +211,7 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
     d_x, d_y = to_contact(pose.rod, d_x, d_y)
     a_x, a_y, turn, hold = d_x / mass, d_y / mass, torque / moment, 1.0
     f_x, f_y, lift, rate_x, rate_y, hinged_turn = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    support = Support(0.0, UNKNOWN)
     q_x, q_y = foot_x + pose.x - pose.arm_x, foot_y + pose.y - pose.arm_y
     if turns and sticks:
         w_x, w_y = v_x - t_x, v_y - t_y
@@ -237,6 +241,13 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
             dissipated -= p_x * (v_x - t_x) + p_y * (v_y - t_y)
     if mode.hinged:
         turn = hinged_turn
+    elif is_flush(system):
+        length = side_length(system, state)
+        lift = min(a_y - turn * pose.arm_x, a_y + turn * (length - pose.arm_x)) - b_y
+        answer = answer_of_side(system, mode.contact, a_x - b_x, a_y - b_y)
+        f_x, f_y, rate_x = answer.f_x, answer.f_y, answer.x
+        torque = -(moment * turn + moment_of(pose, f_x, f_y))
+        support, turn = support_of_side(length, f_y, torque), 0.0
     else:
         free_x, free_y = _acceleration_of_contact(pose, a_x, a_y, turn, spin)
         free_x, lift = rates_of_contact(system, spin, slip, rise, free_x - b_x, free_y - b_y)
@@ -246,7 +257,7 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
     return Instant(
         slip, rise, fence_x, fence_y, v_x, v_y, spin, sqrt(v_x * v_x + v_y * v_y),
         f_x, f_y, dissipated, rate_x, rate_y, turn, lift,
-        mode.foot if mode.hinged else NO_POINT, hold,
+        mode.foot if mode.hinged else NO_POINT, hold, support.offset, support.press,
     )  # fmt: skip
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from planar_pushing.core.drag import load_at
-from planar_pushing.core.numbers import Numbers
+from planar_pushing.core.numbers import UNKNOWN, Numbers
 from planar_pushing.core.rows import NO_POINT
 from planar_pushing.core.shapes import Pose, to_body
 from planar_pushing.core.system import ANGLE, System
@@ -35,6 +35,10 @@ class Instant(NamedTuple):
         Number of the support point about which the slider pivots, -1 without one.
     hold : float
         Margin of the friction force that holds a hinge, 1 without a hinge.
+    offset : float
+        Place of the force along the pusher, from the contact.
+    press : float
+        Smaller of the normal forces at both ends of a side on the fence, NaN at a point of contact.
     """
 
     slip: float
@@ -54,12 +58,24 @@ class Instant(NamedTuple):
     lift: float
     pivot: int
     hold: float
+    offset: float
+    press: float
 
 
-def instant_at_rest(x: float, y: float, a_x: float, a_y: float, f_x: float, f_y: float) -> Instant:
+class Support(NamedTuple):
+    """Where a force on a side acts, from its first end, and the smaller normal force at its ends."""
+
+    offset: float
+    press: float
+
+
+def instant_at_rest(
+    x: float, y: float, a_x: float, a_y: float, f_x: float, f_y: float, offset: float
+) -> Instant:
     """A slider at rest, relative to a pusher with a velocity and an acceleration."""
     return Instant(
-        -x, -y, x, y, 0.0, 0.0, 0.0, 0.0, f_x, f_y, 0.0, -a_x, -a_y, 0.0, 0.0, NO_POINT, 1.0
+        -x, -y, x, y, 0.0, 0.0, 0.0, 0.0, f_x, f_y, 0.0, -a_x, -a_y, 0.0, 0.0, NO_POINT, 1.0,
+        offset, UNKNOWN,
     )  # fmt: skip
 
 
@@ -70,3 +86,9 @@ def load_power(
     x, y = to_body(pose.rod, v_x, v_y)
     load = load_at(system, state[ANGLE])
     return load.x * x + load.y * y + load.spin * spin
+
+
+def support_of_side(length: float, normal: float, torque: float) -> Support:
+    """Place of a force on a side, from its normal component and its torque about the side's first end."""
+    last = torque / length
+    return Support(torque / normal if normal != 0.0 else 0.0, min(normal - last, last))

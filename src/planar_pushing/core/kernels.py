@@ -108,11 +108,11 @@ def solve(
                 status = CONTINUA
             elif solution[PIVOT] >= 0.0 and status == CONSISTENT:
                 status = PIVOTS
-            _write_result(rod, solution, room, j, result[2:])
+            write_result(rod, solution, room, j, result[2:])
         result[0], result[1] = float(number), float(status)
 
 
-def _write_result(rod: Rod, solution: Numbers, room: int, j: int, result: Numbers) -> None:
+def write_result(rod: Rod, solution: Numbers, room: int, j: int, result: Numbers) -> None:
     """Write the j-th solution, its spin ratio, and its motion center."""
     v_x, v_y, spin = solution[TWIST], solution[TWIST + 1], solution[TWIST + 2]
     center = motion_center(v_x, v_y, spin)

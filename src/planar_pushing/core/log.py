@@ -6,6 +6,7 @@ from planar_pushing.core.directions import spin_ratio
 from planar_pushing.core.drag import load_work
 from planar_pushing.core.instant import Instant
 from planar_pushing.core.numbers import Numbers
+from planar_pushing.core.rows import NO_POINT
 from planar_pushing.core.run import (
     IN_RESISTING,
     IN_TIMES,
@@ -14,6 +15,7 @@ from planar_pushing.core.run import (
     LOG_CONTACT_POSITION,
     LOG_DISSIPATED,
     LOG_EVALUATIONS,
+    LOG_FLUSH,
     LOG_FORCE,
     LOG_GAP,
     LOG_KINETIC,
@@ -36,7 +38,14 @@ from planar_pushing.core.run import (
     RUN_SLOT,
     RUN_STOPPED,
 )
-from planar_pushing.core.shapes import center_position, kinetic_energy_of, pose_of, to_world
+from planar_pushing.core.shapes import (
+    center_position,
+    has_finger,
+    kinetic_energy_of,
+    pose_of,
+    to_world,
+)
+from planar_pushing.core.solution import SEPARATE
 from planar_pushing.core.system import (
     ALONG,
     ANGLE,
@@ -51,6 +60,8 @@ from planar_pushing.core.system import (
     logs_events,
     memory_of,
 )
+from planar_pushing.core.tolerances import SLACK
+from planar_pushing.core.touch import height_above_pusher, is_flush, side_on_fence
 
 
 def row_width(resisting: int) -> int:
@@ -110,6 +121,8 @@ def write_state(
     """Store state, position, twist and energies in a row that already contains the pusher."""
     pose, angle, run = pose_of(system, state), state[ANGLE], system.run
     row[LOG_ANGLE], row[LOG_SLIP], row[LOG_GAP] = angle, state[SLIPPED], state[GAP]
+    if state[GAP] > SLACK:
+        row[LOG_GAP] = height_above_pusher(system, state)
     row[LOG_WORK], row[LOG_CONTACT_DISSIPATED] = state[WORK], state[LOST]
     row[LOG_EVALUATIONS] = run[RUN_EVALUATIONS]
     copy_numbers(row[LOG_DISSIPATED:], energies_of(system, state), int(system.scene[IN_RESISTING]))
@@ -121,6 +134,17 @@ def write_state(
     row[LOG_RATIO] = spin_ratio(v_x, v_y, spin)
     row[LOG_KINETIC] = kinetic_energy_of(system, pose, v_x, v_y, spin)
     row[LOG_CONTACT_POSITION], row[LOG_PARTED] = 0.0 - state[ALONG], run[RUN_PARTED]
+
+
+def write_place_of_force(system: System, state: Numbers, offset: float, row: Numbers) -> None:
+    """Store where the force acts along a fence, or the contact is, and whether a side lies on the fence."""
+    if not has_finger(system):
+        row[LOG_CONTACT_POSITION] = state[ALONG] + offset
+        left = NO_POINT
+        if row[LOG_MODE] == float(SEPARATE) and state[GAP] <= SLACK:
+            left, _ = side_on_fence(system, state)
+        lies: bool = left >= 0 or (is_flush(system) and state[GAP] <= SLACK)
+        row[LOG_FLUSH] = 1.0 if lies else 0.0
 
 
 def write_instant(
@@ -135,3 +159,4 @@ def write_instant(
     row[LOG_PIVOT] = float(instant.pivot)
     f_x, f_y = to_world(system, state[ANGLE], instant.f_x, instant.f_y)
     row[LOG_FORCE], row[LOG_FORCE + 1] = f_x, f_y
+    write_place_of_force(system, state, instant.offset, row)

@@ -89,14 +89,6 @@ def _overlap(
     return Stretch(low, high)
 
 
-def height_above_line(corners: Numbers, count: int, n_x: float, n_y: float) -> float:
-    """The smallest component of the corners along a unit vector."""
-    lowest = INFINITY
-    for k in range(count):
-        lowest = min(lowest, n_x * corners[2 * k] + n_y * corners[2 * k + 1])
-    return lowest
-
-
 def outline_distances(
     data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
 ) -> None:

@@ -27,9 +27,11 @@ IN_FRICTIONS, IN_RESISTING = range(27, 29)
 #: Relative tolerance; number of pieces of the pusher's motion, and of coefficients in each of their series;
 #: number of times to log; whether each event is logged as well, or only the times.
 IN_TOLERANCE, IN_PIECES, IN_COEFFICIENTS, IN_TIMES, IN_EVENTS = range(29, 34)
+#: Whether the side between its ends lies on the fence.
+IN_FLUSH = 34
 #: Number of inputs of a scene. The times follow. For steps they are three rows: the ends of the intervals
 #: that are divided into equal steps, the numbers of steps, and the pieces in which the intervals begin.
-INPUTS = 34
+INPUTS = 35
 
 #: A piece of the pusher's motion: its time interval and the degree of its polynomials; the pieces of its
 #: span of smooth velocity, from the first to before the last; its policy; the rounding error of each
@@ -44,12 +46,13 @@ SERIES_OF_PIECE = 6
 RUN_ENDED, RUN_ROWS, RUN_CHANGES, RUN_EVENTS, RUN_AT_ONCE, RUN_MODE = range(6)
 
 #: A row of the log. Position is that of the slider's center, the angle is that of the rod in radians, and
-#: the displacement is that of the pusher. The last entries are the energies dissipated by each effect.
+#: the displacement is that of the pusher. The position of the contact is where its force acts along the
+#: pusher. The last entries are the energies dissipated by each effect.
 LOG_TIME, LOG_POSITION, LOG_ANGLE, LOG_TWIST, LOG_PUSHER = 0, 1, 3, 4, 7
 LOG_SLIP, LOG_GAP, LOG_FORCE, LOG_MODE, LOG_SOLUTIONS = 9, 10, 11, 13, 14
 LOG_PIVOT, LOG_EVENT, LOG_RATIO, LOG_CONTACT_DISSIPATED, LOG_WORK = range(15, 20)
 LOG_LOAD_WORK, LOG_KINETIC, LOG_EVALUATIONS, LOG_STOPPED = range(20, 24)
-LOG_CONTACT_POSITION, LOG_PARTED, LOG_DISSIPATED = range(24, 27)
+LOG_CONTACT_POSITION, LOG_PARTED, LOG_FLUSH, LOG_DISSIPATED = range(24, 28)
 
 #: The rest of the memory. Times: that of the state, the end of the current step, an event in it, the choice
 #: of the mode, a kink of the motion, and the last check for progress.
@@ -80,6 +83,11 @@ RUN_PUSHER, RUN_PATH, RUN_TWIST, RUN_PUSH = 51, 53, 55, 58
 RUN_PIVOT, RUN_LOAD_WORK, RUN_CONTACT_LOST, RUN_NEW_TWIST = range(60, 64)
 #: If only the times are logged: the row of the log for the next one.
 RUN_SLOT = 66
+#: The contact: its position in the body frame, its number among the points that can touch a fence, and that
+#: of the other end of a side on the fence, -1 without one; the height of the lowest other point at the
+#: start of the mode, if it is below the fence within the tolerance. For steps: place of the force from the
+#: contact.
+RUN_CONTACT, RUN_POINT, RUN_OTHER_END, RUN_FLOOR, RUN_OFFSET = 67, 69, 70, 71, 72
 #: Number of these numbers. Work arrays follow: the effects' numbers for the problem at hand, candidate
 #: modes, vectors of the state, and guards.
-MEMORY = 67
+MEMORY = 73

@@ -1,8 +1,8 @@
 """Where the slider and the pusher are: a fence touches a point of the slider, and a finger a flat side.
 
 Quantities are in the contact frame, with +y along the normal at the contact. At an instant, a fence and a
-finger then pose the same problem. A fence is a line that stays parallel to x and touches the rod's free
-end; its contact frame is that of the world.
+finger then pose the same problem. A fence is a line that stays parallel to x; its contact is the rod's free
+end, or another point of the slider (`touch`), and its contact frame is that of the world.
 
 A finger is a disc that does not rotate, or a point. The contact frame is fixed to the side and rotates with
 the slider, so that the direction of body x is constant in it. The contact, which is the finger's point
@@ -24,7 +24,7 @@ from planar_pushing.core.about import Contact, contact_at
 from planar_pushing.core.directions import Rod
 from planar_pushing.core.fence import Span, fence_acceleration, fence_velocity
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers
-from planar_pushing.core.outline import distance_to_outline, free_stretch, height_above_line
+from planar_pushing.core.outline import distance_to_outline, free_stretch
 from planar_pushing.core.run import (
     IN_ANGLE,
     IN_CORNERS,
@@ -40,6 +40,8 @@ from planar_pushing.core.run import (
     IN_SIDE_END,
     IN_SIDE_START,
     IN_TWIST,
+    RUN_CONTACT,
+    RUN_FLOOR,
     RUN_HIGH,
     RUN_LOW,
     RUN_MOMENT,
@@ -59,6 +61,13 @@ from planar_pushing.core.system import (
     Mode,
     System,
     is_massive,
+)
+from planar_pushing.core.tolerances import SLACK
+from planar_pushing.core.touch import (
+    count_points,
+    height_above_pusher,
+    is_flush,
+    lowest_point,
 )
 
 #: Distance, in tolerances of the outline, that a free finger may move in a step beyond that to the outline;
@@ -107,16 +116,14 @@ def pose_of(system: System, state: Numbers) -> Pose:
 
 def pose_with_rod(system: System, rod: Rod, state: Numbers) -> Pose:
     """Pose of the slider in a state, for a known direction of body x."""
-    scene, length = system.scene, system.scene[IN_LENGTH]
-    contact = contact_at(-length, 0.0)
+    scene, run = system.scene, system.run
+    contact = contact_at(run[RUN_CONTACT], run[RUN_CONTACT + 1])
     if has_finger(system):
+        length = scene[IN_LENGTH]
         # The contact is at (-along, -gap) from the end of the rod.
         r_x, r_y, along, gap = (
-            system.run[RUN_ROD],
-            system.run[RUN_ROD + 1],
-            state[ALONG],
-            state[GAP],
-        )
+            run[RUN_ROD], run[RUN_ROD + 1], state[ALONG], state[GAP],
+        )  # fmt: skip
         contact = contact_at(-length - (along * r_x + gap * r_y), along * r_y - gap * r_x)
     x, y = to_contact(rod, -contact.x, -contact.y)
     arm_x, arm_y = to_contact(rod, scene[IN_MASS_X] - contact.x, scene[IN_MASS_Y] - contact.y)
@@ -255,15 +262,20 @@ def is_steady_pusher(system: System, during: Span) -> bool:
 
 
 def clearance_of(system: System, state: Numbers) -> float:
-    """Height of the contact above the pusher, infinite if the contact has ended permanently."""
-    return INFINITY if system.run[RUN_PARTED] != 0.0 else state[GAP]
+    """Height of the slider above the pusher, infinite if the contact has ended permanently."""
+    return INFINITY if system.run[RUN_PARTED] != 0.0 else height_above_pusher(system, state)
 
 
 def center_height(system: System, state: Numbers) -> float:
-    """Height of the slider's center above a fence, relative to the rod; NaN if it is not limited."""
+    """Height of the slider's center above a fence, relative to the rod; NaN if it is not limited.
+
+    It is the limit of the model if only the rod's end, or one side, is known.
+    """
     length = system.scene[IN_LENGTH]
-    if has_finger(system) or not length > 0.0:
+    if has_finger(system) or has_outline(system) or not length > 0.0:
         return UNKNOWN
+    if count_points(system) > 0:
+        return (state[GAP] + pose_of(system, state).y) / length
     return state[GAP] / length + sin(state[ANGLE])
 
 
@@ -294,20 +306,25 @@ def confine_finger(system: System, state: Numbers) -> None:
 
 
 def outline_height(system: System, state: Numbers, touching: bool) -> float:
-    """Distance of the outline from the pusher in units of its tolerance; NaN without an outline.
+    """Distance of the outline from the pusher, NaN without an outline.
 
-    It is positive until another point than the contact is as deep as the tolerance. For a finger in
-    contact, it is the distance along the side to such a meeting.
+    For a finger, it is in units of the outline's tolerance, and positive until another point than the
+    contact is as deep as the tolerance; in contact, it is the distance along the side to such a meeting.
+    For a fence, it is the height of the lowest point besides the contact. If both touch at once, the
+    contact comes first.
     """
     scene, run = system.scene, system.run
+    if not has_finger(system):
+        if is_flush(system) or count_points(system) == 0:
+            return UNKNOWN
+        height = lowest_point(system, state, True).height - run[RUN_FLOOR]
+        if not touching and height > state[GAP] - SLACK:
+            height += SLACK
+        return height if height < INFINITY else UNKNOWN
     if not has_outline(system):
         return UNKNOWN
     fine, length, gap, count = scene[IN_FINE], scene[IN_LENGTH], state[GAP], int(scene[IN_CORNERS])
     corners = system.data[int(scene[IN_CORNERS_PLACE]) :]
-    if not has_finger(system):
-        s = sin(state[ANGLE])
-        height = height_above_line(corners, count, s, cos(state[ANGLE]))
-        return height + fine * (gap + length * s) + 1.0
     along = state[ALONG]
     if touching:
         room = min(run[RUN_HIGH] + along, -along - run[RUN_LOW])

@@ -19,27 +19,20 @@ flight it is the numerical dissipation, which is attributed to the first effect.
 
 from __future__ import annotations
 
-from math import cos, fabs, sin, sqrt
+from math import cos, sin
 
-from planar_pushing.core.candidates import modes_of_push
 from planar_pushing.core.directions import Rod
 from planar_pushing.core.drag import (
     drag,
-    load_at,
     load_work,
-    put_load,
-    put_loads_at,
-    put_mass,
-    scale_films,
     write_powers,
 )
 from planar_pushing.core.fence import fence_path, policy_at, span_at
-from planar_pushing.core.log import has_room_for_rows, log_row_at, write_state
-from planar_pushing.core.numbers import INFINITY, Numbers, zeros
-from planar_pushing.core.rows import NO_POINT, Vector
+from planar_pushing.core.log import has_room_for_rows, log_row_at, write_place_of_force, write_state
+from planar_pushing.core.numbers import Numbers, zeros
+from planar_pushing.core.rows import NO_POINT
 from planar_pushing.core.run import (
     IN_GAP,
-    IN_MASS,
     IN_MASS_X,
     IN_MASS_Y,
     IN_RESISTING,
@@ -55,13 +48,12 @@ from planar_pushing.core.run import (
     LOG_TIME,
     RUN_CONTACT_LOST,
     RUN_ENDED,
-    RUN_EVALUATIONS,
     RUN_INTERVAL,
     RUN_INTERVAL_START,
     RUN_LOAD_WORK,
     RUN_MODE,
-    RUN_MOMENT,
     RUN_NEW_TWIST,
+    RUN_OFFSET,
     RUN_PARTED,
     RUN_PATH,
     RUN_PHASE,
@@ -70,7 +62,6 @@ from planar_pushing.core.run import (
     RUN_PUSHER,
     RUN_ROWS,
     RUN_SOLUTIONS,
-    RUN_SPEED,
     RUN_STEP,
     RUN_STOPPED,
     RUN_TIME,
@@ -81,18 +72,17 @@ from planar_pushing.core.shapes import (
     Pose,
     center_height,
     center_position,
-    clearance_of,
     confine_finger,
     contact_after_flight,
     contact_motion,
     from_world,
+    has_finger,
     has_outline,
     kinetic_energy_of,
     outline_height,
     pose_of,
     put_initial_state,
     room_on_side,
-    size_of_twist,
     to_body,
     to_contact,
     to_world,
@@ -100,14 +90,12 @@ from planar_pushing.core.shapes import (
 )
 from planar_pushing.core.solution import (
     FORCE,
-    MODE,
-    MOST_SOLUTIONS,
     PIVOT,
     SEPARATE,
-    SOLUTION,
     STICK,
     TWIST,
 )
+from planar_pushing.core.step_choice import CHOSEN, choose_twist
 from planar_pushing.core.system import (
     ALONG,
     ANGLE,
@@ -126,15 +114,13 @@ from planar_pushing.core.system import (
     System,
     energies_of,
     is_massive,
-    is_preferred,
     prepare_system,
     system_of,
     vector_of,
 )
 from planar_pushing.core.tolerances import SLACK
+from planar_pushing.core.touch import name_contact
 
-#: After a finger has left the side permanently, the pusher recedes at this multiple of the typical speed.
-RECEDES = 1e3
 #: Maximum number of steps of a call, so that Python can handle an interrupt, and of rows per step.
 STEPS_OF_CALL = 20000
 ROWS_OF_STEP = 2
@@ -168,6 +154,7 @@ def _begin_steps(system: System) -> None:
     run = system.run
     prepare_system(system)
     put_initial_state(system, vector_of(system, STATE))
+    name_contact(system, vector_of(system, STATE))
     run[RUN_PHASE], run[RUN_MODE], run[RUN_PIVOT] = 1.0, float(NO_MODE), float(NO_POINT)
     run[RUN_PUSHER + 1] = -system.scene[IN_GAP]
     for k in range(3):
@@ -176,10 +163,11 @@ def _begin_steps(system: System) -> None:
 
 def _step(system: System) -> None:
     """Take one step, and log the instants at which the mode changes or an interval ends."""
-    run, pose = system.run, pose_of(system, vector_of(system, STATE))
-    if _choose_twist(system, pose):
+    run = system.run
+    if _choose(system):
         _log_step(system)
     if run[RUN_STOPPED] == float(GOES_ON):
+        pose = pose_of(system, vector_of(system, STATE))
         _account(system, pose)
         _move(system, pose)
         _end_contact(system)
@@ -195,7 +183,7 @@ def _interval_number(system: System, row: int) -> float:
     return system.times[row * int(system.scene[IN_TIMES]) + int(system.run[RUN_INTERVAL])]
 
 
-def _choose_twist(system: System, pose: Pose) -> bool:
+def _choose(system: System) -> bool:
     """Choose the twist at the end of the step by the policy, the first if several have the same mode.
 
     Returns whether the mode or the number of possible twists has changed.
@@ -206,80 +194,25 @@ def _choose_twist(system: System, pose: Pose) -> bool:
     piece = int(_interval_number(system, 2))
     x, y = fence_path(system.fence, span_at(system.fence, piece), run[RUN_TIME], run[RUN_UNTIL])
     run[RUN_PATH], run[RUN_PATH + 1] = x, y
-    solutions = zeros(MOST_SOLUTIONS * SOLUTION)
-    count, unit = _solve_step(system, pose, solutions)
+    chosen = zeros(CHOSEN)
     current, before = int(run[RUN_MODE]), int(run[RUN_SOLUTIONS])
-    run[RUN_SOLUTIONS] = float(max(count, 0))
-    if count <= 0:
+    choice = choose_twist(system, current, policy_at(system.fence, piece), chosen)
+    run[RUN_SOLUTIONS] = float(max(choice.number, 0))
+    if choice.number <= 0:
         run[RUN_MODE], run[RUN_STOPPED] = float(NO_MODE), float(INCONSISTENT)
         run[RUN_PUSH], run[RUN_PUSH + 1] = 0.0, 0.0
         return True
-    policy, best, contact = policy_at(system.fence, piece), 0, NO_MODE
-    for i in range(count):
-        other = int(solutions[i * SOLUTION + MODE])
-        if is_preferred(policy, current, other, contact):
-            best, contact = i, other
-    solution, angle = solutions[best * SOLUTION :], vector_of(system, STATE)[ANGLE]
-    v_x, v_y = to_world(system, angle, unit * solution[TWIST], unit * solution[TWIST + 1])
-    f_x, f_y = to_world(system, angle, solution[FORCE], solution[FORCE + 1])
-    run[RUN_NEW_TWIST], run[RUN_NEW_TWIST + 1] = unit * solution[TWIST], unit * solution[TWIST + 1]
-    run[RUN_NEW_TWIST + 2] = unit * solution[TWIST + 2]
-    run[RUN_MODE], run[RUN_PIVOT] = float(contact), solution[PIVOT]
-    run[RUN_PUSH], run[RUN_PUSH + 1] = f_x, f_y
+    unit, angle = choice.unit, vector_of(system, STATE)[ANGLE]
+    v_x, v_y = to_world(system, angle, unit * chosen[TWIST], unit * chosen[TWIST + 1])
+    f_x, f_y = to_world(system, angle, chosen[FORCE], chosen[FORCE + 1])
+    run[RUN_NEW_TWIST], run[RUN_NEW_TWIST + 1] = unit * chosen[TWIST], unit * chosen[TWIST + 1]
+    run[RUN_NEW_TWIST + 2] = unit * chosen[TWIST + 2]
+    run[RUN_MODE], run[RUN_PIVOT] = float(choice.contact), chosen[PIVOT]
+    run[RUN_PUSH], run[RUN_PUSH + 1], run[RUN_OFFSET] = f_x, f_y, choice.offset
     if not is_massive(system):
         run[RUN_TWIST], run[RUN_TWIST + 1] = v_x, v_y
         run[RUN_TWIST + 2] = run[RUN_NEW_TWIST + 2]
-    return contact != current or count != before
-
-
-def _solve_step(system: System, pose: Pose, solutions: Numbers) -> tuple[int, float]:
-    """Store the possible twists; return their number and unit. For an open contact, only the flight."""
-    run, state = system.run, vector_of(system, STATE)
-    h, gap, angle = run[RUN_UNTIL] - run[RUN_TIME], clearance_of(system, state), state[ANGLE]
-    v_x, v_y = from_world(system, angle, run[RUN_TWIST], run[RUN_TWIST + 1])
-    x, y = from_world(system, angle, run[RUN_PATH], run[RUN_PATH + 1])
-    spin = run[RUN_TWIST + 2]
-    is_open: bool = gap > SLACK
-    x, y = x / h, (y - gap) / h
-    if gap == INFINITY:
-        y = -RECEDES * (run[RUN_SPEED] + size_of_twist(v_x, v_y, spin))
-    u_x, u_y = contact_motion(pose, v_x, v_y, spin)
-    size, before = sqrt(x * x + y * y), max(sqrt(u_x * u_x + u_y * u_y), fabs(spin))
-    unit = _prepare_step(system, pose, h, size, before)
-    run[RUN_EVALUATIONS] += 1.0
-    part = size / unit if unit > 0.0 else 0.0
-    count, _ = modes_of_push(system, pose, x, y, part, solutions)
-    if is_open:
-        for i in range(count):
-            if int(solutions[i * SOLUTION + MODE]) == SEPARATE:
-                return i + 1, unit
-    return count, unit
-
-
-def _prepare_step(system: System, pose: Pose, h: float, size: float, before: float) -> float:
-    """Store the effects of a step of length h; return the unit of motion.
-
-    `size` is the speed of the pusher and `before` that of the contact. Inertia acts toward the previous
-    twist: the momentum is a load.
-    """
-    scene, run, angle = system.scene, system.run, vector_of(system, STATE)[ANGLE]
-    if not is_massive(system):
-        scale_films(system, size)
-        put_loads_at(system, angle)
-        return size
-    load = load_at(system, angle)
-    v_x, v_y = from_world(system, angle, run[RUN_TWIST], run[RUN_TWIST + 1])
-    x, y = to_body(pose.rod, v_x, v_y)
-    spin, mass, c_x, c_y = run[RUN_TWIST + 2], scene[IN_MASS], scene[IN_MASS_X], scene[IN_MASS_Y]
-    # Momentum of the center of mass, and about the slider's center, divided by the length of the step.
-    p_x, p_y = mass * (x - spin * c_y) / h, mass * (y + spin * c_x) / h
-    turn = run[RUN_MOMENT] * spin / h + (c_x * p_y - c_y * p_x)
-    push = h * sqrt(load.x * load.x + load.y * load.y) / mass
-    unit = max(max(size, before), push)
-    scale_films(system, unit)
-    put_mass(system, unit * mass / h)
-    put_load(system, Vector(load.x + p_x, load.y + p_y, load.spin + turn))
-    return unit
+    return choice.contact != current or choice.number != before
 
 
 def _account(system: System, pose: Pose) -> None:
@@ -367,7 +300,9 @@ def _end_contact(system: System) -> None:
             run[RUN_PARTED] = 1.0
     if center_height(system, state) <= 0.0:
         run[RUN_STOPPED] = float(LAID_DOWN)
-    elif outline_height(system, state, int(run[RUN_MODE]) != SEPARATE) <= 0.0:
+    elif (
+        has_finger(system) and outline_height(system, state, int(run[RUN_MODE]) != SEPARATE) <= 0.0
+    ):
         run[RUN_STOPPED] = float(MET_OUTLINE)
 
 
@@ -394,3 +329,4 @@ def _log_step(system: System) -> None:
     )
     v_x, v_y = from_world(system, state[ANGLE], run[RUN_TWIST], run[RUN_TWIST + 1])
     write_state(system, state, v_x, v_y, run[RUN_TWIST + 2], row)
+    write_place_of_force(system, state, run[RUN_OFFSET], row)

@@ -45,6 +45,7 @@ from planar_pushing.core.run import (
     IN_WEIGHT,
     INPUTS,
     MEMORY,
+    RUN_CONTACT,
     RUN_EFFECTS,
     RUN_FEET,
     RUN_FORCE,
@@ -56,6 +57,8 @@ from planar_pushing.core.run import (
     RUN_LOW,
     RUN_MASSIVE,
     RUN_MOMENT,
+    RUN_OTHER_END,
+    RUN_POINT,
     RUN_RIGHT,
     RUN_RING,
     RUN_ROD,
@@ -73,12 +76,18 @@ MOVING = 9
 REST = 4
 NO_MODE = -1
 #: Numbers of a candidate mode: contact mode or rest, pivot, whether it is held, whether the slider touches
-#: the pusher, and three numbers of the start.
-CANDIDATE = 7
+#: the pusher, three numbers of the start, the contact's point, the other end of a side on the fence, the
+#: place of the force on this side, whether the contact is an end of a side that barely moves away from the
+#: fence, and whether the mode lasts.
+CANDIDATE = 12
+BARELY_LEAVES, LASTS = 10, 11
+#: Maximum number of candidates: the modes of a side on the fence, and those of its two ends.
+MOST_CANDIDATES = 3 * MOST_SOLUTIONS
 #: Vectors of a run with the entries of the state: state, end of the step, two for trials, typical
-#: magnitudes, rates at the start and at the end of a step, a last one for rates; then the stages of a step,
-#: and the coefficients of its dense output.
-STATE, REACHED, TRIAL, PASSING, SCALES, FIRST_RATES, LAST_RATES, RATES, STAGE_RATES = range(9)
+#: magnitudes, rates at the start and at the end of a step, a last one for rates, and a state at another
+#: contact; then the stages of a step, and the coefficients of its dense output.
+STATE, REACHED, TRIAL, PASSING, SCALES, FIRST_RATES, LAST_RATES, RATES = range(8)
+ELSEWHERE, STAGE_RATES = 8, 9
 STAGES = 16
 DENSE = STAGE_RATES + STAGES
 VECTORS = DENSE + 7
@@ -148,6 +157,8 @@ class Mode(NamedTuple):
     x, y, spin : float
         Acceleration of a slider that starts from rest; of a slider at rest, the force and the contact mode;
         in a slip without inertia, the contact's motion; otherwise zero.
+    offset : float
+        Place of the force of a slider at rest along the fence, from the contact.
     during : Span
     """
 
@@ -158,6 +169,7 @@ class Mode(NamedTuple):
     x: float
     y: float
     spin: float
+    offset: float
     during: Span
 
 
@@ -173,7 +185,7 @@ def problem_size(resisting: int) -> int:
 
 def memory_size(resisting: int, massive: bool) -> int:
     """Number of numbers of a run's memory."""
-    arrays = problem_size(resisting) + MOST_SOLUTIONS * CANDIDATE + GUARD_SETS * CAUSES
+    arrays = problem_size(resisting) + MOST_CANDIDATES * CANDIDATE + GUARD_SETS * CAUSES
     return MEMORY + arrays + VECTORS * state_size(resisting, massive)
 
 
@@ -188,7 +200,7 @@ def system_of(data: Numbers, row: Numbers, memory: Numbers, rows_of_times: int) 
     )  # fmt: skip
     problem = memory[MEMORY:]
     candidates = problem[problem_size(resisting) :]
-    guards = candidates[MOST_SOLUTIONS * CANDIDATE :]
+    guards = candidates[MOST_CANDIDATES * CANDIDATE :]
     return System(
         data, row, problem, scene, times, fence, memory, candidates,
         guards[GUARD_SETS * CAUSES :], guards, state_size(resisting, scene[IN_MASS] > 0.0),
@@ -267,6 +279,8 @@ def prepare_system(system: System) -> None:
     run[RUN_LEFT], run[RUN_LEFT + 1] = unit_x(scene[IN_LEFT]), unit_y(scene[IN_LEFT])
     run[RUN_ROD], run[RUN_ROD + 1] = cos(scene[IN_ANGLE]), sin(scene[IN_ANGLE])
     run[RUN_LOW], run[RUN_HIGH] = -INFINITY, INFINITY
+    run[RUN_CONTACT], run[RUN_CONTACT + 1] = -scene[IN_LENGTH], 0.0
+    run[RUN_POINT], run[RUN_OTHER_END] = float(NO_POINT), float(NO_POINT)
 
 
 def scale_state(system: System) -> None:
@@ -300,11 +314,11 @@ def candidate_at(system: System, index: int, piece: int) -> Mode:
     """A candidate mode in the span of a piece, or the mode without a contact force for a negative index."""
     during = span_at(system.fence, min(piece, system.fence.number - 1))
     if index < 0:
-        return Mode(SEPARATE, NO_POINT, False, False, 0.0, 0.0, 0.0, during)
+        return Mode(SEPARATE, NO_POINT, False, False, 0.0, 0.0, 0.0, 0.0, during)
     numbers = system.candidates[index * CANDIDATE :]
     return Mode(
         int(numbers[0]), int(numbers[1]), numbers[2] != 0.0, numbers[3] != 0.0,
-        numbers[4], numbers[5], numbers[6], during,
+        numbers[4], numbers[5], numbers[6], numbers[9], during,
     )  # fmt: skip
 
 
@@ -312,11 +326,13 @@ def write_candidate(
     system: System, index: int, contact: int, foot: int, hinged: bool, touches: bool,
     x: float, y: float, spin: float,
 ) -> None:  # fmt: skip
-    """Store a candidate mode."""
+    """Store a candidate mode at the current contact."""
     numbers = system.candidates[index * CANDIDATE :]
+    numbers[7], numbers[8] = system.run[RUN_POINT], system.run[RUN_OTHER_END]
     numbers[0], numbers[1] = float(contact), float(foot)
     numbers[2], numbers[3] = (1.0 if hinged else 0.0), (1.0 if touches else 0.0)
-    numbers[4], numbers[5], numbers[6] = x, y, spin
+    numbers[4], numbers[5], numbers[6], numbers[9] = x, y, spin, 0.0
+    numbers[BARELY_LEAVES], numbers[LASTS] = 0.0, 0.0
 
 
 def contact_mode_of(mode: Mode) -> int:

@@ -39,6 +39,9 @@ SHARE = 1e-13
 #: Motions closer than this are the same motion: the root of a force along a path is known to about 1e-13,
 #: and a slip this slow is a stick.
 COINCIDENT = 9e-13
+#: A rotation about an end of a side this slow, relative to the motion, can be the rounding error of a force
+#: through that end: the side is on the fence if a solution with that force is.
+ALMOST_FLUSH = 1e-6
 #: The slowest motion that is distinguished from rest, with a margin over `COINCIDENT`: a slip while the
 #: pusher is at rest, or the motion of a support point that is not about to become the center of rotation.
 SLOW = 1e-11
@@ -82,6 +85,9 @@ NO_TREND = 0.1 * SLACK
 AT_REST = 1e-9
 #: A motion slower than this is completed to rest in closed form, before friction holds the slider.
 STOPPED = 2.0 * AT_REST
+#: A side whose ends meet the fence in turn so fast that their heights are zero lies on the fence if it
+#: rattles more slowly than this, in units of the typical speed.
+RATTLES = 1e-4
 #: A pusher faster than this pushes a slider at rest.
 PUSHES = 0.2 * AT_REST
 #: A pusher slower than this, with little acceleration, is at rest: a function can have rounding errors.

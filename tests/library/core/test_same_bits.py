@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import itertools
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -78,6 +79,26 @@ def test_a_load_along_the_fence_without_friction(both, law):
     assert "solve" in both.results
 
 
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")
+def test_sides_on_the_fence(both):
+    for seed in range(60):
+        scene, random = hard_scene(seed)
+        ends = -float(random.uniform(0.01, 2)), float(random.uniform(0.01, 2))
+        slider = replace(scene.slider, side=ends, flush=True)
+        angle, magnitude = hard_pushes(scene, random, with_cone=False)
+        attempt(pp.solve, replace(scene, slider=slider), angle, magnitude)
+        attempt(
+            pp.solve,
+            replace(scene, slider=slider),
+            np.array([0.0, np.pi]),
+            np.array([[0.0], [1.0]]),
+        )
+    solved = np.concatenate([each[:, 0:2] for each in both.results["solve_flush"]])
+    status = solved[:, 1].tolist()
+    assert {*status} >= {NONE, CONSISTENT, PIVOTS}
+    assert status.count(NOT_SOLVED) < 0.01 * len(status)
+
+
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
 @pytest.mark.parametrize("part", range(20))
@@ -131,7 +152,7 @@ def test_every_kernel_is_compared():
     if kernels.COMPILED is None:
         pytest.skip("the core is not compiled, or PLANAR_PUSHING_PLAIN is set")
     assert {*kernels.COMPILED} == {
-        "solve", "force_motions", "motion_cones", "load_ratios", "responses", "wrenches",
+        "solve", "solve_flush", "force_motions", "motion_cones", "load_ratios", "responses", "wrenches",
         "unit_vectors", "moments", "plate_terms", "ring_profiles", "ring_spin_ratios",
         "polygon_area", "crossing_edges", "touching_edges", "outline_distances", "free_stretches",
         "run_events", "run_steps",

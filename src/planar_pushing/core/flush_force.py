@@ -1,0 +1,217 @@
+"""The force on a flat side that lies on the fence, and its share at both ends.
+
+Any pressure between the ends is equivalent to forces at the ends, each within the friction cone. The total
+force is then within the cone, and its line of action crosses the fence between the ends. In a translation
+all points of the slider move alike, and the force has a closed form.
+"""
+
+from __future__ import annotations
+
+from math import fabs
+from typing import NamedTuple
+
+from planar_pushing.core.about import resistance_about
+from planar_pushing.core.cone import Law
+from planar_pushing.core.directions import Direction, length_of
+from planar_pushing.core.numbers import Numbers
+from planar_pushing.core.rows import NO_POINT, Mass, Vector, load_wrench, rough_mass, scale_effects
+from planar_pushing.core.solution import (
+    CONTINUUM,
+    FORCE,
+    MODE,
+    MOTION,
+    PIVOT,
+    SOLUTION,
+    TWIST,
+    UNSOLVED,
+    Push,
+)
+from planar_pushing.core.tolerances import SHARE
+
+#: Columns of a flush solution after those of any solution: the normal forces at the start and the end of
+#: the side.
+START_FORCE = SOLUTION
+END_FORCE = SOLUTION + 1
+FLUSH_SOLUTION = SOLUTION + 2
+#: Maximum number of slips under one edge, and of flush solutions: the stick and the slips under both edges.
+FLUSH_SLIPS = 8
+MOST_FLUSH = 1 + 2 * FLUSH_SLIPS
+
+
+class FlatSide(NamedTuple):
+    """Ends of a side along the fence, measured from its origin, which is the contact of the push."""
+
+    start: float
+    end: float
+
+
+class Still(NamedTuple):
+    """What resists a translation, with first moments about the origin of the side, in the fence frame.
+
+    Attributes
+    ----------
+    weight, weight_x, weight_y : float
+        Friction: its magnitude, and the magnitude times the coordinates of the center of pressure.
+    mass, mass_x, mass_y : float
+        The same of inertia or viscous friction.
+    load : Vector
+        Wrench of the loads.
+    lever : float
+        Length whose rounding error is that of the coordinates.
+    """
+
+    weight: float
+    weight_x: float
+    weight_y: float
+    mass: float
+    mass_x: float
+    mass_y: float
+    load: Vector
+    lever: float
+
+
+class SideForce(NamedTuple):
+    """The force that sustains a motion, in the fence frame.
+
+    Attributes
+    ----------
+    s : float
+        Motion along the fence of the origin of the side.
+    f_x, f_y, torque : float
+        Force, and torque about the origin.
+    across, slope : float
+        The force across an edge, and its derivative with respect to s.
+    size : float
+        Magnitude of the terms of the force.
+    """
+
+    s: float
+    f_x: float
+    f_y: float
+    torque: float
+    across: float
+    slope: float
+    size: float
+
+
+class FlushPush(NamedTuple):
+    """A push of a flat side.
+
+    Attributes
+    ----------
+    push : Push
+        Its contact is the origin of the side.
+    side : FlatSide
+    law : Law
+    w_x, w_y : float
+        Motion of the fence along itself, and motion of the origin across the fence.
+    spin : float
+        Rotation of the slider.
+    scale : float
+        Magnitude of the motions of fence and slider: slips slower than the rounding error of this stick.
+    still : Still
+    """
+
+    push: Push
+    side: FlatSide
+    law: Law
+    w_x: float
+    w_y: float
+    spin: float
+    scale: float
+    still: Still
+
+
+def resist_translation(push: Push) -> Still:
+    """What resists a translation of the slider of a push."""
+    t_x, t_y, contact, effects = push.t_x, push.t_y, push.contact, push.effects
+    one = rough_mass(scale_effects(effects, 1.0, 0.0), 1.0, contact.x, contact.y)
+    two = rough_mass(scale_effects(effects, 0.0, 1.0), 1.0, contact.x, contact.y)
+    load = load_wrench(effects)
+    turn = load.spin - (contact.x * load.y - contact.y * load.x)
+    wrench = Vector(t_x * load.x + t_y * load.y, t_x * load.y - t_y * load.x, turn)
+    return Still(
+        one.mass, t_x * one.x + t_y * one.y, t_x * one.y - t_y * one.x,
+        two.mass, t_x * two.x + t_y * two.y, t_x * two.y - t_y * two.x,
+        wrench, contact.reach + _arm_of(one) + _arm_of(two),
+    )  # fmt: skip
+
+
+def _arm_of(mass: Mass) -> float:
+    """Distance of the center of a mass, or of a pressure, from the point to which its moments refer."""
+    return (fabs(mass.x) + fabs(mass.y)) / mass.mass if mass.mass > 0.0 else 0.0
+
+
+def force_on_side(flush: FlushPush, edge: Direction, s: float) -> SideForce:
+    """The force that sustains the motion whose component along the fence is s, which is not at rest."""
+    push, still, y, spin = flush.push, flush.still, flush.w_y, flush.spin
+    load = still.load
+    if spin == 0.0:
+        speed = length_of(s, y)
+        e_x, e_y = s / speed, y / speed
+        f_x = still.weight * e_x + still.mass * s - load.x
+        f_y = still.weight * e_y + still.mass * y - load.y
+        torque = (still.weight_x * e_y - still.weight_y * e_x) - load.spin
+        torque += still.mass_x * y - still.mass_y * s
+        # d e / d s is e_y / speed times the direction across e.
+        bend_x = still.weight * e_y * (e_y / speed) + still.mass
+        bend_y = -still.weight * e_x * (e_y / speed)
+    else:
+        t_x, t_y, contact = push.t_x, push.t_y, push.contact
+        u_x, u_y = t_x * s - t_y * y, t_x * y + t_y * s
+        v_x, v_y = u_x + spin * contact.y, u_y - spin * contact.x
+        total = resistance_about(push.effects, contact, v_x, v_y, spin, 0.0)
+        f_x, f_y = t_x * total.f_x + t_y * total.f_y, t_x * total.f_y - t_y * total.f_x
+        row_x, row_y = total.xx * t_x + total.xy * t_y, total.xy * t_x + total.yy * t_y
+        bend_x, bend_y = t_x * row_x + t_y * row_y, t_x * row_y - t_y * row_x
+        torque = total.torque
+    moved = fabs(s) + fabs(y) + fabs(spin) * still.lever
+    size = still.weight + still.mass * moved + fabs(load.x) + fabs(load.y)
+    across, slope = edge.x * f_y - edge.y * f_x, edge.x * bend_y - edge.y * bend_x
+    return SideForce(s, f_x, f_y, torque, across, slope, size)
+
+
+def noise_at_ends(flush: FlushPush, force: SideForce) -> float:
+    """Rounding error of the normal forces at the ends of the side."""
+    a, b = flush.side.start, flush.side.end
+    lever = max(b, -a) + flush.still.lever
+    return SHARE * (force.size * lever + fabs(force.torque)) / (b - a)
+
+
+def force_at_start(side: FlatSide, force: SideForce) -> float:
+    """Normal force at the start of a side."""
+    return (side.end * force.f_y - force.torque) / (side.end - side.start)
+
+
+def force_at_end(side: FlatSide, force: SideForce) -> float:
+    """Normal force at the end of a side."""
+    return (force.torque - side.start * force.f_y) / (side.end - side.start)
+
+
+def is_between_ends(flush: FlushPush, force: SideForce) -> bool:
+    """Whether both ends of the side push, to rounding: the force crosses the fence between them."""
+    noise, side = noise_at_ends(flush, force), flush.side
+    return force_at_start(side, force) >= -noise and force_at_end(side, force) >= -noise
+
+
+def write_flush(
+    flush: FlushPush, mode: int, force: SideForce, continuum: bool, solutions: Numbers, count: int
+) -> int:
+    """Write a solution, and return the number of solutions."""
+    if count < 0 or count == MOST_FLUSH:
+        return UNSOLVED
+    push, spin, y, solution = flush.push, flush.spin, flush.w_y, solutions[FLUSH_SOLUTION * count :]
+    c_x = -(push.t_x * push.contact.x + push.t_y * push.contact.y)
+    c_y = -(push.t_x * push.contact.y - push.t_y * push.contact.x)
+    solution[MODE], solution[PIVOT] = float(mode), float(NO_POINT)
+    solution[CONTINUUM] = 1.0 if continuum else 0.0
+    solution[TWIST] = force.s - spin * c_y
+    solution[TWIST + 1], solution[TWIST + 2] = y + spin * c_x, spin
+    solution[MOTION], solution[MOTION + 1] = force.s, y
+    for k in range(0, 3, 2):
+        solution[FORCE + k], solution[FORCE + k + 1] = force.f_x, force.f_y
+    noise = noise_at_ends(flush, force)
+    at_start, at_end = force_at_start(flush.side, force), force_at_end(flush.side, force)
+    solution[START_FORCE] = 0.0 if fabs(at_start) <= noise else at_start
+    solution[END_FORCE] = 0.0 if fabs(at_end) <= noise else at_end
+    return count + 1

@@ -1,0 +1,316 @@
+"""All solutions of a push of a flat side: flush contact, and contacts at an end that lift off the other."""
+
+from __future__ import annotations
+
+from math import fabs
+
+from planar_pushing.core.about import contact_at
+from planar_pushing.core.cone import Law
+from planar_pushing.core.directions import Direction, direction_at, rod_at
+from planar_pushing.core.flush import flush_modes
+from planar_pushing.core.flush_force import (
+    END_FORCE,
+    FLUSH_SOLUTION,
+    MOST_FLUSH,
+    START_FORCE,
+    FlatSide,
+)
+from planar_pushing.core.free import free_twist
+from planar_pushing.core.kernels import (
+    CONSISTENT,
+    CONTINUA,
+    NONE,
+    NOT_SOLVED,
+    PIVOTS,
+    RESULT,
+    write_result,
+)
+from planar_pushing.core.modes import contact_modes
+from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers, zeros
+from planar_pushing.core.rows import NO_POINT, Vector, count_columns, read_effects
+from planar_pushing.core.solution import (
+    CONTINUUM,
+    FORCE,
+    FORCE_END,
+    MODE,
+    MOST_SOLUTIONS,
+    MOTION,
+    PIVOT,
+    SEPARATE,
+    SLIP_LEFT,
+    SOLUTION,
+    STICK,
+    TWIST,
+    UNSOLVED,
+    Push,
+)
+from planar_pushing.core.tolerances import ALMOST_FLUSH, COINCIDENT
+
+#: Where a solution touches the fence: nowhere or along the whole side, at its start, at its end.
+WHOLE_SIDE, SIDE_START, SIDE_END = range(3)
+#: Columns of a solution after those of a flush one: whether it is flush, and where it touches the fence.
+IS_FLUSH = FLUSH_SOLUTION
+TOUCHES_AT = FLUSH_SOLUTION + 1
+SIDE_SOLUTION = FLUSH_SOLUTION + 2
+#: Maximum number of flush solutions, some of which come from contacts at an end, and of all solutions.
+MOST_WHOLE = MOST_FLUSH + 2 * MOST_SOLUTIONS
+MOST_ON_SIDE = 1 + MOST_WHOLE
+#: Number of columns of a solution in the results of `solve_flush`, and the offset of each field after those
+#: of `solve`: whether it is flush; where the force crosses the fence; the lower bounds of the components of
+#: the force at the start of the side, the upper bounds, and the same at its end.
+SIDE_RESULT = RESULT + 10
+AT_FLUSH = RESULT
+AT_POSITION = RESULT + 1
+AT_END_FORCES = RESULT + 2
+
+
+def solve_flush(
+    data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
+) -> None:
+    """Every consistent solution of each push of a side that lies on the fence.
+
+    After the columns of `solve`, a row holds the ends of the side, measured along the fence from the
+    contact of `solve`. A row of results holds what that of `solve` does, with `SIDE_RESULT` columns for
+    each solution. The motion of the contact is that of the end that touches the fence, if only one does.
+    """
+    first = count_columns(data)
+    solutions = zeros(MOST_ON_SIDE * SIDE_SOLUTION)
+    for i in range(count):
+        row, result = rows[i * columns :], results[i * width :]
+        inputs = row[first:]
+        effects, rod = read_effects(data, row), rod_at(inputs[0], inputs[1])
+        law = Law(
+            direction_at(rod, inputs[2]), direction_at(rod, inputs[3]),
+            inputs[4] != 0.0, inputs[5] != 0.0, inputs[6] != 0.0,
+        )  # fmt: skip
+        push = Push(effects, contact_at(-rod.length, 0.0), rod.x, -rod.y)
+        side, pusher = FlatSide(inputs[9], inputs[10]), direction_at(rod, inputs[7])
+        if inputs[8] == 0.0:
+            pusher = Direction(inputs[7], 0.0, 0.0, 0.0, 0.0)
+        number = side_modes(push, side, law, pusher, solutions)
+        status = NONE if number == 0 else CONSISTENT
+        room = (width - 2) // SIDE_RESULT
+        if number < 0 or number > room:
+            number, status = 0, NOT_SOLVED
+        for k in range(2, width):
+            result[k] = UNKNOWN
+        for j in range(number):
+            solution = solutions[j * SIDE_SOLUTION :]
+            if solution[CONTINUUM] != 0.0:
+                status = CONTINUA
+            elif solution[PIVOT] >= 0.0 and status == CONSISTENT:
+                status = PIVOTS
+            write_result(rod, solution, room, j, result[2:])
+            result[2 + AT_FLUSH * room + j] = solution[IS_FLUSH]
+            result[2 + AT_POSITION * room + j] = _position_of_force(side, solution)
+            bounds = result[2 + AT_END_FORCES * room + 8 * j :]
+            _write_end_forces(law, solution, bounds)
+        result[0], result[1] = float(number), float(status)
+
+
+def _push_at(push: Push, x: float) -> Push:
+    """The push of a point of the side at an abscissa of the fence."""
+    contact = push.contact
+    there = contact_at(contact.x + x * push.t_x, contact.y + x * push.t_y)
+    return Push(push.effects, there, push.t_x, push.t_y)
+
+
+def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solutions: Numbers) -> int:
+    """Write every consistent solution in the order of the modes, flush ones first; return their number."""
+    flush = zeros(MOST_WHOLE * FLUSH_SOLUTION)
+    at_start, at_end = zeros(MOST_SOLUTIONS * SOLUTION), zeros(MOST_SOLUTIONS * SOLUTION)
+    count, scale = _write_separate(push, side, pusher, solutions)
+    if scale == 0.0:
+        return count  # as for one point, a slider and a fence at rest count as separate
+    whole = flush_modes(push, side, law, pusher.x, pusher.y, 0.0, scale, flush)
+    starts, _ = contact_modes(_push_at(push, side.start), law, pusher, at_start)
+    ends, _ = contact_modes(_push_at(push, side.end), law, pusher, at_end)
+    if whole < 0 or starts < 0 or ends < 0:
+        return UNSOLVED
+    whole = _keep_lifting(push, side, SIDE_START, at_start, starts, flush, whole)
+    whole = _keep_lifting(push, side, SIDE_END, at_end, ends, flush, whole)
+    for mode in range(STICK, SLIP_LEFT + 1):
+        for i in range(whole):
+            solution = flush[i * FLUSH_SOLUTION :]
+            if solution[MODE] == float(mode):
+                _copy_columns(solutions[count * SIDE_SOLUTION :], solution, FLUSH_SOLUTION)
+                count = _mark_solution(solutions, count, 1.0, WHOLE_SIDE)
+        for i in range(starts):
+            solution = at_start[i * SOLUTION :]
+            if solution[MODE] == float(mode):
+                _copy_columns(solutions[count * SIDE_SOLUTION :], solution, SOLUTION)
+                count = _mark_solution(solutions, count, 0.0, SIDE_START)
+        for i in range(ends):
+            solution = at_end[i * SOLUTION :]
+            if solution[MODE] == float(mode):
+                _copy_columns(solutions[count * SIDE_SOLUTION :], solution, SOLUTION)
+                count = _mark_solution(solutions, count, 0.0, SIDE_END)
+    return count
+
+
+def _copy_columns(target: Numbers, source: Numbers, count: int) -> None:
+    for k in range(count):
+        target[k] = source[k]
+
+
+def _mark_solution(solutions: Numbers, count: int, flush: float, touches: int) -> int:
+    """Complete a solution that is the last one, and return the number of solutions."""
+    solution = solutions[count * SIDE_SOLUTION :]
+    solution[IS_FLUSH], solution[TOUCHES_AT] = flush, float(touches)
+    return count + 1
+
+
+def _write_separate(
+    push: Push, side: FlatSide, pusher: Direction, solutions: Numbers
+) -> tuple[int, float]:
+    """Write the motion without a contact force, if both ends move away from the fence.
+
+    Returns
+    -------
+    count : int
+        Number of solutions.
+    scale : float
+        Magnitude of the motions of fence and slider.
+    """
+    rest, contact, t_x, t_y = (
+        free_twist(push.effects, Vector(0.0, 0.0, 0.0)), push.contact, push.t_x, push.t_y,
+    )  # fmt: skip
+    u_x, u_y = rest.x - rest.spin * contact.y, rest.y + rest.spin * contact.x
+    x, y = t_x * u_x + t_y * u_y, t_x * u_y - t_y * u_x
+    at_start, at_end = y + side.start * rest.spin, y + side.end * rest.spin
+    speed = 1.0 if pusher.x != 0.0 or pusher.y != 0.0 else 0.0
+    scale = max(max(speed, fabs(x)), max(fabs(at_start), fabs(at_end)))
+    if pusher.y > at_start or pusher.y > at_end:
+        return 0, scale
+    for k in range(SIDE_SOLUTION):
+        solutions[k] = 0.0
+    solutions[MODE], solutions[PIVOT] = float(SEPARATE), float(NO_POINT)
+    solutions[TWIST] = t_x * rest.x + t_y * rest.y
+    solutions[TWIST + 1] = t_x * rest.y - t_y * rest.x
+    solutions[TWIST + 2] = rest.spin
+    solutions[MOTION], solutions[MOTION + 1] = x, y
+    return 1, scale
+
+
+def _keep_lifting(
+    push: Push,
+    side: FlatSide,
+    touches: int,
+    points: Numbers,
+    count: int,
+    flush: Numbers,
+    whole: int,
+) -> int:
+    """Keep the contacts at one end that lift off the other, and return the number of flush solutions.
+
+    A contact without a rotation, to rounding, is flush: a solution that is there already, or a new one.
+    What is not kept becomes `SEPARATE`.
+    """
+    sense, lever = 1.0, side.end - side.start + push.contact.reach
+    if touches == SIDE_END:
+        sense = -1.0
+    for i in range(count):
+        point = points[i * SOLUTION :]
+        if point[MODE] != float(SEPARATE):
+            turn = sense * point[TWIST + 2]
+            speed = fabs(point[MOTION]) + fabs(point[MOTION + 1])
+            is_flush: bool = fabs(turn) * lever <= COINCIDENT * speed
+            same = _same_flush(side, touches, point, flush, whole, lever, speed)
+            if is_flush and same < 0:
+                whole = _add_flush(touches, point, flush, whole)
+            if same >= 0 and point[CONTINUUM] != 0.0:
+                flush[same * FLUSH_SOLUTION + CONTINUUM] = 1.0
+            if is_flush or same >= 0 or turn < 0.0:
+                point[MODE] = float(SEPARATE)
+    return whole
+
+
+def _same_flush(
+    side: FlatSide,
+    touches: int,
+    point: Numbers,
+    flush: Numbers,
+    whole: int,
+    lever: float,
+    speed: float,
+) -> int:
+    """The number of the flush solution that a contact at an end is, to rounding; -1 if there is none.
+
+    If no force acts at the other end, the rotation can be a rounding error of the force's place, which a
+    small support magnifies.
+    """
+    for i in range(whole):
+        solution = flush[i * FLUSH_SOLUTION :]
+        other = solution[END_FORCE] if touches == SIDE_START else solution[START_FORCE]
+        nearest = ALMOST_FLUSH if other == 0.0 else COINCIDENT
+        apart = fabs(point[MOTION] - solution[MOTION]) + fabs(
+            point[MOTION + 1] - solution[MOTION + 1]
+        )
+        apart += fabs(point[TWIST + 2]) * lever
+        if solution[MODE] == point[MODE] and apart <= nearest * speed:
+            return i
+    return -1
+
+
+def _add_flush(touches: int, point: Numbers, flush: Numbers, whole: int) -> int:
+    """Add a contact at an end as a flush solution, and return the number of flush solutions."""
+    solution = flush[whole * FLUSH_SOLUTION :]
+    _copy_columns(solution, point, SOLUTION)
+    force = point[FORCE + 1]
+    solution[START_FORCE] = force if touches == SIDE_START else 0.0
+    solution[END_FORCE] = 0.0 if touches == SIDE_START else force
+    return whole + 1
+
+
+def _position_of_force(side: FlatSide, solution: Numbers) -> float:
+    """Where the line of action of a force crosses the fence; NaN without one, or along the fence."""
+    touches = int(solution[TOUCHES_AT])
+    if touches != WHOLE_SIDE:
+        return side.start if touches == SIDE_START else side.end
+    at_start, at_end = solution[START_FORCE], solution[END_FORCE]
+    if solution[MODE] == float(SEPARATE) or at_start + at_end == 0.0:
+        return UNKNOWN
+    return (side.start * at_start + side.end * at_end) / (at_start + at_end) + 0.0
+
+
+def _write_end_forces(law: Law, solution: Numbers, bounds: Numbers) -> None:
+    """Write the lower and the upper bounds of the forces at both ends of the side."""
+    for k in range(8):
+        bounds[k] = 0.0
+    touches = int(solution[TOUCHES_AT])
+    if solution[MODE] == float(SEPARATE):
+        return
+    if touches != WHOLE_SIDE:
+        first = 0 if touches == SIDE_START else 4
+        for k in range(2):
+            one, other = solution[FORCE + k], solution[FORCE_END + k]
+            bounds[first + k], bounds[first + 2 + k] = min(one, other), max(one, other)
+        return
+    low, high = _tangential_at_start(law, solution)
+    # Adding zero turns a negative zero into a positive one.
+    bounds[0], bounds[2] = low + 0.0, high + 0.0
+    bounds[4], bounds[6] = solution[FORCE] - high, solution[FORCE] - low
+    bounds[1], bounds[3] = solution[START_FORCE], solution[START_FORCE]
+    bounds[5], bounds[7] = solution[END_FORCE], solution[END_FORCE]
+
+
+def _tangential_at_start(law: Law, solution: Numbers) -> tuple[float, float]:
+    """The range of the tangential force at the start of a side on the fence."""
+    at_start, at_end, f_x = solution[START_FORCE], solution[END_FORCE], solution[FORCE]
+    if solution[MODE] != float(STICK):
+        total = at_start + at_end
+        if total != 0.0:
+            return f_x * (at_start / total), f_x * (at_start / total)
+        return min(f_x, 0.0), max(f_x, 0.0)
+    if law.rough or law.right.y == 0.0:
+        if not law.closed and at_start == 0.0:
+            return 0.0, 0.0
+        if not law.closed and at_end == 0.0:
+            return f_x, f_x
+        return -INFINITY, INFINITY
+    right, left = law.right.x / law.right.y, law.left.x / law.left.y
+    low = max(left * at_start, f_x - right * at_end)
+    high = min(right * at_start, f_x - left * at_end)
+    # On an edge of the cone the range is a number, to rounding.
+    middle = (low + high) / 2.0
+    return min(low, middle), max(high, middle)

@@ -1,0 +1,168 @@
+"""The modes of a side that lies on the fence, during a run."""
+
+from __future__ import annotations
+
+from math import fabs, sqrt
+
+from planar_pushing.core.drag import problem_effects
+from planar_pushing.core.flush import flush_modes
+from planar_pushing.core.flush_force import (
+    END_FORCE,
+    FLUSH_SOLUTION,
+    MOST_FLUSH,
+    START_FORCE,
+    FlatSide,
+)
+from planar_pushing.core.free import free_twist
+from planar_pushing.core.impact import edge_of_slip
+from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers
+from planar_pushing.core.rows import NO_POINT, Effects, Vector, resistance
+from planar_pushing.core.shapes import Pose, to_body, to_contact
+from planar_pushing.core.solution import (
+    FORCE,
+    MODE,
+    MOTION,
+    PIVOT,
+    SEPARATE,
+    SOLUTION,
+    TWIST,
+    UNSOLVED,
+    Push,
+)
+from planar_pushing.core.system import Mode, System, law_of
+from planar_pushing.core.tolerances import COINCIDENT, ROUNDING, SLACK
+
+#: Maximum number of solutions of a side on the fence.
+MOST_OF_SIDE = 1 + MOST_FLUSH
+#: Maximum number of Newton steps to a slip.
+SLIP_STEPS = 50
+
+
+def modes_of_side(
+    system: System, pose: Pose, length: float, x: float, y: float, spin: float, solutions: Numbers
+) -> int:
+    """Store every solution of the problem at hand for a side on the fence, the separation first.
+
+    Parameters
+    ----------
+    system : System
+    pose : Pose
+        Its contact is one end of the side.
+    length : float
+        Place of the other end along the fence, from the contact.
+    x, y : float
+        Motion of the fence along itself, and motion of the contact across the fence.
+    spin : float
+        Rotation of the side, zero for one that stays on the fence.
+    solutions : Numbers
+        Room for `MOST_OF_SIDE` solutions of `FLUSH_SOLUTION` columns.
+
+    Returns
+    -------
+    int
+        Number of solutions, `UNSOLVED` if an iteration has not converged.
+    """
+    push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
+    count, scale = _add_free_motion(push, pose, length, x, y, spin, 0.0, solutions)
+    if scale == 0.0:
+        return count
+    number = flush_modes(
+        push, FlatSide(min(length, 0.0), max(length, 0.0)), law_of(system, pose.rod), x, y, spin, scale,
+        solutions[count * FLUSH_SOLUTION :],
+    )  # fmt: skip
+    if number < 0:
+        return UNSOLVED
+    if count + number == 0:
+        return add_motion_with_fence(system, pose, length, x, y, spin, solutions)
+    return count + number
+
+
+def add_motion_with_fence(
+    system: System, pose: Pose, length: float, x: float, y: float, spin: float, solutions: Numbers
+) -> int:
+    """Store the free motion of a contact that moves with the fence, whose force is only rounding error.
+
+    Returns the number of solutions; the arguments are those of `modes_of_side`, with length 0 for a point.
+    """
+    push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
+    count, _ = _add_free_motion(push, pose, length, x, y, spin, COINCIDENT, solutions)
+    return count
+
+
+def _add_free_motion(
+    push: Push, pose: Pose, length: float, x: float, y: float, spin: float, slack: float,
+    solution: Numbers,
+) -> tuple[int, float]:  # fmt: skip
+    """Store the motion without a contact force if both ends of a side leave the fence, or stay on it.
+
+    Returns the number of solutions, and the magnitude of the motions of fence and slider. The slack is a
+    part of it.
+    """
+    rest = free_twist(push.effects, Vector(0.0, 0.0, 0.0))
+    v_x, v_y = to_contact(pose.rod, rest.x, rest.y)
+    u_x, u_y = v_x + rest.spin * pose.y, v_y - rest.spin * pose.x
+    scale = max(max(sqrt(x * x + y * y), fabs(rest.spin * length)), max(fabs(u_x), fabs(u_y)))
+    leaves = min(u_y - y, u_y + rest.spin * length - (y + spin * length))
+    if leaves < -slack * scale:
+        return 0, scale
+    for k in range(SOLUTION):
+        solution[k] = 0.0
+    solution[MODE], solution[PIVOT] = float(SEPARATE), float(NO_POINT)
+    solution[TWIST], solution[TWIST + 1], solution[TWIST + 2] = v_x, v_y, rest.spin
+    solution[MOTION], solution[MOTION + 1] = u_x, u_y
+    return 1, scale
+
+
+def offset_in_solution(solution: Numbers, length: float) -> float:
+    """Place of the force on a side from one end, 0 without a normal force.
+
+    `length` is the place of the other end, and negative on the left.
+    """
+    normal = solution[FORCE + 1]
+    if solution[MODE] == float(SEPARATE):
+        return 0.0
+    at_other_end = solution[END_FORCE] if length > 0.0 else solution[START_FORCE]
+    return at_other_end * length / normal if normal != 0.0 else 0.0
+
+
+def slip_of_side(
+    system: System, effects: Effects, pose: Pose, mode: Mode, normal: float, loaded: bool
+) -> float:
+    """Motion along the fence of a slipping side without inertia, NaN without one.
+
+    With loads it is the slip nearest to the one at the start of the mode or of its last step, or to one
+    that is proportional to the normal motion.
+    """
+    e_x, e_y = edge_of_slip(system, mode.contact)
+    if not e_y > SLACK:
+        return UNKNOWN
+    if not loaded:
+        return normal * e_x / e_y
+    along = _nearest_slip_of_side(effects, pose, e_x, e_y, mode.x, normal)
+    if along == along or mode.y == 0.0:
+        return along
+    return _nearest_slip_of_side(effects, pose, e_x, e_y, mode.x * (normal / mode.y), normal)
+
+
+def _nearest_slip_of_side(
+    effects: Effects, pose: Pose, e_x: float, e_y: float, along: float, normal: float
+) -> float:
+    """The slip whose force is along an edge, by Newton's method from a motion along the fence, or NaN."""
+    t_x, t_y = to_body(pose.rod, 1.0, 0.0)
+    b_x, b_y = to_body(pose.rod, e_x, e_y)
+    step = INFINITY
+    for _ in range(SLIP_STEPS):
+        x, y = to_body(pose.rod, along, normal)
+        if x == 0.0 and y == 0.0:
+            return UNKNOWN
+        total = resistance(effects, x, y, 0.0, 0.0)
+        across = b_x * total.f_y - b_y * total.f_x
+        row_x, row_y = total.xx * t_x + total.xy * t_y, total.xy * t_x + total.yy * t_y
+        slope = b_x * row_y - b_y * row_x
+        if slope == 0.0:
+            return UNKNOWN
+        step = across / slope
+        along -= step
+        if fabs(step) <= ROUNDING * (fabs(along) + fabs(normal)):
+            return along
+    return along if fabs(step) <= COINCIDENT * (fabs(along) + fabs(normal)) else UNKNOWN
