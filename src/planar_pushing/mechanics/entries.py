@@ -80,7 +80,9 @@ def entry(value: Any) -> dict[str, Any]:
     content: dict[str, Any] = dict(TAGS.get(kind, {}))
     for name, (declaration, default) in declared(kind).items():
         parameter = getattr(value, name)
-        if parameter is None or (parameter == default and isinstance(default, tuple)):
+        if parameter is None or parameter is default is False:
+            continue
+        if isinstance(default, tuple) and parameter == default:
             continue
         if declaration in (SUPPORT, SUPPORTS):
             content[name] = entry(parameter)

@@ -81,6 +81,8 @@ class Rows:
         Numbers that the rows of a call share: the kinds, and the pressures of the supports.
     body : tuple
         Length of the rod in radii, its angle in radians, and the radius.
+    ends : tuple
+        Ends of a side that lies on the fence, in radii; empty for a contact at one point.
     law : Law
     columns : tuple
         The columns of the effects, with forces in the scene's units.
@@ -91,6 +93,7 @@ class Rows:
     entries: tuple[Entry, ...]
     data: Array
     body: tuple[Number, Number, Number]
+    ends: tuple[Number, ...]
     law: Law
     columns: tuple[Number, ...]
     is_single: bool
@@ -101,9 +104,11 @@ class Rows:
         slider = scene.slider
         entries = entries_of(((i, scene.effects[i]) for i in scene.resisting), scene)
         body = slider.length_ratio, slider.rod_angle, slider.radius
+        ends = tuple(end / slider.radius for end in slider.side) if slider.flush else ()
         columns = tuple(each for entry in entries for each in entry.columns)
-        single = all(isinstance(each, (float, int)) for each in (*columns, *body, *scene.law))
-        return cls(entries, data_of(entries), body, scene.law, columns, single)
+        numbers = *columns, *body, *ends, *scene.law
+        single = all(isinstance(each, (float, int)) for each in numbers)
+        return cls(entries, data_of(entries), body, ends, scene.law, columns, single)
 
     @property
     def is_steady(self) -> bool:

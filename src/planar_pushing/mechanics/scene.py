@@ -43,7 +43,7 @@ from planar_pushing.terms.domain import (
     required,
     required_ratio,
 )
-from planar_pushing.terms.errors import InvalidValue, as_floats, require_kind
+from planar_pushing.terms.errors import InvalidValue, as_floats, require_flag, require_kind
 from planar_pushing.terms.numbers import pair_of
 from planar_pushing.terms.units import Units
 
@@ -96,6 +96,7 @@ class Side(Declaration):
 
 
 SIDE = Side()
+FLAG = Read(require_flag, "true or false", {"type": "boolean"})
 OUTLINE = Read(
     lambda name, given: required_outline(given, name), "the corners of a simple polygon, in order",
     {"type": "array", "minItems": 3, "items": PAIR},
@@ -117,17 +118,20 @@ class Slider:
         its support from the center of pressure, or to 1 for a ring.
     side : (start, end), of floats or arrays
         Ends of the flat side that a finger pushes, measured from the contact along the side, which at time
-        0 is along the fence. They have no effect on a fence.
+        0 is along the fence. They have no effect on a fence, unless the side lies on it.
+    flush : bool
+        Whether the side lies on the fence: the contact is the whole side, between its ends, which must be
+        finite. Its place, from which the rod goes, is then only the origin of the ends.
     outline : sequence of pairs, optional
-        Corners of the slider in the body frame, in order; by default the outline is unknown. A simulation
-        ends when another point of the outline meets the pusher, or when the finger reaches the end of its
-        side.
+        Corners of the slider in the body frame, in order; by default the outline is unknown. In a
+        simulation a fence touches every corner and side of the outline. Under a finger, the simulation ends
+        when another point of the outline meets the finger, or when this reaches the end of its side.
 
     Raises
     ------
     InvalidValue
-        If a parameter is out of range, the side does not contain the contact, or the outline is not a
-        simple polygon.
+        If a parameter is out of range, the side does not contain the contact, the ends of a flush side are
+        not finite, or the outline is not a simple polygon.
     """
 
     rod_length: Annotated[
@@ -136,10 +140,16 @@ class Slider:
     rod_angle: Annotated[Number, ROD_ANGLE]
     radius: Annotated[Number, positive("give it in the unit of the rod length")] = None
     side: Annotated[tuple[Number, Number], SIDE] = (-math.inf, math.inf)
+    flush: Annotated[bool, FLAG] = False
     outline: Annotated[Any, OUTLINE] = None
 
     def __post_init__(self) -> None:
         require_declared(self)
+        if self.flush and not all(bool(np.all(np.isfinite(end))) for end in self.side):
+            raise InvalidValue(
+                "side", self.side, "finite ends (start, end) of a side that lies on the fence",
+                "measure both ends along the fence, or leave flush out",
+            )  # fmt: skip
         if self.radius is not None:
             _ = self.length_ratio
 
@@ -376,6 +386,31 @@ def _required_push(given: Any) -> tuple[Number, Number]:
 def required_scene(given: object) -> Scene:
     """The argument if it is a scene, or `InvalidValue`."""
     return require_kind("scene", given, Scene, "read a file with load_scene, or construct one")
+
+
+def require_one_point(
+    scene: Scene,
+    name: str = "scene",
+    remedy: str = "call solve or stable, or make the scene by scene_at(point=...)",
+) -> Scene:
+    """The scene if its contact is one point, or `InvalidValue` for a side that lies on the fence.
+
+    Parameters
+    ----------
+    scene : Scene
+    name, remedy : str
+        What is refused, and what to do instead.
+    """
+    if scene.slider.flush:
+        raise InvalidValue(
+            name, "a side that lies on the fence", "a scene with a contact at one point", remedy
+        )
+    return scene
+
+
+def required_point_scene(given: object) -> Scene:
+    """The argument if it is a scene with a contact at one point, or `InvalidValue`."""
+    return require_one_point(required_scene(given))
 
 
 def required_single(scene: Scene) -> Scene:

@@ -37,9 +37,13 @@ ROUNDING = 1e-12
 #: have one value per solution.
 COUNTS = ("solutions", "status")
 PARTS = {
-    **dict.fromkeys(("force", "force_end", "contact_motion", "center"), "xy"),
-    "twist": "twist_component",
+    **dict.fromkeys(("force", "force_end", "contact_motion", "center"), ("xy",)),
+    "twist": ("twist_component",),
+    "end_forces": ("end", "bound", "xy"),
 }
+#: Numbers of a solution of a side on the fence, in the table of all solutions.
+ON_SIDE = ("force_position", "end_forces")
+ON_SIDE_WORDS = ("flush", "force at", "start x", "start y", "end x", "end y")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,13 +58,15 @@ class Solution:
     force_end : ndarray, shape (2,)
         Other end of the range of forces if a pivot leaves the force undetermined; otherwise `force`.
     contact_motion : ndarray, shape (2,)
-        Velocity or initial acceleration of the slider at the contact.
+        Velocity or initial acceleration of the slider at the contact; of a side, at the end that touches
+        the fence, or at its origin.
     twist : ndarray, shape (3,)
         (v_x, v_y, omega) at the slider's center, omega in radians per unit of time.
     spin_ratio : float
         k = R omega / v; 0 at rest.
     center : ndarray, shape (2,)
-        Motion center relative to the contact; infinite for a translation, NaN at rest.
+        Motion center relative to the contact, or to the origin of a side; infinite for a translation, NaN
+        at rest.
     pivot : int
         Number of the support point about which the slider pivots, -1 without one.
     continuum : bool
@@ -69,6 +75,15 @@ class Solution:
         through the contact that moves across itself, only the rotation is undetermined: the center can be
         anywhere on that line between the two neighboring points of the support, and `twist` is the limit
         for a motion slightly aside.
+    flush : bool
+        Whether the side of the slider lies on the fence; False also for a contact at one point.
+    force_position : float, optional
+        For a scene with a flush side: where the line of action of the force crosses the fence, from the
+        origin of the side; NaN without a force, or for a force along the fence.
+    end_forces : ndarray, shape (end, bound, xy) = (2, 2, 2), optional
+        For a scene with a flush side: the forces at the start and the end of the side to which the pressure
+        along it is equivalent, each by its lower and upper bounds. The tangential forces of a sticking side
+        are only known in sum, so they have a range, which is infinite under infinite friction.
     derivatives : Derivatives, optional
         Derivatives of twist and force, if requested from `solve`.
     """
@@ -82,6 +97,9 @@ class Solution:
     center: Array
     pivot: int
     continuum: bool
+    flush: bool = False
+    force_position: float | None = None
+    end_forces: Array | None = None
     derivatives: Derivatives | None = None
 
     def __eq__(self, other: object) -> Any:
@@ -90,11 +108,14 @@ class Solution:
     @property
     def adhesive(self) -> bool:
         """Whether the fence pulls on the slider, as only a perfectly rough contact can."""
-        return bool(self.force[1] < -RESOLUTION * np.hypot(*self.force))
+        normal = self.force[1] if self.end_forces is None else self.end_forces[..., 1].min()
+        return bool(normal < -RESOLUTION * np.hypot(*self.force))
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values by name: the name of the mode, numbers, lists of numbers, and any derivatives."""
         values = {name: _plain(value) for name, value in _values(self).items() if value is not None}
+        if self.end_forces is None:
+            del values["flush"]
         return values | {"adhesive": self.adhesive}
 
     def to_json(self) -> str:
@@ -127,9 +148,10 @@ def _plain(value: Any) -> Any:
 class Solutions:
     """All consistent solutions of one pushing problem, in the order of `ContactMode`.
 
-    Slips of the same mode are ordered by speed. ``solutions[0]`` is the first solution. Printing shows one
-    column per solution; a notebook also shows a picture. `problem` holds the scene, the direction of the
-    push in radians, and its magnitude.
+    Of one mode, flush solutions of a side come first, then contacts at its start, then at its end. Slips
+    of the same mode are ordered by speed. ``solutions[0]`` is the first solution. Printing shows one column
+    per solution; a notebook also shows a picture. `problem` holds the scene, the direction of the push in
+    radians, and its magnitude.
     """
 
     solutions: tuple[Solution, ...]
@@ -198,10 +220,16 @@ class Solutions:
         import pandas as pd
 
         words = [word for each in NUMBERS.values() for word in each]
+        rows = printed(self)
         columns = [
-            [_short(x) for x in np.hstack([each[name] for name in NUMBERS])]
-            for each in printed(self)
+            [_short(x) for x in np.hstack([each[name] for name in NUMBERS])] for each in rows
         ]
+        if self.solutions[0].end_forces is not None:
+            words += ON_SIDE_WORDS
+            for one, each, column in zip(self, rows, columns, strict=True):
+                bounds = each["end_forces"].transpose(0, 2, 1).reshape(4, 2)
+                column += ["yes" if one.flush else "no", _short(each["force_position"].item())]
+                column += [_range(*pair) for pair in bounds]
         return pd.DataFrame(dict(enumerate(columns)), words).set_axis(
             list(map(str, self.modes)), axis=1
         )
@@ -212,6 +240,11 @@ def _short(number: float) -> str:
     return "none" if np.isnan(number) else f"{number:.6g}"
 
 
+def _range(low: float, high: float) -> str:
+    """Text of a range of forces in the table, or of the only force in it."""
+    return _short(low) if low == high else f"{_short(low)} to {_short(high)}"
+
+
 def printed(solutions: Solutions) -> list[dict[str, Array]]:
     """The numbers of each solution by name, with 0 for rounding errors and negative zeros.
 
@@ -219,14 +252,16 @@ def printed(solutions: Solutions) -> list[dict[str, Array]]:
     with that motion divided by the slider's reach, and coordinates of the center with the reach or, if
     larger, with the other coordinate.
     """
-    names = (*NUMBERS, "force_end")
+    on_side = ON_SIDE if any(one.end_forces is not None for one in solutions) else ()
+    names = (*NUMBERS, "force_end", *on_side)
     rows = [{name: np.asarray(getattr(one, name)) for name in names} for one in solutions]
     force = _largest(each[name] for each in rows for name in ("force", "force_end"))
     motion = _largest(part for each in rows for part in (each["contact_motion"], each["twist"][:2]))
     reach = _reach(solutions.problem)
     turn = motion / reach if reach else 0.0
     scales: dict[str, Any] = {
-        "force": force, "force_end": force, "contact_motion": motion, "spin_ratio": 1.0,
+        "force": force, "force_end": force, "end_forces": force, "contact_motion": motion,
+        "spin_ratio": 1.0,
         "twist": np.array([motion, motion, turn]),
     }  # fmt: skip
     for each in rows:
@@ -270,6 +305,9 @@ class SolutionArrays:
         Values of `Status`.
     spin_ratio, pivot, continuum : ndarray, shape S + (solutions,)
         As in `Solution`.
+    flush, force_position : ndarray, shape S + (solutions,), optional
+        For scenes with a flush side, as in `Solution`.
+    end_forces : ndarray, shape S + (solutions, 2, 2, 2), optional
     derivatives : Derivatives, optional
         Of shape S + (solutions,).
     """
@@ -285,6 +323,9 @@ class SolutionArrays:
     center: Array
     pivot: npt.NDArray[np.int32]
     continuum: npt.NDArray[np.bool_]
+    flush: npt.NDArray[np.bool_] | None = None
+    force_position: Array | None = None
+    end_forces: Array | None = None
     derivatives: Derivatives | None = None
 
     def __eq__(self, other: object) -> Any:
@@ -346,13 +387,12 @@ class SolutionArrays:
         import xarray as xr
 
         axes = [f"dim_{i}" for i in range(len(self.shape))] if dims is None else list(dims)
-        if (
-            isinstance(dims, str)
-            or len({*axes, "solution", *PARTS.values()}) != len(self.shape) + 3
-        ):
+        tails = list(dict.fromkeys(dim for name in self._fields() for dim in _tail(name)))
+        if isinstance(dims, str) or len({*axes, *tails}) != len(self.shape) + len(tails):
+            others = f"{', '.join(tails[:-1])} or {tails[-1]}"
             raise InvalidValue(
                 "dims", dims,
-                f"{number_of(len(self.shape), 'name')}, none of them solution, xy or twist_component",
+                f"{number_of(len(self.shape), 'name')}, none of them {others}",
                 f"name each axis of the shape {self.shape}",
             )  # fmt: skip
         return as_dataset(
@@ -363,8 +403,9 @@ class SolutionArrays:
         )
 
     def _fields(self) -> dict[str, Any]:
-        names = [each.name for each in fields(self) if each.name != "derivatives"]
-        return {name: getattr(self, name) for name in names}
+        values = _values(self)
+        del values["derivatives"]
+        return {name: value for name, value in values.items() if value is not None}
 
     def _flat(self, value: Any) -> Any:
         """An array with the axes of S merged into one."""
@@ -375,7 +416,7 @@ def _tail(name: str) -> list[str]:
     """Dimensions of a variable after those of the problems."""
     if name in COUNTS:
         return []
-    return ["solution", PARTS[name]] if name in PARTS else ["solution"]
+    return ["solution", *PARTS.get(name, ())]
 
 
 def _counted(kind: type[IntEnum], values: Any) -> str:
@@ -414,4 +455,7 @@ def as_dataset(values: Mapping[str, Any]) -> xr.Dataset:
     outcome = named("outcome", _outcome(count, values["status"]).astype(np.int8))
     commented = {**values, "mode": mode.assign_attrs(comment=BEHIND)}
     merged: xr.Dataset = dataset([*commented.values(), consistent, outcome])
-    return merged.assign_coords(component_labels())
+    labels = component_labels()
+    if "end_forces" in values:
+        labels |= {"end": ["start", "end"], "bound": ["low", "high"]}
+    return merged.assign_coords(labels)

@@ -10,6 +10,12 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 import numpy.typing as npt
 
+from planar_pushing.core.flush_solutions import (
+    AT_END_FORCES,
+    AT_FLUSH,
+    AT_POSITION,
+    SIDE_RESULT,
+)
 from planar_pushing.core.kernels import (
     AT_CENTER,
     AT_CONTINUUM,
@@ -28,7 +34,7 @@ from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.kernels import run
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of
-from planar_pushing.mechanics.scene import Scene, required_scene
+from planar_pushing.mechanics.scene import Scene, require_one_point, required_scene
 from planar_pushing.mechanics.solutions import (
     Solution,
     SolutionArrays,
@@ -43,21 +49,28 @@ from planar_pushing.terms.units import named_units
 if TYPE_CHECKING:
     import xarray as xr
 
-#: Length of the axis `solution`, by whether all potentials have one degree.
+#: Length of the axis `solution`, by whether all potentials have one degree; the same for a flush side.
 SOLUTIONS = {True: 4, False: 8}
+FLUSH_SOLUTIONS = {True: 10, False: 20}
 XY = ("xy", 2)
 MODES = tuple(ContactMode)
 #: Where each field begins in the results of the kernel, with room for one solution, and with more room.
 FIELDS = (
     AT_FORCE, AT_FORCE_END, AT_TWIST, AT_MOTION, AT_RATIO, AT_CENTER, AT_PIVOT, AT_CONTINUUM,
 )  # fmt: skip
+FLUSH_FIELDS = AT_FLUSH, AT_POSITION, AT_END_FORCES
 PLACES = {room: [2 + room * field for field in FIELDS] for room in SOLUTIONS.values()}
 
 
 @functools.cache
-def outputs(steady: bool) -> tuple[Output, ...]:
-    """The results of each scene; `steady` if all potentials have one degree."""
-    many = ("solution", SOLUTIONS[steady])
+def outputs(steady: bool, flush: bool = False) -> tuple[Output, ...]:
+    """The results of each scene; `steady` if all potentials have one degree, `flush` for a flush side."""
+    many = ("solution", (FLUSH_SOLUTIONS if flush else SOLUTIONS)[steady])
+    on_side = (
+        Output("flush", (many,), "?"),
+        Output("force_position", (many,)),
+        Output("end_forces", (many, ("end", 2), ("bound", 2), XY)),
+    )
     return (
         Output("solutions", (), "i1"),
         Output("status", (), "i1"),
@@ -70,26 +83,30 @@ def outputs(steady: bool) -> tuple[Output, ...]:
         Output("center", (many, XY)),
         Output("pivot", (many,), "i4"),
         Output("continuum", (many,), "?"),
+        *(on_side if flush else ()),
     )
 
 
 def _decode(results: Array, columns: Sequence[Any], outputs: Sequence[npt.NDArray[Any]]) -> None:
     """Write the outputs in the units of the scene; the last columns of a row are its units."""
     size, unit, radius = (np.asarray(each)[..., None] for each in columns[-3:])
-    counts, status, mode, *_, pivot, flat = outputs
+    flush = len(outputs) > 3 + len(FIELDS)
+    counts, status, mode = outputs[:3]
     counts[:], status[:] = results[:, 0], results[:, 1]
-    twist, ratio, room = outputs[5], outputs[7], mode.shape[1]
-    ends = room * np.array([0, *FIELDS, RESULT]) + 2
+    room = mode.shape[1]
+    offsets = [0, *FIELDS, *FLUSH_FIELDS, SIDE_RESULT] if flush else [0, *FIELDS, RESULT]
+    ends = room * np.array(offsets) + 2
     fields = [results[:, first:last] for first, last in itertools.pairwise(ends)]
-    scales = None, unit, unit, size, size, None, radius, None, None
-    for values, scale, output in zip(fields, scales, outputs[2:], strict=True):
+    scales = None, unit, unit, size, size, 1.0, radius, None, None, None, radius, unit
+    for values, scale, output in zip(fields, scales, outputs[2:], strict=False):
         if scale is not None:
             np.multiply(values, scale, out=output.reshape(values.shape))
+    twist = outputs[5]
     twist[:, :, 2] /= radius
-    ratio[:] = fields[5]
-    for numbers, output in ((fields[0], mode), (fields[7], pivot)):
+    for numbers, output in ((fields[0], mode), (fields[7], outputs[9])):
         output[:] = np.where(np.isnan(numbers), -1.0, numbers)
-    flat[:] = fields[8] == 1.0
+    for numbers, output in zip(fields[8:10], outputs[10:12], strict=False):
+        output[:] = numbers == 1.0
 
 
 def _require_ratio(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> None:
@@ -127,22 +144,28 @@ def solve_arrays(rows: Rows, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
     ----------
     rows : Rows
     *given : array_like
-        Columns of the entries; length of the rod in radii, its angle, and the radius; the five entries of
-        `Law`; angle and magnitude of the pusher's motion, all within their ranges.
+        Columns of the entries; length of the rod in radii, its angle, and the radius; the ends of a flush
+        side, in radii; the five entries of `Law`; angle and magnitude of the pusher's motion, all within
+        their ranges.
 
     Returns
     -------
     list of ndarray
         As `outputs`; places without a solution hold NaN.
     """
-    *columns, length, angle, radius, right, left, slips, closed, rough, toward, size = given
+    *columns, right, left, slips, closed, rough, toward, size = given
+    first = len(columns) - 3 - len(rows.ends)
+    columns, (length, angle, radius, *ends) = columns[:first], columns[first:]
     _require_ratio(rows.entries, columns, size)
     moves = np.asarray(size) > 0
     size = np.where(moves, size, _size_of_fall(rows.entries, columns))
     unit, scaled = in_units(rows.entries, columns, size)
-    scaled += [length, angle, right, left, slips, closed, rough, toward, moves, size, unit, radius]
-    width = 2 + SOLUTIONS[rows.is_steady] * RESULT
-    return mapped("solve", rows.data, scaled, outputs(rows.is_steady), width, _decode)
+    scaled += [length, angle, right, left, slips, closed, rough, toward, moves]
+    scaled += [*ends, size, unit, radius]
+    kernel, width = "solve", 2 + SOLUTIONS[rows.is_steady] * RESULT
+    if ends:
+        kernel, width = "solve_flush", 2 + FLUSH_SOLUTIONS[rows.is_steady] * SIDE_RESULT
+    return mapped(kernel, rows.data, scaled, outputs(rows.is_steady, bool(ends)), width, _decode)
 
 
 def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> Solutions:
@@ -240,24 +263,39 @@ def solve(
     Solutions, SolutionArrays or xarray.Dataset
         `Solutions` for numbers, `SolutionArrays` for arrays, and a dataset if an argument is a DataArray,
         with the variables of `SolutionArrays`, units, `consistent` and `outcome`. An array of scenes counts
-        as an array, and a labeled scene as a DataArray, whatever the angle is.
+        as an array, and a labeled scene as a DataArray, whatever the angle is. If a side lies on the fence
+        (`Slider.flush`), they also hold `flush`, `force_position` and `end_forces`.
 
     Raises
     ------
     InvalidValue
         If a value, or m a / W with friction and inertia, is out of its range, or derivatives are requested
-        with a DataArray. An angle beyond 4 pi is refused because it is most likely in degrees, and a tuple
-        because it is most likely a velocity.
+        with a DataArray or for a flush side. An angle beyond 4 pi is refused because it is most likely in
+        degrees, and a tuple because it is most likely a velocity.
+
+    Notes
+    -----
+    A side that lies on the fence has flush modes and point contacts. A flush mode is a translation; its
+    force, of any pressure between the ends of the side, is in the friction cone and crosses the fence
+    between the ends (Lynch and Mason, Stable pushing, International Journal of Robotics Research 15,
+    1996). A contact at one end lifts the other end off. It counts as flush if the slider does not rotate.
+    At a perfectly rough side, flush sticking is always consistent, with a force that can be adhesive at
+    either end; contacts that stick at one end while the other lifts off are listed, too. With a load, a
+    side at rest is held if forces of the contact and friction balance the load; the force is then the one
+    that needs the smallest share of friction. Solutions of one mode are in the order: flush, at the start
+    of the side, at its end.
     """
     rows = required_scene(scene).rows
     require_held(scene)
     push = _push(scene, pusher_angle, pusher_magnitude)
     derivatives = require_flag("derivatives", derivatives)
     single = rows.is_single and type(push[0]) is type(push[1]) is float
-    if single and not derivatives:
+    if single and not derivatives and not rows.ends:
         return _solve_single(scene, rows, *push)
-    given, results = [*rows.columns, *rows.body, *rows.law, *push], outputs(rows.is_steady)
+    given = [*rows.columns, *rows.body, *rows.ends, *rows.law, *push]
+    results = outputs(rows.is_steady, bool(rows.ends))
     if derivatives:
+        require_one_point(scene, "derivatives", "leave derivatives out")
         require_unlabeled(given)
     answer = functools.partial(solve_arrays, rows)
     arrays = answer(*given) if single else elementwise(answer, given, results)

@@ -12,7 +12,7 @@ import numpy as np
 
 from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.scene import Scene, required_scene, required_single
+from planar_pushing.mechanics.scene import Scene, require_one_point, required_scene, required_single
 from planar_pushing.objects.feet import Feet, feet_of, force_errors
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import (
@@ -100,6 +100,8 @@ def to_mjcf(
     """
     law, outline = _required(scene)
     shape = require_option("pusher", pusher, Shape, "name one of these shapes")
+    if shape == Shape.FINGER:
+        require_one_point(scene, "pusher", "give a fence, or make the scene by scene_at(point=...)")
     remedy = "give an acceleration"
     gravity = require_number("gravity", gravity, np.isfinite, "a finite number", remedy)
     step = _required_step(timestep, scene)

@@ -1,12 +1,15 @@
-"""Contacts on the outline of an object: the side that each touches, and its normal."""
+"""Contacts on the outline of an object: the side that each touches, its normal, and whole sides."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.outline import Corners
+from planar_pushing.mechanics.outline import Corners, required_outline
 from planar_pushing.mechanics.plane import Array, Placement
+from planar_pushing.mechanics.supports.polygon import simple_ring
 from planar_pushing.objects.boundary import nearest, sides_between
 from planar_pushing.objects.many import Contacts
 from planar_pushing.terms.domain import Number
@@ -52,6 +55,60 @@ def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[N
     normals = np.where(at_corner[:, None], contacts.normals, inward)
     points = np.where(is_exact[:, None], points, target)
     return Placement(contacts.pair(points), contacts.pair(normals)), contacts.pair(ends)
+
+
+def side_on_fence(side: Any, outline: Any) -> tuple[Placement, tuple[float, float], Corners]:
+    """The placement of a fence along a side of an outline, the ends of the contact, and the corners.
+
+    Parameters
+    ----------
+    side : int
+        Number of the side, which goes from the corner with this number to the next one, counted from 0 in
+        the order of the outline. A side that is a part of a longer straight side stands for all of it.
+    outline : sequence of pairs, or an object with `coords` or `exterior`
+
+    Returns
+    -------
+    placement : Placement
+        At the midpoint of the side.
+    ends : (start, end)
+        Of all points of the outline on the fence, along it from the midpoint: those of the side, unless
+        another part of the outline is on the same line.
+    corners : tuple of pairs
+        As of `required_outline`.
+
+    Raises
+    ------
+    InvalidValue
+        If there is no such side, or the fence would pass through the object.
+    """
+    corners = required_outline(outline)
+    given = simple_ring("outline", outline)
+    if (
+        isinstance(side, bool)
+        or not isinstance(side, (int, np.integer))
+        or not 0 <= side < len(given)
+    ):
+        raise InvalidValue(
+            "side", side, f"a whole number from 0 to {len(given) - 1}",
+            "give the number of the corner at which the side begins, in the order of the outline",
+        )  # fmt: skip
+    sides = sides_between(np.array(corners))
+    middle = (given[side] + given[(int(side) + 1) % len(given)]) / 2.0
+    number = int(nearest(sides, middle[None]).side[0])
+    tangent, normal = sides.tangent[number], sides.normal[number]
+    origin = sides.start[number] + sides.length[number] / 2.0 * tangent
+    heights = (sides.start - origin) @ normal
+    if heights.min() < -EXACT * sides.scale:
+        raise InvalidValue(
+            "side", side, "a side with the whole object on one side of its line",
+            "the fence would pass through the object; push the side at a point, with a finger",
+        )  # fmt: skip
+    # The fence's +x is along the side, because the object is to the left of it.
+    along = ((sides.start - origin) @ tangent)[heights <= EXACT * sides.scale]
+    start, end = float(along.min()), float(along.max())
+    place = Placement((float(origin[0]), float(origin[1])), (float(normal[0]), float(normal[1])))
+    return place, (start, end), corners
 
 
 def _require_on(contacts: Contacts, touches: npt.NDArray[np.bool_], nearest: Array) -> None:

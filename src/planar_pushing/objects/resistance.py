@@ -144,7 +144,7 @@ def resistance(effects: Sequence[Effect], twist: Array, sliding: Array) -> Array
     """Wrench about the object's origin that sustains a twist, with the friction of the given feet only."""
     total = _of_feet(twist, sliding)
     for each in effects:
-        total = total + _without_feet(each, effects, twist)
+        total = total + without_feet(each, effects, twist)
     return total
 
 
@@ -156,8 +156,8 @@ def _of_feet(twist: Array, feet: Array) -> Array:
     return np.array([*force.sum(axis=0), torque.sum()])
 
 
-def _without_feet(effect: Any, effects: Sequence[Effect], twist: Array) -> Array:
-    """Wrench of one effect, without the Coulomb friction of feet."""
+def without_feet(effect: Any, effects: Sequence[Effect], twist: Array) -> Array:
+    """Wrench of one effect at twists of shape S + (3,), without the Coulomb friction of feet."""
     if isinstance(effect, Load):
         (x, y), (at_x, at_y) = effect.force, _load_center(effect, effects)
         return -np.array([x, y, at_x * y - at_y * x], dtype=float)

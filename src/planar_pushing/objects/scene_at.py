@@ -16,7 +16,7 @@ from planar_pushing.mechanics.plane import Array, Frame, Placement
 from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.scene import Scene, Slider
 from planar_pushing.objects.many import Contacts, required_contacts
-from planar_pushing.objects.on_outline import on_outline
+from planar_pushing.objects.on_outline import on_outline, side_on_fence
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.units import Units
@@ -28,24 +28,29 @@ FARTHEST = 500.0
 
 
 def scene_at(
-    point: npt.ArrayLike,
+    point: npt.ArrayLike | None = None,
     normal: npt.ArrayLike | None = None,
     *,
+    side: int | None = None,
     effects: Sequence[Effect],
     contact: ContactLaw,
     outline: Any = None,
     units: Units | None = None,
 ) -> Scene:
-    """The scene of an object that is pushed at a point, with everything in the object's own frame.
+    """The scene of an object pushed at a point or along a side, with everything in the object's own frame.
 
     Parameters
     ----------
-    point : (x, y), or array of shape S + (2,)
+    point : (x, y), or array of shape S + (2,), optional
         The contact; an array makes an array of scenes. In a DataArray the last dimension holds x and y, and
         the scenes extend over the others.
     normal : (n_x, n_y), or array of shape S + (2,), optional
         Normal of the fence or of the finger's side, into the object, of any length. It can be omitted if
         the object has an outline and the contact is not at a corner.
+    side : int, optional
+        Instead of a point: the number of a side of the outline that lies on the fence, from the corner with
+        this number to the next one, counted from 0 in the order given. A part of a longer straight side
+        stands for all of it.
     effects : sequence of effects
         `SupportFriction`, `Viscous`, `Inertia` and `Load`, with supports, centers and forces in the
         object's frame.
@@ -59,14 +64,16 @@ def scene_at(
     -------
     Scene
         In the fence frame: origin at the contact, +y along the normal, +x the normal rotated by -90
-        degrees. Use `Scene.to_object` to transform results back. An array of scenes has no outline, because
-        the outline differs between body frames.
+        degrees. A side on the fence has its origin at its midpoint; the scene's slider is then flush, and
+        its side ends where the outline leaves the fence's line. Use `Scene.to_object` to transform results
+        back. An array of scenes has no outline, because the outline differs between body frames.
 
     Raises
     ------
     InvalidValue
-        If the normal is zero or points out of the object, the point is not on the outline, or an effect
-        cannot be placed in an object's frame.
+        If the normal is zero or points out of the object, the point is not on the outline, there is no such
+        side, a fence along the side would pass through the object, or an effect cannot be placed in an
+        object's frame.
 
     Notes
     -----
@@ -74,13 +81,19 @@ def scene_at(
     it is not above the fence, as for a hook, c is instead the point above the contact at the height of the
     support's extent. The rod goes from the contact to c.
     """
-    contacts = required_contacts(point, normal)
-    many = bool(contacts.shape)
-    if outline is None:
-        place, side, corners = *_free(contacts), None
+    flush, corners = side is not None, None
+    if flush:
+        _require_side_alone(point, normal, outline)
+        place, ends, corners = side_on_fence(side, outline)
+        contacts = Contacts(place, place.point, place.normal)
     else:
-        corners = required_outline(outline)
-        place, side = on_outline(contacts, corners)
+        contacts = required_contacts(*_required_point(point, normal))
+        if outline is None:
+            place, ends = _free(contacts)
+        else:
+            corners = required_outline(outline)
+            place, ends = on_outline(contacts, corners)
+    many = bool(contacts.shape)
     listed = _required_effects(effects, many)
     center, extent = _middle(listed)
     rods = _rods(place.fence, center, extent)
@@ -91,7 +104,8 @@ def scene_at(
         rod_angle=contacts.number(rods.angle),
         # The default is the extent of the moved support, which is the same at every contact.
         radius=extent if many or not any(hasattr(each, "support") for each in listed) else None,
-        side=side,
+        side=ends,
+        flush=flush,
         outline=None if many or corners is None else body.point_in(corners) + 0.0,
     )
     loaded = [_with_center(each, center, listed) for each in listed]
@@ -112,6 +126,31 @@ class Rods(NamedTuple):
     axis: Array
     length: Array
     angle: Array
+
+
+def _required_point(point: Any, normal: Any) -> tuple[Any, Any]:
+    """Point and normal, or `InvalidValue` without a point."""
+    if point is None:
+        raise InvalidValue(
+            "point", None, "(x, y) of the contact", "give it, or the number of a side on the fence"
+        )
+    return point, normal
+
+
+def _require_side_alone(point: Any, normal: Any, outline: Any) -> None:
+    """Refuse a side together with a point or a normal, or without an outline."""
+    for name, given in (("point", point), ("normal", normal)):
+        if given is not None:
+            raise InvalidValue(
+                name,
+                given,
+                "none together with a side",
+                "give either a side, or a point and a normal",
+            )
+    if outline is None:
+        raise InvalidValue(
+            "outline", None, "the corners of the object, to number its sides", "give the outline"
+        )
 
 
 def _require_one_unit(lengths: Array, extent: float) -> None:

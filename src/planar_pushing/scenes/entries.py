@@ -22,7 +22,7 @@ from planar_pushing.terms.declared import Declaration, declared
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.units import Units
 
-#: Defaults of a class that a file leaves out: nothing, no entries, and a side without ends.
+#: Defaults of a class that a file leaves out: nothing, no entries, and a side without ends; also False.
 ABSENT = (None, (), (-float("inf"), float("inf")))
 
 
@@ -85,7 +85,8 @@ def entry_of(maker: Callable[..., Any], tag: Mapping[str, str] | None = None) ->
         ):
             fields[name] = (kind, ...)
         else:
-            fields[name] = (Optional[kind], None) if default in ABSENT else (kind, default)  # noqa: UP045
+            absent = default is False or default in ABSENT
+            fields[name] = (Optional[kind], None) if absent else (kind, default)  # noqa: UP045
     about = (inspect.getdoc(maker) or "").partition("\n\n")[0]
     model = create_model(maker.__name__, __base__=Entry, __doc__=about, **fields)
     model.maker = maker

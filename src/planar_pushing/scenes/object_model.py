@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Self
 
-from pydantic import field_validator, model_validator
+from pydantic import WithJsonSchema, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
 from planar_pushing.mechanics.entries import scene_entry
@@ -18,10 +18,14 @@ from planar_pushing.scenes.simulate_model import SimulateEntry
 from planar_pushing.terms.errors import InvalidValue
 
 Point = Annotated[Any, POSITION]
+#: The number of a side; `scene_at` checks it.
+SideNumber = Annotated[Any, WithJsonSchema({"type": "integer", "minimum": 0})]
 #: Types of effects that have a support.
 RESTING = ("support_friction", "viscous")
 #: Keys of a file for the parameters that `scene_at` can reject.
-PLACES = {"point": "object.contact.", "normal": "object.contact.", "outline": "object."}
+PLACES = {
+    **dict.fromkeys(("point", "normal", "side"), "object.contact."), "outline": "object.",
+}  # fmt: skip
 
 
 class FootEntry(FileModel):
@@ -33,13 +37,15 @@ class FootEntry(FileModel):
 
 
 class PlaceEntry(FileModel):
-    """Contact point on the object, and the normal there, which points into the object.
+    """Contact point on the object, and the normal there into the object; or a side that lies on the fence.
 
-    With an outline, the normal can be omitted unless the contact is at a corner.
+    With an outline, the normal can be omitted unless the contact is at a corner. The sides of the outline
+    are numbered from 0: a side begins at the corner with its number.
     """
 
-    point: Point
+    point: Point | None = None
     normal: Point | None = None
+    side: SideNumber | None = None
 
 
 class ObjectEntry(FileModel):
@@ -97,6 +103,7 @@ class ObjectFile(FileModel):
         return scene_at(
             place.point,
             place.normal,
+            side=place.side,
             effects=[effect.build() for effect in self.effects],
             contact=self.contact.build(),
             outline=self.object.outline,

@@ -290,7 +290,9 @@ def require_declared(value: object) -> None:
 
 
 def _plain(value: Any) -> Any:
-    """Numbers as floats, and sequences as lists."""
+    """Numbers as floats, truth values as they are, and sequences as lists."""
+    if isinstance(value, bool):
+        return value
     if isinstance(value, (tuple, list)):
         return [_plain(each) for each in value]
     return float(value) if isinstance(value, (int, float, np.generic)) else value

@@ -63,6 +63,27 @@ class AtZeroNormal(StrEnum):
     NONE = "none"
 
 
+class Sense(StrEnum):
+    """Sense of a rotation, seen from above."""
+
+    COUNTERCLOCKWISE = "counterclockwise"
+    CLOCKWISE = "clockwise"
+
+
+class StableBound(StrEnum):
+    """What ends a set of stable pushes: the load is at the edge of what the two ends of a side can exert.
+
+    The force is on the right or left edge of the contact law's cone; its line of action passes through the
+    start or the end of the side; or the object turns about a foot, whose friction can leave the cone.
+    """
+
+    RIGHT_EDGE = "right-edge"
+    LEFT_EDGE = "left-edge"
+    START = "start"
+    END = "end"
+    PIVOT = "pivot"
+
+
 class EffectKind(StrEnum):
     """Effects that resist or drive the motion, by their names in files and datasets."""
 
@@ -110,7 +131,8 @@ class Event(IntEnum):
     """Reason why a contact mode ends or the modes are enumerated again: values of `event` in a log."""
 
     NONE = -1
-    #: The force leaves the friction cone; a slip or a force ends; the contact is made.
+    #: The force leaves the friction cone; a slip ends, or a force, also at one end of a side on the fence;
+    #: the contact is made.
     LEAVES_CONE = 0
     SLIP_ENDS = 1
     FORCE_ENDS = 2
@@ -133,7 +155,7 @@ class Event(IntEnum):
     TANGENTIAL_VELOCITY_REVERSES = 12
     #: A finger reaches the end of its side.
     END_OF_SIDE = 13
-    #: Another point of the outline meets the pusher.
+    #: Another point of the outline meets the pusher: a side arrives on a fence, or a finger stops.
     PENETRATES = 14
 
 

@@ -147,10 +147,15 @@ DATASET: Quantities = {
 LOG: Quantities = {
     **DATASET,
     "contact_dissipated": ("force length", "energy dissipated at the contact, accumulated"),
+    "contact_position": (
+        "length",
+        "where the contact force acts along the fence, from the fence's point at the contact at time 0",
+    ),
     "dissipated": ("force length", "energy dissipated by each effect, accumulated"),
     "effect": ("1", "effect that resists the motion"),
     "evaluations": ("1", "number of evaluations of the motion under each effect, accumulated"),
     "event": ("1", "why the contact mode was chosen again"),
+    "flush": ("1", "whether a side of the slider lies on the fence"),
     "pusher": ("length", "displacement of the fence"),
     "force": ("force", "force of the fence on the slider"),
     "gap": ("length", "height of the contact point above the fence"),
@@ -198,13 +203,15 @@ BATCH: Quantities = {
     "part": ("1", "fraction of the duration"),
     "piece": ("time", "start time of a piece of the pusher's velocity"),
     "pusher_radius": ("length", "radius of the finger"),
-    **{name: FINGER[name] for name in ("contact_position", "parted")},
+    "parted": FINGER["parted"],
     "rod_angle": DATASET["rod_angle"],
     "solutions": ("1", "number of modes that were consistent when the mode was chosen"),
     "stopped": ("1", "whether the motion could not continue, and why"),
     "time": ("time", "time reached; less than the duration if the motion could not continue"),
     "velocity": ("length/time", "velocity of the fence"),
 }
+#: Variables of a batch of simulations with a finger.
+FINGER_BATCH: Quantities = {**BATCH, "contact_position": FINGER["contact_position"]}
 
 #: Variables of the datasets of a study of sliders; a name can have another meaning than for the paper's
 #: ring.
@@ -310,6 +317,9 @@ MECHANICS: Quantities = {
     "left": ("radian", "left edge of the cone"),
     "right": ("radian", "right edge of the cone"),
     "magnitude": ("force", "magnitude of the force on the limit curve"),
+    "flush": ("1", "whether the side of the slider lies on the fence"),
+    "force_position": ("length", "where the force crosses the fence, from the origin of the side"),
+    "end_forces": ("force", "forces at the ends of the side, by the bounds of their components"),
 }
 
 #: Meaning of the units of a dataset.

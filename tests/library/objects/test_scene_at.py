@@ -207,6 +207,16 @@ REFUSED = [
     ({"point": (0.5, -1), "normal": [(0, 1), (0, 1)]}, "normal: [(0, 1), (0, 1)] given; allowed: two"),
     ({"point": [(0.5, -1)], "normal": [(0, 1)] * 2}, "normal: (2, 2) given; allowed: shape (2,) or (1, 2)"),
     ({"point": np.ma.masked_array([0.5, -1.0], [True, False])}, "fill the masked entries"),
+    ({}, "point: None given; allowed: (x, y) of the contact; give it, or the number of a side"),
+    ({"side": 4}, "side: 4 given; allowed: a whole number from 0 to 3"),
+    ({"side": -1}, "side: -1 given; allowed: a whole number from 0 to 3"),
+    ({"side": True}, "side: True given; allowed: a whole number from 0 to 3"),
+    ({"side": 1.0}, "side: 1.0 given; allowed: a whole number from 0 to 3"),
+    ({"side": [0, 1]}, "side: [0, 1] given; allowed: a whole number from 0 to 3"),
+    ({"side": 0, "point": (0, -1)}, "point: (0, -1) given; allowed: none together with a side"),
+    ({"side": 0, "normal": (0, 1)}, "normal: (0, 1) given; allowed: none together with a side"),
+    ({"side": 0, "outline": None}, "outline: None given; allowed: the corners of the object"),
+    ({"side": 3, "outline": HOOK}, "side: 3 given; allowed: a side with the whole object on one side"),
 ]  # fmt: skip
 
 
@@ -236,6 +246,73 @@ def test_values_that_do_not_fit_their_kind(value, kind, said):
     with pytest.raises(pp.InvalidValue) as caught:
         scene_of((0.5, -1), (0, 1)).to_object(value, kind)
     assert said in str(caught.value)
+
+
+class TestSides:
+    @pytest.mark.parametrize("turn", [0.0, 0.3, -2.0])
+    @pytest.mark.parametrize("order", [1, -1])
+    def test_a_side_goes_from_its_corner_to_the_next(self, order, turn):
+        c, s = np.cos(turn), np.sin(turn)
+        corners = (np.array([(0, 0), (3, 0), (3, 1), (0, 2)]) @ [[c, s], [-s, c]])[::order]
+        inside = corners.mean(0)
+        for k in (0, 1, 2, np.int64(3)):
+            effects = [pp.SupportFriction(support=pp.Polygon(corners))]
+            scene = pp.scene_at(side=k, effects=effects, contact=pp.Coulomb(1.0), outline=corners)
+            start, end = corners[k], corners[(k + 1) % 4]
+            half = np.hypot(*(end - start)) / 2
+            assert scene.slider.flush
+            assert scene.slider.side == pytest.approx((-half, half))
+            assert scene.placement.point == pytest.approx((start + end) / 2)
+            assert np.dot(scene.placement.normal, inside - start) > 0
+            assert np.dot(scene.placement.normal, end - start) == pytest.approx(0, abs=1e-12)
+            ends = scene.to_object([(-half, 0), (half, 0)], "point")
+            assert ends == pytest.approx(np.array([start, end])[::order], abs=1e-12)
+            outline = scene.to_object(
+                scene.slider.rod_length * np.array([np.cos(scene.slider.rod_angle),
+                                                    np.sin(scene.slider.rod_angle)]), "point",
+            )  # fmt: skip
+            assert outline == pytest.approx(pp.Polygon(corners).center_of_pressure)
+
+    def test_a_part_of_a_straight_side_stands_for_all_of_it(self):
+        corners = [(-1, -1), (0, -1), (0.5, -1), (1, -1), (1, 1), (-1, 1)]
+        given = {"effects": [pp.SupportFriction(support=SQUARE)], "contact": pp.Coulomb(1.0)}
+        whole = pp.scene_at(side=0, outline=SQUARE.vertices, **given)
+        for k in range(3):
+            assert pp.scene_at(side=k, outline=corners, **given) == whole
+
+    def test_parts_of_an_outline_on_one_line_are_one_contact(self):
+        """A bridge on two piers: the fence touches both, and the ends are those of both together."""
+        bridge = [(0, 0), (1, 0), (1, 1), (3, 1), (3, 0), (4, 0), (4, 2), (0, 2)]
+        effects = [pp.SupportFriction(support=pp.Polygon(bridge))]
+        scene = pp.scene_at(side=0, effects=effects, contact=pp.Coulomb(0.2), outline=bridge)
+        assert scene.placement.point == (0.5, 0.0)
+        assert scene.slider.side == (-0.5, 3.5)
+        (stick,) = pp.solve(scene, np.pi / 2)
+        assert (stick.flush, stick.force_position) == (True, pytest.approx(1.5))
+
+    def test_a_file_holds_the_side(self, tmp_path):
+        """As an object, and as the scene that it makes."""
+        file = tmp_path / "box.yaml"
+        file.write_text(
+            "object:\n  outline: [[-1, -1], [1, -1], [1, 1], [-1, 1]]\n  contact: {side: 1}\n"
+            "contact: {law: coulomb, friction_coefficient: 0.5}\neffects: [{type: support_friction}]\n"
+        )
+        scene = pp.load_scene(file)
+        effects = [pp.SupportFriction(support=pp.Polygon([(-1, -1), (1, -1), (1, 1), (-1, 1)]))]
+        given = {"effects": effects, "contact": pp.Coulomb(0.5)}
+        assert scene == pp.scene_at(side=1, outline=SQUARE.vertices, **given)
+        pp.save_scene(scene, tmp_path / "scene.yaml")
+        assert "flush: true" in (tmp_path / "scene.yaml").read_text()
+        assert pp.load_scene(tmp_path / "scene.yaml") == scene
+        file.write_text(file.read_text().replace("side: 1", "side: 4"))
+        with pytest.raises(
+            pp.InvalidFile, match=r"object\.contact\.side: 4 given; allowed: a whole number"
+        ):
+            pp.load_scene(file)
+
+    def test_a_file_without_a_side_is_as_before(self, tmp_path):
+        pp.save_scene(scene_of((0.5, -1), (0, 1)), tmp_path / "scene.yaml")
+        assert "flush" not in (tmp_path / "scene.yaml").read_text()
 
 
 class TestWeight:

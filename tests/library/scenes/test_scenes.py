@@ -113,8 +113,8 @@ def message(tmp_path, text):
          "slider.rod_angle: 180 given; allowed: degrees in the open interval (0, 180); "
          "keep the slider above the fence"),
         ("rod_length", "rod_lenght",
-         "slider.rod_lenght: 5 given; allowed: the keys rod_length, rod_angle, radius, side, outline; "
-         "did you mean rod_length?"),
+         "slider.rod_lenght: 5 given; allowed: the keys rod_length, rod_angle, radius, side, flush, "
+         "outline; did you mean rod_length?"),
         ("title", "color",
          "color: 'A scene' given; allowed: the keys title, slider, contact, effects, simulate, "
          "placement, units; remove the key"),
@@ -127,8 +127,8 @@ def message(tmp_path, text):
          "contact: {'friction_coefficient': 2} given; allowed: a mapping with the key 'law'; "
          "change the value"),
         ("slider: {rod_length: 5, rod_angle: 45, radius: 1}", "slider: 5",
-         "slider: 5 given; allowed: a mapping with the keys rod_length, rod_angle, radius, side, outline; "
-         "change the value"),
+         "slider: 5 given; allowed: a mapping with the keys rod_length, rod_angle, radius, side, flush, "
+         "outline; change the value"),
         ("contact: {law: coulomb, friction_coefficient: 2}", "contact: rough",
          "contact: 'rough' given; allowed: a mapping; change the value"),
         ("title: A scene", "title: 3", "title: 3 given; allowed: text; change the value"),

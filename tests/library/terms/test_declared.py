@@ -47,6 +47,7 @@ WRONG = {
     ),
     (pp.Slider, "radius"): (ROD, 0.0, "a finite number > 0; give it in the unit of the rod length"),
     (pp.Slider, "side"): (ROD, (1, 2), "(start, end) with start < 0 < end, infinite for a side without"),
+    (pp.Slider, "flush"): (ROD | {"side": (-1, 1)}, "yes", "True or False; give one of them"),
     (pp.Slider, "outline"): (ROD, [(0, 0), (1, 1)], "at least three vertices; give x and y of each"),
     (pp.Placement, "point"): (AT, "here", "two finite numbers; give x and y in the object's frame"),
     (pp.Placement, "normal"): (AT, (1.0, "up"), "; give x and y in the object's frame"),

@@ -14,7 +14,7 @@ from planar_pushing.mechanics.angles import AngleInterval, interval
 from planar_pushing.mechanics.arrays import Output, elementwise, evaluated, is_labeled
 from planar_pushing.mechanics.force.cones import force_columns
 from planar_pushing.mechanics.plane import Array, direction
-from planar_pushing.mechanics.scene import Scene, required_scene
+from planar_pushing.mechanics.scene import Scene, required_point_scene
 from planar_pushing.terms.domain import Number, Numbers, Scalar, required_ratio
 from planar_pushing.terms.errors import InvalidValue, require_option
 from planar_pushing.terms.units import named_units
@@ -174,7 +174,7 @@ def conservative_motion_cone(scene: Scene) -> AngleInterval:
         If an effect alone does not turn the slider about a point of the ring under a tangent force, as
         facts 5-7 of Sec. 4 assume: with inertia, the radius of gyration must be the ring's radius.
     """
-    if not required_scene(scene).isotropic:
+    if not required_point_scene(scene).isotropic:
         raise InvalidValue(
             "effects", scene.effects, "effects that are isotropic about the slider's center",
             "use motion_cone, which is exact for every support",

@@ -14,7 +14,7 @@ from planar_pushing.mechanics.arrays import Output, evaluated, named
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import scale_forces
-from planar_pushing.mechanics.scene import Scene, required_scene
+from planar_pushing.mechanics.scene import Scene, required_point_scene, required_scene
 from planar_pushing.terms.domain import Number, Numbers, Scalar, required
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import in_radians
@@ -92,7 +92,7 @@ def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> list[Number]:
 
     If there are effects of degrees 1 and 2, those of degree 2 have the share `inertia_share` of the force.
     """
-    require_held(scene)
+    require_held(required_point_scene(scene))
     rows = scene.rows
     if scene.loads and not scene.friction:
         raise InvalidValue(
@@ -119,7 +119,7 @@ def _required_magnitude(
     scene: Scene, share: Number | None, ratio: Number | None
 ) -> tuple[Number, Number]:
     """Inertia share and |f| / W, if the motion depends on the magnitude of the force."""
-    open_, given = is_magnitude_open(required_scene(scene)), (share, ratio)
+    open_, given = is_magnitude_open(required_point_scene(scene)), (share, ratio)
     name = "inertia_share" if ratio is None else "force_ratio"
     if not open_ and given != (None, None):
         raise InvalidValue(
@@ -248,7 +248,7 @@ def motion_cone(scene: Scene) -> AngleInterval:
     they differ is approached but never reached: the cone is open. The type of the result is that of
     `friction_cone`.
     """
-    law = required_scene(scene).law
+    law = required_point_scene(scene).law
     columns = [*unit_columns(scene), law.right, law.left]
     right, left, reached, status = evaluated("motion_cones", scene.rows.data, columns, CONE)
     cone: AngleInterval = interval(right, left, law.closed & reached, status)

@@ -33,7 +33,7 @@ from planar_pushing.mechanics.force.parameters import (
 )
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import Entry
-from planar_pushing.mechanics.scene import Scene, required_scene
+from planar_pushing.mechanics.scene import Scene, required_point_scene
 from planar_pushing.terms.domain import required
 from planar_pushing.terms.errors import InvalidValue, require_flag
 from planar_pushing.terms.units import named_units
@@ -137,7 +137,7 @@ def motion_of_force(
     -----
     Solves ``grad Psi(u) = f`` for the motion u of the contact (Eqs. 7 and 10 for the ring).
     """
-    ratio = _required_ratio(required_scene(scene), force_ratio)
+    ratio = _required_ratio(required_point_scene(scene), force_ratio)
     angle = required("force_angle", force_angle)
     norm = FORCE_SIZE if is_magnitude_open(scene) else UNIT_MOTION
     # With shares of one half, the weight is half the unit of force.

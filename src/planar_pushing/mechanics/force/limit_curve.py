@@ -20,7 +20,7 @@ from planar_pushing.mechanics.arrays import Output, dataset, evaluated, is_label
 from planar_pushing.mechanics.force.cones import is_magnitude_open
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.plane import Array, direction
-from planar_pushing.mechanics.scene import Scene, required_scene
+from planar_pushing.mechanics.scene import Scene, required_point_scene
 from planar_pushing.terms.domain import Number, Numbers, Scalar, required
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.units import named_units
@@ -110,7 +110,7 @@ def limit_curve(scene: Scene, force_angle: Number) -> Any:
 
 def require_one_curve(scene: Scene) -> None:
     """Refuse a scene whose forces depend on the magnitude of the motion."""
-    if is_magnitude_open(required_scene(scene)):
+    if is_magnitude_open(required_point_scene(scene)):
         raise InvalidValue(
             "limit_curve", " and ".join(type(each).__name__ for each in scene.effects),
             "a scene whose forces do not depend on the magnitude of its motion",
@@ -120,7 +120,7 @@ def require_one_curve(scene: Scene) -> None:
 
 def curve_of_unit_motions(scene: Scene, force_angle: Number) -> Any:
     """As `limit_curve`; with friction and inertia, the curve of one of many magnitudes of motion."""
-    scene, angle = required_scene(scene), required("force_angle", force_angle)
+    scene, angle = required_point_scene(scene), required("force_angle", force_angle)
     require_held(scene)
     rows = scene.rows
     columns = [*rows.columns, *rows.body[:2], angle, float(UNIT_ENERGY), 0.0]

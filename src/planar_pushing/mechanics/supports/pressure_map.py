@@ -142,6 +142,15 @@ class PressureMap(Pictured):
         return Pieces(plates=tuple(plates))
 
 
+def pressed_area(measured: PressureMap) -> Pieces:
+    """The area of a map that has pressure, as one plate with the same pressure everywhere."""
+    cells = np.array(measured.pressure) > 0.0
+    plate = _block(np.array(measured.x), np.array(measured.y), cells.astype(float))
+    if measured.origin is not None or measured.axis is not None:
+        plate = _turned(plate, measured.frame)
+    return Pieces(plates=(plate,))
+
+
 def _turned(plate: Array, frame: Frame) -> Array:
     """Edges transformed from a frame to its parent frame."""
     ends = frame.point_out(plate[:, :4].reshape(-1, 2)).reshape(-1, 4)

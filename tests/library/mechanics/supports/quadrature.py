@@ -55,7 +55,8 @@ def circle(radius):
 
 @sampled.register
 def _(support: Ring):
-    return circle(support.extent)
+    places, shares = circle(support.extent)
+    return places + support.center_of_pressure, shares
 
 
 def circles(inner, outer, center):
