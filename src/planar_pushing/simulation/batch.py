@@ -23,7 +23,7 @@ from planar_pushing.terms import quantities
 from planar_pushing.terms.domain import SAMPLE_COUNT
 from planar_pushing.terms.errors import InvalidValue, require_flag, require_kind
 from planar_pushing.terms.numbers import Array
-from planar_pushing.terms.options import Policy, PolicyName
+from planar_pushing.terms.options import Policy, PolicyName, Shape
 
 
 def simulate_batch(
@@ -95,9 +95,10 @@ def simulate_batch(
     unfolded = {name: _unfold(variable, over) for name, variable in variables.items()}
     coordinates = _coordinates(problem, over) | ({"part": ("part", parts)} if samples else {})
     dataset = xr.Dataset(unfolded, coordinates)
+    table = quantities.FINGER_BATCH if problem.shape == Shape.FINGER else quantities.BATCH
     for label, variable in dataset.variables.items():
         if label not in over.coordinates:
-            attributes = variable_attributes(quantities.BATCH, str(label), problem.scene.units)
+            attributes = variable_attributes(table, str(label), problem.scene.units)
             variable.attrs = attributes or variable.attrs
     return without_fill_values(dataset)
 

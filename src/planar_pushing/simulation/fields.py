@@ -17,6 +17,7 @@ from planar_pushing.core.run import (
     LOG_DISSIPATED,
     LOG_EVALUATIONS,
     LOG_EVENT,
+    LOG_FLUSH,
     LOG_FORCE,
     LOG_GAP,
     LOG_KINETIC,
@@ -72,6 +73,16 @@ class Stop(IntEnum):
 
 def _is_finger(problem: Problem) -> bool:
     return problem.shape == Shape.FINGER
+
+
+def _can_lie(problem: Problem) -> bool:
+    """Whether a side of the slider can lie on the fence."""
+    slider = problem.scene.slider
+    return not _is_finger(problem) and (slider.flush or slider.outline is not None)
+
+
+def _has_position(problem: Problem) -> bool:
+    return _is_finger(problem) or _can_lie(problem)
 
 
 def _has_loads(problem: Problem) -> bool:
@@ -131,7 +142,8 @@ FIELDS = (
     Field("kinetic_energy", LOG_KINETIC),
     Field("evaluations", LOG_EVALUATIONS, EFFECT, "i8"),
     Field("stopped", LOG_STOPPED, (), "i1", lambda problem: False, sampled=True),
-    Field("contact_position", LOG_CONTACT_POSITION, logged=_is_finger, sampled=True),
+    Field("contact_position", LOG_CONTACT_POSITION, logged=_has_position, sampled=True),
+    Field("flush", LOG_FLUSH, (), "?", _can_lie, sampled=True),
     Field("parted", LOG_PARTED, (), "?", _is_finger, sampled=True),
     Field("load_work", LOG_LOAD_WORK, logged=_has_loads),
     Field("object_position", LOG_POSITION, XY, logged=_is_placed),

@@ -143,7 +143,7 @@ def numbers_of(
         *scene.law, v_x / radius, v_y / radius, omega, problem.gap / radius, is_finger,
         finger_radius / radius, *(end / radius for end in slider.side), _fineness(slider),
         len(corners), len(data), sum(entry.degree == 1 for entry in entries), len(entries),
-        problem.rtol, 0.0, 0.0, 0.0, 0.0, radius, problem.duration,
+        problem.rtol, 0.0, 0.0, 0.0, 0.0, slider.flush, radius, problem.duration,
     ]  # fmt: skip
     columns += [part for _, velocity in problem.pusher.velocities for part in velocity]
     return np.concatenate([data, corners.ravel()]) if len(corners) else data, columns

@@ -1,11 +1,12 @@
 """A problem to simulate: scene, pusher, initial state, and policy for the contact modes.
 
 The fence is the line ``y = Y(t)`` in a frame with its origin at the contact at time 0, and its displacement
-is ``(X, Y)``. The rod angle can be any real number. Only the rod's free end can touch the fence, so the
-model is valid as long as the slider's center is above the fence. The simulation stops when the center
-reaches the fence, where the rod lies along it. If the slider has an outline, the simulation also stops when
-another point of the outline meets the pusher. A finger is the point ``(X, Y)``, or a disc with its center
-one radius below the contact at time 0; it pushes a side of the slider that is along x at time 0.
+is ``(X, Y)``. The rod angle can be any real number. Without an outline only the rod's free end, or both
+ends of a flush side, can touch the fence, so the model is valid as long as the slider's center is above the
+fence, and the simulation stops when it reaches the fence. Otherwise the corners of the outline can touch
+it. A finger is the point ``(X, Y)``, or a disc with its center one radius below the contact at time 0; it
+pushes a side of the slider that is along x at time 0. If the slider has an outline, the simulation stops
+when another point of the outline meets the finger.
 """
 
 from __future__ import annotations
@@ -70,6 +71,11 @@ class Problem:
         self._set("on_ambiguity", required_policies(self.on_ambiguity))
         require_held(self.scene)
         if self.shape == Shape.FINGER:
+            if self.scene.slider.flush:
+                raise InvalidValue(
+                    "pusher", "a finger on a side that lies on a fence", "a fence",
+                    "push with a fence, or make the scene with scene_at(point=...)",
+                )  # fmt: skip
             _require_narrow(self.pusher.radius, self.scene.slider.radius)
         self._require_outside()
         if self.object_pose is not None:

@@ -74,7 +74,8 @@ def simulate(
     twist : (v_x, v_y, omega)
         Initial twist at the slider's center, with omega in radians per time, for a scene with inertia.
     gap : float
-        Initial height of the contact above the fence.
+        Initial height of the contact above the fence; of several points that can touch the fence, the log
+        has the height of the lowest.
     samples : int
         Number of evenly spaced instants in the log, >= 2; every event is also logged.
     step : float, optional
@@ -103,10 +104,14 @@ def simulate(
     xarray.Dataset
         Log with one entry of each variable for each instant; angles are in degrees. If the motion ended
         early, the attribute `stopped` gives the reason: the motion could not continue, or `until` holds
-        ("until: ..."). Otherwise it is empty. When a finger leaves the side at its end, the contact ends
-        permanently, and `parted` is true from then on. If the slider has an outline, the run ends there,
-        and also when another point of the outline meets the pusher, within a billionth of the outline's
-        extent.
+        ("until: ..."). Otherwise it is empty. A fence touches every corner of an outline, within a
+        billionth of the outline's extent: a side that arrives on it continues in a consistent mode, with
+        inertia after an impact at both ends or at one of them. `flush` is true while a side lies on the
+        fence, and `contact_position` is the place of the force along the fence, or of the contact's point
+        without a force. Without an outline only the contact, or the given side, touches a fence, and the
+        run ends when the slider's center reaches it. When a finger leaves the side at its end, the contact
+        ends permanently, and `parted` is true from then on; with an outline the run ends there, and also
+        when another point of the outline meets the finger.
 
     Raises
     ------

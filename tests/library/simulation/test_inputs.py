@@ -66,7 +66,7 @@ def test_numbers_of_a_scene():
         run.IN_FINGER: 1.0, run.IN_RADIUS: 0.4, run.IN_SIDE_START: -2.0, run.IN_SIDE_END: 1.5,
         run.IN_FINE: 0.5 / (2 * DEPTH), run.IN_CORNERS: 4, run.IN_CORNERS_PLACE: len(data) - 8,
         run.IN_FRICTIONS: 2, run.IN_RESISTING: 3, run.IN_TOLERANCE: 1e-8, run.IN_PIECES: 2,
-        run.IN_COEFFICIENTS: 1, run.IN_TIMES: 5, run.IN_EVENTS: 1,
+        run.IN_COEFFICIENTS: 1, run.IN_TIMES: 5, run.IN_EVENTS: 1, run.IN_FLUSH: 0,
     }  # fmt: skip
     assert len(expected) == run.INPUTS
     for place, number in expected.items():

@@ -126,13 +126,17 @@ def test_a_run_until_an_event_is_the_beginning_of_the_whole_run(name):
 
 
 @pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("name", OUTLINED)
+@pytest.mark.parametrize("name", [name for name in OUTLINED if name != "flush side"])
 def test_a_run_that_meets_nothing_is_that_without_an_outline(name, method):
     """To the last bit."""
-    case = SCENES[name]
-    short = replace(case, duration=float(0.9 * log_of(name, method).time.values[-1]))
+    case, log = SCENES[name], log_of(name, method)
+    end = log.time.values[-1]
+    if "flush" in log and log.flush.any():
+        end = log.time.values[log.flush.values.argmax()]
+    short = replace(case, duration=float(0.9 * end))
     bare = replace(case.scene, slider=replace(case.scene.slider, outline=None))
-    xr.testing.assert_equal(short.log(method), replace(short, scene=bare).log(method))
+    alone = replace(short, scene=bare).log(method)
+    xr.testing.assert_equal(short.log(method)[[*alone.data_vars]], alone)
 
 
 POSE = (3.0, -2.0, 2.3)
@@ -174,6 +178,8 @@ def test_without_inertia_an_instant_is_a_push_from_rest(name):
         now, (x, y) = log.isel(time=at), velocity_at(case, float(log.time[at]))
         if now.event != NO_EVENT or now.gap > 0:  # at an event two modes meet
             continue
+        if case.scene.slider.outline is not None and case.shape == "fence" and now.flush:
+            continue  # not a push of one point
         slider = replace(
             case.scene.slider, rod_angle=np.deg2rad(float(now.rod_angle)), outline=None
         )
