@@ -17,4 +17,4 @@ __version__ = "1.0.0"
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
 # The pictures that notebooks show; the mechanics knows nothing of figures.
-LOADERS.append(partial(import_module, "planar_pushing.drawing.notebook"))
+LOADERS.append(partial(import_module, "planar_pushing.drawing.scene"))

@@ -4,6 +4,7 @@ from .datasets import open_dataset
 from .drawing.animate import animate
 from .drawing.comparison import plot_comparison
 from .drawing.draw import draw, plot_log
+from .drawing.stable_centers import plot_stable_centers
 from .mechanics.angles import AngleInterval
 from .mechanics.contact import (
     ContactMode,
@@ -73,13 +74,17 @@ from .simulation.log import to_pandas
 from .simulation.pusher import Pusher
 from .simulation.simulate import simulate
 from .simulation.until import Until
+from .stability.any_pressure import AnyPressure, any_pressure
+from .stability.stable import stable
+from .stability.stable_centers import StableCenters, StableCurve, stable_centers
+from .stability.stable_for_any_pressure import stable_for_any_pressure
 from .terms.errors import (
     InvalidFile,
     InvalidValue,
     PlainCoreWarning,
     PlanarPushingError,
 )
-from .terms.options import Event
+from .terms.options import Event, Sense, StableBound
 from .terms.units import Units
 
 __version__: str
@@ -87,6 +92,7 @@ __version__: str
 __all__ = [
     "AngleInterval",
     "Annulus",
+    "AnyPressure",
     "Composite",
     "ContactMode",
     "Coulomb",
@@ -117,11 +123,15 @@ __all__ = [
     "RingFriction",
     "Scene",
     "Segment",
+    "Sense",
     "Slider",
     "Smoothness",
     "Solution",
     "SolutionArrays",
     "Solutions",
+    "StableBound",
+    "StableCenters",
+    "StableCurve",
     "Status",
     "SupportFriction",
     "Touch",
@@ -130,6 +140,7 @@ __all__ = [
     "Viscous",
     "WrenchSet",
     "animate",
+    "any_pressure",
     "can_pull",
     "compare",
     "concat_pushes",
@@ -149,6 +160,7 @@ __all__ = [
     "open_dataset",
     "plot_comparison",
     "plot_log",
+    "plot_stable_centers",
     "potential",
     "pushes_for",
     "pushes_from_poses",
@@ -163,6 +175,9 @@ __all__ = [
     "slips_while_pushing",
     "solve",
     "spin_ratio",
+    "stable",
+    "stable_centers",
+    "stable_for_any_pressure",
     "to_mjcf",
     "to_pandas",
     "weight",

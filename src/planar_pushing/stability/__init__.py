@@ -1,0 +1,1 @@
+"""Stable pushes with a flat side on the fence, and statements for any pressure."""
