@@ -148,7 +148,7 @@ def _invalid(error: ValidationError, section: dict[str, Any]) -> InvalidValue:
 def summary(log: xr.Dataset) -> dict[str, Any]:
     """Summary of a simulation: its final state and the sequence of modes."""
     last = log.isel(time=-1)
-    finger = {"contact_position": float, "parted": bool}
+    where = {"contact_position": float, "flush": bool, "parted": bool}
     return {
         "time": float(last["time"]),
         "stopped": log.attrs["stopped"],
@@ -156,24 +156,30 @@ def summary(log: xr.Dataset) -> dict[str, Any]:
         "position": [float(each) for each in last["position"]],
         "slip": float(last["slip"]),
         "gap": float(last["gap"]),
-        **{name: kind(last[name]) for name, kind in finger.items() if name in log},
-        "modes": [
-            {"time": time, "mode": mode, "consistent": count} for time, mode, count in _changes(log)
-        ],
+        **{name: kind(last[name]) for name, kind in where.items() if name in log},
+        "modes": _changes(log),
     }
 
 
-def _changes(log: xr.Dataset) -> list[tuple[float, str, int]]:
-    """Mode and number of consistent solutions, with the times at which either changed."""
+def _changes(log: xr.Dataset) -> list[dict[str, Any]]:
+    """Mode, number of consistent solutions, and whether a side is flush, where one of them changed."""
     import numpy as np
 
     from planar_pushing.mechanics.contact import ContactMode
 
     modes, counts = log["mode"].values.astype(int), log["solutions"].values
     changed = (np.diff(modes) != 0) | (np.diff(counts) != 0)
+    flush = log["flush"].values if "flush" in log else None
+    if flush is not None:
+        changed |= np.diff(flush)
     rows = np.flatnonzero(np.concatenate([[True], changed]))
     names = {-1: "NONE"} | {int(mode): mode.name for mode in ContactMode}
     return [
-        (float(log["time"][row]), names[int(modes[row])], int(log["solutions"][row]))
+        {
+            "time": float(log["time"][row]),
+            "mode": names[int(modes[row])],
+            "consistent": int(counts[row]),
+            **({} if flush is None else {"flush": bool(flush[row])}),
+        }
         for row in rows
     ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 from typing import TYPE_CHECKING, Any
 
 from planar_pushing.commands.words import Commands, add_push, add_scene, command, numbers, table
@@ -20,6 +21,8 @@ COLUMNS = {
     "center": ("center_x", "center_y"),
     "force_end": ("f_end_x", "f_end_y"),
 }
+#: The forces at the ends of a side on the fence, and the columns of their normal components.
+END_FORCES = {"force_at_start": "n_start", "force_at_end": "n_end"}
 
 
 def add(commands: Commands) -> None:
@@ -95,8 +98,21 @@ def _solutions(found: Solutions, feet: tuple[str, ...]) -> list[dict[str, Any]]:
             **({"foot": feet[one.pivot]} if feet and one.pivot >= 0 else {}),
             "continuum": one.continuum,
             "adhesive": one.adhesive,
+            **({} if one.end_forces is None else _on_side(one.flush, values)),
         })  # fmt: skip
     return listed
+
+
+def _on_side(flush: bool, values: dict[str, Any]) -> dict[str, Any]:
+    """Values of a solution of a side on the fence, with the upper bound of a force if it is another one."""
+    position = float(values["force_position"])
+    at = None if math.isnan(position) else position
+    entries: dict[str, Any] = {"flush": flush, "force_position": at}
+    for name, (low, high) in zip(END_FORCES, values["end_forces"], strict=True):
+        entries[name] = numbers(low)
+        if (low != high).any():
+            entries[f"{name}_high"] = numbers(high)
+    return entries
 
 
 def _table(pushes: list[dict[str, Any]]) -> str:
@@ -119,4 +135,10 @@ def _row(one: dict[str, Any]) -> dict[str, Any]:
         )
     continuum = "continuum" if one.get("continuum") else None
     pivot = one.get("foot", one.get("pivot"))
-    return found | {"pivot": None if pivot is None else str(pivot), "continuum": continuum}
+    found |= {"pivot": None if pivot is None else str(pivot), "continuum": continuum}
+    position = one.get("force_position")
+    found["flush"] = "flush" if one.get("flush") else None
+    found["force_at"] = None if position is None else f"{position:.6g}"
+    for name, column in END_FORCES.items():
+        found[column] = f"{one[name][1]:.6g}" if name in one else None
+    return found

@@ -24,7 +24,8 @@ from planar_pushing.drawing.canvas.marks import NOTE, Picture, Sheet
 from planar_pushing.drawing.canvas.style import paper_style
 from planar_pushing.drawing.motion import add_instant, add_paths, box, pose
 from planar_pushing.drawing.scene import add_center_mark
-from planar_pushing.drawing.timeline import announce_end, plotted
+from planar_pushing.drawing.timeline import announce_end, plotted, touching
+from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.errors import InvalidValue, require_number, require_path
 from planar_pushing.terms.replacing import PathLike, replacing
 
@@ -119,12 +120,23 @@ def resampled(data: xr.Dataset, count: int) -> xr.Dataset:
     wanted = np.linspace(time[0], time[-1], count)
     before = np.clip(np.searchsorted(time, wanted, side="right") - 1, 0, len(time) - 1)
     found = data.isel(time=before).assign_coords(time=wanted)
+    if "path_flush" in data:
+        found["path_contact_position"] = ("time", _places_of_force(data, wanted, before))
     names = ("path_position", "path_pusher", "path_rod_angle", "path_gap", "path_slip", "path_side")
     for name in (each for each in names if each in data):
         values = data[name].values.reshape(len(time), -1)
         columns = [np.interp(wanted, time, column) for column in values.T]
         found[name] = (data[name].dims, np.stack(columns, axis=-1).reshape(found[name].shape))
     return found
+
+
+def _places_of_force(data: xr.Dataset, wanted: Array, before: Any) -> Array:
+    """Places of the force along the fence, interpolated between rows with one contact."""
+    along, point = data["path_contact_position"].values, touching(data)
+    after = np.minimum(before + 1, len(along) - 1)
+    between = np.interp(wanted, data["time"].values, along)
+    smooth = (point[before] == point[after]) & np.isfinite(along[before] + along[after])
+    return np.asarray(np.where(smooth, between, along[before]))
 
 
 def _pictures(data: xr.Dataset) -> Iterator[Image.Image]:
@@ -162,5 +174,6 @@ def status(data: xr.Dataset, row: int) -> str:
     """Contact mode in words, with a note if the slider pivots or if there was a choice."""
     mode = MODES[int(data["path_mode"].values[row])].name
     pivots = ", pivots" if _pivots(data, row) else ""
+    flush = ", flush" if "path_flush" in data and data["path_flush"].values[row] else ""
     several = " (one of several)" if data["path_solutions"].values[row] > 1 else ""
-    return f"{mode}{pivots}{several}"
+    return f"{mode}{flush}{pivots}{several}"

@@ -40,6 +40,8 @@ RIM = 0.07
 NAMES = {"pressure": "center of\npressure", "mass": "center\nof mass"}
 #: Strength of the color of an outline's area.
 OBJECT = 0.06
+#: Width of a side on the fence, in units of the outline's.
+SIDE = 1.5
 #: Drawing order of the disc of a finger.
 FINGER = AREAS + 0.9
 #: Distance between strokes of a fence's hatch, in units of its depth.
@@ -129,14 +131,21 @@ def add_body(
     pose: Pose,
     *,
     contact: Place = (0.0, 0.0),
+    side: Array | None = None,
     ink: Ink | None = None,
 ) -> None:
-    """Add the outline, the support, the rod, the contact, and the signs of the centers."""
+    """Add the outline, the support, the signs of the centers, and the rod with the contact.
+
+    A side that lies on the fence, given by its ends, takes the place of the rod.
+    """
     own = ink or Ink()
     if body.outline:
         add_outline(picture, pose.at(body.outline), own)
     add_support(picture, body.support, pose, own)
-    add_rod(picture, pose.origin, contact=contact, ink=own)
+    if side is None:
+        add_rod(picture, pose.origin, contact=contact, ink=own)
+    else:
+        add_side(picture, side, pose.origin, own)
     for name, place in body.centers:
         face = own.color if name == "pressure" else "white"
         edge, width = ("white", 0.6) if name == "pressure" else (own.color, 0.9)
@@ -157,6 +166,14 @@ def add_rod(picture: Picture, center: Place, *, contact: Place, ink: Ink) -> Non
     picture.line([contact, center], ink.color, width=0.6 * ink.width, order=OUTLINE)
     picture.dot(center, 2.2, ink.color)
     picture.dot(contact, 4.0, ink.color, order=ARROWS + 1)
+
+
+def add_side(picture: Picture, side: Array, center: Place, ink: Ink) -> None:
+    """Add a side that lies on the fence, with a dot at each end, and the slider's center."""
+    picture.line(side, ink.color, width=SIDE * ink.width, order=OUTLINE)
+    picture.dot(center, 2.2, ink.color)
+    for end in side:
+        picture.dot(end, 2.2 * ink.width, ink.color, order=ARROWS + 1)
 
 
 def name_centers(picture: Picture, body: Body, pose: Pose) -> None:

@@ -17,7 +17,7 @@ from planar_pushing.terms.errors import InvalidValue
 
 
 class Look(NamedTuple):
-    """Name and style of a model; ellipsoids are hollow diamonds."""
+    """Name and style of a model; ellipsoids are hollow diamonds, and quartics hollow triangles."""
 
     name: str
     color: str
@@ -31,8 +31,11 @@ LOOKS: dict[str, Look] = {
     "uniform": Look("uniform pressure", "#3E5A2A"),
     "known_feet_ellipsoid": Look("ellipsoid of known feet", "#3C86CC", "D"),
     "uniform_ellipsoid": Look("ellipsoid of uniform pressure", "#A1934A", "D"),
+    "fitted_quartic": Look("fitted quartic", "#C0408F", "^"),
     "fitted_ellipsoid": Look("fitted ellipsoid", "#1C1C1C", "D"),
 }
+#: Markers of limit surfaces without a pressure.
+HOLLOW = ("D", "^")
 #: Colors of models given by the user.
 OTHERS = ("#8A3C70", "#00838F", "#5E4A80", GRAY)
 #: Quantities of `compare`: title, and the attribute with the unit of the errors.
@@ -52,7 +55,8 @@ def plot_comparison(dataset: xr.Dataset, ax: Any = None) -> list[Axes]:
 
     A marker is the median error, a thick line its 95 percent interval, and a thin line ends at the 90th
     percentile. To the right is the ratio of the median to that of the ellipsoid fitted to the same pushes,
-    with its interval. Circles are pressures, and hollow diamonds are ellipsoids.
+    with its interval. Circles are pressures, hollow diamonds are ellipsoids, and the hollow triangle is the
+    quartic.
 
     Parameters
     ----------
@@ -112,7 +116,7 @@ def panel(ax: Axes, one: xr.Dataset, *, named: bool = True) -> None:
     median, most = one["median"].values, one["percentile_90"].values
     low, high = _interval(one, "median")
     for row, look in enumerate(shown.values()):
-        face = "white" if look.marker == "D" else look.color
+        face = "white" if look.marker in HOLLOW else look.color
         ax.plot([median[row], most[row]], [row, row], color=look.color, lw=0.8, zorder=2)
         ax.plot(most[row], row, "|", color=look.color, ms=6, mew=1.2, zorder=2)
         ax.plot([low[row], high[row]], [row, row], color=look.color, lw=2.6, zorder=3,

@@ -29,6 +29,8 @@ from planar_pushing.terms.errors import InvalidValue, require_flag, require_kind
 
 #: Sizes of the pictures of a scene and of a log, inches; padding, points.
 SCENE, LOG, PAD = (4.2, 4.0), (7.0, 3.2), 24.0
+#: Height of the axes of a scene below a title of at most two lines, and of each further line, as fractions.
+HIGH, LINE = 0.9, 0.04
 #: Number of instants at which slider and pusher are drawn.
 COUNT = 5
 #: Variables plotted over time if they vary, and their labels.
@@ -64,9 +66,11 @@ def draw(
         Number or mode of the solution to draw in full; the others are pale. By default the sticking
         solution, otherwise the first in which the pusher transmits a force.
     cones : bool
-        Whether to show the friction cone and the motion cone.
+        Whether to show the friction cone and the motion cone; of a side on the fence, the friction cones at
+        both ends.
     limit_curve : bool
-        Whether to show the limit curve around the contact, for a scene with one effect.
+        Whether to show the limit curve around the contact, for a scene with one effect and one point of
+        contact.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on, by default those of a new figure. Their frame is removed.
 
@@ -80,6 +84,11 @@ def draw(
     InvalidValue
         If the scene is an array of scenes, a value is not allowed, or there is no such solution or no limit
         curve.
+
+    Notes
+    -----
+    A side that lies on the fence is a heavy line with a dot at each end. The force acts at x*, where its
+    line of action crosses the side; thin arrows are the forces at both ends where they are determined.
     """
     required_single(required_scene(scene))
     require_flag("cones", cones)
@@ -125,13 +134,20 @@ def _number(found: Sequence[Any], wanted: int | ContactMode) -> int:
 def _draw_axes(sketch: Sketch, cones: bool, ax: Axes | None) -> Axes:
     """Axes with the picture of a sketch, its scale bar and its title."""
     with paper_style():
-        own = schematic(_new_figure(SCENE), (0.0, 0.0, 1.0, 0.9)) if ax is None else ax
+        title = wrapped(said(sketch))
+        own = _axes_under_title(new_figure(SCENE), title) if ax is None else ax
         own.set_axis_off()
         picture, frame = scene_picture(sketch, cones=cones), sketch.box
         add_scale(picture, frame, 0.3 * float(np.ptp(frame[:, 0])), sketch.unit)
         to_axes(picture, own, frame, PAD)
-        own.set_title(wrapped(said(sketch)), fontsize=NOTE + 0.5, color=GUIDE)
+        own.set_title(title, fontsize=NOTE + 0.5, color=GUIDE)
     return own
+
+
+def _axes_under_title(figure: Figure, title: str) -> Axes:
+    """Axes on a figure below a title."""
+    more = max(title.count("\n") - 1, 0)
+    return schematic(figure, (0.0, 0.0, 1.0, HIGH - LINE * more))
 
 
 def wrapped(text: str, width: int = 64) -> str:
@@ -141,7 +157,7 @@ def wrapped(text: str, width: int = 64) -> str:
     return "\n".join(textwrap.wrap(text, width))
 
 
-def _new_figure(size: tuple[float, float]) -> Figure:
+def new_figure(size: tuple[float, float]) -> Figure:
     """A figure that notebooks and windows display like those of pyplot, without requiring a window."""
     import matplotlib.pyplot as plt
 
@@ -150,7 +166,7 @@ def _new_figure(size: tuple[float, float]) -> Figure:
 
 def draw_on(figure: Figure, sketch: Sketch, *, cones: bool = True) -> None:
     """Draw a sketch on a separate figure, as `draw` does."""
-    _draw_axes(sketch, cones, schematic(figure, (0.0, 0.0, 1.0, 0.9)))
+    _draw_axes(sketch, cones, _axes_under_title(figure, wrapped(said(sketch))))
 
 
 def plot_log(log: xr.Dataset, figure: Figure | None = None) -> Figure:
@@ -178,7 +194,7 @@ def plot_log(log: xr.Dataset, figure: Figure | None = None) -> Figure:
     data = plotted(log)
     announce_end(log)
     with paper_style():
-        own = _new_figure(LOG) if figure is None else figure
+        own = new_figure(LOG) if figure is None else figure
         motion_and_series(own, data, impacts(log))
     return own
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,8 @@ from planar_pushing.drawing.scene import add_center_mark
 from planar_pushing.drawing.supports import Ink, Pose
 from planar_pushing.drawing.timeline import (
     contact,
+    contact_jumps,
+    corner_positions,
     finger_center,
     finger_radius,
     normal,
@@ -31,6 +34,7 @@ from planar_pushing.drawing.timeline import (
     rod_end,
     rows,
     runs,
+    side_on_fence,
 )
 from planar_pushing.mechanics.plane import Array
 
@@ -61,18 +65,29 @@ def span(data: xr.Dataset) -> float:
 
 def box(data: xr.Dataset) -> Array:
     """Corners of the box around slider and pusher over the whole motion, and the last center if near."""
-    body, half = body_in(data), FENCE_HALF * span(data)
+    body, half, ends = body_in(data), FENCE_HALF * span(data), fence_ends(data)
     points = [contact(data), data["path_position"].values, *last_center(data)]
     points += [body.box(pose(data, row)) for row in range(data.sizes["time"])]
-    ends = np.array([[-half, -0.1 * half], [half, 0.0]])
     if "path_side" in data:
         # Of a finger much larger than the slider, only the region near the side is included.
         reach = min(finger_radius(data), half)
         points.append(data["path_side"].values)
         points += [contact(data) - reach * normal(data) + end * reach for end in (-1.0, 1.0)]
     else:
-        points += [data["path_pusher"].values + end for end in ends]
+        low = zip(ends, (-0.1 * half, 0.0), strict=True)
+        points += [data["path_pusher"].values + np.array(end) for end in low]
     return corners(points)
+
+
+def fence_ends(data: xr.Dataset) -> tuple[float, float]:
+    """Ends of the drawn fence, from the pusher's position; it is longer than all sides that lie on it."""
+    half = FENCE_HALF * span(data)
+    if "path_flush" not in data:
+        return -half, half
+    along = corner_positions(data)[..., 0] - data["path_pusher"].values[:, :1]
+    sides = along[data["path_flush"].values]
+    start, end = sides.min(initial=0.9 * -half), sides.max(initial=0.9 * half)
+    return float(start) - 0.1 * half, float(end) + 0.1 * half
 
 
 def last_center(data: xr.Dataset) -> list[Array]:
@@ -94,11 +109,13 @@ def add_instant(picture: Picture, data: xr.Dataset, row: int, strength: float = 
         add_finger(picture, side, touch, ink.color, center)
     else:
         x, y = data["path_pusher"].values[row]
-        half, depth = FENCE_HALF * size, DEPTH * size
+        (start, end), depth = fence_ends(data), DEPTH * size
         color = tint(FENCE, strength)
-        add_fence(picture, x - half, x + half, y=y, color=color, width=1.0, depth=whole * depth)
+        add_fence(picture, x + start, x + end, y=y, color=color, width=1.0, depth=whole * depth)
         picture.line([(x, y - depth), (x, y)], color, width=2.0)
-    add_body(picture, body_in(data), pose(data, row), contact=rod_end(data)[row], ink=ink)
+    tip = touch if "path_flush" in data else rod_end(data)[row]
+    on_fence = side_on_fence(data, row)
+    add_body(picture, body_in(data), pose(data, row), contact=tip, side=on_fence, ink=ink)
     force = data["path_force"].values[row]
     if np.any(force):
         along = FORCE_LENGTH * size * force / np.hypot(*force)
@@ -108,11 +125,15 @@ def add_instant(picture: Picture, data: xr.Dataset, row: int, strength: float = 
 def add_paths(picture: Picture, data: xr.Dataset, frame: Array, last: int | None = None) -> None:
     """Add the paths up to a row: of the contact in the colors of its modes, and of the motion center."""
     touch, end = contact(data), len(data["time"]) if last is None else last + 1
+    jumps = contact_jumps(data)
     _path_of_center(picture, data["path_center"].values[:end], span(data), frame)
     for run in runs(data):
-        part = touch[run.start : min(run.stop + 1, end)]
-        if len(part) > 1:
-            picture.line(part, MODES[run.mode].ink, width=2.4, order=PATHS)
+        stop = min(run.stop + 1, end)
+        cuts = [run.start, *jumps[(jumps > run.start) & (jumps < stop)], stop]
+        for start, finish in pairwise(cuts):
+            if finish - start > 1:
+                part = touch[start:finish]
+                picture.line(part, MODES[run.mode].ink, width=2.4, order=PATHS)
 
 
 def _path_of_center(picture: Picture, center: Array, size: float, frame: Array) -> None:
@@ -171,7 +192,7 @@ def snapshots(
 def _times(picture: Picture, data: xr.Dataset, frame: Array, chosen: Sequence[int]) -> None:
     """Label instants with their times at the fence ends or the slider's center; close ones share one."""
     finger, named = "path_side" in data, np.empty((0, 2))
-    end = np.array([0.0 if finger else FENCE_HALF * span(data), 0.0])
+    end = np.array([0.0 if finger else fence_ends(data)[1], 0.0])
     for row in chosen:
         place = data["path_position" if finger else "path_pusher"].values[row] + end
         if np.all(np.hypot(*(named - place).T) > CLOSE * np.ptp(frame[:, 1])):

@@ -14,8 +14,15 @@ from planar_pushing.drawing.canvas.colors import CENTER, DARK, IMPACT, MODES
 from planar_pushing.drawing.canvas.marks import NOTE
 from planar_pushing.drawing.timeline import pivots, runs
 
-#: Heights on the strip of the bars that mark a pivot (bottom) and a choice (top).
-PIVOT, CHOICE = 0.2, 0.14
+#: Heights on the strip of the bars that mark a pivot or a flush side (bottom) and a choice (top).
+PIVOT, FLUSH, CHOICE = 0.2, 0.22, 0.14
+#: Style of the bar of a flush side, which has no color of its own.
+BARRED: dict[str, Any] = {
+    "facecolor": "white",
+    "edgecolor": DARK,
+    "hatch": "|||||",
+    "linewidth": 0.6,
+}
 #: Smallest fraction of the duration over which a run's label fits.
 NAMED = 0.2
 
@@ -29,7 +36,7 @@ def series(ax: Axes, data: xr.Dataset, name: str, text: str, **style: Any) -> No
 
 
 def strip(ax: Axes, data: xr.Dataset, bottom: float = 0.0) -> None:
-    """Draw the contact mode over time as a strip of unit height, with bars for choices and pivots."""
+    """Draw the contact mode over time as a strip, with bars for choices, pivots, and flush sides."""
     time = data["time"].values
     for run in runs(data):
         start, stop = time[run.start], time[run.stop]
@@ -41,12 +48,19 @@ def strip(ax: Axes, data: xr.Dataset, bottom: float = 0.0) -> None:
         ax.add_patch(area)
         if run.several:
             _bar(ax, start, stop, bottom + 0.9 - CHOICE, CHOICE, DARK)
+        if run.flush:
+            low = Rectangle((start, bottom), stop - start, FLUSH, **BARRED)
+            ax.add_patch(low)
         if stop - start > NAMED * (time[-1] - time[0]):
             white = withStroke(linewidth=2.5, foreground=look.fill)
             note: dict[str, Any] = {"ha": "center", "va": "center", "path_effects": [white]}
             color = "white" if run.mode < 0 else DARK
             ax.annotate(
-                look.name, ((start + stop) / 2, bottom + 0.42), size=NOTE, color=color, **note
+                look.name,
+                ((start + stop) / 2, bottom + (0.53 if run.flush else 0.42)),
+                size=NOTE,
+                color=color,
+                **note,
             )
     for run in pivots(data):
         _bar(ax, time[run.start], time[run.stop], bottom, PIVOT, CENTER)
@@ -68,6 +82,8 @@ def explain(ax: Axes, data: xr.Dataset) -> None:
         found.append(Patch(facecolor=DARK, label="more than one mode possible"))
     if any(pivots(data)):
         found.append(Patch(facecolor=CENTER, label="pivots about a support point"))
+    if any(run.flush for run in runs(data)):
+        found.append(Patch(**BARRED, label="a side flush on the fence"))
     if found:
         high = 72 * ax.get_position().height * ax.get_figure(root=True).get_figheight()  # type: ignore[union-attr]
         place = (1.02, -26.0 / high)

@@ -1,4 +1,4 @@
-"""Marks of a scene under a push: slider, pusher, cones, and consistent solutions."""
+"""Marks of a scene under a push: slider, pusher, cones, and consistent solutions; SVG for notebooks."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from planar_pushing.drawing.body import (
 )
 from planar_pushing.drawing.canvas.colors import CENTER, DARK, FORCE, MOTION, PUSHER, SLIP, tint
 from planar_pushing.drawing.canvas.marks import AREAS, ARROWS, LINES, NOTE, Picture
+from planar_pushing.drawing.canvas.svg import to_svg
 from planar_pushing.drawing.sketch import (
-    FRICTION_CONE,
     MOTION_CONE,
     SUPPORT_LENGTH,
     Sketch,
@@ -24,14 +24,19 @@ from planar_pushing.drawing.sketch import (
     heading_of,
     moves,
 )
+from planar_pushing.drawing.supports import Ink, Pose, add_support, extents
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.pictures import PICTURES
 from planar_pushing.mechanics.plane import Array, direction
+from planar_pushing.mechanics.scene import Scene, required_single
 from planar_pushing.mechanics.solutions import Solution
 
 #: Strength of the color of the solutions that are not drawn in full.
 PALE = 0.38
 #: Half the width of the fence, and depth of its hatch, in units of the reach.
 HALF, DEPTH = 1.5, 0.09
+#: Width of a notebook's picture and its maximum height in pixels, pixels per point, and padding in points.
+WIDTH, HEIGHT, POINT, PAD = 420.0, 420.0, 1.35, 16.0
 
 
 def scene_picture(sketch: Sketch, *, cones: bool = True, friction: bool = True) -> Picture:
@@ -67,13 +72,17 @@ def add_slider(
         ends = tuple(float(np.clip(end, -half, half)) for end in sketch.side)
         side = np.array([(end, 0.0) for end in ends])
         add_finger(picture, side, (0.0, 0.0), center=(0.0, -sketch.finger_radius))
-    add_body(picture, sketch.body, sketch.pose)
+    on_fence = None if sketch.ends is None else np.array(sketch.contacts)
+    add_body(picture, sketch.body, sketch.pose, side=on_fence)
 
 
 def add_cones(picture: Picture, sketch: Sketch) -> None:
-    """Add the motion cone and, inside it, the friction cone."""
-    picture.cone(*sketch.motion, MOTION_CONE * sketch.reach, MOTION, order=AREAS + 0.5)
-    picture.cone(*sketch.friction, FRICTION_CONE * sketch.reach, FORCE, order=AREAS + 0.7)
+    """Add the motion cone and, inside it, the friction cone; of a side, the friction cones at its ends."""
+    if sketch.ends is None:
+        picture.cone(*sketch.motion, MOTION_CONE * sketch.reach, MOTION, order=AREAS + 0.5)
+    for apex in sketch.contacts:
+        radius = sketch.friction_radius
+        picture.cone(*sketch.friction, radius, FORCE, apex=apex, order=AREAS + 0.7)
 
 
 def add_solution(
@@ -93,27 +102,42 @@ def add_force(picture: Picture, sketch: Sketch, solution: Solution, strength: fl
     if not moves(solution):
         return
     name = r"$\mathbf{f}$ (adhesive)" if solution.adhesive else r"$\mathbf{f}$"
-    color, ends = tint(FORCE, strength), forces(solution)
+    color, ends, tail = tint(FORCE, strength), forces(solution), sketch.tail_of(solution)
     drawn = [sketch.force_scale(solution) * each for each in ends]
     for vector in drawn:
         text = name if len(drawn) == 1 and strength == 1 else ""
-        picture.force((0, 0), vector, text, width=1.6, color=color, order=_order(strength))
+        picture.force(tail, vector, text, width=1.6, color=color, order=_order(strength))
+    if solution.end_forces is not None:
+        add_end_forces(picture, sketch, solution, strength)
     if len(drawn) > 1 and strength == 1:
-        _fan(picture, drawn, name)
+        _fan(picture, drawn, name, tail)
+
+
+def add_end_forces(
+    picture: Picture, sketch: Sketch, solution: Solution, strength: float = 1.0
+) -> None:
+    """Add the place of the force on a side, and thin forces at the ends where they are determined."""
+    color = tint(FORCE, 0.75 * strength)
+    for tail, vector in sketch.end_arrows(solution):
+        picture.force(tail, vector, width=0.9, head=8.0, color=color, order=_order(strength) - 0.5)
+    place = sketch.tail_of(solution)
+    if strength == 1 and solution.flush and place[1] == 0.0:
+        picture.dot(place, 3.0, FORCE, order=ARROWS + 1)
+        picture.label(place, "$x^{*}$", color=FORCE, size=NOTE, offset=(0.0, -8.0))
 
 
 def _order(strength: float) -> float:
     return ARROWS if strength == 1 else ARROWS - 1
 
 
-def _fan(picture: Picture, ends: list[Array], name: str) -> None:
+def _fan(picture: Picture, ends: list[Array], name: str, apex: Array) -> None:
     """Add the range of force directions that are possible at a pivot."""
     right, left = (float(np.arctan2(*each[::-1])) for each in ends)
     turn, length = (left - right) % (2 * np.pi), 0.8 * min(float(np.hypot(*each)) for each in ends)
-    picture.cone(right, right + turn, length, FORCE, strength=0.42, order=AREAS + 0.8)
+    picture.cone(right, right + turn, length, FORCE, apex=apex, strength=0.42, order=AREAS + 0.8)
     ahead = direction(right + turn / 2)
     shift = 11.0 * float(ahead[0]), 9.0 * float(ahead[1])
-    picture.label(length * ahead, name, offset=shift, color=FORCE)
+    picture.label(apex + length * ahead, name, offset=shift, color=FORCE)
 
 
 def add_line_of_force(
@@ -121,22 +145,24 @@ def add_line_of_force(
 ) -> None:
     """Add the line along which the pusher's force and the resistance of the slider act."""
     if moves(solution):
+        tail = sketch.tail_of(solution)
         for each in forces(solution):
-            picture.guide((0, 0), sketch.end_of_line(each), tint(FORCE, strength))
+            picture.guide(tail, sketch.end_of_line(each, tail), tint(FORCE, strength))
 
 
 def add_motion(picture: Picture, sketch: Sketch, solution: Solution, strength: float = 1.0) -> None:
     """Add the motion of the contact and its slip relative to the pusher."""
-    motion = sketch.motion_scale * solution.contact_motion
+    tail, motion = sketch.contact_of(solution), sketch.motion_scale * solution.contact_motion
     color, bold, order = tint(MOTION, strength), rf"\mathbf{{{sketch.symbol}}}", _order(strength)
     sticks, named = solution.mode == ContactMode.STICK, strength == 1
     name = rf"${bold}_s = {bold}_p$" if sticks else rf"${bold}_s$"
-    picture.motion((0, 0), motion, name if named else "", color=color, order=order)
+    picture.motion(tail, motion, name if named else "", color=color, order=order)
     if sticks or sketch.pusher is None:
         return
     pusher = sketch.motion_scale * sketch.pusher
     text = rf"${bold}_\mathrm{{slip}}$" if named else ""
-    add_slip(picture, pusher, motion - pusher, text, color=tint(SLIP, strength), order=order - 0.5)
+    style = {"color": tint(SLIP, strength), "order": order - 0.5}
+    add_slip(picture, tail + pusher, motion - pusher, text, **style)
 
 
 def add_slip(picture: Picture, tail: Array, vector: Array, text: str, **rest: Any) -> None:
@@ -150,7 +176,8 @@ def add_pusher(picture: Picture, sketch: Sketch) -> None:
     one = sketch.solution
     if sketch.pusher is not None and (one is None or one.mode != ContactMode.STICK):
         name = rf"$\mathbf{{{sketch.symbol}}}_p$"
-        picture.motion((0, 0), sketch.motion_scale * sketch.pusher, name, color=PUSHER)
+        tail, motion = sketch.contact_of(one), sketch.motion_scale * sketch.pusher
+        picture.motion(tail, motion, name, color=PUSHER)
 
 
 def add_center(picture: Picture, sketch: Sketch, solution: Solution, strength: float = 1.0) -> None:
@@ -227,3 +254,36 @@ def add_scale(picture: Picture, box: Array, length: float, unit: str = "") -> No
     whole = power * max(part for part in (1.0, 2.0, 5.0) if part * power <= length)
     (_, low), (right, _) = box
     picture.scale_bar((right - whole, low), whole, f"{whole:g} {unit}".strip())
+
+
+def scene_svg(scene: Scene) -> str:
+    """Picture of a slider with its cones."""
+    sketch = Sketch.of(required_single(scene))
+    return _svg(scene_picture(sketch), sketch.box, sketch.unit)
+
+
+def push_svg(scene: Scene, angle: float, magnitude: float, found: Any) -> str:
+    """Picture of a scene under a push with its solutions."""
+    sketch = Sketch.of(scene, angle, magnitude, found=found)
+    return _svg(scene_picture(sketch), sketch.box, sketch.unit)
+
+
+def support_svg(support: Any) -> str:
+    """Picture of a support in its body frame."""
+    picture, pose = Picture(), Pose((0.0, 0.0), 0.0)
+    add_support(picture, support, pose, Ink())
+    low, high = extents(support, pose)
+    below = low - np.array([0.0, 0.14 * float(np.max(high - low))])
+    return _svg(picture, np.array([below, high]))
+
+
+def _svg(picture: Picture, box: Array, unit: str = "") -> str:
+    """SVG of a picture with its scale bar, as high as needed."""
+    wide, high = np.ptp(box, axis=0)
+    add_scale(picture, box, 0.3 * float(max(wide, high)), unit)
+    room = WIDTH - 2 * PAD * POINT
+    needed = room * high / max(wide, 1e-12 * high) + 2.6 * PAD * POINT
+    return to_svg(picture, box, (WIDTH, min(HEIGHT, needed)), PAD, POINT)
+
+
+PICTURES.update(scene=scene_svg, push=push_svg, support=support_svg)

@@ -1,7 +1,7 @@
 """Content of a picture of a scene: slider, cones, push and solutions, and the lengths of arrows.
 
 Arrow lengths are scaled to the slider, with one scale for all motions. The contact is the origin, and the
-fence is the x axis.
+fence is the x axis. If a side of the slider lies on the fence, the contact is this side or one of its ends.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from planar_pushing.mechanics.force.cones import friction_cone, motion_cone
 from planar_pushing.mechanics.force.limit_curve import limit_curve
 from planar_pushing.mechanics.force.rubbing import place_friction, ring_friction
 from planar_pushing.mechanics.plane import Array, direction
-from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.scene import Scene, require_one_point
 from planar_pushing.mechanics.solutions import Solution, Solutions
 from planar_pushing.mechanics.solve import solve
 
@@ -30,6 +30,10 @@ from planar_pushing.mechanics.solve import solve
 FAR = 2.0
 #: Radii of the motion cone and the friction cone, in units of the reach of arrows.
 MOTION_CONE, FRICTION_CONE = 0.72, 0.5
+#: Lower edge of the label of a force's place on a side, in units of the reach.
+LABEL = -0.3
+#: Largest radius of the friction cones at both ends of a side, in units of its length.
+END_CONE = 0.45
 #: Length of the longest arrow of support friction, in units of half the support.
 SUPPORT_LENGTH = 0.36
 #: Motions with angles that differ by less, radians, count as equal: a pivot, a flat of the curve.
@@ -49,7 +53,7 @@ class Sketch:
     body, pose : Body, Pose
         The slider and its pose.
     friction, motion : tuple of float
-        Right and left edges of each cone, radians.
+        Right and left edges of each cone, radians; a side on the fence has no motion cone, but NaN.
     pusher : ndarray, shape (2,), optional
         Motion of the pusher; None shows only the slider and its cones.
     solutions, chosen : tuple of Solution, int
@@ -58,6 +62,8 @@ class Sketch:
         Symbol of the motions: "a" if inertia resists, otherwise "v".
     side : tuple of float, optional
         Ends of the side that a finger pushes; None for a fence.
+    ends : tuple of float, optional
+        Ends of the side that lies on the fence; None for one point of contact.
     finger_radius : float
         Radius of this finger; 0 for a point.
     rubbing : tuple of ndarray
@@ -80,6 +86,7 @@ class Sketch:
     chosen: int = -1
     symbol: str = "v"
     side: tuple[float, float] | None = None
+    ends: tuple[float, float] | None = None
     finger_radius: float = 0.0
     rubbing: tuple[Array, Array] = field(default_factory=lambda: NOWHERE)
     curve: Array = field(default_factory=lambda: NOWHERE[0])
@@ -100,12 +107,10 @@ class Sketch:
     ) -> Self:
         """Sketch of a scene under a push at an angle in radians, or of the scene alone."""
         slider = scene.slider
-        friction, motion = friction_cone(scene), motion_cone(scene)
         own: dict[str, Any] = {
             "body": body_of(scene),
             "pose": Pose(slider.rod_length * direction(slider.rod_angle), float(slider.rod_angle)),
-            "friction": (friction.right, friction.left),
-            "motion": (motion.right, motion.left),
+            **_cones(scene),
             "symbol": "a" if scene.stores_energy else "v",
             "unit": scene.units.length if scene.units else "",
         }
@@ -154,6 +159,40 @@ class Sketch:
         return self.body.half
 
     @property
+    def contacts(self) -> list[Array]:
+        """Points at which the fence can transmit a force: the contact, or both ends of the side."""
+        return [np.array([end, 0.0]) for end in self.ends or (0.0,)]
+
+    @property
+    def friction_radius(self) -> float:
+        """Drawn radius of the friction cones; those of both ends of a side do not meet."""
+        start, end = self.ends or (-np.inf, np.inf)
+        return min(FRICTION_CONE * self.reach, END_CONE * (end - start))
+
+    def contact_of(self, solution: Solution | None) -> Array:
+        """Position of the contact in a solution: an end of the side if the other end lifts off."""
+        if solution is None or solution.flush or not moves(solution):
+            return np.zeros(2)
+        return np.array([solution.force_position or 0.0, 0.0])
+
+    def tail_of(self, solution: Solution) -> Array:
+        """Start of the arrow of the force.
+
+        It is where the line of action crosses the side. If it does not, because adhesion pulls at an end,
+        it is the point of this line nearest the middle of the slider.
+        """
+        place, forces_at_ends = solution.force_position, solution.end_forces
+        if self.ends is None or place is None or forces_at_ends is None or not solution.flush:
+            return self.contact_of(solution)
+        start, end = self.ends
+        if start <= place <= end:
+            return np.array([place, 0.0])
+        heading = heading_of(solution.force)
+        torque = float(np.dot(self.ends, forces_at_ends[:, 0, 1]))
+        foot = torque / float(np.hypot(*solution.force)) * np.array([heading[1], -heading[0]])
+        return np.asarray(foot + (self.middle @ heading) * heading)
+
+    @property
     def middle(self) -> Array:
         """Middle of the support; the center of a ring."""
         return self.pose.at(self.body.middle)
@@ -186,11 +225,25 @@ class Sketch:
             reaches.append((0.6 if along else 0.95) * self.reach / (size or 1.0))
         return min(reaches)
 
-    def end_of_line(self, force: Array) -> Array:
+    def end_of_line(self, force: Array, tail: Array) -> Array:
         """End of the drawn line of a force, past the slider."""
         heading = heading_of(force)
-        along = float(heading @ self.middle)
-        return np.asarray((along + (-1 if along < 0 else 1) * 1.2 * self.half) * heading)
+        along = float(heading @ (self.middle - tail))
+        return np.asarray(tail + (along + (-1 if along < 0 else 1) * 1.2 * self.half) * heading)
+
+    def end_arrows(self, solution: Solution) -> list[Array]:
+        """Tails and vectors of the forces at both ends of the side, if they are determined."""
+        if solution.end_forces is None or not solution.flush:
+            return []
+        low, high = np.moveaxis(solution.end_forces, 1, 0)
+        if not np.array_equal(low, high):
+            return []
+        scale = self.force_scale(solution)
+        return [
+            np.array([tail, scale * force])
+            for tail, force in zip(self.contacts, low, strict=True)
+            if np.any(force)
+        ]
 
     def distance(self, solution: Solution) -> float:
         """Distance of the motion center from the slider's center; infinite for a translation."""
@@ -224,20 +277,40 @@ class Sketch:
         rubs = bool(np.any(self.rubbing[1]))
         points: list[Any] = [(0.0, 0.0), self.center, self.body.box(self.pose) + rubs * rim]
         points += [(sign * 0.7 * self.reach, -0.15 * self.reach) for sign in (-1.0, 1.0)]
-        points += [MOTION_CONE * self.reach * direction(np.linspace(*self.motion, 13))]
+        if self.ends is None:
+            points += [MOTION_CONE * self.reach * direction(np.linspace(*self.motion, 13))]
+        else:
+            cone = self.friction_radius * direction(np.linspace(*self.friction, 13))
+            points += [each + cone for each in self.contacts]
+            points.append((0.0, LABEL * self.reach))
         finger = min(self.finger_radius, self.reach)
         points += [(-finger, 0.0), (finger, -2 * finger)]
         if len(self.curve):
             points.append(self.curve_scale * self.curve)
-        if self.pusher is not None:
-            points.append(self.motion_scale * self.pusher)
         one = self.solution
+        if self.pusher is not None:
+            points.append(self.contact_of(one) + self.motion_scale * self.pusher)
         if one is not None and moves(one):
-            points.append(self.motion_scale * one.contact_motion)
+            tail = self.tail_of(one)
+            points.append(self.contact_of(one) + self.motion_scale * one.contact_motion)
             for force in forces(one):
-                points += [self.force_scale(one) * force, self.end_of_line(force)]
+                points += [tail, tail + self.force_scale(one) * force]
+                points.append(self.end_of_line(force, tail))
+            points += [each.sum(axis=0) for each in self.end_arrows(one)]
             points.append(one.center if self.is_near(one) else self.far_center(one))
         return corners(points)
+
+
+def _cones(scene: Scene) -> dict[str, Any]:
+    """Edges of the friction cone and of the motion cone, and the ends of a side on the fence."""
+    slider = scene.slider
+    if not slider.flush:
+        friction, motion = friction_cone(scene), motion_cone(scene)
+        edges = (friction.right, friction.left), (motion.right, motion.left)
+        return dict(zip(("friction", "motion"), edges, strict=True))
+    start, end = (float(each) for each in slider.side)
+    edges = (float(scene.law.right), float(scene.law.left)), (np.nan, np.nan)
+    return {"friction": edges[0], "motion": edges[1], "ends": (start, end)}
 
 
 def heading_of(vector: Array) -> Array:
@@ -300,8 +373,9 @@ def with_curve(sketch: Sketch, scene: Scene) -> Sketch:
     ------
     InvalidValue
         If the force depends on the magnitude of the motion, so that no single curve bounds the forces of
-        all motions.
+        all motions, or on the place of the force, because a side lies on the fence.
     """
+    require_one_point(scene, "limit_curve", "leave it out, or draw a scene at a point of the side")
     curve = limit_curve(scene, ANGLES)
     return replace(sketch, curve=curve.force, flats=flats(curve.motion_angle))
 

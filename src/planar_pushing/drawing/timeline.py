@@ -34,17 +34,23 @@ PATH = (
 )
 #: Distance to which an endless side is drawn beyond the finger, in units of the slider's span.
 BEYOND = 0.45
+#: Points of a side on the fence differ in height by less, in units of the slider's size.
+LEVEL = 1e-6
+#: A longer step of the place of a force along a side between two rows, in units of the slider's size, is a
+#: jump.
+MOVES = 0.02
 #: Speeds that differ by less count as equal.
 ROUNDING = 1e-6
 
 
 class Run(NamedTuple):
-    """Rows from `start` to `stop`, both included, with one chosen mode."""
+    """Rows from `start` to `stop`, both included, with one chosen mode, with or without a flush side."""
 
     start: int
     stop: int
     mode: int
     several: bool
+    flush: bool = False
 
 
 def plotted(log: xr.Dataset) -> xr.Dataset:
@@ -84,6 +90,9 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
         data["path_side"] = side_of(log, slider)
         if radius := float(log.attrs.get("pusher_radius", 0.0)):
             data["pusher_radius"] = ((), radius, described("length", "radius of the finger"))
+    elif "flush" in log:
+        data["path_flush"], data["path_contact_position"] = log["flush"], log["contact_position"]
+        data["corners"] = corners_of(slider)
     data = data.drop_attrs(deep=False)
     if body != Body(support=Ring(float(slider["radius"]))):
         data["path_pivot"] = log["pivot"]
@@ -145,15 +154,81 @@ def side_of(log: xr.Dataset, slider: dict[str, Any]) -> xr.DataArray:
     )
 
 
+def corners_of(slider: dict[str, Any]) -> xr.DataArray:
+    """Points of a slider that can touch a fence, in the body frame: its contact, ends and corners."""
+    along = slider["side"] if slider.get("flush") else (0.0,)
+    tangent = _unit(-np.deg2rad(slider["rod_angle"]))
+    ends = np.multiply.outer(along, tangent) - (slider["rod_length"], 0.0)
+    points = np.concatenate([ends, np.reshape(slider.get("outline", ()), (-1, 2))])
+    apart = np.hypot(*np.moveaxis(points[:, None] - points, -1, 0)) > LEVEL * np.ptp(points)
+    points = points[
+        np.triu(~apart, 1).sum(axis=0) == 0
+    ]  # a point that is listed again is one point
+    names = described("length", "points that can touch the fence, in the body frame")
+    return xr.DataArray(points, dims=("corner", "xy"), attrs=names)
+
+
 def _unit(angle: Array) -> Array:
     return np.stack([np.cos(angle), np.sin(angle)], axis=-1)
 
 
 def contact(data: xr.Dataset) -> Array:
-    """Position of the contact at every row: the finger's point nearest the side, or the rod's end."""
+    """Position of the contact at every row.
+
+    It is the finger's point nearest the side, or the point of the fence at which its force acts; without a
+    force, the slider's point nearest the fence. Without an outline this is always the rod's end.
+    """
+    if "path_flush" in data:
+        return _contact_on_fence(data)
     if "path_side" not in data:
         return rod_end(data)
     return finger_center(data) + finger_radius(data) * normal(data)
+
+
+def _contact_on_fence(data: xr.Dataset) -> Array:
+    """Point of the fence at which the force acts at every row, or the slider's nearest point."""
+    along, places = data["path_contact_position"].values, corner_positions(data)
+    nearest = places[np.arange(len(places)), np.argmin(places[..., 1], axis=1)]
+    on_fence = data["path_pusher"].values + np.stack([along, np.zeros(len(along))], axis=-1)
+    return np.asarray(np.where(np.isnan(along)[:, None], nearest, on_fence))
+
+
+def corner_positions(data: xr.Dataset) -> Array:
+    """Points of the slider that can touch the fence at every row, shape (time, corner, 2)."""
+    angle = np.deg2rad(data["path_rod_angle"].values)
+    x, y = data["corners"].values.T
+    ahead, across = _unit(angle)[:, None], _unit(angle + np.pi / 2)[:, None]
+    turned = x[:, None] * ahead + y[:, None] * across
+    return np.asarray(data["path_position"].values[:, None] + turned)
+
+
+def touching(data: xr.Dataset) -> Array:
+    """Number of the slider's point that is the contact at every row; -1 for a side on the fence."""
+    if "path_flush" not in data:
+        return np.zeros(data.sizes["time"], dtype=int)
+    apart = corner_positions(data) - contact(data)[:, None]
+    nearest = np.argmin(np.hypot(*np.moveaxis(apart, -1, 0)), axis=1)
+    return np.where(data["path_flush"].values, -1, nearest)
+
+
+def contact_jumps(data: xr.Dataset) -> Any:
+    """Rows at which the contact is not where it was in the slider: at another point, or along a side."""
+    if "path_flush" not in data:
+        return np.empty(0, dtype=int)
+    point, arm = touching(data), contact(data) - data["path_position"].values
+    size = float(np.ptp(corner_positions(data)[0], axis=0).max())
+    along = (point[1:] == -1) & (np.hypot(*np.diff(arm, axis=0).T) > MOVES * size)
+    return np.asarray(np.flatnonzero((np.diff(point) != 0) | along) + 1)
+
+
+def side_on_fence(data: xr.Dataset, row: int) -> Array | None:
+    """Ends of the side that lies on the fence at a row, shape (2, 2); None without one."""
+    if "path_flush" not in data or not data["path_flush"].values[row]:
+        return None
+    places = corner_positions(data.isel(time=[row]))[0]
+    height = places[:, 1] - places[:, 1].min()
+    on_fence = places[height <= LEVEL * float(np.ptp(places, axis=0).max())]
+    return np.asarray(on_fence[[np.argmin(on_fence[:, 0]), np.argmax(on_fence[:, 0])]])
 
 
 def finger_radius(data: xr.Dataset) -> float:
@@ -183,11 +258,14 @@ def rod_end(data: xr.Dataset) -> Array:
 def runs(data: xr.Dataset) -> Iterator[Run]:
     """Time intervals with one chosen mode, split where a choice begins or ends."""
     modes, several = data["path_mode"].values, data["path_solutions"].values > 1
-    key = 2 * modes.astype(int) + several
+    flush = data["path_flush"].values if "path_flush" in data else np.zeros(len(modes), dtype=bool)
+    key = 4 * modes.astype(int) + 2 * several + flush
     starts = np.flatnonzero(np.diff(key, prepend=key[0] - 1))
     stops = [*starts[1:], len(key) - 1]
     for start, stop in zip(starts, stops, strict=True):
-        yield Run(int(start), int(stop), int(modes[start]), bool(several[start]))
+        yield Run(
+            int(start), int(stop), int(modes[start]), bool(several[start]), bool(flush[start])
+        )
 
 
 def pivots(data: xr.Dataset) -> Iterator[Run]:

@@ -18,6 +18,19 @@ NAMES = {
     ContactMode.SLIP_RIGHT: "slips to the right",
     ContactMode.SLIP_LEFT: "slips to the left",
 }
+#: Behavior of a side that stays on the fence.
+FLUSH = {
+    ContactMode.STICK: "the side stays flush and sticks",
+    ContactMode.SLIP_RIGHT: "slips to the right, flush",
+    ContactMode.SLIP_LEFT: "slips to the left, flush",
+}
+#: Behavior of an end of a side that lifts off at the other end.
+LIFTS = {
+    ContactMode.STICK: "and sticks",
+    ContactMode.SLIP_RIGHT: "and slips to the right",
+    ContactMode.SLIP_LEFT: "and slips to the left",
+}
+DASH = "\N{EN DASH}"
 #: Relative magnitudes below this are rounding error.
 ROUNDING = 1e-9
 
@@ -43,7 +56,7 @@ def best_row(modes: Any) -> Any:
 
 def does(solution: Solution, pusher: Any) -> str:
     """Behavior of the contact, such as "slips to the left while being pulled"."""
-    found = NAMES[solution.mode]
+    found = _moves(solution)
     if solution.mode == ContactMode.SEPARATE:
         return found
     if solution.adhesive:
@@ -53,6 +66,24 @@ def does(solution: Solution, pusher: Any) -> str:
     if solution.continuum:
         return f"{found} (one of a range of motions)"
     return f"{found}, turning about a support point" if solution.pivot >= 0 else found
+
+
+def _moves(solution: Solution) -> str:
+    """Behavior of the contact, or of a side on the fence."""
+    end = end_of(solution)
+    if solution.mode == ContactMode.SEPARATE or not (solution.flush or end):
+        return NAMES[solution.mode]
+    if solution.flush:
+        return FLUSH[solution.mode]
+    return f"the side lifts off, turns about its {end} end {LIFTS[solution.mode]}"
+
+
+def end_of(solution: Solution) -> str:
+    """The end of a side about which it turns as the other end lifts off; empty for another contact."""
+    place = solution.force_position
+    if solution.flush or place is None or np.isnan(place):
+        return ""
+    return "left" if place < 0 else "right"
 
 
 def outcome(solutions: Sequence[Solution], pusher: Any, shown: int) -> str:
@@ -67,34 +98,49 @@ def outcome(solutions: Sequence[Solution], pusher: Any, shown: int) -> str:
     return f"{said}; {count}: {_alternatives(others)}."
 
 
-def _with_subject(said: str) -> str:
-    """Behavior with its subject."""
-    return said if said.startswith("the contact") else f"the contact {said}"
-
-
 def _capital(said: str) -> str:
     return said[0].upper() + said[1:]
 
 
 def _alternatives(others: list[str]) -> str:
-    """Alternatives as a list in words, the first with its subject."""
-    named = [_with_subject(others[0]), *others[1:]]
+    """Alternatives as a list in words, with a subject where it is not that of the one before."""
+    named, subject = [], ""
+    for said in others:
+        own = _subject(said)
+        named.append(said if own == subject else _with_subject(said))
+        subject = own
     if len(named) == 1:
         return named[0]
     return f"{', '.join(named[:-1])}, or {named[-1]}"
 
 
+def _with_subject(said: str) -> str:
+    """Behavior with its subject."""
+    return said if said.startswith("the ") else f"the {_subject(said)} {said}"
+
+
+def _subject(said: str) -> str:
+    """What moves: the contact, or a side on the fence."""
+    return "side" if said.startswith("the side") or "flush" in said else "contact"
+
+
 def row(solution: Solution, pusher: Any) -> dict[str, str]:
-    """Force, motion, center and slip of a solution as short texts."""
+    """Force, motion, center and slip of a solution as short texts; of a side also the contact and x*."""
     slip = float(solution.contact_motion[0] - pusher[0])
     rests = solution.mode == ContactMode.SEPARATE
     sticks = solution.mode == ContactMode.STICK
+    end = end_of(solution)
+    contact = DASH if rests else f"{end} end" if end else "flush"
+    place = solution.force_position
+    own = {} if place is None else {"at x*": number(place)}
     return {
         "mode": str(solution.mode.name).replace("_", " ").lower(),
+        **({"contact": contact} if own else {}),
         "force": "0" if rests else _polar(solution.force),
+        **own,
         "motion": "0" if rests else _polar(solution.contact_motion),
-        "center": "\N{EN DASH}" if np.isnan(solution.center).any() else _place(solution.center),
-        "slip": "\N{EN DASH}" if rests else "0" if sticks else number(slip),
+        "center": DASH if np.isnan(solution.center).any() else _place(solution.center),
+        "slip": DASH if rests else "0" if sticks else number(slip),
     }
 
 
@@ -111,7 +157,9 @@ def _place(center: Any) -> str:
 
 
 def number(value: float, digits: int = 3) -> str:
-    """Short text of a number, with a true minus; rounding error becomes zero, without a sign."""
+    """Short text of a number, with a true minus; rounding error becomes zero, a missing number a dash."""
+    if np.isnan(value):
+        return DASH
     if abs(value) < ROUNDING:
         return "0"
     text = f"{value:.{digits}f}" if 0.01 <= abs(value) < 1e4 or digits < 3 else f"{value:.3g}"

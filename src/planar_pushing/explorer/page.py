@@ -26,7 +26,7 @@ from planar_pushing.explorer.pointing import Pointing
 from planar_pushing.explorer.presets import preset, titles
 from planar_pushing.explorer.python_lines import lines
 from planar_pushing.explorer.state import State
-from planar_pushing.explorer.view import Order, View, energy_legend, map_markup, view
+from planar_pushing.explorer.view import Order, View, map_markup, view
 from planar_pushing.explorer.widgets import FRAMES, Field, alike, fields, update
 from planar_pushing.explorer.worker import Worker
 from planar_pushing.mechanics.plane import Array
@@ -102,7 +102,7 @@ class Page:
         self.box, self.view = push_box(state), View({})
         self.screen, self.pointing = Screen(self._hear), Pointing(self)
         self.fields = fields()
-        self.fixed = {"error": escape(said), "note": "", "energies": energy_legend()}
+        self.fixed = {"error": escape(said), "note": ""}
         self.painter = Worker(document, view, self._show)
         self.mapper = Worker(document, self._map, self._mapped)
         self.writer = Worker(document, lambda order: download(*order), self._save)

@@ -45,7 +45,12 @@ class Pointing:
             self.page.change(lambda state: handles.nudged(state, force, right, up, coarse))
 
     def _grab(self, picture: str, place: Array) -> None:
-        """Grab the handle at a position; on the limit curve this is the line of force."""
+        """Grab the handle at a position; on the limit curve this is the line of force.
+
+        With a side on the fence there is neither a curve nor a map.
+        """
+        if self.page.state.flush and picture in ("curve", "map"):
+            return
         handle: Handle | None = Handle.LINE
         if picture == "scene":
             handle = handles.nearest(self.page.state, self.page.force, place)

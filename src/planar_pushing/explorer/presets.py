@@ -39,6 +39,7 @@ PUSHES: dict[str, float | None] = {
     "figure_19": None,
     "ellipsoid": 120.0,
     "box": None,
+    "box_side": None,
     "plate": None,
     "stool": None,
     "impact": None,

@@ -21,6 +21,7 @@ def _scene(state: State) -> Iterator[str]:
     parts = [f"rod_length={slider.rod_length!r}", f"rod_angle=np.deg2rad({slider.rod_angle!r})"]
     parts += [f"radius={slider.radius!r}"] if slider.radius is not None else []
     parts += [f"side={code(slider.side)}"] if slider.side is not None else []
+    parts += ["flush=True"] if slider.flush else []
     parts += [f"outline={code(slider.outline)}"] if slider.outline is not None else []
     yield "import numpy as np"
     yield "import planar_pushing as pp"

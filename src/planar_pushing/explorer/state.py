@@ -69,6 +69,11 @@ class State:
         return Shape(self.file.simulate.pusher_shape) if self.file.simulate else Shape.FENCE
 
     @property
+    def flush(self) -> bool:
+        """Whether a side of the slider lies on the fence."""
+        return self.scene.slider.flush
+
+    @property
     def finger_radius(self) -> float:
         """Radius of the finger; 0 for a point."""
         given = self.file.simulate
@@ -173,8 +178,12 @@ def with_rod(state: State, length: float, angle: float) -> State:
 
 
 def _own_slider(state: State) -> dict[str, Any]:
-    """Slider without its outline, because its contact is no longer on the outline."""
-    slider: dict[str, Any] = state.file.slider.model_dump(exclude_none=True, exclude={"outline"})
+    """Slider without its outline, because its contact is no longer on the outline.
+
+    A side that lies on the fence becomes a contact at the rod's end.
+    """
+    outline = {"outline", "flush", "side"} if state.flush else {"outline"}
+    slider: dict[str, Any] = state.file.slider.model_dump(exclude_none=True, exclude=outline)
     return slider
 
 

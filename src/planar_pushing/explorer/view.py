@@ -80,7 +80,7 @@ def _push(order: Order) -> View:
     found = {
         "scene": markup(push_picture(push), sheet, handles(push, sheet)),
         "words": outcome(push.solutions, push.sketch.pusher, push.chosen),
-        "runs": "", "now": "", "when": "",
+        "runs": "", "now": "", "when": "", "energies": energy_legend(),
     }  # fmt: skip
     return View(found | _of_push(order, push), push)
 
@@ -108,6 +108,7 @@ def _instant(order: Order, time: float) -> View:
         "words": said_at(motion, time),
         "runs": _over_time(start(state), order.sizes["time"]),
         "now": _markup(order, "time", now_picture(motion, time), TIME_BOX),
+        "energies": energy_legend(any(run.flush for run in motion.runs)),
     }
     instant = push_at(state, motion, time)
     push = solved(replace(state, time=None) if instant is None else instant)
@@ -149,7 +150,8 @@ def map_markup(state: State, found: maps.Map, size: tuple[float, float]) -> dict
     }
 
 
-def energy_legend() -> str:
-    """Legend of the energies and of the line above the modes."""
+def energy_legend(flush: bool = False) -> str:
+    """Legend of the energies, of the line above the modes, and of the strokes of a flush side."""
     lines = "".join(chip(name, color) for name, color in ENERGIES.items())
-    return f'{lines}<span class="key">\u2501 more than one mode possible</span>'
+    strokes = chip("a side flush on the fence", "#FFFFFF", "|") if flush else ""
+    return f'{lines}{strokes}<span class="key">\u2501 more than one mode possible</span>'

@@ -168,6 +168,7 @@ def _push() -> dict[str, Field]:
             _buttons({"Fence": Shape.FENCE, "Finger": Shape.FINGER}),
             lambda state: state.shape,
             lambda state, shape: simulated(state, pusher_shape=str(shape), **_radius(state, shape)),
+            lambda state: {"disabled": state.flush},
         ),
         "start": Field(
             _buttons({"Moving at once": Start.VELOCITY, "From rest": Start.ACCELERATION}),
@@ -200,11 +201,15 @@ def _contact() -> dict[str, Field]:
 
 
 def _slider() -> dict[str, Field]:
+    """Fields of the slider; they are for a contact at one point, so a side on the fence disables them."""
     length, size = _slide("Rod length", 0.0, 10.0, 0.01), _slide("Support size", 0.0, 5.0, 0.01)
     return {
         "support": Field(
             _select("Support", []), support_name, with_named_support,
-            lambda state: {"options": [*gallery(), *([OWN] if support_name(state) == OWN else [])]},
+            lambda state: {
+                "options": [*gallery(), *([OWN] if support_name(state) == OWN else [])],
+                "disabled": state.flush,
+            },
         ),
         "rod_length": Field(
             length,
@@ -216,6 +221,7 @@ def _slider() -> dict[str, Field]:
             _slide("Rod angle (degrees)", *ROD_ANGLES, 0.5),
             lambda state: state.file.slider.rod_angle,
             lambda state, value: with_rod(state, state.file.slider.rod_length, value),
+            lambda state: {"disabled": state.flush},
         ),
         "size": Field(
             size, lambda state: state.size, with_size, lambda state: _room(size, state)
@@ -227,10 +233,10 @@ def _room(widget: Any, state: State) -> dict[str, Any]:
     """End of a slider for lengths; it changes only if the scene no longer fits or is far smaller."""
     length = max(state.file.slider.rod_length, state.size)
     if 0.05 * widget.end <= length <= widget.end:
-        return {}
+        return {"disabled": state.flush}
     power = 10.0 ** np.floor(np.log10(2.5 * length))
     end = float(next(round_ * power for round_ in (1, 2, 5, 10) if round_ * power >= 2.5 * length))
-    return {"end": end, "step": end / 1000}
+    return {"end": end, "step": end / 1000, "disabled": state.flush}
 
 
 # -- the effects -------------------------------------------------------------------------------------
@@ -282,13 +288,13 @@ def _views() -> dict[str, Field]:
     return {
         "across": Field(
             _select("Map over", []), axis_of, lambda state, name: replace(state, across=name),
-            lambda state: {"options": axes_of(state)},
+            lambda state: {"options": axes_of(state), "disabled": state.flush},
         ),
         "handle": Field(
             _buttons({each.capitalize(): each for each in Handle}),
             lambda state: state.handle,
             lambda state, handle: replace(state, handle=handle),
-            lambda state: {"disabled": state.time is not None},
+            lambda state: {"disabled": state.time is not None or state.flush},
         ),
     }  # fmt: skip
 

@@ -137,11 +137,35 @@ def test_touch_drags(chromium, server):
     context.close()
 
 
-@pytest.mark.parametrize("name", ["figure_13", "figure_14b", "box"])
+@pytest.mark.parametrize("name", ["figure_13", "figure_14b", "box", "box_side"])
 def test_a_preset_opens(page, name):
     start_from(page, name)
     assert state(page) == preset(name)
     agrees(page)
+
+
+def test_a_side_on_the_fence_is_pushed_and_followed(page):
+    start_from(page, "box_side")
+    assert words(page) == "The side stays flush and sticks."
+    assert page.locator("#scene .handle").count() == 1
+    for name in ("curve", "map"):
+        assert "A side lies on the fence" in page.locator(f"#{name}").text_content()
+        x, y = on_screen(page, (0.2, 0.4), name)
+        page.mouse.click(x, y)
+    assert page.get_by_label("Support", exact=True).is_disabled()
+    drag(page, handle(page, "pusher"), (-0.1, 0.03))
+    agrees(page)
+    assert words(page) == "The side lifts off, turns about its right end and slips to the right."
+    start_from(page, "box_side")
+    follow(page)
+    page.mouse.click(*on_screen(page, (0.2 * LONG, 1.4), "time"))
+    settled(page)
+    assert re.match(r"At time 1\.\d+ the side is flush and sticks\.", words(page))
+    assert "a side flush on the fence" in page.locator("#energies").inner_text()
+    page.get_by_role("button", name="Back to the push").click()
+    start_from(page, "figure_03")
+    assert page.locator("#scene .handle").count() == 4
+    assert page.get_by_label("Support", exact=True).is_enabled()
 
 
 def test_widgets_change_the_scene(page):

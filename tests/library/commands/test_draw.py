@@ -32,6 +32,18 @@ def test_the_limit_curve_is_drawn_where_it_is_asked_for(run, tmp_path):
     assert sizes[1] > sizes[0] + 1000
 
 
+def test_a_side_on_the_fence_is_drawn_without_a_limit_curve(run, tmp_path):
+    scene, path = "workflow/scenes/box_side.yaml", tmp_path / "side.svg"
+    code, out, _ = run("draw", scene, "--pusher-angle", "120", "-o", str(path))
+    assert (code, out) == (0, f"written: {path}\n")
+    code, _, err = run("draw", scene, "--limit-curve", "-o", str(path))
+    assert code == 2
+    assert err.startswith(
+        "planar-pushing draw: limit_curve: 'a side that lies on the fence' given; "
+    )
+    assert err.count("\n") == 1
+
+
 @pytest.fixture
 def sketched(run, tmp_path, monkeypatch):
     """The sketch that the command draws."""

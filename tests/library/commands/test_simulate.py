@@ -36,6 +36,19 @@ def test_an_option_takes_the_place_of_the_section(run, tmp_path):
     assert told["gap"] == pytest.approx(np.sin(np.deg2rad(10)), abs=1e-12)
 
 
+def test_a_side_is_flush_and_turns_off(run, tmp_path):
+    scene, path = "workflow/scenes/box_side.yaml", tmp_path / "log.nc"
+    code, out, _ = run("simulate", scene, "-o", str(path), "--json")
+    told = json.loads(out)
+    assert (code, told["stopped"], told["flush"]) == (0, "", False)
+    assert [(each["mode"], each["flush"]) for each in told["modes"]] == [
+        ("STICK", True),
+        ("SLIP_LEFT", True),
+        ("SLIP_RIGHT", False),
+        ("STICK", False),
+    ]
+
+
 def test_the_options_alone_make_a_simulation(run, tmp_path):
     path = tmp_path / "log.nc"
     options = ("--pusher-angle", "165", "--duration", "3", "--samples", "5", "--rtol", "1e-9")

@@ -35,6 +35,35 @@ def test_solve_json(run):
         assert one["force"] == pytest.approx(solution.force, abs=0)
 
 
+SIDE = """
+object:
+  outline: [[-1, -1], [1, -1], [1, 1], [-1, 1]]
+  contact: {side: 0}
+contact: {law: coulomb, friction_coefficient: 0.5}
+effects: [{type: support_friction}]
+"""
+
+
+def test_a_side_on_the_fence(run, tmp_path):
+    file = tmp_path / "box.yaml"
+    file.write_text(SIDE)
+    code, out, _ = run("solve", str(file), "--pusher-angle", "90")
+    (one,) = blocks(out)
+    assert (code, one["flush"], one["force_position"]) == (0, "True", "0")
+    assert (one["force_at_start"], one["force_at_start_high"]) == ("-0.25 0.5", "0.25 0.5")
+    _, out, _ = run("solve", str(file), "--pusher-angle", "30:90:60")
+    assert out.splitlines()[0].split()[-4:] == ["flush", "force_at", "n_start", "n_end"]
+    assert out.splitlines()[1].split()[-4:] == ["flush", "-0.5", "0.67082", "0.223607"]
+    _, out, _ = run("solve", str(file), "--pusher-angle=-90", "--json")
+    assert json.loads(out)["solutions"][0]["force_position"] is None
+    code, _, error = run("cone", str(file))
+    assert code == 2
+    assert (
+        "a side that lies on the fence' given; allowed: a scene with a contact at one point"
+        in error
+    )
+
+
 TRIPOD = "workflow/scenes/tripod.yaml"
 FOUR = """
 slider: {rod_length: 1, rod_angle: 90}

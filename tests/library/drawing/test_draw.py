@@ -319,13 +319,13 @@ def test_solutions_have_the_picture_of_their_push():
 
 def test_without_matplotlib_there_is_a_table_and_no_picture(monkeypatch):
     monkeypatch.setattr(extras, "find_spec", lambda name: None)
-    for name in ("planar_pushing.drawing", "planar_pushing.drawing.notebook"):
+    for name in ("planar_pushing.drawing", "planar_pushing.drawing.scene"):
         monkeypatch.delitem(sys.modules, name, raising=False)
     for name, found in pictured():
         assert "<svg" not in (found or ""), name
         assert (found is None) == (name != "solutions")
     with pytest.raises(pp.PlanarPushingError, match="install the extra figures"):
-        import planar_pushing.drawing.notebook  # noqa: F401
+        import planar_pushing.drawing.scene  # noqa: F401
 
 
 def test_pictures_after_a_plain_import():

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.drawing.canvas.colors import FORCE, MOTION
+from planar_pushing.drawing.canvas.colors import FORCE, MOTION, PUSHER
 from planar_pushing.drawing.canvas.marks import Area, Arrow
 from planar_pushing.drawing.words import best, outcome
 from planar_pushing.explorer.pictures import curve, maps
@@ -22,7 +22,7 @@ from planar_pushing.explorer.pictures.pictures import (
     time_picture,
 )
 from planar_pushing.explorer.presets import preset, titles
-from planar_pushing.explorer.state import pushed, simulated, with_law
+from planar_pushing.explorer.state import Handle, pushed, simulated, with_law
 from planar_pushing.explorer.view import Order, map_markup, sheet_of, view
 
 PRESETS = list(titles())
@@ -126,7 +126,7 @@ def test_no_motion_is_said_too():
     assert found.markup["words"] == "No motion of the slider is consistent with this push."
 
 
-@pytest.mark.parametrize("name", ["figure_14a", "figure_19", "impact", "box"])
+@pytest.mark.parametrize("name", ["figure_14a", "figure_19", "impact", "box", "box_side"])
 def test_a_motion_is_shown_at_every_instant(name):
     motion = followed(preset(name))
     end = float(motion.times[-1])
@@ -135,7 +135,8 @@ def test_a_motion_is_shown_at_every_instant(name):
         assert found.motion is motion
         assert (found.markup["when"] == "of the push at the start") == (found.instant is None)
         assert instant_picture(motion, float(time)).marks
-    bar = [mark.rings[0] for mark in time_picture(motion).marks if isinstance(mark, Area)]
+    areas = (mark for mark in time_picture(motion).marks if isinstance(mark, Area))
+    bar = [mark.rings[0] for mark in areas if mark.hatch != "|"]
     assert np.sum([np.ptp(ring[:, 0]) for ring in bar]) == pytest.approx(LONG)
 
 
@@ -155,3 +156,43 @@ def test_a_finger_has_its_radius():
     state = simulated(preset("figure_03"), pusher_shape="finger", pusher_radius=0.3)
     assert solved(state).sketch.finger_radius == 0.3
     assert followed(simulated(state, duration=0.2)).log.attrs["pusher_radius"] == 0.3
+
+
+# -- a side on the fence -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("angle", [90.0, 30.0, 150.0, -90.0])
+def test_a_side_on_the_fence_has_a_handle_and_a_table_of_its_own(angle):
+    state = pushed(preset("box_side"), angle, 1.0)
+    found, trees = shown(state)
+    circles = [each.get("data-handle") for each in trees["scene"].iter("circle")]
+    assert [each for each in circles if each] == [Handle.PUSHER]
+    head = [each.text for each in trees["solutions"].iter("th")][:7]
+    assert head == ["Mode", "Contact", "Force", "At x*", "Motion", "Center", "Slip"]
+    for name in ("curve", "areas"):
+        texts = found.markup | map_markup(state, next(maps.maps(state)), SIZES["map"])
+        assert "A side lies on the fence" in texts[name]
+    assert texts["legend"] == ""
+    assert not list(trees["cross"].iter("path"))
+
+
+def test_the_handle_of_a_side_is_at_the_tip_of_the_pusher():
+    state = pushed(preset("box_side"), 150.0, 1.0)
+    push = solved(state)
+    assert not push.solutions[push.chosen].flush
+    tips = [points[-1] for points in arrows(push_picture(push), PUSHER)]
+    (place,) = places(state, push.force).values()
+    assert any(np.allclose(place, tip) for tip in tips)
+
+
+def test_an_instant_says_that_a_side_is_flush():
+    said = {}
+    for time in (1.0, 3.0, 5.5):
+        found, _ = shown(replace(preset("box_side"), time=time))
+        said[time] = found.markup["words"]
+        assert "a side flush on the fence" in found.markup["energies"]
+        assert (found.instant is None) == (time > 4)
+    assert said[1.0] == "At time 1.000 the side is flush and sticks."
+    assert said[3.0] == "At time 3.000 the side slips to the left, flush."
+    assert said[5.5].endswith("the contact sticks.")
+    assert "flush" not in shown(replace(preset("figure_14a"), time=0.5))[0].markup["energies"]

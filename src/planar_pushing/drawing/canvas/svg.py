@@ -34,7 +34,7 @@ LETTERS = {
 #: Strokes of a pattern by the characters of a hatch, in a cell of 6 pixels.
 STROKES = {
     "/": "M-1 7L7 -1", "\\": "M-1 -1L7 7", "x": "M-1 7L7 -1M-1 -1L7 7", "+": "M3 0V6M0 3H6",
-    ".": "M3 2.2v1.6",
+    ".": "M3 2.2v1.6", "|": "M3 0V6",
 }  # fmt: skip
 TOKEN = re.compile(
     r"\\math(bf|rm)\{([^{}]*)\}"

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.drawing.canvas.colors import FORCE, LIGHT, MOTION, tint
+from planar_pushing.drawing.canvas.colors import FORCE, GUIDE, LIGHT, MOTION, tint
 from planar_pushing.drawing.canvas.marks import Picture
 from planar_pushing.drawing.scene import PALE, limit_line
 from planar_pushing.drawing.sketch import flats, moves
@@ -26,8 +26,14 @@ ANGLES = {False: np.linspace(0.0, 2 * np.pi, 241), True: np.linspace(0.0, 2 * np
 BOX, MOVES = np.array([(-1.45, -1.2), (1.45, 1.3)]), 0.34
 
 
+#: Text in the place of the curve of a side on the fence.
+NO_CURVE = "A side lies on the fence: the motion also\ndepends on the place of the force."
+
+
 def curve_picture(scene: Scene, solutions: Sequence[Solution], chosen: int, symbol: str) -> Picture:
     """Picture of the curve, scaled to a largest force of 1, with the friction cone and the solutions."""
+    if scene.slider.flush:
+        return words_alone(BOX, NO_CURVE)
     picture, cone = Picture(), friction_cone(scene)
     curve = curve_at(scene, level(scene, solutions[chosen] if chosen >= 0 else None))
     largest = float(np.max(curve.magnitude))
@@ -38,6 +44,13 @@ def curve_picture(scene: Scene, solutions: Sequence[Solution], chosen: int, symb
     for index, solution in enumerate(solutions):
         if moves(solution):
             _on_curve(picture, curve, solution, symbol if index == chosen else "")
+    return picture
+
+
+def words_alone(box: Array, text: str) -> Picture:
+    """Picture of a text in the middle of a box."""
+    picture = Picture()
+    picture.label(box.mean(axis=0), text, color=GUIDE, held=True)
     return picture
 
 

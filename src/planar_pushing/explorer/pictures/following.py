@@ -10,7 +10,14 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.drawing.motion import box
-from planar_pushing.drawing.timeline import Run, contact, plotted, runs
+from planar_pushing.drawing.timeline import (
+    Run,
+    contact,
+    plotted,
+    runs,
+    side_on_fence,
+    touching,
+)
 from planar_pushing.drawing.words import NUMBERS
 from planar_pushing.explorer.python_lines import acceleration, settings
 from planar_pushing.explorer.state import (
@@ -44,8 +51,16 @@ DOES = {
     ContactMode.SLIP_RIGHT: "the slider slips to the right",
     ContactMode.SLIP_LEFT: "the slider slips to the left",
 }
+#: The same of a side that lies on the fence.
+FLUSH = {
+    ContactMode.STICK: "the side is flush and sticks",
+    ContactMode.SLIP_RIGHT: "the side slips to the right, flush",
+    ContactMode.SLIP_LEFT: "the side slips to the left, flush",
+}
 #: Fraction of the duration after which the mode of a motion is compared with the chosen mode.
 SHORTLY = 1e-6
+#: A side on the fence whose rod turned by more, degrees, is another one.
+SAME_SIDE = 1e-3
 #: A larger gap, in units of the slider's size, means no contact.
 CLOSED = 1e-6
 
@@ -100,14 +115,18 @@ def push_at(state: State, motion: Motion, time: float) -> State | None:
     """Push at an instant as a state; None if the motion there is not that of a single push.
 
     There is none with inertia, because the motion depends on its past; with a finger, because the side has
-    turned; with a broken contact; and with a fence at rest.
+    turned; with a broken contact; with a fence at rest; and with another contact than that of the state.
     """
     row, section = row_at(motion, time), state.file.simulate
     gap = float(motion.data["path_gap"].values[row])
     if section is None or state.shape != Shape.FENCE or state.scene.stores_energy:
         return None
+    if touching(motion.data)[row] != (-1 if state.flush else 0):
+        return None
     piece = [each for each in section.pieces if each.time <= motion.times[row]][-1]
     angle = float(motion.data["path_rod_angle"].values[row])
+    if state.flush and abs(angle - state.file.slider.rod_angle) > SAME_SIDE:
+        return None
     if not piece.speed or gap > CLOSED * state.size or not 0.0 < angle < 180.0:
         return None
     slider = state.file.slider.model_dump(exclude_none=True) | {"rod_angle": angle}
@@ -136,9 +155,20 @@ def solution_at(state: State, motion: Motion, time: float) -> tuple[Solution, Ar
         mode=ContactMode(mode), force=force, force_end=force, contact_motion=velocity, twist=twist,
         spin_ratio=float(log["spin_ratio"].values[row]),
         center=motion.data["path_center"].values[row] - touch, pivot=int(log["pivot"].values[row]),
-        continuum=False,
+        continuum=False, **_on_side(motion, row),
     )  # fmt: skip
     return solution, velocity - [slip, 0.0]
+
+
+def _on_side(motion: Motion, row: int) -> dict[str, Any]:
+    """Place of the force on a side that lies on the fence at a row, from the side's midpoint."""
+    side = side_on_fence(motion.data, row)
+    if side is None:
+        return {}
+    return {
+        "flush": True,
+        "force_position": float(contact(motion.data)[row, 0] - side[:, 0].mean()),
+    }
 
 
 def _pusher_velocity(state: State, time: float) -> Array:
@@ -157,8 +187,10 @@ def said_at(motion: Motion, time: float) -> str:
     """Sentence on the contact at a time."""
     row, data = row_at(motion, time), motion.data
     mode, count = (int(data[f"path_{name}"].values[row]) for name in ("mode", "solutions"))
+    flush = "path_flush" in data and bool(data["path_flush"].values[row])
+    does = (DOES | FLUSH if flush else DOES)[mode]
     more = "" if count < 2 else f", one of {NUMBERS[count]} consistent solutions"
-    return f"At time {time:.3f} {DOES[mode]}{more}."
+    return f"At time {time:.3f} {does}{more}."
 
 
 def ways_at(state: State, motion: Motion, time: float) -> tuple[str, ...]:

@@ -60,10 +60,16 @@ def _magnitude(state: State, length: float) -> float:
 
 
 def places(state: State, force: Array | None) -> dict[Handle, Array]:
-    """Positions of the handles; the line of force has one if the pusher transmits a force."""
+    """Positions of the handles; the line of force has one if the pusher transmits a force.
+
+    With a side on the fence, only the pusher has one: the rod belongs to a contact at one point.
+    """
     frame, angle = frame_of(state.scene), math.radians(state.angle)
+    pusher = frame.reach * arrow_length(state) * direction(angle)
+    if state.flush:
+        return {Handle.PUSHER: pusher}
     found = {
-        Handle.PUSHER: frame.reach * arrow_length(state) * direction(angle),
+        Handle.PUSHER: pusher,
         Handle.ROD: frame.center,
         Handle.SIZE: frame.middle + frame.half * direction(frame.pose.angle - math.pi / 4),
     }

@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from planar_pushing.drawing.canvas.colors import DARK, GUIDE, look_of
 from planar_pushing.drawing.canvas.marks import NOTE, Area, Picture
+from planar_pushing.explorer.pictures.curve import words_alone
 from planar_pushing.explorer.pictures.handles import unit_of_magnitude
 from planar_pushing.explorer.state import MAGNITUDES, ROD_ANGLES, State, pushed, with_law, with_rod
 from planar_pushing.mechanics.contact import Coulomb
@@ -32,6 +33,12 @@ FRICTIONS = (0.0, 0.25, 0.5, 1.0, 2.0, 5.0)
 #: Width of the map for a height of 1, and the box around the map and its labels.
 WIDE = 1.5
 BOX = np.array([(-0.17, -0.15), (WIDE + 0.03, 1.08)])
+
+
+#: Text in the place of the map of a side on the fence.
+NO_MAP = (
+    "A side lies on the fence: the map is for contacts\nat one point, which have no flush modes."
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -143,7 +150,10 @@ def axis_of(state: State) -> str:
 
 
 def maps(state: State) -> Iterator[Map]:
-    """Yield a coarse map, then one as fine as the time limit allows."""
+    """Yield a coarse map, then one as fine as time allows; an empty one for a side on the fence."""
+    if state.flush:
+        yield Map(np.empty((0, 0), dtype=np.uint8), 0.0, 1.0)
+        return
     start = time.perf_counter()
     yield mode_map(state, COARSE)
     each = (time.perf_counter() - start) / np.prod(COARSE)
@@ -186,6 +196,8 @@ def place_of(state: State) -> Array:
 
 def map_picture(state: State, found: Map) -> Picture:
     """Picture of the map with its axes; its height is 1."""
+    if state.flush:
+        return words_alone(BOX, NO_MAP)
     picture = Picture()
     for code in np.unique(found.codes):
         look = look_of(int(code))
@@ -227,7 +239,10 @@ def _name_axes(picture: Picture, state: State) -> None:
 
 def cross(state: State) -> Picture:
     """Picture of a cross at the position of a state."""
-    picture, here = Picture(), place_of(state)
+    picture = Picture()
+    if state.flush:
+        return picture
+    here = place_of(state)
     for color, width, half in (("#FFFFFF", 3.6, 0.034), (DARK, 1.5, 0.03)):
         for arm in half * np.eye(2):
             picture.line([here - arm, here + arm], color, width=width)

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from planar_pushing.drawing.body import name_centers
-from planar_pushing.drawing.canvas.colors import DARK, ENERGIES, GUIDE, LIGHT, MODES
+from planar_pushing.drawing.canvas.colors import DARK, ENERGIES, GUIDE, LIGHT, MODES, PUSHER
 from planar_pushing.drawing.canvas.marks import AREAS, NOTE, Area, Picture, Sheet
 from planar_pushing.drawing.canvas.svg import content, to_svg
 from planar_pushing.drawing.motion import add_instant, add_paths, span
@@ -79,6 +79,9 @@ def push_picture(push: Push) -> Picture:
     if sketch.solution is not None:
         add_solution(picture, sketch, sketch.solution)
     add_pusher(picture, sketch)
+    if sketch.pusher is not None and np.any(sketch.contact_of(sketch.solution)):
+        # The fence moves alike everywhere; the handle is at the tip of this arrow.
+        picture.motion((0, 0), sketch.motion_scale * sketch.pusher, color=PUSHER)
     for place in places(push.state, push.force).values():
         picture.dot(place, HANDLE, None, edge="none")  # labels keep off the handles
     name_centers(picture, sketch.body, sketch.pose)
@@ -88,9 +91,10 @@ def push_picture(push: Push) -> Picture:
 def push_box(state: State) -> Array:
     """Corners of the picture of a push in any direction."""
     frame = frame_of(state.scene)
+    ends = [(end, 0.0) for end in frame.ends or ()]
     reach = frame.reach * (1.36 if is_magnitude_open(state.scene) else 1.12)
     low, high = frame.body.box(frame.pose) + frame.half * np.array([[-0.3], [0.5]])
-    around = np.array([low, high, (-1.5 * reach, -reach), (1.5 * reach, reach)])
+    around = np.array([low, high, (-1.5 * reach, -reach), (1.5 * reach, reach), *ends])
     return np.array([around.min(axis=0), around.max(axis=0)])
 
 
@@ -118,7 +122,10 @@ def instant_picture(motion: Motion, time: float) -> Picture:
 
 
 def time_picture(motion: Motion) -> Picture:
-    """Picture of the contact modes as a bar, a line above it if several are consistent, and energies."""
+    """Picture of the contact modes as a bar, a line above it if several are consistent, and energies.
+
+    Strokes on the bar mark a side that lies on the fence.
+    """
     picture, end = Picture(), float(motion.times[-1]) or 1.0
     for run in motion.runs:
         left, right = (LONG * motion.times[row] / end for row in (run.start, run.stop))
@@ -128,6 +135,10 @@ def time_picture(motion: Motion) -> Picture:
         picture.line([*corners, corners[0]], look.ink, width=0.6)
         if run.several:
             picture.line([corners[3], corners[2]], DARK, width=3.0)
+        if run.flush:
+            strokes = corners - [(0.0, 0.0), (0.0, 0.0), (0.0, 0.2), (0.0, 0.2)]
+            picture.add(Area((strokes,), "#FFFFFF", "|", DARK, AREAS + 0.1))
+            picture.line([*strokes, strokes[0]], DARK, width=0.6)
     _energies(picture, motion, end)
     return picture
 
