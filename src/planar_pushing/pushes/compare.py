@@ -15,7 +15,8 @@ from planar_pushing.mechanics.supports.base import required_support
 from planar_pushing.pushes.fit.ellipsoid import Ellipsoid
 from planar_pushing.pushes.fit.fitted import fitted_ellipsoid
 from planar_pushing.pushes.fit.friction import contact_friction
-from planar_pushing.pushes.fit.statistics import QUANTITIES, REFERENCE, statistics
+from planar_pushing.pushes.fit.quartic import fitted_quartic
+from planar_pushing.pushes.fit.statistics import QUANTITIES, REFERENCE, angles, statistics
 from planar_pushing.pushes.fit.supported import OnSupport
 from planar_pushing.pushes.identify import identify
 from planar_pushing.pushes.logs.combine import of_object
@@ -75,11 +76,15 @@ def _fitted_ellipsoid(half: Half) -> tuple[Model, float]:
     return fitted_ellipsoid(half.pushes)
 
 
+def _fitted_quartic(half: Half) -> tuple[Model, float] | None:
+    return fitted_quartic(half.pushes)
+
+
 #: Functions that fit each model and the contact friction to pushes, or return None if it does not apply.
 MODELS: dict[str, Callable[[Half], tuple[Model, float] | None]] = {
     "known_feet": _known_feet, "identified": _identified, "uniform": _uniform,
     "known_feet_ellipsoid": _known_feet_ellipsoid, "uniform_ellipsoid": _uniform_ellipsoid,
-    REFERENCE: _fitted_ellipsoid,
+    "fitted_quartic": _fitted_quartic, REFERENCE: _fitted_ellipsoid,
 }  # fmt: skip
 
 
@@ -102,8 +107,8 @@ def compare(
     models : sequence of str, or mapping of names to supports, optional
         Any of "known_feet" (the feet in the dataset), "identified" (`identify`), "uniform" (a uniform
         pressure on the outline), "known_feet_ellipsoid" and "uniform_ellipsoid" (`fit_ellipsoid` of these
-        supports) and "fitted_ellipsoid" (fitted to the same pushes); by default all that apply. A mapping
-        adds the user's own supports, in the object's frame, to these models.
+        supports), "fitted_quartic" and "fitted_ellipsoid" (fitted to the same pushes); by default all that
+        apply. A mapping adds the user's own supports, in the object's frame, to these models.
     seed : int
         Seed of the division into halves and of the resampling.
     resamples : int
@@ -122,7 +127,7 @@ def compare(
         wrench and motion are angles in degrees between predicted and measured vectors, with torques and
         rotations scaled by half the outline's extent (`length`). The error of the final pose is the
         distance plus `length` times the angle. Values are NaN if no force was measured or a model does not
-        apply.
+        apply; those of wrench and motion also if the object did not move.
 
     Raises
     ------
@@ -135,6 +140,11 @@ def compare(
     friction, are made on one half and scored on the other, and vice versa. In a push that touches a corner
     first (`at_corner`), the finger pushes one of the adjacent sides or sticks to the corner; no model is
     fitted to such pushes.
+
+    The quartic is the model of Zhou, Paolini, Bagnell, and Mason (ICRA 2016, pp. 372-377): a convex form of
+    degree 4 in the wrench, whose level set is the limit surface and whose gradient is along the twist. A
+    semidefinite program fits its fifteen coefficients, with weights from cross-validation within the half.
+    It applies to halves with measured forces of at least five pushes.
     """
     checked = required_pushes(pushes)
     draws, seed = whole("resamples", resamples, 1, MOST), whole("seed", seed, 0)
@@ -174,7 +184,7 @@ def errors_of(model: Model, friction: float, pushes: Measured) -> Array:
     """Errors of a model in wrench and motion (degrees) and in final pose (length), shape (3, n)."""
     scale = np.array([1.0, 1.0, pushes.length])
     found = np.full((3, len(pushes)), np.nan)
-    forced = pushes.has_force
+    forced = pushes.has_directions
     if forced.any():
         part = pushes.part(forced)
         wrenches = wrenches_about(model.wrenches(part.twists), pushes.center)
@@ -184,12 +194,6 @@ def errors_of(model: Model, friction: float, pushes: Measured) -> Array:
     apart = final_poses(model, pushes, friction) - pushes.observed
     found[2] = np.hypot(*apart[:, :2].T) + pushes.length * np.abs(apart[:, 2])
     return found
-
-
-def angles(a: Array, b: Array) -> Array:
-    """Angles between vectors of shape (n, 3) in degrees, accurate for small angles."""
-    across = np.linalg.norm(np.cross(a, b), axis=1)
-    return np.asarray(np.rad2deg(np.arctan2(across, (a * b).sum(axis=1))))
 
 
 def on_support(support: Any, pushes: Measured) -> tuple[Model, float]:

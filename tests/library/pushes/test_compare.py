@@ -9,8 +9,9 @@ from simulation.runs import pose_at_the_end
 
 import planar_pushing as pp
 from planar_pushing.pushes import compare as room
-from planar_pushing.pushes.compare import MODELS, Half, angles, errors_of, feet_of
+from planar_pushing.pushes.compare import MODELS, Half, errors_of, feet_of
 from planar_pushing.pushes.fit.fitted import fitted_ellipsoid
+from planar_pushing.pushes.fit.statistics import angles
 from planar_pushing.pushes.fit.supported import OnSupport
 from planar_pushing.pushes.logs.measured import measured
 
@@ -46,7 +47,7 @@ def test_exact_feet_beat_every_other_model(found):
 
 
 def test_the_dataset(found, pushes):
-    assert dict(found.sizes) == {"quantity": 3, "model": 6, "push": 60, "bound": 2, "object": 1}
+    assert dict(found.sizes) == {"quantity": 3, "model": 7, "push": 60, "bound": 2, "object": 1}
     assert found.attrs == {
         "seed": 0, "resamples": 200, "reference": "fitted_ellipsoid", "pose_units": "mm",
         "angle_units": "degree", "source": "simulated",
@@ -149,7 +150,7 @@ def test_the_reference_is_always_there(pushes):
 def test_without_forces_poses_alone_are_compared(pushes):
     """And without known feet there are no exact ones."""
     some = pushes.isel(push=slice(8)).drop_vars("force")
-    found = pp.compare(some, QUICK, resamples=5)
+    found = pp.compare(some, [*QUICK, "fitted_quartic"], resamples=5)
     assert found["model"].values.tolist() == [*QUICK, "fitted_ellipsoid"]
     assert np.isnan(found["error"].sel(quantity=["wrench", "motion"])).all()
     assert np.isnan(found["median"].sel(quantity="motion")).all()
@@ -166,6 +167,17 @@ def test_pushes_without_force_among_others(pushes):
     error = pp.compare(some, ["known_feet"], resamples=2)["error"]
     missing = np.isnan(error.sel(model="known_feet"))
     assert missing.sel(quantity="motion").values.tolist() == [k == 3 for k in range(16)]
+    assert not missing.sel(quantity="pose").any()
+
+
+def test_a_push_that_does_not_move_the_object_has_no_direction(pushes):
+    """Its force is below that of sliding; the final pose alone is scored."""
+    some = pushes.isel(push=slice(16)).copy(deep=True)
+    some["displacement"].values[3] = some["rotation"].values[3] = 0.0
+    error = pp.compare(some, ["fitted_quartic"], resamples=2)["error"]
+    missing = np.isnan(error.sel(model="fitted_quartic"))
+    assert missing.sel(quantity="motion").values.tolist() == [k == 3 for k in range(16)]
+    assert missing.sel(quantity="wrench").values.tolist() == [k == 3 for k in range(16)]
     assert not missing.sel(quantity="pose").any()
 
 

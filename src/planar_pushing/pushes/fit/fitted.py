@@ -29,7 +29,7 @@ def fitted_ellipsoid(pushes: Measured) -> tuple[Ellipsoid, float]:
     motion under the measured wrench. Otherwise they are those of the final poses, and the friction is
     fitted too.
     """
-    forced = pushes.has_force
+    forced = pushes.has_directions
     if forced.any():
         known = contact_friction(pushes)
         return _from_forces(pushes.part(forced)), known.coefficient

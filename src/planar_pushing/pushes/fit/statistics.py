@@ -22,15 +22,17 @@ VARIABLES = {
 }
 
 
-def statistics(error: xr.DataArray, resamples: int = 1000, seed: int = 0) -> xr.Dataset:
-    """Statistics of errors over (quantity, model, push), each with an interval over `bound`.
+def statistics(
+    error: xr.DataArray, resamples: int = 1000, seed: int = 0, model: str = REFERENCE
+) -> xr.Dataset:
+    """Statistics of errors over (quantity, model, push), relative to a model, with intervals over `bound`.
 
     For each quantity and model, they include the pushes for which both the model and the reference have an
     error. The intervals contain 95 percent of the statistics of resampled pushes; all models share the same
     resamples.
     """
     values = error.transpose("quantity", "model", "push").values
-    reference = list(error["model"].values).index(REFERENCE)
+    reference = list(error["model"].values).index(model)
     count = values.shape[2]
     draws = np.random.default_rng(seed).random((resamples, count))
     shape = values.shape[:2]
@@ -64,3 +66,9 @@ def _statistics(own: Array, other: Array) -> dict[str, Array]:
         "median": median, "percentile_90": np.percentile(own, 90.0, axis=1),
         "ratio": median / reference, "difference": np.median(own - other, axis=1),
     }  # fmt: skip
+
+
+def angles(a: Array, b: Array) -> Array:
+    """Angles between vectors of shape (n, 3) in degrees, accurate for small angles."""
+    across = np.linalg.norm(np.cross(a, b), axis=1)
+    return np.asarray(np.rad2deg(np.arctan2(across, (a * b).sum(axis=1))))

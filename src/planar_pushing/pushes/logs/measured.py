@@ -129,6 +129,11 @@ class Measured:
         )
 
     @property
+    def has_directions(self) -> Mask:
+        """Whether each push has a measured force and moved the object."""
+        return np.asarray(self.has_force & self.observed.any(axis=1))
+
+    @property
     def wrenches(self) -> Array:
         """Wrench of each push about the origin of the object's frame, shape (n, 3)."""
         (x, y), (f_x, f_y) = self.points.T, self.force.T
