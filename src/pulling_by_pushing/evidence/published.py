@@ -10,7 +10,7 @@ import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.compare import compare, feet_of
-from planar_pushing.pushes.fit.statistics import statistics
+from planar_pushing.pushes.fit.statistics import REFERENCE, statistics
 from planar_pushing.pushes.identified import Identified, moments_of
 from planar_pushing.pushes.identify import identify
 from planar_pushing.pushes.logs.combine import of_object
@@ -100,6 +100,18 @@ def _with_forces(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any
         "length": float(found["length"].values[0]),
         "logs": {name: _log(of_object(pushes, name), seed, progress) for name in _names(pushes)},
         "comparison": _table(found),
+        "against_quartic": _against_quartic(found),
+    }
+
+
+def _against_quartic(found: xr.Dataset) -> dict[str, Any]:
+    """Ratios of the errors of the identified pressure to those of the fitted quartic, if it applies."""
+    if "fitted_quartic" not in found["model"]:
+        return {}
+    table = _table(_part(found, np.ones(found.sizes["push"], dtype=bool), "fitted_quartic"))
+    return {
+        quantity: {name: models["identified"][name] for name in ("ratio", "ratio_interval")}
+        for quantity, models in table.items()
     }
 
 
@@ -124,10 +136,10 @@ def _by_poses(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any]:
     }
 
 
-def _part(found: xr.Dataset, rows: Mask) -> xr.Dataset:
-    """Statistics of some of the pushes."""
+def _part(found: xr.Dataset, rows: Mask, model: str = REFERENCE) -> xr.Dataset:
+    """Statistics of some of the pushes, relative to a model."""
     chosen = found["error"].isel(push=np.flatnonzero(rows))
-    return statistics(chosen, found.attrs["resamples"], found.attrs["seed"])
+    return statistics(chosen, found.attrs["resamples"], found.attrs["seed"], model)
 
 
 def _table(found: xr.Dataset) -> dict[str, Any]:

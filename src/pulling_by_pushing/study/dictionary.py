@@ -19,6 +19,13 @@ from pulling_by_pushing.study.studies import SLIDERS_FILE, study_name
 
 #: The study of sliders.
 STUDY = study_name(SLIDERS_FILE)
+#: Variables that only some logs have.
+MORE_OF_LOGS = {
+    "A log of a fence and a slider with an outline or a side on the fence": ("flush", "contact_position"),
+    "A log with the object's pose in the world": (
+        "object_position", "object_angle", "pusher_position",
+    ),
+}  # fmt: skip
 
 HEAD = """# Data dictionary
 
@@ -74,7 +81,8 @@ def _simulations(results: str) -> str:
     about = "motion over time, one log for each simulation"
     finger = "The log of a finger differs in these variables:"
     rows = [*_table([dataset]), "", finger, "", *_finger_table()]
-    rows += ["", "A log with the object's pose in the world also holds:", "", *_world_table()]
+    for log, names in MORE_OF_LOGS.items():
+        rows += ["", f"{log} also holds:", "", *_added_table(names)]
     return _lines(f"data/{SIMULATIONS}/NAME.nc", about, *_source(dataset), *rows)
 
 
@@ -87,11 +95,11 @@ def _finger_table() -> Iterator[str]:
             yield f"| `{name}` | {unit} | {meaning} |"
 
 
-def _world_table() -> Iterator[str]:
-    """Rows of the variables that a log in the world adds."""
+def _added_table(names: Iterable[str]) -> Iterator[str]:
+    """Rows of variables that only some logs have."""
     yield "| name | unit | meaning |"
     yield "| --- | --- | --- |"
-    for name in ("object_position", "object_angle", "pusher_position"):
+    for name in names:
         unit, meaning = LOG[name]
         yield f"| `{name}` | {unit} | {meaning} |"
 

@@ -131,13 +131,19 @@ def _rod_problems(study: StudyFile, computed: Iterable[str]) -> Iterator[str]:
 
 
 def _scene_problems(study: StudyFile) -> Iterator[str]:
-    """Scene files that cannot be read, or that list effects without parameters in the study."""
+    """Scene files that cannot be read, or that have a side on the fence or effects that the study lacks."""
     for name, push in study.scenes.items():
         try:
-            kinds = {EFFECTS[effect.type].kind for effect in scene_file(push.file).effects}
+            file = scene_file(push.file)
         except InvalidFile as error:
             yield f"scenes.{name}.file: {error}"
             continue
+        kinds = {EFFECTS[effect.type].kind for effect in file.effects}
+        if file.slider.flush:
+            yield (
+                f"scenes.{name}.file: {push.file} has a side on the fence; allowed: contacts at one point; "
+                "name another scene, or list this one under simulations"
+            )
         if not kinds <= set(study.parts):
             yield (
                 f"scenes.{name}.file: {push.file} lists {', '.join(sorted(kinds))}; allowed: the effects "

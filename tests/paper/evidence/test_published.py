@@ -98,6 +98,12 @@ def test_the_numbers_of_a_folder(tmp_path):
         < motion["uniform"]["median"]
     )
     assert motion["fitted_ellipsoid"]["ratio"] == 1.0
+    against = found["three_feet"]["against_quartic"]
+    assert against.keys() == {"wrench", "motion", "pose"}
+    ratio = motion["identified"]["median"] / motion["fitted_quartic"]["median"]
+    assert against["motion"]["ratio"] == pytest.approx(ratio)
+    low, high = against["motion"]["ratio_interval"]
+    assert low <= ratio <= high
     assert "known_feet" not in found["patch"]["comparison"]["motion"]
     polygons = found["polygons"]
     assert polygons["comparison"].keys() == polygons["with_corners"].keys() == {"pose"}

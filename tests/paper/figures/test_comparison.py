@@ -155,7 +155,8 @@ def test_models_have_contrast_and_every_model_of_compare_a_look():
     assert all(contrast(each.color) >= 3 for each in LOOKS.values())
     others = looks(["a", "b", "c"])
     assert (
-        len({each.color for each in others.values()} | {each.color for each in LOOKS.values()}) == 9
+        len({each.color for each in others.values()} | {each.color for each in LOOKS.values()})
+        == 10
     )
 
 

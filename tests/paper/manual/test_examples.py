@@ -21,6 +21,7 @@ PROGRAMS = {
     "mujoco_push": 2e-4,
     "own_pushes": 1.1e-3,
     "push_planner": 5e-3,
+    "stable_planner": 1.1e-4,
 }
 #: What a program imports that is no part of the project's own environment.
 IMPORTED = {"mujoco_pull": "mujoco", "mujoco_push": "mujoco"}

@@ -13,10 +13,14 @@ FEET = {
 }
 #: Medians of each model, degrees or mm, by quantity.
 ANGLES = {"known_feet": 6.0, "identified": 7.0, "uniform": 15.0, "known_feet_ellipsoid": 12.0,
-          "uniform_ellipsoid": 14.0, "fitted_ellipsoid": 10.0}  # fmt: skip
+          "uniform_ellipsoid": 14.0, "fitted_quartic": 8.0, "fitted_ellipsoid": 10.0}  # fmt: skip
 QUANTITIES = {"wrench": 0.5, "motion": 1.0, "pose": 0.25}
 #: Models without the feet of an object.
 OTHERS = [name for name in ANGLES if "known" not in name]
+#: Models without forces.
+BY_POSES = [name for name in OTHERS if name != "fitted_quartic"]
+#: Ratios of the identified pressure to the quartic.
+AGAINST_QUARTIC = {name: {"ratio": 0.85, "ratio_interval": [0.75, 1.25]} for name in QUANTITIES}
 
 
 def compared(models, quantities=QUANTITIES, factor=1.0):
@@ -71,18 +75,18 @@ def measured_pushes():
         "three_feet": {
             "selection": "every push with a force", "pushes": 200, "length": 50.0,
             "logs": {name: _three_feet(places) for name, places in FEET.items()},
-            "comparison": compared(ANGLES),
+            "comparison": compared(ANGLES), "against_quartic": AGAINST_QUARTIC,
         },
         "patch": {
             "selection": "every push with a force", "pushes": 50, "length": 50.0,
             "logs": {"patch": log(None, face, OUTLINE, 4.25)},
-            "comparison": compared(OTHERS, factor=1.5),
+            "comparison": compared(OTHERS, factor=1.5), "against_quartic": AGAINST_QUARTIC,
         },
         "polygons": {
             "selection": "pushes that touch the object", "pushes": 340, "corner_pushes": 40,
             "length": {"abs_rect1": 37.0, "abs_hex": 40.0},
-            "comparison": compared(OTHERS, pose),
-            "with_corners": compared(OTHERS, pose, 1.25),
+            "comparison": compared(BY_POSES, pose),
+            "with_corners": compared(BY_POSES, pose, 1.25),
             "objects": {"abs_rect1": {"identified": 1.5, "fitted_ellipsoid": 2.0},
                         "abs_hex": {"identified": 2.5, "fitted_ellipsoid": 2.0}},
         },

@@ -185,6 +185,8 @@ def numbers(results):
         ("time-processor", "Some Processor"),
         ("pushes-feet-motion-known-feet", "6.0"),
         ("pushes-feet-pose-fitted-ellipsoid", "2.5"),
+        ("pushes-face-motion-quartic-ratio", "0.85"),
+        ("pushes-face-motion-quartic-ratio-high", "1.25"),
         ("pushes-face-motion-uniform", "22.5"),
         ("pushes-sides-pose-ratio-low", "0.63"),
         ("pushes-corners-pose-ratio-high", "0.77"),

@@ -55,6 +55,9 @@ def message(tmp_path, text):
          "add the key inertia, or remove the entry"),
         ("../scenes/figure_03.yaml, force_angle: 36", "nowhere.yaml, force_angle: 36",
          "scenes.figure_03.file: nowhere.yaml: no such file; give the path of a YAML file"),
+        ("../scenes/figure_03.yaml, force_angle: 36", "../scenes/box_side.yaml, pusher_angle: 36",
+         "scenes.figure_03.file: ../scenes/box_side.yaml has a side on the fence; allowed: contacts at one "
+         "point; name another scene, or list this one under simulations"),
         ("force_angle: 54", "force_angle: 54, pusher_angle: 3",
          "scenes.figure_02: {'file': '../scenes/figure_02.yaml', 'force_angle': 54, "
          "'pusher_angle': 3} given; allowed: exactly one of pusher_angle and force_angle; "

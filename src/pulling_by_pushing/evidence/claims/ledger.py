@@ -15,6 +15,9 @@ from planar_pushing.scenes.files import load_model
 from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.evidence.claims import (  # each registers its checks and numbers
+    any_pressure as any_pressure,
+)
+from pulling_by_pushing.evidence.claims import (
     any_support as any_support,
 )
 from pulling_by_pushing.evidence.claims import (

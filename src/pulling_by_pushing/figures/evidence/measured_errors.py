@@ -69,7 +69,8 @@ def caption(data: dict[str, Any]) -> str:
         "fitted to the other half. A marker is the median, a thick line its 95 percent interval, and a "
         "thin line ends at the 90th percentile. To the right is the ratio of the median to that of the "
         "ellipsoid fitted to the same pushes, with its 95 percent interval. Circles are pressures with "
-        "exact mechanics, and hollow diamonds are ellipsoids. The object is a triangle on three feet "
+        "exact mechanics, hollow diamonds are ellipsoids, and the hollow triangle is the convex quartic, "
+        "which needs measured forces. The object is a triangle on three feet "
         f"({feet} pushes) or on its whole face ({face}), or a polygon pushed at a side "
         f"({every - data['polygons']['corner_pushes']}), or at a side or a corner ({every})."
     )

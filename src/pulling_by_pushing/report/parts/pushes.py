@@ -15,7 +15,7 @@ GROUPS = {
     "sides": ("polygons", "comparison"),
     "corners": ("polygons", "with_corners"),
 }
-IDENTIFIED, FITTED = "identified", "fitted_ellipsoid"
+IDENTIFIED, FITTED, QUARTIC = "identified", "fitted_ellipsoid", "fitted_quartic"
 
 
 def _read(
@@ -50,19 +50,31 @@ def _median(group: str, quantity: str, model: str) -> Quantity:
     return _at(part, key, quantity, model, "median", digits=1, unit=unit)
 
 
-def _ratio(group: str, quantity: str, model: str = IDENTIFIED) -> Numbers:
-    """Ratio of a model's median to that of the fitted ellipsoid, with its interval."""
+def _ratio(group: str, quantity: str) -> Numbers:
+    """Ratio of the median of the identified pressure to that of the fitted ellipsoid, with its interval."""
     part, key = GROUPS[group]
+    return _with_ends(f"pushes-{group}-{quantity}-ratio", part, key, quantity, IDENTIFIED)
+
+
+def _quartic_ratio(group: str, quantity: str) -> Numbers:
+    """Ratio of the median of the identified pressure to that of the fitted quartic, with its interval."""
+    part, _ = GROUPS[group]
+    return _with_ends(f"pushes-{group}-{quantity}-quartic-ratio", part, "against_quartic", quantity)
+
+
+def _with_ends(name: str, *path: str) -> Numbers:
+    """A ratio at a path of keys, and the ends of its interval."""
 
     def end(place: int) -> Quantity:
         def compute(found: dict[str, Any]) -> float:
-            return float(found[part][key][quantity][model]["ratio_interval"][place])
+            node: Any = found
+            for key in (*path, "ratio_interval"):
+                node = node[key]
+            return float(node[place])
 
-        return _read(compute, f"{part}.{key}.{quantity}.{model}.ratio_interval", 2)
+        return _read(compute, ".".join((*path, "ratio_interval")), 2)
 
-    name = f"pushes-{group}-{quantity}-ratio"
-    whole = _at(part, key, quantity, model, "ratio", digits=2)
-    return {name: whole, f"{name}-low": end(0), f"{name}-high": end(1)}
+    return {name: _at(*path, "ratio", digits=2), f"{name}-low": end(0), f"{name}-high": end(1)}
 
 
 def _medians(group: str, quantity: str, *models: str) -> Numbers:
@@ -103,8 +115,8 @@ MEASURED: Numbers = {
     "pushes-fit-triangle": _read(_for_a_triangle, "half of the mean number of pushes in a log"),
     "pushes-fit-polygon": _read(_for_a_polygon, "half of the mean number of pushes at sides"),
     "pushes-seed": _at("seed"),
-    **_medians("feet", "motion", "known_feet", "known_feet_ellipsoid", FITTED, "uniform"),
-    **_medians("feet", "pose", "known_feet", "known_feet_ellipsoid", FITTED),
+    **_medians("feet", "motion", "known_feet", "known_feet_ellipsoid", FITTED, QUARTIC, "uniform"),
+    **_medians("feet", "pose", "known_feet", "known_feet_ellipsoid", FITTED, QUARTIC),
     "pushes-near-foot": _at("about_a_foot", "pushes"),
     "pushes-foot-distance": _at("about_a_foot", "distance", unit="mm"),
     "pushes-load-set-tolerance": _at("about_a_foot", "tolerance", unit="percent", factor=100.0),
@@ -116,9 +128,12 @@ MEASURED: Numbers = {
     **_ratio("face", "motion"),
     **_ratio("feet", "wrench"),
     **_ratio("face", "wrench"),
+    **_quartic_ratio("feet", "motion"),
+    **_quartic_ratio("feet", "wrench"),
+    **_quartic_ratio("face", "motion"),
     **_ratio("sides", "pose"),
     **_ratio("corners", "pose"),
     "pushes-objects-better": _read(_better, "objects: identified below fitted_ellipsoid"),
-    **_medians("face", "motion", IDENTIFIED, "uniform", "uniform_ellipsoid", FITTED),
+    **_medians("face", "motion", IDENTIFIED, "uniform", "uniform_ellipsoid", FITTED, QUARTIC),
     **_medians("sides", "pose", IDENTIFIED, "uniform", "uniform_ellipsoid", FITTED),
 }

@@ -41,6 +41,10 @@ WRONG = [
     ("slip-of-figure-12", "slips-beyond-edge", {"pusher_angle": 138.8}),
     ("no-solution-under-definition-2", "figure-9b", {"pusher_angle": 146}),
     ("no-solution-under-definition-2", "figure-8", {"effects": "inertia", "pusher_angle": 137}),
+    ("any-pressure", "rotation-for-any-pressure", {"low": 0.1746802}),
+    ("any-pressure", "rotation-for-any-pressure", {"high": 0.441823}),
+    ("stable-for-any-pressure", "stable-for-any-pressure", {"center": 1.9999999}),
+    ("stable-for-any-pressure", "stable-for-any-pressure", {"friction": 0.23607}),
     ("speed-decides-pulling", "slow-pulls-fast-does-not", {"above": 1.26}),
     ("speed-decides-pulling", "slow-pulls-fast-does-not", {"below": 1.51}),
     # numbers, within their accuracy, exactly, and as bounds
