@@ -83,8 +83,14 @@ def test_numbers_of_measured_pushes():
     assert f"{each} in each panel" in README
     assert f"the {feet['pushes']} pushes on three feet" in README
     motion = feet["comparison"]["motion"]
-    numbers = [f"{motion[model]['median']:.1f}" for model in ("identified", "fitted_ellipsoid")]
+    models = ("identified", "fitted_ellipsoid", "fitted_quartic")
+    numbers = [f"{motion[model]['median']:.1f}" for model in models]
     assert re.findall(r"(\d+\.\d) degrees", README) == numbers
+    # The sentences on gains that are not significant.
+    low, high = face["against_quartic"]["motion"]["ratio_interval"]
+    assert low < 1.0 < high
+    low, high = feet["comparison"]["wrench"]["identified"]["ratio_interval"]
+    assert low < 1.0 < high
 
 
 def test_links_lead_to_files():
