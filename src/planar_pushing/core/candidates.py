@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from math import atan2, fabs, sqrt
+from math import fabs, sqrt
 
-from planar_pushing.core.directions import Direction, direction_at, rod_at
 from planar_pushing.core.drag import (
     depends_on_speed,
     problem_effects,
     put_loads_at,
-    put_mass,
     scale_films,
 )
 from planar_pushing.core.equations import motion_in_mode, path_along_fence
@@ -19,9 +17,9 @@ from planar_pushing.core.flush_solutions import MOST_ON_SIDE, SIDE_SOLUTION, sid
 from planar_pushing.core.free import free_twist
 from planar_pushing.core.inertia import slowest_foot_at
 from planar_pushing.core.instant import Instant
-from planar_pushing.core.modes import contact_modes
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.path import is_flat, sample_path
+from planar_pushing.core.posing import modes_of_push, pose_at_start, prepare_start, pusher_along
 from planar_pushing.core.rows import NO_POINT, Vector
 from planar_pushing.core.run import (
     IN_MASS,
@@ -33,12 +31,9 @@ from planar_pushing.core.run import (
     RUN_SPEED,
 )
 from planar_pushing.core.shapes import (
-    Pose,
     center_motion,
     clearance_of,
-    frame_angle,
     pose_of,
-    pose_with_rod,
     pusher_acceleration,
     pusher_velocity,
     size_of_twist,
@@ -147,16 +142,13 @@ def _keep_leaving(
     system: System, during: Span, time: float, state: Numbers, length: float, first: int, count: int
 ) -> int:
     """Keep those of the last candidates that lift the other end of a side of a signed length."""
-    kept, slack = first, SLACK * system.run[RUN_SPEED]
+    kept, slack, massive = first, SLACK * system.run[RUN_SPEED], is_massive(system)
+    if massive:
+        slack = SLACK * system.run[RUN_FORCE] / system.scene[IN_MASS]
     for i in range(first, count):
         mode = candidate_at(system, i, during.first)
         instant = motion_in_mode(system, mode, time, state)
-        lift = instant.spin * length
-        if is_massive(system):
-            lift, slack = (
-                instant.turn * length,
-                SLACK * system.run[RUN_FORCE] / system.scene[IN_MASS],
-            )
+        lift = (instant.turn if massive else instant.spin) * length
         system.candidates[i * CANDIDATE + BARELY_LEAVES] = 1.0 if lift <= slack else 0.0
         if mode.contact != SEPARATE and lift >= -slack:
             copy_numbers(
@@ -268,7 +260,7 @@ def _count_at_side(
     push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
     count = side_modes(
         push, FlatSide(0.0, side_length(system, there)), law_of(system, pose.rod),
-        _pusher_along(pose, x, y, 1.0 if size > 0.0 else 0.0), solutions,
+        pusher_along(pose, x, y, 1.0 if size > 0.0 else 0.0), solutions,
     )  # fmt: skip
     scale_films(system, 1.0)
     put_contact(system, point, other_end)
@@ -337,22 +329,10 @@ def _write_in_motion(
     return count
 
 
-def pose_at_start(system: System, state: Numbers) -> Pose:
-    """Pose of the slider, exact if body x is at 90 degrees."""
-    return pose_with_rod(system, rod_at(1.0, frame_angle(system, state[ANGLE])), state)
-
-
-def _prepare_start(system: System, state: Numbers, size: float) -> None:
-    """Store the effects of a start from rest, with accelerations in units of a size."""
-    scale_films(system, 0.0)
-    put_mass(system, size * system.scene[IN_MASS])
-    put_loads_at(system, state[ANGLE])
-
-
 def _write_clear(system: System, state: Numbers) -> int:
     """Store the mode of a slider at rest above the fence: friction holds it, or loads set it in motion."""
     size = system.run[RUN_FORCE] / system.scene[IN_MASS]
-    _prepare_start(system, state, size)
+    prepare_start(system, state, size)
     start = free_twist(problem_effects(system), Vector(0.0, 0.0, 0.0))
     _write_rest(system, 0, False, SEPARATE, 0.0, 0.0)
     if start.x != 0.0 or start.y != 0.0 or start.spin != 0.0:
@@ -405,7 +385,7 @@ def _write_starts_at_contact(
     """Store, after other candidates, the modes in which a slider at rest can start at the contact."""
     slip, pose = state[OVER], pose_at_start(system, state)
     x, y, unit = _push_at_start(system, during, time, state)
-    _prepare_start(system, state, unit)
+    prepare_start(system, state, unit)
     solutions = zeros(MOST_OF_SIDE * FLUSH_SOLUTION)
     width, length, number = SOLUTION, 0.0, 0
     if is_flush(system):
@@ -434,25 +414,6 @@ def _write_starts_at_contact(
                 leave_side(system, count)
         count += 1
     return count
-
-
-def _pusher_along(pose: Pose, x: float, y: float, part: float) -> Direction:
-    """The motion of a pusher along (x, y), at a fraction of unit speed."""
-    pusher = direction_at(pose.rod, atan2(y, x))
-    if part == 1.0:
-        return pusher
-    return Direction(
-        pusher.angle, part * pusher.x, part * pusher.y, part * pusher.along, part * pusher.across
-    )
-
-
-def modes_of_push(
-    system: System, pose: Pose, x: float, y: float, part: float, solutions: Numbers
-) -> tuple[int, bool]:
-    """`contact_modes` of the problem at hand for a pusher along (x, y), at a fraction of unit speed."""
-    pusher = _pusher_along(pose, x, y, part)
-    push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
-    return contact_modes(push, law_of(system, pose.rod), pusher, solutions)
 
 
 def _pusher_at_start(

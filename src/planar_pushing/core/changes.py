@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from math import fabs, sqrt
 
-from planar_pushing.core.candidates import pose_at_start, write_starts
+from planar_pushing.core.candidates import write_starts
 from planar_pushing.core.equations import motion_in_mode, write_rates
 from planar_pushing.core.fence import Span, fence_velocity, span_at
 from planar_pushing.core.impact import collide
 from planar_pushing.core.instant import load_power
 from planar_pushing.core.numbers import Numbers
+from planar_pushing.core.posing import pose_at_start
 from planar_pushing.core.run import IN_MASS, RUN_SPEED
 from planar_pushing.core.shapes import (
     center_motion,

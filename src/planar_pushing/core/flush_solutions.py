@@ -6,7 +6,7 @@ from math import fabs
 
 from planar_pushing.core.about import contact_at
 from planar_pushing.core.cone import Law
-from planar_pushing.core.directions import Direction, direction_at, rod_at
+from planar_pushing.core.directions import Direction
 from planar_pushing.core.flush import flush_modes
 from planar_pushing.core.flush_force import (
     END_FORCE,
@@ -16,15 +16,7 @@ from planar_pushing.core.flush_force import (
     FlatSide,
 )
 from planar_pushing.core.free import free_twist
-from planar_pushing.core.kernels import (
-    CONSISTENT,
-    CONTINUA,
-    NONE,
-    NOT_SOLVED,
-    PIVOTS,
-    RESULT,
-    write_result,
-)
+from planar_pushing.core.kernels import RESULT, pushing_problem, write_results
 from planar_pushing.core.modes import contact_modes
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers, zeros
 from planar_pushing.core.rows import NO_POINT, Vector, count_columns, read_effects
@@ -78,34 +70,19 @@ def solve_flush(
     for i in range(count):
         row, result = rows[i * columns :], results[i * width :]
         inputs = row[first:]
-        effects, rod = read_effects(data, row), rod_at(inputs[0], inputs[1])
-        law = Law(
-            direction_at(rod, inputs[2]), direction_at(rod, inputs[3]),
-            inputs[4] != 0.0, inputs[5] != 0.0, inputs[6] != 0.0,
-        )  # fmt: skip
-        push = Push(effects, contact_at(-rod.length, 0.0), rod.x, -rod.y)
-        side, pusher = FlatSide(inputs[9], inputs[10]), direction_at(rod, inputs[7])
-        if inputs[8] == 0.0:
-            pusher = Direction(inputs[7], 0.0, 0.0, 0.0, 0.0)
-        number = side_modes(push, side, law, pusher, solutions)
-        status = NONE if number == 0 else CONSISTENT
+        problem = pushing_problem(read_effects(data, row), inputs)
+        side = FlatSide(inputs[9], inputs[10])
+        number = side_modes(problem.push, side, problem.law, problem.pusher, solutions)
         room = (width - 2) // SIDE_RESULT
-        if number < 0 or number > room:
-            number, status = 0, NOT_SOLVED
-        for k in range(2, width):
-            result[k] = UNKNOWN
+        number = write_results(
+            problem.rod, solutions, SIDE_SOLUTION, number, False, result, width, room
+        )
         for j in range(number):
             solution = solutions[j * SIDE_SOLUTION :]
-            if solution[CONTINUUM] != 0.0:
-                status = CONTINUA
-            elif solution[PIVOT] >= 0.0 and status == CONSISTENT:
-                status = PIVOTS
-            write_result(rod, solution, room, j, result[2:])
             result[2 + AT_FLUSH * room + j] = solution[IS_FLUSH]
             result[2 + AT_POSITION * room + j] = _position_of_force(side, solution)
             bounds = result[2 + AT_END_FORCES * room + 8 * j :]
-            _write_end_forces(law, solution, bounds)
-        result[0], result[1] = float(number), float(status)
+            _write_end_forces(problem.law, solution, bounds)
 
 
 def _push_at(push: Push, x: float) -> Push:

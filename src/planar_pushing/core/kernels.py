@@ -8,6 +8,7 @@ frame of the contact: x along the fence and y along its normal into the slider.
 from __future__ import annotations
 
 from math import fabs, sqrt
+from typing import NamedTuple
 
 from planar_pushing.core.about import contact_at
 from planar_pushing.core.cone import Law
@@ -35,7 +36,7 @@ from planar_pushing.core.magnitude import (
 from planar_pushing.core.modes import contact_modes
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers, zeros
 from planar_pushing.core.ring import ring_spin_ratio
-from planar_pushing.core.rows import count_columns, load_wrench, read_effects, resistance
+from planar_pushing.core.rows import Effects, count_columns, load_wrench, read_effects, resistance
 from planar_pushing.core.solution import (
     CONTINUUM,
     FORCE,
@@ -70,6 +71,15 @@ MOTION_WIDTH = 13
 FAR = 1e6
 
 
+class PushingProblem(NamedTuple):
+    """A push, the contact law, the motion of the pusher, and the rod."""
+
+    push: Push
+    law: Law
+    pusher: Direction
+    rod: Rod
+
+
 def solve(
     data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
 ) -> None:
@@ -85,34 +95,52 @@ def solve(
     solutions = zeros(MOST_SOLUTIONS * SOLUTION)
     for i in range(count):
         row, result = rows[i * columns :], results[i * width :]
-        inputs = row[first:]
-        effects, rod = read_effects(data, row), rod_at(inputs[0], inputs[1])
-        law = Law(
-            direction_at(rod, inputs[2]), direction_at(rod, inputs[3]),
-            inputs[4] != 0.0, inputs[5] != 0.0, inputs[6] != 0.0,
-        )  # fmt: skip
-        push = Push(effects, contact_at(-rod.length, 0.0), rod.x, -rod.y)
-        pusher = direction_at(rod, inputs[7])
-        if inputs[8] == 0.0:
-            pusher = Direction(inputs[7], 0.0, 0.0, 0.0, 0.0)
-        number, flat = contact_modes(push, law, pusher, solutions)
-        status = CONTINUA if flat else NONE if number == 0 else CONSISTENT
-        room = (width - 2) // RESULT
-        if number < 0 or number > room:
-            number, status = 0, NOT_SOLVED
-        for k in range(2, width):
-            result[k] = UNKNOWN
-        for j in range(number):
-            solution = solutions[j * SOLUTION :]
-            if solution[CONTINUUM] != 0.0:
-                status = CONTINUA
-            elif solution[PIVOT] >= 0.0 and status == CONSISTENT:
-                status = PIVOTS
-            write_result(rod, solution, room, j, result[2:])
-        result[0], result[1] = float(number), float(status)
+        problem = pushing_problem(read_effects(data, row), row[first:])
+        number, flat = contact_modes(problem.push, problem.law, problem.pusher, solutions)
+        write_results(
+            problem.rod, solutions, SOLUTION, number, flat, result, width, (width - 2) // RESULT
+        )
 
 
-def write_result(rod: Rod, solution: Numbers, room: int, j: int, result: Numbers) -> None:
+def pushing_problem(effects: Effects, inputs: Numbers) -> PushingProblem:
+    """The problem of a row of `solve`, from the numbers after its effects."""
+    rod = rod_at(inputs[0], inputs[1])
+    law = Law(
+        direction_at(rod, inputs[2]), direction_at(rod, inputs[3]),
+        inputs[4] != 0.0, inputs[5] != 0.0, inputs[6] != 0.0,
+    )  # fmt: skip
+    pusher = direction_at(rod, inputs[7])
+    if inputs[8] == 0.0:
+        pusher = Direction(inputs[7], 0.0, 0.0, 0.0, 0.0)
+    push = Push(effects, contact_at(-rod.length, 0.0), rod.x, -rod.y)
+    return PushingProblem(push, law, pusher, rod)
+
+
+def write_results(
+    rod: Rod, solutions: Numbers, size: int, number: int, flat: bool,
+    result: Numbers, width: int, room: int,
+) -> int:  # fmt: skip
+    """Write number, status and solutions in a row of results; return how many solutions are written.
+
+    Each solution has `size` numbers in the core. A row of `width` columns has room for some of them.
+    """
+    status = CONTINUA if flat else NONE if number == 0 else CONSISTENT
+    if number < 0 or number > room:
+        number, status = 0, NOT_SOLVED
+    for k in range(2, width):
+        result[k] = UNKNOWN
+    for j in range(number):
+        solution = solutions[j * size :]
+        if solution[CONTINUUM] != 0.0:
+            status = CONTINUA
+        elif solution[PIVOT] >= 0.0 and status == CONSISTENT:
+            status = PIVOTS
+        _write_result(rod, solution, room, j, result[2:])
+    result[0], result[1] = float(number), float(status)
+    return number
+
+
+def _write_result(rod: Rod, solution: Numbers, room: int, j: int, result: Numbers) -> None:
     """Write the j-th solution, its spin ratio, and its motion center."""
     v_x, v_y, spin = solution[TWIST], solution[TWIST + 1], solution[TWIST + 2]
     center = motion_center(v_x, v_y, spin)

@@ -12,10 +12,10 @@ from __future__ import annotations
 from math import fabs, sqrt
 from typing import NamedTuple
 
-from planar_pushing.core.candidates import modes_of_push
 from planar_pushing.core.drag import load_at, put_load, put_loads_at, put_mass, scale_films
 from planar_pushing.core.flush_force import FLUSH_SOLUTION
 from planar_pushing.core.numbers import INFINITY, Numbers, zeros
+from planar_pushing.core.posing import modes_of_push
 from planar_pushing.core.rows import NO_POINT, Vector
 from planar_pushing.core.run import (
     IN_MASS,

@@ -1,0 +1,62 @@
+"""The problem of a push at an instant of a run."""
+
+from __future__ import annotations
+
+from math import atan2
+
+from planar_pushing.core.directions import Direction, direction_at, rod_at
+from planar_pushing.core.drag import (
+    problem_effects,
+    put_loads_at,
+    put_mass,
+    scale_films,
+)
+from planar_pushing.core.modes import contact_modes
+from planar_pushing.core.numbers import Numbers
+from planar_pushing.core.run import (
+    IN_MASS,
+)
+from planar_pushing.core.shapes import (
+    Pose,
+    frame_angle,
+    pose_with_rod,
+)
+from planar_pushing.core.solution import (
+    Push,
+)
+from planar_pushing.core.system import (
+    ANGLE,
+    System,
+    law_of,
+)
+
+
+def pose_at_start(system: System, state: Numbers) -> Pose:
+    """Pose of the slider, exact if body x is at 90 degrees."""
+    return pose_with_rod(system, rod_at(1.0, frame_angle(system, state[ANGLE])), state)
+
+
+def prepare_start(system: System, state: Numbers, size: float) -> None:
+    """Store the effects of a start from rest, with accelerations in units of a size."""
+    scale_films(system, 0.0)
+    put_mass(system, size * system.scene[IN_MASS])
+    put_loads_at(system, state[ANGLE])
+
+
+def pusher_along(pose: Pose, x: float, y: float, part: float) -> Direction:
+    """The motion of a pusher along (x, y), at a fraction of unit speed."""
+    pusher = direction_at(pose.rod, atan2(y, x))
+    if part == 1.0:
+        return pusher
+    return Direction(
+        pusher.angle, part * pusher.x, part * pusher.y, part * pusher.along, part * pusher.across
+    )
+
+
+def modes_of_push(
+    system: System, pose: Pose, x: float, y: float, part: float, solutions: Numbers
+) -> tuple[int, bool]:
+    """`contact_modes` of the problem at hand for a pusher along (x, y), at a fraction of unit speed."""
+    pusher = pusher_along(pose, x, y, part)
+    push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
+    return contact_modes(push, law_of(system, pose.rod), pusher, solutions)
