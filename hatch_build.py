@@ -166,9 +166,9 @@ def cython_version() -> str:
 
 def compiler_command() -> list[str]:
     """The C compiler of this Python, or the one of the variable CC, with its options."""
-    chosen = os.environ.get("CC")
+    compiler = os.environ.get("CC")
     commands = (
-        [chosen] if chosen else [sysconfig.get_config_var("CC") or "cc", "cc", "gcc", "clang"]
+        [compiler] if compiler else [sysconfig.get_config_var("CC") or "cc", "cc", "gcc", "clang"]
     )
     usable = [command for command in commands if shutil.which((shlex.split(command) or [""])[0])]
     if not usable:
@@ -185,11 +185,11 @@ def compiler_command() -> list[str]:
 
 def run(tool: str, command: list[str], folder: Path) -> None:
     """Run a tool; its output is shown only if it fails."""
-    done = subprocess.run(
+    process = subprocess.run(
         command, cwd=folder, capture_output=True, text=True, errors="replace", check=False
     )
-    if done.returncode:
-        sys.stderr.write(done.stdout + done.stderr)
+    if process.returncode:
+        sys.stderr.write(process.stdout + process.stderr)
         raise MissingTool(f"{tool} failed ({shlex.join(command[:3])} ...)")
 
 

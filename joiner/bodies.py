@@ -65,7 +65,7 @@ class Body:
             case ast.Pass() | ast.Break() | ast.Continue():
                 pass
             case ast.Expr(value=ast.Call()):
-                node.value = self._typed(node.value)[1]
+                node.value = self._infer(node.value)[1]
             case ast.Expr() if is_docstring(node):
                 return []
             case ast.AnnAssign(target=ast.Name(id=name) as target, value=value):
@@ -81,16 +81,16 @@ class Body:
                     self.refuse(node, "rows of zeros for another number of names")
                 return [*map(self._row, elements(target), elements(value))]
             case ast.Assign():
-                kind, node.value = self._several(node.value)
-                node.targets = [self._assigned(target, kind) for target in node.targets]
+                kind, node.value = self._translate_all(node.value)
+                node.targets = [self._assign(target, kind) for target in node.targets]
             case ast.AugAssign(target=ast.Name() | ast.Subscript() as target):
-                before = self._typed(copy.deepcopy(target))[0]
-                kind, node.value = self._typed(node.value)
+                before = self._infer(copy.deepcopy(target))[0]
+                kind, node.value = self._infer(node.value)
                 kind = self._arithmetic(node, node.op, before, kind)
                 self._match(node, kind, before, ast.unparse(target))
-                self._assigned(target, before)
+                self._assign(target, before)
             case ast.If() | ast.While():
-                node.test = self._expected(node.test, "bool", "condition")
+                node.test = self._require(node.test, "bool", "condition")
                 node.body = self._statements(node.body)
                 if node.orelse and isinstance(node, ast.While):
                     self.refuse(node, "else of a loop")
@@ -99,15 +99,15 @@ class Body:
                 target=ast.Name(), orelse=[],
                 iter=ast.Call(func=ast.Name(id="range"), args=[_, *others] as bounds, keywords=[]),
             ):  # fmt: skip
-                bounds[:] = [self._expected(bound, "int", "bound") for bound in bounds]
+                bounds[:] = [self._require(bound, "int", "bound") for bound in bounds]
                 if len(others) > 1 and not ast.unparse(bounds[2]).lstrip("-").isdigit():
                     self.refuse(node, "step of range() that is not a literal")
-                self._assigned(node.target, "int")
+                self._assign(node.target, "int")
                 node.body = self._statements(node.body)
             case ast.Return(value=value):
                 result: Kind = "None"
                 if value is not None:
-                    result, node.value = self._several(value)
+                    result, node.value = self._translate_all(value)
                 self._match(node, result, self.result, "result")
             case _:
                 self.refuse(node, name_of(node))
@@ -128,15 +128,15 @@ class Body:
         self.locals[name], self.rows[name] = "Numbers", size
         return ast.parse(f"memset({name}, 0, {8 * size})").body[0]
 
-    def _several(self, node: ast.expr) -> Typed:
+    def _translate_all(self, node: ast.expr) -> Typed:
         """The kind and the translation of what is assigned or returned, which can be a tuple."""
         if not isinstance(node, ast.Tuple):
-            return self._typed(node)
-        pairs = [self._typed(member) for member in node.elts]
+            return self._infer(node)
+        pairs = [self._infer(member) for member in node.elts]
         node.elts = [new for _, new in pairs]
         return tuple(str(kind) for kind, _ in pairs), node
 
-    def _assigned(self, target: ast.expr, kind: Kind) -> ast.expr:
+    def _assign(self, target: ast.expr, kind: Kind) -> ast.expr:
         """The translated target of an assignment of a value of a kind."""
         match target:
             case ast.Name(id=name):
@@ -148,14 +148,14 @@ class Body:
                     if kind != "?":
                         self.refuse(target, f"{spell(kind)} for {len(members)} names")
                     kind = ("?",) * len(members)
-                target.elts = [*map(self._assigned, members, kind)]
+                target.elts = [*map(self._assign, members, kind)]
             case ast.Subscript(value=array):
                 if kind not in ("?", "float", "int", "bool") or isinstance(target.slice, ast.Slice):
                     self.refuse(target, f"{spell(kind)} in an array of numbers")
-                if self._typed(copy.deepcopy(array))[0] not in ("?", "Numbers"):
+                if self._infer(copy.deepcopy(array))[0] not in ("?", "Numbers"):
                     self.refuse(target, f"assignment to {ast.unparse(target)}")
                 self.writes |= _origin(target) not in self.rows
-                return self._typed(target)[1]
+                return self._infer(target)[1]
             case _:
                 self.refuse(target, f"assignment to {ast.unparse(target)}")
         return target
@@ -168,9 +168,9 @@ class Body:
         if kind != other and known and (kind, other) != ("Numbers", "Coefficients"):
             self.refuse(node, f"{what} is {spell(kind)}, not {spell(other)}")
 
-    def _expected(self, node: ast.expr, kind: Kind, what: str) -> ast.expr:
+    def _require(self, node: ast.expr, kind: Kind, what: str) -> ast.expr:
         """An expression that must be of a kind."""
-        actual, new = self._typed(node)
+        actual, new = self._infer(node)
         self._match(node, actual, kind, what)
         return new
 
@@ -185,7 +185,7 @@ class Body:
             return "float"
         return self.refuse(node, "quotient of two int") if isinstance(operation, ast.Div) else "int"
 
-    def _halves(self, node: ast.BinOp, left: Kind, right: Kind) -> Typed:
+    def _floor_division(self, node: ast.BinOp, left: Kind, right: Kind) -> Typed:
         """An integer quotient rounded down; C rounds toward zero, and division by zero ends the process."""
         positive = ast.unparse(node.right).strip("0").isdigit()
         if not {left, right} <= {"?", "int"} or not positive:
@@ -193,7 +193,7 @@ class Body:
             return self.refuse(node, f"// of {kinds}, not of int and a positive constant"), node
         return "int", ast.Call(ast.Name("floor_div_"), [node.left, node.right], [])
 
-    def _typed(self, node: ast.expr) -> Typed:
+    def _infer(self, node: ast.expr) -> Typed:
         """The kind of an expression, and the expression in Cython."""
         match node:
             case ast.Constant(value=bool() | int() | float() as value):
@@ -208,31 +208,29 @@ class Body:
             case ast.Name(id=name):
                 return self.refuse(node, f"{name} has no value here"), node
             case ast.UnaryOp(op=ast.USub()):
-                kind, node.operand = self._typed(node.operand)
+                kind, node.operand = self._infer(node.operand)
                 return kind if kind in NUMBER else self.refuse(node, f"minus {spell(kind)}"), node
             case ast.UnaryOp(op=ast.Not()):
-                node.operand = self._expected(node.operand, "bool", "operand of not")
+                node.operand = self._require(node.operand, "bool", "operand of not")
                 return "bool", node
             case ast.BinOp():
-                left, node.left = self._typed(node.left)
-                right, node.right = self._typed(node.right)
+                left, node.left = self._infer(node.left)
+                right, node.right = self._infer(node.right)
                 if isinstance(node.op, ast.FloorDiv):
-                    return self._halves(node, left, right)
+                    return self._floor_division(node, left, right)
                 return self._arithmetic(node, node.op, left, right), node
             case ast.BoolOp(values=values):
-                values[:] = [
-                    self._expected(value, "bool", "operand of and, or") for value in values
-                ]
+                values[:] = [self._require(value, "bool", "operand of and, or") for value in values]
                 return "bool", node
             case ast.Compare():
                 return self._comparison(node), node
             case ast.IfExp():
-                node.test = self._expected(node.test, "bool", "condition")
-                kind, node.body = self._typed(node.body)
-                node.orelse = self._expected(node.orelse, kind, "second choice")
+                node.test = self._require(node.test, "bool", "condition")
+                kind, node.body = self._infer(node.body)
+                node.orelse = self._require(node.orelse, kind, "second choice")
                 return kind, node
             case ast.Attribute(attr=field):
-                kind, node.value = self._typed(node.value)
+                kind, node.value = self._infer(node.value)
                 fields = self.names.structs.get(str(kind), {})
                 if field in fields or kind == "?":
                     return fields.get(field, "?"), node
@@ -247,7 +245,7 @@ class Body:
 
     def _comparison(self, node: ast.Compare) -> Kind:
         """The kind of a comparison; numbers are compared in any way, truth values only for equality."""
-        pairs = [self._typed(value) for value in (node.left, *node.comparators)]
+        pairs = [self._infer(value) for value in (node.left, *node.comparators)]
         node.left, *node.comparators = (new for _, new in pairs)
         kinds = {kind for kind, _ in pairs}
         signs, allowed = (EQUALITY, {"?", "bool"}) if "bool" in kinds else (COMPARISON, NUMBER)
@@ -257,7 +255,7 @@ class Body:
 
     def _part(self, node: ast.Subscript) -> Typed:
         """An element of an array, or the part of an array from an index on."""
-        kind, node.value = self._typed(node.value)
+        kind, node.value = self._infer(node.value)
         start: ast.expr | None = node.slice
         if isinstance(node.slice, ast.Slice):
             start = None if node.slice.upper or node.slice.step else node.slice.lower
@@ -265,7 +263,7 @@ class Body:
             return self.refuse(node, f"part of {spell(kind)}"), node
         if start is None or (start is not node.slice and kind == "Coefficients"):
             return self.refuse(node, "slice other than row[k:] of Numbers"), node
-        new = self._expected(start, "int", "index")
+        new = self._require(start, "int", "index")
         if ast.unparse(new).startswith("-"):
             self.refuse(node, "index from the end")
         if start is not node.slice:
@@ -280,7 +278,7 @@ class Body:
             value = names.constants.get(ast.unparse(node.args[0]))
             if isinstance(value, tuple):
                 return "int", ast.Constant(len(value))
-        pairs = [self._typed(argument) for argument in node.args]
+        pairs = [self._infer(argument) for argument in node.args]
         kinds: list[Kind] = [kind for kind, _ in pairs]
         rows = [_origin(argument) in self.rows for argument in node.args]
         node.args = [new for _, new in pairs]

@@ -39,8 +39,10 @@ from .mechanics.force.force_motion import ForceMotion, motion_of_force
 from .mechanics.force.limit_curve import LimitCurve, limit_curve
 from .mechanics.force.wrench import potential, wrench
 from .mechanics.plane import Placement
-from .mechanics.scene import Scene, Slider
-from .mechanics.solutions import Solution, SolutionArrays, Solutions
+from .mechanics.scene import Scene
+from .mechanics.slider import Slider
+from .mechanics.solution_arrays import SolutionArrays
+from .mechanics.solutions import Solution, Solutions
 from .mechanics.solve import solve
 from .mechanics.supports import (
     Annulus,
@@ -61,12 +63,12 @@ from .objects.scene_at import scene_at
 from .objects.wrench_set import WrenchSet, wrench_set
 from .pushes.compare import compare
 from .pushes.files import load_pushes, save_pushes
+from .pushes.formats.mit import read_mit
+from .pushes.formats.three_feet import read_three_feet
 from .pushes.identified import Identified
 from .pushes.identify import identify
 from .pushes.logs.combine import concat_pushes
-from .pushes.logs.mit import read_mit
 from .pushes.logs.poses import pushes_from_poses
-from .pushes.logs.three_feet import read_three_feet
 from .pushes.simulated import simulate_pushes
 from .scenes.files import load_scene, save_scene
 from .simulation.batch import simulate_batch

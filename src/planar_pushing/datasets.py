@@ -24,7 +24,7 @@ def open_dataset(
     ----------
     name : str
         One of limit_curves, curves, motion_cones, contact_modes, mode_maps, acceleration_centers and
-        center_regions; a scene such as "scenes/figure_08"; a simulation such as "simulations/figure_15";
+        center_regions; a scene such as "scenes/figure_08"; a simulation such as "simulations/slipping";
         or a dataset about the computation itself, such as "accuracy/cone". A study with supports also has
         supports, support_curves, support_cones, support_rods and support_modes. `planar-pushing query`
         lists the datasets that are built.
@@ -47,9 +47,9 @@ def open_dataset(
         If the folder is not a results folder, or the dataset has not been built; the message says which
         command builds it.
     """
-    found = entry_points(group=GROUP, name="open_dataset")
-    if not found:
+    openers = entry_points(group=GROUP, name="open_dataset")
+    if not openers:
         raise MissingExtra(
             "open_dataset needs the package pulling_by_pushing; reinstall planar-pushing"
         )
-    return cast("xr.Dataset", found["open_dataset"].load()(name, results, study=study))
+    return cast("xr.Dataset", openers["open_dataset"].load()(name, results, study=study))

@@ -39,7 +39,7 @@ from planar_pushing.core.shapes import (
     size_of_twist,
     to_contact,
 )
-from planar_pushing.core.side import MOST_OF_SIDE, modes_of_side, offset_in_solution
+from planar_pushing.core.side import MOST_OF_SIDE, flush_or_free_modes, offset_in_solution
 from planar_pushing.core.solution import (
     FORCE,
     MODE,
@@ -60,9 +60,9 @@ from planar_pushing.core.system import (
     CANDIDATE,
     ELSEWHERE,
     MOST_CANDIDATES,
-    OVER,
+    NORMAL_SPEED,
     REST,
-    RISE,
+    SLIP_SPEED,
     SPIN,
     Mode,
     System,
@@ -214,7 +214,7 @@ def _solve_at_speed(system: System, state: Numbers, x: float, y: float, solution
     pose, part, count = pose_at_start(system, state), 1.0 if size > 0.0 else 0.0, 0
     if is_flush(system):
         unit = size if size > 0.0 else 1.0
-        count = modes_of_side(
+        count = flush_or_free_modes(
             system, pose, side_length(system, state), x / unit, y / unit, 0.0, solutions
         )
     else:
@@ -280,12 +280,14 @@ def note_slip(system: System, time: float, state: Numbers, index: int, mode: Mod
 def _write_with_inertia(system: System, during: Span, time: float, state: Numbers) -> int:
     pose, speed = pose_of(system, state), system.run[RUN_SPEED]
     fence_x, fence_y = pusher_velocity(system, during, time, state)
-    v_x, v_y = center_motion(pose, fence_x + state[OVER], fence_y + state[RISE], state[SPIN])
+    v_x, v_y = center_motion(
+        pose, fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED], state[SPIN]
+    )
     # A side leaves a fence that comes to rest, and is then about to stop itself.
     slowest = STOPPED if count_points(system) > 0 else AT_REST
     rests: bool = size_of_twist(v_x, v_y, state[SPIN]) <= slowest * speed
     rests = rests and system.scene[IN_WEIGHT] > 0.0
-    clear: bool = clearance_of(system, state) > SLACK or fabs(state[RISE]) > SLACK * speed
+    clear: bool = clearance_of(system, state) > SLACK or fabs(state[NORMAL_SPEED]) > SLACK * speed
     if clear:
         if rests:
             return _write_clear(system, state)
@@ -302,9 +304,9 @@ def _write_in_motion(
     system: System, during: Span, time: float, state: Numbers, first: int, last: int, count: int
 ) -> int:
     """Store the candidates of a moving slider, from one contact mode to another, after those so far."""
-    slack, slip, pose = SLACK * system.run[RUN_SPEED], state[OVER], pose_of(system, state)
+    slack, slip, pose = SLACK * system.run[RUN_SPEED], state[SLIP_SPEED], pose_of(system, state)
     fence_x, fence_y = pusher_velocity(system, during, time, state)
-    v_x, v_y = center_motion(pose, fence_x + slip, fence_y + state[RISE], state[SPIN])
+    v_x, v_y = center_motion(pose, fence_x + slip, fence_y + state[NORMAL_SPEED], state[SPIN])
     foot = slowest_foot_at(system, pose, v_x, v_y, state[SPIN])
     near = foot.number if foot.speed <= AT_REST else NO_POINT
     for contact in range(first, last + 1):
@@ -359,7 +361,7 @@ def _push_at_start(
     system: System, during: Span, time: float, state: Numbers
 ) -> tuple[float, float, float]:
     """Acceleration of a pusher that meets a slider at rest, and the unit of accelerations, 0 at rest."""
-    slip, unit = state[OVER], 0.0
+    slip, unit = state[SLIP_SPEED], 0.0
     x, y, moves = _pusher_at_start(system, during, time, state)
     if not moves and not is_loaded(system):
         return 0.0, 0.0, 0.0
@@ -383,14 +385,14 @@ def _write_starts_at_contact(
     system: System, during: Span, time: float, state: Numbers, count: int
 ) -> int:
     """Store, after other candidates, the modes in which a slider at rest can start at the contact."""
-    slip, pose = state[OVER], pose_at_start(system, state)
+    slip, pose = state[SLIP_SPEED], pose_at_start(system, state)
     x, y, unit = _push_at_start(system, during, time, state)
     prepare_start(system, state, unit)
     solutions = zeros(MOST_OF_SIDE * FLUSH_SOLUTION)
     width, length, number = SOLUTION, 0.0, 0
     if is_flush(system):
         width, length = FLUSH_SOLUTION, side_length(system, state)
-        number = modes_of_side(system, pose, length, x / unit, y / unit, 0.0, solutions)
+        number = flush_or_free_modes(system, pose, length, x / unit, y / unit, 0.0, solutions)
     else:
         number, _ = modes_of_push(system, pose, x, y, sqrt(x * x + y * y) / unit, solutions)
     for i in range(number):

@@ -32,14 +32,14 @@ from planar_pushing.core.system import (
     LOST,
     MOVING,
     NO_MODE,
-    OVER,
+    NORMAL_SPEED,
     PENETRATES,
     PUSH_STARTS,
     RATES,
     REST,
-    RISE,
     SLIDER_STOPS,
     SLIP_ENDS,
+    SLIP_SPEED,
     SPIN,
     TOUCHES,
     WORK,
@@ -80,8 +80,8 @@ def _set_off(system: System, mode: Mode, time: float, state: Numbers, policy: in
     part = fence_y / b_y if b_y != 0.0 else 0.0
     v_x, v_y, spin = part * start.x, part * start.y, part * start.spin
     u_x, _ = contact_motion(pose_at_start(system, state), v_x, v_y, spin)
-    state[OVER] = 0.0 if start.contact == STICK else u_x - fence_x
-    state[RISE], state[SPIN] = 0.0, spin
+    state[SLIP_SPEED] = 0.0 if start.contact == STICK else u_x - fence_x
+    state[NORMAL_SPEED], state[SPIN] = 0.0, spin
     return GOES_ON
 
 
@@ -95,25 +95,27 @@ def _come_to_rest(system: System, mode: Mode, time: float, state: Numbers) -> fl
     write_rates(system, mode, time, state, rates)
     pose = pose_of(system, state)
     fence_x, fence_y = pusher_velocity(system, during, time, state)
-    v_x, v_y = center_motion(pose, fence_x + state[OVER], fence_y + state[RISE], state[SPIN])
-    lost = rates[LOST] - rates[WORK] - load_power(system, pose, state, v_x, v_y, state[SPIN])
+    v_x, v_y = center_motion(
+        pose, fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED], state[SPIN]
+    )
+    loss_rate = rates[LOST] - rates[WORK] - load_power(system, pose, state, v_x, v_y, state[SPIN])
     for i in range(MOVING, system.entries):
-        lost += rates[i]
-    if lost <= 0.0:
+        loss_rate += rates[i]
+    if loss_rate <= 0.0:
         return time
     energy = kinetic_energy_of(system, pose, v_x, v_y, state[SPIN])
-    half = min(2.0 * energy / lost, during.end - time) / 2.0
+    half = min(2.0 * energy / loss_rate, during.end - time) / 2.0
     for entry in range(system.entries):
-        if entry < OVER or entry >= MOVING:
+        if entry < SLIP_SPEED or entry >= MOVING:
             state[entry] += rates[entry] * half
     # The fence continues at its own speed.
     state[ALONG] -= fence_x * half
     state[GAP] -= fence_y * half
     slack = SLACK * system.run[RUN_SPEED]
-    if clearance_of(system, state) <= SLACK and fabs(state[RISE]) <= slack:
+    if clearance_of(system, state) <= SLACK and fabs(state[NORMAL_SPEED]) <= slack:
         state[GAP] = 0.0
     last_x, last_y = pusher_velocity(system, during, time + 2.0 * half, state)
-    state[OVER], state[RISE], state[SPIN] = -last_x, -last_y, 0.0
+    state[SLIP_SPEED], state[NORMAL_SPEED], state[SPIN] = -last_x, -last_y, 0.0
     return time + 2.0 * half
 
 
@@ -127,11 +129,11 @@ def enter_span(system: System, index: int, state: Numbers, current: int, policy:
     during, before_x, before_y = span_at(system.fence, index), 0.0, 0.0
     after_x, after_y = fence_velocity(system.fence, during, during.start)
     if index > 0:
-        past = span_at(system.fence, index - 1)
-        before_x, before_y = fence_velocity(system.fence, past, past.end)
+        previous = span_at(system.fence, index - 1)
+        before_x, before_y = fence_velocity(system.fence, previous, previous.end)
     jump_x, jump_y = from_world(system, state[ANGLE], before_x - after_x, before_y - after_y)
-    state[OVER] += jump_x
-    state[RISE] += jump_y
+    state[SLIP_SPEED] += jump_x
+    state[NORMAL_SPEED] += jump_y
     slack = SLACK * system.run[RUN_SPEED]
     touches: bool = clearance_of(system, state) <= SLACK
     if touches:
@@ -170,15 +172,17 @@ def settle(
         slack = slack if reason == GOES_ON else RATTLES
     fence_x, fence_y = pusher_velocity(system, during, time, state)
     pose = pose_of(system, state)
-    v_x, v_y = center_motion(pose, fence_x + state[OVER], fence_y + state[RISE], state[SPIN])
+    v_x, v_y = center_motion(
+        pose, fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED], state[SPIN]
+    )
     energy = kinetic_energy_of(system, pose, v_x, v_y, state[SPIN])
     c_x = v_x - state[SPIN] * (pose.arm_y - pose.y)
     c_y = v_y + state[SPIN] * (pose.arm_x - pose.x)
     settle_on_fence(system, state, slack)
     if is_flush(system):
-        if fabs(state[OVER]) > SLACK * system.run[RUN_SPEED]:
-            state[OVER] = c_x - fence_x  # without an impulse along the fence
-        x, y = fence_x + state[OVER], fence_y
+        if fabs(state[SLIP_SPEED]) > SLACK * system.run[RUN_SPEED]:
+            state[SLIP_SPEED] = c_x - fence_x  # without an impulse along the fence
+        x, y = fence_x + state[SLIP_SPEED], fence_y
         mass, pose = system.scene[IN_MASS], pose_of(system, state)
         work = mass * ((x - c_x) * fence_x + (y - c_y) * fence_y)
         state[WORK] += work
@@ -200,7 +204,7 @@ def change_state(
     contact = contact_mode_of(mode)
     if mode.hinged:
         instant = motion_in_mode(system, mode, time, state)
-        state[OVER], state[RISE] = instant.slip, instant.rise
+        state[SLIP_SPEED], state[NORMAL_SPEED] = instant.slip, instant.normal_speed
     if cause == TOUCHES:
         land_on_fence(system, state)
     meets: bool = cause == PENETRATES and not has_finger(system)
@@ -209,7 +213,7 @@ def change_state(
     if cause == TOUCHES or meets:
         return time, collide(system, mode.during, time, state, contact, policy)
     if cause == SLIP_ENDS:
-        state[OVER] = 0.0
+        state[SLIP_SPEED] = 0.0
     elif cause == SLIDER_STOPS:
         return _come_to_rest(system, mode, time, state), GOES_ON
     elif cause == PUSH_STARTS:
@@ -217,7 +221,7 @@ def change_state(
     touches: bool = mode.contact == SEPARATE and clearance_of(system, state) <= SLACK
     if touches:
         take_lowest_point(system, state)
-    if touches and state[RISE] < -SLACK * system.run[RUN_SPEED]:
+    if touches and state[NORMAL_SPEED] < -SLACK * system.run[RUN_SPEED]:
         state[GAP] = 0.0
         return time, collide(system, mode.during, time, state, contact, policy)
     return time, GOES_ON

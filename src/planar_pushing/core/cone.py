@@ -37,9 +37,9 @@ def force_across(edge: Direction, f_x: float, f_y: float) -> float:
     return edge.along * f_y + edge.across * f_x
 
 
-def place_in_cone(push: Push, law: Law, motion: ContactMotion) -> int:
+def position_in_cone(push: Push, law: Law, motion: ContactMotion) -> int:
     """Position of a force relative to the friction cone: `BEYOND` to `WITHIN`."""
-    place = WITHIN
+    position = WITHIN
     for i in range(3):
         # The third edge is along the fence: in a cone without width a force can be opposite to it.
         e_x, e_y = push.t_x, push.t_y
@@ -51,12 +51,12 @@ def place_in_cone(push: Push, law: Law, motion: ContactMotion) -> int:
         noise = fabs(e_x) * (motion.noise_y + RESOLUTION * fabs(motion.f_y))
         noise += fabs(e_y) * (motion.noise_x + RESOLUTION * fabs(motion.f_x))
         if inside < -noise:
-            place = min(place, BEYOND)
+            position = min(position, BEYOND)
         elif inside < 0.0:
-            place = min(place, JUST_BEYOND)
+            position = min(position, JUST_BEYOND)
         elif inside <= noise:
-            place = min(place, JUST_WITHIN)
-    return place
+            position = min(position, JUST_WITHIN)
+    return position
 
 
 def settle_pivot(law: Law, stick: ContactMotion) -> ContactMotion:
@@ -86,7 +86,7 @@ def hold_at_rest(push: Push, law: Law, stick: ContactMotion, scale: float) -> Co
     Friction holds the slider under a convex set of forces. The largest of them along an edge is the force
     of the slowest motion under that edge.
     """
-    if law.rough or place_in_cone(push, law, stick) == WITHIN:
+    if law.rough or position_in_cone(push, law, stick) == WITHIN:
         return stick
     for i in range(2):
         edge, side = law.right if i == 0 else law.left, 1.0 if i == 0 else -1.0

@@ -72,10 +72,10 @@ def direction_at(rod: Rod, angle: float) -> Direction:
     x, y = unit_x(angle), unit_y(angle)
     if is_quarter(angle) or rod.x == 0.0 or rod.y == 0.0:
         return Direction(angle, x, y, x * rod.x + y * rod.y, x * rod.y - y * rod.x)
-    lean = rod.angle - angle
-    back = lean - rod.angle
-    rounding = (rod.angle - (lean - back)) - (angle + back)
-    c, s = cos(lean), sin(lean)
+    difference = rod.angle - angle
+    back = difference - rod.angle
+    rounding = (rod.angle - (difference - back)) - (angle + back)
+    c, s = cos(difference), sin(difference)
     return Direction(angle, x, y, c - rounding * s, s + rounding * c)
 
 

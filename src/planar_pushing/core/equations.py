@@ -59,15 +59,15 @@ from planar_pushing.core.system import (
     LEAVES_CONE,
     LOST,
     NORMAL_REVERSES,
-    OVER,
+    NORMAL_SPEED,
     PENETRATES,
     PIVOT_YIELDS,
     PUSH_STARTS,
     REST,
-    RISE,
     SEPARATION_CHANGES,
     SLIDER_STOPS,
     SLIP_ENDS,
+    SLIP_SPEED,
     SLIPPED,
     SPIN,
     TANGENTIAL_REVERSES,
@@ -156,7 +156,7 @@ def _translation(
 def _mark_unknown(rest: Instant, along: float) -> Instant:
     """A slider at rest, or a motion that is not found, if its component along the fence is NaN."""
     return Instant(
-        rest.slip + along, rest.rise, rest.fence_x, rest.fence_y, along, rest.v_y,
+        rest.slip + along, rest.normal_speed, rest.fence_x, rest.fence_y, along, rest.v_y,
         0.0 if along == along else UNKNOWN, rest.speed, rest.f_x, rest.f_y, rest.dissipated,
         0.0, 0.0, 0.0, 0.0, NO_POINT, 1.0, 0.0, UNKNOWN,
     )  # fmt: skip
@@ -239,13 +239,13 @@ def _write_rates(
     system: System, mode: Mode, state: Numbers, instant: Instant, rates: Numbers
 ) -> None:
     rates[ALONG] = travel_rate(system, instant.slip, instant.spin)
-    rates[GAP], rates[ANGLE] = instant.rise, instant.spin
+    rates[GAP], rates[ANGLE] = instant.normal_speed, instant.spin
     # The contact does not slip while the slider rests or is in flight.
     rates[SLIPPED] = instant.slip if contact_mode_of(mode) != SEPARATE else 0.0
-    rates[LOST] = -instant.f_x * instant.slip - instant.f_y * instant.rise
+    rates[LOST] = -instant.f_x * instant.slip - instant.f_y * instant.normal_speed
     rates[WORK] = instant.f_x * instant.fence_x + instant.f_y * instant.fence_y
     if is_massive(system):
-        rates[OVER], rates[RISE], rates[SPIN] = instant.a_x, instant.a_y, instant.turn
+        rates[SLIP_SPEED], rates[NORMAL_SPEED], rates[SPIN] = instant.a_x, instant.a_y, instant.turn
     angle = frame_angle(system, state[ANGLE])
     x, y = to_body(Rod(1.0, angle, cos(angle), sin(angle)), instant.v_x, instant.v_y)
     write_powers(system, x, y, instant.spin, instant.dissipated, energies_of(system, rates))

@@ -136,8 +136,8 @@ def attempt_step(system: System, mode: Mode) -> float:
         rates[k] = rate * first[k]
     for i in range(1, STEP_STAGES):
         _compute_stage(system, mode, i)
-    place = STEP_STAGES * (STEP_STAGES - 1) // 2
-    _add_stages(STAGE_WEIGHTS, place, STEP_STAGES, rates, entries, reached)
+    row = STEP_STAGES * (STEP_STAGES - 1) // 2
+    _add_stages(STAGE_WEIGHTS, row, STEP_STAGES, rates, entries, reached)
     for k in range(entries):
         reached[k] += state[k]
     write_rates_and_guards(

@@ -291,9 +291,9 @@ def _insert_root(s: float, scale: float, roots: Numbers, count: int) -> int:
     for i in range(count):
         if fabs(s - roots[i]) <= COINCIDENT * scale:
             return count
-    place = count
-    while place > 0 and fabs(roots[place - 1]) > fabs(s):
-        roots[place] = roots[place - 1]
-        place -= 1
-    roots[place] = s
+    index = count
+    while index > 0 and fabs(roots[index - 1]) > fabs(s):
+        roots[index] = roots[index - 1]
+        index -= 1
+    roots[index] = s
     return count + 1

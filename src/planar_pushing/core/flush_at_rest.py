@@ -45,10 +45,10 @@ class Facet(NamedTuple):
 
     one_x: float
     one_y: float
-    one_at: float
+    one_position: float
     other_x: float
     other_y: float
-    other_at: float
+    other_position: float
     any_sign: bool
 
 
@@ -76,7 +76,7 @@ def write_side_at_rest(
         if mode == STICK and not law.closed:
             hold = _hold_in_open_cone(flush, hold, size)
         if hold.share > 1.0 + SHARE and law.right.y > 0.0:
-            hold = _better(hold, _hold_on_verge(flush, mode, edge, size))
+            hold = _smaller_share(hold, _hold_on_verge(flush, mode, edge, size))
         held = hold.share <= 1.0 + SHARE
     if not held:
         return count
@@ -130,25 +130,29 @@ def _least_friction(flush: FlushPush, mode: int, edge: Direction) -> Hold:
     law, side = flush.law, flush.side
     a, b, wide = side.start, side.end, law.right.y == 0.0
     if mode != STICK:
-        return _least_on(flush, Facet(edge.x, edge.y, a, edge.x, edge.y, b, False), edge.y > 0.0)
+        return _minimum_on_facet(
+            flush, Facet(edge.x, edge.y, a, edge.x, edge.y, b, False), edge.y > 0.0
+        )
     if wide:
-        best = _least_on(flush, Facet(1.0, 0.0, 0.0, 0.0, 1.0, a, True), True)
-        return _better(best, _least_on(flush, Facet(1.0, 0.0, 0.0, 0.0, 1.0, b, True), True))
+        best = _minimum_on_facet(flush, Facet(1.0, 0.0, 0.0, 0.0, 1.0, a, True), True)
+        return _smaller_share(
+            best, _minimum_on_facet(flush, Facet(1.0, 0.0, 0.0, 0.0, 1.0, b, True), True)
+        )
     right, left = law.right, law.left
-    best = _least_on(flush, Facet(right.x, right.y, a, right.x, right.y, b, False), True)
+    best = _minimum_on_facet(flush, Facet(right.x, right.y, a, right.x, right.y, b, False), True)
     if right.x == left.x:
         return best
-    other = _least_on(flush, Facet(left.x, left.y, a, left.x, left.y, b, False), True)
-    best = _better(best, other)
-    best = _better(
-        best, _least_on(flush, Facet(right.x, right.y, a, left.x, left.y, a, False), True)
+    other = _minimum_on_facet(flush, Facet(left.x, left.y, a, left.x, left.y, b, False), True)
+    best = _smaller_share(best, other)
+    best = _smaller_share(
+        best, _minimum_on_facet(flush, Facet(right.x, right.y, a, left.x, left.y, a, False), True)
     )
-    return _better(
-        best, _least_on(flush, Facet(right.x, right.y, b, left.x, left.y, b, False), True)
+    return _smaller_share(
+        best, _minimum_on_facet(flush, Facet(right.x, right.y, b, left.x, left.y, b, False), True)
     )
 
 
-def _better(one: Hold, other: Hold) -> Hold:
+def _smaller_share(one: Hold, other: Hold) -> Hold:
     return other if other.share < one.share else one
 
 
@@ -156,33 +160,33 @@ def _hold_with(flush: FlushPush, facet: Facet, one: float, other: float) -> Hold
     """The wrench of multiples of the forces of a facet."""
     push, contact = flush.push, flush.push.contact
     f_x, f_y = one * facet.one_x + other * facet.other_x, one * facet.one_y + other * facet.other_y
-    torque = one * facet.one_at * facet.one_y + other * facet.other_at * facet.other_y
+    torque = one * facet.one_position * facet.one_y + other * facet.other_position * facet.other_y
     b_x, b_y = push.t_x * f_x - push.t_y * f_y, push.t_x * f_y + push.t_y * f_x
     turn = torque + contact.x * b_y - contact.y * b_x
     level: Level = friction_share(push.effects, Vector(b_x, b_y, turn))
     return Hold(f_x, f_y, torque, level.value, one, level.twist)
 
 
-def _power_of(flush: FlushPush, hold: Hold, x: float, y: float, place: float) -> float:
+def _power_of(flush: FlushPush, hold: Hold, x: float, y: float, position: float) -> float:
     """Power of a force on the side in the motion that friction resists."""
     push, contact, twist = flush.push, flush.push.contact, hold.twist
     v_x, v_y = twist.x - twist.spin * contact.y, twist.y + twist.spin * contact.x
     u_x, u_y = push.t_x * v_x + push.t_y * v_y, push.t_x * v_y - push.t_y * v_x
-    return x * u_x + y * (u_y + place * twist.spin)
+    return x * u_x + y * (u_y + position * twist.spin)
 
 
-def _least_along_one(flush: FlushPush, facet: Facet, other: float, unit: float) -> Hold:
+def _minimum_along_first(flush: FlushPush, facet: Facet, other: float, unit: float) -> Hold:
     """The smallest share over all multiples of the first force: there its power in the motion is zero."""
-    x, y, place = facet.one_x, facet.one_y, facet.one_at
+    x, y, position = facet.one_x, facet.one_y, facet.one_position
     low = _hold_with(flush, facet, 0.0, other)
-    at_low, sense, step = _power_of(flush, low, x, y, place), 1.0, unit
+    at_low, sense, step = _power_of(flush, low, x, y, position), 1.0, unit
     if at_low == 0.0 or (at_low > 0.0 and not facet.any_sign):
         return low
     sense = -1.0 if at_low > 0.0 else 1.0
     high, at_high = low, at_low
     for _ in range(FORCE_DOUBLINGS):
         high = _hold_with(flush, facet, sense * step, other)
-        at_high = _power_of(flush, high, x, y, place)
+        at_high = _power_of(flush, high, x, y, position)
         if sense * at_high >= 0.0:
             break
         low, at_low, step = high, at_high, 2.0 * step
@@ -192,23 +196,23 @@ def _least_along_one(flush: FlushPush, facet: Facet, other: float, unit: float) 
             break
         one = next_number(bracket)
         high = _hold_with(flush, facet, one, other)
-        bracket = narrow_bracket(bracket, one, _power_of(flush, high, x, y, place))
+        bracket = narrow_bracket(bracket, one, _power_of(flush, high, x, y, position))
     return _hold_with(flush, facet, best_number(bracket), other)
 
 
-def _least_on(flush: FlushPush, facet: Facet, both: bool) -> Hold:
+def _minimum_on_facet(flush: FlushPush, facet: Facet, both: bool) -> Hold:
     """The smallest share over all multiples of both forces of a facet, or of the first one."""
-    x, y, place, load = facet.other_x, facet.other_y, facet.other_at, flush.still.load
+    x, y, position, load = facet.other_x, facet.other_y, facet.other_position, flush.still.load
     unit = fabs(load.x) + fabs(load.y) + fabs(load.spin)
-    low = _least_along_one(flush, facet, 0.0, unit)
-    at_low, step = _power_of(flush, low, x, y, place), unit
+    low = _minimum_along_first(flush, facet, 0.0, unit)
+    at_low, step = _power_of(flush, low, x, y, position), unit
     if not both or at_low >= 0.0:
         return low
     start, end, high, at_high = 0.0, 0.0, low, at_low
     for _ in range(FORCE_DOUBLINGS):
         end = step
-        high = _least_along_one(flush, facet, end, unit)
-        at_high = _power_of(flush, high, x, y, place)
+        high = _minimum_along_first(flush, facet, end, unit)
+        at_high = _power_of(flush, high, x, y, position)
         if at_high >= 0.0:
             break
         start, at_low, step = end, at_high, 2.0 * step
@@ -217,9 +221,9 @@ def _least_on(flush: FlushPush, facet: Facet, both: bool) -> Hold:
         if at_high < 0.0 or is_narrow(bracket):
             break
         other = next_number(bracket)
-        high = _least_along_one(flush, facet, other, unit)
-        bracket = narrow_bracket(bracket, other, _power_of(flush, high, x, y, place))
-    return _least_along_one(flush, facet, best_number(bracket), unit)
+        high = _minimum_along_first(flush, facet, other, unit)
+        bracket = narrow_bracket(bracket, other, _power_of(flush, high, x, y, position))
+    return _minimum_along_first(flush, facet, best_number(bracket), unit)
 
 
 def _hold_in_open_cone(flush: FlushPush, hold: Hold, size: float) -> Hold:

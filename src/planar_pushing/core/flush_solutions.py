@@ -45,8 +45,8 @@ IS_FLUSH = FLUSH_SOLUTION
 TOUCHES_AT = FLUSH_SOLUTION + 1
 SIDE_SOLUTION = FLUSH_SOLUTION + 2
 #: Maximum number of flush solutions, some of which come from contacts at an end, and of all solutions.
-MOST_WHOLE = MOST_FLUSH + 2 * MOST_SOLUTIONS
-MOST_ON_SIDE = 1 + MOST_WHOLE
+MOST_FLUSH_WITH_ENDS = MOST_FLUSH + 2 * MOST_SOLUTIONS
+MOST_ON_SIDE = 1 + MOST_FLUSH_WITH_ENDS
 #: Number of columns of a solution in the results of `solve_flush`, and the offset of each field after those
 #: of `solve`: whether it is flush; where the force crosses the fence; the lower bounds of the components of
 #: the force at the start of the side, the upper bounds, and the same at its end.
@@ -93,21 +93,24 @@ def _push_at(push: Push, x: float) -> Push:
 
 
 def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solutions: Numbers) -> int:
-    """Write every consistent solution in the order of the modes, flush ones first; return their number."""
-    flush = zeros(MOST_WHOLE * FLUSH_SOLUTION)
+    """Write every consistent solution in the order of the modes, flush ones first; return their number.
+
+    These include contacts at one end; `flush_or_free_modes` has only those that a run looks for on a side.
+    """
+    flush = zeros(MOST_FLUSH_WITH_ENDS * FLUSH_SOLUTION)
     at_start, at_end = zeros(MOST_SOLUTIONS * SOLUTION), zeros(MOST_SOLUTIONS * SOLUTION)
     count, scale = _write_separate(push, side, pusher, solutions)
     if scale == 0.0:
         return count  # as for one point, a slider and a fence at rest count as separate
-    whole = flush_modes(push, side, law, pusher.x, pusher.y, 0.0, scale, flush)
+    flush_count = flush_modes(push, side, law, pusher.x, pusher.y, 0.0, scale, flush)
     starts, _ = contact_modes(_push_at(push, side.start), law, pusher, at_start)
     ends, _ = contact_modes(_push_at(push, side.end), law, pusher, at_end)
-    if whole < 0 or starts < 0 or ends < 0:
+    if flush_count < 0 or starts < 0 or ends < 0:
         return UNSOLVED
-    whole = _keep_lifting(push, side, SIDE_START, at_start, starts, flush, whole)
-    whole = _keep_lifting(push, side, SIDE_END, at_end, ends, flush, whole)
+    flush_count = _keep_lifting(push, side, SIDE_START, at_start, starts, flush, flush_count)
+    flush_count = _keep_lifting(push, side, SIDE_END, at_end, ends, flush, flush_count)
     for mode in range(STICK, SLIP_LEFT + 1):
-        for i in range(whole):
+        for i in range(flush_count):
             solution = flush[i * FLUSH_SOLUTION :]
             if solution[MODE] == float(mode):
                 _copy_columns(solutions[count * SIDE_SOLUTION :], solution, FLUSH_SOLUTION)
@@ -176,7 +179,7 @@ def _keep_lifting(
     points: Numbers,
     count: int,
     flush: Numbers,
-    whole: int,
+    flush_count: int,
 ) -> int:
     """Keep the contacts at one end that lift off the other, and return the number of flush solutions.
 
@@ -192,14 +195,14 @@ def _keep_lifting(
             turn = sense * point[TWIST + 2]
             speed = fabs(point[MOTION]) + fabs(point[MOTION + 1])
             is_flush: bool = fabs(turn) * lever <= COINCIDENT * speed
-            same = _same_flush(side, touches, point, flush, whole, lever, speed)
+            same = _same_flush(side, touches, point, flush, flush_count, lever, speed)
             if is_flush and same < 0:
-                whole = _add_flush(touches, point, flush, whole)
+                flush_count = _add_flush(touches, point, flush, flush_count)
             if same >= 0 and point[CONTINUUM] != 0.0:
                 flush[same * FLUSH_SOLUTION + CONTINUUM] = 1.0
             if is_flush or same >= 0 or turn < 0.0:
                 point[MODE] = float(SEPARATE)
-    return whole
+    return flush_count
 
 
 def _same_flush(
@@ -207,36 +210,36 @@ def _same_flush(
     touches: int,
     point: Numbers,
     flush: Numbers,
-    whole: int,
+    flush_count: int,
     lever: float,
     speed: float,
 ) -> int:
     """The number of the flush solution that a contact at an end is, to rounding; -1 if there is none.
 
-    If no force acts at the other end, the rotation can be a rounding error of the force's place, which a
-    small support magnifies.
+    If no force acts at the other end, the rotation can be a rounding error of the force's position, which
+    a small support magnifies.
     """
-    for i in range(whole):
+    for i in range(flush_count):
         solution = flush[i * FLUSH_SOLUTION :]
         other = solution[END_FORCE] if touches == SIDE_START else solution[START_FORCE]
         nearest = ALMOST_FLUSH if other == 0.0 else COINCIDENT
-        apart = fabs(point[MOTION] - solution[MOTION]) + fabs(
+        deviation = fabs(point[MOTION] - solution[MOTION]) + fabs(
             point[MOTION + 1] - solution[MOTION + 1]
         )
-        apart += fabs(point[TWIST + 2]) * lever
-        if solution[MODE] == point[MODE] and apart <= nearest * speed:
+        deviation += fabs(point[TWIST + 2]) * lever
+        if solution[MODE] == point[MODE] and deviation <= nearest * speed:
             return i
     return -1
 
 
-def _add_flush(touches: int, point: Numbers, flush: Numbers, whole: int) -> int:
+def _add_flush(touches: int, point: Numbers, flush: Numbers, flush_count: int) -> int:
     """Add a contact at an end as a flush solution, and return the number of flush solutions."""
-    solution = flush[whole * FLUSH_SOLUTION :]
+    solution = flush[flush_count * FLUSH_SOLUTION :]
     _copy_columns(solution, point, SOLUTION)
     force = point[FORCE + 1]
     solution[START_FORCE] = force if touches == SIDE_START else 0.0
     solution[END_FORCE] = 0.0 if touches == SIDE_START else force
-    return whole + 1
+    return flush_count + 1
 
 
 def _position_of_force(side: FlatSide, solution: Numbers) -> float:

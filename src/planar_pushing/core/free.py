@@ -242,10 +242,10 @@ def _part_of_step(
         trial = _step_from(twist, step, part)
         reached = _potential_value(effects, loads, trial, square)
         total = _potential_gradient(effects, loads, trial, square)
-        rise = _power(Vector(total.f_x, total.f_y, total.torque), step)
-        if fabs(rise) <= -SLOPE_LEFT * slope and reached <= value:
+        trial_slope = _power(Vector(total.f_x, total.f_y, total.torque), step)
+        if fabs(trial_slope) <= -SLOPE_LEFT * slope and reached <= value:
             return part
-        if rise < 0.0:
+        if trial_slope < 0.0:
             low = part
         else:
             high = part

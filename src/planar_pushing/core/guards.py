@@ -173,8 +173,8 @@ def _event_of_cause(system: System, mode: Mode, cause: int) -> float:
         if sign == 0.0:
             signs[cause] = sign_of_guard(cause, value)
             if value < -SLACK and not watched:
-                rise = _time_of_rise(system, mode, cause, low, high)
-                return rise if rise < 0.0 else _crossing_within(system, mode, cause, rise, high)
+                start = _time_of_rise(system, mode, cause, low, high)
+                return start if start < 0.0 else _crossing_within(system, mode, cause, start, high)
     return INFINITY if watched else _time_of_dip(system, mode, cause)
 
 

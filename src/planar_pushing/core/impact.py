@@ -34,8 +34,8 @@ from planar_pushing.core.system import (
     LOST,
     NO_IMPULSE,
     NO_MODE,
-    OVER,
-    RISE,
+    NORMAL_SPEED,
+    SLIP_SPEED,
     SPIN,
     WORK,
     System,
@@ -81,8 +81,8 @@ def cone_margin(system: System, f_x: float, f_y: float, smallest: float) -> floa
     if scene[IN_ROUGH] != 0.0:
         return 1.0
     size = sqrt(f_x * f_x + f_y * f_y)
-    lean = (scene[IN_LEFT] - scene[IN_RIGHT]) / 2.0 - fabs(atan2(f_x, f_y))
-    return lean * size / (size + smallest) if size > 0.0 else 0.0
+    angle = (scene[IN_LEFT] - scene[IN_RIGHT]) / 2.0 - fabs(atan2(f_x, f_y))
+    return angle * size / (size + smallest) if size > 0.0 else 0.0
 
 
 def _admits_impulse(system: System, p_x: float, p_y: float) -> bool:
@@ -162,8 +162,8 @@ def collide(
     left, right = side_on_fence(system, state)
     if left >= 0:
         return _collide_side(system, during, time, state, left, right, current, policy)
-    if max(fabs(state[OVER]), fabs(state[RISE])) <= SLACK * system.run[RUN_SPEED]:
-        state[OVER], state[RISE] = 0.0, 0.0
+    if max(fabs(state[SLIP_SPEED]), fabs(state[NORMAL_SPEED])) <= SLACK * system.run[RUN_SPEED]:
+        state[SLIP_SPEED], state[NORMAL_SPEED] = 0.0, 0.0
         return GOES_ON
     chosen = _mode_at_point(system, state, 0.0, SEPARATE, current, policy, NO_MODE)
     if chosen == NO_MODE:
@@ -179,7 +179,7 @@ def _mode_at_point(
 
     With a side of a signed length, its other end may not approach after the impact.
     """
-    x, y, pose, chosen = state[OVER], state[RISE], pose_of(system, state), other
+    x, y, pose, chosen = state[SLIP_SPEED], state[NORMAL_SPEED], pose_of(system, state), other
     for contact in range(first, SLIP_LEFT + 1):
         preferred: bool = is_preferred(policy, current, contact, chosen)
         if preferred and _is_consistent(system, pose, contact, x, y):
@@ -193,10 +193,10 @@ def _mode_at_point(
 
 def _strike_point(system: System, during: Span, time: float, state: Numbers, contact: int) -> None:
     """Change the twist by the impulse of a mode at the contact."""
-    x, y, pose = state[OVER], state[RISE], pose_of(system, state)
+    x, y, pose = state[SLIP_SPEED], state[NORMAL_SPEED], pose_of(system, state)
     impulse = answer_of(system, pose, contact, x, y)
     p_x, p_y = impulse.f_x, impulse.f_y
-    state[OVER], state[RISE] = impulse.x, impulse.y
+    state[SLIP_SPEED], state[NORMAL_SPEED] = impulse.x, impulse.y
     state[SPIN] += moment_of(pose, p_x, p_y) / system.run[RUN_MOMENT]
     fence_x, fence_y = pusher_velocity(system, during, time, state)
     state[WORK] += p_x * fence_x + p_y * fence_y
@@ -213,9 +213,13 @@ def _collide_side(
     """
     hold_contact(system, state, left, NO_POINT)
     length, slack = offset_of(system, state, right).x, SLACK * system.run[RUN_SPEED]
-    x, first, last = state[OVER], state[RISE], state[RISE] + state[SPIN] * length
+    x, first, last = (
+        state[SLIP_SPEED],
+        state[NORMAL_SPEED],
+        state[NORMAL_SPEED] + state[SPIN] * length,
+    )
     if max(max(fabs(x), fabs(first)), fabs(last)) <= slack:
-        state[OVER], state[RISE], state[SPIN] = 0.0, 0.0, 0.0
+        state[SLIP_SPEED], state[NORMAL_SPEED], state[SPIN] = 0.0, 0.0, 0.0
         return GOES_ON
     chosen = SEPARATE if min(first, last) >= -slack else NO_MODE
     chosen = _mode_on_side(system, state, length, current, policy, chosen)
@@ -239,7 +243,8 @@ def _collide_side(
 
 def _motion_of_mass(state: Numbers, pose: Pose) -> tuple[float, float]:
     """Velocity of the center of mass relative to the pusher."""
-    return state[OVER] - state[SPIN] * pose.arm_y, state[RISE] + state[SPIN] * pose.arm_x
+    spin = state[SPIN]
+    return state[SLIP_SPEED] - spin * pose.arm_y, state[NORMAL_SPEED] + spin * pose.arm_x
 
 
 def _mode_on_side(
@@ -259,16 +264,21 @@ def _strike_side(
     system: System, during: Span, time: float, state: Numbers, length: float, contact: int
 ) -> None:
     """Stop the rotation and the normal motion of a side by the impulse of a mode at both of its ends."""
-    pose, spin, x, first = pose_of(system, state), state[SPIN], state[OVER], state[RISE]
+    pose, spin, x, first = (
+        pose_of(system, state),
+        state[SPIN],
+        state[SLIP_SPEED],
+        state[NORMAL_SPEED],
+    )
     v_x, v_y = _motion_of_mass(state, pose)
     impulse = answer_of_side(system, contact, v_x, v_y)
     p_x, p_y = impulse.f_x, impulse.f_y
     at_last = _torque_on_side(system, pose, p_x, p_y, spin) / length
-    state[OVER], state[RISE], state[SPIN] = impulse.x, 0.0, 0.0
+    state[SLIP_SPEED], state[NORMAL_SPEED], state[SPIN] = impulse.x, 0.0, 0.0
     fence_x, fence_y = pusher_velocity(system, during, time, state)
     state[WORK] += p_x * fence_x + p_y * fence_y
-    lost = p_x * (x + impulse.x) + p_y * first + at_last * spin * length
-    state[LOST] -= lost / 2.0
+    twice_work = p_x * (x + impulse.x) + p_y * first + at_last * spin * length
+    state[LOST] -= twice_work / 2.0
 
 
 def _torque_on_side(system: System, pose: Pose, p_x: float, p_y: float, spin: float) -> float:

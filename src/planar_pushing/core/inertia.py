@@ -39,7 +39,17 @@ from planar_pushing.core.shapes import (
     to_contact,
 )
 from planar_pushing.core.solution import SEPARATE, STICK
-from planar_pushing.core.system import ANGLE, OVER, REST, RISE, SPIN, STATE, Mode, System, vector_of
+from planar_pushing.core.system import (
+    ANGLE,
+    NORMAL_SPEED,
+    REST,
+    SLIP_SPEED,
+    SPIN,
+    STATE,
+    Mode,
+    System,
+    vector_of,
+)
 from planar_pushing.core.tolerances import HAS_LEFT, NO_DIRECTION
 from planar_pushing.core.touch import is_flush, side_length
 
@@ -71,7 +81,7 @@ class Hinge(NamedTuple):
 
 def _hinged_motion(
     system: System, pose: Pose, contact: int, q_x: float, q_y: float,
-    a_x: float, a_y: float, turn: float, slip: float, rise: float, spin: float,
+    a_x: float, a_y: float, turn: float, slip: float, normal_speed: float, spin: float,
     b_x: float, b_y: float,
 ) -> Hinge:  # fmt: skip
     """Accelerations of a slider that friction holds at a support point like a hinge, free or in a slip.
@@ -86,7 +96,7 @@ def _hinged_motion(
         Vector from the center of mass to the hinge.
     a_x, a_y, turn : float
         Acceleration of the center of mass and angular acceleration without hinge and contact.
-    slip, rise, spin : float
+    slip, normal_speed, spin : float
         Velocity of the contact relative to the pusher, and angular velocity.
     b_x, b_y : float
         Acceleration of the pusher.
@@ -97,7 +107,9 @@ def _hinged_motion(
     d_x, d_y = -(pose.arm_x + q_x), -(pose.arm_y + q_y)
     torque = moment * turn - mass * (q_x * a_y - q_y * a_x)
     free_turn = torque / total
-    along, lift = _rates_about_hinge(system, slip, rise, spin, free_turn, d_x, d_y, b_x, b_y)
+    along, lift = _rates_about_hinge(
+        system, slip, normal_speed, spin, free_turn, d_x, d_y, b_x, b_y
+    )
     f_x, f_y, rate_x, rate_y, turn = 0.0, 0.0, along, lift, free_turn
     if contact != SEPARATE:
         e_x, e_y = edge_of_slip(system, contact)
@@ -105,7 +117,7 @@ def _hinged_motion(
         lever = d_x * e_y - d_y * e_x
         size = (total * turn - torque) / lever if lever != 0.0 else 0.0
         f_x, f_y, rate_y = size * e_x, size * e_y, 0.0
-        rate_x, _ = _rates_about_hinge(system, slip, rise, spin, turn, d_x, d_y, b_x, b_y)
+        rate_x, _ = _rates_about_hinge(system, slip, normal_speed, spin, turn, d_x, d_y, b_x, b_y)
     # The center of mass rotates about the hinge.
     c_x, c_y = turn * q_y + square * q_x, -turn * q_x + square * q_y
     p_x, p_y = mass * (c_x - a_x) - f_x, mass * (c_y - a_y) - f_y
@@ -113,13 +125,13 @@ def _hinged_motion(
 
 
 def _rates_about_hinge(
-    system: System, slip: float, rise: float, spin: float, turn: float,
+    system: System, slip: float, normal_speed: float, spin: float, turn: float,
     d_x: float, d_y: float, b_x: float, b_y: float,
 ) -> tuple[float, float]:  # fmt: skip
     """Rates of the velocity, relative to the pusher, of a contact at (d_x, d_y) from the hinge."""
     square = spin * spin
     a_x, a_y = -turn * d_y - square * d_x, turn * d_x - square * d_y
-    return rates_of_contact(system, spin, slip, rise, a_x - b_x, a_y - b_y)
+    return rates_of_contact(system, spin, slip, normal_speed, a_x - b_x, a_y - b_y)
 
 
 def _passing_friction(
@@ -180,8 +192,8 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
     mass, moment = system.scene[IN_MASS], system.run[RUN_MOMENT]
     pose, spin = pose_of(system, state), state[SPIN]
     system.run[RUN_EVALUATIONS] += 1.0
-    slip, rise, foot_x, foot_y = state[OVER], state[RISE], 0.0, 0.0
-    v_x, v_y = center_motion(pose, fence_x + slip, fence_y + rise, spin)
+    slip, normal_speed, foot_x, foot_y = state[SLIP_SPEED], state[NORMAL_SPEED], 0.0, 0.0
+    v_x, v_y = center_motion(pose, fence_x + slip, fence_y + normal_speed, spin)
     number = mode.foot
     sticks: bool = mode.contact == STICK
     if is_flush(system):
@@ -199,7 +211,7 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
         if mode.hinged:
             v_x, v_y = t_x, t_y
             u_x, u_y = contact_motion(pose, v_x, v_y, spin)
-            slip, rise = u_x - fence_x, u_y - fence_y if mode.contact == SEPARATE else 0.0
+            slip, normal_speed = u_x - fence_x, u_y - fence_y if mode.contact == SEPARATE else 0.0
     x, y, opposed_spin = _opposed_twist(system, mode, pose, t_x, t_y, spin)
     total = drag(system, x, y, opposed_spin)
     x, y = to_body(pose.rod, v_x, v_y)
@@ -224,7 +236,7 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
         dissipated -= p_x * w_x + p_y * w_y
     elif turns:
         hinge = _hinged_motion(
-            system, pose, mode.contact, q_x, q_y, a_x, a_y, turn, slip, rise, spin, b_x, b_y
+            system, pose, mode.contact, q_x, q_y, a_x, a_y, turn, slip, normal_speed, spin, b_x, b_y
         )
         f_x, f_y, rate_x, rate_y, hinged_turn, lift = (
             hinge.f_x, hinge.f_y, hinge.a_x, hinge.a_y, hinge.turn, hinge.lift,
@@ -250,12 +262,14 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
         support, turn = support_of_side(length, f_y, torque), 0.0
     else:
         free_x, free_y = _acceleration_of_contact(pose, a_x, a_y, turn, spin)
-        free_x, lift = rates_of_contact(system, spin, slip, rise, free_x - b_x, free_y - b_y)
+        free_x, lift = rates_of_contact(
+            system, spin, slip, normal_speed, free_x - b_x, free_y - b_y
+        )
         answer = answer_of(system, pose, mode.contact, free_x, lift)
         f_x, f_y, rate_x, rate_y = answer.f_x, answer.f_y, answer.x, answer.y
         turn += moment_of(pose, f_x, f_y) / moment
     return Instant(
-        slip, rise, fence_x, fence_y, v_x, v_y, spin, sqrt(v_x * v_x + v_y * v_y),
+        slip, normal_speed, fence_x, fence_y, v_x, v_y, spin, sqrt(v_x * v_x + v_y * v_y),
         f_x, f_y, dissipated, rate_x, rate_y, turn, lift,
         mode.foot if mode.hinged else NO_POINT, hold, support.offset, support.press,
     )  # fmt: skip
@@ -278,7 +292,7 @@ def _opposed_twist(
     state = vector_of(system, STATE)
     start = pose_of(system, state)
     w_x, w_y = pusher_velocity(system, mode.during, system.run[RUN_TIME], state)
-    u_x, u_y = center_motion(start, w_x + state[OVER], w_y + state[RISE], state[SPIN])
+    u_x, u_y = center_motion(start, w_x + state[SLIP_SPEED], w_y + state[NORMAL_SPEED], state[SPIN])
     if size_of_twist(u_x, u_y, state[SPIN]) <= NO_DIRECTION * system.run[RUN_SPEED]:
         return x, y, spin
     x, y = to_body(start.rod, u_x, u_y)

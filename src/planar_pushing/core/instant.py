@@ -16,7 +16,7 @@ class Instant(NamedTuple):
 
     Attributes
     ----------
-    slip, rise : float
+    slip, normal_speed : float
         Velocity of the contact relative to the pusher.
     fence_x, fence_y : float
         Velocity of the pusher.
@@ -42,7 +42,7 @@ class Instant(NamedTuple):
     """
 
     slip: float
-    rise: float
+    normal_speed: float
     fence_x: float
     fence_y: float
     v_x: float

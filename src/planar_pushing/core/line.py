@@ -201,15 +201,15 @@ def _seat_of(line: Line, number: int) -> Seat:
     if line.exact:
         return Seat(line.across, line.along, middle, half, 0.0, middle, 0.0, ends.friction)
     first, last = line.x * y - line.y * x, line.x * end_y - line.y * end_x
-    beside, rise = (first + last) / 2.0, (last - first) / 2.0
-    length = copysign(sqrt(half * half + rise * rise), half)
+    middle_across, half_across = (first + last) / 2.0, (last - first) / 2.0
+    length = copysign(sqrt(half * half + half_across * half_across), half)
     c, s = 1.0, 0.0
     if length != 0.0:
-        c, s = half / length, rise / length
+        c, s = half / length, half_across / length
     return Seat(
         c * line.across - s * line.along, c * line.along + s * line.across,
-        c * middle + s * beside, length, c * beside - s * middle,
-        middle, s * (beside - s * middle / (1.0 + c)), ends.friction,
+        c * middle + s * middle_across, length, c * middle_across - s * middle,
+        middle, s * (middle_across - s * middle / (1.0 + c)), ends.friction,
     )  # fmt: skip
 
 

@@ -186,11 +186,11 @@ def ring_motion_angle(rod: Rod, force: Direction, spin_ratio: float) -> float:
     The contact moves along ``f + k l (sin psi, -cos psi)`` (Eqs. 11-12 for inertia). Its deviation from
     `f` has a cosine proportional to ``1 + k l sin(psi - phi) >= 1``: the pusher never does negative work.
     """
-    pull = spin_ratio * rod.length
-    if fabs(pull) == INFINITY:
-        sign = copysign(1.0, pull)
+    spin_lever = spin_ratio * rod.length
+    if fabs(spin_lever) == INFINITY:
+        sign = copysign(1.0, spin_lever)
         return force.angle - atan2(sign * force.along, sign * force.across)
-    return force.angle - atan2(pull * force.along, 1.0 + pull * force.across)
+    return force.angle - atan2(spin_lever * force.along, 1.0 + spin_lever * force.across)
 
 
 def angle_from_force(motion: ContactMotion, e_x: float, e_y: float) -> float:

@@ -18,7 +18,7 @@ from planar_pushing.core.cone import (
     WITHIN,
     Law,
     hold_at_rest,
-    place_in_cone,
+    position_in_cone,
     settle_pivot,
 )
 from planar_pushing.core.directions import Direction
@@ -87,7 +87,7 @@ class Search(NamedTuple):
         The sticking motion.
     f_x, f_y : float
         Its force; for a pivot, one that the law transmits.
-    stick_place : int
+    stick_index : int
         Index of the stick in the solutions.
     """
 
@@ -99,7 +99,7 @@ class Search(NamedTuple):
     stick: Psi
     f_x: float
     f_y: float
-    stick_place: int
+    stick_index: int
 
 
 class Count(NamedTuple):
@@ -162,7 +162,7 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
     scale = max(speed, max(fabs(rest_x), fabs(rest_y)))
     if scale == 0.0 and solutions[TWIST + 2] == 0.0:
         return 1, False
-    place = 1 if pusher.y <= rest_y else 0  # index of the stick, which precedes the slips
+    stick_index = 1 if pusher.y <= rest_y else 0  # index of the stick, which precedes the slips
     x, y = pusher.along, -pusher.across
     guess = guess_spin(push.effects, push.contact, x, y)
     root = psi(push.effects, push.contact, x, y, guess, NO_POINT, ROUNDING)
@@ -171,28 +171,28 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
     stick = settle_pivot(law, sticking_motion(x, y, root))
     if x == 0.0 and y == 0.0 and stick.spin == 0.0:
         stick = hold_at_rest(push, law, stick, scale)
-    search = Search(push, pusher, rest_x, rest_y, scale, root, stick.f_x, stick.f_y, place)
-    slips = Count(place + 1, False, False)
+    search = Search(push, pusher, rest_x, rest_y, scale, root, stick.f_x, stick.f_y, stick_index)
+    slips = Count(stick_index + 1, False, False)
     if law.slips:
         slips = _write_slips(search, law.left, SLIP_RIGHT, solutions, slips)
         slips = _write_slips(search, law.right, SLIP_LEFT, solutions, slips)
         if slips.number < 0:
             return UNSOLVED, False
-    slides: bool = slips.number > place + 1
-    force_place = place_in_cone(push, law, stick)
-    sticks: bool = law.rough or slips.sticks or force_place == WITHIN
-    if law.closed and force_place != BEYOND and (slips.flat or not slides):
+    slides: bool = slips.number > stick_index + 1
+    force_position = position_in_cone(push, law, stick)
+    sticks: bool = law.rough or slips.sticks or force_position == WITHIN
+    if law.closed and force_position != BEYOND and (slips.flat or not slides):
         sticks = True
-    if law.closed and law.slips and force_place == JUST_WITHIN:
+    if law.closed and law.slips and force_position == JUST_WITHIN:
         sticks = True
     if sticks:
         # A slip that is the stick has its force exactly on the edge.
-        if not slips.sticks or force_place >= JUST_WITHIN:
-            write_solution(push, STICK, stick, solutions[place * SOLUTION :])
+        if not slips.sticks or force_position >= JUST_WITHIN:
+            write_solution(push, STICK, stick, solutions[stick_index * SOLUTION :])
         if slips.flat:
-            solutions[place * SOLUTION + CONTINUUM] = 1.0
+            solutions[stick_index * SOLUTION + CONTINUUM] = 1.0
         return slips.number, slips.flat
-    for i in range(place, slips.number - 1):
+    for i in range(stick_index, slips.number - 1):
         copy_solution(solutions[i * SOLUTION :], solutions[(i + 1) * SOLUTION :])
     return slips.number - 1, slips.flat
 
@@ -345,8 +345,8 @@ def _write_slip_of(
     if force_along(edge, motion) <= motion.noise_x + motion.noise_y:
         return slips
     if fabs(slip) <= closest:
-        place = search.stick_place
-        write_on_edge(push, STICK, motion, edge, solutions[place * SOLUTION :])
+        index = search.stick_index
+        write_on_edge(push, STICK, motion, edge, solutions[index * SOLUTION :])
         return Count(slips.number, True, slips.flat)
     if side * slip <= closest:
         return slips

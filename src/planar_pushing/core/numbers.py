@@ -8,7 +8,7 @@ from typing import Protocol, overload
 class Coefficients(Protocol):
     """A tuple of floats at module level: an array of constants in compiled code."""
 
-    def __getitem__(self, place: int, /) -> float:
+    def __getitem__(self, index: int, /) -> float:
         """Read a number."""
 
 
@@ -16,10 +16,10 @@ class Numbers(Protocol):
     """A row of floats: a memory view in Python, the address of its first number in compiled code."""
 
     @overload
-    def __getitem__(self, place: int, /) -> float: ...
+    def __getitem__(self, index: int, /) -> float: ...
     @overload
-    def __getitem__(self, place: slice, /) -> Numbers: ...
-    def __setitem__(self, place: int, number: float, /) -> None:
+    def __getitem__(self, index: slice, /) -> Numbers: ...
+    def __setitem__(self, index: int, number: float, /) -> None:
         """Store a number."""
 
 

@@ -154,7 +154,7 @@ def sum_atoms(pressure: Pressure, x: float, y: float, blur: float) -> Moments:
 
     `blur` is the square of the distance within which an atom counts as at (x, y).
     """
-    apart: bool
+    moves: bool
     data, hit, number = pressure.data, -1, 0
     distance, unit_x, unit_y, torque, xx, xy, yy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     i, end = place_of(pressure, ATOMS), place_of(pressure, SEGMENTS)
@@ -162,10 +162,10 @@ def sum_atoms(pressure: Pressure, x: float, y: float, blur: float) -> Moments:
         q_x, q_y, share = data[i], data[i + 1], data[i + 2]
         r_x, r_y = q_x - x, q_y - y
         square = r_x * r_x + r_y * r_y
-        apart = square > max(data[i + 3], blur)
-        hit = max(hit, -1 if apart else number)
+        moves = square > max(data[i + 3], blur)
+        hit = max(hit, -1 if moves else number)
         # The square root and the division are independent, so the processor overlaps them.
-        away, bend = sqrt(square), (1.0 if apart else 0.0) / (square if apart else 1.0)
+        away, bend = sqrt(square), (1.0 if moves else 0.0) / (square if moves else 1.0)
         f_x, f_y = share * (away * bend) * r_x, share * (away * bend) * r_y
         distance += share * away
         unit_x += f_x

@@ -186,13 +186,13 @@ def estimate_spin_ratio(arm: float) -> float:
     """Spin ratio, accurate to 2e-6; near the ring, its distance from 1 is accurate to 6e-6."""
     if arm < NEAR_ARM:
         return 2.0 * arm * polynomial(FAR_GUESS, len(FAR_GUESS), arm * arm)
-    short = 1.0 - arm
-    part = 1.0 / (3.0 - log(short + SMALLEST_COMPLEMENT))
+    complement = 1.0 - arm
+    part = 1.0 / (3.0 - log(complement + SMALLEST_COMPLEMENT))
     rest = polynomial(NEAR_GUESS_2, len(NEAR_GUESS_2), part)
-    rest += short * polynomial(NEAR_GUESS_3, len(NEAR_GUESS_3), part)
-    rest = polynomial(NEAR_GUESS_1, len(NEAR_GUESS_1), part) + short * rest
-    gap = polynomial(NEAR_GUESS, len(NEAR_GUESS), part) + short * rest
-    return 1.0 - short * gap
+    rest += complement * polynomial(NEAR_GUESS_3, len(NEAR_GUESS_3), part)
+    rest = polynomial(NEAR_GUESS_1, len(NEAR_GUESS_1), part) + complement * rest
+    gap = polynomial(NEAR_GUESS, len(NEAR_GUESS), part) + complement * rest
+    return 1.0 - complement * gap
 
 
 def inner_spin_ratio(arm: float) -> float:

@@ -54,9 +54,9 @@ from planar_pushing.core.system import (
     ALONG,
     ANGLE,
     GAP,
-    OVER,
+    NORMAL_SPEED,
     REST,
-    RISE,
+    SLIP_SPEED,
     SPIN,
     Mode,
     System,
@@ -200,7 +200,7 @@ def travel_rate(system: System, slip: float, spin: float) -> float:
 
 
 def rates_of_contact(
-    system: System, spin: float, slip: float, rise: float, a_x: float, a_y: float
+    system: System, spin: float, slip: float, normal_speed: float, a_x: float, a_y: float
 ) -> tuple[float, float]:
     """Rates of the contact's velocity relative to the pusher, from its relative acceleration.
 
@@ -209,7 +209,7 @@ def rates_of_contact(
     if not has_finger(system):
         return a_x, a_y
     rolling = system.scene[IN_RADIUS] * spin * spin
-    return a_x + 2.0 * spin * rise, a_y - 2.0 * spin * slip - rolling
+    return a_x + 2.0 * spin * normal_speed, a_y - 2.0 * spin * slip - rolling
 
 
 def sticking_acceleration(
@@ -361,4 +361,4 @@ def put_initial_state(system: System, state: Numbers) -> None:
     state[GAP], state[ANGLE] = scene[IN_GAP], scene[IN_ANGLE]
     if is_massive(system):
         u_x, u_y = contact_motion(pose_of(system, state), v_x, v_y, spin)
-        state[OVER], state[RISE], state[SPIN] = u_x, u_y, spin
+        state[SLIP_SPEED], state[NORMAL_SPEED], state[SPIN] = u_x, u_y, spin

@@ -38,7 +38,7 @@ MOST_OF_SIDE = 1 + MOST_FLUSH
 SLIP_STEPS = 50
 
 
-def modes_of_side(
+def flush_or_free_modes(
     system: System, pose: Pose, length: float, x: float, y: float, spin: float, solutions: Numbers
 ) -> int:
     """Store every solution of the problem at hand for a side on the fence, the separation first.
@@ -61,6 +61,12 @@ def modes_of_side(
     -------
     int
         Number of solutions, `UNSOLVED` if an iteration has not converged.
+
+    Notes
+    -----
+    `side_modes` answers another question: it also solves for the contacts at one end, and counts those that
+    do not turn as flush. During a run such contacts are candidates of their own, and a step may turn the
+    side onto the fence. Both routines leave the flush contacts to `flush_modes`.
     """
     push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
     count, scale = _add_free_motion(push, pose, length, x, y, spin, 0.0, solutions)
@@ -82,7 +88,8 @@ def add_motion_with_fence(
 ) -> int:
     """Store the free motion of a contact that moves with the fence, whose force is only rounding error.
 
-    Returns the number of solutions; the arguments are those of `modes_of_side`, with length 0 for a point.
+    Returns the number of solutions; the arguments are those of `flush_or_free_modes`, with length 0 for a
+    point.
     """
     push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
     count, _ = _add_free_motion(push, pose, length, x, y, spin, COINCIDENT, solutions)

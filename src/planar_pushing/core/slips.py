@@ -119,8 +119,8 @@ def _write_slip(unit: float, sample: Sample, continuum: bool, slips: Numbers, co
     Two cells that meet at a kink can both find the same slip.
     """
     if count > 0:
-        apart = fabs(sample.s - slips[SLIP * (count - 1)])
-        if apart <= COINCIDENT * (fabs(sample.s) + unit):
+        distance = fabs(sample.s - slips[SLIP * (count - 1)])
+        if distance <= COINCIDENT * (fabs(sample.s) + unit):
             return count
     if count < 0 or count == SLIPS or not sample.converged:
         return -1
@@ -207,11 +207,11 @@ def _bottom_of_dip(path: Path, low: Sample, high: Sample) -> Sample:
     first, sign = low, 1.0 if low.after > 0.0 else -1.0
     at_low, at_high = fabs(low.after), fabs(high.before)
     for i in range(HALVINGS):
-        width, fall, rise = high.s - low.s, sign * low.slope, sign * high.slope
-        if not fall < 0.0 < rise:
+        width, low_slope, high_slope = high.s - low.s, sign * low.slope, sign * high.slope
+        if not low_slope < 0.0 < high_slope:
             break
-        part = (at_low - at_high + rise * width) / (rise - fall)
-        if i > 0 and at_low + part * fall > 0.0:
+        part = (at_low - at_high + high_slope * width) / (high_slope - low_slope)
+        if i > 0 and at_low + part * low_slope > 0.0:
             break
         middle = sample_near(path, low, low.s + width / 2.0)
         if sign * middle.after < 0.0:
@@ -243,11 +243,11 @@ def _part_of_bracket(low: Sample, high: Sample) -> float:
 
     The secant is used if the force across the edge is not monotone.
     """
-    rise, width = high.before - low.after, high.s - low.s
-    if rise == 0.0:
+    change, width = high.before - low.after, high.s - low.s
+    if change == 0.0:
         return 0.5
-    part, at_low, at_high = -low.after / rise, width * low.slope, width * high.slope
-    if at_low * rise > 0.0 and at_high * rise > 0.0:
-        start, end, rest = rise / at_low, rise / at_high, 1.0 - part
+    part, at_low, at_high = -low.after / change, width * low.slope, width * high.slope
+    if at_low * change > 0.0 and at_high * change > 0.0:
+        start, end, rest = change / at_low, change / at_high, 1.0 - part
         part *= part * (3.0 - 2.0 * part) + rest * (rest * start - part * end)
     return part

@@ -44,7 +44,7 @@ from planar_pushing.core.shapes import (
 from planar_pushing.core.side import (
     MOST_OF_SIDE,
     add_motion_with_fence,
-    modes_of_side,
+    flush_or_free_modes,
     offset_in_solution,
 )
 from planar_pushing.core.solution import (
@@ -278,9 +278,9 @@ def _sinking_side(
     side, lowest = 0.0, -SLACK
     for point in range(count_points(system)):
         offset = offset_of(system, state, point)
-        rise = h * (unit * solution[TWIST + 1] + spin * (offset.x - pose.x)) - run[RUN_PATH + 1]
-        if state[GAP] + offset.y + rise < lowest:
-            side, lowest = offset.x, state[GAP] + offset.y + rise
+        across = h * (unit * solution[TWIST + 1] + spin * (offset.x - pose.x)) - run[RUN_PATH + 1]
+        if state[GAP] + offset.y + across < lowest:
+            side, lowest = offset.x, state[GAP] + offset.y + across
     return side
 
 
@@ -307,7 +307,9 @@ def _solve_step(
     run[RUN_EVALUATIONS] += 1.0
     if length != 0.0:
         scale = unit if unit > 0.0 else 1.0
-        count = modes_of_side(system, pose, length, x / scale, y / scale, spin / scale, solutions)
+        count = flush_or_free_modes(
+            system, pose, length, x / scale, y / scale, spin / scale, solutions
+        )
     else:
         count, _ = modes_of_push(system, pose, x, y, size / unit if unit > 0.0 else 0.0, solutions)
         if count == 0 and unit > 0.0:

@@ -68,7 +68,7 @@ from planar_pushing.core.run import (
 from planar_pushing.core.solution import MOST_SOLUTIONS, SEPARATE, SLIP_LEFT, SLIP_RIGHT, STICK
 
 #: Entries of the state.
-ALONG, GAP, ANGLE, SLIPPED, LOST, WORK, OVER, RISE, SPIN = range(9)
+ALONG, GAP, ANGLE, SLIPPED, LOST, WORK, SLIP_SPEED, NORMAL_SPEED, SPIN = range(9)
 #: Number of entries before the energies, without inertia and with it.
 STILL = 6
 MOVING = 9
@@ -292,7 +292,7 @@ def scale_state(system: System) -> None:
         scales[k] = length
     scales[ANGLE] = 1.0
     if is_massive(system):
-        for k in range(OVER, MOVING):
+        for k in range(SLIP_SPEED, MOVING):
             scales[k] = 0.01 * system.run[RUN_SPEED]
 
 

@@ -37,8 +37,8 @@ from planar_pushing.core.system import (
     CANDIDATE,
     ELSEWHERE,
     GAP,
-    OVER,
-    RISE,
+    NORMAL_SPEED,
+    SLIP_SPEED,
     SPIN,
     System,
     copy_numbers,
@@ -107,8 +107,8 @@ def lowest_point(system: System, state: Numbers, others: bool) -> Lowest:
     for point in range(count_points(system)):
         position = point_position(system, point)
         x, y = position.x - run[RUN_CONTACT], position.y - run[RUN_CONTACT + 1]
-        apart: bool = not others or fabs(x) > slack or fabs(y) > slack
-        if apart and x * s + y * c < height:
+        counts: bool = not others or fabs(x) > slack or fabs(y) > slack
+        if counts and x * s + y * c < height:
             lowest, height = point, x * s + y * c
     return Lowest(lowest, state[GAP] + height)
 
@@ -138,8 +138,8 @@ def move_contact(system: System, state: Numbers, point: int) -> None:
     state[ALONG] += offset.x
     state[GAP] += offset.y
     if is_massive(system):
-        state[OVER] -= state[SPIN] * offset.y
-        state[RISE] += state[SPIN] * offset.x
+        state[SLIP_SPEED] -= state[SPIN] * offset.y
+        state[NORMAL_SPEED] += state[SPIN] * offset.x
     put_contact(system, point, NO_POINT)
 
 
@@ -242,9 +242,9 @@ def approach_of(system: System, state: Numbers) -> float:
     """Smallest normal velocity, relative to the fence, of the points on it, with inertia."""
     left, right = side_on_fence(system, state)
     if left < 0:
-        return state[RISE]
+        return state[NORMAL_SPEED]
     start, end = offset_of(system, state, left).x, offset_of(system, state, right).x
-    return state[RISE] + min(state[SPIN] * start, state[SPIN] * end)
+    return state[NORMAL_SPEED] + min(state[SPIN] * start, state[SPIN] * end)
 
 
 def _rests_on_side(system: System, state: Numbers, left: int, right: int, slack: float) -> bool:
@@ -252,7 +252,7 @@ def _rests_on_side(system: System, state: Numbers, left: int, right: int, slack:
     if not is_massive(system):
         return True
     start, end = offset_of(system, state, left).x, offset_of(system, state, right).x
-    first, last = state[RISE] + state[SPIN] * start, state[RISE] + state[SPIN] * end
+    first, last = state[NORMAL_SPEED] + state[SPIN] * start, state[NORMAL_SPEED] + state[SPIN] * end
     return max(fabs(first), fabs(last)) <= slack * system.run[RUN_SPEED]
 
 
@@ -267,4 +267,4 @@ def _level_side(system: System, state: Numbers, left: int, right: int) -> None:
         state[ANGLE] = angle
     state[GAP] = 0.0
     if is_massive(system):
-        state[RISE], state[SPIN] = 0.0, 0.0
+        state[NORMAL_SPEED], state[SPIN] = 0.0, 0.0

@@ -9,8 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.core.tolerances import RESOLUTION as RESOLUTION
-from planar_pushing.mechanics.arrays import dataset, is_labeled, named, same
-from planar_pushing.terms.domain import RADIANS, TO_RADIANS, TURNS, required
+from planar_pushing.mechanics.kernels.arrays import dataset, is_labeled, label_result, same
+from planar_pushing.terms.domain import RADIANS, TO_RADIANS, TURNS, require_in_range
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import Number, as_numbers, is_lazy
 from planar_pushing.terms.options import Status
@@ -51,7 +51,7 @@ class AngleInterval:
         return same(self, other)
 
     def __contains__(self, angle: object) -> bool:
-        inside = self.contains(required("angle", angle))
+        inside = self.contains(require_in_range("angle", angle))
         if inside.ndim:
             raise InvalidValue(
                 "angle", angle, "one angle, and one interval", "call contains for more"
@@ -77,15 +77,15 @@ class AngleInterval:
             Radians, taken modulo 2 pi.
         """
         middle = (self.right + self.left) / 2
-        off = np.subtract(required("angle", angle), middle)
+        off = np.subtract(require_in_range("angle", angle), middle)
         offset = np.abs(np.remainder(off + np.pi, 2 * np.pi) - np.pi)
         margin = np.where(self.closed, RESOLUTION, -RESOLUTION)
         return np.asarray(offset <= self.span / 2 + margin)
 
 
-def _edge(given: Any, edges: tuple[Any, Any]) -> Number:
+def _edge(value: Any, edges: tuple[Any, Any]) -> Number:
     """An edge in double precision, NaN where there is no interval."""
-    edge = given if is_lazy(given) else as_numbers(given)
+    edge = value if is_lazy(value) else as_numbers(value)
     if edge is None:
         raise InvalidValue("AngleInterval", edges, "numbers of radians", "give both edges")
     if not is_lazy(edge) and (np.abs(edge) > TURNS).any():
@@ -107,4 +107,4 @@ def interval(
     edges = {"right": right, "left": left, "closed": closed * (right == right)}
     if is_labeled(status):
         edges["status"] = status
-    return dataset([named(name, edge.drop_attrs()) for name, edge in edges.items()])
+    return dataset([label_result(name, edge.drop_attrs()) for name, edge in edges.items()])

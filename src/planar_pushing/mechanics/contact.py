@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal, NamedTuple, Protocol, runtime_checka
 import numpy as np
 
 from planar_pushing.mechanics.angles import AngleInterval
-from planar_pushing.mechanics.arrays import same
+from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.terms.declared import Within, one_of, require_declared
 from planar_pushing.terms.domain import ROUGHEST, Number
 from planar_pushing.terms.options import AtZeroNormal

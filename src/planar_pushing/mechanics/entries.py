@@ -14,7 +14,7 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import SHAPES
 from planar_pushing.mechanics.supports.base import SUPPORT, SUPPORTS
 from planar_pushing.mechanics.supports.composite import MEMBERS
-from planar_pushing.terms.declared import declared
+from planar_pushing.terms.declared import declarations_of
 from planar_pushing.terms.errors import InvalidValue
 
 #: Packages whose versions are recorded in datasets.
@@ -37,9 +37,9 @@ def plain(value: object) -> object:
     if hasattr(value, "model_dump"):
         return plain(value.model_dump())
     if isinstance(value, dict):
-        return {str(key): plain(each) for key, each in value.items()}
+        return {str(key): plain(part) for key, part in value.items()}
     if isinstance(value, (list, tuple)):
-        return [plain(each) for each in value]
+        return [plain(part) for part in value]
     return str(value) if isinstance(value, float) and not math.isfinite(value) else value
 
 
@@ -78,7 +78,7 @@ def entry(value: Any) -> dict[str, Any]:
         return _pieces_of(value)
     kind: Any = type(value)
     content: dict[str, Any] = dict(TAGS.get(kind, {}))
-    for name, (declaration, default) in declared(kind).items():
+    for name, (declaration, default) in declarations_of(kind).items():
         parameter = getattr(value, name)
         if parameter is None or parameter is default is False:
             continue
@@ -87,7 +87,9 @@ def entry(value: Any) -> dict[str, Any]:
         if declaration in (SUPPORT, SUPPORTS):
             content[name] = entry(parameter)
         elif declaration is MEMBERS:
-            content[name] = [{"share": share, "support": entry(each)} for share, each in parameter]
+            content[name] = [
+                {"share": share, "support": entry(support)} for share, support in parameter
+            ]
         else:
             content[name] = declaration.to_file(parameter)
     return content

@@ -12,7 +12,7 @@ from planar_pushing.mechanics.supports.polygon import counterclockwise, simple_r
 Corners = tuple[tuple[float, float], ...]
 
 
-def required_outline(given: Any, name: str = "outline") -> Corners:
+def require_outline(value: Any, name: str = "outline") -> Corners:
     """Corners of a simple polygon, counterclockwise, without those inside a straight side.
 
     Raises
@@ -20,7 +20,7 @@ def required_outline(given: Any, name: str = "outline") -> Corners:
     InvalidValue
         If the outline is not a simple polygon.
     """
-    corners = counterclockwise(simple_ring(name, given))
+    corners = counterclockwise(simple_ring(name, value))
     before, behind = corners - np.roll(corners, 1, axis=0), np.roll(corners, -1, axis=0) - corners
     cross = before[:, 0] * behind[:, 1] - before[:, 1] * behind[:, 0]
     turns = np.abs(cross) > 1e-12 * np.hypot(*before.T) * np.hypot(*behind.T)

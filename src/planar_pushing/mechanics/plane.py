@@ -32,10 +32,10 @@ from typing import Annotated, Any, Literal, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.arrays import same
-from planar_pushing.mechanics.kernels import run
+from planar_pushing.mechanics.kernels.arrays import same
+from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.terms.declared import Pair, finite, require_declared
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidValue, require_name
 from planar_pushing.terms.numbers import Array as Array
 from planar_pushing.terms.numbers import Number, as_array
 
@@ -107,9 +107,9 @@ def _vectors(x: Number, y: Number) -> Array:
     return vectors
 
 
-def moved_place(place: tuple[float, float], frame: Frame) -> tuple[Number, Number]:
+def position_in_frame(position: tuple[float, float], frame: Frame) -> tuple[Number, Number]:
     """A position expressed in another frame, or in each of an array of frames."""
-    x, y = components(frame.point_in(place), frame)
+    x, y = components(frame.point_in(position), frame)
     return x + 0.0, y + 0.0
 
 
@@ -152,14 +152,14 @@ class Placement:
     normal: Annotated[tuple[Number, Number], OBJECT_PAIR]
 
     def __post_init__(self) -> None:
-        given = self.normal
+        normal = self.normal
         require_declared(self)
-        (x, y), (n_x, n_y) = (map(_plain, each) for each in (self.point, self.normal))
+        (x, y), (n_x, n_y) = (map(_plain, pair) for pair in (self.point, self.normal))
         with np.errstate(over="ignore"):
             length = np.hypot(n_x, n_y)
         if not ((length > 0.0) & (length < math.inf)).all():
             raise InvalidValue(
-                "normal", given, "a nonzero vector",
+                "normal", normal, "a nonzero vector",
                 "give the direction from the contact into the object",
             )  # fmt: skip
         # A unit vector is left unchanged.
@@ -182,7 +182,7 @@ def _plain(numbers: Number) -> Number:
     return numbers + 0.0 if np.ndim(numbers) else float(numbers) + 0.0
 
 
-def changed(value: npt.ArrayLike, kind: str, to: Frame, center: Array, into: bool) -> Array:
+def change_frame(value: npt.ArrayLike, kind: str, to: Frame, center: Array, into: bool) -> Array:
     """Transform numbers from the fence frame to an object's frame, or back.
 
     Parameters
@@ -217,8 +217,7 @@ def changed(value: npt.ArrayLike, kind: str, to: Frame, center: Array, into: boo
 
 def _numbers(value: Any, kind: str) -> Array:
     """Numbers of a kind, or `InvalidValue`."""
-    if kind not in SIZES:
-        raise InvalidValue("kind", kind, ", ".join(SIZES), "name one of these kinds")
+    require_name("kind", kind, SIZES, "name one of these kinds")
     numbers = as_array(value)
     if numbers is None or numbers.shape[-1:] != (SIZES[kind],):
         raise InvalidValue(

@@ -15,7 +15,7 @@ import numpy as np
 from planar_pushing.core.rows import LOAD, MASS, RING, SUPPORT
 from planar_pushing.mechanics.contact import Law
 from planar_pushing.mechanics.effects import Inertia, Load, Viscous
-from planar_pushing.mechanics.pressure.support_in_frames import SupportInFrames, listed
+from planar_pushing.mechanics.pressure.support_in_frames import SupportInFrames, flatten_supports
 from planar_pushing.mechanics.pressure.table import (
     Table,
     extents_of,
@@ -23,7 +23,7 @@ from planar_pushing.mechanics.pressure.table import (
     table_of,
 )
 from planar_pushing.mechanics.supports.even_ring import Ring
-from planar_pushing.terms.domain import Number, required_ratio
+from planar_pushing.terms.domain import Number, require_ratio
 from planar_pushing.terms.numbers import Array
 
 
@@ -105,9 +105,9 @@ class Rows:
         entries = entries_of(((i, scene.effects[i]) for i in scene.resisting), scene)
         body = slider.length_ratio, slider.rod_angle, slider.radius
         ends = tuple(end / slider.radius for end in slider.side) if slider.flush else ()
-        columns = tuple(each for entry in entries for each in entry.columns)
+        columns = tuple(column for entry in entries for column in entry.columns)
         numbers = *columns, *body, *ends, *scene.law
-        single = all(isinstance(each, (float, int)) for each in numbers)
+        single = all(isinstance(number, (float, int)) for number in numbers)
         return cls(entries, data_of(entries), body, ends, scene.law, columns, single)
 
     @property
@@ -118,7 +118,7 @@ class Rows:
     def strength(self, degree: int) -> Number:
         """Sum of the strengths of the effects of a degree, without loads; 0 if there are none."""
         return sum(
-            each.forces[0] for each in self.entries if each.degree == degree and each.resists
+            entry.forces[0] for entry in self.entries if entry.degree == degree and entry.resists
         )
 
 
@@ -150,23 +150,23 @@ def scale_forces(
     factors, units : sequence of two
         Factor and unit of the forces of degree 1, and of degree 2.
     """
-    scaled, place = [], 0
+    scaled, index = [], 0
     for entry in entries:
         factor, unit = factors[entry.degree - 1], units[entry.degree - 1]
-        end = place + len(entry.forces)
-        scaled += [factor * each / unit for each in columns[place:end]]
-        place = end + len(entry.others)
-        scaled += columns[end:place]
+        end = index + len(entry.forces)
+        scaled += [factor * column / unit for column in columns[index:end]]
+        index = end + len(entry.others)
+        scaled += columns[end:index]
     return scaled
 
 
 def strengths_of(entries: Sequence[Entry], columns: Sequence[Any]) -> list[Any]:
     """The strength of each effect: its weight, mass or coefficient, and the magnitude of a load."""
-    strengths, place = [], 0
+    strengths, index = [], 0
     for entry in entries:
-        force = columns[place]
-        strengths.append(np.hypot(force, columns[place + 1]) if entry.kind == LOAD else force)
-        place += len(entry.forces) + len(entry.others)
+        force = columns[index]
+        strengths.append(np.hypot(force, columns[index + 1]) if entry.kind == LOAD else force)
+        index += len(entry.forces) + len(entry.others)
     return strengths
 
 
@@ -183,8 +183,8 @@ def in_units(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> tup
 def _entry(effect: Any, scene: Any, number: int) -> Entry:
     radius = scene.slider.radius
     if isinstance(effect, Inertia):
-        ratio = required_ratio("gyration_ratio", effect.gyration_radius / radius)
-        center = [each / radius for each in effect.center]
+        ratio = require_ratio("gyration_ratio", effect.gyration_radius / radius)
+        center = [coordinate / radius for coordinate in effect.center]
         return Entry(MASS, 2, [effect.mass], [ratio**2, *center], number)
     if isinstance(effect, Viscous):
         x, y, square = _spread_of(effect.support, radius)
@@ -196,7 +196,7 @@ def _entry(effect: Any, scene: Any, number: int) -> Entry:
     support = effect.support
     pressure = np.arange(float(np.size(support))).reshape(np.shape(support))
     others = [extents(support) / radius, alike(support, pressure)]
-    return Entry(SUPPORT, 1, [effect.weight], others, number, table_of(listed(support)))
+    return Entry(SUPPORT, 1, [effect.weight], others, number, table_of(flatten_supports(support)))
 
 
 def _wrench_of(load: Load, scene: Any) -> list[Number]:
@@ -204,7 +204,7 @@ def _wrench_of(load: Load, scene: Any) -> list[Number]:
     c, s = unit_vector(scene.slider.rod_angle)
     (x, y), point = load.force, scene.mass_center
     if load.center is not None:
-        point = tuple(each / scene.slider.radius for each in load.center)
+        point = tuple(coordinate / scene.slider.radius for coordinate in load.center)
     g_x, g_y = x * c + y * s, y * c - x * s
     return [g_x, g_y, point[0] * g_y - point[1] * g_x]
 
@@ -228,7 +228,7 @@ def _spread_of(support: Any, radius: Number) -> tuple[Number, Number, Number]:
 def is_own_ring(support: Any, radius: Number) -> bool:
     """Whether supports are rings of the slider's radius, about its center."""
     in_frames = isinstance(support, SupportInFrames)
-    rings = [support.support] if in_frames else listed(support)
+    rings = [support.support] if in_frames else flatten_supports(support)
     same = all(
         isinstance(ring, Ring)
         and (ring.radius is None or np.all(np.asarray(radius) == ring.radius))
@@ -250,4 +250,4 @@ def alike(support: Any, numbers: Any) -> Any:
 
 def extents(support: Any) -> Number:
     """Largest distance of a support, or of each support of an array, from its center of pressure."""
-    return alike(support, extents_of(listed(support)).reshape(np.shape(support)))
+    return alike(support, extents_of(flatten_supports(support)).reshape(np.shape(support)))

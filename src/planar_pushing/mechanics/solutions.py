@@ -1,27 +1,22 @@
-"""Results of `solve`: the consistent solutions of one pushing problem, or of an array of problems."""
+"""The result of `solve` for one pushing problem: its consistent solutions, and how they are printed."""
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, fields
 from enum import IntEnum
-from typing import TYPE_CHECKING, Any, SupportsIndex, overload
+from typing import Any, SupportsIndex, overload
 
 import numpy as np
-import numpy.typing as npt
 
 from planar_pushing.mechanics.angles import RESOLUTION
-from planar_pushing.mechanics.arrays import component_labels, dataset, named, same
 from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
 from planar_pushing.mechanics.entries import to_json
 from planar_pushing.mechanics.force.derivatives import Derivatives
+from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.pictures import picture
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.terms.errors import InvalidValue, number_of
-from planar_pushing.terms.options import BEHIND
-
-if TYPE_CHECKING:
-    import xarray as xr
+from planar_pushing.terms.errors import InvalidValue
 
 #: Numbers of a solution in the printed table; vectors by component.
 NUMBERS = {
@@ -33,14 +28,6 @@ NUMBERS = {
 }
 #: A number below this fraction of the largest of its kind is rounding error and is printed as 0.
 ROUNDING = 1e-12
-#: Variables with one value per problem, and dimension of the components of a vector; all other variables
-#: have one value per solution.
-COUNTS = ("solutions", "status")
-PARTS = {
-    **dict.fromkeys(("force", "force_end", "contact_motion", "center"), ("xy",)),
-    "twist": ("twist_component",),
-    "end_forces": ("end", "bound", "xy"),
-}
 #: Numbers of a solution of a side on the fence, in the table of all solutions.
 ON_SIDE = ("force_position", "end_forces")
 ON_SIDE_WORDS = ("flush", "force at", "start x", "start y", "end x", "end y")
@@ -113,7 +100,9 @@ class Solution:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values by name: the name of the mode, numbers, lists of numbers, and any derivatives."""
-        values = {name: _plain(value) for name, value in _values(self).items() if value is not None}
+        values = {
+            name: _plain(value) for name, value in field_values(self).items() if value is not None
+        }
         if self.end_forces is None:
             del values["flush"]
         return values | {"adhesive": self.adhesive}
@@ -123,20 +112,21 @@ class Solution:
         return to_json(self.to_dict())
 
 
-def _outcome(count: Any, status: Any) -> Any:
+def outcome_of(count: Any, status: Any) -> Any:
     """`Outcome` of pushes with a number of solutions and a status; a continuum is several solutions."""
     several = int(Outcome.AMBIGUOUS)
     return np.maximum(np.minimum(count, several), several * (status == int(Status.CONTINUUM)))
 
 
-def _values(one: Any) -> dict[str, Any]:
-    return {each.name: getattr(one, each.name) for each in fields(one)}
+def field_values(instance: Any) -> dict[str, Any]:
+    """Values of the fields of a dataclass by name, unlike those of `asdict` not copied."""
+    return {part.name: getattr(instance, part.name) for part in fields(instance)}
 
 
 def _plain(value: Any) -> Any:
     """A value without numpy types, enumerations and negative zeros."""
     if isinstance(value, Derivatives):
-        return {name: _plain(each) for name, each in _values(value).items()}
+        return {name: _plain(part) for name, part in field_values(value).items()}
     if isinstance(value, IntEnum):
         return value.name
     if isinstance(value, (bool, np.bool_)):
@@ -160,7 +150,7 @@ class Solutions:
 
     @property
     def outcome(self) -> Outcome:
-        return Outcome(int(_outcome(len(self.solutions), self.status)))
+        return Outcome(int(outcome_of(len(self.solutions), self.status)))
 
     @property
     def modes(self) -> tuple[ContactMode, ...]:
@@ -186,14 +176,14 @@ class Solutions:
 
     def of(self, mode: ContactMode) -> tuple[Solution, ...]:
         """The solutions of a contact mode."""
-        return tuple(each for each in self.solutions if each.mode is mode)
+        return tuple(solution for solution in self.solutions if solution.mode is mode)
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values: the names of outcome and status, and the solutions as in `Solution.to_dict`."""
         return {
             "outcome": self.outcome.name,
             "status": self.status.name,
-            "solutions": [each.to_dict() for each in self.solutions],
+            "solutions": [solution.to_dict() for solution in self.solutions],
         }
 
     def to_json(self) -> str:
@@ -219,16 +209,14 @@ class Solutions:
         """A pandas table with one row per number and one column per solution."""
         import pandas as pd
 
-        words = [word for each in NUMBERS.values() for word in each]
-        rows = printed(self)
-        columns = [
-            [_short(x) for x in np.hstack([each[name] for name in NUMBERS])] for each in rows
-        ]
+        words = [word for components in NUMBERS.values() for word in components]
+        rows = printed_numbers(self)
+        columns = [[_short(x) for x in np.hstack([row[name] for name in NUMBERS])] for row in rows]
         if self.solutions[0].end_forces is not None:
             words += ON_SIDE_WORDS
-            for one, each, column in zip(self, rows, columns, strict=True):
-                bounds = each["end_forces"].transpose(0, 2, 1).reshape(4, 2)
-                column += ["yes" if one.flush else "no", _short(each["force_position"].item())]
+            for solution, row, column in zip(self, rows, columns, strict=True):
+                bounds = row["end_forces"].transpose(0, 2, 1).reshape(4, 2)
+                column += ["yes" if solution.flush else "no", _short(row["force_position"].item())]
                 column += [_range(*pair) for pair in bounds]
         return pd.DataFrame(dict(enumerate(columns)), words).set_axis(
             list(map(str, self.modes)), axis=1
@@ -245,7 +233,7 @@ def _range(low: float, high: float) -> str:
     return _short(low) if low == high else f"{_short(low)} to {_short(high)}"
 
 
-def printed(solutions: Solutions) -> list[dict[str, Array]]:
+def printed_numbers(solutions: Solutions) -> list[dict[str, Array]]:
     """The numbers of each solution by name, with 0 for rounding errors and negative zeros.
 
     Forces are compared with the largest force of the solutions, motions with the largest motion, rotations
@@ -255,8 +243,8 @@ def printed(solutions: Solutions) -> list[dict[str, Array]]:
     on_side = ON_SIDE if any(one.end_forces is not None for one in solutions) else ()
     names = (*NUMBERS, "force_end", *on_side)
     rows = [{name: np.asarray(getattr(one, name)) for name in names} for one in solutions]
-    force = _largest(each[name] for each in rows for name in ("force", "force_end"))
-    motion = _largest(part for each in rows for part in (each["contact_motion"], each["twist"][:2]))
+    force = _largest(row[name] for row in rows for name in ("force", "force_end"))
+    motion = _largest(part for row in rows for part in (row["contact_motion"], row["twist"][:2]))
     reach = _reach(solutions.problem)
     turn = motion / reach if reach else 0.0
     scales: dict[str, Any] = {
@@ -264,16 +252,16 @@ def printed(solutions: Solutions) -> list[dict[str, Array]]:
         "spin_ratio": 1.0,
         "twist": np.array([motion, motion, turn]),
     }  # fmt: skip
-    for each in rows:
-        for name, value in each.items():
+    for row in rows:
+        for name, value in row.items():
             scale = scales.get(name, max(reach, _largest([value])))
-            each[name] = np.where(np.abs(value) < ROUNDING * scale, 0.0, value) + 0.0
+            row[name] = np.where(np.abs(value) < ROUNDING * scale, 0.0, value) + 0.0
     return rows
 
 
 def _largest(vectors: Iterable[Array]) -> float:
     """The largest finite component."""
-    finite = (np.abs(each[np.isfinite(each)]).max(initial=0.0) for each in vectors)
+    finite = (np.abs(vector[np.isfinite(vector)]).max(initial=0.0) for vector in vectors)
     return float(max(finite, default=0.0))
 
 
@@ -283,179 +271,3 @@ def _reach(problem: tuple[Any, float, float] | None) -> float:
         return 0.0
     slider = problem[0].slider
     return float(max(slider.rod_length, slider.radius))
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
-class SolutionArrays:
-    """All consistent solutions of an array of pushing problems of shape S, padded along one axis.
-
-    An index over S picks problems: with two axes ``arrays[i, j]`` gives `Solutions`; an index that keeps an
-    axis, such as a slice or a mask, gives `SolutionArrays`.
-
-    Attributes
-    ----------
-    solutions : ndarray of int, shape S
-        Number of solutions.
-    mode : ndarray of int, shape S + (solutions,)
-        Values of `ContactMode`, in order; -1 after the last solution, where all other values are NaN.
-    force, force_end, contact_motion, center : ndarray, shape S + (solutions, 2)
-    twist : ndarray, shape S + (solutions, 3)
-        omega in radians per unit of time.
-    status : ndarray of int, shape S
-        Values of `Status`.
-    spin_ratio, pivot, continuum : ndarray, shape S + (solutions,)
-        As in `Solution`.
-    flush, force_position : ndarray, shape S + (solutions,), optional
-        For scenes with a flush side, as in `Solution`.
-    end_forces : ndarray, shape S + (solutions, 2, 2, 2), optional
-    derivatives : Derivatives, optional
-        Of shape S + (solutions,).
-    """
-
-    solutions: npt.NDArray[np.int8]
-    status: npt.NDArray[np.int8]
-    mode: npt.NDArray[np.int8]
-    force: Array
-    force_end: Array
-    twist: Array
-    contact_motion: Array
-    spin_ratio: Array
-    center: Array
-    pivot: npt.NDArray[np.int32]
-    continuum: npt.NDArray[np.bool_]
-    flush: npt.NDArray[np.bool_] | None = None
-    force_position: Array | None = None
-    end_forces: Array | None = None
-    derivatives: Derivatives | None = None
-
-    def __eq__(self, other: object) -> Any:
-        return same(self, other)
-
-    @property
-    def consistent(self) -> npt.NDArray[np.bool_]:
-        """Which places along the axis hold a solution, shape S + (solutions,)."""
-        return self.mode >= 0
-
-    @property
-    def outcome(self) -> npt.NDArray[np.int8]:
-        """Values of `Outcome`, shape S."""
-        outcomes: npt.NDArray[np.int8] = _outcome(self.solutions, self.status).astype(np.int8)
-        return outcomes
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """The shape S."""
-        return self.solutions.shape
-
-    def __len__(self) -> int:
-        return len(self.solutions)
-
-    def __getitem__(self, index: Any) -> Any:
-        if isinstance(index, ContactMode):  # also an integer, which would pick a problem
-            raise InvalidValue(
-                "index", index, "numbers, slices and masks over the problems",
-                "find a mode with arrays.mode == mode",
-            )  # fmt: skip
-        places = np.arange(self.solutions.size).reshape(self.shape)[index]
-        values = {name: self._flat(value)[places] for name, value in self._fields().items()}
-        by = self.derivatives and self.derivatives[np.unravel_index(places, self.shape)]
-        return (
-            SolutionArrays(**values, derivatives=by)
-            if np.ndim(places)
-            else listed(values, None, by)
-        )
-
-    def __repr__(self) -> str:
-        outcomes, modes = _counted(Outcome, self.outcome), _counted(ContactMode, self.mode)
-        status = _counted(Status, self.status)
-        lines = (f"outcomes: {outcomes}", f"modes: {modes}", f"status: {status}")
-        return "\n".join((f"SolutionArrays of shape {self.shape}", *lines))
-
-    def to_dataset(self, dims: Sequence[Hashable] | None = None) -> xr.Dataset:
-        """The dataset that `solve` returns for labeled arrays, with units and flags.
-
-        Parameters
-        ----------
-        dims : sequence of str, optional
-            Names of the axes of S, by default dim_0, dim_1, ...
-
-        Raises
-        ------
-        InvalidValue
-            If there are more or fewer names than axes, or a name is not unique.
-        """
-        import xarray as xr
-
-        axes = [f"dim_{i}" for i in range(len(self.shape))] if dims is None else list(dims)
-        tails = list(dict.fromkeys(dim for name in self._fields() for dim in _tail(name)))
-        if isinstance(dims, str) or len({*axes, *tails}) != len(self.shape) + len(tails):
-            others = f"{', '.join(tails[:-1])} or {tails[-1]}"
-            raise InvalidValue(
-                "dims", dims,
-                f"{number_of(len(self.shape), 'name')}, none of them {others}",
-                f"name each axis of the shape {self.shape}",
-            )  # fmt: skip
-        return as_dataset(
-            {
-                name: named(name, xr.DataArray(value, dims=[*axes, *_tail(name)]))
-                for name, value in self._fields().items()
-            }
-        )
-
-    def _fields(self) -> dict[str, Any]:
-        values = _values(self)
-        del values["derivatives"]
-        return {name: value for name, value in values.items() if value is not None}
-
-    def _flat(self, value: Any) -> Any:
-        """An array with the axes of S merged into one."""
-        return value.reshape(self.solutions.size, *value.shape[len(self.shape) :])
-
-
-def _tail(name: str) -> list[str]:
-    """Dimensions of a variable after those of the problems."""
-    if name in COUNTS:
-        return []
-    return ["solution", *PARTS.get(name, ())]
-
-
-def _counted(kind: type[IntEnum], values: Any) -> str:
-    """Number of occurrences of each member, as text."""
-    counts = {each.name: int(np.count_nonzero(values == each)) for each in kind}
-    return ", ".join(f"{count} {name}" for name, count in counts.items() if count) or "none"
-
-
-def listed(
-    values: Mapping[str, Any],
-    problem: tuple[Any, float, float] | None = None,
-    derivatives: Derivatives | None = None,
-) -> Solutions:
-    """The solutions of one problem, from the variables of `SolutionArrays` without the axes of S."""
-    own = {name: each for name, each in values.items() if name not in COUNTS}
-    entries = {name: each if each.ndim > 1 else each.tolist() for name, each in own.items()}
-    count = int(values["solutions"])
-    entries["mode"] = list(map(ContactMode, entries["mode"][:count]))
-    return Solutions(
-        tuple(
-            Solution(
-                **{name: each[i] for name, each in entries.items()},
-                derivatives=derivatives and derivatives[i],
-            )
-            for i in range(count)
-        ),
-        Status(int(values["status"])),
-        problem,
-    )
-
-
-def as_dataset(values: Mapping[str, Any]) -> xr.Dataset:
-    """The solutions of labeled problems, from the labeled variables of `SolutionArrays`."""
-    mode, count = values["mode"], values["solutions"]
-    consistent = named("consistent", mode >= 0)
-    outcome = named("outcome", _outcome(count, values["status"]).astype(np.int8))
-    commented = {**values, "mode": mode.assign_attrs(comment=BEHIND)}
-    merged: xr.Dataset = dataset([*commented.values(), consistent, outcome])
-    labels = component_labels()
-    if "end_forces" in values:
-        labels |= {"end": ["start", "end"], "bound": ["low", "high"]}
-    return merged.assign_coords(labels)

@@ -27,22 +27,17 @@ from planar_pushing.core.kernels import (
     AT_TWIST,
     RESULT,
 )
-from planar_pushing.mechanics.arrays import Output, elementwise, is_labeled, mapped
 from planar_pushing.mechanics.contact import ContactMode, Status
 from planar_pushing.mechanics.force.derivatives import require_unlabeled, solution_derivatives
 from planar_pushing.mechanics.force.held import require_held
-from planar_pushing.mechanics.kernels import run
+from planar_pushing.mechanics.kernels.arrays import Output, elementwise, is_labeled, map_kernel
+from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of
-from planar_pushing.mechanics.scene import Scene, require_one_point, required_scene
-from planar_pushing.mechanics.solutions import (
-    Solution,
-    SolutionArrays,
-    Solutions,
-    as_dataset,
-    listed,
-)
-from planar_pushing.terms.domain import Number, Numbers, Scalar, required, required_ratio
+from planar_pushing.mechanics.scene import Scene, require_one_point, require_scene
+from planar_pushing.mechanics.solution_arrays import SolutionArrays, as_dataset, solutions_from
+from planar_pushing.mechanics.solutions import Solution, Solutions
+from planar_pushing.terms.domain import Number, Numbers, Scalar, require_in_range, require_ratio
 from planar_pushing.terms.errors import InvalidValue, require_flag
 from planar_pushing.terms.units import named_units
 
@@ -89,7 +84,7 @@ def outputs(steady: bool, flush: bool = False) -> tuple[Output, ...]:
 
 def _decode(results: Array, columns: Sequence[Any], outputs: Sequence[npt.NDArray[Any]]) -> None:
     """Write the outputs in the units of the scene; the last columns of a row are its units."""
-    size, unit, radius = (np.asarray(each)[..., None] for each in columns[-3:])
+    size, unit, radius = (np.asarray(column)[..., None] for column in columns[-3:])
     flush = len(outputs) > 3 + len(FIELDS)
     counts, status, mode = outputs[:3]
     counts[:], status[:] = results[:, 0], results[:, 1]
@@ -121,7 +116,7 @@ def _require_ratio(entries: Sequence[Entry], columns: Sequence[Any], size: Any) 
             ratio = np.where(np.asarray(size) > 0, ratio, 1.0)[()]
         elif size == 0.0:
             ratio = 1.0
-        required_ratio("force_ratio", ratio)
+        require_ratio("force_ratio", ratio)
 
 
 def _size_of_fall(entries: Sequence[Entry], columns: Sequence[Any]) -> Any:
@@ -137,13 +132,13 @@ def _size_of_fall(entries: Sequence[Entry], columns: Sequence[Any]) -> Any:
     return np.where(moves, load, 1.0) / np.where(moves, mass, 1.0)
 
 
-def solve_arrays(rows: Rows, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
+def solve_arrays(rows: Rows, *arguments: npt.ArrayLike) -> list[npt.NDArray[Any]]:
     """Every consistent solution of arrays of scenes, with broadcasting.
 
     Parameters
     ----------
     rows : Rows
-    *given : array_like
+    *arguments : array_like
         Columns of the entries; length of the rod in radii, its angle, and the radius; the ends of a flush
         side, in radii; the five entries of `Law`; angle and magnitude of the pusher's motion, all within
         their ranges.
@@ -153,7 +148,7 @@ def solve_arrays(rows: Rows, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
     list of ndarray
         As `outputs`; places without a solution hold NaN.
     """
-    *columns, right, left, slips, closed, rough, toward, size = given
+    *columns, right, left, slips, closed, rough, toward, size = arguments
     first = len(columns) - 3 - len(rows.ends)
     columns, (length, angle, radius, *ends) = columns[:first], columns[first:]
     _require_ratio(rows.entries, columns, size)
@@ -165,7 +160,9 @@ def solve_arrays(rows: Rows, *given: npt.ArrayLike) -> list[npt.NDArray[Any]]:
     kernel, width = "solve", 2 + SOLUTIONS[rows.is_steady] * RESULT
     if ends:
         kernel, width = "solve_flush", 2 + FLUSH_SOLUTIONS[rows.is_steady] * SIDE_RESULT
-    return mapped(kernel, rows.data, scaled, outputs(rows.is_steady, bool(ends)), width, _decode)
+    return map_kernel(
+        kernel, rows.data, scaled, outputs(rows.is_steady, bool(ends)), width, _decode
+    )
 
 
 def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> Solutions:
@@ -197,9 +194,9 @@ def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> S
     return Solutions(tuple(solutions), Status(int(results[1])), (scene, angle, magnitude))
 
 
-def _vector(unit: float, numbers: Sequence[float], place: int) -> Array:
+def _vector(unit: float, numbers: Sequence[float], index: int) -> Array:
     """The vector at a place in results, multiplied by its unit."""
-    return np.array([unit * numbers[place], unit * numbers[place + 1]])
+    return np.array([unit * numbers[index], unit * numbers[index + 1]])
 
 
 @overload
@@ -285,39 +282,39 @@ def solve(
     that needs the smallest share of friction. Solutions of one mode are in the order: flush, at the start
     of the side, at its end.
     """
-    rows = required_scene(scene).rows
+    rows = require_scene(scene).rows
     require_held(scene)
     push = _push(scene, pusher_angle, pusher_magnitude)
     derivatives = require_flag("derivatives", derivatives)
     single = rows.is_single and type(push[0]) is type(push[1]) is float
     if single and not derivatives and not rows.ends:
         return _solve_single(scene, rows, *push)
-    given = [*rows.columns, *rows.body, *rows.ends, *rows.law, *push]
+    columns = [*rows.columns, *rows.body, *rows.ends, *rows.law, *push]
     results = outputs(rows.is_steady, bool(rows.ends))
     if derivatives:
         require_one_point(scene, "derivatives", "leave derivatives out")
-        require_unlabeled(given)
+        require_unlabeled(columns)
     answer = functools.partial(solve_arrays, rows)
-    arrays = answer(*given) if single else elementwise(answer, given, results)
-    by_name = {output.name: each for output, each in zip(results, arrays, strict=True)}
+    arrays = answer(*columns) if single else elementwise(answer, columns, results)
+    by_name = {output.name: array for output, array in zip(results, arrays, strict=True)}
     if is_labeled(arrays[0]):
         return named_units(as_dataset(by_name), scene.units, inertia=scene.stores_energy)
-    by = solution_derivatives(scene, given, by_name) if derivatives else None
+    by = solution_derivatives(scene, columns, by_name) if derivatives else None
     if np.ndim(arrays[0]):
         return SolutionArrays(**by_name, derivatives=by)
     angle, magnitude = map(float, push)
-    return listed(by_name, (scene, angle, magnitude), by)
+    return solutions_from(by_name, (scene, angle, magnitude), by)
 
 
 def _push(scene: Scene, angle: Number | None, magnitude: Number | None) -> tuple[Number, Number]:
     """Angle and magnitude of a push, by default those of the scene's file."""
-    own = scene.push if angle is None else (angle, 1.0)
-    if own is None:
+    push = scene.push if angle is None else (angle, 1.0)
+    if push is None:
         raise InvalidValue(
             "pusher_angle", None, "radians, for a scene whose file holds no push",
             "give the angle of the push, np.deg2rad(90) for one into the slider",
         )  # fmt: skip
     return (
-        required("pusher_angle", own[0]),
-        required("pusher_magnitude", own[1] if magnitude is None else magnitude),
+        require_in_range("pusher_angle", push[0]),
+        require_in_range("pusher_magnitude", push[1] if magnitude is None else magnitude),
     )

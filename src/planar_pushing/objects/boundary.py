@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.outline import required_outline, size
+from planar_pushing.mechanics.outline import require_outline, size
 from planar_pushing.mechanics.plane import Array
 
 
@@ -38,7 +38,7 @@ def sides(outline: Any) -> list[Side]:
     InvalidValue
         If the outline is not a simple polygon.
     """
-    corners = np.array(required_outline(outline))
+    corners = np.array(require_outline(outline))
     return [_side(*ends) for ends in zip(corners, np.roll(corners, -1, axis=0), strict=True)]
 
 
@@ -65,19 +65,19 @@ class Sides(NamedTuple):
 class Nearest(NamedTuple):
     """Places of an outline nearest to given points, as arrays over the points.
 
-    `place` is the distance from the start of the side, and `gap` the signed distance to the outline,
+    `position` is the distance from the start of the side, and `gap` the signed distance to the outline,
     negative inside.
     """
 
     point: Array
     side: npt.NDArray[np.intp]
-    place: Array
+    position: Array
     gap: Array
 
 
 def sides_of(outline: Any) -> Sides:
-    """Sides of an outline as arrays; errors as in `required_outline`."""
-    return sides_between(np.array(required_outline(outline)))
+    """Sides of an outline as arrays; errors as in `require_outline`."""
+    return sides_between(np.array(require_outline(outline)))
 
 
 def sides_between(corners: Array) -> Sides:
@@ -94,11 +94,11 @@ def nearest(sides: Sides, points: Array) -> Nearest:
     """Places of an outline nearest to points of shape (n, 2)."""
     away = points[:, None] - sides.start
     along = np.clip((away * sides.tangent).sum(axis=-1), 0.0, sides.length)
-    apart = away - along[..., None] * sides.tangent
-    distance = np.hypot(apart[..., 0], apart[..., 1])
+    offset = away - along[..., None] * sides.tangent
+    distance = np.hypot(offset[..., 0], offset[..., 1])
     side, rows = distance.argmin(axis=1), np.arange(len(points))
     gap = np.where(_inside(sides, points), -1.0, 1.0) * distance[rows, side]
-    return Nearest(points - apart[rows, side], side, along[rows, side], gap)
+    return Nearest(points - offset[rows, side], side, along[rows, side], gap)
 
 
 def _inside(sides: Sides, points: Array) -> npt.NDArray[np.bool_]:

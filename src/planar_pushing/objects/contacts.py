@@ -28,7 +28,7 @@ class Contact(NamedTuple):
 
     Attributes
     ----------
-    place : float
+    position : float
         Distance from the start of the side.
     along, normal : float
         Components of the force that needs the least friction.
@@ -36,7 +36,7 @@ class Contact(NamedTuple):
         |along| / normal of this force; infinite at an end that is a limit of contacts but not itself one.
     """
 
-    place: float
+    position: float
     along: float
     normal: float
     friction: float
@@ -74,9 +74,10 @@ def stretches(side: Side, loads: WrenchSet) -> list[Stretch]:
         along, normal, loads.radius, float((loads.foot - side.start) @ side.normal),
         torque - _cross(loads.foot, force), low, low + side.length,
     )  # fmt: skip
-    found = _stretches(disc, ROUNDING * hypot(*side.start, *side.end))
+    intervals = _stretches(disc, ROUNDING * hypot(*side.start, *side.end))
     return [
-        Stretch(*(each._replace(place=each.place - low) for each in stretch)) for stretch in found
+        Stretch(*(contact._replace(position=contact.position - low) for contact in stretch))
+        for stretch in intervals
     ]
 
 
@@ -93,14 +94,14 @@ def _meeting(
     along: float, normal: float, torque: float, slack: float, length: float
 ) -> list[Stretch]:
     """Contact at which the line of action of a load meets a side; a corner belongs to both of its sides."""
-    least = friction(along, normal)
-    if least == inf:
+    coefficient = friction(along, normal)
+    if coefficient == inf:
         return []
-    place, error = torque / normal, slack / normal
-    if not -error <= place <= length + error:
+    position, error = torque / normal, slack / normal
+    if not -error <= position <= length + error:
         return []
-    near = next((end for end in (0.0, length) if abs(place - end) <= error), place)
-    contact = Contact(near, along, normal, least)
+    near = next((end for end in (0.0, length) if abs(position - end) <= error), position)
+    contact = Contact(near, along, normal, coefficient)
     return [Stretch(contact, contact, contact)]
 
 
@@ -108,13 +109,13 @@ def _stretches(disc: Disc, slack: float) -> list[Stretch]:
     """Intervals of contacts on a side, between its ends and the lines tangent to the disc."""
     low, high = disc.low - slack, disc.high + slack
     cuts = [low, *(x for x in _touching(disc) if low < x < high), high]
-    found = []
+    intervals = []
     for start, end in pairwise(cuts):
         middle = (start + end) / 2.0
-        if _meets(disc, middle) and _least(disc, middle).friction < inf:
-            ends = [min(max(each, disc.low), disc.high) for each in (start, end)]
-            found.append(_stretch(disc, *ends))
-    return found
+        if _meets(disc, middle) and _best_contact(disc, middle).friction < inf:
+            ends = [min(max(x, disc.low), disc.high) for x in (start, end)]
+            intervals.append(_stretch(disc, *ends))
+    return intervals
 
 
 def _touching(disc: Disc) -> list[float]:
@@ -138,7 +139,7 @@ def _meets(disc: Disc, x: float) -> bool:
     return abs(away) <= disc.radius * hypot(disc.height, x)
 
 
-def _least(disc: Disc, x: float) -> Contact:
+def _best_contact(disc: Disc, x: float) -> Contact:
     """Contact at x, where the line of forces meets the disc, with the force that needs least friction."""
     size = hypot(disc.height, x)
     if size == 0.0:
@@ -162,9 +163,11 @@ def _stretch(disc: Disc, start: float, end: float) -> Stretch:
     The coefficient is monotone along a chord, so its minimum is zero or on the rim: where a line through
     the origin of forces is tangent to the disc, or on the chord of an end.
     """
-    ends = _least(disc, start), _least(disc, end)
-    inside = [each for each in _extreme(disc) if start <= each.place <= end]
-    best = min([*_frictionless(disc, start, end), *inside, *ends], key=lambda each: each.friction)
+    ends = _best_contact(disc, start), _best_contact(disc, end)
+    inside = [contact for contact in _extreme(disc) if start <= contact.position <= end]
+    best = min(
+        [*_frictionless(disc, start, end), *inside, *ends], key=lambda contact: contact.friction
+    )
     return Stretch(best, *ends)
 
 
@@ -174,14 +177,14 @@ def _extreme(disc: Disc) -> list[Contact]:
     inner = square - disc.radius * disc.radius
     if inner <= 0.0:
         return []
-    aside, found = disc.radius * sqrt(inner), []
-    for sign in (aside, -aside):
+    offset, contacts = disc.radius * sqrt(inner), []
+    for sign in (offset, -offset):
         along = (inner * disc.along - sign * disc.normal) / square
         normal = (inner * disc.normal + sign * disc.along) / square
         if friction(along, normal) < inf:
-            place = (disc.torque - disc.height * along) / normal
-            found.append(Contact(place, along, normal, friction(along, normal)))
-    return found
+            position = (disc.torque - disc.height * along) / normal
+            contacts.append(Contact(position, along, normal, friction(along, normal)))
+    return contacts
 
 
 def _frictionless(disc: Disc, start: float, end: float) -> list[Contact]:
@@ -189,13 +192,13 @@ def _frictionless(disc: Disc, start: float, end: float) -> list[Contact]:
     if abs(disc.along) >= disc.radius:
         return []
     half = sqrt((disc.radius - disc.along) * (disc.radius + disc.along))
-    least, most = max(disc.normal - half, 0.0), disc.normal + half
-    if most <= 0.0:
+    smallest, largest = max(disc.normal - half, 0.0), disc.normal + half
+    if largest <= 0.0:
         return []
     if disc.torque == 0.0:
-        return [Contact(0.0, 0.0, (least + most) / 2.0, 0.0)] if start <= 0.0 <= end else []
-    far = disc.torque / least if least > 0.0 else copysign(inf, disc.torque)
-    low, high = sorted((disc.torque / most, far))
+        return [Contact(0.0, 0.0, (smallest + largest) / 2.0, 0.0)] if start <= 0.0 <= end else []
+    far = disc.torque / smallest if smallest > 0.0 else copysign(inf, disc.torque)
+    low, high = sorted((disc.torque / largest, far))
     low, high = max(low, start), min(high, end)
-    place = (low + high) / 2.0
-    return [Contact(place, 0.0, disc.torque / place, 0.0)] if low <= high else []
+    position = (low + high) / 2.0
+    return [Contact(position, 0.0, disc.torque / position, 0.0)] if low <= high else []

@@ -49,8 +49,10 @@ def feet_of(scene: Scene, count: int) -> Feet:
     per foot, which is at the center of pressure of the piece. The feet are then moved away from their
     common center by one factor, so that the torque of spinning about it equals that of the support.
     """
-    found = [_feet(_of_scene(each.support, scene), each.weight, count) for each in scene.friction]
-    return Feet(*map(np.concatenate, zip(*found, strict=True)))
+    parts = [
+        _feet(_of_scene(effect.support, scene), effect.weight, count) for effect in scene.friction
+    ]
+    return Feet(*map(np.concatenate, zip(*parts, strict=True)))
 
 
 def force_errors(scene: Scene, feet: Feet) -> tuple[float, float]:
@@ -62,7 +64,7 @@ def force_errors(scene: Scene, feet: Feet) -> tuple[float, float]:
     """
     radius = scene.slider.radius
     center = feet.weights @ feet.places / feet.weights.sum()
-    given = SupportFriction(support=Points(*feet), weight=feet.weights.sum())
+    approximation = SupportFriction(support=Points(*feet), weight=feet.weights.sum())
 
     def loads(effect: Any, motions: Array) -> Array:
         v_x, v_y, spin = motions[:, 0], motions[:, 1], motions[:, 2] / radius
@@ -72,34 +74,34 @@ def force_errors(scene: Scene, feet: Feet) -> tuple[float, float]:
         return np.column_stack([f_x, f_y, torque / radius])
 
     def errors(motions: Array) -> Array:
-        exact = sum(loads(each, motions) for each in scene.friction)
-        own = loads(given, motions)
-        apart = np.linalg.norm(np.cross(exact, own), axis=1)
-        return np.asarray(np.arctan2(apart, np.einsum("ij,ij->i", exact, own)))
+        exact = sum(loads(effect, motions) for effect in scene.friction)
+        approximate = loads(approximation, motions)
+        cross = np.linalg.norm(np.cross(exact, approximate), axis=1)
+        return np.asarray(np.arctan2(cross, np.einsum("ij,ij->i", exact, approximate)))
 
-    spread = errors(_spread(MOTIONS))
+    spread = errors(_spread_motions(MOTIONS))
     beside = errors(_beside((feet.places - center) / radius))
     return float(spread.mean()), float(max(spread.max(), beside.max()))
 
 
 def _of_scene(support: Any, scene: Scene) -> Any:
     """The support, with the slider's radius for a ring without one."""
-    own = isinstance(support, Ring) and support.radius is None
-    return replace(support, radius=scene.slider.radius) if own else support
+    lacks_radius = isinstance(support, Ring) and support.radius is None
+    return replace(support, radius=scene.slider.radius) if lacks_radius else support
 
 
 def _feet(support: Any, weight: float, count: int) -> Feet:
-    points, rest = _sampled(support)
+    points, rest = _sample_pressure(support)
     if len(rest):
-        points = np.concatenate([points, _divided(rest, count)])
+        points = np.concatenate([points, _divide_samples(rest, count)])
     return Feet(points[:, :2], weight * points[:, 2] / points[:, 2].sum())
 
 
-def _sampled(support: Any) -> tuple[Array, Array]:
+def _sample_pressure(support: Any) -> tuple[Array, Array]:
     """Points of a support, and samples of its remaining pressure; rows of x, y and share."""
     if isinstance(support, Composite):
         shares = [share for share, _ in support.members]
-        parts = [_sampled(member) for _, member in support.members]
+        parts = [_sample_pressure(member) for _, member in support.members]
         scaled = [
             [rows * (1.0, 1.0, share) for rows in part]
             for share, part in zip(shares, parts, strict=True)
@@ -133,7 +135,7 @@ def _on_area(pieces: Pieces) -> Array:
     ends = np.concatenate([discs[:, :2] - reach, discs[:, :2] + reach, edges[:, :2], edges[:, 2:4]])
     low, size = ends.min(axis=0), np.ptp(ends, axis=0)
     x, y = (low[:, None] + size[:, None] * (np.arange(AREA) + 0.5) / AREA)[:2]
-    pressure = np.array([_along_column(edges, each, y) for each in x])
+    pressure = np.array([_along_column(edges, abscissa, y) for abscissa in x])
     for c_x, c_y, radius, share in discs:
         inside = np.hypot(x[:, None] - c_x, y - c_y) < radius
         pressure += share / (pi * radius**2) * inside
@@ -151,22 +153,24 @@ def _doubled_areas(edges: Array) -> Array:
 def _along_column(edges: Array, x: float, y: Array) -> Array:
     """Pressure of plates at points (x, y) of one column, as the sum of the jumps of all edges below."""
     start, end, low, high, jump = edges[:, 0], edges[:, 2], edges[:, 1], edges[:, 3], edges[:, 4]
-    way = np.sign(end - start) * ((start > x) != (end > x))
-    met = way != 0.0
+    sense = np.sign(end - start) * ((start > x) != (end > x))
+    met = sense != 0.0
     height = low[met] + (x - start[met]) / (end - start)[met] * (high - low)[met]
-    return np.asarray((way * jump)[met] @ (height[:, None] < y))
+    return np.asarray((sense * jump)[met] @ (height[:, None] < y))
 
 
-def _divided(samples: Array, count: int) -> Array:
+def _divide_samples(samples: Array, count: int) -> Array:
     """Feet of samples, with equal shares; rows of x, y and share."""
-    feet = np.array(_halved(samples, count))
+    feet = np.array(_halve_samples(samples, count))
     center = _center(samples)
-    exact, own = (rows[:, 2] @ np.hypot(*(rows[:, :2] - center).T) for rows in (samples, feet))
-    feet[:, :2] = center + (feet[:, :2] - center) * exact / own
+    exact, approximate = (
+        rows[:, 2] @ np.hypot(*(rows[:, :2] - center).T) for rows in (samples, feet)
+    )
+    feet[:, :2] = center + (feet[:, :2] - center) * exact / approximate
     return feet
 
 
-def _halved(samples: Array, count: int) -> list[Array]:
+def _halve_samples(samples: Array, count: int) -> list[Array]:
     shares = samples[:, 2]
     if count == 1:
         return [np.append(_center(samples), shares.sum())]
@@ -176,14 +180,14 @@ def _halved(samples: Array, count: int) -> list[Array]:
     carried = rows[:, 2].cumsum()
     first = count // 2
     cut = int(np.searchsorted(carried, carried[-1] * first / count * (1.0 + ROUNDING)))
-    return _halved(rows[:cut], first) + _halved(rows[cut:], count - first)
+    return _halve_samples(rows[:cut], first) + _halve_samples(rows[cut:], count - first)
 
 
 def _center(rows: Array) -> Array:
     return np.asarray(rows[:, 2] @ rows[:, :2] / rows[:, 2].sum())
 
 
-def _spread(count: int) -> Array:
+def _spread_motions(count: int) -> Array:
     """Motions spread evenly over a hemisphere; the opposite motions have the opposite wrenches."""
     index = np.arange(count)
     spin, turn = (index + 0.5) / count, index * pi * (3.0 - sqrt(5.0))

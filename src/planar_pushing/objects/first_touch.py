@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.arrays import same
+from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.terms.errors import InvalidValue, require_number
-from planar_pushing.terms.numbers import required_array
+from planar_pushing.terms.numbers import require_array
 
 #: Rounding error of positions, relative to the numbers from which they are computed.
 ROUNDING = 1e-12
@@ -102,15 +102,17 @@ def first_touch(
     try:
         shape = np.broadcast_shapes(start.shape[:-1], motion.shape[:-1], reach.shape)
     except ValueError:
-        given = start.shape, motion.shape, reach.shape
+        shapes = start.shape, motion.shape, reach.shape
         raise InvalidValue(
-            "position", given, "shapes that broadcast together", "give one of each per push"
+            "position", shapes, "shapes that broadcast together", "give one of each per push"
         ) from None
     places, motions = (
-        np.broadcast_to(each, (*shape, 2)).reshape(-1, 2) for each in (start, motion)
+        np.broadcast_to(array, (*shape, 2)).reshape(-1, 2) for array in (start, motion)
     )
-    found = _touch(sides, places, motions, np.broadcast_to(reach, shape).ravel(), slack)
-    return Touch(**{name: each.reshape(shape + each.shape[1:]) for name, each in found.items()})
+    touches = _touch(sides, places, motions, np.broadcast_to(reach, shape).ravel(), slack)
+    return Touch(
+        **{name: values.reshape(shape + values.shape[1:]) for name, values in touches.items()}
+    )
 
 
 def _touch(
@@ -122,20 +124,22 @@ def _touch(
     )
     near = nearest(sides, start)
     gap = near.gap - radius
-    side, place, fraction = _first_meeting(sides, start, motion, radius, error)
+    side, position, fraction = _first_meeting(sides, start, motion, radius, error)
     # A disc that starts in contact, or within the tolerance, and moves into the object touches at once.
-    normal = _contact(sides, start, near.side, near.place, error)["normal"]
+    normal = _contact(sides, start, near.side, near.position, error)["normal"]
     into = (normal * motion).sum(axis=1) > 0.0
     at_once = into & (gap <= error) & (gap >= -slack - error)
-    side, place = np.where(at_once, near.side, side), np.where(at_once, near.place, place)
+    side, position = np.where(at_once, near.side, side), np.where(at_once, near.position, position)
     fraction = np.where(at_once, 0.0, np.where(gap < -slack - error, np.nan, fraction))
-    found = _contact(sides, start + np.nan_to_num(fraction)[:, None] * motion, side, place, error)
-    missed = np.isnan(fraction) | ((found["normal"] * motion).sum(axis=1) <= 0.0)
+    contact = _contact(
+        sides, start + np.nan_to_num(fraction)[:, None] * motion, side, position, error
+    )
+    missed = np.isnan(fraction) | ((contact["normal"] * motion).sum(axis=1) <= 0.0)
     return {
-        "contact": np.where(missed[:, None], np.nan, found["contact"]),
-        "normal": np.where(missed[:, None], np.nan, found["normal"]),
-        "side": np.where(missed, -1, found["side"]),
-        "corner": found["corner"] & ~missed,
+        "contact": np.where(missed[:, None], np.nan, contact["contact"]),
+        "normal": np.where(missed[:, None], np.nan, contact["normal"]),
+        "side": np.where(missed, -1, contact["side"]),
+        "corner": contact["corner"] & ~missed,
         "fraction": np.where(missed, np.nan, fraction),
         "overlap": np.where(gap < -error, -gap, 0.0),
     }
@@ -159,15 +163,15 @@ def _fractions_to_sides(
 ) -> tuple[Array, Array]:
     """Fractions of the motion at which the center crosses each moved side, or NaN, and the places there."""
     away = start[:, None] - sides.start
-    height, along = ((away * each).sum(axis=-1) for each in (sides.normal, sides.tangent))
+    height, along = ((away * direction).sum(axis=-1) for direction in (sides.normal, sides.tangent))
     rate, speed = motion @ sides.normal.T, motion @ sides.tangent.T
     with np.errstate(divide="ignore", invalid="ignore"):
         slack, ahead = error[:, None], -(height + radius[:, None])
         fraction = np.where(np.abs(ahead) <= slack, 0.0, ahead) / rate
-        place = along + fraction * speed
+        position = along + fraction * speed
         meets = (rate > 0.0) & (fraction >= 0.0) & (fraction <= 1.0)
-        meets &= (place >= -slack) & (place <= sides.length + slack)
-    return np.where(meets, fraction, np.nan), np.clip(np.nan_to_num(place), 0.0, sides.length)
+        meets &= (position >= -slack) & (position <= sides.length + slack)
+    return np.where(meets, fraction, np.nan), np.clip(np.nan_to_num(position), 0.0, sides.length)
 
 
 def _fractions_to_corners(sides: Sides, start: Array, motion: Array, radius: Array) -> Array:
@@ -176,8 +180,8 @@ def _fractions_to_corners(sides: Sides, start: Array, motion: Array, radius: Arr
     square = (motion * motion).sum(axis=1)[:, None]
     middle = (away * motion[:, None]).sum(axis=-1)
     # Distance of the circle's center from the line of motion, without a difference of large squares.
-    aside = away[..., 0] * motion[:, None, 1] - away[..., 1] * motion[:, None, 0]
-    root = square * (radius * radius)[:, None] - aside * aside
+    across = away[..., 0] * motion[:, None, 1] - away[..., 1] * motion[:, None, 0]
+    root = square * (radius * radius)[:, None] - across * across
     outside = (away * away).sum(axis=-1) - (radius * radius)[:, None]
     with np.errstate(divide="ignore", invalid="ignore"):
         # The smaller root, as a ratio without cancellation.
@@ -187,14 +191,14 @@ def _fractions_to_corners(sides: Sides, start: Array, motion: Array, radius: Arr
 
 
 def _contact(
-    sides: Sides, center: Array, side: npt.NDArray[np.intp], place: Array, error: Array
+    sides: Sides, center: Array, side: npt.NDArray[np.intp], position: Array, error: Array
 ) -> dict[str, Any]:
     """Contact and normal of a disc that touches a side at a given place."""
     after = (side + 1) % len(sides.length)
-    at_start, at_end = place <= error, place >= sides.length[side] - error
+    at_start, at_end = position <= error, position >= sides.length[side] - error
     vertex = np.where(at_end, after, side)
     corner = (at_start | at_end) & sides.convex[vertex]
-    point = sides.start[side] + place[:, None] * sides.tangent[side]
+    point = sides.start[side] + position[:, None] * sides.tangent[side]
     point = np.where(corner[:, None], sides.start[vertex], point)
     return {
         "contact": point,
@@ -208,35 +212,37 @@ def _normal(
     sides: Sides, center: Array, point: Array, side: Any, vertex: Any, corner: Any, error: Array
 ) -> Array:
     """Normals of the side; at a corner, from the disc's center to it, or for a point the bisector."""
-    own, before = sides.normal[vertex], sides.normal[vertex - 1]
-    middle = own + before
+    after, before = sides.normal[vertex], sides.normal[vertex - 1]
+    middle = after + before
     offset = point - center
     length = np.hypot(*offset.T)
     outside = (length > 1e3 * error) & ((offset * middle).sum(axis=1) > 0.0)
     from_center = np.where(outside[:, None], offset, middle)
-    found = np.where(corner[:, None], from_center, sides.normal[side])
-    return np.asarray(found / np.hypot(*found.T)[:, None])
+    normals = np.where(corner[:, None], from_center, sides.normal[side])
+    return np.asarray(normals / np.hypot(*normals.T)[:, None])
 
 
-def _vectors(name: str, given: Any) -> Array:
+def _vectors(name: str, value: Any) -> Array:
     """Finite vectors of shape S + (2,), or `InvalidValue`."""
-    found = _finite(name, given)
-    if found.shape[-1:] != (2,):
-        raise InvalidValue(name, found.shape, "shape S + (2,)", "give x and y along the last axis")
-    return found
+    vectors = _finite(name, value)
+    if vectors.shape[-1:] != (2,):
+        raise InvalidValue(
+            name, vectors.shape, "shape S + (2,)", "give x and y along the last axis"
+        )
+    return vectors
 
 
-def _not_negative(name: str, given: Any) -> Array:
+def _not_negative(name: str, value: Any) -> Array:
     """Finite numbers >= 0, or `InvalidValue`."""
-    found = _finite(name, given)
-    if (found < 0.0).any():
-        raise InvalidValue(name, float(found.min()), "numbers >= 0", "give 0 for a point")
-    return found
+    numbers = _finite(name, value)
+    if (numbers < 0.0).any():
+        raise InvalidValue(name, float(numbers.min()), "numbers >= 0", "give 0 for a point")
+    return numbers
 
 
-def _finite(name: str, given: Any) -> Array:
-    found = required_array(name, given, "finite numbers", "give floats")
-    if not np.isfinite(found).all():
-        wrong = float(found[~np.isfinite(found)][0])
+def _finite(name: str, value: Any) -> Array:
+    numbers = require_array(name, value, "finite numbers", "give floats")
+    if not np.isfinite(numbers).all():
+        wrong = float(numbers[~np.isfinite(numbers)][0])
         raise InvalidValue(name, wrong, "finite numbers", "leave out what was not measured")
-    return found
+    return numbers

@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy.typing as npt
 
-from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.effects import Effect
+from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import Side, sides
 from planar_pushing.objects.contacts import Contact, Stretch, stretches
-from planar_pushing.objects.resistance import motion_at, require_friction, required_effects
-from planar_pushing.objects.wrench_set import required_twist, wrench_set
+from planar_pushing.objects.resistance import motion_at, require_effects, require_friction
+from planar_pushing.objects.wrench_set import require_twist, wrench_set
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
@@ -55,7 +55,7 @@ class Push:
             f"{name}={_pair(getattr(self, name))}"
             for name in ("point", "normal", "force", "velocity")
         )
-        between = " to ".join(_pair(each.point) for each in self.ends)
+        between = " to ".join(_pair(push.point) for push in self.ends)
         ends = f", ends at {between}" if self.ends else ""
         return f"Push({', '.join(vectors)}, friction_coefficient={self.friction_coefficient:.6g}{ends})"
 
@@ -100,22 +100,24 @@ def pushes_for(effects: tuple[Effect, ...], twist: npt.ArrayLike, outline: Any) 
     contacts fill intervals. A line of action along a side needs infinite friction and does not count as a
     contact.
     """
-    motion, found = required_twist(twist), sides(outline)
-    require_friction(required_effects(effects))
+    motion, outline_sides = require_twist(twist), sides(outline)
+    require_friction(require_effects(effects))
     loads = wrench_set(effects, motion)
-    pushes = [_push(side, motion, stretch) for side in found for stretch in stretches(side, loads)]
-    return tuple(sorted(pushes, key=lambda each: each.friction_coefficient))
+    pushes = [
+        _push(side, motion, stretch) for side in outline_sides for stretch in stretches(side, loads)
+    ]
+    return tuple(sorted(pushes, key=lambda push: push.friction_coefficient))
 
 
 def _push(side: Side, twist: Array, stretch: Stretch) -> Push:
     best, *ends = stretch
-    several = ends[0].place < ends[1].place
-    return _at(side, twist, best, (_at(side, twist, each) for each in ends if several))
+    several = ends[0].position < ends[1].position
+    return _push_at(side, twist, best, (_push_at(side, twist, end) for end in ends if several))
 
 
-def _at(side: Side, twist: Array, contact: Contact, ends: Iterable[Push] = ()) -> Push:
-    point = side.start + contact.place * side.tangent
-    if contact.place == side.length:
+def _push_at(side: Side, twist: Array, contact: Contact, ends: Iterable[Push] = ()) -> Push:
+    point = side.start + contact.position * side.tangent
+    if contact.position == side.length:
         point = side.end
     return Push(
         point=point,

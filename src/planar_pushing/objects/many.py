@@ -6,11 +6,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.arrays import is_labeled
+from planar_pushing.mechanics.kernels.arrays import is_labeled
 from planar_pushing.mechanics.plane import Array, Placement, labeled_like
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
-from planar_pushing.terms.numbers import required_array
+from planar_pushing.terms.numbers import require_array
 
 #: What a point or a normal must be, and the remedy.
 PAIR = "two finite numbers", "give x and y in the object's frame"
@@ -21,40 +21,40 @@ class Contacts(NamedTuple):
 
     Attributes
     ----------
-    place : Placement
+    placement : Placement
         Of numbers, or of arrays of shape S with the labels of the points; normals along +y if none are
         given.
     point, normal : array_like, shape S + (2,)
         As given, for messages; the normal can be None.
     """
 
-    place: Placement
+    placement: Placement
     point: Any
     normal: Any
 
     @property
     def shape(self) -> tuple[int, ...]:
         """Shape S."""
-        return np.shape(self.place.point[0])
+        return np.shape(self.placement.point[0])
 
     @property
     def points(self) -> Array:
         """Points, shape (n, 2)."""
-        return _flat(self.place.point)
+        return _flat(self.placement.point)
 
     @property
     def normals(self) -> Array:
         """Unit normals, shape (n, 2)."""
-        return _flat(self.place.normal)
+        return _flat(self.placement.normal)
 
-    def given(self, name: str, i: int) -> Any:
+    def original(self, name: str, i: int) -> Any:
         """The i-th point or normal, as given."""
         value = getattr(self, name)
         return value if not self.shape else np.reshape(value, (-1, 2))[i]
 
     def number(self, values: Array) -> Number:
         """A number of a single contact, or an array of shape S, from a flat array."""
-        x = self.place.point[0]
+        x = self.placement.point[0]
         return labeled_like(x, values.reshape(self.shape)) if self.shape else float(values[0])
 
     def pair(self, vectors: Array) -> tuple[Number, Number]:
@@ -62,7 +62,7 @@ class Contacts(NamedTuple):
         return self.number(vectors[:, 0]), self.number(vectors[:, 1])
 
 
-def required_contacts(point: Any, normal: Any) -> Contacts:
+def require_contacts(point: Any, normal: Any) -> Contacts:
     """Contacts at points of shape S + (2,), with one normal or normals of this shape.
 
     Raises
@@ -70,7 +70,7 @@ def required_contacts(point: Any, normal: Any) -> Contacts:
     InvalidValue
         If a shape differs, a number is not finite, or a normal is zero.
     """
-    points = required_array("point", point, *PAIR)
+    points = require_array("point", point, *PAIR)
     if points.ndim > 1 and (points.shape[-1] != 2 or not points.size):
         raise InvalidValue(
             "point", points.shape, "shape S + (2,)", "give x and y along the last axis"
@@ -84,13 +84,13 @@ def required_contacts(point: Any, normal: Any) -> Contacts:
     return Contacts(Placement(point, upright), point, normal)
 
 
-def _required_normal(given: Any, points: Array) -> Any:
+def _required_normal(value: Any, points: Array) -> Any:
     """The normal of a single contact as given, or normals of the shape of many points."""
-    vectors = required_array("normal", given, *PAIR)
+    vectors = require_array("normal", value, *PAIR)
     if points.ndim <= 1:
         if vectors.shape != (2,):
-            raise InvalidValue("normal", given, *PAIR)
-        return given
+            raise InvalidValue("normal", value, *PAIR)
+        return value
     try:
         return np.broadcast_to(vectors, points.shape)
     except ValueError:
@@ -100,17 +100,19 @@ def _required_normal(given: Any, points: Array) -> Any:
         ) from None
 
 
-def _placements(points: Array, normals: Array, given: Any) -> Placement:
+def _placements(points: Array, normals: Array, labeled_points: Any) -> Placement:
     """Placements at points of shape S + (2,); errors as in `Placement`, for the first that is refused."""
     try:
-        return Placement(_labeled(points, given), _labeled(normals, given))
+        return Placement(
+            _label_components(points, labeled_points), _label_components(normals, labeled_points)
+        )
     except InvalidValue:
         for point, normal in zip(points.reshape(-1, 2), normals.reshape(-1, 2), strict=True):
             Placement(tuple(point.tolist()), tuple(normal.tolist()))
         raise
 
 
-def _labeled(vectors: Array, points: Any) -> tuple[Number, Number]:
+def _label_components(vectors: Array, points: Any) -> tuple[Number, Number]:
     """Components of vectors, over the dimensions of the points if these are labeled."""
     x, y = vectors[..., 0], vectors[..., 1]
     if not is_labeled(points):
@@ -118,10 +120,14 @@ def _labeled(vectors: Array, points: Any) -> tuple[Number, Number]:
     import xarray as xr
 
     *dims, last = points.dims
-    coords = {name: each for name, each in points.coords.items() if last not in each.dims}
+    coords = {
+        name: coordinate
+        for name, coordinate in points.coords.items()
+        if last not in coordinate.dims
+    }
     return xr.DataArray(x, coords, dims), xr.DataArray(y, coords, dims)
 
 
 def _flat(pair: tuple[Number, Number]) -> Array:
     """Pairs of numbers, shape (n, 2)."""
-    return np.column_stack([np.ravel(each) for each in pair])
+    return np.column_stack([np.ravel(component) for component in pair])

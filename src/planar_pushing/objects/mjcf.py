@@ -12,7 +12,7 @@ import numpy as np
 
 from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.scene import Scene, require_one_point, required_scene, required_single
+from planar_pushing.mechanics.scene import Scene, require_one_point, require_scene, require_single
 from planar_pushing.objects.feet import Feet, feet_of, force_errors
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import (
@@ -98,7 +98,7 @@ def to_mjcf(
     then limits the friction at each foot to its share of W. Only the feet and the floor, and the pusher and
     the outline, collide. A fence that lies along a side touches both of its ends.
     """
-    law, outline = _required(scene)
+    law, outline = _require_representable(scene)
     shape = require_option("pusher", pusher, Shape, "name one of these shapes")
     if shape == Shape.FINGER:
         require_one_point(scene, "pusher", "give a fence, or make the scene by scene_at(point=...)")
@@ -122,9 +122,9 @@ def to_mjcf(
     return ElementTree.tostring(root, encoding="unicode") + "\n"
 
 
-def _required(scene: Scene) -> tuple[Coulomb, Array]:
+def _require_representable(scene: Scene) -> tuple[Coulomb, Array]:
     """The law and the outline of a scene that MuJoCo can represent, or `InvalidValue`."""
-    required_single(required_scene(scene))
+    require_single(require_scene(scene))
     if not isinstance(scene.contact, Coulomb):
         remedy = "give a finite coefficient: MuJoCo has no other law"
         raise InvalidValue("contact", scene.contact, "Coulomb", remedy)
@@ -141,17 +141,17 @@ def _required(scene: Scene) -> tuple[Coulomb, Array]:
     return scene.contact, np.array(scene.slider.outline, dtype=float)
 
 
-def _required_count(given: Any) -> int:
-    least, most = COUNTS
+def _required_count(value: Any) -> int:
+    smallest, largest = COUNTS
     return int(require_number(
-        "feet", given, lambda n: least <= n <= most and n == int(n),
-        f"an integer from {least} to {most}", "take more feet for a smaller error",
+        "feet", value, lambda n: smallest <= n <= largest and n == int(n),
+        f"an integer from {smallest} to {largest}", "take more feet for a smaller error",
     ))  # fmt: skip
 
 
-def _required_step(given: Any, scene: Scene) -> float:
+def _required_step(value: Any, scene: Scene) -> float:
     default = STEP * sqrt(scene.inertia[0] * scene.slider.radius / scene.weight)
-    step = default if given is None else given
+    step = default if value is None else value
     return require_positive("timestep", step, "leave it out for the default")
 
 
@@ -183,8 +183,8 @@ def _slider(world: Element, scene: Scene, outline: Array, feet: Feet) -> None:
     """The slider in its body frame; its joints are along the world's axes."""
     slider, height = scene.slider, HEIGHT * scene.slider.radius
     c, s = cos(slider.rod_angle), sin(slider.rod_angle)
-    place = slider.rod_length * c, slider.rod_length * s, 0
-    body = _add(world, "body", name="slider", pos=place, euler=(0, 0, slider.rod_angle))
+    position = slider.rod_length * c, slider.rod_length * s, 0
+    body = _add(world, "body", name="slider", pos=position, euler=(0, 0, slider.rod_angle))
     axes = ("x", "slide", (c, -s, 0)), ("y", "slide", (s, c, 0)), ("turn", "hinge", (0, 0, 1))
     for name, kind, axis in axes:
         _add(body, "joint", name=f"slider_{name}", type=kind, axis=axis)
@@ -198,12 +198,12 @@ def _slider(world: Element, scene: Scene, outline: Array, feet: Feet) -> None:
 
 
 def _foot(body: Element, name: str, foot: tuple[Array, float, float], radius: float) -> None:
-    place, weight, mass = foot
-    own = _add(body, "body", name=name, pos=(*place, FOOT * radius), gravcomp=1)
+    position, weight, mass = foot
+    foot_body = _add(body, "body", name=name, pos=(*position, FOOT * radius), gravcomp=1)
     load, length = weight / COEFFICIENT, COMPRESSED * radius
     spring = {"stiffness": load / length, "springref": -length}
-    _add(own, "joint", name=name, type="slide", axis=(0, 0, 1), **spring)
-    _add(own, "geom", name=name, size=FOOT * radius, mass=mass)
+    _add(foot_body, "joint", name=name, type="slide", axis=(0, 0, 1), **spring)
+    _add(foot_body, "geom", name=name, size=FOOT * radius, mass=mass)
 
 
 def _masses(scene: Scene, feet: Feet) -> Array:
@@ -220,10 +220,10 @@ def _inertial(body: Element, scene: Scene, feet: Feet, masses: Array) -> None:
     (mass, square), radius = scene.inertia, scene.slider.radius
     center = radius * np.array(scene.mass_center)
     rest = mass - masses.sum()
-    own = (mass * center - masses @ feet.places) / rest
-    moment = mass * (square * radius**2 + center @ center) - rest * own @ own
+    rest_center = (mass * center - masses @ feet.places) / rest
+    moment = mass * (square * radius**2 + center @ center) - rest * rest_center @ rest_center
     moment -= masses @ (feet.places**2).sum(axis=1)
-    _add(body, "inertial", pos=(*own, 0.0), mass=rest, diaginertia=(moment, moment, moment))
+    _add(body, "inertial", pos=(*rest_center, 0.0), mass=rest, diaginertia=(moment, moment, moment))
 
 
 def _pusher(world: Element, scene: Scene, shape: Shape, size: float) -> None:
@@ -259,4 +259,4 @@ def _add(parent: Element, tag: str, **attributes: Any) -> Element:
 def _text(value: str | Number | Sequence[Number]) -> str:
     if isinstance(value, str):
         return value
-    return " ".join(f"{each:.12g}" for each in np.ravel(value))
+    return " ".join(f"{number:.12g}" for number in np.ravel(value))

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.outline import Corners, required_outline
+from planar_pushing.mechanics.outline import Corners, require_outline
 from planar_pushing.mechanics.plane import Array, Placement
 from planar_pushing.mechanics.supports.polygon import simple_ring
 from planar_pushing.objects.boundary import nearest, sides_between
@@ -39,7 +39,7 @@ def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[N
     """
     points, sides = contacts.points, sides_between(np.array(corners))
     spot = nearest(sides, points)
-    along, inward = spot.place, sides.normal[spot.side]
+    along, inward = spot.position, sides.normal[spot.side]
     target = sides.start[spot.side] + along[:, None] * sides.tangent[spot.side]
     _require_on(contacts, np.abs(spot.gap) <= ON * sides.scale, target)
     away = points[:, None] - sides.start
@@ -75,26 +75,26 @@ def side_on_fence(side: Any, outline: Any) -> tuple[Placement, tuple[float, floa
         Of all points of the outline on the fence, along it from the midpoint: those of the side, unless
         another part of the outline is on the same line.
     corners : tuple of pairs
-        As of `required_outline`.
+        As of `require_outline`.
 
     Raises
     ------
     InvalidValue
         If there is no such side, or the fence would pass through the object.
     """
-    corners = required_outline(outline)
-    given = simple_ring("outline", outline)
+    corners = require_outline(outline)
+    vertices = simple_ring("outline", outline)
     if (
         isinstance(side, bool)
         or not isinstance(side, (int, np.integer))
-        or not 0 <= side < len(given)
+        or not 0 <= side < len(vertices)
     ):
         raise InvalidValue(
-            "side", side, f"a whole number from 0 to {len(given) - 1}",
+            "side", side, f"a whole number from 0 to {len(vertices) - 1}",
             "give the number of the corner at which the side begins, in the order of the outline",
         )  # fmt: skip
     sides = sides_between(np.array(corners))
-    middle = (given[side] + given[(int(side) + 1) % len(given)]) / 2.0
+    middle = (vertices[side] + vertices[(int(side) + 1) % len(vertices)]) / 2.0
     number = int(nearest(sides, middle[None]).side[0])
     tangent, normal = sides.tangent[number], sides.normal[number]
     origin = sides.start[number] + sides.length[number] / 2.0 * tangent
@@ -107,8 +107,10 @@ def side_on_fence(side: Any, outline: Any) -> tuple[Placement, tuple[float, floa
     # The fence's +x is along the side, because the object is to the left of it.
     along = ((sides.start - origin) @ tangent)[heights <= EXACT * sides.scale]
     start, end = float(along.min()), float(along.max())
-    place = Placement((float(origin[0]), float(origin[1])), (float(normal[0]), float(normal[1])))
-    return place, (start, end), corners
+    placement = Placement(
+        (float(origin[0]), float(origin[1])), (float(normal[0]), float(normal[1]))
+    )
+    return placement, (start, end), corners
 
 
 def _require_on(contacts: Contacts, touches: npt.NDArray[np.bool_], nearest: Array) -> None:
@@ -116,7 +118,7 @@ def _require_on(contacts: Contacts, touches: npt.NDArray[np.bool_], nearest: Arr
     if not touches.all():
         i = int(touches.argmin())
         raise InvalidValue(
-            "point", contacts.given("point", i), "a point on the outline",
+            "point", contacts.original("point", i), "a point on the outline",
             f"the nearest one is ({nearest[i, 0]:.6g}, {nearest[i, 1]:.6g})",
         )  # fmt: skip
 
@@ -130,7 +132,7 @@ def _require_aligned(contacts: Contacts, beside: npt.NDArray[np.bool_], inward: 
     if len(refused):
         i = refused[0]
         raise InvalidValue(
-            "normal", contacts.given("normal", i),
+            "normal", contacts.original("normal", i),
             f"the inward normal of the side, ({inward[i, 0]:.6g}, {inward[i, 1]:.6g})",
             "with another one the fence would pass through the object; leave the normal out",
         )  # fmt: skip
@@ -154,7 +156,7 @@ def _require_between(
     corner, normals = corner[numbers], contacts.normals[numbers]
     before = starts[corner - 1] - starts[corner]
     behind = starts[(corner + 1) % len(starts)] - starts[corner]
-    (a, b), (c, d) = (each.T / np.hypot(*each.T) for each in (before, behind))
+    (a, b), (c, d) = (edge.T / np.hypot(*edge.T) for edge in (before, behind))
     x, y = normals.T
     # At a reflex corner a finger can push one of the sides.
     aligned = np.maximum(b * x - a * y, c * y - d * x)

@@ -14,12 +14,13 @@ from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFrict
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.force.wrench import wrench
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.pressure.assembly import center, extent, shared
+from planar_pushing.mechanics.pressure.assembly import center, extent, scale_shares
 from planar_pushing.mechanics.pressure.pieces import ATOMS, Pieces
 from planar_pushing.mechanics.rows import extents
-from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.slider import Slider
 from planar_pushing.mechanics.supports import Ring
-from planar_pushing.terms.caches import cached
+from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.errors import InvalidValue
 
 #: Number of supports that are cached without their feet.
@@ -46,8 +47,8 @@ class Footless:
         return self.rest
 
 
-@cached(KEPT)
-def parted(support: Any) -> tuple[Array, float, Any]:
+@cache_results(KEPT)
+def separate_feet(support: Any) -> tuple[Array, float, Any]:
     """Feet of a support (x, y, share), the share of the rest, and the rest, or None without one."""
     pieces = support.pieces()
     feet = pieces.atoms
@@ -57,10 +58,10 @@ def parted(support: Any) -> tuple[Array, float, Any]:
         return feet, 1.0, support
     share = 1.0 - float(feet[:, 2].sum())
     bare = pieces._replace(atoms=np.empty((0, 3)))
-    return feet, share, Footless(shared(bare, 1.0 / share))
+    return feet, share, Footless(scale_shares(bare, 1.0 / share))
 
 
-def required_effects(given: Any) -> tuple[Any, ...]:
+def require_effects(value: Any) -> tuple[Any, ...]:
     """Effects in an object's frame that act in a push from rest.
 
     An object with inertia has no velocity then, and therefore no viscous friction.
@@ -70,20 +71,20 @@ def required_effects(given: Any) -> tuple[Any, ...]:
     InvalidValue
         If an effect is of another type, a ring has no radius, nothing resists, or parameters are arrays.
     """
-    effects = tuple(given) if isinstance(given, (tuple, list)) else ()
+    effects = tuple(value) if isinstance(value, (tuple, list)) else ()
     resisting = SupportFriction | Viscous | Inertia
-    known = all(isinstance(each, resisting | Load) for each in effects)
-    if not known or not any(isinstance(each, resisting) for each in effects):
+    known = all(isinstance(effect, resisting | Load) for effect in effects)
+    if not known or not any(isinstance(effect, resisting) for effect in effects):
         raise InvalidValue(
-            "effects", given,
+            "effects", value,
             "a tuple of SupportFriction, Viscous, Inertia and Load, not of loads alone",
             "list what resists the motion of the object; in place of RingFriction give "
             "SupportFriction(support=Ring(radius))",
         )  # fmt: skip
-    for each in effects:
-        _require_plain(each)
-    moving = any(isinstance(each, Inertia) for each in effects)
-    return tuple(each for each in effects if not (moving and isinstance(each, Viscous)))
+    for effect in effects:
+        _require_plain(effect)
+    moving = any(isinstance(effect, Inertia) for effect in effects)
+    return tuple(effect for effect in effects if not (moving and isinstance(effect, Viscous)))
 
 
 def _require_plain(effect: Any) -> None:
@@ -105,15 +106,16 @@ def _require_plain(effect: Any) -> None:
 
 def require_friction(effects: Sequence[Effect]) -> None:
     """Refuse loads that friction cannot hold, if there is no inertia; errors as in `require_held`."""
-    if not any(isinstance(each, Load) for each in effects):
+    if not any(isinstance(effect, Load) for effect in effects):
         return
     turned = tuple(
-        _seen_from_fence(each, effects) if isinstance(each, Load) else each for each in effects
+        _load_in_fence(effect, effects) if isinstance(effect, Load) else effect
+        for effect in effects
     )
     require_held(Scene(slider=UPRIGHT, contact=PerfectlyRough(), effects=turned))
 
 
-def _seen_from_fence(load: Load, effects: Sequence[Effect]) -> Load:
+def _load_in_fence(load: Load, effects: Sequence[Effect]) -> Load:
     """The load in a scene whose body frame is the object's, with x along the normal of the fence."""
     (x, y), (at_x, at_y) = load.force, _load_center(load, effects)
     return Load(force=(-y, x), center=(float(at_x), float(at_y)))
@@ -121,17 +123,17 @@ def _seen_from_fence(load: Load, effects: Sequence[Effect]) -> Load:
 
 def supports_of(effects: Sequence[Effect]) -> list[Any]:
     """The supports of effects."""
-    return [each.support for each in effects if isinstance(each, SupportFriction | Viscous)]
+    return [effect.support for effect in effects if isinstance(effect, SupportFriction | Viscous)]
 
 
 def feet_of(effects: Sequence[Effect]) -> Array:
     """The feet of an object with Coulomb friction, shape (n, 3): x, y, and the friction of each."""
-    found = [np.empty((0, 3))]
-    for each in effects:
-        if isinstance(each, SupportFriction):
-            feet, _, _ = parted(each.support)
-            found.append(np.column_stack([feet[:, :2], feet[:, 2] * float(each.weight)]))
-    return np.concatenate(found)
+    parts = [np.empty((0, 3))]
+    for effect in effects:
+        if isinstance(effect, SupportFriction):
+            feet, _, _ = separate_feet(effect.support)
+            parts.append(np.column_stack([feet[:, :2], feet[:, 2] * float(effect.weight)]))
+    return np.concatenate(parts)
 
 
 def motion_at(twist: Array, points: Array) -> Array:
@@ -143,8 +145,8 @@ def motion_at(twist: Array, points: Array) -> Array:
 def resistance(effects: Sequence[Effect], twist: Array, sliding: Array) -> Array:
     """Wrench about the object's origin that sustains a twist, with the friction of the given feet only."""
     total = _of_feet(twist, sliding)
-    for each in effects:
-        total = total + without_feet(each, effects, twist)
+    for effect in effects:
+        total = total + without_feet(effect, effects, twist)
     return total
 
 
@@ -166,7 +168,7 @@ def without_feet(effect: Any, effects: Sequence[Effect], twist: Array) -> Array:
         return wrench(effect, twist, replace(UPRIGHT, radius=effect.gyration_radius))
     if isinstance(effect, Viscous):
         return wrench(effect, twist)
-    _, share, rest = parted(effect.support)
+    _, share, rest = separate_feet(effect.support)
     if rest is None:
         return np.zeros(3)
     return wrench(SupportFriction(support=rest, weight=share * effect.weight), twist)
@@ -176,11 +178,11 @@ def _load_center(load: Load, effects: Sequence[Effect]) -> Any:
     """Point at which a load acts: by default the center of mass, or of pressure without inertia."""
     if load.center is not None:
         return load.center
-    masses = [(each.mass, each.center) for each in effects if isinstance(each, Inertia)]
+    masses = [(effect.mass, effect.center) for effect in effects if isinstance(effect, Inertia)]
     pressed = [
-        (each.weight if isinstance(each, SupportFriction) else each.coefficient,
-         each.support.center_of_pressure)
-        for each in effects if isinstance(each, SupportFriction | Viscous)
+        (effect.weight if isinstance(effect, SupportFriction) else effect.coefficient,
+         effect.support.center_of_pressure)
+        for effect in effects if isinstance(effect, SupportFriction | Viscous)
     ]  # fmt: skip
     sizes, places = zip(*(masses or pressed), strict=True)
     return np.average(np.array(places, dtype=float), axis=0, weights=np.array(sizes, dtype=float))

@@ -11,18 +11,19 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactLaw
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
-from planar_pushing.mechanics.outline import required_outline
+from planar_pushing.mechanics.outline import require_outline
 from planar_pushing.mechanics.plane import Array, Frame, Placement
 from planar_pushing.mechanics.rows import extents
-from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.objects.many import Contacts, required_contacts
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.slider import Slider
+from planar_pushing.objects.many import Contacts, require_contacts
 from planar_pushing.objects.on_outline import on_outline, side_on_fence
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.units import Units
 
 #: A center closer to the fence than this, relative to the extent, counts as on it: its rod would be flat.
-LEAST_HEIGHT = 1e-9
+MINIMUM_HEIGHT = 1e-9
 #: Largest distance of a contact from the center, in extents of the support: no object's handle is longer.
 FARTHEST = 500.0
 
@@ -84,33 +85,33 @@ def scene_at(
     flush, corners = side is not None, None
     if flush:
         _require_side_alone(point, normal, outline)
-        place, ends, corners = side_on_fence(side, outline)
-        contacts = Contacts(place, place.point, place.normal)
+        placement, ends, corners = side_on_fence(side, outline)
+        contacts = Contacts(placement, placement.point, placement.normal)
     else:
-        contacts = required_contacts(*_required_point(point, normal))
+        contacts = require_contacts(*_required_point(point, normal))
         if outline is None:
-            place, ends = _free(contacts)
+            placement, ends = _free(contacts)
         else:
-            corners = required_outline(outline)
-            place, ends = on_outline(contacts, corners)
+            corners = require_outline(outline)
+            placement, ends = on_outline(contacts, corners)
     many = bool(contacts.shape)
-    listed = _required_effects(effects, many)
-    center, extent = _middle(listed)
-    rods = _rods(place.fence, center, extent)
+    acting = _required_effects(effects, many)
+    center, extent = _middle(acting)
+    rods = _rods(placement.fence, center, extent)
     _require_one_unit(rods.length, extent)
     body = Frame(contacts.pair(rods.origin), contacts.pair(rods.axis))
     slider = Slider(
         rod_length=contacts.number(rods.length),
         rod_angle=contacts.number(rods.angle),
         # The default is the extent of the moved support, which is the same at every contact.
-        radius=extent if many or not any(hasattr(each, "support") for each in listed) else None,
+        radius=extent if many or not any(hasattr(effect, "support") for effect in acting) else None,
         side=ends,
         flush=flush,
         outline=None if many or corners is None else body.point_in(corners) + 0.0,
     )
-    loaded = [_with_center(each, center, listed) for each in listed]
-    moved = tuple(each.moved(body, place.fence) for each in loaded)
-    return Scene(slider=slider, contact=contact, effects=moved, placement=place, units=units)
+    loaded = [_with_center(effect, center, acting) for effect in acting]
+    moved = tuple(effect.moved(body, placement.fence) for effect in loaded)
+    return Scene(slider=slider, contact=contact, effects=moved, placement=placement, units=units)
 
 
 class Rods(NamedTuple):
@@ -139,11 +140,11 @@ def _required_point(point: Any, normal: Any) -> tuple[Any, Any]:
 
 def _require_side_alone(point: Any, normal: Any, outline: Any) -> None:
     """Refuse a side together with a point or a normal, or without an outline."""
-    for name, given in (("point", point), ("normal", normal)):
-        if given is not None:
+    for name, value in (("point", point), ("normal", normal)):
+        if value is not None:
             raise InvalidValue(
                 name,
-                given,
+                value,
                 "none together with a side",
                 "give either a side, or a point and a normal",
             )
@@ -173,53 +174,54 @@ def _free(contacts: Contacts) -> tuple[Placement, tuple[Number, Number]]:
             "(n_x, n_y) without an outline",
             "give the inward normal",
         )
-    return contacts.place, contacts.pair(np.full(contacts.points.shape, (-np.inf, np.inf)))
+    return contacts.placement, contacts.pair(np.full(contacts.points.shape, (-np.inf, np.inf)))
 
 
-def _required_effects(given: Any, many: bool) -> tuple[Any, ...]:
+def _required_effects(value: Any, many: bool) -> tuple[Any, ...]:
     """Effects that can be moved, to one or many contacts, or `InvalidValue`."""
-    found = tuple(given) if isinstance(given, (list, tuple)) else ()
-    if not found or not all(hasattr(each, "moved") for each in found):
+    effects = tuple(value) if isinstance(value, (list, tuple)) else ()
+    if not effects or not all(hasattr(effect, "moved") for effect in effects):
         raise InvalidValue(
-            "effects", given, "a sequence of SupportFriction, Viscous, Inertia and Load",
+            "effects", value, "a sequence of SupportFriction, Viscous, Inertia and Load",
             "list what resists the motion; for a ring give the radius: SupportFriction(support=Ring(1.0))",
         )  # fmt: skip
-    films = [each for each in found if isinstance(each, Viscous)]
+    films = [effect for effect in effects if isinstance(effect, Viscous)]
     if many and films:
         raise InvalidValue(
             "effects", films[0], "effects without viscous friction for an array of contacts",
             "make the scenes one by one",
         )  # fmt: skip
-    return found
+    return effects
 
 
 def _with_center(effect: Any, center: Array, effects: tuple[Any, ...]) -> Any:
     """A load with the object's center as default point: the slider's center differs for a hook."""
     if not isinstance(effect, Load) or effect.center is not None:
         return effect
-    if any(isinstance(each, Inertia) for each in effects):
+    if any(isinstance(other, Inertia) for other in effects):
         return effect
     return replace(effect, center=(float(center[0]), float(center[1])))
 
 
 def _middle(effects: tuple[Any, ...]) -> tuple[Array, float]:
     """Center and extent of an object in its frame: of friction, else of viscous friction, else of mass."""
-    friction = [each for each in effects if isinstance(each, SupportFriction)]
-    films = [each for each in effects if isinstance(each, Viscous)]
-    masses = [each for each in effects if isinstance(each, Inertia)]
+    friction = [effect for effect in effects if isinstance(effect, SupportFriction)]
+    films = [effect for effect in effects if isinstance(effect, Viscous)]
+    masses = [effect for effect in effects if isinstance(effect, Inertia)]
     if friction or films:
         resting = friction or films
-        loads = np.array([each.weight for each in friction] or [each.coefficient for each in films])
-        centers = np.array([each.support.center_of_pressure for each in resting])
+        loads = np.array(
+            [effect.weight for effect in friction] or [effect.coefficient for effect in films]
+        )
+        centers = np.array([effect.support.center_of_pressure for effect in resting])
         return loads @ centers / loads.sum(), float(extents(resting[0].support))
     if not masses:
         raise InvalidValue(
             "effects", effects, "friction or inertia among them", "list what resists the motion"
         )
-    loads = np.array([each.mass for each in masses])
-    return loads @ np.array([each.center for each in masses]) / loads.sum(), masses[
-        0
-    ].gyration_radius
+    loads = np.array([effect.mass for effect in masses])
+    centers = np.array([effect.center for effect in masses])
+    return loads @ centers / loads.sum(), masses[0].gyration_radius
 
 
 def _rods(fences: Frame, center: Array, extent: float) -> Rods:
@@ -227,7 +229,7 @@ def _rods(fences: Frame, center: Array, extent: float) -> Rods:
     origin, axis = (tuple(map(np.ravel, pair)) for pair in fences)
     fence = Frame((origin[0], origin[1]), (axis[0], axis[1]))
     along, height = fence.point_in(center).T
-    low = height <= LEAST_HEIGHT * extent
+    low = height <= MINIMUM_HEIGHT * extent
     rod = np.column_stack([np.where(low, 0.0, along), np.where(low, extent, height)])
     length = np.hypot(rod[:, 0], rod[:, 1])
     angle = np.arctan2(rod[:, 1], rod[:, 0])

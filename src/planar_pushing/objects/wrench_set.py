@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.effects import Effect, Inertia
+from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import extents
 from planar_pushing.objects.resistance import (
     feet_of,
     motion_at,
-    required_effects,
+    require_effects,
     resistance,
     supports_of,
 )
@@ -86,7 +86,7 @@ class WrenchSet:
             return np.broadcast_to(self.offset, wrenches.shape).copy()
         x, y = self.foot
         away = (wrenches - self.offset) / [1.0, 1.0, unit]
-        force = _held(away, np.array([-y, x]) / unit, self.radius)
+        force = _nearest_in_disc(away, np.array([-y, x]) / unit, self.radius)
         torque = x * force[..., 1] - y * force[..., 0]
         return np.asarray(self.offset + np.concatenate([force, torque[..., None]], axis=-1))
 
@@ -96,8 +96,9 @@ class WrenchSet:
         Parameters and errors are those of `nearest`; the distance is the norm of
         ``(df_x, df_y, dtau / length)``.
         """
-        apart = (_wrenches(wrench) - self.nearest(wrench, length)) / [1.0, 1.0, self._unit(length)]
-        return np.asarray(np.linalg.norm(apart, axis=-1))
+        scale = [1.0, 1.0, self._unit(length)]
+        difference = (_wrenches(wrench) - self.nearest(wrench, length)) / scale
+        return np.asarray(np.linalg.norm(difference, axis=-1))
 
     def _unit(self, length: float | None) -> float:
         if length is None:
@@ -107,30 +108,32 @@ class WrenchSet:
         )
 
 
-def _wrenches(given: npt.ArrayLike) -> Array:
-    wrenches = as_array(given)
+def _wrenches(value: npt.ArrayLike) -> Array:
+    wrenches = as_array(value)
     if wrenches is None or wrenches.shape[-1:] != (3,) or not np.isfinite(wrenches).all():
         raise InvalidValue(
-            "wrench", given, "finite numbers of shape S + (3,)", "give (f_x, f_y, tau)"
+            "wrench", value, "finite numbers of shape S + (3,)", "give (f_x, f_y, tau)"
         )
     return wrenches
 
 
-def _held(away: Array, arm: Array, radius: float) -> Array:
+def _nearest_in_disc(away: Array, arm: Array, radius: float) -> Array:
     """The g that minimizes ``|a - g|^2 + (b - k . g)^2`` over ``|g| <= radius``, for rows (a, b)."""
     square = float(arm @ arm)
     along = arm / hypot(*arm) if square > 0.0 else np.array([1.0, 0.0])
-    pull = away[..., :2] + arm * away[..., 2:]
+    target = away[..., :2] + arm * away[..., 2:]
     # Along k and across it the Hessian is diagonal: 1 + k^2 and 1.
-    parts = np.stack([pull @ along, along[0] * pull[..., 1] - along[1] * pull[..., 0]], axis=-1)
+    parts = np.stack(
+        [target @ along, along[0] * target[..., 1] - along[1] * target[..., 0]], axis=-1
+    )
     stiff = np.array([1.0 + square, 1.0])
     shift = _multiplier(parts, stiff, radius)
-    found = parts / (stiff + shift[..., None])
-    size = np.hypot(found[..., 0], found[..., 1])
+    solution = parts / (stiff + shift[..., None])
+    size = np.hypot(solution[..., 0], solution[..., 1])
     rim = np.where(shift > 0.0, radius / np.where(size > 0.0, size, 1.0), 1.0)
-    found = found * rim[..., None]
+    solution = solution * rim[..., None]
     across = np.array([-along[1], along[0]])
-    return np.asarray(found[..., :1] * along + found[..., 1:] * across)
+    return np.asarray(solution[..., :1] * along + solution[..., 1:] * across)
 
 
 def _multiplier(parts: Array, stiff: Array, radius: float) -> Array:
@@ -187,27 +190,27 @@ def wrench_set(
     Each effect is a convex potential, and its gradient is the wrench. The potential of a foot has a kink at
     twists for which the foot is at rest: the foot then takes any force up to its share of the weight.
     """
-    acting, motion = required_effects(effects), required_twist(twist)
+    acting, motion = require_effects(effects), require_twist(twist)
     reach = require_number(
         "tolerance", tolerance, lambda x: 0 <= x < inf, "a finite number >= 0", "give a distance"
     )
     feet = feet_of(acting)
-    at = _resting(feet, motion, reach)
-    held = feet[at]
+    resting = _resting(feet, motion, reach)
+    held = feet[resting]
     return WrenchSet(
-        offset=resistance(acting, motion, feet[~at]),
+        offset=resistance(acting, motion, feet[~resting]),
         foot=held[0, :2] if len(held) else None,
         radius=float(held[:, 2].sum()),
         length=float(_size(acting)),
     )
 
 
-def required_twist(given: npt.ArrayLike) -> Array:
+def require_twist(value: npt.ArrayLike) -> Array:
     """A twist as an array, or `InvalidValue`."""
-    numbers = np.array(as_floats(given))
+    numbers = np.array(as_floats(value))
     if numbers.shape != (3,) or not np.isfinite(numbers).all() or not numbers.any():
         raise InvalidValue(
-            "twist", given, "three finite numbers, not all zero",
+            "twist", value, "three finite numbers, not all zero",
             "give (v_x, v_y, omega) of the object's frame about its origin",
         )  # fmt: skip
     return numbers
@@ -224,11 +227,13 @@ def _resting(feet: Array, twist: Array, tolerance: float) -> Any:
     nearest = speed.argmin()
     if speed[nearest] > spin * max(tolerance, ROUNDING * size):
         return near
-    apart = feet[:, :2] - feet[nearest, :2]
-    return np.hypot(apart[:, 0], apart[:, 1]) <= ROUNDING * size
+    offset = feet[:, :2] - feet[nearest, :2]
+    return np.hypot(offset[:, 0], offset[:, 1]) <= ROUNDING * size
 
 
 def _size(effects: tuple[Any, ...]) -> Number:
     """The largest extent of the supports, or the largest radius of gyration."""
-    found = [extents(each) for each in supports_of(effects)]
-    return max(found or [each.gyration_radius for each in effects if isinstance(each, Inertia)])
+    sizes = [extents(support) for support in supports_of(effects)]
+    return max(
+        sizes or [effect.gyration_radius for effect in effects if isinstance(effect, Inertia)]
+    )

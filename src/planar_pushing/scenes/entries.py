@@ -13,12 +13,12 @@ from planar_pushing.mechanics.contact import LAWS
 from planar_pushing.mechanics.effects import EFFECTS
 from planar_pushing.mechanics.plane import Placement
 from planar_pushing.mechanics.pressure.table import extent_of
-from planar_pushing.mechanics.scene import Slider
+from planar_pushing.mechanics.slider import Slider
 from planar_pushing.mechanics.supports import SHAPES, Polygon
 from planar_pushing.mechanics.supports.base import SUPPORT, SUPPORTS
 from planar_pushing.mechanics.supports.composite import MEMBERS
 from planar_pushing.scenes.fields import FileModel, NotEmpty, Positive, refuse
-from planar_pushing.terms.declared import Declaration, declared
+from planar_pushing.terms.declared import Declaration, declarations_of
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.units import Units
 
@@ -40,10 +40,10 @@ class Entry(FileModel):
         InvalidValue
             If the values do not go together.
         """
-        parameters = declared(self.maker)
+        parameters = declarations_of(self.maker)
         return self.maker(
             **{
-                name: parameters[name][0].from_file(_built(value))
+                name: parameters[name][0].from_file(_build(value))
                 for name, value in self
                 if name in parameters and value is not None
             }
@@ -58,9 +58,9 @@ class Entry(FileModel):
         return self
 
 
-def _built(value: Any) -> Any:
-    if isinstance(value, tuple) and all(hasattr(each, "build") for each in value):
-        return [each.build() for each in value]
+def _build(value: Any) -> Any:
+    if isinstance(value, tuple) and all(hasattr(entry, "build") for entry in value):
+        return [entry.build() for entry in value]
     return value.build() if hasattr(value, "build") else value
 
 
@@ -76,7 +76,7 @@ def entry_of(maker: Callable[..., Any], tag: Mapping[str, str] | None = None) ->
     """
     words = tag or {}
     fields: dict[str, Any] = {key: (Literal.__getitem__(word), ...) for key, word in words.items()}
-    for name, (declaration, default) in declared(maker).items():
+    for name, (declaration, default) in declarations_of(maker).items():
         kind = FORMS.get(declaration, Annotated[Any, declaration])
         # A default that is made anew for each value, such as a ring, has no form in a file.
         if (
@@ -93,7 +93,7 @@ def entry_of(maker: Callable[..., Any], tag: Mapping[str, str] | None = None) ->
     return model
 
 
-def tagged(key: str, makers: Mapping[str, Callable[..., Any]]) -> Any:
+def tagged_union(key: str, makers: Mapping[str, Callable[..., Any]]) -> Any:
     """Union of the models of classes, which a key tells apart."""
     models = tuple(entry_of(maker, {key: word}) for word, maker in makers.items())
     return Annotated[Union[models], Field(discriminator=key)]  # noqa: UP007
@@ -113,7 +113,7 @@ class MemberEntry(FileModel):
 #: Forms in files of parameters that are not plain values.
 FORMS: dict[Declaration, Any] = {MEMBERS: Annotated[tuple[MemberEntry, ...], NotEmpty]}
 #: A support, also as a layout of a polygon.
-SupportEntry: Any = tagged(
+SupportEntry: Any = tagged_union(
     "shape", SHAPES | {"rectangle": Polygon.rectangle, "regular_polygon": Polygon.regular}
 )
 MemberEntry.model_rebuild()
@@ -128,18 +128,18 @@ def is_point(support: Any) -> bool:
     return False
 
 
-def _larger(given: Any) -> Any:
-    if is_point(given.build()):
+def _larger(value: Any) -> Any:
+    if is_point(value.build()):
         raise refuse("a support with more than one point, since a single point resists no rotation")
-    return given
+    return value
 
 
 #: A whole support; a member of a composite can be a point.
 WholeSupport: Any = Annotated[SupportEntry, AfterValidator(_larger)]
 FORMS |= {SUPPORT: WholeSupport, SUPPORTS: WholeSupport}
 
-ContactEntry: Any = tagged("law", LAWS)
-EffectEntry: Any = tagged("type", EFFECTS)
+ContactEntry: Any = tagged_union("law", LAWS)
+EffectEntry: Any = tagged_union("type", EFFECTS)
 SliderEntry: Any = entry_of(Slider)
 PlacementEntry: Any = entry_of(Placement)
 UnitsEntry: Any = entry_of(Units)

@@ -19,9 +19,9 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from planar_pushing.mechanics.contact import FRICTION_COEFFICIENT, ContactMode
-from planar_pushing.mechanics.scene import ROD_ANGLE
+from planar_pushing.mechanics.slider import ROD_ANGLE
 from planar_pushing.terms.declared import NUMBER, Within, finite, nonnegative, positive
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidValue, suggestion
 from planar_pushing.terms.options import (
     EffectSet,
     Event,
@@ -37,9 +37,9 @@ def refuse(allowed: str) -> PydanticCustomError:
     return PydanticCustomError("not_allowed", "{allowed}", {"allowed": allowed})
 
 
-def refused(name: str, given: object, allowed: str, remedy: str) -> PydanticCustomError:
+def refuse_key(name: str, value: object, allowed: str, remedy: str) -> PydanticCustomError:
     """Error for a key of a section whose value is not as `allowed` describes."""
-    context = {"name": name, "given": given, "allowed": allowed, "remedy": remedy}
+    context = {"name": name, "given": value, "allowed": allowed, "remedy": remedy}
     return PydanticCustomError("refused", "{allowed}", context)
 
 
@@ -50,60 +50,60 @@ class FileModel(BaseModel):
 
     @model_validator(mode="before")
     @classmethod
-    def _known_keys(cls, given: object) -> object:
-        return known_keys(given, list(cls.model_fields))
+    def _require_known_keys(cls, value: object) -> object:
+        return require_known_keys(value, list(cls.model_fields))
 
 
-def known_keys(given: object, known: list[str]) -> object:
+def require_known_keys(value: object, known: list[str]) -> object:
     """Refuse anything but a mapping with some of these keys."""
-    if not isinstance(given, dict):
+    if not isinstance(value, dict):
         raise refuse(f"a mapping with the keys {', '.join(known)}")
-    for key in given:
+    for key in value:
         if key not in known:
             raise PydanticCustomError("unknown_key", "unknown key", {"key": key, "known": known})
-    return given
+    return value
 
 
-def _not_empty(given: object) -> object:
-    if not isinstance(given, (list, tuple)) or not given:
+def _not_empty(value: object) -> object:
+    if not isinstance(value, (list, tuple)) or not value:
         raise refuse("a list with at least one entry")
-    return given
+    return value
 
 
 #: Requires a list that is not empty.
 NotEmpty = BeforeValidator(_not_empty)
 
 
-def _name(given: object) -> object:
-    if not isinstance(given, str) or not re.fullmatch(r"[A-Za-z0-9_]+", given):
+def _name(value: object) -> object:
+    if not isinstance(value, str) or not re.fullmatch(r"[A-Za-z0-9_]+", value):
         raise refuse("a name of letters, digits and underscores, which becomes a file's name")
-    return given
+    return value
 
 
 #: A name that becomes part of file names.
 Name = Annotated[str, BeforeValidator(_name)]
 
 
-def _file_path(given: object) -> object:
-    if not isinstance(given, str) or not given.isprintable() or set(given) & {"{", "}"}:
+def _file_path(value: object) -> object:
+    if not isinstance(value, str) or not value.isprintable() or set(value) & {"{", "}"}:
         raise refuse("a path without braces, which the workflow reads as wildcards")
-    return given
+    return value
 
 
-def _printable(given: str) -> str:
-    if not given.isprintable():
+def _printable(value: str) -> str:
+    if not value.isprintable():
         raise refuse("text without control characters")
-    return given
+    return value
 
 
 #: A line of text.
 Text = Annotated[str, AfterValidator(_printable)]
 
 
-def _truth(given: object) -> object:
-    if not isinstance(given, bool):
+def _truth(value: object) -> object:
+    if not isinstance(value, bool):
         raise refuse("true or false")
-    return given
+    return value
 
 
 #: A boolean, not a word such as "yes".
@@ -115,24 +115,20 @@ FilePath = Annotated[str, BeforeValidator(_file_path)]
 
 def choice(options: type[StrEnum]) -> Any:
     """Type of a text that must be one of these options."""
-    return Literal.__getitem__(tuple(map(str, options)))
+    return choice_of_names(tuple(map(str, options)))
 
 
-def spelled(options: type[StrEnum]) -> Any:
-    """As `choice`, but the error for an unknown option suggests a similar one."""
-    return named(tuple(map(str, options)))
-
-
-def named(names: tuple[str, ...]) -> Any:
+def choice_of_names(names: tuple[str, ...]) -> Any:
     """Type of a text that must be one of these names; the error for an unknown name suggests one."""
-    context = {"allowed": " or ".join(map(repr, names)), "names": names}
+    quoted = list(map(repr, names))
+    allowed = f"{', '.join(quoted[:-1])} or {quoted[-1]}"
 
-    def known(given: object) -> object:
-        if given not in names:
-            raise PydanticCustomError("unknown_option", "{allowed}", context)
-        return given
+    def require_known(value: object) -> object:
+        if value not in names:
+            raise refuse_key("", value, allowed, suggestion(value, names, CHANGE))
+        return value
 
-    return Annotated[Literal.__getitem__(names), BeforeValidator(known)]
+    return Annotated[Literal.__getitem__(names), BeforeValidator(require_known)]
 
 
 #: Maximum number of values on an axis.
@@ -143,29 +139,29 @@ AXIS = (
 )
 
 
-def _expand(given: object) -> object:
-    if isinstance(given, dict):
-        given = _range(given)
-    elif isinstance(given, (list, tuple)) and any(isinstance(each, dict) for each in given):
-        parts = [_range(each) if isinstance(each, dict) else [each] for each in given]
-        given = sorted({_axis_number(each) for part in parts for each in part})
-    if not isinstance(given, (list, tuple)):
+def _expand(value: object) -> object:
+    if isinstance(value, dict):
+        value = _range(value)
+    elif isinstance(value, (list, tuple)) and any(isinstance(entry, dict) for entry in value):
+        parts = [_range(entry) if isinstance(entry, dict) else [entry] for entry in value]
+        value = sorted({_axis_number(entry) for part in parts for entry in part})
+    if not isinstance(value, (list, tuple)):
         raise refuse(AXIS)
-    if not given:
+    if not value:
         raise refuse(f"{AXIS}, and at least one number")
-    return tuple(given)
+    return tuple(value)
 
 
-def _range(given: dict[object, object]) -> list[float]:
+def _range(value: dict[object, object]) -> list[float]:
     keys = ("start", "stop", "step")
-    if set(given) != set(keys):
+    if set(value) != set(keys):
         raise refuse(AXIS)
-    return _steps(*(_axis_number(given[key]) for key in keys))
+    return _steps(*(_axis_number(value[key]) for key in keys))
 
 
-def _axis_number(given: object) -> float:
+def _axis_number(value: object) -> float:
     try:
-        return NOT_NAN.read(given)
+        return NOT_NAN.read(value)
     except InvalidValue:
         raise refuse(AXIS) from None
 
@@ -242,10 +238,10 @@ Count = Annotated[
 
 PolicyName: Any = choice(Policy)
 MethodName: Any = choice(Method)
-ShapeName: Any = spelled(Shape)
-FrameName: Any = spelled(PusherFrame)
-EventName = named(tuple(event.name for event in Event if event is not Event.NONE))
-ModeName = named(tuple(mode.name for mode in ContactMode))
+ShapeName: Any = choice(Shape)
+FrameName: Any = choice(PusherFrame)
+EventName = choice_of_names(tuple(event.name for event in Event if event is not Event.NONE))
+ModeName = choice_of_names(tuple(mode.name for mode in ContactMode))
 EffectsName: Any = choice(EffectSet)
 
 Coordinates: Any = axis(FiniteNumber)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 from pathlib import Path
 from typing import Any, TypeVar
@@ -12,12 +11,12 @@ from pydantic_core import ErrorDetails
 from ruamel.yaml import YAML
 
 from planar_pushing.mechanics.entries import TAGS, scene_entry
-from planar_pushing.mechanics.scene import Scene, required_scene, required_single
+from planar_pushing.mechanics.scene import Scene, require_scene, require_single
 from planar_pushing.mechanics.supports import SHAPES, Composite
 from planar_pushing.scenes.fields import FileModel
 from planar_pushing.scenes.object_model import ObjectFile
 from planar_pushing.scenes.scene_model import SceneFile
-from planar_pushing.scenes.yaml_text import read_yaml, shown
+from planar_pushing.scenes.yaml_text import format_entry, read_yaml
 from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path, suggestion
 from planar_pushing.terms.replacing import PathLike, replacing
 
@@ -58,7 +57,7 @@ def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
     """
     if not isinstance(title, str):
         raise InvalidValue("title", title, "text", "name the scene")
-    for effect in required_single(required_scene(scene)).effects:
+    for effect in require_single(require_scene(scene)).effects:
         support = getattr(effect, "support", None)
         if support is not None and not _is_in_files(support):
             raise InvalidValue(
@@ -113,7 +112,7 @@ def load_model(path: PathLike, model: type[Model]) -> Model:
     try:
         return model.model_validate(content)
     except ValidationError as error:
-        lines = [explain(path, each) for each in error.errors()]
+        lines = [explain(path, detail) for detail in error.errors()]
         more = [f"{path}: and {len(lines) - 5} more"] if len(lines) > 5 else []
         raise InvalidFile("\n".join(lines[:5] + more)) from None
 
@@ -127,49 +126,54 @@ def _key(location: tuple[int | str, ...]) -> str:
         if isinstance(part, int):
             key += f"[{part}]"
         elif not tag:
-            word = shown(part)[1:].removesuffix("'")
+            word = format_entry(part)[1:].removesuffix("'")
             key += f".{word}" if key else word
         previous = part
     return key
 
 
-def _other_kind(given: dict[object, object], known: list[str]) -> str:
+def _other_kind(content: dict[object, object], known: list[str]) -> str:
     """Remedy for unknown top-level keys: another file if this one is of another kind."""
-    kinds = [kind for key, kind in KINDS.items() if key in given and key not in known]
+    kinds = [kind for key, kind in KINDS.items() if key in content and key not in known]
     return f"this is {kinds[0]}; give a file with these keys" if kinds else "remove the key"
+
+
+def _quoted_words(text: str) -> list[str]:
+    """The names between quotation marks in a message of pydantic."""
+    return re.findall(r"'([^']*)'", text)
 
 
 def explain(path: Path, error: ErrorDetails) -> str:
     """One-line message with the file, key, value, allowed values and remedy."""
-    key, given, context = _key(error["loc"]), error["input"], error.get("ctx", {})
+    key, value, context = _key(error["loc"]), error["input"], error.get("ctx", {})
     allowed, remedy = error["msg"], "change the value"
     match error["type"]:
         case "missing":
             return f"{path}: {key}: missing; allowed: a value for this key; add it"
         case "unknown_key":
             unknown, known = context["key"], context["known"]
-            remedy = "remove the key" if key else _other_kind(given, known)
-            near = difflib.get_close_matches(str(unknown), known, n=1)
-            remedy = f"did you mean {near[0]}?" if near else remedy
-            word = shown(unknown)[1:].removesuffix("'") if isinstance(unknown, str) else unknown
-            key, given = (f"{key}.{word}" if key else str(word)), given[unknown]
+            remedy = "remove the key" if key else _other_kind(value, known)
+            remedy = suggestion(unknown, known, remedy)
+            word = (
+                format_entry(unknown)[1:].removesuffix("'") if isinstance(unknown, str) else unknown
+            )
+            key, value = (f"{key}.{word}" if key else str(word)), value[unknown]
             allowed = f"the keys {', '.join(known)}"
         case "refused":
             name, remedy = context["name"], context["remedy"]
             key = f"{key}.{name}" if key and name[:1] not in ("", "[") else f"{key}{name}"
-            given = context["given"] if name else given
+            value = context["given"] if name else value
         case "union_tag_invalid":
             tag, words = context["discriminator"][1:-1], context["expected_tags"]
-            key, given, allowed = f"{key}.{tag}", context["tag"], words
-            remedy = suggestion(given, re.findall(r"\w+", words), remedy)
+            key, value, allowed = f"{key}.{tag}", context["tag"], words
+            remedy = suggestion(value, _quoted_words(words), remedy)
         case "union_tag_not_found":
             allowed = f"a mapping with the key {context['discriminator']}"
         case "literal_error":
             allowed = context["expected"]
-        case "unknown_option":
-            remedy = suggestion(given, context["names"], remedy)
+            remedy = suggestion(value, _quoted_words(allowed), remedy)
         case "model_attributes_type" | "dict_type":
             allowed = "a mapping"
         case "string_type":
             allowed = "text"
-    return f"{path}: {key or 'the file'}: {shown(given)} given; allowed: {allowed}; {remedy}"
+    return f"{path}: {key or 'the file'}: {format_entry(value)} given; allowed: {allowed}; {remedy}"

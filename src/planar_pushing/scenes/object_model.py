@@ -71,22 +71,28 @@ class ObjectFile(FileModel):
 
     @model_validator(mode="before")
     @classmethod
-    def _rests(cls, given: Any) -> Any:
+    def _rests(cls, content: Any) -> Any:
         """Give the object's support to effects without one."""
-        own = _support(given["object"]) if isinstance(given, dict) and "object" in given else None
-        effects = given.get("effects") if isinstance(given, dict) else None
-        if own is None or not isinstance(effects, list):
-            return given
+        support = (
+            _support(content["object"])
+            if isinstance(content, dict) and "object" in content
+            else None
+        )
+        effects = content.get("effects") if isinstance(content, dict) else None
+        if support is None or not isinstance(effects, list):
+            return content
         filled = [
-            each | {"support": own}
-            if isinstance(each, dict) and each.get("type") in RESTING and "support" not in each
-            else each
-            for each in effects
+            effect | {"support": support}
+            if isinstance(effect, dict)
+            and effect.get("type") in RESTING
+            and "support" not in effect
+            else effect
+            for effect in effects
         ]
-        return given | {"effects": filled}
+        return content | {"effects": filled}
 
     _twist_has_inertia = field_validator("simulate")(
-        lambda given, info: require_inertia(given, info)
+        lambda entry, info: require_inertia(entry, info)
     )
 
     @model_validator(mode="after")
@@ -99,11 +105,11 @@ class ObjectFile(FileModel):
         return self
 
     def build(self) -> Scene:
-        place = self.object.contact
+        contact = self.object.contact
         return scene_at(
-            place.point,
-            place.normal,
-            side=place.side,
+            contact.point,
+            contact.normal,
+            side=contact.side,
             effects=[effect.build() for effect in self.effects],
             contact=self.contact.build(),
             outline=self.object.outline,
@@ -118,16 +124,16 @@ class ObjectFile(FileModel):
         )
 
 
-def _support(given: Any) -> dict[str, Any] | None:
+def _support(entry: Any) -> dict[str, Any] | None:
     """Entry of an object's support, if it has feet or an outline."""
-    found = given if isinstance(given, dict) else {}
-    feet, outline = found.get("feet"), found.get("outline")
-    if isinstance(feet, list) and feet and all(isinstance(each, dict) for each in feet):
-        names = [each.get("name") for each in feet]
+    content = entry if isinstance(entry, dict) else {}
+    feet, outline = content.get("feet"), content.get("outline")
+    if isinstance(feet, list) and feet and all(isinstance(foot, dict) for foot in feet):
+        names = [foot.get("name") for foot in feet]
         return {
             "shape": "points",
-            "positions": [each.get("position") for each in feet],
-            "weights": [each.get("weight", 1.0) for each in feet],
+            "positions": [foot.get("position") for foot in feet],
+            "weights": [foot.get("weight", 1.0) for foot in feet],
             **({"names": names} if all(names) else {}),
         }
     return {"shape": "polygon", "vertices": outline} if outline and not feet else None

@@ -10,7 +10,7 @@ from pydantic import ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
 from planar_pushing.mechanics.effects import EFFECTS
-from planar_pushing.mechanics.scene import Scene, world_of
+from planar_pushing.mechanics.scene import Scene
 from planar_pushing.scenes.entries import (
     ContactEntry,
     EffectEntry,
@@ -18,8 +18,9 @@ from planar_pushing.scenes.entries import (
     SliderEntry,
     UnitsEntry,
 )
-from planar_pushing.scenes.fields import FileModel, NotEmpty, Text, refused
+from planar_pushing.scenes.fields import FileModel, NotEmpty, Text, refuse_key
 from planar_pushing.scenes.simulate_model import PieceEntry, SimulateEntry
+from planar_pushing.simulation.world import world_of
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import in_radians
 from planar_pushing.terms.options import EffectKind, PusherFrame
@@ -40,7 +41,7 @@ class SceneFile(FileModel):
     units: UnitsEntry | None = None
 
     _twist_has_inertia = field_validator("simulate")(
-        lambda given, info: require_inertia(given, info)
+        lambda entry, info: require_inertia(entry, info)
     )
 
     @model_validator(mode="after")
@@ -65,14 +66,18 @@ class SceneFile(FileModel):
     @property
     def pieces(self) -> tuple[PieceEntry, ...]:
         """Velocities of the pusher over time, with angles from the fence; empty without `simulate`."""
-        given = self.simulate
-        if given is None or given.object_pose is None or given.pusher_frame == PusherFrame.FENCE:
-            return () if given is None else given.pieces
-        pose = given.object_pose
+        section = self.simulate
+        if (
+            section is None
+            or section.object_pose is None
+            or section.pusher_frame == PusherFrame.FENCE
+        ):
+            return () if section is None else section.pieces
+        pose = section.object_pose
         fence = world_of(self._scene(), (pose.x, pose.y, float(np.deg2rad(pose.angle)))).fence
         turn = float(np.rad2deg(np.arctan2(fence.axis[1], fence.axis[0])))
         return tuple(
-            piece.model_copy(update={"angle": piece.angle - turn}) for piece in given.pieces
+            piece.model_copy(update={"angle": piece.angle - turn}) for piece in section.pieces
         )
 
     def _scene(self) -> Scene:
@@ -85,13 +90,15 @@ class SceneFile(FileModel):
         )
 
 
-def require_inertia(given: SimulateEntry | None, info: ValidationInfo) -> SimulateEntry | None:
+def require_inertia(entry: SimulateEntry | None, info: ValidationInfo) -> SimulateEntry | None:
     """Require inertia among the effects if the section `simulate` has an initial twist."""
-    inert = EffectKind.INERTIA in {EFFECTS[each.type].kind for each in info.data.get("effects", ())}
-    if given and given.initial_twist and not inert:
+    inert = EffectKind.INERTIA in {
+        EFFECTS[effect.type].kind for effect in info.data.get("effects", ())
+    }
+    if entry and entry.initial_twist and not inert:
         twist, allowed = (
-            given.initial_twist.model_dump(),
+            entry.initial_twist.model_dump(),
             "this key with inertia among the effects only",
         )
-        raise refused("initial_twist", twist, allowed, "leave it out, or add inertia")
-    return given
+        raise refuse_key("initial_twist", twist, allowed, "leave it out, or add inertia")
+    return entry

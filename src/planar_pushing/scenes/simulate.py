@@ -57,7 +57,10 @@ def _pusher(entry: SimulateEntry) -> Pusher:
     if entry.pusher_radius is not None:
         kind["radius"] = entry.pusher_radius
     if entry.waypoints is not None:
-        return Pusher(waypoints=[(each.time, (each.x, each.y)) for each in entry.waypoints], **kind)
+        return Pusher(
+            waypoints=[(waypoint.time, (waypoint.x, waypoint.y)) for waypoint in entry.waypoints],
+            **kind,
+        )
     return Pusher(velocity=[(piece.time, velocity(piece)) for piece in entry.pieces], **kind)
 
 

@@ -24,7 +24,7 @@ from planar_pushing.scenes.fields import (
     Positive,
     ShapeName,
     refuse,
-    refused,
+    refuse_key,
 )
 from planar_pushing.terms.domain import (
     DISTANCE,
@@ -115,7 +115,7 @@ class TwistEntry(FileModel):
 PolicyEntries = Annotated[
     Annotated[PolicyName, Tag("one")]
     | Annotated[tuple[PolicyEntry, ...], NotEmpty, Tag("several")],
-    Discriminator(lambda given: "several" if isinstance(given, (list, tuple)) else "one"),
+    Discriminator(lambda value: "several" if isinstance(value, (list, tuple)) else "one"),
 ]
 
 
@@ -143,12 +143,12 @@ class SimulateEntry(FileModel):
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         kinds = ("pusher_angle", "pusher", "waypoints")
-        given = [name for name in kinds if getattr(self, name) is not None]
-        if len(given) != 1:
+        names = [name for name in kinds if getattr(self, name) is not None]
+        if len(names) != 1:
             allowed = f"exactly one of {', '.join(kinds[:2])} and {kinds[2]}"
-            if given:
-                raise refused(given[1], " and ".join(given), allowed, "remove the others")
-            raise refused(kinds[0], None, allowed, "give one of them")
+            if names:
+                raise refuse_key(names[1], " and ".join(names), allowed, "remove the others")
+            raise refuse_key(kinds[0], None, allowed, "give one of them")
         if self.pusher_angle is None and self.pusher_speed is not None:
             self._refuse("pusher_speed", "pusher_angle", "give each piece of pusher its own speed")
         if self.pusher_radius and self.pusher_shape != Shape.FINGER:
@@ -166,16 +166,16 @@ class SimulateEntry(FileModel):
         for name, pieces in timed.items():
             times = [piece.time for piece in pieces] or [0.0]
             if times[0] != 0 or any(b <= a for a, b in itertools.pairwise(times)):
-                raise refused(
+                raise refuse_key(
                     name, times, "times that begin at 0 and increase", "put them in order"
                 )
         if self.waypoints is not None and len(self.waypoints) < 2:
-            raise refused("waypoints", len(self.waypoints), "at least two waypoints", "add one")
+            raise refuse_key("waypoints", len(self.waypoints), "at least two waypoints", "add one")
         return self
 
     def _refuse(self, name: str, other: str, remedy: str) -> None:
         """Refuse a key that goes with another one only."""
-        raise refused(name, getattr(self, name), f"this key with {other} only", remedy)
+        raise refuse_key(name, getattr(self, name), f"this key with {other} only", remedy)
 
     @property
     def pieces(self) -> tuple[PieceEntry, ...]:

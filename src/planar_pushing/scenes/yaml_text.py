@@ -47,9 +47,9 @@ class _Plain(Composer):
 class _DecimalComma(Exception):
     """A number with a decimal comma: `{a: 0,5}` is the mapping `{a: 0, 5: null}`."""
 
-    def __init__(self, key: str, given: str, mark: Any) -> None:
+    def __init__(self, key: str, text: str, mark: Any) -> None:
         super().__init__(
-            f"line {mark.line + 1}, column {mark.column + 1}: {key}: {given!r} given; allowed: a number "
+            f"line {mark.line + 1}, column {mark.column + 1}: {key}: {text!r} given; allowed: a number "
             "with a decimal point, since a comma ends a value; write the point"
         )
 
@@ -63,9 +63,9 @@ def _is_split(value: Any, rest: Any, nothing: Any) -> bool:
     return bool(first and last and not nothing.value)
 
 
-def shown(given: object) -> str:
+def format_entry(value: object) -> str:
     """Text of a value in a message, shortened to one line."""
-    text = repr(given)
+    text = repr(value)
     return text if len(text) <= LINE else f"{text[: LINE - 3]}..."
 
 
@@ -100,14 +100,18 @@ def _text(path: Path) -> str:
         with path.open("rb") as stream:
             content = stream.read(BYTES + 1)
         if content.startswith(NETCDF4):
-            given = "a netCDF4 file, such as a log or a dataset"
-            raise InvalidFile(f"{path}: is {given}; allowed: a YAML file; give a scene or a study")
+            description = "a netCDF4 file, such as a log or a dataset"
+            raise InvalidFile(
+                f"{path}: is {description}; allowed: a YAML file; give a scene or a study"
+            )
         if len(content) > BYTES:
             allowed = f"files of at most {BYTES} bytes"
             raise InvalidFile(f"{path}: is too large; allowed: {allowed}; choose another file")
         return content.decode("utf-8")
     except FileNotFoundError:
         raise InvalidFile(f"{path}: no such file; give the path of a YAML file") from None
+    except UnicodeDecodeError:
+        raise InvalidFile(f"{path}: is not text in UTF-8; give a YAML text file") from None
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
         raise InvalidFile(f"{path}: cannot be read ({reason}); give a YAML text file") from None

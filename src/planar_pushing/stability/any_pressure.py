@@ -179,11 +179,14 @@ def any_pressure(
     candidates = Candidates.of(base)
     ends = rotation_end(candidates, -1), rotation_end(candidates, 1)
     origin, rate = np.asarray(point, dtype=float), base.rate
-    least, most = ends
+    low_end, high_end = ends
     return AnyPressure(
-        rotation=(_rotation(least.proved, rate, -1), _rotation(most.proved, rate, 1)),
-        attained_rotation=(_rotation(least.attained, rate, 0), _rotation(most.attained, rate, 0)),
-        supports=(_feet(least, base.size, origin), _feet(most, base.size, origin)),
+        rotation=(_rotation(low_end.proved, rate, -1), _rotation(high_end.proved, rate, 1)),
+        attained_rotation=(
+            _rotation(low_end.attained, rate, 0),
+            _rotation(high_end.attained, rate, 0),
+        ),
+        supports=(_feet(low_end, base.size, origin), _feet(high_end, base.size, origin)),
         _forces=Forces(candidates, ends),
         _weight=size,
     )

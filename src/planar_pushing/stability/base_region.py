@@ -21,7 +21,7 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.pressure.pieces import Pieces
 from planar_pushing.mechanics.pressure.support_in_frames import KINDS
 from planar_pushing.mechanics.supports import Polygon, PressureMap, Ring
-from planar_pushing.mechanics.supports.base import required_support
+from planar_pushing.mechanics.supports.base import require_support
 from planar_pushing.mechanics.supports.pressure_map import pressed_area
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import as_array
@@ -77,14 +77,14 @@ class Curves(NamedTuple):
         """Curvature of each."""
         return np.divide(1.0, self.radius, out=np.zeros_like(self.radius), where=self.radius > 0.0)
 
-    def nearest(self, place: Array) -> tuple[Array, Array]:
+    def nearest(self, point: Array) -> tuple[Array, Array]:
         """Arc length on each at which it is nearest to a place, and the distance there."""
-        away = place - self.start
+        away = point - self.start
         line = np.clip((away * self.tangent).sum(axis=1), 0.0, self.length)
         turn = np.mod(np.arctan2(away[:, 1], away[:, 0]), 2.0 * np.pi)
         along = np.where(self.radius > 0.0, turn * self.radius, line)
         points, _ = self.points(np.arange(len(along)), along)
-        return along, np.hypot(*(points - place).T)
+        return along, np.hypot(*(points - point).T)
 
 
 class Areas(NamedTuple):
@@ -223,7 +223,7 @@ def base_at(
         If the region is neither an outline nor a support, a pair is not two finite numbers, the velocity is
         zero, or the center of pressure is outside of the region's convex hull.
     """
-    support = required_region(region)
+    support = require_region(region)
     # A rim between two cells of a map would only add work.
     pieces = pressed_area(support) if isinstance(support, PressureMap) else support.pieces()
     origin, (x, y) = np.array(_pair("point", point)), _pair("velocity", velocity)
@@ -255,17 +255,17 @@ def base_at(
     return Base(scaled, Areas(edges, discs), center / size, motion, size, speed / size)
 
 
-def required_region(given: Any) -> Any:
+def require_region(value: Any) -> Any:
     """A region as a support: the support that was given, or a polygon of the outline."""
-    if type(given) in KINDS or all(hasattr(type(given), name) for name in ("pieces", "extent")):
-        support = required_support("region", given)
+    if type(value) in KINDS or all(hasattr(type(value), name) for name in ("pieces", "extent")):
+        support = require_support("region", value)
         if isinstance(support, Ring) and support.radius is None:
             raise InvalidValue(
                 "region", support, "a ring with a radius", "give the radius, as in Ring(1.0)"
             )
         return support
     try:
-        return Polygon(given)
+        return Polygon(value)
     except InvalidValue as error:
         raise InvalidValue(
             "region", error.given,
@@ -273,10 +273,10 @@ def required_region(given: Any) -> Any:
         ) from None  # fmt: skip
 
 
-def _pair(name: str, given: Any) -> tuple[float, float]:
-    numbers = as_array(given)
+def _pair(name: str, value: Any) -> tuple[float, float]:
+    numbers = as_array(value)
     if numbers is None or numbers.shape != (2,) or not np.isfinite(numbers).all():
-        raise InvalidValue(name, given, "two finite numbers", "give x and y in the object's frame")
+        raise InvalidValue(name, value, "two finite numbers", "give x and y in the object's frame")
     return float(numbers[0]), float(numbers[1])
 
 
@@ -309,13 +309,13 @@ def _reach(curves: Curves) -> float:
     return float((np.hypot(*ends.T) + np.tile(curves.radius, 2)).max())
 
 
-def _beyond(curves: Curves, place: Array) -> float:
+def _beyond(curves: Curves, point: Array) -> float:
     """Distance of a place from the convex hull; negative inside."""
     angles, width = np.linspace(-np.pi, np.pi, DIRECTIONS + 1), 2.0 * np.pi / DIRECTIONS
     while True:
         normals = np.stack([np.cos(angles), np.sin(angles)])
         reach = np.maximum(curves.start @ normals, curves.end @ normals) + curves.radius[:, None]
-        off = place @ normals - reach.max(axis=0)
+        off = point @ normals - reach.max(axis=0)
         best = int(off.argmax())
         if width < 1e-9:
             return float(off[best])

@@ -54,7 +54,7 @@ class Bound:
         width = self.high - self.low
         return (self.last - self.first) / width if width > 0.0 else np.zeros(4)
 
-    def at(self, eta: Array) -> Array:
+    def multipliers(self, eta: Array) -> Array:
         """Multipliers, shape S + (4,)."""
         return np.asarray(self.first + (eta - self.low)[..., None] * self.slope)
 
@@ -147,7 +147,7 @@ def _bounds(base: Base, bound: Bound, boxes: _Boxes) -> tuple[Array, Array]:
     curvature, on_path = base.curves.curvature[curve], base.on_path[curve]
     cosine, sine = np.cos(boxes.eta), np.sin(boxes.eta)
     q, turned, u = _turn_quarter(r), _turn_quarter(tangent), base.motion
-    m, slope = bound.at(boxes.eta), bound.slope
+    m, slope = bound.multipliers(boxes.eta), bound.slope
     k, k_slope = m[:, 3], slope[3]
 
     v = cosine[:, None] * u + sine[:, None] * q
@@ -167,14 +167,14 @@ def _bounds(base: Base, bound: Bound, boxes: _Boxes) -> tuple[Array, Array]:
         sines, ks = np.minimum(np.abs(sine) + b, 1.0), np.abs(k) + abs(k_slope) * b
         b_size = _norm(m[:, 1:3]) + np.hypot(*slope[1:3]) * b
         v_one = sines * a + np.sqrt(1.0 + reach**2) * b
-        most, least = speed + v_one, speed - v_one
-        v_two = sines * curvature * a**2 + 2.0 * a * b + most * b**2
+        max_speed, min_speed = speed + v_one, speed - v_one
+        v_two = sines * curvature * a**2 + 2.0 * a * b + max_speed * b**2
         # Across v only: e does not change along a line through the center of rotation.
-        across = np.abs(_cross(v, v_along)) * a + np.abs(_cross(v, v_turn)) * b + most * v_two
-        v_across = np.minimum(v_one, across / least)
+        across = np.abs(_cross(v, v_along)) * a + np.abs(_cross(v, v_turn)) * b + max_speed * v_two
+        v_across = np.minimum(v_one, across / min_speed)
         v_across[on_path], v_two[on_path] = 0.0, 0.0
         w_one = ks * a + abs(k_slope) * reach * b
-        w_most, turns = size_w + w_one, v_across / least
+        w_most, turns = size_w + w_one, v_across / min_speed
         # On a circle, what bends w and what bends the affine function may cancel.
         bent = (
             _norm(-k[:, None] * _turn_quarter(e) - m[:, 1:3])
@@ -182,7 +182,7 @@ def _bounds(base: Base, bound: Bound, boxes: _Boxes) -> tuple[Array, Array]:
             + (b_size - _norm(m[:, 1:3]))
         )
         bend = (bent + abs(k_slope) * b) * curvature * a**2 + 2.0 * w_one * turns
-        bend += w_most * (v_two / least + 2.0 * v_one * turns / least)
+        bend += w_most * (v_two / min_speed + 2.0 * v_one * turns / min_speed)
         bend += 2.0 * (abs(k_slope) + np.hypot(*slope[1:3])) * a * b
 
         terms = w_most + np.abs(m[:, 0]) + b_size * reach
@@ -190,7 +190,7 @@ def _bounds(base: Base, bound: Bound, boxes: _Boxes) -> tuple[Array, Array]:
         smooth += ROUNDING * (terms + w_most / speed)
         crude = w_most - affine + b_size * a + (abs(slope[0]) + np.hypot(*slope[1:3]) * reach) * b
         crude += ROUNDING * terms
-        upper = np.where((least > 0.0) & (smooth < crude), smooth, crude)
+        upper = np.where((min_speed > 0.0) & (smooth < crude), smooth, crude)
         sampled = np.where(speed > 0.0, h, size_w) - affine
     return sampled, upper
 
@@ -207,7 +207,7 @@ def _excess_at_centers(base: Base, bound: Bound) -> float:
         ends = np.array([max(low, bound.low), min(high, bound.high)])
         if ends[0] > ends[1]:
             continue
-        sine, cosine, m = np.sin(ends), np.cos(ends), bound.at(ends)
+        sine, cosine, m = np.sin(ends), np.cos(ends), bound.multipliers(ends)
         sign = 1.0 if low + high > 0.0 else -1.0
         y = sine[:, None] * bound.direction - (cosine * m[:, 3])[:, None] * base.motion
         z = sign * (sine * m[:, 0] + cosine * (m[:, 1:3] @ base.path))

@@ -87,7 +87,7 @@ class Forces:
         u, across = self.base.motion, side * self.base.path
         if self.unique is not None:
             return 0.0, 0.0
-        least = -self.proved_maximum(-u)
+        min_power = -self.proved_maximum(-u)
         angle = max(math.atan2(force @ across, force @ u) for force in self.attained)
         for _ in range(TRIALS):
             outward = math.cos(angle) * across - math.sin(angle) * u
@@ -96,7 +96,9 @@ class Forces:
             if best - angle <= ACCURACY:
                 break
             angle = best
-        beyond = math.asin(min(max(over, 0.0) / least, 1.0)) if least > 0.0 else math.pi / 2.0
+        beyond = (
+            math.asin(min(max(over, 0.0) / min_power, 1.0)) if min_power > 0.0 else math.pi / 2.0
+        )
         return best, min(angle + beyond, math.pi / 2.0)
 
     def proved_maximum(

@@ -32,7 +32,7 @@ PIVOT, EXACT = 1e-10, 1e-12
 #: Directions of the force at the center of rotation, at first.
 FORCES = 8
 #: Smallest pressure of a point, and smallest speed of one that is not at the center of rotation.
-LEAST, SLOWEST = 1e-12, 1e-13
+LIGHTEST, SLOWEST = 1e-12, 1e-13
 #: Reductions by a factor of four of the interval in which a point is sought.
 REDUCTIONS = 14
 
@@ -64,11 +64,11 @@ class Candidates:
     @classmethod
     def of(cls, base: Base) -> Candidates:
         """Points at equal distances on each curve, and those at which the center of rotation may arrive."""
-        (number, along), (crossing, place) = spread(base), base.crossings()
+        (number, along), (crossing, position) = spread_points(base), base.crossings()
         return cls(
             base,
             np.concatenate([number.ravel(), crossing]),
-            np.concatenate([along.ravel(), place]),
+            np.concatenate([along.ravel(), position]),
         )
 
     def add(self, number: Ints, along: Array) -> None:
@@ -132,28 +132,28 @@ def _exchange_points(
 ) -> Optimum:  # fmt: skip
     """The optimum of a program, to which the points are added that its bound leaves out."""
     base, direction = candidates.base, program.direction
-    best, least = program.solve(), np.inf
+    best, min_violation = program.solve(), np.inf
     for _ in range(EXCHANGES):
         optimum = program.solve()
-        number, along, most = _violations(base, near, eta, direction, optimum.multiplier)
+        number, along, violation = _violations(base, near, eta, direction, optimum.multiplier)
         program.extend(_columns_in_motion(base, eta, base.curves.points(number, along)[0]))
         candidates.add(number, along)
         if middle is not None:
-            pull = direction + optimum.multiplier[3] * np.array([-middle[1], middle[0]])
-            size = float(np.hypot(*pull))
+            vector = direction + optimum.multiplier[3] * np.array([-middle[1], middle[0]])
+            size = float(np.hypot(*vector))
             off = size - float(optimum.multiplier[0] + optimum.multiplier[1:3] @ middle)
             if off > enough:
-                most = max(most, off)
-                program.extend(_Columns(middle[None], pull[None] / size))
-        stalls = most > least / 2.0 and least < STALLED
-        if most < least:
-            best, least = optimum, most
-        if most <= enough or stalls:
+                violation = max(violation, off)
+                program.extend(_Columns(middle[None], vector[None] / size))
+        stalls = violation > min_violation / 2.0 and min_violation < STALLED
+        if violation < min_violation:
+            best, min_violation = optimum, violation
+        if violation <= enough or stalls:
             break
     return best
 
 
-def spread(base: Base) -> tuple[Ints, Array]:
+def spread_points(base: Base) -> tuple[Ints, Array]:
     """Points at equal distances on each curve, as arrays of shape (curves, `POINTS`)."""
     count = len(base.curves.length)
     number = np.repeat(np.arange(count)[:, None], POINTS, axis=1)
@@ -162,12 +162,12 @@ def spread(base: Base) -> tuple[Ints, Array]:
 
 def _near_center(base: Base, eta: float) -> tuple[Ints, Array]:
     """Sorted points on each curve: at equal distances, and denser near the center of rotation."""
-    number, along = spread(base)
+    number, along = spread_points(base)
     if eta:
-        place, distance = base.curves.nearest(base.path / np.tan(eta))
+        position, distance = base.curves.nearest(base.path / np.tan(eta))
         steps = np.maximum(distance, 1e-6)[:, None] * 2.0 ** np.arange(-2, DOUBLINGS - 2)
         close = np.concatenate(
-            [place[:, None] - steps, place[:, None], place[:, None] + steps], axis=1
+            [position[:, None] - steps, position[:, None], position[:, None] + steps], axis=1
         )
         length, closed = base.curves.length[:, None], base.curves.radius[:, None] > 0.0
         around = np.mod(close, np.where(closed, length, 1.0))
@@ -196,9 +196,9 @@ def _center_column(base: Base, eta: float) -> Array | None:
     """The center of rotation if it can carry weight."""
     if not eta:
         return None
-    place = base.path / np.tan(eta)
-    _, distance = base.curves.nearest(place)
-    return place if base.covers(eta) or (distance <= SLOWEST / abs(np.sin(eta))).any() else None
+    center = base.path / np.tan(eta)
+    _, distance = base.curves.nearest(center)
+    return center if base.covers(eta) or (distance <= SLOWEST / abs(np.sin(eta))).any() else None
 
 
 class _Program:
@@ -250,7 +250,7 @@ class _Program:
             rank = away[first] if pivot < BLAND else -self.basis[first]
             self.basis[first[rank.argmax()]] = enters
         multiplier = np.append(dual[:3], self.torque if self.torque is not None else -dual[3])
-        carries = (held > LEAST) & (self.basis >= 2 * len(self.goal))
+        carries = (held > LIGHTEST) & (self.basis >= 2 * len(self.goal))
         pressure = Pressure(self.points[self.basis[carries]], held[carries])
         rest = self.matrix[:3, self.basis[carries]] @ held[carries] - self.goal[:3]
         return Optimum(
@@ -277,15 +277,15 @@ def _violations(
     behind = np.pad(off[:, 1:], ((0, 0), (0, 1)), constant_values=-np.inf)
     # A flat top counts once, at its end.
     top = (off >= before) & (off > behind) & (off > -1e-2)
-    curve, place = np.nonzero(top)
+    curve, index = np.nonzero(top)
     # The neighbors at other arc lengths: points may coincide, at ends for example.
     count = np.arange(along.shape[1])
     new = np.diff(along, axis=1) > 0.0
     first = np.maximum.accumulate(np.pad(np.where(new, count[1:], 0), ((0, 0), (1, 0))), axis=1)
     ends = np.pad(np.where(new, count[:-1], count[-1]), ((0, 0), (0, 1)), constant_values=count[-1])
     last = np.minimum.accumulate(ends[:, ::-1], axis=1)[:, ::-1]
-    low = along[curve, np.maximum(first[curve, place] - 1, 0)]
-    high = along[curve, np.minimum(last[curve, place] + 1, count[-1])]
+    low = along[curve, np.maximum(first[curve, index] - 1, 0)]
+    high = along[curve, np.minimum(last[curve, index] + 1, count[-1])]
     grid = np.linspace(0.0, 1.0, 9)
     for _ in range(REDUCTIONS):
         tries = low[:, None] + (high - low)[:, None] * grid

@@ -62,13 +62,13 @@ def rotation_end(candidates: Candidates, sign: int) -> End:
     )  # the rotations up to `open_` are attained, or not decided
     for _ in range(PROGRAMS):
         optimum = largest(candidates, probe, NO_FORCE, -float(sign), enough)
-        least = -optimum.value
+        minimum = -optimum.value
         if optimum.exact:
-            reached = [balance_rotation(base, optimum.pressure, sign)] + [probe] * (least <= 0.0)
+            reached = [balance_rotation(base, optimum.pressure, sign)] + [probe] * (minimum <= 0.0)
             further = max(reached, key=lambda value: sign * value)
             if sign * (further - eta) > 0.0:
                 eta, pressure = further, optimum.pressure
-        if least > 0.0 and _is_beyond(base, probe, sign, optimum.multiplier):
+        if minimum > 0.0 and _is_beyond(base, probe, sign, optimum.multiplier):
             beyond = probe
         elif enough <= FINE:
             open_ = max(open_, probe, key=lambda value: sign * value)

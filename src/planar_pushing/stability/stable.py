@@ -12,12 +12,12 @@ from planar_pushing.mechanics.effects import Effect, Load, RingFriction, Support
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.plane import Array, Frame, direction
 from planar_pushing.mechanics.rows import extents
-from planar_pushing.mechanics.scene import Scene, required_scene, required_single
+from planar_pushing.mechanics.scene import Scene, require_scene, require_single
 from planar_pushing.mechanics.supports import Ring
 from planar_pushing.objects.resistance import feet_of, motion_at, without_feet
 from planar_pushing.objects.wrench_set import ROUNDING
 from planar_pushing.terms.errors import InvalidValue
-from planar_pushing.terms.numbers import required_array
+from planar_pushing.terms.numbers import require_array
 
 #: The fence frame in itself.
 FENCE = Frame((0.0, 0.0), (1.0, 0.0))
@@ -59,7 +59,7 @@ def stable(scene: Scene, twist: npt.ArrayLike) -> Any:
     within rounding of an edge is on it. With `PerfectlyRough`, which can pull at both ends, every push is
     stable.
     """
-    flush = required_flush(scene)
+    flush = require_flush(scene)
     twists = _required_twists(twist)
     if flush.law.rough:
         return np.ones(twists.shape[:-1], dtype=bool) if twists.ndim > 1 else True
@@ -67,9 +67,9 @@ def stable(scene: Scene, twist: npt.ArrayLike) -> Any:
     return is_stable if twists.ndim > 1 else bool(is_stable)
 
 
-def required_flush(scene: Any) -> Scene:
+def require_flush(scene: Any) -> Scene:
     """A single scene without inertia whose side lies on the fence, or `InvalidValue`."""
-    single = required_single(required_scene(scene))
+    single = require_single(require_scene(scene))
     if not single.slider.flush:
         raise InvalidValue(
             "scene", "a scene with one point of contact", "a scene whose side lies on the fence",
@@ -84,14 +84,14 @@ def required_flush(scene: Any) -> Scene:
     return single
 
 
-def _required_twists(given: Any) -> Array:
-    twists = required_array("twist", given, *TWIST)
+def _required_twists(value: Any) -> Array:
+    twists = require_array("twist", value, *TWIST)
     if twists.shape[-1:] != (3,) or not np.isfinite(twists).all():
-        raise InvalidValue("twist", given, *TWIST)
+        raise InvalidValue("twist", value, *TWIST)
     if not twists.any(axis=-1).all():
         raise InvalidValue(
             "twist",
-            given,
+            value,
             "twists that are not zero",
             "give a motion: at rest every load is possible",
         )
@@ -101,7 +101,7 @@ def _required_twists(given: Any) -> Array:
 def effects_in_fence(scene: Scene) -> tuple[Effect, ...]:
     """The effects of a scene without inertia, with supports and points in the fence frame."""
     fence = fence_in_body(scene)
-    return tuple(_with_own_geometry(each, scene).moved(fence, FENCE) for each in scene.effects)
+    return tuple(_with_own_geometry(effect, scene).moved(fence, FENCE) for effect in scene.effects)
 
 
 def fence_in_body(scene: Scene) -> Frame:
@@ -117,8 +117,12 @@ def _with_own_geometry(effect: Any, scene: Scene) -> Any:
     ring = Ring(float(scene.slider.radius))
     if isinstance(effect, RingFriction):
         return SupportFriction(support=ring, weight=effect.weight)
-    own = effect.support
-    return replace(effect, support=ring) if isinstance(own, Ring) and own.radius is None else effect
+    support = effect.support
+    return (
+        replace(effect, support=ring)
+        if isinstance(support, Ring) and support.radius is None
+        else effect
+    )
 
 
 def cone_at_ends(scene: Scene) -> Array:
@@ -147,14 +151,14 @@ def _are_stable(scene: Scene, twists: Array) -> npt.NDArray[np.bool_]:
     feet, reach = feet_of(effects), _reach(scene, effects)
     loads, shares = _friction_of_feet(feet, moved, reach)
     loads, size = scales[1] * loads, 0.0
-    for each in effects:
-        loads = loads + scales[each.degree] * without_feet(each, effects, moved)
-        size = size + scales[each.degree] * _size(each, moved, reach)
+    for effect in effects:
+        loads = loads + scales[effect.degree] * without_feet(effect, effects, moved)
+        size = size + scales[effect.degree] * _size(effect, moved, reach)
     rows = cone_at_ends(scene)
-    # The least value of a row over the forces of a foot, (g, r x g) with |g| at most its share.
+    # The smallest value of a row over the forces of a foot, (g, r x g) with |g| at most its share.
     x, y = feet[:, :1], feet[:, 1:2]
-    least = np.hypot(rows[:, 0] - rows[:, 2] * y, rows[:, 1] + rows[:, 2] * x)
-    margins = loads @ rows.T - scales[1] * (shares @ least)
+    foot_margins = np.hypot(rows[:, 0] - rows[:, 2] * y, rows[:, 1] + rows[:, 2] * x)
+    margins = loads @ rows.T - scales[1] * (shares @ foot_margins)
     rounding = ROUNDING * size * (np.hypot(rows[:, 0], rows[:, 1]) + reach * np.abs(rows[:, 2]))
     within = margins >= -rounding
     if not scene.law.closed:
@@ -175,8 +179,11 @@ def _friction_of_feet(feet: Array, twists: Array, reach: float) -> tuple[Array, 
 
 def _reach(scene: Scene, effects: tuple[Any, ...]) -> float:
     """Largest distance of the side and of the supports from the fence's origin."""
-    supports = [each.support for each in effects if not isinstance(each, Load)]
-    far = [float(np.hypot(*each.center_of_pressure)) + float(extents(each)) for each in supports]
+    supports = [effect.support for effect in effects if not isinstance(effect, Load)]
+    far = [
+        float(np.hypot(*support.center_of_pressure)) + float(extents(support))
+        for support in supports
+    ]
     start, end = scene.slider.side
     return float(max(-start, end, *far))
 

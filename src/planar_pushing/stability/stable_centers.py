@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.arrays import same
 from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.effects import Effect, Inertia
 from planar_pushing.mechanics.force.force_motion import motion_of_force
+from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.objects.scene_at import scene_at
@@ -20,11 +20,11 @@ from planar_pushing.stability.stable import (
     FENCE,
     effects_in_fence,
     fence_in_body,
-    required_flush,
+    require_flush,
     stable,
 )
 from planar_pushing.terms.errors import InvalidValue, require_option
-from planar_pushing.terms.numbers import required_array
+from planar_pushing.terms.numbers import require_array
 from planar_pushing.terms.options import Sense, StableBound
 
 #: Number of lines of force on each side of the rectangle to begin with.
@@ -113,7 +113,7 @@ class StableCenters:
             If a center is not two finite numbers, or there is no such sense.
         """
         allowed = "finite numbers of shape S + (2,)", "give x and y in the object's frame"
-        centers = required_array("center", center, *allowed)
+        centers = require_array("center", center, *allowed)
         if centers.shape[-1:] != (2,) or not np.isfinite(centers).all():
             raise InvalidValue("center", center, *allowed)
         turn = require_option("sense", sense, Sense, "name one of these")
@@ -153,7 +153,7 @@ def stable_centers(scene: Scene) -> StableCenters:
     many twists, those between the two that enclose it. A load has the direction that it has in the scene;
     in the object's frame it turns as the object moves on.
     """
-    flush = required_flush(scene)
+    flush = require_flush(scene)
     if not flush.rows.is_steady:
         raise InvalidValue(
             "scene", "a scene with viscous friction and another effect",
@@ -173,15 +173,15 @@ class Motions(NamedTuple):
 
     Attributes
     ----------
-    place : ndarray, shape (n,)
-        Place of the line on the boundary of the rectangle, from 0 to 4.
+    position : ndarray, shape (n,)
+        Where the line is on the boundary of the rectangle, from 0 to 4.
     twist : ndarray, shape (n, 3)
         Unit twists about the slider's center, in the fence frame, speeds in radii.
     pivots : ndarray of bool, shape (n,)
         Whether the object turns about a foot.
     """
 
-    place: Array
+    position: Array
     twist: Array
     pivots: npt.NDArray[np.bool_]
 
@@ -193,7 +193,7 @@ class Motions(NamedTuple):
     def insert(self, before: npt.NDArray[np.intp], other: Motions) -> Motions:
         """These motions, with other ones inserted after those with the given numbers."""
         pairs = zip(self, other, strict=True)
-        return Motions(*(np.insert(own, before + 1, new, axis=0) for own, new in pairs))
+        return Motions(*(np.insert(array, before + 1, new, axis=0) for array, new in pairs))
 
 
 def _boundary(scene: Scene) -> Motions:
@@ -203,13 +203,13 @@ def _boundary(scene: Scene) -> Motions:
     sides = 1 if scene.law.right == scene.law.left else 4
     motions = _motions(scene, effects, np.linspace(0.0, sides, sides * COARSE + 1))
     while True:
-        wide, turn = np.diff(motions.place), motions.twist[:, 2]
+        wide, turn = np.diff(motions.position), motions.twist[:, 2]
         jumps = (motions.gaps > STEP) | (turn[:-1] * turn[1:] < 0.0)
         corner = (np.diff(motions.pivots) != 0) & (wide > CORNER)
         open_gaps = np.flatnonzero((jumps | corner) & (wide > FINEST))
         if not len(open_gaps):
             return motions
-        middle = (motions.place[:-1] + 0.5 * wide)[open_gaps]
+        middle = (motions.position[:-1] + 0.5 * wide)[open_gaps]
         motions = motions.insert(open_gaps, _motions(scene, effects, middle))
 
 
@@ -230,13 +230,13 @@ def _steady_effects(scene: Scene) -> tuple[Effect, ...]:
     return tuple(masses)
 
 
-def _motions(scene: Scene, effects: tuple[Effect, ...], place: Array) -> Motions:
+def _motions(scene: Scene, effects: tuple[Effect, ...], position: Array) -> Motions:
     """Motions under the lines of force at places on the boundary of the rectangle."""
     (start, end), law = scene.slider.side, scene.law
     # Lines along the fence are the same wherever they cross it.
-    crossing = np.interp(place, [0.0, 1.0, 2.0, 3.0, 4.0], [start, end, end, start, start])
+    crossing = np.interp(position, [0.0, 1.0, 2.0, 3.0, 4.0], [start, end, end, start, start])
     angle = np.interp(
-        place, [0.0, 1.0, 2.0, 3.0, 4.0], [law.right, law.right, law.left, law.left, law.right]
+        position, [0.0, 1.0, 2.0, 3.0, 4.0], [law.right, law.right, law.left, law.left, law.right]
     )
     points = np.stack([crossing, np.zeros_like(crossing)], axis=-1)
     many = scene_at(points, (0.0, 1.0), effects=effects, contact=InfiniteFriction())
@@ -247,7 +247,7 @@ def _motions(scene: Scene, effects: tuple[Effect, ...], place: Array) -> Motions
     twist[:, :2] /= scene.slider.radius
     twist = twist / np.linalg.norm(twist, axis=-1, keepdims=True)
     twist[np.abs(twist[:, 2]) <= SAME, 2] = 0.0
-    return Motions(place, twist, np.asarray(motion.pivot) >= 0)
+    return Motions(position, twist, np.asarray(motion.pivot) >= 0)
 
 
 def _with_translations(motions: Motions) -> Motions:
@@ -271,12 +271,12 @@ def _motions_between(motions: Motions, before: npt.NDArray[np.intp], share: Arra
     one, other = motions.twist[before], motions.twist[before + 1]
     twist = one + share[:, None] * (other - one)
     twist = twist / np.linalg.norm(twist, axis=-1, keepdims=True)
-    return Motions(motions.place[before], twist, np.zeros(len(before), dtype=bool))
+    return Motions(motions.position[before], twist, np.zeros(len(before), dtype=bool))
 
 
 def _curves(motions: Motions, twists: Array) -> tuple[StableCurve, ...]:
     """The motions as curves of one reason and one sense; lines with the same motion belong to none."""
-    sides = np.minimum(0.5 * (motions.place[:-1] + motions.place[1:]), 3.0).astype(int)
+    sides = np.minimum(0.5 * (motions.position[:-1] + motions.position[1:]), 3.0).astype(int)
     turn = motions.twist[:-1, 2] + motions.twist[1:, 2]
     stays = motions.gaps <= SAME
     pivots = motions.pivots[:-1] & motions.pivots[1:] & stays

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactLaw
-from planar_pushing.mechanics.outline import required_outline
+from planar_pushing.mechanics.outline import require_outline
 from planar_pushing.mechanics.plane import Array, Frame
 from planar_pushing.objects.on_outline import side_on_fence
 from planar_pushing.stability.any_pressure import cone_sides
@@ -17,7 +17,7 @@ from planar_pushing.stability.base_region import base_at
 from planar_pushing.stability.certificates import Bound, proved_maximum
 from planar_pushing.stability.linear_program import Candidates, largest
 from planar_pushing.terms.errors import InvalidValue
-from planar_pushing.terms.numbers import as_array, required_array
+from planar_pushing.terms.numbers import as_array, require_array
 
 #: Force, relative to weight and size, by which a load may leave the cone of a side: rounding.
 EDGE = 1e-9
@@ -93,40 +93,40 @@ def stable_for_any_pressure(
     return are_stable.reshape(twists.shape[:-1]) if twists.ndim > 1 else bool(are_stable[0])
 
 
-def _required_twists(given: Any) -> Array:
-    twists = required_array("twist", given, "finite numbers of shape S + (3,)", REMEDY)
+def _required_twists(value: Any) -> Array:
+    twists = require_array("twist", value, "finite numbers of shape S + (3,)", REMEDY)
     if twists.shape[-1:] != (3,) or not np.isfinite(twists).all():
-        raise InvalidValue("twist", given, "finite numbers of shape S + (3,)", REMEDY)
+        raise InvalidValue("twist", value, "finite numbers of shape S + (3,)", REMEDY)
     if not twists.any(axis=-1).all():
-        raise InvalidValue("twist", given, "twists that are not zero", "give a motion of the fence")
+        raise InvalidValue("twist", value, "twists that are not zero", "give a motion of the fence")
     return twists
 
 
-def _required_side(region: Any, given: Any) -> FlatSide:
+def _required_side(region: Any, value: Any) -> FlatSide:
     """The ends of a side, with the object on the left, or `InvalidValue`."""
-    numbers = as_array(given)
+    numbers = as_array(value)
     if numbers is not None and numbers.shape == (2, 2) and np.isfinite(numbers).all():
         start, end = numbers
         length = math.hypot(*(end - start))
         if not length:
-            raise InvalidValue("side", given, "two different points", "give the ends of the side")
+            raise InvalidValue("side", value, "two different points", "give the ends of the side")
         x, y = ((end - start) / length).tolist()
         return FlatSide(start, end, Frame((0.0, 0.0), (x, y)))
     if numbers is None or numbers.ndim:
         raise InvalidValue(
-            "side", given, "a whole number, or two points",
+            "side", value, "a whole number, or two points",
             "give the number of a side of the outline, or its start and end with the object on the left",
         )  # fmt: skip
     try:
-        required_outline(region)
+        require_outline(region)
     except InvalidValue:
         raise InvalidValue(
-            "side", given, "the two ends of the side for a region that is not an outline",
+            "side", value, "the two ends of the side for a region that is not an outline",
             "give its start and end, with the object on the left",
         ) from None  # fmt: skip
-    place, ends, _ = side_on_fence(given, region)
-    start, end = place.fence.point_out(np.column_stack([ends, (0.0, 0.0)]))
-    return FlatSide(start, end, place.fence)
+    placement, ends, _ = side_on_fence(value, region)
+    start, end = placement.fence.point_out(np.column_stack([ends, (0.0, 0.0)]))
+    return FlatSide(start, end, placement.fence)
 
 
 def _is_stable(

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 
-def cached(size: int) -> Callable[[Function], Function]:
+def cache_results(size: int) -> Callable[[Function], Function]:
     """Keep the latest results of a function, up to a number; those of unhashable arguments are not kept."""
 
     def decorate(function: Any) -> Any:

@@ -20,7 +20,7 @@ from typing import Any, get_type_hints
 
 import numpy as np
 
-from planar_pushing.terms.errors import InvalidValue, require_number
+from planar_pushing.terms.errors import InvalidValue, require_number, suggestion
 from planar_pushing.terms.numbers import Number, as_numbers, is_lazy, pair_of, remedy_for
 
 #: A JSON schema.
@@ -44,16 +44,16 @@ class Declaration:
     schema: Schema
 
     @abstractmethod
-    def required(self, name: str, given: Any) -> Any:
+    def require(self, name: str, value: Any) -> Any:
         """The value that a user gives in Python, or `InvalidValue` under a name."""
 
-    def read(self, given: Any) -> Any:
+    def read(self, entry: Any) -> Any:
         """The value in a file, as it is kept in the file's form, or `InvalidValue` without a name."""
-        return self.required("", given)
+        return self.require("", entry)
 
-    def from_file(self, kept: Any) -> Any:
+    def from_file(self, entry: Any) -> Any:
         """The parameter for a value in a file's form."""
-        return kept
+        return entry
 
     def to_file(self, value: Any) -> Any:
         """The value of a parameter in a file's form."""
@@ -62,9 +62,9 @@ class Declaration:
     def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
         from pydantic_core import PydanticCustomError, core_schema
 
-        def read(given: Any) -> Any:
+        def read(entry: Any) -> Any:
             try:
-                return self.read(given)
+                return self.read(entry)
             except InvalidValue as error:
                 raise PydanticCustomError("refused", "{allowed}", vars(error)) from None
 
@@ -96,7 +96,7 @@ class Within(Declaration):
     def words(self) -> str:  # type: ignore[override]
         return self.allowed
 
-    def required(self, name: str, given: Number) -> Number:
+    def require(self, name: str, value: Number) -> Number:
         """The given numbers in double precision; blocks of a lazy array are checked when computed.
 
         Raises
@@ -104,37 +104,37 @@ class Within(Declaration):
         InvalidValue
             If a number is outside the range, with the name, the first number outside, and the range.
         """
-        if type(given) is float and self.allows(given):  # most calls; the rest is for the others
-            return given
-        if is_lazy(given):
-            blocks = given.data.map_blocks(lambda block: self._block(name, block), dtype=float)
-            return given.copy(data=blocks)
-        numbers = as_numbers(given)
+        if type(value) is float and self.allows(value):  # most calls; the rest is for the others
+            return value
+        if is_lazy(value):
+            blocks = value.data.map_blocks(lambda block: self._block(name, block), dtype=float)
+            return value.copy(data=blocks)
+        numbers = as_numbers(value)
         if numbers is None:
-            raise InvalidValue(name, given, self.allowed, remedy_for(given, self.remedy))
+            raise InvalidValue(name, value, self.allowed, remedy_for(value, self.remedy))
         array = np.asarray(numbers)
         wrong = array[~np.asarray(self.allows(array), dtype=bool)]
         if wrong.size:
-            own = array.ndim == 0 and not isinstance(given, np.number)
+            one_number = array.ndim == 0 and not isinstance(value, np.number)
             raise InvalidValue(
-                name, given if own else float(wrong.flat[0]), self.allowed, self.remedy
+                name, value if one_number else float(wrong.flat[0]), self.allowed, self.remedy
             )
         return numbers
 
     def _block(self, name: str, block: Any) -> Any:
         """A block of a lazy array; a block of one number stays an array."""
-        return np.asarray(self.required(name, block))
+        return np.asarray(self.require(name, block))
 
-    def read(self, given: Any) -> float:
+    def read(self, entry: Any) -> float:
         """One number, or the word inf."""
         number = (
-            {"inf": math.inf, "-inf": -math.inf}.get(given, given)
-            if isinstance(given, str)
-            else given
+            {"inf": math.inf, "-inf": -math.inf}.get(entry, entry)
+            if isinstance(entry, str)
+            else entry
         )
         value = as_numbers(number) if isinstance(number, (int, float)) else None
         if value is None or not self.allows(value):
-            raise InvalidValue("", given, self.allowed, self.remedy)
+            raise InvalidValue("", entry, self.allowed, self.remedy)
         return float(value)
 
 
@@ -142,8 +142,8 @@ class Within(Declaration):
 class Single(Within):
     """One number in a range, also in Python."""
 
-    def required(self, name: str, given: Any) -> float:
-        return require_number(name, given, self.allows, self.allowed, self.remedy)
+    def require(self, name: str, value: Any) -> float:
+        return require_number(name, value, self.allows, self.allowed, self.remedy)
 
 
 @dataclass(frozen=True, eq=False)
@@ -162,18 +162,18 @@ class Degrees(Within):
     def words(self) -> str:  # type: ignore[override]
         return self.degrees.allowed
 
-    def read(self, given: Any) -> float:
-        return self.degrees.read(given)
+    def read(self, entry: Any) -> float:
+        return self.degrees.read(entry)
 
-    def from_file(self, kept: float) -> float:
-        return float(np.deg2rad(kept if abs(kept) <= 720.0 else math.fmod(kept, 360.0)))
+    def from_file(self, entry: float) -> float:
+        return float(np.deg2rad(entry if abs(entry) <= 720.0 else math.fmod(entry, 360.0)))
 
     def to_file(self, value: Number) -> float:
         """Shortest number of degrees that converts back to the same radians."""
         degrees = float(np.rad2deg(value))
-        short = [float(f"{degrees:.{digits}g}") for digits in range(1, 18)]
+        rounded = [float(f"{degrees:.{digits}g}") for digits in range(1, 18)]
         beside = [float(np.nextafter(degrees, end)) for end in (-math.inf, math.inf)]
-        return next((each for each in short + beside if np.deg2rad(each) == value), degrees)
+        return next((angle for angle in rounded + beside if np.deg2rad(angle) == value), degrees)
 
     def __get_pydantic_json_schema__(self, core: Any, handler: Any) -> dict[str, Any]:
         return self.degrees.__get_pydantic_json_schema__(core, handler)
@@ -200,19 +200,19 @@ class Pair(Declaration):
     words: str = "two finite numbers"
     schema: Schema = field(default_factory=lambda: PAIR)
 
-    def required(self, name: str, given: Any) -> tuple[Number, Number]:
-        pair = pair_of(given)
+    def require(self, name: str, value: Any) -> tuple[Number, Number]:
+        pair = pair_of(value)
         if pair is None:
-            raise InvalidValue(name, given, self.words, self.within.remedy)
-        x, y = (self.within.required(name, each) for each in pair)
+            raise InvalidValue(name, value, self.words, self.within.remedy)
+        x, y = (self.within.require(name, component) for component in pair)
         return x, y
 
-    def read(self, given: Any) -> tuple[float, float]:
-        pair = pair_of(given)
+    def read(self, entry: Any) -> tuple[float, float]:
+        pair = pair_of(entry)
         try:
             x, y = map(self.within.read, pair or ())
         except (InvalidValue, ValueError):
-            raise InvalidValue("", given, self.words, self.within.remedy) from None
+            raise InvalidValue("", entry, self.words, self.within.remedy) from None
         return x, y
 
 
@@ -233,8 +233,8 @@ class Read(Declaration):
     words: str
     schema: Schema
 
-    def required(self, name: str, given: Any) -> Any:
-        return self.function(name, given)
+    def require(self, name: str, value: Any) -> Any:
+        return self.function(name, value)
 
 
 def positive(remedy: str) -> Within:
@@ -258,35 +258,37 @@ def one_of(options: Iterable[str], allowed: str, remedy: str) -> Read:
     """One of several words."""
     words = tuple(map(str, options))
 
-    def required(name: str, given: Any) -> Any:
-        if not isinstance(given, str) or given not in words:
-            raise InvalidValue(name, given, allowed, remedy)
-        return given
+    def require(name: str, value: Any) -> Any:
+        if not isinstance(value, str) or value not in words:
+            raise InvalidValue(name, value, allowed, suggestion(value, words, remedy))
+        return value
 
-    return Read(required, allowed, {"type": "string", "enum": list(words)})
+    return Read(require, allowed, {"type": "string", "enum": list(words)})
 
 
 @cache
-def declared(maker: Callable[..., Any]) -> dict[str, tuple[Declaration, Any]]:
+def declarations_of(maker: Callable[..., Any]) -> dict[str, tuple[Declaration, Any]]:
     """The declared parameters of a class or a function, each with its default, by name."""
     hints = get_type_hints(maker, include_extras=True)
     declarations = {
-        name: each
+        name: declaration
         for name, hint in hints.items()
-        for each in getattr(hint, "__metadata__", ())
-        if isinstance(each, Declaration)
+        for declaration in getattr(hint, "__metadata__", ())
+        if isinstance(declaration, Declaration)
     }
     parameters = inspect.signature(maker).parameters
-    return {name: (each, parameters[name].default) for name, each in declarations.items()}
+    return {
+        name: (declaration, parameters[name].default) for name, declaration in declarations.items()
+    }
 
 
 def require_declared(value: object) -> None:
     """Check the declared fields of a frozen value, and replace them with the results."""
     kind: Any = type(value)
-    for name, (declaration, default) in declared(kind).items():
-        given = getattr(value, name)
-        if given is not None or default is not None:
-            object.__setattr__(value, name, declaration.required(name, given))
+    for name, (declaration, default) in declarations_of(kind).items():
+        parameter = getattr(value, name)
+        if parameter is not None or default is not None:
+            object.__setattr__(value, name, declaration.require(name, parameter))
 
 
 def _plain(value: Any) -> Any:
@@ -294,5 +296,5 @@ def _plain(value: Any) -> Any:
     if isinstance(value, bool):
         return value
     if isinstance(value, (tuple, list)):
-        return [_plain(each) for each in value]
+        return [_plain(entry) for entry in value]
     return float(value) if isinstance(value, (int, float, np.generic)) else value

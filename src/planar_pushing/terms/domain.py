@@ -48,7 +48,7 @@ TO_RADIANS = (
     "convert degrees with np.deg2rad, and wrap unwrapped radians with np.mod(angle, 2 * np.pi)"
 )
 #: Range of speeds over time.
-SPEEDS = SPEED.least, SPEED.most
+SPEEDS = SPEED.minimum, SPEED.maximum
 
 
 def _angle(remedy: str = TO_RADIANS) -> Within:
@@ -78,12 +78,12 @@ DURATION = positive("give the time to simulate")
 GAP = nonnegative("start on the fence or above it")
 RTOL = Single(
     TOLERANCE.holds, TOLERANCE.allowed, "choose a tolerance that double precision can achieve",
-    {"type": "number", "minimum": TOLERANCE.least, "maximum": TOLERANCE.most},
+    {"type": "number", "minimum": TOLERANCE.minimum, "maximum": TOLERANCE.maximum},
 )  # fmt: skip
 SAMPLE_COUNT = Single(
     lambda n: SAMPLES.holds(n) and n == int(n), SAMPLES.allowed,
     "request at least the first and the last instant",
-    {"type": "integer", "minimum": SAMPLES.least, "maximum": int(SAMPLES.most)},
+    {"type": "integer", "minimum": SAMPLES.minimum, "maximum": int(SAMPLES.maximum)},
 )  # fmt: skip
 FINGER_RADIUS = nonnegative(
     "give the radius of the finger in the scene's unit of length, or leave it out for a point"
@@ -129,7 +129,7 @@ RATIOS = {
 }  # fmt: skip
 
 
-def required(name: str, given: Number) -> Number:
+def require_in_range(name: str, value: Number) -> Number:
     """The given parameter in double precision; blocks of a lazy one are checked when computed.
 
     Raises
@@ -137,12 +137,12 @@ def required(name: str, given: Number) -> Number:
     InvalidValue
         If a number is outside the range, with the name, the first number outside, and the range.
     """
-    if name in ANGLES and isinstance(given, tuple):
-        raise InvalidValue(name, given, RANGES[name].allowed, RANGES[name].remedy)
-    return RANGES[name].required(name, given)
+    if name in ANGLES and isinstance(value, tuple):
+        raise InvalidValue(name, value, RANGES[name].allowed, RANGES[name].remedy)
+    return RANGES[name].require(name, value)
 
 
-def required_ratio(ratio: str, values: Number) -> Number:
-    """Refuse parameters out of proportion to one another; result and errors as in `required`."""
+def require_ratio(ratio: str, values: Number) -> Number:
+    """Refuse parameters out of proportion to one another; result and errors as in `require_in_range`."""
     name, allowed = RATIOS[ratio]
-    return allowed.required(name, values)
+    return allowed.require(name, values)

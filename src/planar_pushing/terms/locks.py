@@ -17,7 +17,7 @@ WITHOUT_LOCKS = (errno.ENOLCK, errno.EOPNOTSUPP, errno.ENOSYS)
 
 
 @contextmanager
-def sole_writer(target: Path, given: PathLike) -> Iterator[bool]:
+def sole_writer(target: Path, label: PathLike) -> Iterator[bool]:
     """Create the folder of a file, and keep other writers of the file out until the end of the block.
 
     The lock is on the empty file `.NAME.lock` beside the file: HDF5 locks the files that it opens, so a
@@ -28,7 +28,7 @@ def sole_writer(target: Path, given: PathLike) -> Iterator[bool]:
     ----------
     target : Path
         The file.
-    given : path
+    label : path
         The file as the user names it, for messages.
 
     Yields
@@ -46,9 +46,9 @@ def sole_writer(target: Path, given: PathLike) -> Iterator[bool]:
         target.parent.mkdir(parents=True, exist_ok=True)
         descriptor, locked = _acquire(lock)
     except BlockingIOError:
-        raise InvalidFile(f"{given}: another process is writing it; name another file") from None
+        raise InvalidFile(f"{label}: another process is writing it; name another file") from None
     except OSError as error:
-        raise unwritable(given, error) from None
+        raise unwritable(label, error) from None
     try:
         yield locked
     finally:
@@ -60,7 +60,7 @@ def sole_writer(target: Path, given: PathLike) -> Iterator[bool]:
 def _acquire(lock: Path) -> tuple[int, bool]:
     """Descriptor of the lock's file, and whether it is locked."""
     while True:
-        descriptor = _open(lock)
+        descriptor = _open_lock(lock)
         try:
             fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
             if _is_at(descriptor, lock):
@@ -73,7 +73,7 @@ def _acquire(lock: Path) -> tuple[int, bool]:
         os.close(descriptor)  # the previous writer has just ended and removed its lock
 
 
-def _open(lock: Path) -> int:
+def _open_lock(lock: Path) -> int:
     """Open the lock's file, which is created if necessary; a link in its place is removed."""
     flags = os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC
     try:

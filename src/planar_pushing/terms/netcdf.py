@@ -23,6 +23,8 @@ SMALL = 4096
 STORED, LEVEL = 2**15, 1
 #: Size in bytes above which a dataset is read on demand.
 LARGE = 2**23
+#: Remedy for a file that is not netCDF4, for readers who expect a dataset.
+REBUILD = "give a dataset, or rebuild a damaged one"
 
 
 def write_dataset(built: xr.Dataset | dict[str, xr.Dataset], path: PathLike) -> None:
@@ -32,12 +34,12 @@ def write_dataset(built: xr.Dataset | dict[str, xr.Dataset], path: PathLike) -> 
     """
     groups = {"/": built} if isinstance(built, xr.Dataset) else built
     # Drop encodings inherited from other files.
-    plain = {name: each.drop_encoding() for name, each in groups.items()}
+    plain = {name: dataset.drop_encoding() for name, dataset in groups.items()}
     tree = xr.DataTree.from_dict(
-        {name: each.assign_attrs(_attributes(each.attrs)) for name, each in plain.items()}
+        {name: dataset.assign_attrs(_attributes(dataset.attrs)) for name, dataset in plain.items()}
     )
     encoding = {
-        node.path: {name: _encoding(each) for name, each in node.variables.items()}
+        node.path: {name: _encoding(variable) for name, variable in node.variables.items()}
         for node in tree.subtree
     }
     with replacing(path) as temporary:
@@ -48,10 +50,10 @@ def _attributes(attrs: Mapping[Any, Any]) -> dict[Any, Any]:
     """Attributes with integers of 32 bits if they fit, since not every reader has attributes of 64."""
     limits = np.iinfo(np.int32)
     return {
-        name: np.int32(each)
-        if isinstance(each, (int, np.int64)) and limits.min <= each <= limits.max
-        else each
-        for name, each in attrs.items()
+        name: np.int32(value)
+        if isinstance(value, (int, np.int64)) and limits.min <= value <= limits.max
+        else value
+        for name, value in attrs.items()
     }
 
 
@@ -70,16 +72,16 @@ def stored_chunks(lengths: Sequence[int], dtype: np.dtype[Any]) -> tuple[int, ..
 
 def block_shape(lengths: Sequence[int], most: int) -> tuple[int, ...]:
     """Shape of a block of at most `most` points: whole inner dimensions, a power of two, then ones."""
-    found: list[int] = []
+    shape: list[int] = []
     for length in reversed(lengths):
         fits = length <= most
-        found.append(length if fits else 1 << (most.bit_length() - 1))
+        shape.append(length if fits else 1 << (most.bit_length() - 1))
         most = max(most // max(length, 1), 1) if fits else 1
-    return tuple(reversed(found))
+    return tuple(reversed(shape))
 
 
 @contextmanager
-def reading(path: PathLike) -> Iterator[None]:
+def reading(path: PathLike, remedy: str = REBUILD) -> Iterator[None]:
     """Report any error while reading a file as a one-line message, since damage can cause any error."""
     try:
         yield
@@ -91,15 +93,13 @@ def reading(path: PathLike) -> Iterator[None]:
     except Exception as error:
         number = error.errno if isinstance(error, OSError) else None
         reason = f" ({os.strerror(number)})" if number else ""
-        raise InvalidFile(
-            f"{path}: is not a netCDF4 file{reason}; give a dataset, or rebuild a damaged one"
-        ) from None
+        raise InvalidFile(f"{path}: is not a netCDF4 file{reason}; {remedy}") from None
 
 
 @contextmanager
-def _netcdf(path: PathLike) -> Iterator[h5netcdf.File]:
+def _netcdf(path: PathLike, remedy: str = REBUILD) -> Iterator[h5netcdf.File]:
     """Open a file with a readable root; otherwise h5netcdf would report a second error on closing."""
-    with reading(path):
+    with reading(path, remedy):
         with h5py.File(path, "r") as file:
             dict(file.attrs)
         with h5netcdf.File(path, "r") as file:
@@ -112,17 +112,25 @@ def read_attributes(path: PathLike) -> dict[str, object]:
         return dict(file.attrs)
 
 
-def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
+def read_dataset(path: PathLike, group: str | None = None, *, remedy: str = REBUILD) -> xr.Dataset:
     """Read a dataset into memory and close its file; a dataset above 8 MB is read on demand.
+
+    Parameters
+    ----------
+    path : path
+    group : str, optional
+        Group to read, by default the root.
+    remedy : str
+        What to do if the file is not netCDF4.
 
     Raises
     ------
     InvalidFile
         If the file is missing, is not netCDF4, or has no such group.
     """
-    if group not in (None, *group_names(path)):
+    if group not in (None, *group_names(path, remedy)):
         raise InvalidFile(f"{path}: has no group {group!r}; delete it and build it again")
-    with reading(path):
+    with reading(path, remedy):
         # An HDF5 file that is not netCDF4 has no named dimensions. No dataset holds dates.
         opened = xr.open_dataset(
             path, engine=ENGINE, group=group, phony_dims="access", decode_times=False
@@ -133,7 +141,7 @@ def read_dataset(path: PathLike, group: str | None = None) -> xr.Dataset:
             return opened.load()
 
 
-def group_names(path: PathLike) -> list[str]:
+def group_names(path: PathLike, remedy: str = REBUILD) -> list[str]:
     """Names of a file's groups, in order; errors as in `read_dataset`."""
-    with _netcdf(path) as file:
+    with _netcdf(path, remedy) as file:
         return sorted(file.groups)

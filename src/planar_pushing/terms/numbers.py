@@ -26,72 +26,72 @@ def is_lazy(value: object) -> bool:
     return hasattr(value, "dims") and isinstance(getattr(value, "chunks", None), tuple)
 
 
-def as_array(given: Any) -> Array | None:
+def as_array(value: Any) -> Array | None:
     """An array of doubles, or None for a value that is not plain numbers.
 
     Parameters
     ----------
-    given : object
+    value : object
         A number, nested lists or tuples of numbers, or an array. The index of a pandas Series is dropped.
         Not plain numbers are texts, bytes, booleans, complex numbers, dates, masked entries, other objects,
         lists of several lengths, and integers too large for a double.
     """
     try:
-        if not _are_plain(given):
+        if not _are_plain(value):
             return None
         with np.errstate(over="ignore"):
-            return np.asarray(np.asarray(given), dtype=np.float64)
+            return np.asarray(np.asarray(value), dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         return None
 
 
-def _are_plain(given: Any) -> bool:
+def _are_plain(value: Any) -> bool:
     """Whether a value consists of integers and floating-point numbers."""
-    if isinstance(given, (list, tuple)):
-        return all(map(_are_plain, given))
-    if isinstance(given, (int, float)):
-        return not isinstance(given, bool)
-    if np.ma.is_masked(given):
+    if isinstance(value, (list, tuple)):
+        return all(map(_are_plain, value))
+    if isinstance(value, (int, float)):
+        return not isinstance(value, bool)
+    if np.ma.is_masked(value):
         return False
-    array = np.asarray(given)
+    array = np.asarray(value)
     if array.dtype.kind == "O" and array.ndim:
         return all(map(_are_plain, array.ravel().tolist()))
     return array.dtype.kind in "iuf"
 
 
-def as_numbers(given: Any) -> Number | None:
+def as_numbers(value: Any) -> Number | None:
     """As `as_array`, but a number stays a number, and a DataArray keeps its labels."""
-    if type(given) is float:
-        return given
-    found = as_array(given)
-    if found is None:
+    if type(value) is float:
+        return value
+    array = as_array(value)
+    if array is None:
         return None
-    if hasattr(given, "dims"):
-        return given if given.dtype == found.dtype else given.copy(data=found)
-    if isinstance(given, (int, float)) and not isinstance(given, np.generic):
-        return float(found)
-    return found[()]
+    if hasattr(value, "dims"):
+        return value if value.dtype == array.dtype else value.copy(data=array)
+    if isinstance(value, (int, float)) and not isinstance(value, np.generic):
+        return float(array)
+    return array[()]
 
 
-def required_array(name: str, given: Any, allowed: str, remedy: str) -> Array:
+def require_array(name: str, value: Any, allowed: str, remedy: str) -> Array:
     """The array of `as_array`, or `InvalidValue`."""
-    found = as_array(given)
-    if found is None:
-        raise InvalidValue(name, given, allowed, remedy_for(given, remedy))
-    return found
+    array = as_array(value)
+    if array is None:
+        raise InvalidValue(name, value, allowed, remedy_for(value, remedy))
+    return array
 
 
-def pair_of(given: Any) -> tuple[Any, Any] | None:
+def pair_of(value: Any) -> tuple[Any, Any] | None:
     """The two entries of a tuple, a list or a flat array of numpy; None for anything else."""
-    entries = given.tolist() if isinstance(given, np.ndarray) and given.ndim == 1 else given
+    entries = value.tolist() if isinstance(value, np.ndarray) and value.ndim == 1 else value
     if not isinstance(entries, (tuple, list)) or len(entries) != 2:
         return None
     return entries[0], entries[1]
 
 
-def remedy_for(given: Any, remedy: str) -> str:
+def remedy_for(value: Any, remedy: str) -> str:
     """Remedy for a value that is not plain numbers; another one if entries are masked."""
-    return MASKED if np.ma.is_masked(given) else remedy
+    return MASKED if np.ma.is_masked(value) else remedy
 
 
 def in_radians(degrees: Any) -> Any:

@@ -108,13 +108,13 @@ STUDIED = (EffectKind.SUPPORT_FRICTION, EffectKind.INERTIA)
 class Range(NamedTuple):
     """A closed range of numbers, as bounds and in words."""
 
-    least: float
-    most: float
+    minimum: float
+    maximum: float
     allowed: str
 
     def holds(self, number: float) -> bool:
         """Whether a number lies in the range."""
-        return self.least <= number <= self.most
+        return self.minimum <= number <= self.maximum
 
 
 #: Nonzero speeds in simulations, whose squares are doubles also in units of the smallest tolerance.
@@ -164,7 +164,7 @@ def name_of(member: IntEnum) -> str:
     return member.name
 
 
-def formatted(member: IntEnum, format_spec: str) -> str:
+def format_member(member: IntEnum, format_spec: str) -> str:
     """A member in a formatted string: its name, or its number with the format d."""
     number = format_spec.endswith("d")
     return format(int(member) if number else member.name, format_spec)
@@ -179,7 +179,7 @@ class ContactMode(IntEnum):
     SLIP_LEFT = 3
 
     __str__ = name_of
-    __format__ = formatted
+    __format__ = format_member
 
 
 class Outcome(IntEnum):
@@ -190,7 +190,7 @@ class Outcome(IntEnum):
     AMBIGUOUS = 2
 
     __str__ = name_of
-    __format__ = formatted
+    __format__ = format_member
 
 
 class Status(IntEnum):
@@ -209,7 +209,7 @@ class Status(IntEnum):
     UNSOLVED = 4
 
     __str__ = name_of
-    __format__ = formatted
+    __format__ = format_member
 
 
 #: Names of the values of variables that hold flags, in datasets of every kind.

@@ -353,7 +353,7 @@ READABLE = {
 }
 
 
-def described(unit: str, long_name: str) -> dict[str, str]:
+def describe(unit: str, long_name: str) -> dict[str, str]:
     """Attributes of a variable: a UDUNITS unit, the scaled quantity if any, and the long name.
 
     A variable with components of several units names the coordinate that holds them.
@@ -366,11 +366,20 @@ def described(unit: str, long_name: str) -> dict[str, str]:
 
 
 def attributes(quantities: Quantities, name: str) -> dict[str, str]:
-    """Attributes of a variable of a table, as in `described`."""
-    return described(*quantities[name])
+    """Attributes of a variable of a table, as in `describe`."""
+    return describe(*quantities[name])
 
 
 def unit_of(attrs: Mapping[str, Any]) -> str:
     """Unit of a variable in readable form: the quantity if its numbers are scaled."""
     names = ("quantity", "units", "component_units")
     return next((str(attrs[name]) for name in names if name in attrs), "1")
+
+
+def stop_text(log: Any) -> str:
+    """When and why the run of a log stopped early, in the words of commands and pictures; else empty."""
+    if not (reason := log.attrs.get("stopped")):
+        return ""
+    unit = unit_of(log["time"].attrs)
+    time = f"{float(log.attrs['stopped_time']):.6g}"
+    return f"stopped at t = {time if unit in ('1', 'time') else f'{time} {unit}'}: {reason}"

@@ -10,11 +10,11 @@ from planar_pushing.terms.declared import Read, require_declared
 from planar_pushing.terms.errors import InvalidValue
 
 
-def _name(name: str, given: Any) -> str:
+def _name(name: str, value: Any) -> str:
     """The name of a unit."""
-    if not isinstance(given, str) or not given.strip() or not given.isprintable():
-        raise InvalidValue(name, given, "the name of a unit", "give it as text, such as m")
-    return given
+    if not isinstance(value, str) or not value.strip() or not value.isprintable():
+        raise InvalidValue(name, value, "the name of a unit", "give it as text, such as m")
+    return value
 
 
 UNIT = Read(_name, "the name of a unit", {"type": "string"})
@@ -61,23 +61,26 @@ class Units:
         return units.get(quantity, quantity)
 
 
-def named_units(found: Any, units: Units | None, *, inertia: bool = False) -> Any:
+def named_units(data: Any, units: Units | None, *, inertia: bool = False) -> Any:
     """A DataArray or a dataset with the units of a scene, from `with_units`."""
     if units is None:
-        return found
-    for each in (found, *getattr(found, "variables", {}).values()):
-        each.attrs = with_units(dict(each.attrs), units, inertia=inertia)
-    if "twist_unit" in found.coords:
-        named = unit_names(found["twist_unit"].values.tolist(), units, inertia=inertia)
-        found = found.assign_coords(twist_unit=("twist_component", named))
-    return found
+        return data
+    for variable in (data, *getattr(data, "variables", {}).values()):
+        variable.attrs = with_units(dict(variable.attrs), units, inertia=inertia)
+    if "twist_unit" in data.coords:
+        names = unit_names(data["twist_unit"].values.tolist(), units, inertia=inertia)
+        data = data.assign_coords(twist_unit=("twist_component", names))
+    return data
 
 
 def unit_names(
     quantities: Iterable[str], units: Units | None, *, inertia: bool = False
 ) -> list[str]:
     """Units of quantities; without the units of a scene, the quantities."""
-    return [each if units is None else units.of(each, inertia=inertia) for each in quantities]
+    return [
+        quantity if units is None else units.of(quantity, inertia=inertia)
+        for quantity in quantities
+    ]
 
 
 def with_units(
@@ -86,5 +89,5 @@ def with_units(
     """Attributes of a variable, with the units of a scene instead of a scaled quantity."""
     if units is None or "quantity" not in attributes:
         return attributes
-    found = {name: each for name, each in attributes.items() if name != "quantity"}
-    return found | {"units": units.of(attributes["quantity"], inertia=inertia)}
+    rest = {name: attribute for name, attribute in attributes.items() if name != "quantity"}
+    return rest | {"units": units.of(attributes["quantity"], inertia=inertia)}

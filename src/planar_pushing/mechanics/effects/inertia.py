@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar
 
-from planar_pushing.mechanics.arrays import same
-from planar_pushing.mechanics.plane import Frame, moved_place
+from planar_pushing.mechanics.kernels.arrays import same
+from planar_pushing.mechanics.plane import Frame, position_in_frame
 from planar_pushing.terms.declared import Pair, finite, positive, require_declared
 from planar_pushing.terms.numbers import Number
 from planar_pushing.terms.options import EffectKind
@@ -50,7 +50,7 @@ class Inertia:
 
     def moved(self, body: Frame, fence: Frame) -> Inertia:
         """The same effect expressed in the body frame instead of the object's frame."""
-        return replace(self, center=moved_place(self.center, body))
+        return replace(self, center=position_in_frame(self.center, body))
 
     @property
     def degree(self) -> int:

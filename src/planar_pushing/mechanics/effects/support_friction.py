@@ -7,12 +7,12 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
-from planar_pushing.mechanics.arrays import same
+from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.plane import Frame
 from planar_pushing.mechanics.supports.base import SUPPORTS, moved_support
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.terms.declared import positive, require_declared
-from planar_pushing.terms.domain import Number, required, required_ratio
+from planar_pushing.terms.domain import Number, require_in_range, require_ratio
 from planar_pushing.terms.options import EffectKind
 
 #: The declaration of a weight.
@@ -113,7 +113,8 @@ def weight(mass: Number, support_friction: Number, gravity: Number = 9.80665) ->
     InvalidValue
         If a number, or their product, is not positive and finite.
     """
-    own, coefficient = required("mass", mass), required("support_friction", support_friction)
+    mass = require_in_range("mass", mass)
+    coefficient = require_in_range("support_friction", support_friction)
     with np.errstate(over="ignore", under="ignore"):
-        force = own * coefficient * required("gravity", gravity)
-    return required_ratio("weight", force)
+        force = mass * coefficient * require_in_range("gravity", gravity)
+    return require_ratio("weight", force)

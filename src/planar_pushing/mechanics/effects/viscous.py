@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar
 
-from planar_pushing.mechanics.arrays import same
+from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.plane import Frame
 from planar_pushing.mechanics.supports.base import SUPPORT, moved_support
 from planar_pushing.terms.declared import positive, require_declared

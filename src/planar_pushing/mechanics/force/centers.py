@@ -11,11 +11,11 @@ import numpy as np
 from planar_pushing.core.kernels import MOTION_WIDTH
 from planar_pushing.core.tolerances import COINCIDENT
 from planar_pushing.mechanics.angles import AngleInterval, interval
-from planar_pushing.mechanics.arrays import Output, elementwise, evaluated, is_labeled
 from planar_pushing.mechanics.force.cones import force_columns
+from planar_pushing.mechanics.kernels.arrays import Output, elementwise, evaluate_kernel, is_labeled
 from planar_pushing.mechanics.plane import Array, direction
-from planar_pushing.mechanics.scene import Scene, required_point_scene
-from planar_pushing.terms.domain import Number, Numbers, Scalar, required_ratio
+from planar_pushing.mechanics.scene import Scene, require_point_scene
+from planar_pushing.terms.domain import Number, Numbers, Scalar, require_ratio
 from planar_pushing.terms.errors import InvalidValue, require_option
 from planar_pushing.terms.units import named_units
 
@@ -38,7 +38,7 @@ CONE = (Output("conservative_cone_right"), Output("conservative_cone_left"))
 
 def _decode(results: Array, columns: Sequence[Any], outputs: Sequence[Any]) -> None:
     """Centers in the user's unit; the last columns of a row are the radius and the contact's position."""
-    radius, reach, angle = (np.asarray(each)[..., None] for each in columns[-3:])
+    radius, reach, angle = (np.asarray(column)[..., None] for column in columns[-3:])
     outputs[0][:] = radius * (results[:, 11:13] + reach * direction(angle[..., 0]))
 
 
@@ -105,7 +105,9 @@ def motion_centers(
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
     reach, angle = scene.rows.body[0] if origin == Origin.CONTACT else 0.0, scene.slider.rod_angle
     columns += [scene.slider.radius, reach, angle]
-    centers = evaluated("force_motions", scene.rows.data, columns, CENTER, MOTION_WIDTH, _decode)[0]
+    centers = evaluate_kernel(
+        "force_motions", scene.rows.data, columns, CENTER, MOTION_WIDTH, _decode
+    )[0]
     return named_units(centers, scene.units) if is_labeled(centers) else centers
 
 
@@ -137,12 +139,12 @@ def _conservative_cones(length: Array, rod_angle: Array, low: Array, high: Array
         for edge in (low, high)
         for ratio in conservative_spin_ratios(length * np.sin(rod_angle - edge))
     ]
-    lean = np.arcsin(1.0 / np.maximum(length, 1.0))
-    for first in (lean, -lean, np.pi - lean, lean - np.pi):
+    tangent_angle = np.arcsin(1.0 / np.maximum(length, 1.0))
+    for first in (tangent_angle, -tangent_angle, np.pi - tangent_angle, tangent_angle - np.pi):
         for turn in (-2.0 * np.pi, 0.0, 2.0 * np.pi):
             tangent = rod_angle - (first + turn)
-            apart = np.minimum(tangent - low, high - tangent)
-            inside = (length > 1.0) & (apart > COINCIDENT)
+            margin = np.minimum(tangent - low, high - tangent)
+            inside = (length > 1.0) & (margin > COINCIDENT)
             for size in (0.0, np.inf):
                 ratio = np.copysign(size, np.sin(first))
                 angle = ring_motion_angles(length, rod_angle, tangent, ratio)
@@ -152,12 +154,14 @@ def _conservative_cones(length: Array, rod_angle: Array, low: Array, high: Array
 
 def ring_motion_angles(length: Array, rod_angle: Array, force_angle: Array, ratio: Array) -> Array:
     """Angles of the contact's motion at spin ratios, which can be infinite (Eqs. 11-12)."""
-    lean = rod_angle - force_angle
+    angle = rod_angle - force_angle
     with np.errstate(invalid="ignore"):
-        pull = np.where(length > 0.0, ratio * length, 0.0)
-    finite = np.isfinite(pull)
-    pull, part = np.where(finite, pull, np.sign(ratio)), np.where(finite, 1.0, 0.0)
-    return np.asarray(force_angle - np.arctan2(pull * np.cos(lean), part + pull * np.sin(lean)))
+        spin_lever = np.where(length > 0.0, ratio * length, 0.0)
+    finite = np.isfinite(spin_lever)
+    spin_lever, part = np.where(finite, spin_lever, np.sign(ratio)), np.where(finite, 1.0, 0.0)
+    return np.asarray(
+        force_angle - np.arctan2(spin_lever * np.cos(angle), part + spin_lever * np.sin(angle))
+    )
 
 
 def conservative_motion_cone(scene: Scene) -> AngleInterval:
@@ -174,13 +178,13 @@ def conservative_motion_cone(scene: Scene) -> AngleInterval:
         If an effect alone does not turn the slider about a point of the ring under a tangent force, as
         facts 5-7 of Sec. 4 assume: with inertia, the radius of gyration must be the ring's radius.
     """
-    if not required_point_scene(scene).isotropic:
+    if not require_point_scene(scene).isotropic:
         raise InvalidValue(
             "effects", scene.effects, "effects that are isotropic about the slider's center",
             "use motion_cone, which is exact for every support",
         )  # fmt: skip
     if scene.stores_energy:
-        required_ratio("conservative_gyration", scene.inertia[1] ** 0.5)
+        require_ratio("conservative_gyration", scene.inertia[1] ** 0.5)
     columns = [*scene.rows.body[:2], scene.law.right, scene.law.left]
     right, left = elementwise(_conservative_cones, columns, CONE)
     cone: AngleInterval = interval(right, left, closed=False)

@@ -10,12 +10,12 @@ import numpy as np
 from planar_pushing.core.kernels import MOTION_WIDTH
 from planar_pushing.core.magnitude import FORCE_SIZE, UNIT_SPEED
 from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval, interval
-from planar_pushing.mechanics.arrays import Output, evaluated, named
 from planar_pushing.mechanics.force.held import require_held
+from planar_pushing.mechanics.kernels.arrays import Output, evaluate_kernel, label_result
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import scale_forces
-from planar_pushing.mechanics.scene import Scene, required_point_scene, required_scene
-from planar_pushing.terms.domain import Number, Numbers, Scalar, required
+from planar_pushing.mechanics.scene import Scene, require_point_scene, require_scene
+from planar_pushing.terms.domain import Number, Numbers, Scalar, require_in_range
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import in_radians
 
@@ -82,7 +82,7 @@ def friction_cone(scene: Scene) -> AngleInterval:
         For a labeled scene, which has a DataArray as a parameter, an xarray.Dataset with the variables
         `right`, `left` and `closed`.
     """
-    law = required_scene(scene).law
+    law = require_scene(scene).law
     cone: AngleInterval = interval(law.right, law.left, law.closed)
     return cone
 
@@ -92,7 +92,7 @@ def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> list[Number]:
 
     If there are effects of degrees 1 and 2, those of degree 2 have the share `inertia_share` of the force.
     """
-    require_held(required_point_scene(scene))
+    require_held(require_point_scene(scene))
     rows = scene.rows
     if scene.loads and not scene.friction:
         raise InvalidValue(
@@ -111,7 +111,7 @@ def force_columns(
     share, ratio = _required_magnitude(scene, inertia_share, force_ratio)
     norm = UNIT_SPEED if force_ratio is None else FORCE_SIZE
     # With shares of one half, the weight is half the unit of force.
-    force = [required("force_angle", force_angle), float(norm), np.divide(ratio, 2)]
+    force = [require_in_range("force_angle", force_angle), float(norm), np.divide(ratio, 2)]
     return [*unit_columns(scene, share), *force]
 
 
@@ -119,9 +119,9 @@ def _required_magnitude(
     scene: Scene, share: Number | None, ratio: Number | None
 ) -> tuple[Number, Number]:
     """Inertia share and |f| / W, if the motion depends on the magnitude of the force."""
-    open_, given = is_magnitude_open(required_point_scene(scene)), (share, ratio)
+    open_, magnitudes = is_magnitude_open(require_point_scene(scene)), (share, ratio)
     name = "inertia_share" if ratio is None else "force_ratio"
-    if not open_ and given != (None, None):
+    if not open_ and magnitudes != (None, None):
         raise InvalidValue(
             name, share if ratio is None else ratio, "None for a scene whose effects are of one kind",
             "leave the argument out",
@@ -139,9 +139,9 @@ def _required_magnitude(
             "give s / (1 + s) with s = m a / W, or force_ratio = |f| / W; motion_cone and solve need none",
         )  # fmt: skip
     return (
-        (required("inertia_share", share), 0.0)
+        (require_in_range("inertia_share", share), 0.0)
         if ratio is None
-        else (0.5, required("force_ratio", ratio))
+        else (0.5, require_in_range("force_ratio", ratio))
     )
 
 
@@ -229,11 +229,11 @@ def angle_under_force(scene: Scene, force_angle: float) -> float:
 def _of_motion(scene: Scene, columns: Sequence[Any], name: str, column: int) -> Number:
     """One column of the results of `force_motions`."""
 
-    def decode(results: Array, given: Sequence[Any], outputs: Sequence[Any]) -> None:
+    def decode(results: Array, columns: Sequence[Any], outputs: Sequence[Any]) -> None:
         outputs[0][:] = results[:, column]
 
     outputs = [Output(name)]
-    value: Number = evaluated(
+    value: Number = evaluate_kernel(
         "force_motions", scene.rows.data, columns, outputs, MOTION_WIDTH, decode
     )[0]
     return value
@@ -248,9 +248,9 @@ def motion_cone(scene: Scene) -> AngleInterval:
     they differ is approached but never reached: the cone is open. The type of the result is that of
     `friction_cone`.
     """
-    law = required_point_scene(scene).law
+    law = require_point_scene(scene).law
     columns = [*unit_columns(scene), law.right, law.left]
-    right, left, reached, status = evaluated("motion_cones", scene.rows.data, columns, CONE)
+    right, left, reached, status = evaluate_kernel("motion_cones", scene.rows.data, columns, CONE)
     cone: AngleInterval = interval(right, left, law.closed & reached, status)
     return cone
 
@@ -268,7 +268,7 @@ def can_pull(scene: Scene) -> bool:
     bool
         An array for an array of scenes, a DataArray for a labeled scene.
     """
-    pulls: bool = named("pulls", leaves_the_fence(motion_cone(scene)))
+    pulls: bool = label_result("pulls", leaves_the_fence(motion_cone(scene)))
     return pulls
 
 
@@ -286,5 +286,5 @@ def slips_while_pushing(scene: Scene) -> bool:
         An array for an array of scenes, a DataArray for a labeled scene.
     """
     omits = omits_pushes(motion_cone(scene))
-    slips: bool = named("slips_while_pushing", scene.law.slips & omits)
+    slips: bool = label_result("slips_while_pushing", scene.law.slips & omits)
     return slips

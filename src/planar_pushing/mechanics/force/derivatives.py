@@ -10,20 +10,20 @@ from typing import Any, Self
 import numpy as np
 
 from planar_pushing.core.sensitivity import FREE_CASE, SLIP_CASE, STICK_CASE
-from planar_pushing.mechanics.arrays import is_labeled, same
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.force.parameters import (
     Motions,
     Response,
     at_places,
+    common_fields,
     from_places,
     responses,
-    shared,
 )
+from planar_pushing.mechanics.kernels.arrays import is_labeled, same
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.terms.errors import InvalidValue
-from planar_pushing.terms.options import formatted, name_of
+from planar_pushing.terms.options import format_member, name_of
 
 #: The mode changes if a force is this close to an edge of the friction cone, relative to its magnitude, or
 #: a free motion this close to the pusher's: a little more than `solve` resolves.
@@ -50,7 +50,7 @@ class Smoothness(IntEnum):
     CHANGE = 4
 
     __str__ = name_of
-    __format__ = formatted
+    __format__ = format_member
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -70,7 +70,9 @@ class _Common:
 
     def __getitem__(self, index: Any) -> Self:
         """The derivatives of selected solutions, by an index into their shape S."""
-        values = {each.name: np.asarray(getattr(self, each.name))[index] for each in fields(self)}
+        values = {
+            field.name: np.asarray(getattr(self, field.name))[index] for field in fields(self)
+        }
         if values["status"].ndim == 0:
             values["status"] = Smoothness(values["status"])
         return type(self)(**values)
@@ -146,9 +148,9 @@ class ForceDerivatives(_Common):
     force_by_ratio: Array
 
 
-def require_unlabeled(given: Sequence[Any]) -> None:
+def require_unlabeled(arguments: Sequence[Any]) -> None:
     """Refuse derivatives if an argument is a DataArray."""
-    if any(map(is_labeled, given)):
+    if any(map(is_labeled, arguments)):
         raise InvalidValue(
             "derivatives", True, "False if an argument is a DataArray",
             "give numpy arrays, for instance each argument's values",
@@ -156,29 +158,29 @@ def require_unlabeled(given: Sequence[Any]) -> None:
 
 
 def solution_derivatives(
-    scene: Scene, given: Sequence[Any], solutions: dict[str, Any]
+    scene: Scene, inputs: Sequence[Any], solutions: dict[str, Any]
 ) -> Derivatives:
     """The derivatives of solutions.
 
     Parameters
     ----------
     scene : Scene
-    given : sequence
+    inputs : sequence
         Columns passed to `solve_arrays`.
     solutions : dict of arrays
         Results of `solve_arrays` by name.
     """
     rows, places = scene.rows, np.asarray(solutions["mode"]) >= 0
-    own = len(rows.columns) + 3
-    columns = [at_places(places, each) for each in given]
+    count = len(rows.columns) + 3
+    columns = [at_places(places, column) for column in inputs]
     names = "mode", "twist", "force", "contact_motion", "pivot", "continuum"
-    motions, by_mu = _motions(columns[own:], *(solutions[name][places] for name in names))
+    motions, by_mu = _motions(columns[count:], *(solutions[name][places] for name in names))
     spread = [
-        from_places(places, each) for each in (*responses(rows, columns[:own], motions), by_mu)
+        from_places(places, array) for array in (*responses(rows, columns[:count], motions), by_mu)
     ]
     response, by_mu = Response(*spread[:3]), spread[3][..., None]
     return Derivatives(
-        **shared(scene, response),
+        **common_fields(scene, response),
         twist_by_motion=response.twist[..., :2], twist_by_mu=response.twist[..., 4] * by_mu,
         force_by_motion=response.force[..., :2], force_by_mu=response.force[..., 4] * by_mu,
     )  # fmt: skip
@@ -192,10 +194,10 @@ def _motions(
     is_right, sticks, rests = mode == SLIPS_RIGHT, mode == STICKS, mode == SEPARATES
     # The mode changes if a separating pusher grazes the slider or is at rest, or a sticking force is on an
     # edge.
-    apart = np.abs(motion[:, 1] - size * np.sin(toward))
-    grazes = apart <= EDGE * np.maximum(size, np.abs(motion).max(axis=1))
-    least = np.minimum(_cross(direction(right), force), -_cross(direction(left), force))
-    on_edge = (least <= EDGE * np.hypot(force[:, 0], force[:, 1])) & (np.asarray(rough) == 0)
+    normal_speed = np.abs(motion[:, 1] - size * np.sin(toward))
+    grazes = normal_speed <= EDGE * np.maximum(size, np.abs(motion).max(axis=1))
+    across_edge = np.minimum(_cross(direction(right), force), -_cross(direction(left), force))
+    on_edge = (across_edge <= EDGE * np.hypot(force[:, 0], force[:, 1])) & (np.asarray(rough) == 0)
     changes = flat | (rests & grazes) | (sticks & on_edge)
     condition = np.where(rests, FREE_CASE, np.where(sticks, STICK_CASE, SLIP_CASE))
     sense = np.where(is_right, 1.0, np.where(rests | sticks, 0.0, -1.0))

@@ -12,14 +12,6 @@ import numpy.typing as npt
 from planar_pushing.core.kernels import MOTION_WIDTH
 from planar_pushing.core.magnitude import FORCE_SIZE, UNIT_MOTION
 from planar_pushing.core.sensitivity import FIRST, FORCE_CASE, LINE_CASE
-from planar_pushing.mechanics.arrays import (
-    Output,
-    component_labels,
-    dataset,
-    evaluated,
-    is_labeled,
-    same,
-)
 from planar_pushing.mechanics.contact import Status
 from planar_pushing.mechanics.force.cones import is_magnitude_open, unit_columns
 from planar_pushing.mechanics.force.derivatives import ForceDerivatives, require_unlabeled
@@ -27,14 +19,22 @@ from planar_pushing.mechanics.force.parameters import (
     Motions,
     Response,
     at_places,
+    common_fields,
     from_places,
     responses,
-    shared,
+)
+from planar_pushing.mechanics.kernels.arrays import (
+    Output,
+    component_labels,
+    dataset,
+    evaluate_kernel,
+    is_labeled,
+    same,
 )
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import Entry
-from planar_pushing.mechanics.scene import Scene, required_point_scene
-from planar_pushing.terms.domain import required
+from planar_pushing.mechanics.scene import Scene, require_point_scene
+from planar_pushing.terms.domain import require_in_range
 from planar_pushing.terms.errors import InvalidValue, require_flag
 from planar_pushing.terms.units import named_units
 
@@ -83,7 +83,7 @@ def _decode(results: Array, columns: Sequence[Any], outputs: Sequence[Any]) -> N
 
     With potentials of one degree the contact moves at unit speed.
     """
-    motion, force, radius, degree = (np.asarray(each)[..., None] for each in columns[-4:])
+    motion, force, radius, degree = (np.asarray(column)[..., None] for column in columns[-4:])
     u = results[:, 4:6]
     speed = np.sqrt(u[:, :1] * u[:, :1] + u[:, 1:] * u[:, 1:])
     factor = np.where(degree > 0.0, 1.0 / np.where(speed > 0.0, speed, np.nan), 1.0)
@@ -137,20 +137,20 @@ def motion_of_force(
     -----
     Solves ``grad Psi(u) = f`` for the motion u of the contact (Eqs. 7 and 10 for the ring).
     """
-    ratio = _required_ratio(required_point_scene(scene), force_ratio)
-    angle = required("force_angle", force_angle)
+    ratio = _required_ratio(require_point_scene(scene), force_ratio)
+    angle = require_in_range("force_angle", force_angle)
     norm = FORCE_SIZE if is_magnitude_open(scene) else UNIT_MOTION
     # With shares of one half, the weight is half the unit of force.
-    given = [*unit_columns(scene), angle, float(norm), np.divide(ratio, 2)]
-    given += [*_units(scene), scene.slider.radius, _degree(scene)]
+    columns = [*unit_columns(scene), angle, float(norm), np.divide(ratio, 2)]
+    columns += [*_units(scene), scene.slider.radius, _degree(scene)]
     if require_flag("derivatives", derivatives):
-        require_unlabeled(given)
+        require_unlabeled(columns)
     rows = scene.rows
-    results = evaluated("force_motions", rows.data, given, OUTPUTS, MOTION_WIDTH, _decode)
+    results = evaluate_kernel("force_motions", rows.data, columns, OUTPUTS, MOTION_WIDTH, _decode)
     if is_labeled(results[0]):
         motions = dataset(results).assign_coords(component_labels())
         return named_units(motions, scene.units, inertia=scene.stores_energy)
-    fields = {each.name: result for each, result in zip(OUTPUTS, results, strict=True)}
+    fields = {output.name: result for output, result in zip(OUTPUTS, results, strict=True)}
     by = _derivatives(scene, angle, ratio, fields) if derivatives else None
     if np.ndim(fields["status"]) == 0:
         fields["status"], by = Status(fields["status"]), by and by[()]
@@ -171,7 +171,7 @@ def _required_ratio(scene: Scene, ratio: Any) -> Any:
             "a number > 0 for a scene with friction and inertia",
             "give |f| / W",
         )
-    return required("force_ratio", ratio) if is_open else 0.0
+    return require_in_range("force_ratio", ratio) if is_open else 0.0
 
 
 def _units(scene: Scene) -> tuple[Any, Any]:
@@ -192,18 +192,18 @@ def _derivatives(scene: Scene, angle: Any, ratio: Any, fields: dict[str, Any]) -
     status = np.asarray(fields["status"])[..., None]
     places = (status != NONE) & (status != UNSOLVED)
     twist, force = (np.asarray(fields[name])[..., None, :][places] for name in ("twist", "force"))
-    columns = [at_places(places, each) for each in (*rows.columns, *rows.body)]
+    columns = [at_places(places, column) for column in (*rows.columns, *rows.body)]
     condition = np.full(len(twist), FORCE_CASE if np.any(ratio) else LINE_CASE)
     motions = Motions(
         twist, force, at_places(places, angle), condition,
         np.asarray(fields["pivot"])[..., None][places], status[places] == CONTINUUM,
     )  # fmt: skip
-    by = [from_places(places, each) for each in responses(rows, columns, motions)]
-    response = Response(*(np.take(each, 0, places.ndim - 1) for each in by))
+    by = [from_places(places, array) for array in responses(rows, columns, motions)]
+    response = Response(*(np.take(array, 0, places.ndim - 1) for array in by))
     _hold_ratio(rows.entries, response, np.asarray(ratio, dtype=float))
     weight = np.asarray(rows.strength(1), dtype=float)[..., None]
     return ForceDerivatives(
-        **shared(scene, response),
+        **common_fields(scene, response),
         twist_by_angle=response.twist[..., 4], twist_by_ratio=weight * response.twist[..., 0],
         force_by_angle=response.force[..., 4], force_by_ratio=weight * response.force[..., 0],
     )  # fmt: skip
@@ -212,7 +212,7 @@ def _derivatives(scene: Scene, angle: Any, ratio: Any, fields: dict[str, Any]) -
 def _hold_ratio(entries: Sequence[Entry], response: Response, ratio: Array) -> None:
     """Add the change of the force with the weight, at a fixed ratio of the two."""
     feet = FIRST + len(entries)
-    friction = [i for i, each in enumerate(entries) if each.degree == 1 and each.resists]
+    friction = [i for i, entry in enumerate(entries) if entry.degree == 1 and entry.resists]
     for by in (response.twist, response.force):
         more = ratio[..., None] * by[..., 0]
         for i in (*(FIRST + i for i in friction), *range(feet, by.shape[-1])):

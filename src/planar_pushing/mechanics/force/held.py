@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.arrays import Output, mapped
 from planar_pushing.mechanics.effects import Load, RingFriction, SupportFriction
+from planar_pushing.mechanics.kernels.arrays import Output, map_kernel
 from planar_pushing.mechanics.rows import data_of, entries_of
 from planar_pushing.terms.errors import InvalidValue
 
@@ -22,14 +22,14 @@ def require_held(scene: Any) -> None:
     """
     if scene.stores_energy or not scene.loads:
         return
-    loads = entries_of(_numbered(scene, Load), scene)
-    friction = entries_of(_numbered(scene, (SupportFriction, RingFriction)), scene)
-    total = [sum(each.forces[k] for each in loads) for k in range(3)]
+    loads = entries_of(_select_effects(scene, Load), scene)
+    friction = entries_of(_select_effects(scene, (SupportFriction, RingFriction)), scene)
+    total = [sum(load.forces[k] for load in loads) for k in range(3)]
     ratio = np.array(np.inf)
     if friction:
-        columns = [each for entry in friction for each in entry.columns]
+        columns = [column for entry in friction for column in entry.columns]
         data = data_of(friction)
-        ratio = mapped("load_ratios", data, [*columns, *total], [Output("ratio")])[0]
+        ratio = map_kernel("load_ratios", data, [*columns, *total], [Output("ratio")])[0]
     if np.any(~(ratio < 1.0)):
         raise InvalidValue(
             "force", f"{float(np.max(ratio)):.6g} times what friction can hold",
@@ -38,6 +38,6 @@ def require_held(scene: Any) -> None:
         )  # fmt: skip
 
 
-def _numbered(scene: Any, kinds: Any) -> list[tuple[int, Any]]:
+def _select_effects(scene: Any, kinds: Any) -> list[tuple[int, Any]]:
     """Effects of some kinds with their numbers."""
-    return [(i, each) for i, each in enumerate(scene.effects) if isinstance(each, kinds)]
+    return [(i, effect) for i, effect in enumerate(scene.effects) if isinstance(effect, kinds)]

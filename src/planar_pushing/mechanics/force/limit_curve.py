@@ -16,12 +16,18 @@ import numpy as np
 
 from planar_pushing.core.kernels import MOTION_WIDTH
 from planar_pushing.core.magnitude import UNIT_ENERGY
-from planar_pushing.mechanics.arrays import Output, dataset, evaluated, is_labeled, same
 from planar_pushing.mechanics.force.cones import is_magnitude_open
 from planar_pushing.mechanics.force.held import require_held
+from planar_pushing.mechanics.kernels.arrays import (
+    Output,
+    dataset,
+    evaluate_kernel,
+    is_labeled,
+    same,
+)
 from planar_pushing.mechanics.plane import Array, direction
-from planar_pushing.mechanics.scene import Scene, required_point_scene
-from planar_pushing.terms.domain import Number, Numbers, Scalar, required
+from planar_pushing.mechanics.scene import Scene, require_point_scene
+from planar_pushing.terms.domain import Number, Numbers, Scalar, require_in_range
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.units import named_units
 
@@ -108,23 +114,26 @@ def limit_curve(scene: Scene, force_angle: Number) -> Any:
     return curve_of_unit_motions(scene, force_angle)
 
 
-def require_one_curve(scene: Scene) -> None:
-    """Refuse a scene whose forces depend on the magnitude of the motion."""
-    if is_magnitude_open(required_point_scene(scene)):
+def require_one_curve(
+    scene: Scene,
+    remedy: str = "leave out one effect, or the curve: motion_angle(..., force_ratio=...) takes the "
+    "magnitude",
+) -> None:
+    """Refuse a scene whose forces depend on the magnitude of the motion, and say what to do instead."""
+    if is_magnitude_open(require_point_scene(scene)):
         raise InvalidValue(
-            "limit_curve", " and ".join(type(each).__name__ for each in scene.effects),
-            "a scene whose forces do not depend on the magnitude of its motion",
-            "leave out one effect, or the curve: motion_angle(..., force_ratio=...) takes the magnitude",
+            "limit_curve", " and ".join(type(effect).__name__ for effect in scene.effects),
+            "a scene whose forces do not depend on the magnitude of its motion", remedy,
         )  # fmt: skip
 
 
 def curve_of_unit_motions(scene: Scene, force_angle: Number) -> Any:
     """As `limit_curve`; with friction and inertia, the curve of one of many magnitudes of motion."""
-    scene, angle = required_point_scene(scene), required("force_angle", force_angle)
+    scene, angle = require_point_scene(scene), require_in_range("force_angle", force_angle)
     require_held(scene)
     rows = scene.rows
     columns = [*rows.columns, *rows.body[:2], angle, float(UNIT_ENERGY), 0.0]
-    arrays = evaluated("force_motions", rows.data, columns, OUTPUTS, MOTION_WIDTH, _decode)
+    arrays = evaluate_kernel("force_motions", rows.data, columns, OUTPUTS, MOTION_WIDTH, _decode)
     if is_labeled(arrays[0]):
         return named_units(dataset(arrays[1:]), scene.units, inertia=scene.stores_energy)
     return LimitCurve(**dict(zip(LimitCurve.__slots__, arrays, strict=True)))

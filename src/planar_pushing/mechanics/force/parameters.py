@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.core.sensitivity import FIRST, FORCE_CASE
-from planar_pushing.mechanics.arrays import Output, mapped
+from planar_pushing.mechanics.kernels.arrays import Output, map_kernel
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of
 from planar_pushing.mechanics.scene import Scene
@@ -88,7 +88,7 @@ def responses(rows: Rows, columns: Sequence[Any], motions: Motions) -> Response:
         Output("twist", (("twist_component", 3), *count)),
         Output("force", (("xy", 2), *count)),
     )
-    status, by_twist, by_force = mapped("responses", rows.data, scaled, outputs)
+    status, by_twist, by_force = map_kernel("responses", rows.data, scaled, outputs)
     of = np.ones((len(size), by_twist.shape[2]))  # units of the parameters in the kernel
     of[:, 0] = np.where(motions.condition == FORCE_CASE, unit, size)
     of[:, 1], of[:, 2], of[:, 3] = size, radius, radius
@@ -102,7 +102,7 @@ def responses(rows: Rows, columns: Sequence[Any], motions: Motions) -> Response:
 
 def _count_feet(entries: Sequence[Entry]) -> int:
     """Number of support points; for an array of supports, the maximum."""
-    return sum(each.table.most_atoms for each in entries if each.table is not None)
+    return sum(entry.table.most_atoms for entry in entries if entry.table is not None)
 
 
 def by_effect(scene: Scene, responses: Array) -> Array:
@@ -114,7 +114,7 @@ def by_effect(scene: Scene, responses: Array) -> Array:
     return derivatives
 
 
-def shared(scene: Scene, response: Response) -> dict[str, Array]:
+def common_fields(scene: Scene, response: Response) -> dict[str, Array]:
     """The fields that `Derivatives` and `ForceDerivatives` have in common."""
     feet = FIRST + len(scene.rows.entries)
     return {

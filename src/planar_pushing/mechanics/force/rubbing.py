@@ -19,7 +19,7 @@ STILL = 1e-12
 def support_of(scene: Scene) -> Any:
     """Support of a scene with its dimensions; without one, the ring of the slider's radius."""
     resting = [
-        each.support for each in (*scene.friction, *scene.effects) if hasattr(each, "support")
+        effect.support for effect in (*scene.friction, *scene.effects) if hasattr(effect, "support")
     ]
     support = resting[0] if resting else Ring()
     return Ring(scene.slider.radius) if support == Ring() else support
@@ -54,7 +54,7 @@ def place_friction(scene: Scene, twists: Array) -> dict[str, Any]:
 
 def _weight(scene: Scene) -> float:
     """Friction force in a translation."""
-    return float(sum(each.weight for each in scene.friction))
+    return float(sum(effect.weight for effect in scene.friction))
 
 
 def _motion(arm: Array, twists: Array) -> Array:
@@ -72,21 +72,21 @@ def _heading(motion: Array, still: float) -> Array:
 
 #: Number of places of a ring and of a segment, and approximate number of all areas together, if it carries
 #: the whole weight; one that carries a fraction has fewer, down to the minimum.
-RING, SEGMENT, AREA, LEAST = 24, 9, 24, 4
+RING, SEGMENT, AREA, MINIMUM = 24, 9, 24, 4
 #: Cells per side of the grid that estimates the fraction of its bounding box that an area fills.
 MEASURED = 40
 
 
 def places(pieces: Pieces) -> Array:
     """Places in the body frame and their fractions of the weight, shape (n, 3); support points first."""
-    rings = [_around(*each) for each in pieces.rings]
-    segments = [_along(*each) for each in pieces.segments]
-    return np.concatenate([pieces.atoms, *rings, *segments, _spread(pieces)])
+    rings = [_around(*ring) for ring in pieces.rings]
+    segments = [_along(*segment) for segment in pieces.segments]
+    return np.concatenate([pieces.atoms, *rings, *segments, _cover_areas(pieces)])
 
 
-def _count(whole: int, share: float) -> int:
+def _count(total: int, share: float) -> int:
     """Number of places for a fraction of the weight."""
-    return max(LEAST, round(whole * share))
+    return max(MINIMUM, round(total * share))
 
 
 def _around(x: float, y: float, radius: float, share: float) -> Array:
@@ -104,22 +104,22 @@ def _along(x: float, y: float, end_x: float, end_y: float, share: float) -> Arra
     return np.column_stack([along, np.full(count, share / count)])
 
 
-def _spread(pieces: Pieces) -> Array:
+def _cover_areas(pieces: Pieces) -> Array:
     """Midpoints of nearly square cells that cover the areas, weighted by the pressure there."""
     middles, radii = pieces.discs[:, :2], pieces.discs[:, 2:3]
-    ends = [each[:, :4].reshape(-1, 2) for each in pieces.plates]
+    ends = [edges[:, :4].reshape(-1, 2) for edges in pieces.plates]
     corners = np.concatenate([middles - radii, middles + radii, *ends])
     if not len(corners):
         return np.empty((0, 3))
     low, high = corners.min(axis=0), corners.max(axis=0)
-    share = 1.0 - sum(float(each[:, -1].sum()) for each in pieces[:3])
+    share = 1.0 - sum(float(kind[:, -1].sum()) for kind in pieces[:3])
     filled = np.mean(pressure_at(pieces, _middles(low, high, MEASURED, MEASURED)) > 0)
     side = np.sqrt(max(filled, 1 / MEASURED) * np.prod(high - low) / _count(AREA, share))
-    columns, rows = (max(1, int(each)) for each in np.rint((high - low) / side))
-    found = _middles(low, high, columns, rows)
-    pressure = pressure_at(pieces, found)
-    found, pressure = found[pressure > 0], pressure[pressure > 0]
-    return np.column_stack([found, share * pressure / pressure.sum()])
+    columns, rows = (max(1, int(count)) for count in np.rint((high - low) / side))
+    points = _middles(low, high, columns, rows)
+    pressure = pressure_at(pieces, points)
+    points, pressure = points[pressure > 0], pressure[pressure > 0]
+    return np.column_stack([points, share * pressure / pressure.sum()])
 
 
 def _middles(low: Array, high: Array, columns: int, rows: int) -> Array:
@@ -137,17 +137,17 @@ def pressure_at(pieces: Pieces, points: Array) -> Array:
         part = inside * share / (np.pi * radius**2)
         total, largest = total + part, np.maximum(largest, np.abs(part))
     for edges in pieces.plates:
-        part = _between(edges, points)
+        part = _pressure_of_plate(edges, points)
         total, largest = total + part, np.maximum(largest, np.abs(part))
     return np.where(total > 1e-9 * largest, total, 0.0)
 
 
-def _between(edges: Array, points: Array) -> Array:
+def _pressure_of_plate(edges: Array, points: Array) -> Array:
     """Pressure within a plate: the sum of its steps across all edges to the right of a point."""
     x, y = points[:, 0, None], points[:, 1, None]
     start_x, start_y, end_x, end_y, step = edges.T
     upward = (start_y <= y) & (y < end_y)
     downward = (end_y <= y) & (y < start_y)
-    rise = np.where(start_y == end_y, 1.0, end_y - start_y)
-    right = start_x + (y - start_y) / rise * (end_x - start_x) > x
+    height = np.where(start_y == end_y, 1.0, end_y - start_y)
+    right = start_x + (y - start_y) / height * (end_x - start_x) > x
     return np.asarray(((upward * 1.0 - downward * 1.0) * right) @ step)

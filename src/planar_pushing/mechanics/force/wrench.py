@@ -5,13 +5,14 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.arrays import Output, mapped
 from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.effects import Effect, Load
+from planar_pushing.mechanics.kernels.arrays import Output, map_kernel
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import data_of, entries_of
-from planar_pushing.mechanics.scene import Scene, Slider
-from planar_pushing.terms.domain import required
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.slider import Slider
+from planar_pushing.terms.domain import require_in_range
 from planar_pushing.terms.errors import InvalidValue
 
 NO_DATA = np.zeros(0)
@@ -42,10 +43,10 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
     """
     if slider is None and isinstance(effect, Load):
         raise InvalidValue("slider", None, "a Slider for a Load", "give the angle of the rod")
-    own = slider or Slider(rod_length=0.0, rod_angle=np.pi / 2)
-    scene = Scene(slider=own, contact=PerfectlyRough(), effects=(effect,))
+    slider = slider or Slider(rod_length=0.0, rod_angle=np.pi / 2)
+    scene = Scene(slider=slider, contact=PerfectlyRough(), effects=(effect,))
     radius = scene.slider.radius
-    twists = np.asarray(required("twist", twist), dtype=float)
+    twists = np.asarray(require_in_range("twist", twist), dtype=float)
     if twists.shape[-1:] != (3,):
         raise InvalidValue("twist", twist, "shape S + (3,)", "give (v_x, v_y, omega)")
     # Scaled to about 1 so that squares neither overflow nor underflow; a power of two is exact.
@@ -53,7 +54,7 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
     v_x, v_y, omega = np.moveaxis(np.ldexp(twists, -size), -1, 0)
     entries = entries_of([(0, effect)], scene)
     columns = [*entries[0].columns, v_x, v_y, radius * omega]
-    wrenches = mapped("wrenches", data_of(entries), columns, WRENCH)[0]
+    wrenches = map_kernel("wrenches", data_of(entries), columns, WRENCH)[0]
     wrenches[..., 2] *= radius
     return np.asarray(np.ldexp(wrenches, (effect.degree - 1) * size))
 
@@ -77,7 +78,7 @@ def potential(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None
 
 def ring_profile(spin_ratio: npt.ArrayLike) -> tuple[Array, Array]:
     """f(k) and t(k) of Eqs. (2)-(3), per unit weight and radius, for any k including infinity."""
-    force, torque = mapped(
+    force, torque = map_kernel(
         "ring_profiles", NO_DATA, [spin_ratio], (Output("force"), Output("torque"))
     )
     return force, torque
@@ -85,4 +86,4 @@ def ring_profile(spin_ratio: npt.ArrayLike) -> tuple[Array, Array]:
 
 def ring_spin_ratios(moment_arm: npt.ArrayLike) -> Array:
     """Spin ratios under forces with these moment arms in radii: the inverse of ``t(k) / f(k)`` (Eq. 7)."""
-    return mapped("ring_spin_ratios", NO_DATA, [moment_arm], (Output("spin_ratio"),))[0]
+    return map_kernel("ring_spin_ratios", NO_DATA, [moment_arm], (Output("spin_ratio"),))[0]

@@ -9,8 +9,8 @@ import numpy as np
 
 from planar_pushing.core.multipole import ROWS
 from planar_pushing.core.pieces import COLUMNS
-from planar_pushing.mechanics.arrays import in_threads
-from planar_pushing.mechanics.kernels import run
+from planar_pushing.mechanics.kernels.arrays import in_threads
+from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.mechanics.pressure.pieces import (
     ATOMS,
     DISCS,
@@ -55,19 +55,19 @@ class Gathered(NamedTuple):
     write_terms: Callable[[Array], None] | None = None
 
 
-def shared(pieces: Pieces, share: float) -> Pieces:
+def scale_shares(pieces: Pieces, share: float) -> Pieces:
     """Pieces with their shares multiplied by a factor."""
-    atoms, segments, rings, discs = (_scaled(each, share) for each in pieces[:4])
-    plates = tuple(_scaled(each, share) for each in pieces.plates)
+    atoms, segments, rings, discs = (_scale_last_column(rows, share) for rows in pieces[:4])
+    plates = tuple(_scale_last_column(rows, share) for rows in pieces.plates)
     return Pieces(atoms, segments, rings, discs, plates)
 
 
-def _scaled(rows: Array, share: float) -> Array:
+def _scale_last_column(rows: Array, share: float) -> Array:
     """Rows with their last column multiplied by a factor."""
     return np.column_stack([rows[:, :-1], rows[:, -1] * share])
 
 
-def joined(parts: Sequence[Pieces]) -> Pieces:
+def join_pieces(parts: Sequence[Pieces]) -> Pieces:
     """All pieces of several supports."""
     columns = zip(*(part[:4] for part in parts), strict=True)
     atoms, segments, rings, discs = map(np.concatenate, columns)
@@ -75,7 +75,7 @@ def joined(parts: Sequence[Pieces]) -> Pieces:
     return Pieces(atoms, segments, rings, discs, plates)
 
 
-def gathered(supports: Sequence[Pieces]) -> Gathered:
+def gather_pieces(supports: Sequence[Pieces]) -> Gathered:
     """Pieces of supports, with centers and extents."""
     rows = [np.concatenate([pieces[kind] for pieces in supports]) for kind in range(PLATES)]
     counts = [[len(pieces[kind]) for pieces in supports] for kind in range(PLATES + 1)]
@@ -134,11 +134,13 @@ def _centers(rows: list[Array], owners: list[Any], count: int) -> Array:
     """Centers of pressure."""
     atoms, segments, rings, discs, plates, _ = rows
     lines = np.column_stack([(segments[:, :2] + segments[:, 2:4]) / 2, segments[:, 4]])
-    round_ones = [each[:, [0, 1, 3]] for each in (rings, discs, plates)]
+    round_ones = [kind[:, [0, 1, 3]] for kind in (rings, discs, plates)]
     x, y, share = np.concatenate([atoms, lines, *round_ones]).T
     owner = np.concatenate(owners[:EDGES])
-    whole = np.bincount(owner, share, count)
-    return np.column_stack([np.bincount(owner, share * each, count) / whole for each in (x, y)])
+    total = np.bincount(owner, share, count)
+    return np.column_stack(
+        [np.bincount(owner, share * coordinate, count) / total for coordinate in (x, y)]
+    )
 
 
 def _extents(rows: list[Array], owners: list[Any], centers: Array) -> Array:
@@ -163,13 +165,13 @@ def _extents(rows: list[Array], owners: list[Any], centers: Array) -> Array:
 
 def center(pieces: Pieces) -> tuple[float, float]:
     """Center of pressure."""
-    x, y = gathered([pieces]).centers[0]
+    x, y = gather_pieces([pieces]).centers[0]
     return float(x), float(y)
 
 
 def extent(pieces: Pieces) -> float:
     """Largest distance of the pieces from the center of pressure."""
-    return float(gathered([pieces]).extents[0])
+    return float(gather_pieces([pieces]).extents[0])
 
 
 class Stack(NamedTuple):
@@ -196,7 +198,7 @@ def stack(group: Gathered, radii: Array) -> Stack:
     kinds, owners = _scaled_rows(group, radii)
     count = len(radii)
     order = np.argsort(np.concatenate(owners), kind="stable")
-    rows = np.concatenate([np.pad(each, ((0, 0), (0, COLUMNS - each.shape[1]))) for each in kinds])
+    rows = np.concatenate([np.pad(kind, ((0, 0), (0, COLUMNS - kind.shape[1]))) for kind in kinds])
     counts = np.column_stack([np.bincount(owner, minlength=count) for owner in owners])
     starts = (counts.cumsum() - counts.ravel()).reshape(counts.shape)
     first_plates = counts[:, PLATES].cumsum() - counts[:, PLATES]
@@ -210,7 +212,7 @@ def stack(group: Gathered, radii: Array) -> Stack:
     return Stack(np.column_stack([starts, first_plates]), rows, plates)
 
 
-def stacked(group: Gathered, radii: Array) -> tuple[Any, Array, Array]:
+def stack_with_terms(group: Gathered, radii: Array) -> tuple[Any, Array, Array]:
     """Starts and rows as in `Stack`, and terms of the plates, shape (plates, ROWS, 2)."""
     starts, rows, plates = stack(group, radii)
     terms = np.empty((len(plates), 2 * ROWS))
@@ -256,12 +258,12 @@ def _scaled_rows(group: Gathered, radii: Array) -> tuple[list[Array], list[Any]]
     middle, size = plates[plate, :2], unit[EDGES]
     sides = _lines((edges[:, :2] - middle) / size, (edges[:, 2:4] - middle) / size)
     jumps = edges[:, 4] * size[:, 0] ** 2 / plates[plate, 3]
-    whole = [
-        np.column_stack([each[:, :3] / radii[owner, None], each[:, 3]])
-        for each, owner in zip((rings, discs, plates), group.owners[RINGS:EDGES], strict=True)
+    round_ones = [
+        np.column_stack([kind[:, :3] / radii[owner, None], kind[:, 3]])
+        for kind, owner in zip((rings, discs, plates), group.owners[RINGS:EDGES], strict=True)
     ]
     kinds = [
-        atoms, np.column_stack([lines, segments[:, 4]]), *whole, np.column_stack([sides, jumps]),
+        atoms, np.column_stack([lines, segments[:, 4]]), *round_ones, np.column_stack([sides, jumps]),
     ]  # fmt: skip
     return kinds, owners
 
@@ -274,10 +276,10 @@ def _atoms(group: Gathered, places: Array, radii: Array) -> tuple[Array, Any]:
     merged, first, which = np.unique(keys, axis=0, return_index=True, return_inverse=True)
     shares = np.bincount(which.ravel(), shares, len(merged))
     order = np.argsort(first)
-    own = owner[first[order]]
+    merged_owner = owner[first[order]]
     places, shares = merged[order, 1:], shares[order]
-    size = (group.extents / radii)[own] + np.abs(places).sum(axis=1)
-    return np.column_stack([places, shares, (ROUNDING * size) ** 2]), own
+    size = (group.extents / radii)[merged_owner] + np.abs(places).sum(axis=1)
+    return np.column_stack([places, shares, (ROUNDING * size) ** 2]), merged_owner
 
 
 def _lines(start: Array, end: Array) -> Array:

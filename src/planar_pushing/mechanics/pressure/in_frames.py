@@ -10,15 +10,15 @@ from planar_pushing.core.multipole import ORDER, TERMS
 from planar_pushing.mechanics.plane import Frame
 from planar_pushing.mechanics.pressure.assembly import (
     Gathered,
-    gathered,
+    gather_pieces,
     measure_pieces,
-    stacked,
+    stack_with_terms,
 )
 from planar_pushing.mechanics.pressure.pieces import ENDS, PLATES, Array, Pieces
 
 
 def gather_in_frames(pieces: Pieces, origins: Array, axes: Array) -> Gathered:
-    """Pieces of a support in frames, as `gathered` returns them for a list of one support per frame.
+    """Pieces of a support in frames, as `gather_pieces` returns them for a list of one support per frame.
 
     Parameters
     ----------
@@ -31,23 +31,23 @@ def gather_in_frames(pieces: Pieces, origins: Array, axes: Array) -> Gathered:
     Positions equal those of supports that are moved one by one, to the last bit. Plates differ by rounding,
     because their pressure and their series are not recomputed in each frame.
     """
-    one, count = gathered([pieces]), len(axes)
+    one, count = gather_pieces([pieces]), len(axes)
     x, y = origins.T
     a, b = axes.T
     frame = Frame((x[:, None], y[:, None]), (a[:, None], b[:, None]))
     # Without the plates, whose centers and shares follow from their edges.
-    rows = [np.tile(each, (count, 1)) for each in one.rows]
+    rows = [np.tile(block, (count, 1)) for block in one.rows]
     for kind, *columns in ENDS:
         for column in dict.fromkeys(columns):
             ends = slice(column, column + 2)
             places = frame.point_in(one.rows[kind][:, ends]) + 0.0
             rows[kind][:, ends] = places.reshape(-1, 2)
-    owners = [np.repeat(np.arange(count), len(each)) for each in one.rows]
+    owners = [np.repeat(np.arange(count), len(block)) for block in one.rows]
     lengths = np.tile(np.diff(one.first), count)
     group = measure_pieces(rows[:PLATES], rows[-1], owners, lengths, count)
     if not len(lengths):
         return group
-    _, _, terms = stacked(one, one.extents)
+    _, _, terms = stack_with_terms(one, one.extents)
     return group._replace(write_terms=partial(_rotate_terms, terms, axes))
 
 

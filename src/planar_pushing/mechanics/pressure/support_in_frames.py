@@ -49,12 +49,12 @@ class SupportInFrames:
     @property
     def origins(self) -> Array:
         """Origins of the frames, shape (size, 2)."""
-        return np.column_stack([np.ravel(each) for each in self.frame.origin])
+        return np.column_stack([np.ravel(coordinate) for coordinate in self.frame.origin])
 
     @property
     def axes(self) -> Array:
         """Directions of the x axes of the frames, shape (size, 2)."""
-        return np.column_stack([np.ravel(each) for each in self.frame.axis])
+        return np.column_stack([np.ravel(coordinate) for coordinate in self.frame.axis])
 
     @property
     def is_rigid(self) -> bool:
@@ -104,10 +104,10 @@ class SupportInFrames:
 
 def _is_rigid(support: Any) -> bool:
     members = getattr(support, "members", ())
-    return type(support) in KINDS and all(_is_rigid(each) for _, each in members)
+    return type(support) in KINDS and all(_is_rigid(member) for _, member in members)
 
 
-def listed(support: Any) -> Any:
+def flatten_supports(support: Any) -> Any:
     """The supports of an array, flattened; a single support counts as an array of one."""
     if isinstance(support, SupportInFrames):
         return support

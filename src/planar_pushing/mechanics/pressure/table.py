@@ -23,17 +23,17 @@ from planar_pushing.core.pieces import (
     SPREAD,
 )
 from planar_pushing.core.rows import ENTRY, LAST
-from planar_pushing.mechanics.kernels import run
+from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.mechanics.pressure.assembly import (
     Gathered,
-    gathered,
+    gather_pieces,
     stack,
     write_terms,
 )
 from planar_pushing.mechanics.pressure.in_frames import gather_in_frames
 from planar_pushing.mechanics.pressure.pieces import Array, Pieces
 from planar_pushing.mechanics.pressure.support_in_frames import SupportInFrames
-from planar_pushing.terms.caches import cached
+from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.errors import InvalidValue
 
 #: Rounding error of a center of pressure, relative to its coordinates.
@@ -109,16 +109,16 @@ class Table:
         return front
 
 
-def kept(function: Callable[[Any], Found]) -> Callable[[Iterable[Any]], Found]:
+def cache_by_supports(function: Callable[[Any], Found]) -> Callable[[Iterable[Any]], Found]:
     """Cache a function of supports; for many supports, which can take gigabytes, only the last result."""
-    few, many = cached(KEPT)(function), cached(1)(function)
+    few, many = cache_results(KEPT)(function), cache_results(1)(function)
 
     @wraps(function)
     def call(supports: Iterable[Any] | SupportInFrames) -> Found:
         if isinstance(supports, SupportInFrames):
             return (few if supports.size <= FEW else many)(supports)
-        each = tuple(supports)
-        return (few if len(each) <= FEW else many)(each)
+        key = tuple(supports)
+        return (few if len(key) <= FEW else many)(key)
 
     return call
 
@@ -131,7 +131,7 @@ def extents_of(supports: Iterable[Any]) -> Array:
     InvalidValue
         If a support is a single point, which resists no rotation.
     """
-    return _gathered(supports).extents
+    return _gather_supports(supports).extents
 
 
 def extent_of(support: Any) -> float:
@@ -139,13 +139,15 @@ def extent_of(support: Any) -> float:
     return float(extents_of([support])[0])
 
 
-@kept
-def _gathered(supports: tuple[Any, ...] | SupportInFrames) -> Gathered:
+@cache_by_supports
+def _gather_supports(supports: tuple[Any, ...] | SupportInFrames) -> Gathered:
     """The pieces of supports, none of which may be a single point."""
     if not isinstance(supports, SupportInFrames):
-        return _required_extents(gathered([each.pieces() for each in supports]), supports)
+        return _required_extents(
+            gather_pieces([support.pieces() for support in supports]), supports
+        )
     if not supports.is_rigid:
-        return _gathered(supports.supports)
+        return _gather_supports(supports.supports)
     group = gather_in_frames(supports.support.pieces(), supports.origins, supports.axes)
     return _required_extents(group, [supports.support] * supports.size)
 
@@ -162,16 +164,16 @@ def _required_extents(group: Gathered, supports: Sequence[Any]) -> Gathered:
     return group
 
 
-@kept
+@cache_by_supports
 def table_of(supports: tuple[Any, ...] | SupportInFrames) -> Table:
     """`Table` of supports, the same object while it is cached."""
-    group = _gathered(supports)
+    group = _gather_supports(supports)
     return _table(group, group.extents)
 
 
 def table_of_pieces(pieces: Pieces, radius: float) -> Table:
     """`Table` of one support in units of a radius other than its extent."""
-    return _table(gathered([pieces]), np.array([radius]))
+    return _table(gather_pieces([pieces]), np.array([radius]))
 
 
 def _table(group: Gathered, radii: Array) -> Table:
@@ -214,24 +216,24 @@ def joined_data(effects: Sequence[tuple[int, int, Table | None]], columns: int) 
         is cached while the effects are the same, with tables compared by identity, and must not be written
         to.
     """
-    given = tuple(effects)
-    count = sum(table.count for _, _, table in given if table is not None)
-    return (_few_joined if count <= FEW else _many_joined)(given, columns)
+    key = tuple(effects)
+    count = sum(table.count for _, _, table in key if table is not None)
+    return (_few_joined if count <= FEW else _many_joined)(key, columns)
 
 
-def _joined(effects: tuple[tuple[int, int, Table | None], ...], columns: int) -> Array:
+def _join_data(effects: tuple[tuple[int, int, Table | None], ...], columns: int) -> Array:
     entries = np.zeros((len(effects) + 1, ENTRY))
     tables = [table for _, _, table in effects if table is not None]
-    entries[-1, :2], place = (LAST, columns), entries.size
+    entries[-1, :2], offset = (LAST, columns), entries.size
     for i, (kind, column, table) in enumerate(effects):
-        entries[i, :3] = kind, column, 0.0 if table is None else place
-        place += 0 if table is None else len(table.data)
+        entries[i, :3] = kind, column, 0.0 if table is None else offset
+        offset += 0 if table is None else len(table.data)
     if len(tables) == 1:
         return tables[0].behind(entries.ravel())
     return np.concatenate([entries.ravel(), *(table.data for table in tables)])
 
 
-_few_joined, _many_joined = cached(KEPT)(_joined), cached(1)(_joined)
+_few_joined, _many_joined = cache_results(KEPT)(_join_data), cache_results(1)(_join_data)
 
 
 class Moments(NamedTuple):
@@ -275,4 +277,4 @@ def moments(table: Table, x: npt.ArrayLike, y: npt.ArrayLike, number: int = 0) -
     columns = np.broadcast_arrays(float(HEAD * number), x, y)
     rows = np.stack([column.ravel() for column in columns], axis=1)
     results = run("moments", table.data, rows, len(Moments._fields))
-    return Moments(*(each.reshape(columns[0].shape)[()] for each in results.T))
+    return Moments(*(moment.reshape(columns[0].shape)[()] for moment in results.T))

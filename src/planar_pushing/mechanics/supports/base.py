@@ -9,16 +9,20 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 
 from planar_pushing.mechanics.plane import Frame
-from planar_pushing.mechanics.pressure.assembly import gathered
+from planar_pushing.mechanics.pressure.assembly import gather_pieces
 from planar_pushing.mechanics.pressure.pieces import PLATES, Array, Pieces
-from planar_pushing.mechanics.pressure.support_in_frames import KINDS, SupportInFrames, listed
+from planar_pushing.mechanics.pressure.support_in_frames import (
+    KINDS,
+    SupportInFrames,
+    flatten_supports,
+)
 from planar_pushing.terms.declared import NUMBER, PAIR, Read
 from planar_pushing.terms.errors import InvalidValue, number_of, require_positive
-from planar_pushing.terms.numbers import as_array, required_array
+from planar_pushing.terms.numbers import as_array, require_array
 from planar_pushing.terms.options import SPEED
 
 #: Range of sizes whose squares are doubles, and remedy.
-LENGTHS = SPEED.least, SPEED.most
+LENGTHS = SPEED.minimum, SPEED.maximum
 UNIT = "choose another unit of length"
 #: Largest relative difference of what a support says of itself.
 SAME = 1e-9
@@ -65,24 +69,24 @@ def moved_support(support: Any, frame: Frame) -> Any:
     return moved
 
 
-def required_support(name: str, given: Any) -> Any:
+def require_support(name: str, value: Any) -> Any:
     """The given support, or `InvalidValue`; one of the user's own class must fulfill `Support`."""
-    if type(given) not in KINDS:
+    if type(value) not in KINDS:
         names = ("center_of_pressure", "extent", "pieces")
-        if not all(hasattr(type(given), each) for each in names):
+        if not all(hasattr(type(value), attribute) for attribute in names):
             raise InvalidValue(
-                name, given, "a support, such as Disc or Polygon",
+                name, value, "a support, such as Disc or Polygon",
                 f"construct one, or give your class {', '.join(names[:2])} and {names[2]}()",
             )  # fmt: skip
-        _require_pieces(name, given)
-    return given
+        _require_pieces(name, value)
+    return value
 
 
 def _require_pieces(name: str, support: Support) -> None:
     """Refuse a support of the user's own class that does not have the pressure that it describes."""
     pieces = support.pieces()
     try:
-        group = gathered([pieces])
+        group = gather_pieces([pieces])
         share = sum(float(rows[:, -1].sum()) for rows in group.rows[: PLATES + 1])
     except (TypeError, ValueError, LookupError, AttributeError):
         share = math.nan
@@ -92,26 +96,26 @@ def _require_pieces(name: str, support: Support) -> None:
             "return those of a support of the package, for instance Composite(...).pieces()",
         )  # fmt: skip
     described = (*support.center_of_pressure, support.extent)
-    found = (*group.centers[0], group.extents[0])
-    if not np.allclose(described, found, rtol=SAME, atol=SAME * float(group.extents[0])):
+    measured = (*group.centers[0], group.extents[0])
+    if not np.allclose(described, measured, rtol=SAME, atol=SAME * float(group.extents[0])):
         raise InvalidValue(
             name, support,
             "a support whose center_of_pressure and extent are those of its pieces(), here "
-            f"({found[0]:.6g}, {found[1]:.6g}) and {found[2]:.6g}",
+            f"({measured[0]:.6g}, {measured[1]:.6g}) and {measured[2]:.6g}",
             "correct these properties",
         )  # fmt: skip
 
 
-def required_supports(name: str, given: Any) -> Any:
+def require_supports(name: str, value: Any) -> Any:
     """The given support, or array of supports, or `InvalidValue`."""
-    supports = [given.support] if isinstance(given, SupportInFrames) else listed(given)
-    for each in supports if len(supports) else [given]:
-        required_support(name, each)
-    return given
+    supports = [value.support] if isinstance(value, SupportInFrames) else flatten_supports(value)
+    for support in supports if len(supports) else [value]:
+        require_support(name, support)
+    return value
 
 
 def array(
-    name: str, given: object, shape: tuple[int | None, ...], allowed: str, remedy: str
+    name: str, value: object, shape: tuple[int | None, ...], allowed: str, remedy: str
 ) -> Array:
     """Array of finite numbers of a given shape, in which None is any length.
 
@@ -120,15 +124,15 @@ def array(
     InvalidValue
         If the shape differs, or an entry is not a finite number.
     """
-    for i, each in enumerate(given if isinstance(given, (list, tuple)) else ()):
-        if as_array(each) is None:
-            raise InvalidValue(f"{name}[{i}]", each, "finite numbers", remedy)
-    numbers = required_array(name, given, allowed, remedy)
+    for i, entry in enumerate(value if isinstance(value, (list, tuple)) else ()):
+        if as_array(entry) is None:
+            raise InvalidValue(f"{name}[{i}]", entry, "finite numbers", remedy)
+    numbers = require_array(name, value, allowed, remedy)
     fits = numbers.ndim == len(shape) and all(
         length in (None, actual) for length, actual in zip(shape, numbers.shape, strict=True)
     )
     if not fits:
-        raise InvalidValue(name, given, allowed, remedy)
+        raise InvalidValue(name, value, allowed, remedy)
     require_all(name, numbers, np.isfinite, "finite numbers", "give each number")
     return numbers
 
@@ -139,16 +143,16 @@ def require_all(
     """Refuse numbers for which `allows` is false; the message shows the first one and its index."""
     right = allows(numbers)
     if not right.all():
-        place = tuple(map(int, np.argwhere(~right)[0]))
-        shown = "".join(f"[{i}]" for i in place)
-        raise InvalidValue(name + shown, float(numbers[place]), allowed, remedy)
+        index = tuple(map(int, np.argwhere(~right)[0]))
+        label = "".join(f"[{i}]" for i in index)
+        raise InvalidValue(name + label, float(numbers[index]), allowed, remedy)
 
 
 def coordinates(
-    name: str, given: object, shape: tuple[int | None, ...], allowed: str, remedy: str
+    name: str, value: object, shape: tuple[int | None, ...], allowed: str, remedy: str
 ) -> Array:
     """Array of coordinates whose squares do not overflow; errors as in `array`."""
-    numbers = array(name, given, shape, allowed, remedy)
+    numbers = array(name, value, shape, allowed, remedy)
     require_all(name, numbers, lambda x: np.abs(x) <= LENGTHS[1], f"at most {LENGTHS[1]:g}", UNIT)
     return numbers
 
@@ -160,42 +164,42 @@ def require_size(name: str, size: float) -> None:
         raise InvalidValue(name, size, f"a size in [{low:g}, {high:g}]", UNIT)
 
 
-def length(name: str, given: object, remedy: str) -> float:
+def length(name: str, value: object, remedy: str) -> float:
     """A positive length whose square neither underflows nor overflows."""
-    size = require_positive(name, given, remedy)
+    size = require_positive(name, value, remedy)
     require_size(name, size)
     return size
 
 
-def position(name: str, given: object) -> Position:
+def position(name: str, value: object) -> Position:
     """A position in the plane."""
     remedy = "give x and y in the body frame"
-    x, y = coordinates(name, given, (2,), "two finite numbers", remedy).tolist()
+    x, y = coordinates(name, value, (2,), "two finite numbers", remedy).tolist()
     return x, y
 
 
 def positions(
-    name: str, given: object, remedy: str = "give x and y of each in the body frame"
+    name: str, value: object, remedy: str = "give x and y of each in the body frame"
 ) -> tuple[Position, ...]:
     """Positions in the plane."""
-    entries: Any = given if isinstance(given, (list, tuple)) else None
+    entries: Any = value if isinstance(value, (list, tuple)) else None
     if entries is not None and not entries:
-        raise InvalidValue(name, given, "at least one point", remedy)
-    for i, each in enumerate(entries or ()):
-        place = as_array(each)
-        if place is None or place.shape != (2,):
-            raise InvalidValue(f"{name}[{i}]", each, "two finite numbers", remedy)
-    places = coordinates(name, given, (None, 2), "pairs of finite numbers", remedy)
+        raise InvalidValue(name, value, "at least one point", remedy)
+    for i, entry in enumerate(entries or ()):
+        pair = as_array(entry)
+        if pair is None or pair.shape != (2,):
+            raise InvalidValue(f"{name}[{i}]", entry, "two finite numbers", remedy)
+    places = coordinates(name, value, (None, 2), "pairs of finite numbers", remedy)
     if not len(places):
-        raise InvalidValue(name, given, "at least one point", remedy)
+        raise InvalidValue(name, value, "at least one point", remedy)
     if span := float(np.ptp(places, axis=0).max()):
         require_size(name, span)
     return tuple((x, y) for x, y in places.tolist())
 
 
-def weights(name: str, given: object) -> tuple[float, ...]:
+def weights(name: str, value: object) -> tuple[float, ...]:
     """Positive weights, whose sum is finite."""
-    loads = array(name, given, (None,), "positive numbers", "give one weight for each")
+    loads = array(name, value, (None,), "positive numbers", "give one weight for each")
     require_all(name, loads, lambda x: x > 0, "a number > 0", "leave out what carries no weight")
     if loads.max(initial=0.0) > np.finfo(float).max / max(len(loads), 1):
         allowed = "numbers with a finite sum"
@@ -203,16 +207,16 @@ def weights(name: str, given: object) -> tuple[float, ...]:
     return tuple(loads.tolist())
 
 
-def require_count(name: str, given: Any, count: int, noun: str) -> None:
+def require_count(name: str, value: Any, count: int, noun: str) -> None:
     """Refuse a sequence that does not have one entry for each of several things."""
-    if len(given) != count:
-        raise InvalidValue(name, given, number_of(count, noun), f"give one {noun} for each point")
+    if len(value) != count:
+        raise InvalidValue(name, value, number_of(count, noun), f"give one {noun} for each point")
 
 
 PLACES = {"type": "array", "minItems": 1, "items": PAIR}
 #: Declarations of parameters: a support, a support or an array of them, a position, positions, weights.
-SUPPORT = Read(required_support, "a support", {})
-SUPPORTS = Read(required_supports, "a support", {})
+SUPPORT = Read(require_support, "a support", {})
+SUPPORTS = Read(require_supports, "a support", {})
 POSITION = Read(position, "two finite numbers, [x, y] in the body frame", PAIR)
 POSITIONS = Read(positions, "pairs of finite numbers, [x, y] in the body frame", PLACES)
 WEIGHTS = Read(
@@ -222,5 +226,5 @@ WEIGHTS = Read(
 
 def a_length(remedy: str) -> Read:
     """Declaration of a length."""
-    return Read(lambda name, given: length(name, given, remedy), "a finite number > 0",
+    return Read(lambda name, value: length(name, value, remedy), "a finite number > 0",
                 NUMBER | {"exclusiveMinimum": 0})  # fmt: skip

@@ -10,14 +10,14 @@ from planar_pushing.mechanics.plane import Frame
 from planar_pushing.mechanics.pressure.assembly import (
     center,
     extent,
-    joined,
-    shared,
+    join_pieces,
+    scale_shares,
 )
 from planar_pushing.mechanics.pressure.pieces import Pieces
 from planar_pushing.mechanics.supports.base import (
     Position,
     moved_support,
-    required_support,
+    require_support,
     weights,
 )
 from planar_pushing.mechanics.supports.even_ring import Ring
@@ -25,19 +25,19 @@ from planar_pushing.terms.declared import Read, require_declared
 from planar_pushing.terms.errors import InvalidValue
 
 
-def _members(name: str, given: Any) -> tuple[tuple[float, Any], ...]:
+def _members(name: str, value: Any) -> tuple[tuple[float, Any], ...]:
     """Shares and supports."""
     try:
-        pairs = tuple((share, support) for share, support in given)
+        pairs = tuple((share, support) for share, support in value)
     except (TypeError, ValueError):
         pairs = ()
     if not pairs:
         raise InvalidValue(
-            name, given, "at least one pair of a share and a support",
+            name, value, "at least one pair of a share and a support",
             "give for instance [(0.5, Disc(1.0)), (0.5, Points([(2.0, 0.0)], [1.0]))]",
         )  # fmt: skip
     for i, (_, support) in enumerate(pairs):
-        if isinstance(required_support(f"{name}[{i}]", support), Ring) and support.radius is None:
+        if isinstance(require_support(f"{name}[{i}]", support), Ring) and support.radius is None:
             raise InvalidValue(
                 name, Ring(), "a ring with a radius", "give the radius, as in Ring(1.0)"
             )
@@ -80,8 +80,12 @@ class Composite(Pictured):
 
     def moved(self, frame: Frame) -> Composite:
         """The same supports expressed in another frame."""
-        return Composite([(share, moved_support(each, frame)) for share, each in self.members])
+        return Composite(
+            [(share, moved_support(support, frame)) for share, support in self.members]
+        )
 
     def pieces(self) -> Pieces:
-        whole = sum(share for share, _ in self.members)
-        return joined([shared(support.pieces(), share / whole) for share, support in self.members])
+        total = sum(share for share, _ in self.members)
+        return join_pieces(
+            [scale_shares(support.pieces(), share / total) for share, support in self.members]
+        )

@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.arrays import same
+from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.pressure.pieces import Array
 from planar_pushing.mechanics.pressure.table import Table, extent_of, moments, table_of
-from planar_pushing.mechanics.supports.base import Position, Support, required_support
+from planar_pushing.mechanics.supports.base import Position, Support, require_support
 
 #: Number of motions at which the ellipsoid is compared; ten times as many change the means by under 1e-4.
 MOTIONS = 20_000
@@ -26,7 +26,7 @@ FIRST, LAST, STEPS = 0.02, 1e-13, 400
 #: from which it is computed.
 BESIDE = 1e-12
 #: Smallest spin of a motion with a velocity of 1.
-LEAST = 1e-9
+SLOWEST_SPIN = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -90,28 +90,28 @@ def fit_ellipsoid(support: Support) -> EllipsoidFit:
     InvalidValue
         If the argument is not a support, or is a single point, which resists no rotation.
     """
-    required_support("support", support)
+    require_support("support", support)
     extent, table = extent_of(support), table_of([support])
     constant = float(moments(table, *table.centers[0]).torque)
 
     def errors(motions: Array) -> Array:
         return ellipsoid_errors(table, constant, motions)
 
-    motions = _spread(MOTIONS)
+    motions = spread_motions(MOTIONS)
     force, motion = errors(motions)
     return EllipsoidFit(
         center=support.center_of_pressure,
         extent=extent,
         integration_constant=constant,
         matrix=np.diag([1.0, 1.0, 1.0 / (constant * extent) ** 2]),
-        worst_force_error=_worst(lambda each: errors(each)[0], motions, force, table),
+        worst_force_error=_worst(lambda trial: errors(trial)[0], motions, force, table),
         mean_force_error=float(force.mean()),
-        worst_motion_error=_worst(lambda each: errors(each)[1], motions, motion, table),
+        worst_motion_error=_worst(lambda trial: errors(trial)[1], motions, motion, table),
         mean_motion_error=float(motion.mean()),
     )
 
 
-def _spread(count: int) -> Array:
+def spread_motions(count: int) -> Array:
     """Motions spread evenly over a hemisphere, shape (count, 3).
 
     The other hemisphere has the opposite motions and wrenches, and the same angles.
@@ -125,17 +125,17 @@ def _spread(count: int) -> Array:
 def _worst(error: Callable[[Array], Array], motions: Array, errors: Array, table: Table) -> float:
     """Maximum of an error, searched from the largest of `errors` at `motions` and around every foot."""
 
-    def of_motion(given: Array) -> Array:
-        whole = np.where(given[..., 2:] < 0.0, -given, given)
-        return error(whole / np.linalg.norm(whole, axis=-1, keepdims=True))
+    def of_motion(vectors: Array) -> Array:
+        upper = np.where(vectors[..., 2:] < 0.0, -vectors, vectors)
+        return error(upper / np.linalg.norm(upper, axis=-1, keepdims=True))
 
     def beside_feet(turn: Array) -> Array:
         to_feet = np.expand_dims(feet, tuple(range(1, turn.ndim - 1)))
         away = to_feet + beside * np.concatenate([np.cos(turn), np.sin(turn)], axis=-1)
         return of_motion(np.stack([away[..., 1], -away[..., 0], np.ones(away.shape[:-1])], axis=-1))
 
-    half = _spread(DIRECTIONS)
-    worst = _climbed(
+    half = spread_motions(DIRECTIONS)
+    worst = _climb(
         of_motion, motions[np.argsort(errors)[-STARTS:]], FIRST, np.concatenate([half, -half])
     )
     center = table.centers[0]
@@ -143,12 +143,10 @@ def _worst(error: Callable[[Array], Array], motions: Array, errors: Array, table
     if not len(feet):
         return worst
     around = np.linspace(-pi, pi, DIRECTIONS)[:, None]
-    return max(worst, _climbed(beside_feet, np.zeros((len(feet), 1)), 1.0, around))
+    return max(worst, _climb(beside_feet, np.zeros((len(feet), 1)), 1.0, around))
 
 
-def _climbed(
-    value: Callable[[Array], Array], start: Array, step: float, directions: Array
-) -> float:
+def _climb(value: Callable[[Array], Array], start: Array, step: float, directions: Array) -> float:
     """Largest value that a climb from each start reaches; a step without a gain is halved.
 
     Parameters
@@ -159,15 +157,18 @@ def _climbed(
     step : float
     directions : ndarray, shape (m, d)
     """
-    place, best, sizes = start, value(start), np.full(len(start), step)
+    points, best, sizes = start, value(start), np.full(len(start), step)
     every = np.arange(len(start))
     for _ in range(STEPS):
-        tried = place[:, None] + sizes[:, None, None] * directions
+        tried = points[:, None] + sizes[:, None, None] * directions
         values = value(tried)
-        at = values.argmax(axis=1)
-        better = values[every, at] > best
-        place = np.where(better[:, None], tried[every, at], place)
-        best, sizes = np.maximum(best, values[every, at]), np.where(better, sizes, sizes / 2.0)
+        best_trial = values.argmax(axis=1)
+        better = values[every, best_trial] > best
+        points = np.where(better[:, None], tried[every, best_trial], points)
+        best, sizes = (
+            np.maximum(best, values[every, best_trial]),
+            np.where(better, sizes, sizes / 2.0),
+        )
         if sizes.max() < LAST:
             break
     return float(best.max())
@@ -192,7 +193,7 @@ def ellipsoid_errors(table: Table, constant: float, motions: Array) -> Array:
     """
     (p_x, p_y), square = table.centers[0], constant * constant
     v_x, v_y, spin = np.moveaxis(motions, -1, 0)
-    spin = np.maximum(spin, LEAST)
+    spin = np.maximum(spin, SLOWEST_SPIN)
     total = moments(table, p_x - v_y / spin, p_y + v_x / spin)
     force_x, force_y, torque = -total.unit_y, total.unit_x, total.torque
     force = _angle((force_x, force_y, torque), (v_x, v_y, square * spin))

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import numpy as np
 
 from planar_pushing.mechanics.pictures import Pictured
-from planar_pushing.mechanics.plane import Frame, moved_place
+from planar_pushing.mechanics.plane import Frame, position_in_frame
 from planar_pushing.mechanics.pressure.pieces import Pieces
 from planar_pushing.mechanics.supports.base import POSITION, Position, a_length
 from planar_pushing.terms.declared import require_declared
@@ -59,7 +59,7 @@ class Ring(Pictured):
             raise InvalidValue(
                 "radius", None, "a ring with a radius", "give the radius, as in Ring(1.0)"
             )
-        return Ring(self.radius, moved_place(self.center_of_pressure, frame))
+        return Ring(self.radius, position_in_frame(self.center_of_pressure, frame))
 
     def pieces(self) -> Pieces:
         return Pieces(rings=np.array([[*self.center_of_pressure, self.extent, 1.0]]))

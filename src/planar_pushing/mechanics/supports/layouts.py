@@ -22,43 +22,41 @@ TURN = OneAngle(
 )  # fmt: skip
 
 
-def _whole(least: int) -> Read:
+def _integer(minimum: int) -> Read:
     """Declaration of a whole number."""
 
-    def required(name: str, given: Any) -> float:
+    def require(name: str, value: Any) -> float:
         return require_number(
-            name, given, lambda n: n >= least and n == int(n) and n < 1e6,
-            f"a whole number >= {least}", "give more of them",
+            name, value, lambda n: n >= minimum and n == int(n) and n < 1e6,
+            f"a whole number >= {minimum}", "give more of them",
         )  # fmt: skip
 
-    return Read(required, f"a whole number >= {least}", {"type": "integer", "minimum": least})
+    return Read(require, f"a whole number >= {minimum}", {"type": "integer", "minimum": minimum})
 
 
-COUNT, RINGS = _whole(3), _whole(1)
+COUNT, RINGS = _integer(3), _integer(1)
 
 
 def placed_corners(places: Array, center: Any, angle: float) -> Array:
     """Positions rotated about the origin by an angle in radians, then shifted to a center."""
-    turn = TURN.required("angle", angle)
+    turn = TURN.require("angle", angle)
     c, s = (1.0, 0.0) if turn == 0.0 else (np.cos(turn), np.sin(turn))
     turned: Array = places @ np.array([[c, s], [-s, c]])
-    middle: Array = np.array(POSITION.required("center", center))
+    middle: Array = np.array(POSITION.require("center", center))
     return turned + middle
 
 
 def rectangle_corners(width: float, height: float) -> Array:
     """Corners of a rectangle about the origin, counterclockwise."""
-    x, y = WIDTH.required("width", width) / 2, HEIGHT.required("height", height) / 2
+    x, y = WIDTH.require("width", width) / 2, HEIGHT.require("height", height) / 2
     return np.array([(-x, -y), (x, -y), (x, y), (-x, y)])
 
 
 def regular_corners(count: int, radius: float) -> Array:
     """Corners of a regular polygon about the origin, the first on the x axis."""
-    number = int(COUNT.required("count", count))
+    number = int(COUNT.require("count", count))
     turns = 2 * np.pi * np.arange(number) / number
-    return float(RADIUS.required("radius", radius)) * np.column_stack(
-        [np.cos(turns), np.sin(turns)]
-    )
+    return float(RADIUS.require("radius", radius)) * np.column_stack([np.cos(turns), np.sin(turns)])
 
 
 def disc_places(rings: int, radius: float) -> Array:
@@ -67,7 +65,7 @@ def disc_places(rings: int, radius: float) -> Array:
     Each ring has the root mean square radius of its area, so that the second moment of the positions is
     close to that of the disc.
     """
-    number = int(RINGS.required("count", rings))
+    number = int(RINGS.require("count", rings))
     edges = np.sqrt(
         (1 + 3 * np.arange(number + 1) * np.arange(1, number + 2)) / (1 + 3 * number * (number + 1))
     )
@@ -76,4 +74,4 @@ def disc_places(rings: int, radius: float) -> Array:
         turns = 2 * np.pi * np.arange(6 * k) / (6 * k)
         away = np.sqrt((edges[k - 1] ** 2 + edges[k] ** 2) / 2)
         places.append(away * np.column_stack([np.cos(turns), np.sin(turns)]))
-    return float(RADIUS.required("radius", radius)) * np.concatenate(places)
+    return float(RADIUS.require("radius", radius)) * np.concatenate(places)

@@ -28,13 +28,13 @@ from planar_pushing.terms.declared import Read, require_declared
 from planar_pushing.terms.errors import InvalidValue
 
 
-def _names(name: str, given: Any) -> tuple[str, ...]:
+def _names(name: str, value: Any) -> tuple[str, ...]:
     """Distinct names."""
-    names = tuple(given) if isinstance(given, (list, tuple)) else ()
-    if not names or not all(isinstance(each, str) and each for each in names):
-        raise InvalidValue(name, given, "names of the points", "give a name for each, or none")
+    names = tuple(value) if isinstance(value, (list, tuple)) else ()
+    if not names or not all(isinstance(entry, str) and entry for entry in names):
+        raise InvalidValue(name, value, "names of the points", "give a name for each, or none")
     if len(set(names)) < len(names):
-        raise InvalidValue(name, given, "distinct names", "give each point its own name")
+        raise InvalidValue(name, value, "distinct names", "give each point its own name")
     return names
 
 

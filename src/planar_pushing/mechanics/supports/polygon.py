@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from planar_pushing.mechanics.kernels import run
+from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.plane import Frame
 from planar_pushing.mechanics.pressure.assembly import center, extent
@@ -30,11 +30,11 @@ from planar_pushing.terms.errors import InvalidValue
 THINNEST = 1e-12
 
 
-def _rings(name: str, given: Any) -> tuple[tuple[Position, ...], ...]:
+def _rings(name: str, value: Any) -> tuple[tuple[Position, ...], ...]:
     """Vertices of at least one hole."""
-    if not isinstance(given, (list, tuple)) or not given:
-        raise InvalidValue(name, given, "a sequence of rings", "give the vertices of each hole")
-    return tuple(positions(f"{name}[{i}]", ring) for i, ring in enumerate(given))
+    if not isinstance(value, (list, tuple)) or not value:
+        raise InvalidValue(name, value, "a sequence of rings", "give the vertices of each hole")
+    return tuple(positions(f"{name}[{i}]", ring) for i, ring in enumerate(value))
 
 
 HOLES = Read(_rings, "the vertices of each hole", {"type": "array", "minItems": 1, "items": PLACES})
@@ -65,16 +65,16 @@ class Polygon(Pictured):
 
     def __post_init__(self) -> None:
         outer = simple_ring("vertices", self.vertices)
-        inner = [simple_ring(f"holes[{i}]", each) for i, each in enumerate(self._inner())]
+        inner = [simple_ring(f"holes[{i}]", hole) for i, hole in enumerate(self._inner())]
         _require_holes(outer, inner)
         object.__setattr__(self, "vertices", _pairs(outer))
         object.__setattr__(self, "holes", tuple(map(_pairs, inner)))
 
     def _inner(self) -> list[Any]:
         """The holes that the given vertices have themselves, and those given with them."""
-        own = getattr(self.vertices, "interiors", getattr(self.vertices, "holes", ()))
+        interiors = getattr(self.vertices, "interiors", getattr(self.vertices, "holes", ()))
         try:
-            return [*own, *self.holes]
+            return [*interiors, *self.holes]
         except TypeError:
             raise InvalidValue(
                 "holes", self.holes, "a sequence of rings", "give the vertices of each hole"
@@ -111,8 +111,8 @@ class Polygon(Pictured):
 
     def pieces(self) -> Pieces:
         outer, *inner = map(np.array, (self.vertices, *self.holes))
-        pressure = 1.0 / _whole_area(outer, inner)
-        rings = [counterclockwise(outer), *(counterclockwise(each)[::-1] for each in inner)]
+        pressure = 1.0 / _net_area(outer, inner)
+        rings = [counterclockwise(outer), *(counterclockwise(hole)[::-1] for hole in inner)]
         edges = np.concatenate([_sides(ring) for ring in rings])
         edges[:, 4] = pressure
         return Pieces(plates=(edges,))
@@ -134,9 +134,9 @@ def _pairs(vertices: Array) -> tuple[Position, ...]:
     return tuple((x, y) for x, y in vertices.tolist())
 
 
-def _whole_area(outer: Array, inner: list[Array]) -> float:
+def _net_area(outer: Array, inner: list[Array]) -> float:
     """Area of a polygon without its holes."""
-    return float(abs(_area(outer)) - sum(abs(_area(each)) for each in inner))
+    return float(abs(_area(outer)) - sum(abs(_area(hole)) for hole in inner))
 
 
 def _area(vertices: Array) -> float:
@@ -144,7 +144,7 @@ def _area(vertices: Array) -> float:
     return float(run("polygon_area", vertices, [[0, len(vertices)]], 1)[0, 0])
 
 
-def simple_ring(name: str, given: Any) -> Array:
+def simple_ring(name: str, value: Any) -> Array:
     """Vertices of a simple polygon, shape (n, 2), each once.
 
     Raises
@@ -154,21 +154,21 @@ def simple_ring(name: str, given: Any) -> Array:
         touch, the area is zero, or the object has several parts.
     """
     remedy = "give x and y of each vertex in order"
-    given = getattr(given, "exterior", given)
-    if hasattr(given, "geoms"):
+    value = getattr(value, "exterior", value)
+    if hasattr(value, "geoms"):
         raise InvalidValue(
-            name, given, "one polygon, not an object of several",
+            name, value, "one polygon, not an object of several",
             "as a support give Composite([(each.area, Polygon(each)) for each in shape.geoms]), and as an "
             "outline the part that is pushed",
         )  # fmt: skip
-    ring = getattr(given, "coords", getattr(given, "vertices", given))
-    vertices = np.array(positions(name, list(ring) if ring is not given else ring, remedy)).reshape(
+    ring = getattr(value, "coords", getattr(value, "vertices", value))
+    vertices = np.array(positions(name, list(ring) if ring is not value else ring, remedy)).reshape(
         -1, 2
     )
     if len(vertices) > 1 and (vertices[0] == vertices[-1]).all():
         vertices = vertices[:-1]
     if len(vertices) < 3:
-        raise InvalidValue(name, given, "at least three vertices", remedy)
+        raise InvalidValue(name, value, "at least three vertices", remedy)
     _require_simple(name, vertices)
     return vertices
 
@@ -181,26 +181,30 @@ def _require_holes(outer: Array, inner: list[Array]) -> None:
             j, k = _touching(hole, other)
             if j >= 0:
                 _refuse_hole(i, f"{_edge(hole, j)}, which meets {_edge(other, k)}")
-        beside = any(_contains(a, b[0]) for each in others for a, b in ((each, hole), (hole, each)))
+        beside = any(
+            _contains(a, b[0])
+            for neighbor in others
+            for a, b in ((neighbor, hole), (hole, neighbor))
+        )
         if beside or not _contains(outer, hole[0]):
             _refuse_hole(i, hole.tolist())
-    if _whole_area(outer, inner) <= THINNEST * _size(outer) ** 2:
+    if _net_area(outer, inner) <= THINNEST * _size(outer) ** 2:
         raise InvalidValue(
-            "holes", [each.tolist() for each in inner], "holes that leave an area",
+            "holes", [ring.tolist() for ring in inner], "holes that leave an area",
             "use Segment for a support on lines, joined by Composite",
         )  # fmt: skip
 
 
-def _refuse_hole(number: int, given: Any) -> None:
+def _refuse_hole(number: int, value: Any) -> None:
     raise InvalidValue(
-        f"holes[{number}]", given, "a hole inside of the polygon and apart from the other holes",
+        f"holes[{number}]", value, "a hole inside of the polygon and apart from the other holes",
         "move its vertices, or give the parts around it as a Composite of polygons",
     )  # fmt: skip
 
 
-def _contains(vertices: Array, place: Array) -> bool:
+def _contains(vertices: Array, point: Array) -> bool:
     """Whether a polygon contains a position that is not on its edges."""
-    (x, y), (a, b) = (vertices - place).T, (np.roll(vertices, -1, axis=0) - place).T
+    (x, y), (a, b) = (vertices - point).T, (np.roll(vertices, -1, axis=0) - point).T
     spans = (y > 0) != (b > 0)
     x, y, a, b = x[spans], y[spans], a[spans], b[spans]
     return bool(np.count_nonzero((x * b > a * y) == (b > y)) % 2)

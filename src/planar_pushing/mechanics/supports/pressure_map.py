@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import numpy as np
 
 from planar_pushing.mechanics.pictures import Pictured
-from planar_pushing.mechanics.plane import Frame, moved_place
+from planar_pushing.mechanics.plane import Frame, position_in_frame
 from planar_pushing.mechanics.pressure.assembly import center, extent
 from planar_pushing.mechanics.pressure.pieces import Array, Pieces
 from planar_pushing.mechanics.supports.base import (
@@ -28,29 +28,29 @@ BLOCK = 4
 UNIT = 1e-12
 
 
-def _edges(name: str, given: object) -> tuple[float, ...]:
+def _edges(name: str, value: object) -> tuple[float, ...]:
     """Edges of cells along an axis."""
     remedy = "give the edges of the cells in increasing order"
-    edges = coordinates(name, given, (None,), "a sequence of finite numbers", remedy)
+    edges = coordinates(name, value, (None,), "a sequence of finite numbers", remedy)
     if len(edges) < 2 or not (np.diff(edges) > 0).all():
         raise InvalidValue(name, edges.tolist(), "at least two increasing numbers", remedy)
     require_size(name, float(np.diff(edges).min()))
     return tuple(edges.tolist())
 
 
-def _cells(name: str, given: object) -> tuple[tuple[float, ...], ...]:
+def _cells(name: str, value: object) -> tuple[tuple[float, ...], ...]:
     """Pressures of cells."""
     allowed, remedy = "rows of finite numbers", "give a row of pressures for each interval of y"
-    cells = array(name, given, (None, None), allowed, remedy)
+    cells = array(name, value, (None, None), allowed, remedy)
     require_all(name, cells, lambda p: p >= 0, "a number >= 0", "a support cannot pull; clip noise")
     if not cells.any():
         raise InvalidValue(name, 0.0, "at least one number > 0", "leave out empty maps")
     return tuple(map(tuple, cells.tolist()))
 
 
-def _unit(name: str, given: object) -> Position:
+def _unit(name: str, value: object) -> Position:
     """A unit vector."""
-    x, y = POSITION.required(name, given)
+    x, y = POSITION.require(name, value)
     if abs(x**2 + y**2 - 1.0) > UNIT:
         raise InvalidValue(name, (x, y), "a unit vector", "divide it by its length")
     return x, y
@@ -119,9 +119,11 @@ class PressureMap(Pictured):
 
     def moved(self, frame: Frame) -> PressureMap:
         """The same map expressed in another frame."""
-        own = self.frame
-        x, y = frame.vector_in(own.axis).tolist()
-        return replace(self, origin=moved_place(own.origin, frame), axis=(x + 0.0, y + 0.0))
+        map_frame = self.frame
+        x, y = frame.vector_in(map_frame.axis).tolist()
+        return replace(
+            self, origin=position_in_frame(map_frame.origin, frame), axis=(x + 0.0, y + 0.0)
+        )
 
     def pieces(self) -> Pieces:
         x, y, cells = np.array(self.x), np.array(self.y), np.array(self.pressure)
@@ -138,7 +140,7 @@ class PressureMap(Pictured):
             for i, j in corners
         ]
         if self.origin is not None or self.axis is not None:
-            plates = [_turned(plate, self.frame) for plate in plates]
+            plates = [_edges_in_parent(plate, self.frame) for plate in plates]
         return Pieces(plates=tuple(plates))
 
 
@@ -147,11 +149,11 @@ def pressed_area(measured: PressureMap) -> Pieces:
     cells = np.array(measured.pressure) > 0.0
     plate = _block(np.array(measured.x), np.array(measured.y), cells.astype(float))
     if measured.origin is not None or measured.axis is not None:
-        plate = _turned(plate, measured.frame)
+        plate = _edges_in_parent(plate, measured.frame)
     return Pieces(plates=(plate,))
 
 
-def _turned(plate: Array, frame: Frame) -> Array:
+def _edges_in_parent(plate: Array, frame: Frame) -> Array:
     """Edges transformed from a frame to its parent frame."""
     ends = frame.point_out(plate[:, :4].reshape(-1, 2)).reshape(-1, 4)
     return np.column_stack([ends, plate[:, 4]])

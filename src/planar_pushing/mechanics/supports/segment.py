@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import numpy as np
 
 from planar_pushing.mechanics.pictures import Pictured
-from planar_pushing.mechanics.plane import Frame, moved_place
+from planar_pushing.mechanics.plane import Frame, position_in_frame
 from planar_pushing.mechanics.pressure.assembly import center, extent
 from planar_pushing.mechanics.pressure.pieces import Pieces
 from planar_pushing.mechanics.supports.base import POSITION, Position, require_size
@@ -54,7 +54,7 @@ class Segment(Pictured):
 
     def moved(self, frame: Frame) -> Segment:
         """The same line expressed in another frame."""
-        return Segment(moved_place(self.start, frame), moved_place(self.end, frame))
+        return Segment(position_in_frame(self.start, frame), position_in_frame(self.end, frame))
 
     def pieces(self) -> Pieces:
         return Pieces(segments=np.array([[*self.start, *self.end, 1.0]]))

@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.kernels import run
+from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import FLAGS
@@ -43,7 +43,7 @@ class Output(NamedTuple):
 Decode = Callable[[Array, Sequence[Any], Sequence[npt.NDArray[Any]]], None]
 
 
-def mapped(
+def map_kernel(
     kernel: str, data: Array, columns: Sequence[Any], outputs: Sequence[Output],
     width: int = 0, decode: Decode | None = None,
 ) -> list[npt.NDArray[Any]]:  # fmt: skip
@@ -75,26 +75,28 @@ def mapped(
     filled = [np.empty((size, *t), o.dtype) for o, t in zip(outputs, tails, strict=True)]
     flat = [_flat(array, shape) for array in arrays]
     width = width or sum(math.prod(tail) for tail in tails)
-    decode = decode or _split
+    decode = decode or _split_results
 
     def block(start: int) -> None:
         part = slice(start, min(start + BLOCK, size))
-        given = [column[part] if column.ndim else column for column in flat]
+        block_columns = [column[part] if column.ndim else column for column in flat]
         rows = np.empty((part.stop - start, len(flat)))
-        for i, column in enumerate(given):
+        for i, column in enumerate(block_columns):
             rows[:, i] = column
         results = run(kernel, data, rows, width)
-        decode(results, given, [each[part] for each in filled])
+        decode(results, block_columns, [array[part] for array in filled])
 
     starts = range(0, size, BLOCK)
     if len(starts) > 1:
         in_threads(block, starts)
     elif size:
         block(0)
-    return [each.reshape(shape + tail) for each, tail in zip(filled, tails, strict=True)]
+    return [array.reshape(shape + tail) for array, tail in zip(filled, tails, strict=True)]
 
 
-def _split(results: Array, columns: Sequence[Any], outputs: Sequence[npt.NDArray[Any]]) -> None:
+def _split_results(
+    results: Array, columns: Sequence[Any], outputs: Sequence[npt.NDArray[Any]]
+) -> None:
     """Write outputs that follow one another in the results."""
     first = 0
     for output in outputs:
@@ -156,11 +158,11 @@ def elementwise(
     if not any(map(is_labeled, arguments)):
         _require_shapes(arguments)
         results = function(*arguments)
-        return [each.item() if each.ndim == 0 else each for each in results]
+        return [result.item() if result.ndim == 0 else result for result in results]
     import xarray as xr
 
     labeled = xr.apply_ufunc(
-        lambda *given: tuple(function(*given)) if len(outputs) > 1 else function(*given)[0],
+        lambda *values: tuple(function(*values)) if len(outputs) > 1 else function(*values)[0],
         *arguments,
         output_core_dims=[[dim for dim, _ in output.tail] for output in outputs],
         dask="parallelized",
@@ -169,7 +171,7 @@ def elementwise(
         keep_attrs=False,
     )
     arrays = labeled if isinstance(labeled, tuple) else (labeled,)
-    return [named(output.name, array) for array, output in zip(arrays, outputs, strict=True)]
+    return [label_result(output.name, array) for array, output in zip(arrays, outputs, strict=True)]
 
 
 def _require_shapes(arguments: Sequence[Any]) -> None:
@@ -178,24 +180,24 @@ def _require_shapes(arguments: Sequence[Any]) -> None:
     try:
         np.broadcast_shapes(*shapes)
     except ValueError:
-        given = " and ".join(map(str, dict.fromkeys(each for each in shapes if each)))
+        text = " and ".join(map(str, dict.fromkeys(shape for shape in shapes if shape)))
         raise InvalidValue(
-            "shapes", given, "arrays that broadcast against one another",
+            "shapes", text, "arrays that broadcast against one another",
             "give each its own axis, as in x[:, None], or label the axes with xarray.DataArray",
         ) from None  # fmt: skip
 
 
-def evaluated(
+def evaluate_kernel(
     kernel: str, data: Array, columns: Sequence[Any], outputs: Sequence[Output],
     width: int = 0, decode: Decode | None = None,
 ) -> list[Any]:  # fmt: skip
-    """Results of a kernel that is called by `mapped`, in the types of `elementwise`."""
+    """Results of a kernel that is called by `map_kernel`, in the types of `elementwise`."""
     return elementwise(
-        lambda *given: mapped(kernel, data, given, outputs, width, decode), columns, outputs
+        lambda *values: map_kernel(kernel, data, values, outputs, width, decode), columns, outputs
     )
 
 
-def named(name: str, value: Any) -> Any:
+def label_result(name: str, value: Any) -> Any:
     """A result, with its name, units and flags if it is labeled."""
     if not is_labeled(value):
         return value
@@ -206,7 +208,7 @@ def named(name: str, value: Any) -> Any:
 def flag_attributes(names: Mapping[str, int], dtype: npt.DTypeLike = np.int8) -> dict[str, Any]:
     """Attributes of a variable of flags, by the CF conventions."""
     return {
-        "flag_values": np.array([int(each) for each in names.values()], dtype),
+        "flag_values": np.array([int(number) for number in names.values()], dtype),
         "flag_meanings": " ".join(names),
     }
 

@@ -1,0 +1,1 @@
+"""From public arguments to the kernels of the core, and back."""

@@ -1,0 +1,140 @@
+"""The slider: a body with a rod, the side that is pushed and an outline, with their declarations."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Annotated, Any
+
+import numpy as np
+
+from planar_pushing.mechanics.kernels.arrays import same
+from planar_pushing.mechanics.outline import require_outline
+from planar_pushing.terms.declared import (
+    NUMBER,
+    PAIR,
+    Declaration,
+    Degrees,
+    Read,
+    Within,
+    nonnegative,
+    positive,
+    require_declared,
+)
+from planar_pushing.terms.domain import Number, require_ratio
+from planar_pushing.terms.errors import InvalidValue, require_flag
+from planar_pushing.terms.numbers import pair_of
+
+#: The angle of the rod; the slider's center is above the fence.
+ROD_ANGLE = Degrees(
+    lambda x: (x > 0) & (x < math.pi), "radians in the open interval (0, pi)",
+    "keep the slider above the fence; convert degrees to radians with np.deg2rad",
+    degrees=Within(
+        lambda x: 0 < x < 180, "degrees in the open interval (0, 180)",
+        "keep the slider above the fence",
+        {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 180},
+    ),
+)  # fmt: skip
+ENDS = (
+    "(start, end) with start < 0 < end, infinite for a side without an end",
+    "measure both ends along the side from the contact, which is between them, the one toward -x first",
+)
+START, END = Within(lambda x: x < 0, *ENDS), Within(lambda x: x > 0, *ENDS)
+
+
+class Side(Declaration):
+    """Ends of a side, measured along it from the contact, which is between them."""
+
+    words = ENDS[0]
+    schema = PAIR | {"items": {"anyOf": [NUMBER, {"enum": ["inf", "-inf"]}]}}
+
+    def require(self, name: str, value: Any) -> tuple[Number, Number]:
+        pair = pair_of(value)
+        if pair is None:
+            raise InvalidValue(name, value, *ENDS)
+        ends = START.require(name, pair[0]), END.require(name, pair[1])
+        if any(0 in np.shape(end) for end in ends):
+            raise InvalidValue(name, value, *ENDS)
+        return ends
+
+    def read(self, entry: Any) -> tuple[float, float]:
+        start, end = pair_of(entry) or (None, None)
+        try:
+            return START.read(start), END.read(end)
+        except InvalidValue:
+            raise InvalidValue("", entry, *ENDS) from None
+
+    def to_file(self, value: tuple[Number, Number]) -> list[float] | None:
+        ends = [float(end) for end in value]
+        return ends if any(map(math.isfinite, ends)) else None
+
+
+SIDE = Side()
+FLAG = Read(require_flag, "true or false", {"type": "boolean"})
+OUTLINE = Read(
+    lambda name, value: require_outline(value, name), "the corners of a simple polygon, in order",
+    {"type": "array", "minItems": 3, "items": PAIR},
+)  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Slider:
+    """A body with a massless rod, pushed at the rod's free end (Fig. 1).
+
+    Parameters
+    ----------
+    rod_length : float or array
+        l >= 0, from the contact to the slider's center, at most a million radii.
+    rod_angle : float or array
+        psi between the fence and the rod, radians, in (0, pi).
+    radius : float or array, optional
+        R > 0; all lengths share one arbitrary unit. By default a scene sets it to the largest distance of
+        its support from the center of pressure, or to 1 for a ring.
+    side : (start, end), of floats or arrays
+        Ends of the flat side that a finger pushes, measured from the contact along the side, which at time
+        0 is along the fence. They have no effect on a fence, unless the side lies on it.
+    flush : bool
+        Whether the side lies on the fence: the contact is the whole side, between its ends, which must be
+        finite. Its place, from which the rod goes, is then only the origin of the ends.
+    outline : sequence of pairs, optional
+        Corners of the slider in the body frame, in order; by default the outline is unknown. In a
+        simulation a fence touches every corner and side of the outline. Under a finger, the simulation ends
+        when another point of the outline meets the finger, or when this reaches the end of its side.
+
+    Raises
+    ------
+    InvalidValue
+        If a parameter is out of range, the side does not contain the contact, the ends of a flush side are
+        not finite, or the outline is not a simple polygon.
+    """
+
+    rod_length: Annotated[
+        Number, nonnegative("give the distance from the contact to the slider's center")
+    ]
+    rod_angle: Annotated[Number, ROD_ANGLE]
+    radius: Annotated[Number, positive("give it in the unit of the rod length")] = None
+    side: Annotated[tuple[Number, Number], SIDE] = (-math.inf, math.inf)
+    flush: Annotated[bool, FLAG] = False
+    outline: Annotated[Any, OUTLINE] = None
+
+    def __post_init__(self) -> None:
+        require_declared(self)
+        if self.flush and not all(bool(np.all(np.isfinite(end))) for end in self.side):
+            raise InvalidValue(
+                "side", self.side, "finite ends (start, end) of a side that lies on the fence",
+                "measure both ends along the fence, or leave flush out",
+            )  # fmt: skip
+        if self.radius is not None:
+            _ = self.length_ratio
+
+    def __eq__(self, other: object) -> Any:
+        return same(self, other)
+
+    @property
+    def length_ratio(self) -> Number:
+        """Rod length in units of the radius, l / R."""
+        if self.radius is None:
+            raise InvalidValue(
+                "radius", None, "a number, given or filled in by a scene", "ask the slider of a scene",
+            )  # fmt: skip
+        return require_ratio("length_ratio", self.rod_length / self.radius)
