@@ -11,7 +11,7 @@ import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points, Polygon, fit_ellipsoid
-from planar_pushing.mechanics.supports.base import required_support
+from planar_pushing.mechanics.supports.base import require_support
 from planar_pushing.pushes.fit.ellipsoid import Ellipsoid
 from planar_pushing.pushes.fit.fitted import fitted_ellipsoid
 from planar_pushing.pushes.fit.friction import contact_friction
@@ -19,11 +19,17 @@ from planar_pushing.pushes.fit.quartic import fitted_quartic
 from planar_pushing.pushes.fit.statistics import QUANTITIES, REFERENCE, angles, statistics
 from planar_pushing.pushes.fit.supported import OnSupport
 from planar_pushing.pushes.identify import identify
+from planar_pushing.pushes.logs.arguments import MOST, whole_number
 from planar_pushing.pushes.logs.combine import of_object
 from planar_pushing.pushes.logs.contacts import Model, final_poses
-from planar_pushing.pushes.logs.given import MOST, whole
-from planar_pushing.pushes.logs.measured import Mask, Measured, measured, twists_at, wrenches_about
-from planar_pushing.pushes.logs.schema import required_pushes, without_padding
+from planar_pushing.pushes.logs.measured import (
+    Mask,
+    Measured,
+    measurements_of,
+    twists_at,
+    wrenches_about,
+)
+from planar_pushing.pushes.logs.schema import require_pushes, without_padding
 from planar_pushing.terms.errors import InvalidValue, number_of, require_flag, suggestion
 
 #: Candidate contact friction coefficients for a given support, if no measured force determines it.
@@ -58,9 +64,9 @@ def _uniform(half: Half) -> tuple[Model, float]:
     return on_support(Polygon(half.pushes.outline), half.pushes)
 
 
-def _identified(half: Half) -> tuple[Model, float]:
-    found = identify(half.dataset, resamples=1, **half.options)
-    return OnSupport(found.support), found.contact_friction
+def _identify(half: Half) -> tuple[Model, float]:
+    result = identify(half.dataset, resamples=1, **half.options)
+    return OnSupport(result.support), result.contact_friction
 
 
 def _known_feet_ellipsoid(half: Half) -> tuple[Model, float] | None:
@@ -82,7 +88,7 @@ def _fitted_quartic(half: Half) -> tuple[Model, float] | None:
 
 #: Functions that fit each model and the contact friction to pushes, or return None if it does not apply.
 MODELS: dict[str, Callable[[Half], tuple[Model, float] | None]] = {
-    "known_feet": _known_feet, "identified": _identified, "uniform": _uniform,
+    "known_feet": _known_feet, "identified": _identify, "uniform": _uniform,
     "known_feet_ellipsoid": _known_feet_ellipsoid, "uniform_ellipsoid": _uniform_ellipsoid,
     "fitted_quartic": _fitted_quartic, REFERENCE: _fitted_ellipsoid,
 }  # fmt: skip
@@ -146,8 +152,8 @@ def compare(
     semidefinite program fits its fifteen coefficients, with weights from cross-validation within the half.
     It applies to halves with measured forces of at least five pushes.
     """
-    checked = required_pushes(pushes)
-    draws, seed = whole("resamples", resamples, 1, MOST), whole("seed", seed, 0)
+    checked = require_pushes(pushes)
+    draws, seed = whole_number("resamples", resamples, 1, MOST), whole_number("seed", seed, 0)
     require_flag("progress", progress)
     fits = _required_models(models)
     options = {"spacing": spacing, "family": family, "progress": progress}
@@ -155,45 +161,45 @@ def compare(
     errors = np.full((len(QUANTITIES), len(fits), count), np.nan)
     corner = np.zeros(count, dtype=bool)
     objects = {name: of_object(checked, name) for name in map(str, checked["object"].values)}
-    for name, own in objects.items():
-        _require_halves(name, measured(own))
-    for name, own in objects.items():
+    for name, names in objects.items():
+        _require_halves(name, measurements_of(names))
+    for name, names in objects.items():
         rows = np.flatnonzero(checked["pushed"].values == name)
-        every = measured(own)
+        every = measurements_of(names)
         lengths.append(every.length)
         corner[rows] = every.at_corner
         generator = np.random.default_rng(seed)
         order = generator.permutation(len(rows))
         parts = np.array_split(order, 2)
         for fit, score in (parts, parts[::-1]):
-            half = Half(own.isel(push=np.sort(fit)), every.part(np.sort(fit)), options)
+            half = Half(names.isel(push=np.sort(fit)), every.part(np.sort(fit)), options)
             scored = every.part(score)
-            for k, made in enumerate(fits.values()):
-                found = made(half)
-                if found is not None:
-                    errors[:, k, rows[score]] = errors_of(*found, scored)
+            for k, fit_model in enumerate(fits.values()):
+                fitted = fit_model(half)
+                if fitted is not None:
+                    errors[:, k, rows[score]] = errors_of(*fitted, scored)
     kept = np.isfinite(errors).any(axis=(0, 2))
     error = xr.DataArray(
         errors[:, kept], dims=("quantity", "model", "push"),
         coords={"quantity": list(QUANTITIES), "model": [n for n, k in zip(fits, kept, strict=True) if k]},
     )  # fmt: skip
-    return _described(error, checked, corner, np.array(lengths), draws, seed)
+    return _comparison(error, checked, corner, np.array(lengths), draws, seed)
 
 
 def errors_of(model: Model, friction: float, pushes: Measured) -> Array:
     """Errors of a model in wrench and motion (degrees) and in final pose (length), shape (3, n)."""
     scale = np.array([1.0, 1.0, pushes.length])
-    found = np.full((3, len(pushes)), np.nan)
+    error = np.full((3, len(pushes)), np.nan)
     forced = pushes.has_directions
     if forced.any():
         part = pushes.part(forced)
         wrenches = wrenches_about(model.wrenches(part.twists), pushes.center)
         twists = twists_at(model.motions(part.wrenches), pushes.center)
-        found[0, forced] = angles(wrenches / scale, part.centered_wrenches / scale)
-        found[1, forced] = angles(twists * scale, part.centered_twists * scale)
-    apart = final_poses(model, pushes, friction) - pushes.observed
-    found[2] = np.hypot(*apart[:, :2].T) + pushes.length * np.abs(apart[:, 2])
-    return found
+        error[0, forced] = angles(wrenches / scale, part.centered_wrenches / scale)
+        error[1, forced] = angles(twists * scale, part.centered_twists * scale)
+    difference = final_poses(model, pushes, friction) - pushes.observed
+    error[2] = np.hypot(*difference[:, :2].T) + pushes.length * np.abs(difference[:, 2])
+    return error
 
 
 def on_support(support: Any, pushes: Measured) -> tuple[Model, float]:
@@ -222,32 +228,32 @@ def _friction(model: Model, pushes: Measured) -> float:
     return float(FRICTIONS[int(np.argmin(errors))])
 
 
-def _required_models(given: Any) -> dict[str, Callable[[Half], tuple[Model, float] | None]]:
+def _required_models(models: Any) -> dict[str, Callable[[Half], tuple[Model, float] | None]]:
     """Return the models to compare, including the reference, or raise `InvalidValue`."""
-    if given is None:
+    if models is None:
         return dict(MODELS)
-    names = list(given) if isinstance(given, (list, tuple)) else []
-    unknown = [each for each in names if each not in MODELS]
-    if unknown or not isinstance(given, (list, tuple, Mapping)):
-        wrong = unknown[0] if unknown else given
+    names = list(models) if isinstance(models, (list, tuple)) else []
+    unknown = [name for name in names if name not in MODELS]
+    if unknown or not isinstance(models, (list, tuple, Mapping)):
+        wrong = unknown[0] if unknown else models
         raise InvalidValue(
             "models", wrong, f"a sequence of {', '.join(MODELS)}, or a mapping of names to supports",
             suggestion(wrong, MODELS, "name some of these"),
         )  # fmt: skip
-    if not isinstance(given, Mapping):
+    if not isinstance(models, Mapping):
         return {name: MODELS[name] for name in dict.fromkeys((*names, REFERENCE))}
-    for name, support in given.items():
-        required_support("models", support)
+    for name, support in models.items():
+        require_support("models", support)
         if name in MODELS:
             raise InvalidValue(
                 "models", {name: support}, "supports under names of your own",
                 f"use none of the names {', '.join(MODELS)}",
             )  # fmt: skip
-    own = {name: partial(_given, support) for name, support in given.items()}
-    return {**own, **MODELS}
+    functions = {name: partial(_fixed_model, support) for name, support in models.items()}
+    return {**functions, **MODELS}
 
 
-def _given(support: Any, half: Half) -> tuple[Model, float]:
+def _fixed_model(support: Any, half: Half) -> tuple[Model, float]:
     return on_support(support, half.pushes)
 
 
@@ -262,7 +268,7 @@ def _require_halves(name: str, pushes: Measured) -> None:
         )  # fmt: skip
 
 
-def _described(
+def _comparison(
     error: xr.DataArray,
     pushes: xr.Dataset,
     corner: Mask,
@@ -272,24 +278,28 @@ def _described(
 ) -> xr.Dataset:
     """Dataset of the errors and their statistics, the objects of the pushes, and attributes."""
     unit = str(pushes["displacement"].attrs["units"])
-    found = statistics(error, resamples, seed)
-    found["pushed"] = (
+    comparison = statistics(error, resamples, seed)
+    comparison["pushed"] = (
         "push",
         pushes["pushed"].values,
         {"long_name": "name of the object that is pushed"},
     )
-    found["at_corner"] = "push", corner, {"long_name": "whether the push touches a corner first"}
-    found["length"] = (
+    comparison["at_corner"] = (
+        "push",
+        corner,
+        {"long_name": "whether the push touches a corner first"},
+    )
+    comparison["length"] = (
         "object", lengths, {"units": unit, "long_name": "half the extent of the outline"},
     )  # fmt: skip
-    for name, variable in found.data_vars.items():
+    for name, variable in comparison.data_vars.items():
         if "quantity" in variable.dims:
             ratio = str(name).startswith("ratio")
             variable.attrs |= {"units": "1"} if ratio else {"component_units": "error_unit"}
     about = {"long_name": "unit of the errors of the quantity"}
     units = "quantity", ["degree", "degree", unit], about
-    found = found.assign_coords(object=pushes["object"].values, error_unit=units)
-    return found.assign_attrs(
+    comparison = comparison.assign_coords(object=pushes["object"].values, error_unit=units)
+    return comparison.assign_attrs(
         seed=seed, resamples=resamples, reference=REFERENCE, pose_units=unit,
         angle_units="degree", source=str(pushes.attrs.get("source", "")),
     )  # fmt: skip

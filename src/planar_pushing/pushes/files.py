@@ -6,10 +6,13 @@ from pathlib import Path
 
 import xarray as xr
 
-from planar_pushing.pushes.logs.schema import required_pushes
+from planar_pushing.pushes.logs.schema import require_pushes
 from planar_pushing.terms.errors import InvalidFile, InvalidValue, require_path
 from planar_pushing.terms.netcdf import read_dataset, write_dataset
 from planar_pushing.terms.replacing import PathLike
+
+#: Formats that `planar-pushing convert` reads, by the ending of a file's name.
+FORMATS = {".csv": "csv", ".mat": "mit", ".txt": "three-feet"}
 
 
 def save_pushes(pushes: xr.Dataset, file: PathLike) -> None:
@@ -29,7 +32,7 @@ def save_pushes(pushes: xr.Dataset, file: PathLike) -> None:
         If the file cannot be written.
     """
     require_path("file", file)
-    write_dataset(required_pushes(pushes), file)
+    write_dataset(require_pushes(pushes), file)
 
 
 def load_pushes(file: PathLike) -> xr.Dataset:
@@ -52,14 +55,17 @@ def load_pushes(file: PathLike) -> xr.Dataset:
         If the file is missing, is not netCDF4, or does not contain pushes.
     """
     if not Path(require_path("file", file)).is_file():
-        raise InvalidFile(
-            f"{file}: no such file; write one with save_pushes or planar-pushing convert"
-        )
+        fault = "is a folder" if Path(file).is_dir() else "no such file"
+        raise InvalidFile(f"{file}: {fault}; write one with save_pushes or planar-pushing convert")
     try:
-        with read_dataset(file) as found:
-            return required_pushes(found.load())
+        with read_dataset(file) as dataset:
+            return require_pushes(dataset.load())
     except InvalidValue as error:
         raise InvalidFile(f"{file}: {error}") from None
     except InvalidFile:
-        remedy = "write one with save_pushes or planar-pushing convert"
+        kind = FORMATS.get(Path(file).suffix.lower())
+        remedy = (
+            f"convert it with planar-pushing convert {kind}" if kind
+            else "write one with save_pushes or planar-pushing convert"
+        )  # fmt: skip
         raise InvalidFile(f"{file}: is not a netCDF4 file of pushes; {remedy}") from None

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from scipy.cluster.hierarchy import fcluster, linkage
 
-from planar_pushing.mechanics.arrays import same
+from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
 from planar_pushing.pushes.logs.measured import Index
@@ -99,7 +99,7 @@ class Identified:
             linkage(places, "single", metric="chebyshev"), 2.01 * self.spacing, criterion="distance"
         )
         loads = np.bincount(groups, weights)[1:]
-        centers = [np.bincount(groups, weights * each)[1:] / loads for each in places.T]
+        centers = [np.bincount(groups, weights * column)[1:] / loads for column in places.T]
         return Points(np.column_stack(centers), loads)
 
 

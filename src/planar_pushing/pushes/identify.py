@@ -12,16 +12,16 @@ from planar_pushing.mechanics.supports import Points
 from planar_pushing.pushes.fit.candidates import FAMILIES, Family
 from planar_pushing.pushes.fit.estimate import Estimate, from_forces, from_motions
 from planar_pushing.pushes.identified import Identified, moments_of, summary
+from planar_pushing.pushes.logs.arguments import MOST, whole_number
 from planar_pushing.pushes.logs.combine import with_outline
-from planar_pushing.pushes.logs.given import MOST, whole
-from planar_pushing.pushes.logs.measured import Index, Mask, Measured, measured
-from planar_pushing.pushes.logs.schema import required_pushes
+from planar_pushing.pushes.logs.measured import Index, Mask, Measured, measurements_of
+from planar_pushing.pushes.logs.schema import require_pushes
 from planar_pushing.terms.errors import (
     InvalidValue,
     number_of,
     require_flag,
+    require_name,
     require_number,
-    suggestion,
 )
 
 #: Default candidates along the outline's extent, with and without forces; fewer if there are few pushes.
@@ -89,11 +89,11 @@ def identify(
     poses. If only some pushes have forces, both methods are combined. Final poses of pushes that touch a
     corner first are not used.
     """
-    checked = required_pushes(pushes)
-    every = measured(checked if outline is None else with_outline(checked, outline))
-    count = whole("resamples", resamples, 1, MOST)
+    checked = require_pushes(pushes)
+    every = measurements_of(checked if outline is None else with_outline(checked, outline))
+    count = whole_number("resamples", resamples, 1, MOST)
     require_flag("progress", progress)
-    generator = np.random.default_rng(whole("seed", seed, 0))
+    generator = np.random.default_rng(whole_number("seed", seed, 0))
     forced = every.has_force
     posed = ~forced & ~every.at_corner
     if not (forced | posed).any():
@@ -111,45 +111,42 @@ def identify(
             (posed, from_motions(every.part(posed), chosen, first, count, generator, progress))
         )
     residuals, facet = np.full(len(every), np.nan), np.full(len(every), -1)
-    for rows, each in parts:
-        residuals[rows], facet[rows] = each.residuals, each.facet
-    return _identified(every, chosen, distance, parts[-1][1], residuals, facet)
+    for rows, part in parts:
+        residuals[rows], facet[rows] = part.residuals, part.facet
+    return _result(every, chosen, distance, parts[-1][1], residuals, facet)
 
 
 def _family(
     pushes: Measured, forced: Mask, posed: Mask, spacing: float | None, known: Any, name: str
 ) -> tuple[Family, float]:
     """Candidates that are few enough for the pushes, and their spacing."""
-    given = None if spacing is None else _required_spacing(spacing, pushes.size)
+    distance = None if spacing is None else _required_spacing(spacing, pushes.size)
     if known is not None:
         places = np.array((known if isinstance(known, Points) else Points(known)).positions)
-        return Family(places, np.eye(len(places))), given or pushes.size / WITH_FORCES
-    if not isinstance(name, str) or name not in FAMILIES:
-        raise InvalidValue(
-            "family", name, ", ".join(FAMILIES), suggestion(name, FAMILIES, "name one of these families")
-        )  # fmt: skip
+        return Family(places, np.eye(len(places))), distance or pushes.size / WITH_FORCES
+    require_name("family", name, FAMILIES, "name one of these families")
     with_forces, without = int(forced.sum()), int(posed.sum())
     most = COLUMNS_WITH_FORCES * with_forces + COLUMNS_WITHOUT * without
-    if given is not None:
-        found = FAMILIES[name](pushes.outline, given)
-        _require_enough(found, most, with_forces + without)
-        return found, given
+    if distance is not None:
+        family = FAMILIES[name](pushes.outline, distance)
+        _require_enough(family, most, with_forces + without)
+        return family, distance
     for parts in range(WITH_FORCES if with_forces else WITHOUT, 0, -1):
-        found = FAMILIES[name](pushes.outline, pushes.size / parts)
-        if found.columns.shape[1] <= most:
+        family = FAMILIES[name](pushes.outline, pushes.size / parts)
+        if family.columns.shape[1] <= most:
             break
-    _require_enough(found, most, with_forces + without)
-    return found, pushes.size / parts
+    _require_enough(family, most, with_forces + without)
+    return family, pushes.size / parts
 
 
-def _required_spacing(given: Any, size: float) -> float:
+def _required_spacing(value: Any, size: float) -> float:
     """Return a spacing from a hundredth of the outline's extent to its extent, or raise `InvalidValue`."""
-    least, most = (float(f"{each:.6g}") for each in (size / MOST_PARTS, size))
+    smallest, largest = (float(f"{bound:.6g}") for bound in (size / MOST_PARTS, size))
     return require_number(
         "spacing",
-        given,
-        lambda x: least <= x <= most,
-        f"a number from {least:g} to {most:g}, a hundredth of the outline's extent to its full extent",
+        value,
+        lambda x: smallest <= x <= largest,
+        f"a number from {smallest:g} to {largest:g}, a hundredth of the outline's extent to all of it",
         "give a distance in the outline's unit",
     )
 
@@ -165,7 +162,7 @@ def _require_enough(family: Family, most: float, pushes: int) -> None:
         )  # fmt: skip
 
 
-def _identified(
+def _result(
     pushes: Measured,
     family: Family,
     spacing: float,
@@ -178,7 +175,7 @@ def _identified(
     kept = weights > LEAST * weights.sum()
     places, carried = family.places[kept], weights[kept] / weights[kept].sum()
     drawn = estimate.draws @ family.columns.T
-    forces = not any(each.startswith("weight") for each in estimate.doubts)
+    forces = not any(doubt.startswith("weight") for doubt in estimate.doubts)
     rows = [
         summary(family.places, row, float(row.sum()) if forces else np.nan, mu)
         for row, mu in zip(drawn, estimate.frictions, strict=True)
@@ -197,16 +194,16 @@ def _identified(
         intervals=intervals, weight_intervals=np.percentile(shares, ENDS, axis=0).T,
         residuals=residuals, facet=np.where((facet >= 0) & kept[facet], number[facet], -1),
         length=pushes.length, spacing=spacing, optimality=estimate.optimality,
-        undetermined=(*estimate.doubts, *_untold(estimate)),
+        undetermined=(*estimate.doubts, *_undetermined_weights(estimate)),
     )  # fmt: skip
 
 
-def _untold(estimate: Estimate) -> tuple[str, ...]:
+def _undetermined_weights(estimate: Estimate) -> tuple[str, ...]:
     """A sentence if the pushes determine fewer combinations of weights than there are candidates."""
-    count, told = len(estimate.amounts), int((estimate.told > 1.0).sum())
-    if told >= count:
+    count, combinations = len(estimate.amounts), int((estimate.signals > 1.0).sum())
+    if combinations >= count:
         return ()
     return (
-        f"weights of single points: the pushes determine {told} combinations of {count} candidates; the "
-        "others follow from weights >= 0",
+        f"weights of single points: the pushes determine {combinations} combinations of {count} "
+        "candidates; the others follow from weights >= 0",
     )  # fmt: skip

@@ -19,12 +19,12 @@ from planar_pushing.terms.replacing import PathLike
 MOST = 3500
 
 
-def save_support(found: Identified, pushes: xr.Dataset, path: PathLike) -> None:
+def save_support(support: Identified, pushes: xr.Dataset, path: PathLike) -> None:
     """Write a scene file of a pushed object on its identified support.
 
     Parameters
     ----------
-    found : Identified
+    support : Identified
     pushes : xarray.Dataset
         Checked pushes of one object from which the support was identified.
     path : path
@@ -36,37 +36,37 @@ def save_support(found: Identified, pushes: xr.Dataset, path: PathLike) -> None:
     InvalidFile
         If the support does not make a scene (a single point does not), or the file cannot be written.
     """
-    count = len(found.support.positions)
+    count = len(support.support.positions)
     if count > MOST:
         allowed = f"at most {MOST} in a scene file"
         raise InvalidValue("support", f"{count} points", allowed, "give a larger spacing")
-    save_object_file(object_entry(found, pushes), path)
+    save_object_file(object_entry(support, pushes), path)
 
 
-def object_entry(found: Identified, pushes: xr.Dataset) -> dict[str, Any]:
+def object_entry(support: Identified, pushes: xr.Dataset) -> dict[str, Any]:
     """Content of the file, with the contact in the middle of the side that the first push touches.
 
     If no force was measured, the weight is 1 and the title says so.
     """
-    (name,) = (str(each) for each in pushes["object"].values)
+    (name,) = (str(label) for label in pushes["object"].values)
     corners = corners_of(pushes, name)
-    weighed = bool(np.isfinite(found.weight))
-    weight = _plain([found.weight])[0] if weighed else 1.0
-    places = zip(found.support.positions, found.support.weights, strict=True)
+    weighed = bool(np.isfinite(support.weight))
+    weight = _plain([support.weight])[0] if weighed else 1.0
+    places = zip(support.support.positions, support.support.weights, strict=True)
     return {
         "title": f"{name} on the support identified from {pushes.sizes['push']} pushes"
         + ("" if weighed else "; the weight is unknown and set to 1"),
         "object": {
-            "outline": [_plain(each) for each in corners],
+            "outline": [_plain(corner) for corner in corners],
             "feet": [
-                {"position": _plain(place), "weight": _plain([weight])[0]}
-                for place, weight in places
+                {"position": _plain(point), "weight": _plain([weight])[0]}
+                for point, weight in places
             ],
             "contact": {"point": _plain(_middle(corners, pushes["contact"].values[:1]))},
         },
         "contact": {
             "law": "coulomb",
-            "friction_coefficient": _plain([found.contact_friction])[0],
+            "friction_coefficient": _plain([support.contact_friction])[0],
         },
         "effects": [{"type": "support_friction", "weight": weight}],
         "units": {
@@ -78,7 +78,7 @@ def object_entry(found: Identified, pushes: xr.Dataset) -> dict[str, Any]:
 
 def _plain(values: Any) -> list[float]:
     """Numbers rounded to nine digits, far more than a measurement has."""
-    return [float(f"{each:.9g}") for each in values]
+    return [float(f"{value:.9g}") for value in values]
 
 
 def _middle(corners: Any, contact: Any) -> Array:

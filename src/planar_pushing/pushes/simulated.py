@@ -15,8 +15,8 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
 from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.objects.scene_at import scene_at
-from planar_pushing.pushes.logs.given import MOST, noise_attributes, not_negative, whole
-from planar_pushing.pushes.logs.poses import pushes_from_poses, turned
+from planar_pushing.pushes.logs.arguments import MOST, noise_attributes, not_negative, whole_number
+from planar_pushing.pushes.logs.poses import pushes_from_poses, rotate
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.terms.errors import InvalidValue, require_positive
@@ -114,36 +114,36 @@ def simulate_pushes(
     push, along the object's axes, which turn with the object.
     """
     friction = _required_friction(effects)
-    count = whole("n", n, 1, MOST)
+    count = whole_number("n", n, 1, MOST)
     sides = sides_of(outline)
-    draws, errors = np.random.default_rng(whole("seed", seed, 0)).spawn(2)
-    given = DISTANCE * sides.scale if distance is None else distance
-    reach = require_positive("distance", given, "give a length")
+    draws, errors = np.random.default_rng(whole_number("seed", seed, 0)).spawn(2)
+    length = DISTANCE * sides.scale if distance is None else distance
+    reach = require_positive("distance", length, "give a length")
     radius = not_negative("finger_radius", finger_radius, "give 0 for a point")
-    found: list[Pushed] = []
+    pushes: list[Pushed] = []
     for _ in range(DRAWS * count):
-        pushed = _pushed(_drawn(sides, draws), sides, friction, contact, reach, radius)
-        found += [] if pushed is None else [pushed]
-        if len(found) == count:
-            return _measured(found, friction, sides, noise, errors, radius, units, name)
+        pushed = _push(_draw(sides, draws), sides, friction, contact, reach, radius)
+        pushes += [] if pushed is None else [pushed]
+        if len(pushes) == count:
+            return _measure(pushes, friction, sides, noise, errors, radius, units, name)
     raise InvalidValue(
-        "distance", reach, f"one over which the finger stays on a side; {len(found)} of {n} pushes do",
+        "distance", reach, f"one over which the finger stays on a side; {len(pushes)} of {n} pushes do",
         "give a shorter distance",
     )  # fmt: skip
 
 
-def _drawn(sides: Sides, random: np.random.Generator) -> Drawn:
+def _draw(sides: Sides, random: np.random.Generator) -> Drawn:
     """A random point of the outline and a random direction."""
     side = random.choice(len(sides.length), p=sides.length / sides.length.sum())
-    place = random.uniform(MARGIN, 1.0 - MARGIN) * sides.length[side]
+    along = random.uniform(MARGIN, 1.0 - MARGIN) * sides.length[side]
     angle = random.uniform(-WIDEST, WIDEST)
     normal = sides.normal[side]
     return Drawn(
-        sides.start[side] + place * sides.tangent[side], normal, turned(normal, np.array(angle))
+        sides.start[side] + along * sides.tangent[side], normal, rotate(normal, np.array(angle))
     )
 
 
-def _pushed(
+def _push(
     drawn: Drawn,
     sides: Sides,
     effects: tuple[Effect, ...],
@@ -166,10 +166,10 @@ def _pushed(
     )
     if log.attrs["stopped"] or bool(log["parted"].any()):
         return None
-    place, angle = log["object_position"].values, np.deg2rad(log["object_angle"].values)
+    position, angle = log["object_position"].values, np.deg2rad(log["object_angle"].values)
     force = _mean_force(log, distance, drawn, angle)
     end = start + log["time"].values[-1] * drawn.direction
-    return Pushed(start, end, np.append(place[-1], angle[-1]), force)
+    return Pushed(start, end, np.append(position[-1], angle[-1]), force)
 
 
 def _mean_force(log: xr.Dataset, duration: float, drawn: Drawn, angle: Array) -> Array:
@@ -186,43 +186,43 @@ def _mean_force(log: xr.Dataset, duration: float, drawn: Drawn, angle: Array) ->
         [force[:, 0] * n_y + force[:, 1] * n_x, -force[:, 0] * n_x + force[:, 1] * n_y], axis=-1
     )
     even = np.linspace(SETTLING * duration, duration, SAMPLES)
-    own = turned(world, angle[-1] / 2.0 - angle[smooth])
-    return np.array([np.interp(even, times, part).mean() for part in own.T])
+    along_object = rotate(world, angle[-1] / 2.0 - angle[smooth])
+    return np.array([np.interp(even, times, part).mean() for part in along_object.T])
 
 
-def _measured(
-    found: list[Pushed], effects: tuple[SupportFriction, ...], sides: Sides, noise: Any,
+def _measure(
+    results: list[Pushed], effects: tuple[SupportFriction, ...], sides: Sides, noise: Any,
     random: np.random.Generator, radius: float, units: tuple[str, str], name: str,
 ) -> xr.Dataset:  # fmt: skip
     """Dataset of the simulated pushes with noise."""
-    poses = np.array([each.pose for each in found])
-    forces = np.array([each.force for each in found])
-    place, angle, strength = (
+    poses = np.array([push.pose for push in results])
+    forces = np.array([push.force for push in results])
+    position, angle, strength = (
         noise_attributes(noise).values() if noise is not None else (0.0, 0.0, 0.0)
     )
-    poses = poses + random.normal(size=poses.shape) * (place, place, math.radians(angle))
+    poses = poses + random.normal(size=poses.shape) * (position, position, math.radians(angle))
     forces = forces + strength * random.normal(size=forces.shape)
     feet, loads = _truth(effects)
     pushes = pushes_from_poses(
         outline=sides.start, poses_before=np.zeros_like(poses), poses_after=poses,
-        finger_start=[each.start for each in found], finger_end=[each.end for each in found],
+        finger_start=[push.start for push in results], finger_end=[push.end for push in results],
         finger_radius=radius, force=forces, feet=feet, foot_weights=loads, units=units, name=name,
         source="simulated", noise=noise,
     )  # fmt: skip
     return pushes.assign_attrs(friction_noise=0.0)
 
 
-def _required_friction(given: Any) -> tuple[SupportFriction, ...]:
+def _required_friction(effects: Any) -> tuple[SupportFriction, ...]:
     """Return support friction, the only effect allowed, or raise `InvalidValue`."""
-    found = tuple(given) if isinstance(given, (list, tuple)) else ()
-    if not found or not all(isinstance(each, SupportFriction) for each in found):
+    friction = tuple(effects) if isinstance(effects, (list, tuple)) else ()
+    if not friction or not all(isinstance(effect, SupportFriction) for effect in friction):
         raise InvalidValue(
             "effects",
-            given,
+            effects,
             "a sequence of SupportFriction",
             "leave out effects that are not quasi-static",
         )
-    return found
+    return friction
 
 
 def _truth(effects: tuple[SupportFriction, ...]) -> tuple[Any, Any]:

@@ -10,9 +10,9 @@ import numpy.typing as npt
 import xarray as xr
 
 from planar_pushing.core.run import LOG_EVALUATIONS
-from planar_pushing.mechanics.arrays import is_labeled
 from planar_pushing.mechanics.contact import friction_coefficient
-from planar_pushing.mechanics.scene import Scene, required_scene
+from planar_pushing.mechanics.kernels.arrays import is_labeled
+from planar_pushing.mechanics.scene import Scene, require_scene
 from planar_pushing.simulation.fields import FIELDS, arrays, sampled_fields
 from planar_pushing.simulation.inputs import Scenes, numbers_of
 from planar_pushing.simulation.log import variable_attributes, without_fill_values
@@ -45,8 +45,9 @@ def simulate_batch(
     scene : Scene
         Parameters of slider, law and effects can be arrays of shape (scenes,) or labeled arrays.
     pusher : Pusher
-        Pusher of all scenes. The components of its velocity, also in each piece, and the radius of a finger
-        can be arrays. Scenes under a pusher that follows a function of time are simulated one by one.
+        Pusher of all scenes; the second argument, or by name, as in `simulate`. The components of its
+        velocity, also in each piece, and the radius of a finger can be arrays. Scenes under a pusher that
+        follows a function of time are simulated one by one.
     duration, gap : array_like
         As in `simulate`. All arrays are broadcast against each other, labeled arrays by name.
     twist : (v_x, v_y, omega)
@@ -73,7 +74,7 @@ def simulate_batch(
     require_kind("pusher", pusher, Pusher)
     require_flag("progress", progress)
     problem = Problem(
-        scene=required_scene(scene), pusher=pusher, duration=duration, twist=twist, gap=gap,
+        scene=require_scene(scene), pusher=pusher, duration=duration, twist=twist, gap=gap,
         rtol=rtol, on_ambiguity=on_ambiguity,
     )  # fmt: skip
     data, numbers = numbers_of(problem)
@@ -83,7 +84,7 @@ def simulate_batch(
     parts = (
         np.ones(1)
         if samples is None
-        else np.linspace(0.0, 1.0, int(SAMPLE_COUNT.required("samples", samples)))
+        else np.linspace(0.0, 1.0, int(SAMPLE_COUNT.require("samples", samples)))
     )
     ends = scenes.ends
     # Bit for bit the times of `simulate`.
@@ -177,7 +178,9 @@ def _coordinates(problem: Problem, over: Over) -> dict[str, Any]:
     coordinates = {name: _expand(value, over) for name, value in scenes.items()}
     if pusher.arrays and "velocity" not in over.coordinates:
         coordinates |= _velocities(pusher, over)
-    kept = {name: each for name, each in coordinates.items() if name not in over.coordinates}
+    kept = {
+        name: coordinate for name, coordinate in coordinates.items() if name not in over.coordinates
+    }
     return {"xy": ("xy", ["x", "y"])} | over.coordinates | kept
 
 

@@ -100,7 +100,7 @@ class Field(NamedTuple):
     ----------
     name : str
         Its unit and its long name are in `terms.quantities`.
-    place : int
+    first : int
         First of its numbers in a row of the core, or of those from which it is computed.
     dims : tuple of str
         Dimensions after time.
@@ -112,7 +112,7 @@ class Field(NamedTuple):
     """
 
     name: str
-    place: int
+    first: int
     dims: tuple[str, ...] = ()
     dtype: str = "f8"
     logged: Callable[[Problem], bool] = lambda problem: True
@@ -169,12 +169,12 @@ def sampled_fields(problem: Problem) -> list[Field]:
 def _have_unit(quantity: str, width: int) -> npt.NDArray[np.bool_]:
     """Whether the unit of each number in a row of the core has a quantity: "length" or "force"."""
     answers = np.zeros(width, bool)
-    for name, place, dims, *_ in FIELDS:
+    for name, first, dims, *_ in FIELDS:
         unit = quantities.BATCH[name][0]
-        size = width - place if dims == EFFECT else COMPONENTS[dims[0]] if dims else 1
+        size = width - first if dims == EFFECT else COMPONENTS[dims[0]] if dims else 1
         units = LOG_TWIST_UNITS if unit in COMPONENT_UNITS else [unit] * size
         for i in range(size):
-            answers[place + i] |= quantity in units[i]
+            answers[first + i] |= quantity in units[i]
     return answers
 
 
@@ -218,8 +218,8 @@ def arrays(rows: Array, problem: Problem, fields: Sequence[Field]) -> Arrays:
 def _read(rows: Array, problem: Problem, field: Field) -> Array:
     """The values of a field in the rows of the core."""
     if not field.dims:
-        return rows[..., field.place]
-    return rows[..., field.place : field.place + COMPONENTS[field.dims[0]]]
+        return rows[..., field.first]
+    return rows[..., field.first : field.first + COMPONENTS[field.dims[0]]]
 
 
 def _degrees(rows: Array, problem: Problem, field: Field) -> Any:
@@ -240,7 +240,7 @@ def _adhesive(rows: Array, problem: Problem, field: Field) -> Any:
     return normal < -RESOLUTION * size
 
 
-def _dissipated(rows: Array, problem: Problem, field: Field) -> Any:
+def _dissipation(rows: Array, problem: Problem, field: Field) -> Any:
     """Energy dissipated by each effect, zero for those that do not resist."""
     energies = np.zeros((*rows.shape[:-1], len(problem.scene.effects)))
     for i, entry in enumerate(problem.entries):
@@ -274,7 +274,7 @@ COMPUTED: dict[str, Callable[[Array, Problem, Field], Any]] = {
     "rod_angle": _degrees,
     "outcome": _outcome,
     "adhesive": _adhesive,
-    "dissipated": _dissipated,
+    "dissipated": _dissipation,
     "evaluations": _evaluations,
     "object_position": _object_pose,
     "object_angle": _object_pose,

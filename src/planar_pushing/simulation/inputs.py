@@ -21,7 +21,8 @@ from planar_pushing.core.run import (
 )
 from planar_pushing.mechanics.pressure.table import Table, joined_data
 from planar_pushing.mechanics.rows import Entry, unit_vector
-from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.slider import Slider
 from planar_pushing.simulation.motion import (
     POINTS,
     constant_pieces,
@@ -152,10 +153,10 @@ def numbers_of(
 def _scale_forces(entries: list[Entry], inputs: Array) -> Array:
     """Divide the forces of rows of inputs by their units, which are returned."""
     places: dict[int, list[int]] = {1: [], 2: []}
-    place, scene = 0, inputs.shape[1] - INPUTS
+    position, scene = 0, inputs.shape[1] - INPUTS
     for entry in entries:
-        places[entry.degree] += range(place, place + len(entry.forces))
-        place += len(entry.forces) + len(entry.others)
+        places[entry.degree] += range(position, position + len(entry.forces))
+        position += len(entry.forces) + len(entry.others)
     loads = [*range(scene + IN_LOAD_X, scene + IN_DOT + 1)]
     size = np.zeros(len(inputs))
     # Without friction and loads the unit is that of viscous friction, and without it that of the mass.

@@ -12,8 +12,8 @@ from xarray.indexes import PandasIndex
 
 from planar_pushing.core.run import LOG_TIME
 from planar_pushing.core.system import NO_MODE
-from planar_pushing.mechanics.arrays import flag_attributes
 from planar_pushing.mechanics.entries import scene_entry, to_json, versions
+from planar_pushing.mechanics.kernels.arrays import flag_attributes
 from planar_pushing.simulation.fields import Stop, arrays, logged_fields
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms import quantities

@@ -83,7 +83,7 @@ def _time(name: str, value: object) -> float:
     )
 
 
-def required_policies(value: Any) -> Policies:
+def require_policies(value: Any) -> Policies:
     """Validate policies over time; a single policy applies from time 0."""
     if isinstance(value, (list, tuple)):
         return values_over_time("on_ambiguity", value, _policy, POLICIES, POLICY_REMEDY)

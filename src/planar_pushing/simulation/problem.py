@@ -19,16 +19,18 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.core.rows import RING, SUPPORT
-from planar_pushing.mechanics.arrays import Output, mapped
 from planar_pushing.mechanics.effects import Viscous
 from planar_pushing.mechanics.force.held import require_held
+from planar_pushing.mechanics.kernels.arrays import Output, map_kernel
 from planar_pushing.mechanics.outline import Corners, size
 from planar_pushing.mechanics.rows import Entry, entries_of
-from planar_pushing.mechanics.scene import Scene, Slider, World, required_pose, world_of
-from planar_pushing.simulation.motion import required_policies
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.slider import Slider
+from planar_pushing.simulation.motion import require_policies
 from planar_pushing.simulation.pusher import Pusher
+from planar_pushing.simulation.world import World, require_pose, world_of
 from planar_pushing.terms.declared import require_declared
-from planar_pushing.terms.domain import DURATION, GAP, RTOL, SPEEDS, Number, required_ratio
+from planar_pushing.terms.domain import DURATION, GAP, RTOL, SPEEDS, Number, require_ratio
 from planar_pushing.terms.errors import InvalidValue, has_entries
 from planar_pushing.terms.numbers import Array, as_numbers
 from planar_pushing.terms.options import Policy, PusherFrame, Shape
@@ -68,18 +70,18 @@ class Problem:
     def __post_init__(self) -> None:
         require_declared(self)
         self._set("twist", _required_twist(self.twist, self.scene))
-        self._set("on_ambiguity", required_policies(self.on_ambiguity))
+        self._set("on_ambiguity", require_policies(self.on_ambiguity))
         require_held(self.scene)
         if self.shape == Shape.FINGER:
             if self.scene.slider.flush:
                 raise InvalidValue(
                     "pusher", "a finger on a side that lies on a fence", "a fence",
-                    "push with a fence, or make the scene with scene_at(point=...)",
+                    "push with a fence, or give the contact as a point of the object",
                 )  # fmt: skip
             _require_narrow(self.pusher.radius, self.scene.slider.radius)
         self._require_outside()
         if self.object_pose is not None:
-            self._set("object_pose", required_pose(self.object_pose))
+            self._set("object_pose", require_pose(self.object_pose))
             self._set("world", world_of(self.scene, self.object_pose))
         self._set("pusher", self._pusher_in_fence_frame())
 
@@ -151,16 +153,16 @@ def _require_narrow(radius: Number, slider_radius: Number) -> None:
         raise InvalidValue(
             "shapes", shapes, "() or (scenes,)", "give one number for each scene"
         ) from None
-    required_ratio("finger_ratio", ratio)
+    require_ratio("finger_ratio", ratio)
 
 
 def _required_twist(value: Any, scene: Scene) -> tuple[Number, ...]:
     """Validate an initial twist, which must be zero for a scene without inertia."""
     twist = tuple(map(as_numbers, value)) if has_entries(value) else ()
-    fits = (each is not None and (np.abs(each) <= SPEEDS[1]).all() for each in twist)
+    fits = (component is not None and (np.abs(component) <= SPEEDS[1]).all() for component in twist)
     if len(twist) != 3 or not all(fits):
         raise InvalidValue("twist", value, TWIST, "give (v_x, v_y, omega)")
-    if not scene.stores_energy and any(np.any(each != 0) for each in twist):
+    if not scene.stores_energy and any(np.any(component != 0) for component in twist):
         raise InvalidValue(
             "twist", value, "(0, 0, 0) for a scene without inertia",
             "leave the twist out, since the fence determines a quasi-static motion",
@@ -187,9 +189,9 @@ def _distance_of_outline(slider: Slider, gap: Number, radius: Number) -> float:
     def distances(x: Array, y: Array) -> Array:
         """Distances of points from the outline."""
         output = [Output("distance")]
-        return mapped("outline_distances", corners.ravel(), [x, y, len(corners), 0], output)[0]
+        return map_kernel("outline_distances", corners.ravel(), [x, y, len(corners), 0], output)[0]
 
     across, angle = radius + gap, slider.rod_angle
     x, y = -slider.rod_length - across * np.sin(angle), -across * np.cos(angle)
-    apart = xr.apply_ufunc(distances, x, y, dask="allowed") - radius
-    return float(np.min(np.asarray(apart)))
+    distance = xr.apply_ufunc(distances, x, y, dask="allowed") - radius
+    return float(np.min(np.asarray(distance)))

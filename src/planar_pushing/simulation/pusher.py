@@ -14,13 +14,12 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.plane import Frame
 from planar_pushing.simulation.motion import values_over_time
-from planar_pushing.terms.domain import FINGER_RADIUS, SPEEDS, Number, required
+from planar_pushing.terms.domain import FINGER_RADIUS, SPEEDS, Number, require_in_range
 from planar_pushing.terms.errors import (
     InvalidValue,
     as_floats,
     has_entries,
     require_option,
-    suggestion,
 )
 from planar_pushing.terms.numbers import as_numbers, remedy_for
 from planar_pushing.terms.options import PusherFrame, Shape
@@ -40,13 +39,13 @@ POSITIONS = "at least two (time, (x, y)) of finite numbers"
 TIMES = "give positions of the pusher in the scene's unit of length, with times from 0"
 
 
-def required_velocity(value: object) -> Vector:
+def require_velocity(value: object) -> Vector:
     """Validate a velocity of two numbers with a magnitude in the allowed range."""
     numbers = as_floats(value)
     if len(numbers) != 2 or not all(map(math.isfinite, numbers)):
         raise InvalidValue("velocity", value, ALLOWED, REMEDY)
     if math.hypot(*numbers) > SPEEDS[1]:
-        required("velocity", math.hypot(*numbers))
+        require_in_range("velocity", math.hypot(*numbers))
     return numbers
 
 
@@ -106,14 +105,14 @@ class Pusher:
         elif _has_arrays(self.velocity):
             self._set("arrays", ((0.0, _required_arrays(self.velocity)),))
         elif _has_pieces_of_arrays(self.velocity):
-            self._set("arrays", _timed(self.velocity, _required_arrays))
+            self._set("arrays", _over_time(self.velocity, _required_arrays))
         elif not callable(self.velocity):
             self._set("pieces", _required_pieces(self.velocity))
         self._set("breakpoints", _required_breakpoints(self.breakpoints))
-        shape = required_option("shape", self.shape, Shape, "name one of these shapes")
+        shape = require_option("shape", self.shape, Shape, "name one of these shapes")
         self._set("shape", shape)
         self._set("radius", _required_radius(self.radius, shape))
-        frame = required_option("frame", self.frame, PusherFrame, "name one of these frames")
+        frame = require_option("frame", self.frame, PusherFrame, "name one of these frames")
         self._set("frame", frame)
 
     def _set(self, name: str, value: Any) -> None:
@@ -125,9 +124,9 @@ class Pusher:
         return self.arrays or self.pieces
 
     def velocity_at(self, time: float) -> Vector:
-        """Velocity of a pusher that follows a function; errors as in `required_velocity`."""
+        """Velocity of a pusher that follows a function; errors as in `require_velocity`."""
         function: Motion = self.velocity  # type: ignore[assignment]
-        return required_velocity(function(time))
+        return require_velocity(function(time))
 
     def in_fence_frame(self, fence: Frame) -> Pusher:
         """Convert a motion along the axes of the world to the axes of the fence frame."""
@@ -143,15 +142,7 @@ class Pusher:
         )  # fmt: skip
 
 
-def required_option(name: str, value: object, options: type[Option], remedy: str) -> Option:
-    """Validate an option; the remedy of the error names one with a similar spelling."""
-    known = isinstance(value, str) and value in list(options)
-    return require_option(
-        name, value, options, remedy if known else suggestion(value, options, remedy)
-    )
-
-
-def _timed(pieces: Any, read: Callable[[Any], Any]) -> tuple[tuple[float, Any], ...]:
+def _over_time(pieces: Any, read: Callable[[Any], Any]) -> tuple[tuple[float, Any], ...]:
     """Start times and velocities, which a function validates."""
     return values_over_time("velocity", pieces, read, ALLOWED, REMEDY)
 
@@ -180,7 +171,7 @@ def _required_breakpoints(value: Any) -> tuple[float, ...]:
 
 def _required_radius(value: Number, shape: Shape) -> Number:
     """Validate the radius of one or many fingers; that of a fence must be 0."""
-    radius = FINGER_RADIUS.required("radius", value)
+    radius = FINGER_RADIUS.require("radius", value)
     if shape == Shape.FENCE and np.any(np.asarray(radius) != 0):
         raise InvalidValue(
             "radius", value, "0 for a fence, which is a line",
@@ -200,7 +191,7 @@ def _required_arrays(value: Any) -> tuple[Any, Any]:
     except ValueError:
         shapes = np.shape(x), np.shape(y)
         raise InvalidValue("velocity", shapes, "two arrays of one shape", REMEDY) from None
-    required("velocity", speeds)
+    require_in_range("velocity", speeds)
     return x, y
 
 
@@ -217,8 +208,8 @@ def _required_component(value: Any) -> Number:
 
 def _required_constant(value: object) -> Vector:
     """Validate the velocity of a piece, which can be zero."""
-    velocity = required_velocity(value)
-    required("velocity", math.hypot(*velocity))
+    velocity = require_velocity(value)
+    require_in_range("velocity", math.hypot(*velocity))
     return velocity
 
 
@@ -227,7 +218,7 @@ def _required_pieces(value: Any) -> tuple[tuple[float, Vector], ...]:
     items = list(value) if has_entries(value) else []
     if not any(isinstance(item, Iterable) for item in items):
         return ((0.0, _required_constant(value)),)
-    return _timed(value, _required_constant)
+    return _over_time(value, _required_constant)
 
 
 def _require_no_velocity(velocity: Any) -> None:

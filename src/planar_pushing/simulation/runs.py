@@ -29,9 +29,9 @@ from planar_pushing.core.run import (
     RUN_ROWS,
 )
 from planar_pushing.core.system import memory_size
-from planar_pushing.mechanics.arrays import in_threads
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.kernels import run_into
+from planar_pushing.mechanics.kernels.arrays import in_threads
+from planar_pushing.mechanics.kernels.calls import run_into
 from planar_pushing.simulation.fields import Stop, scales_of
 from planar_pushing.simulation.inputs import Scenes, numbers_of
 from planar_pushing.simulation.problem import Problem
@@ -263,9 +263,9 @@ class NoBar:
         """Do nothing."""
 
 
-def progress_bar(total: float, unit: str, shown: bool) -> AbstractContextManager[Any]:
+def progress_bar(total: float, unit: str, visible: bool) -> AbstractContextManager[Any]:
     """A progress bar, which counts in a unit."""
-    if not shown:
+    if not visible:
         return nullcontext(NoBar())
     from tqdm import tqdm
 

@@ -12,12 +12,12 @@ import xarray as xr
 
 from planar_pushing.core.run import LOG_TIME
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.scene import Scene, required_scene, required_single
+from planar_pushing.mechanics.scene import Scene, require_scene, require_single
 from planar_pushing.simulation.log import dataset, without_fill_values
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.runs import Run, progress_bar
-from planar_pushing.simulation.until import Until, UntilRun, required_condition
+from planar_pushing.simulation.until import Until, UntilRun, require_condition
 from planar_pushing.terms.domain import DURATION, GAP, SAMPLE_COUNT
 from planar_pushing.terms.errors import (
     InvalidValue,
@@ -34,8 +34,8 @@ from planar_pushing.terms.options import Event, Method, MethodName, Policy, Poli
 
 def simulate(
     scene: Scene,
-    *,
     pusher: Pusher,
+    *,
     duration: float,
     method: MethodName = Method.EVENT_DRIVEN,
     rtol: float = 1e-10,
@@ -57,7 +57,7 @@ def simulate(
         Scene with the initial rod angle; without a gap, the contact starts on the fence, at the origin. An
         outline must not penetrate the pusher initially.
     pusher : Pusher
-        A fence or a finger, and its velocity over time.
+        A fence or a finger, and its velocity over time; the second argument, or by name.
     duration : float
         Maximum time to simulate, > 0.
     method : {"event-driven", "time-stepping"}
@@ -120,7 +120,7 @@ def simulate(
     InvalidFile
         If `path` cannot be written, or another process is writing it.
     """
-    required_single(required_scene(scene))
+    require_single(require_scene(scene))
     require_kind("pusher", pusher, Pusher)
     for name, several in (("velocity", pusher.arrays), ("radius", np.ndim(pusher.radius))):
         if several:
@@ -128,7 +128,7 @@ def simulate(
                 name, "arrays", f"one {name}", "simulate them one by one, or call simulate_batch"
             )
     for name, number, value in (("duration", DURATION, duration), ("gap", GAP, gap)):
-        require_number(name, number.required(name, value), math.isfinite, "one number", "give one")
+        require_number(name, number.require(name, value), math.isfinite, "one number", "give one")
     problem = Problem(
         scene=scene, pusher=pusher, duration=duration, twist=twist, gap=gap,
         on_ambiguity=on_ambiguity, rtol=rtol, object_pose=object_pose,
@@ -137,13 +137,11 @@ def simulate(
         require_path("path", path)
     require_flag("progress", progress)
     chosen = require_option("method", method, Method, "name one of these methods")
-    times = np.linspace(
-        0.0, float(problem.duration), int(SAMPLE_COUNT.required("samples", samples))
-    )
+    times = np.linspace(0.0, float(problem.duration), int(SAMPLE_COUNT.require("samples", samples)))
     run = _run(problem, chosen, times, step, until)
     if path is None:
         return dataset(problem, chosen, np.concatenate(list(_rows(run, progress))), run.stopped)
-    from planar_pushing.simulation.stream import streaming
+    from planar_pushing.simulation.storage.stream import streaming
 
     with streaming(path, problem, chosen) as stream:
         for rows in _rows(run, progress):
@@ -165,7 +163,7 @@ def _run(
     run = start(times)
     if until is None:
         return run
-    return UntilRun(start, times, required_condition(until, problem, method), problem)
+    return UntilRun(start, times, require_condition(until, problem, method), problem)
 
 
 def _rows(run: Run | UntilRun, progress: bool) -> Iterator[Array]:

@@ -75,7 +75,7 @@ class Condition(NamedTuple):
     reason: str
 
 
-def required_condition(until: Any, problem: Problem, method: str) -> Condition:
+def require_condition(until: Any, problem: Problem, method: str) -> Condition:
     """Validate `until` and convert it to a condition."""
     if isinstance(until, Until):
         goals = " or ".join(f"{name} {value:.12g}" for name, value in until.goals.items())

@@ -73,7 +73,7 @@ class Balance:
         """The problem for a selection of the pushes, possibly with repetitions."""
         chosen = [np.flatnonzero(self.pairs[:, 0] == row) for row in rows]
         which = np.concatenate([*chosen, np.zeros(0, dtype=int)]).astype(int)
-        push = np.repeat(np.arange(len(rows)), [len(each) for each in chosen])
+        push = np.repeat(np.arange(len(rows)), [len(rows) for rows in chosen])
         return Balance(
             self.loads[rows], self.wrenches[rows], np.column_stack([push, self.pairs[which, 1]]),
             self.reaches[which], self.whitening[rows], self.columns, self.even, self.pull,
@@ -158,11 +158,11 @@ def fit_balance(pushes: Measured, family: Family) -> tuple[Balance, Balanced, Ar
     for _ in range(ROUNDS):
         problem = balance(pushes, family, family.columns @ amounts)
         problem = replace(problem, whitening=trust[:, None, None] * problem.whitening)
-        found = solve_balance(problem)
-        amounts = found.amounts
-        error = np.sqrt((found.residuals**2).mean(axis=1)) / trust
+        balanced = solve_balance(problem)
+        amounts = balanced.amounts
+        error = np.sqrt((balanced.residuals**2).mean(axis=1)) / trust
         trust = np.minimum(1.0, np.sqrt(LARGE / np.maximum(error, LARGE)))
-    return problem, found, error
+    return problem, balanced, error
 
 
 def solve_balance(problem: Balance) -> Balanced:
@@ -189,26 +189,26 @@ def solve_balance(problem: Balance) -> Balanced:
         + [clarabel.SecondOrderConeT(3)] * pairs,
         settings,
     )  # fmt: skip
-    found = np.array(solver.solve().x)
-    amounts = found[:count]
+    solution = np.array(solver.solve().x)
+    amounts = solution[:count]
     amounts = np.where(amounts > 1e-7 * max(amounts.max(), 0.0), amounts, 0.0)
-    forces = found[count:variables].reshape(-1, 2)
+    forces = solution[count:variables].reshape(-1, 2)
     residuals = (matrix @ np.append(amounts, forces.ravel()) - target).reshape(-1, 3)
     return Balanced(amounts, forces, residuals, _violation(problem, amounts, residuals, target))
 
 
 def _matrix(problem: Balance) -> Any:
     """Whitened wrenches of amounts and of forces at rest, shape (3 n, c + 2 m)."""
-    whole = np.einsum("nab,nbc->nac", problem.whitening, problem.loads)
+    maps = np.einsum("nab,nbc->nac", problem.whitening, problem.loads)
     push = problem.pairs[:, 0]
-    each = problem.whitening[push] @ problem.reaches
+    reaches = problem.whitening[push] @ problem.reaches
     rows = 3 * push[:, None, None] + np.arange(3)[:, None]
     columns = 2 * np.arange(len(push))[:, None, None] + np.arange(2)
     rows, columns = np.broadcast_arrays(rows, columns)
     forces = sparse.csc_matrix(
-        (each.ravel(), (rows.ravel(), columns.ravel())), shape=(3 * len(problem.loads), 2 * len(push))
+        (reaches.ravel(), (rows.ravel(), columns.ravel())), shape=(3 * len(problem.loads), 2 * len(push))
     )  # fmt: skip
-    return sparse.hstack([sparse.csc_matrix(whole.reshape(-1, whole.shape[2])), forces]).tocsc()
+    return sparse.hstack([sparse.csc_matrix(maps.reshape(-1, maps.shape[2])), forces]).tocsc()
 
 
 def _cones(problem: Balance, variables: int) -> Any:
@@ -233,14 +233,14 @@ def _violation(problem: Balance, amounts: Array, residuals: Array, target: Array
 
     def slopes(errors: Array) -> Array:
         whitened = np.einsum("nab,na->nb", problem.whitening, errors)
-        push, place = problem.pairs.T
+        push, candidate = problem.pairs.T
         pull = np.einsum("mab,ma->mb", problem.reaches, whitened[push])
-        bounded = np.hypot(*pull.T) @ problem.columns[place] if len(push) else 0.0
+        bounded = np.hypot(*pull.T) @ problem.columns[candidate] if len(push) else 0.0
         return np.asarray(np.einsum("nac,na->c", problem.loads, whitened) - bounded)
 
-    now = slopes(residuals) + problem.pull**2 * (amounts - problem.even)
+    gradient = slopes(residuals) + problem.pull**2 * (amounts - problem.even)
     before = slopes(-target.reshape(-1, 3))
     size = float(np.abs(before).max())
-    least = float(-now.min() / size)
-    complementary = float(np.abs(amounts * now).max() / (size * max(amounts.max(), 1e-300)))
-    return max(least, complementary, 0.0)
+    violation = float(-gradient.min() / size)
+    complementary = float(np.abs(amounts * gradient).max() / (size * max(amounts.max(), 1e-300)))
+    return max(violation, complementary, 0.0)

@@ -96,5 +96,5 @@ def inside(outline: Array, spacing: float, offset: float = 0.0) -> Array:
 def with_corners(outline: Array, spacing: float) -> Array:
     """Places of a grid within an outline, and the corners of the outline."""
     grid = inside(outline, spacing)
-    apart = np.hypot(*np.moveaxis(outline[:, None] - grid, -1, 0)).min(axis=1)
-    return np.concatenate([grid, outline[apart > spacing / 4.0]])
+    distance = np.hypot(*np.moveaxis(outline[:, None] - grid, -1, 0)).min(axis=1)
+    return np.concatenate([grid, outline[distance > spacing / 4.0]])

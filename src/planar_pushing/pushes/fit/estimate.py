@@ -10,7 +10,7 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.fit.balance import Balance, Balanced, fit_balance, solve_balance
 from planar_pushing.pushes.fit.candidates import Family
 from planar_pushing.pushes.fit.friction import contact_friction
-from planar_pushing.pushes.fit.motions import Linear, MotionProblem, fit_motions, resampled
+from planar_pushing.pushes.fit.motions import Linear, MotionProblem, fit_motions, resample
 from planar_pushing.pushes.logs.measured import Index, Measured
 
 #: Smallest number of slipping pushes of which the median is the friction coefficient.
@@ -39,7 +39,7 @@ class Estimate:
     facet : ndarray of int, shape (n,)
         Place of the family about which the object turned, with less than full friction there, or -1.
     optimality : float
-    told : ndarray
+    signals : ndarray
         Singular values: changes of the residuals, in standard deviations, for combinations of amounts that
         change by an even share.
     doubts : tuple of str
@@ -52,7 +52,7 @@ class Estimate:
     residuals: Array
     facet: Index
     optimality: float
-    told: Array
+    signals: Array
     doubts: tuple[str, ...]
 
 
@@ -60,22 +60,24 @@ def from_forces(
     pushes: Measured, family: Family, resamples: int, generator: np.random.Generator
 ) -> tuple[Estimate, Linear]:
     """Estimate from pushes with forces, and its residuals in linear form."""
-    problem, found, errors = fit_balance(pushes, family)
-    number, share = len(pushes), found.amounts.sum() / len(found.amounts)
+    problem, balanced, errors = fit_balance(pushes, family)
+    number, share = len(pushes), balanced.amounts.sum() / len(balanced.amounts)
     changes = np.einsum("nab,nbc->nac", problem.whitening, problem.loads) * share
     changes = changes.reshape(3 * number, -1)
-    told = _singular_values(changes)
+    signals = _singular_values(changes)
     rows = [generator.integers(number, size=number) for _ in range(resamples)]
     # The draws omit the pull, which would reduce their spread.
     free = replace(problem, pull=0.0)
-    drawn = np.array([solve_balance(free.part(each)).amounts for each in rows])
+    drawn = np.array([solve_balance(free.part(sample)).amounts for sample in rows])
     friction, frictions, doubts = _friction(pushes, resamples, generator)
     estimate = Estimate(
-        amounts=found.amounts, draws=_widened(drawn, found.amounts, number, told), friction=friction,
-        frictions=frictions, residuals=errors, facet=_facets(problem, found, errors),
-        optimality=found.optimality, told=told, doubts=doubts,
+        amounts=balanced.amounts, draws=_widen(drawn, balanced.amounts, number, signals), friction=friction,
+        frictions=frictions, residuals=errors, facet=_facets(problem, balanced, errors),
+        optimality=balanced.optimality, signals=signals, doubts=doubts,
     )  # fmt: skip
-    return estimate, Linear(changes, changes @ found.amounts / share - found.residuals.ravel())
+    return estimate, Linear(
+        changes, changes @ balanced.amounts / share - balanced.residuals.ravel()
+    )
 
 
 def _friction(
@@ -87,34 +89,34 @@ def _friction(
     if len(slipping) >= FEWEST:
         again = generator.integers(len(slipping), size=(resamples, len(slipping)))
         return ratios.coefficient, np.median(slipping[again], axis=1), ()
-    least = float(ratios.sticking.max(initial=0.0))
+    bound = float(ratios.sticking.max(initial=0.0))
     count = f"{len(slipping)} of the pushes" if len(slipping) else "none of the pushes"
-    doubt = f"contact_friction: {count} with forces slip; {least:.3g} is a lower bound"
-    return least, np.full(resamples, least), (doubt,)
+    doubt = f"contact_friction: {count} with forces slip; {bound:.3g} is a lower bound"
+    return bound, np.full(resamples, bound), (doubt,)
 
 
 def _singular_values(matrix: Array) -> Array:
     return np.asarray(np.linalg.svd(matrix, compute_uv=False), dtype=float)
 
 
-def _widened(drawn: Array, amounts: Array, pushes: int, told: Array) -> Array:
+def _widen(drawn: Array, amounts: Array, pushes: int, signals: Array) -> Array:
     """Draws with a wider spread: a fit reduces the residuals below the errors through its free parameters.
 
     Some amounts then become negative; setting them to zero would make the weight too large.
     """
-    free = min(int((told > 1.0).sum()), pushes // 2)
+    free = min(int((signals > 1.0).sum()), pushes // 2)
     return np.asarray(amounts + np.sqrt(pushes / (pushes - free)) * (drawn - amounts))
 
 
-def _facets(problem: Balance, found: Balanced, errors: Array) -> Index:
+def _facets(problem: Balance, balanced: Balanced, errors: Array) -> Index:
     """For each push, the place at rest with the largest weight among those with a smaller force; or -1."""
-    facets = np.full(len(found.residuals), -1)
-    weights = problem.columns[problem.pairs[:, 1]] @ found.amounts
-    held = np.hypot(*found.forces.T) < WITHIN * weights
+    facets = np.full(len(balanced.residuals), -1)
+    weights = problem.columns[problem.pairs[:, 1]] @ balanced.amounts
+    held = np.hypot(*balanced.forces.T) < WITHIN * weights
     for k in np.argsort(weights):
-        push, place = problem.pairs[k]
+        push, candidate = problem.pairs[k]
         if held[k] and errors[push] < FAR:
-            facets[push] = place
+            facets[push] = candidate
     return facets
 
 
@@ -132,7 +134,7 @@ def from_motions(
     number, count = len(pushes), len(fitted.amounts)
     draws = np.array(
         [
-            resampled(fitted, linear, generator.integers(number, size=number))
+            resample(fitted, linear, generator.integers(number, size=number))
             for _ in range(resamples)
         ]
     )
@@ -145,5 +147,5 @@ def from_motions(
     return Estimate(
         amounts=fitted.amounts * unit, draws=draws[:, :-1] * units, friction=fitted.friction,
         frictions=draws[:, -1], residuals=np.hypot(x, y) + np.abs(turn), facet=np.full(number, -1),
-        optimality=fitted.optimality, told=_singular_values(changes), doubts=doubts,
+        optimality=fitted.optimality, signals=_singular_values(changes), doubts=doubts,
     )  # fmt: skip

@@ -10,7 +10,7 @@ from scipy.optimize import least_squares
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.fit.ellipsoid import Ellipsoid
 from planar_pushing.pushes.fit.friction import contact_friction
-from planar_pushing.pushes.logs.contacts import chosen, contacts_of
+from planar_pushing.pushes.logs.contacts import choose, contacts_of
 from planar_pushing.pushes.logs.measured import Measured
 
 #: Friction coefficients at which searches start.
@@ -44,8 +44,8 @@ def _from_forces(pushes: Measured) -> Ellipsoid:
     def errors(parameters: Array) -> Array:
         return np.asarray(unit(forces @ _matrix(parameters)) - motions).ravel()
 
-    found = least_squares(errors, np.zeros(5), loss="soft_l1", f_scale=LARGE_ANGLE)
-    matrix = _matrix(found.x) / scale / scale[:, None]
+    result = least_squares(errors, np.zeros(5), loss="soft_l1", f_scale=LARGE_ANGLE)
+    matrix = _matrix(result.x) / scale / scale[:, None]
     return Ellipsoid.about(pushes.center, matrix)
 
 
@@ -57,14 +57,14 @@ def _from_motions(pushes: Measured) -> tuple[Ellipsoid, float]:
 
     def errors(parameters: Array) -> Array:
         ends = model(parameters).ends(contacts, float(np.exp(parameters[5])))
-        return np.asarray((chosen(contacts, ends) - pushes.observed) * scale).ravel()
+        return np.asarray((choose(contacts, ends) - pushes.observed) * scale).ravel()
 
     starts = [np.append(_round(), np.log(mu)) for mu in STARTS]
-    large = LARGE * min(float(np.median(np.abs(errors(each)))) for each in starts)
+    large = LARGE * min(float(np.median(np.abs(errors(start)))) for start in starts)
     every: list[Any] = [
-        least_squares(errors, each, loss="soft_l1", f_scale=large) for each in starts
+        least_squares(errors, start, loss="soft_l1", f_scale=large) for start in starts
     ]
-    best = min(every, key=lambda each: float(each.cost))
+    best = min(every, key=lambda result: float(result.cost))
     return model(best.x), float(np.exp(best.x[5]))
 
 

@@ -34,9 +34,9 @@ def contact_friction(pushes: Measured) -> Friction:
     travel = ((chosen.last_contacts - chosen.contact) * tangent).sum(axis=1)
     # A finger that sticks rolls along the side.
     slip = np.abs(travel + chosen.radius * chosen.rotation)
-    way = np.hypot(*chosen.finger.T)
-    slips = (slip > SURE * chosen.noise[0]) & (slip > FRACTION * way)
-    along, into = ((chosen.force * each).sum(axis=1) for each in (tangent, chosen.normal))
+    distance = np.hypot(*chosen.finger.T)
+    slips = (slip > SURE * chosen.noise[0]) & (slip > FRACTION * distance)
+    along, into = ((chosen.force * axis).sum(axis=1) for axis in (tangent, chosen.normal))
     pushing = into > 0.0
     ratio = np.abs(along) / np.where(pushing, into, 1.0)
     return Friction(ratio[slips & pushing], ratio[~slips & pushing])

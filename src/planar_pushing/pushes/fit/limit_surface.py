@@ -37,31 +37,33 @@ class LimitSurface(ABC):
 
     def ends(self, contacts: Contacts, friction: float) -> Ends:
         count, parts = contacts.path.shape[:2]
-        pose, place, lasted = np.zeros((count, 3)), np.zeros(count), np.zeros(count)
+        pose, position, lasted = np.zeros((count, 3)), np.zeros(count), np.zeros(count)
         on = np.ones(count, dtype=bool)
         steps = -(-STEPS // parts)
         for k in range(parts):
             for _ in range(steps):
-                way = contacts.path[:, k] / steps
-                first, slid = self._step_of_pose(contacts, pose, place, way / 2.0, friction)
-                step, slid = self._step_of_pose(contacts, pose + first, place + slid, way, friction)
-                pose, place = (
-                    pose + np.where(on[:, None], step, 0.0),
-                    place + np.where(on, slid, 0.0),
+                advance = contacts.path[:, k] / steps
+                first, slid = self._step_of_pose(contacts, pose, position, advance / 2.0, friction)
+                step, slid = self._step_of_pose(
+                    contacts, pose + first, position + slid, advance, friction
                 )
-                on &= (place <= contacts.end) & (place >= contacts.start)
+                pose, position = (
+                    pose + np.where(on[:, None], step, 0.0),
+                    position + np.where(on, slid, 0.0),
+                )
+                on &= (position <= contacts.end) & (position >= contacts.start)
                 # An object that does not move has separated from the finger.
                 lasted += np.where(on & step.any(axis=1), 1.0 / (parts * steps), 0.0)
         return Ends(pose, lasted)
 
     def _step_of_pose(
-        self, contacts: Contacts, pose: Array, place: Array, way: Array, friction: float
+        self, contacts: Contacts, pose: Array, position: Array, advance: Array, friction: float
     ) -> tuple[Array, Array]:
         """Displacement of the object, and of the contact along its side, in a small step of the finger."""
         c, s = np.cos(pose[:, 2]), np.sin(pose[:, 2])
-        w_x, w_y = way.T
+        w_x, w_y = advance.T
         finger = np.column_stack([c * w_x + s * w_y, c * w_y - s * w_x])
-        point = contacts.point + place[:, None] * contacts.tangent
+        point = contacts.point + position[:, None] * contacts.tangent
         twist, slip = self._twist_of_push(contacts, point, finger, friction)
         v_x, v_y, turn = twist.T
         step = np.column_stack([c * v_x - s * v_y, s * v_x + c * v_y, turn])
@@ -79,12 +81,12 @@ class LimitSurface(ABC):
         along, into = (force * tangent).sum(axis=1), (force * normal).sum(axis=1)
         sticks = contacts.sticks | ((into > 0.0) & (np.abs(along) <= friction * into))
         twist, slip = (
-            self._under(reach, np.where(sticks[:, None], force, 0.0)),
+            self._motion_under(reach, np.where(sticks[:, None], force, 0.0)),
             np.zeros(len(point)),
         )
         advance = (finger * normal).sum(axis=1)
         for sign in (1.0, -1.0):
-            edge = self._under(reach, normal + sign * friction * tangent)
+            edge = self._motion_under(reach, normal + sign * friction * tangent)
             motion = (reach @ edge[..., None])[..., 0]
             rate = (motion * normal).sum(axis=1)
             size = np.divide(advance, rate, out=np.zeros_like(rate), where=rate != 0.0)
@@ -94,6 +96,6 @@ class LimitSurface(ABC):
             slip = np.where(fits, slid, slip)
         return twist, slip
 
-    def _under(self, reach: Array, force: Array) -> Array:
+    def _motion_under(self, reach: Array, force: Array) -> Array:
         """Twists under forces at the contacts."""
         return self.motions((force[:, None] @ reach)[:, 0])

@@ -13,7 +13,7 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
 from planar_pushing.pushes.fit.balance import ridge
 from planar_pushing.pushes.fit.candidates import Family
-from planar_pushing.pushes.fit.supported import BodyFrames, body_frames, simulated
+from planar_pushing.pushes.fit.supported import BodyFrames, body_frames, simulate_contacts
 from planar_pushing.pushes.logs.contacts import Contacts, contacts_of
 from planar_pushing.pushes.logs.measured import Index, Measured
 
@@ -52,8 +52,8 @@ class MotionProblem:
     def of(cls, pushes: Measured, family: Family) -> MotionProblem:
         contacts = contacts_of(pushes)
         frames = body_frames(contacts, pushes.center, pushes.size)
-        apart = family.places - frames.origin[:, None]
-        x, y = apart[..., 0], apart[..., 1]
+        offsets = family.places - frames.origin[:, None]
+        x, y = offsets[..., 0], offsets[..., 1]
         a, b = frames.axis[:, :1], frames.axis[:, 1:]
         return cls(
             pushes, family, contacts, frames, np.stack([x * a + y * b, y * a - x * b], axis=-1)
@@ -73,7 +73,7 @@ class MotionProblem:
             for places in self.places
         ]
         friction = np.repeat(parameters[:, -1], len(self.contacts.push))
-        ends = simulated(self.contacts, self.frames, supports, friction, self.pushes.size)
+        ends = simulate_contacts(self.contacts, self.frames, supports, friction, self.pushes.size)
         poses = ends.poses.reshape(len(parameters), -1, 3)
         return np.asarray((poses - self.pushes.observed) * [1.0, 1.0, self.pushes.length])
 
@@ -128,8 +128,8 @@ def fit_motions(
     with tqdm(
         total=len(starts) * EVALUATIONS, disable=not progress, unit="step", leave=False
     ) as bar:
-        every = [_searched(problem, linear, scale, start, bar.update) for start in starts]
-    best = min(every, key=lambda each: float(each.cost))
+        every = [_search(problem, linear, scale, start, bar.update) for start in starts]
+    best = min(every, key=lambda result: float(result.cost))
     slopes, residuals = _slopes(problem, best.x)
     return Fitted(
         amounts=best.x[:-1], friction=float(best.x[-1]), residuals=residuals.reshape(-1, 3),
@@ -137,7 +137,7 @@ def fit_motions(
     )  # fmt: skip
 
 
-def resampled(fitted: Fitted, linear: Linear | None, rows: Index) -> Array:
+def resample(fitted: Fitted, linear: Linear | None, rows: Index) -> Array:
     """Parameters for the resampled pushes in `rows`, by one step from the best parameters."""
     count = len(fitted.amounts)
     errors = fitted.residuals.ravel() / fitted.scale
@@ -159,7 +159,7 @@ def _starts(problem: MotionProblem) -> tuple[list[Array], Array]:
     places = problem.family.columns.T @ problem.family.places
     away = np.hypot(*(places - problem.pushes.center).T)
     rim = np.where(away > np.median(away), 1.9, 0.1)
-    tried = np.array([np.append(each, mu) for each in (problem.even, rim) for mu in TRIED])
+    tried = np.array([np.append(weights, mu) for weights in (problem.even, rim) for mu in TRIED])
     errors = problem.residuals(tried)
     ranks = np.abs(errors).mean(axis=(1, 2)).reshape(2, -1).argmin(axis=1)
     best = [len(TRIED) * k + int(rank) for k, rank in enumerate(ranks)]
@@ -168,7 +168,7 @@ def _starts(problem: MotionProblem) -> tuple[list[Array], Array]:
     ]
 
 
-def _searched(
+def _search(
     problem: MotionProblem, linear: Linear | None, scale: float, start: Array, tell: Any
 ) -> Any:
     number = 3 * len(problem.pushes)
@@ -193,8 +193,8 @@ def _slopes(problem: MotionProblem, parameters: Array) -> tuple[Array, Array]:
     """Derivatives of the residuals, shape (3 n, c + 1), and the residuals."""
     steps = CHANGE * _usual(len(parameters) - 1)
     rows = parameters + np.concatenate([np.zeros((1, len(steps))), np.diag(steps)])
-    found = problem.residuals(rows).reshape(len(rows), -1)
-    return np.asarray(((found[1:] - found[0]) / steps[:, None]).T), found[0]
+    errors = problem.residuals(rows).reshape(len(rows), -1)
+    return np.asarray(((errors[1:] - errors[0]) / steps[:, None]).T), errors[0]
 
 
 def _further(linear: Linear | None, parameters: Array, number: int) -> tuple[Array, Array]:
@@ -205,8 +205,8 @@ def _further(linear: Linear | None, parameters: Array, number: int) -> tuple[Arr
     slopes = pull * np.eye(count, count + 1)
     if linear is None:
         return residuals, slopes
-    own = linear.matrix @ parameters[:-1] - linear.target
-    return np.append(residuals, own), np.concatenate(
+    linear_errors = linear.matrix @ parameters[:-1] - linear.target
+    return np.append(residuals, linear_errors), np.concatenate(
         [slopes, np.pad(linear.matrix, ((0, 0), (0, 1)))]
     )
 

@@ -36,35 +36,35 @@ def statistics(
     count = values.shape[2]
     draws = np.random.default_rng(seed).random((resamples, count))
     shape = values.shape[:2]
-    found: dict[str, Any] = {name: np.full(shape, np.nan) for name in VARIABLES}
+    values_by_name: dict[str, Any] = {name: np.full(shape, np.nan) for name in VARIABLES}
     ends: dict[str, Any] = {name: np.full((*shape, 2), np.nan) for name in VARIABLES}
-    for place in np.ndindex(shape):
-        own, other = values[place], values[place[0], reference]
-        both = np.isfinite(own) & np.isfinite(other)
+    for cell in np.ndindex(shape):
+        errors, other = values[cell], values[cell[0], reference]
+        both = np.isfinite(errors) & np.isfinite(other)
         if not both.any():
             continue
-        whole = _statistics(own[both][None], other[both][None])
+        sample = _statistics(errors[both][None], other[both][None])
         index = (draws[:, : both.sum()] * both.sum()).astype(int)
-        again = _statistics(own[both][index], other[both][index])
+        again = _statistics(errors[both][index], other[both][index])
         for name in VARIABLES:
-            found[name][place] = whole[name][0]
-            ends[name][place] = np.percentile(again[name], ENDS)
+            values_by_name[name][cell] = sample[name][0]
+            ends[name][cell] = np.percentile(again[name], ENDS)
     dims = ("quantity", "model")
     variables: dict[str, Any] = {"error": error}
     for name, text in VARIABLES.items():
-        variables[name] = dims, found[name], {"long_name": text}
+        variables[name] = dims, values_by_name[name], {"long_name": text}
         variables[f"{name}_interval"] = (
             (*dims, "bound"), ends[name], {"long_name": f"95 percent interval of the {text}"},
         )  # fmt: skip
     return xr.Dataset(variables, {"bound": ["low", "high"]})
 
 
-def _statistics(own: Array, other: Array) -> dict[str, Array]:
+def _statistics(errors: Array, other: Array) -> dict[str, Array]:
     """Statistics of rows of pushes."""
-    median, reference = np.median(own, axis=1), np.median(other, axis=1)
+    median, reference = np.median(errors, axis=1), np.median(other, axis=1)
     return {
-        "median": median, "percentile_90": np.percentile(own, 90.0, axis=1),
-        "ratio": median / reference, "difference": np.median(own - other, axis=1),
+        "median": median, "percentile_90": np.percentile(errors, 90.0, axis=1),
+        "ratio": median / reference, "difference": np.median(errors - other, axis=1),
     }  # fmt: skip
 
 

@@ -12,7 +12,8 @@ from planar_pushing.mechanics.effects import SupportFriction
 from planar_pushing.mechanics.force.force_motion import motion_of_force
 from planar_pushing.mechanics.force.wrench import wrench
 from planar_pushing.mechanics.plane import Array, Frame
-from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.slider import Slider
 from planar_pushing.objects.scene_at import scene_at
 from planar_pushing.pushes.logs.contacts import Contacts, Ends
 from planar_pushing.simulation.batch import simulate_batch
@@ -32,8 +33,8 @@ class OnSupport:
         frames = body_frames(
             contacts, np.array(self.support.center_of_pressure), self.support.extent
         )
-        supports = [self.support.moved(each) for each in frames.every]
-        return simulated(
+        supports = [self.support.moved(placement) for placement in frames.every]
+        return simulate_contacts(
             contacts, frames, supports, np.full(len(supports), friction), self.support.extent
         )
 
@@ -45,7 +46,7 @@ class OnSupport:
         force, torque = wrenches[:, :2], wrenches[:, 2]
         square = (force**2).sum(axis=1)
         lines = np.flatnonzero(square > 0.0)
-        found = np.full(wrenches.shape, np.nan)
+        motions = np.full(wrenches.shape, np.nan)
         if len(lines):
             arm = (torque / np.where(square > 0.0, square, 1.0))[lines, None]
             points = arm * np.column_stack([force[lines, 1], -force[lines, 0]])
@@ -54,8 +55,8 @@ class OnSupport:
                 effects=[SupportFriction(weight=1.0, support=self.support)],
             )  # fmt: skip
             twist = motion_of_force(scene, np.pi / 2).twist
-            found[lines] = scene.to_object(twist, "twist")
-        return found
+            motions[lines] = scene.to_object(twist, "twist")
+        return motions
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +85,7 @@ def body_frames(contacts: Contacts, center: Array, extent: float) -> BodyFrames:
     return BodyFrames(frames, origin, axis, length, angle)
 
 
-def simulated(
+def simulate_contacts(
     contacts: Contacts, frames: BodyFrames, supports: list[Any], friction: Array, extent: float
 ) -> Ends:
     """Ends of the motions of supports given in the body frames, for one or several sets of supports.
@@ -94,35 +95,35 @@ def simulated(
     count = len(contacts.push)
     times = len(supports) // count
 
-    def repeated(values: Any) -> Any:
+    def repeat(values: Any) -> Any:
         return np.tile(values, (times, *(1,) * (values.ndim - 1)))
 
     laws = [
         InfiniteFriction() if sticks else Coulomb(float(mu))
-        for sticks, mu in zip(repeated(contacts.sticks), friction, strict=True)
+        for sticks, mu in zip(repeat(contacts.sticks), friction, strict=True)
     ]
     scene = Scene(
         slider=Slider(
-            rod_length=repeated(frames.length), rod_angle=repeated(frames.angle), radius=extent,
-            side=(repeated(contacts.start), repeated(contacts.end)),
+            rod_length=repeat(frames.length), rod_angle=repeat(frames.angle), radius=extent,
+            side=(repeat(contacts.start), repeat(contacts.end)),
         ),
         contact=_objects(laws), effects=(SupportFriction(weight=1.0, support=_objects(supports)),),
     )  # fmt: skip
-    log = simulate_batch(scene, _pusher(contacts, repeated), duration=1.0, rtol=TOLERANCE)
-    tangent, normal = repeated(contacts.tangent), repeated(contacts.normal)
-    place = log["position"].values
-    center = repeated(contacts.point) + place[:, :1] * tangent + place[:, 1:] * normal
-    turn = np.deg2rad(log["rod_angle"].values) - repeated(frames.angle)
+    log = simulate_batch(scene, _pusher(contacts, repeat), duration=1.0, rtol=TOLERANCE)
+    tangent, normal = repeat(contacts.tangent), repeat(contacts.normal)
+    position = log["position"].values
+    center = repeat(contacts.point) + position[:, :1] * tangent + position[:, 1:] * normal
+    turn = np.deg2rad(log["rod_angle"].values) - repeat(frames.angle)
     c, s = np.cos(turn), np.sin(turn)
-    x, y = repeated(frames.origin).T
+    x, y = repeat(frames.origin).T
     moved = center - np.column_stack([c * x - s * y, s * x + c * y])
     poses = np.column_stack([moved, turn]).reshape(times, count, 3)
-    lasted = _lasted(log, turn, repeated(contacts.radius), repeated(contacts.path))
+    lasted = _contact_fraction(log, turn, repeat(contacts.radius), repeat(contacts.path))
     lasted = lasted.reshape(times, count)
     return Ends(poses[0], lasted[0]) if times == 1 else Ends(poses, lasted)
 
 
-def _lasted(log: Any, turn: Array, radius: Array, path: Array) -> Array:
+def _contact_fraction(log: Any, turn: Array, radius: Array, path: Array) -> Array:
     """Fraction of the finger's path over which the contact lasts.
 
     The object is at rest after the finger has left the side. The remaining path is therefore the distance
@@ -130,24 +131,27 @@ def _lasted(log: Any, turn: Array, radius: Array, path: Array) -> Array:
     """
     left = -log["slip"].values - radius * turn
     rest = np.hypot(log["contact_position"].values - left, log["gap"].values)
-    way = np.hypot(path[..., 0], path[..., 1]).sum(axis=1)
-    parted = np.divide(rest, way, out=np.zeros_like(way), where=way > 0.0)
+    distance = np.hypot(path[..., 0], path[..., 1]).sum(axis=1)
+    parted = np.divide(rest, distance, out=np.zeros_like(distance), where=distance > 0.0)
     return np.asarray(np.clip(log["time"].values - parted, 0.0, 1.0))
 
 
-def _pusher(contacts: Contacts, repeated: Any) -> Pusher:
+def _pusher(contacts: Contacts, repeat: Any) -> Pusher:
     """The finger as a pusher; each part of its path takes the same time."""
     parts = contacts.path.shape[1]
     velocities = []
     for k in range(parts):
-        way = parts * contacts.path[:, k]
-        along, across = (way * contacts.tangent).sum(axis=1), (way * contacts.normal).sum(axis=1)
-        velocities.append((k / parts, (repeated(along), repeated(across))))
+        distance = parts * contacts.path[:, k]
+        along, across = (
+            (distance * contacts.tangent).sum(axis=1),
+            (distance * contacts.normal).sum(axis=1),
+        )
+        velocities.append((k / parts, (repeat(along), repeat(across))))
     velocity: Any = velocities[0][1] if parts == 1 else velocities
-    return Pusher(velocity=velocity, shape="finger", radius=repeated(contacts.radius))
+    return Pusher(velocity=velocity, shape="finger", radius=repeat(contacts.radius))
 
 
 def _objects(values: list[Any]) -> Array:
-    found = np.empty(len(values), dtype=object)
-    found[:] = values
-    return found
+    array = np.empty(len(values), dtype=object)
+    array[:] = values
+    return array

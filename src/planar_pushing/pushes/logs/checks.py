@@ -102,10 +102,10 @@ def _require_one_unit(pushes: xr.Dataset, sides: Sides, name: str) -> None:
         ("finger_displacement", 10.0 * finger, "the outline's size is", scale),
         ("displacement", object_, "the finger moves by", finger),
     )
-    for variable, given, known, other in pairs:
-        less, more = sorted((given, other))
+    for variable, value, known, other in pairs:
+        less, more = sorted((value, other))
         if THOUSAND[0] * less < more < THOUSAND[1] * less:
-            size = given / 10.0 if variable == "finger_displacement" else given
+            size = value / 10.0 if variable == "finger_displacement" else value
             raise InvalidValue(
                 variable, f"a typical length of {size:.4g}, where {known} {other:.4g}",
                 f"lengths of {name} in one unit",
@@ -121,8 +121,8 @@ def _inward(sides: Sides, contact: Array, normal: Array) -> npt.NDArray[np.bool_
     """Whether a normal points into the object at one of the sides near its contact."""
     away = contact[:, None] - sides.start
     along = np.clip((away * sides.tangent).sum(axis=-1), 0.0, sides.length)
-    apart = away - along[..., None] * sides.tangent
-    near = np.hypot(apart[..., 0], apart[..., 1]) <= ON_OUTLINE * sides.scale
+    offset = away - along[..., None] * sides.tangent
+    near = np.hypot(offset[..., 0], offset[..., 1]) <= ON_OUTLINE * sides.scale
     return np.asarray((near & (normal @ sides.normal.T > 0.0)).any(axis=1))
 
 

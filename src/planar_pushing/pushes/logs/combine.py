@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.outline import required_outline
+from planar_pushing.mechanics.outline import require_outline
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.pushes.logs.schema import NOISE, VARIABLES, required_pushes
-from planar_pushing.terms.errors import InvalidValue, require_path, suggestion
+from planar_pushing.pushes.logs.schema import NOISE, VARIABLES, require_pushes
+from planar_pushing.terms.errors import InvalidValue, require_name, require_path
 
 #: Dimensions padded with NaN, each with a variable that has it as its second dimension.
 PADDED = {"corner": "outline", "foot": "feet", "sample": "finger_path"}
@@ -26,34 +26,32 @@ def of_object(pushes: xr.Dataset, name: str) -> xr.Dataset:
     InvalidValue
         If the dataset contains no object of this name or no push of it.
     """
-    names = [str(each) for each in pushes["object"].values]
-    if name not in names:
-        remedy = suggestion(name, names, "name one of these")
-        raise InvalidValue("object", name, ", ".join(names), remedy)
+    names = [str(label) for label in pushes["object"].values]
+    require_name("object", name, names, "name one of these")
     rows = np.flatnonzero(pushes["pushed"].values == name)
     if not len(rows):
         raise InvalidValue("object", name, "an object that is pushed", "name another one")
-    found = pushes.isel(push=rows, object=[names.index(name)])
+    selection = pushes.isel(push=rows, object=[names.index(name)])
     unknown = [
-        key for key, each in VARIABLES.items()
-        if key in found and not each.complete and not found[key].notnull().any()
+        key for key, variable in VARIABLES.items()
+        if key in selection and not variable.complete and not selection[key].notnull().any()
     ]  # fmt: skip
-    found = found.drop_vars(unknown)
+    selection = selection.drop_vars(unknown)
     lengths = {
-        dim: int(np.max(np.nonzero(np.isfinite(found[key].values))[1])) + 1
+        dim: int(np.max(np.nonzero(np.isfinite(selection[key].values))[1])) + 1
         for dim, key in PADDED.items()
-        if key in found
+        if key in selection
     }
-    return found.isel({dim: slice(length) for dim, length in lengths.items()})
+    return selection.isel({dim: slice(length) for dim, length in lengths.items()})
 
 
 def with_outline(pushes: xr.Dataset, outline: Any) -> xr.Dataset:
     """Pushes of one object with another outline, checked again: the contacts must be on it."""
     variable = VARIABLES["outline"]
-    corners = np.array(required_outline(outline))[None]
-    found = pushes.drop_vars("outline")
-    found["outline"] = variable.dims, corners, pushes["outline"].attrs
-    return required_pushes(found)
+    corners = np.array(require_outline(outline))[None]
+    changed = pushes.drop_vars("outline")
+    changed["outline"] = variable.dims, corners, pushes["outline"].attrs
+    return require_pushes(changed)
 
 
 def concat_pushes(pushes: Sequence[xr.Dataset]) -> xr.Dataset:
@@ -76,25 +74,25 @@ def concat_pushes(pushes: Sequence[xr.Dataset]) -> xr.Dataset:
         If the sequence is empty, a dataset does not contain pushes, units differ, or two objects share a
         name.
     """
-    given = list(pushes) if isinstance(pushes, (list, tuple)) else []
-    if not given:
+    datasets = list(pushes) if isinstance(pushes, (list, tuple)) else []
+    if not datasets:
         raise InvalidValue("pushes", pushes, "a list of at least one dataset", "list the datasets")
-    each = [required_pushes(one) for one in given]
-    _require_same_units(each)
-    objects = _objects(each)
+    checked = [require_pushes(one) for one in datasets]
+    _require_same_units(checked)
+    objects = _objects(checked)
     parts: dict[str, Any] = {
-        "pushed": ("push", np.concatenate([one["pushed"].values for one in each]))
+        "pushed": ("push", np.concatenate([one["pushed"].values for one in checked]))
     }
     for name, variable in VARIABLES.items():
-        held = [one for one in each if name in one]
+        held = [one for one in checked if name in one]
         if held and variable.dims[0] == "push":
-            arrays = [_array(one, name) for one in each]
-            parts[name] = variable.dims, _joined(arrays), held[0][name].attrs
+            arrays = [_array(one, name) for one in checked]
+            parts[name] = variable.dims, _join(arrays), held[0][name].attrs
         elif held:
             arrays = [_array(one.sel(object=[label]), name) for label, one in objects.items()]
-            parts[name] = variable.dims, _joined(arrays), held[0][name].attrs
-    found = xr.Dataset(parts, {"object": list(objects), "xy": ["x", "y"]}, _attributes(each))
-    return required_pushes(found)
+            parts[name] = variable.dims, _join(arrays), held[0][name].attrs
+    joined = xr.Dataset(parts, {"object": list(objects), "xy": ["x", "y"]}, _attributes(checked))
+    return require_pushes(joined)
 
 
 def require_file_names(files: Sequence[Any]) -> None:
@@ -110,9 +108,9 @@ def require_file_names(files: Sequence[Any]) -> None:
         )  # fmt: skip
 
 
-def _require_same_units(each: list[xr.Dataset]) -> None:
+def _require_same_units(datasets: list[xr.Dataset]) -> None:
     for name in VARIABLES:
-        units = {one[name].attrs["units"] for one in each if name in one}
+        units = {one[name].attrs["units"] for one in datasets if name in one}
         if len(units) > 1:
             raise InvalidValue(
                 "units",
@@ -122,12 +120,12 @@ def _require_same_units(each: list[xr.Dataset]) -> None:
             )
 
 
-def _objects(each: list[xr.Dataset]) -> dict[str, xr.Dataset]:
+def _objects(datasets: list[xr.Dataset]) -> dict[str, xr.Dataset]:
     """The dataset that describes each object; objects with the same name must be identical."""
-    found: dict[str, xr.Dataset] = {}
-    for one in each:
+    objects: dict[str, xr.Dataset] = {}
+    for one in datasets:
         for label in map(str, one["object"].values):
-            known = found.setdefault(label, one)
+            known = objects.setdefault(label, one)
             if known is not one and not _same_object(known, one, label):
                 raise InvalidValue(
                     "object",
@@ -135,14 +133,14 @@ def _objects(each: list[xr.Dataset]) -> dict[str, xr.Dataset]:
                     "a different name for each object",
                     "rename one of the objects",
                 )
-    return found
+    return objects
 
 
 def _same_object(one: xr.Dataset, other: xr.Dataset, label: str) -> bool:
     """Whether two datasets describe an object identically except for padding."""
     for name in ("outline", "feet", "foot_weight", "center_of_mass", "mass"):
-        here, there = (_array(each.sel(object=[label]), name) for each in (one, other))
-        here, there = (each[np.isfinite(each)] for each in (here, there))
+        here, there = (_array(dataset.sel(object=[label]), name) for dataset in (one, other))
+        here, there = (values[np.isfinite(values)] for values in (here, there))
         if not np.array_equal(here, there):
             return False
     return True
@@ -156,26 +154,26 @@ def _array(pushes: xr.Dataset, name: str) -> Array:
     return np.full(tuple(sizes.values()), np.nan)
 
 
-def _joined(arrays: list[Array]) -> Array:
+def _join(arrays: list[Array]) -> Array:
     """Arrays concatenated along the first dimension, with the other dimensions padded with NaN."""
-    lengths = np.max([each.shape[1:] for each in arrays], axis=0, initial=0).astype(int)
+    lengths = np.max([array.shape[1:] for array in arrays], axis=0, initial=0).astype(int)
     return np.concatenate([
         np.pad(
-            each,
-            [(0, 0), *((0, most - has) for most, has in zip(lengths, each.shape[1:], strict=True))],
+            array,
+            [(0, 0), *((0, most - has) for most, has in zip(lengths, array.shape[1:], strict=True))],
             constant_values=np.nan,
         )
-        for each in arrays
+        for array in arrays
     ])  # fmt: skip
 
 
-def _attributes(each: list[xr.Dataset]) -> dict[str, Any]:
+def _attributes(datasets: list[xr.Dataset]) -> dict[str, Any]:
     """Attributes of the concatenated dataset."""
-    sources = dict.fromkeys(str(one.attrs["source"]) for one in each if one.attrs["source"])
+    sources = dict.fromkeys(str(one.attrs["source"]) for one in datasets if one.attrs["source"])
     noise = {
-        key: max(float(one.attrs[key]) for one in each if key in one.attrs)
+        key: max(float(one.attrs[key]) for one in datasets if key in one.attrs)
         for key in NOISE
-        if any(key in one.attrs for one in each)
+        if any(key in one.attrs for one in datasets)
     }
-    out = [int(one.attrs["left_out"]) for one in each if "left_out" in one.attrs]
+    out = [int(one.attrs["left_out"]) for one in datasets if "left_out" in one.attrs]
     return {"source": "; ".join(sources), **noise, **({"left_out": sum(out)} if out else {})}

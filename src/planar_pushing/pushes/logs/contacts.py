@@ -11,7 +11,7 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from planar_pushing.mechanics.arrays import Output, mapped
+from planar_pushing.mechanics.kernels.arrays import Output, map_kernel
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.pushes.logs.measured import Index, Mask, Measured
@@ -87,23 +87,23 @@ class Model(Protocol):
 def contacts_of(pushes: Measured) -> Contacts:
     """Contacts of pushes: one for a push at a side, three for a push at a corner."""
     sides, corner = sides_of(pushes.outline), pushes.at_corner
-    at = nearest(sides, pushes.contact)
+    touch = nearest(sides, pushes.contact)
     vertex = np.hypot(*np.moveaxis(pushes.contact[:, None] - sides.start, -1, 0)).argmin(axis=1)
-    found: list[tuple[int, int, float, bool]] = []
+    rows: list[tuple[int, int, float, bool]] = []
     for i in range(len(pushes)):
         if not corner[i]:
-            found.append((i, int(at.side[i]), float(at.place[i]), False))
+            rows.append((i, int(touch.side[i]), float(touch.position[i]), False))
             continue
         before, behind = (int(vertex[i]) - 1) % len(sides.length), int(vertex[i])
-        found += [
+        rows += [
             (i, before, float(sides.length[before]), False),
             (i, behind, 0.0, False),
             (i, behind, 0.0, True),
         ]
-    push, side, place, sticks = (np.array(each) for each in zip(*found, strict=True))
+    push, side, position, sticks = (np.array(column) for column in zip(*rows, strict=True))
     normal = np.where(sticks[:, None], pushes.normal[push], sides.normal[side])
-    start = np.where(sticks, -np.inf, -np.maximum(place, INSIDE * sides.scale))
-    end = np.where(sticks, np.inf, np.maximum(sides.length[side] - place, INSIDE * sides.scale))
+    start = np.where(sticks, -np.inf, -np.maximum(position, INSIDE * sides.scale))
+    end = np.where(sticks, np.inf, np.maximum(sides.length[side] - position, INSIDE * sides.scale))
     contacts = Contacts(
         push=push, point=pushes.contact[push], normal=normal, start=start, end=end,
         path=pushes.path[push], radius=np.where(sticks, 0.0, pushes.radius[push]), sticks=sticks,
@@ -114,14 +114,14 @@ def contacts_of(pushes: Measured) -> Contacts:
 
 def _within_reach(contacts: Contacts, sides: Sides) -> Contacts:
     """Contacts whose sides end where the finger meets another side or corner."""
-    least, depth, corners = INSIDE * sides.scale, DEPTH * sides.scale, sides.start
+    inside, depth, corners = INSIDE * sides.scale, DEPTH * sides.scale, sides.start
     columns = [*contacts.point.T, *contacts.tangent.T, contacts.radius, depth, 0.0, len(corners), 0]
     outputs = [Output("low"), Output("high")]
-    low, high = mapped("free_stretches", corners.ravel(), columns, outputs)
+    low, high = map_kernel("free_stretches", corners.ravel(), columns, outputs)
     return replace(
         contacts,
-        start=np.maximum(contacts.start, np.minimum(low, -least)),
-        end=np.minimum(contacts.end, np.maximum(high, least)),
+        start=np.maximum(contacts.start, np.minimum(low, -inside)),
+        end=np.minimum(contacts.end, np.maximum(high, inside)),
     )
 
 
@@ -133,10 +133,10 @@ def final_poses(model: Model, pushes: Measured, friction: float) -> Array:
     """
     contacts = contacts_of(pushes)
     ends = model.ends(contacts, friction)
-    return chosen(contacts, ends)
+    return choose(contacts, ends)
 
 
-def chosen(contacts: Contacts, ends: Ends) -> Array:
+def choose(contacts: Contacts, ends: Ends) -> Array:
     """Motion of each push, from one of its contacts."""
     # Durations are compared up to rounding error.
     lasted = np.round(np.where(contacts.sticks, AT_ONCE, ends.lasted) / AT_ONCE)

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.mechanics.arrays import same
+from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports.polygon import Polygon
 from planar_pushing.objects.boundary import nearest, sides_of
@@ -72,7 +72,7 @@ class Measured:
 
     def part(self, rows: Any) -> Measured:
         """A selection of the pushes."""
-        kept = {each.name for each in fields(self)} - {"outline", "noise", "repeatability"}
+        kept = {entry.name for entry in fields(self)} - {"outline", "noise", "repeatability"}
         return replace(self, **{name: getattr(self, name)[rows] for name in kept})
 
     @property
@@ -152,8 +152,8 @@ class Measured:
     @property
     def at_corner(self) -> Mask:
         """Whether each push touches a convex corner first."""
-        apart = self.contact[:, None] - self.outline
-        return np.asarray(np.hypot(apart[..., 0], apart[..., 1]).min(axis=1) <= 1e-9 * self.size)
+        offset = self.contact[:, None] - self.outline
+        return np.asarray(np.hypot(offset[..., 0], offset[..., 1]).min(axis=1) <= 1e-9 * self.size)
 
 
 def twists_at(twists: Array, point: Array) -> Array:
@@ -168,7 +168,7 @@ def wrenches_about(wrenches: Array, point: Array) -> Array:
     return np.column_stack([f_x, f_y, torque - point[0] * f_y + point[1] * f_x])
 
 
-def measured(pushes: xr.Dataset) -> Measured:
+def measurements_of(pushes: xr.Dataset) -> Measured:
     """Arrays of the pushes in a checked dataset of one object.
 
     Raises
@@ -176,7 +176,7 @@ def measured(pushes: xr.Dataset) -> Measured:
     InvalidValue
         If the dataset has several objects.
     """
-    names = [str(each) for each in pushes["object"].values]
+    names = [str(label) for label in pushes["object"].values]
     if len(names) > 1:
         raise InvalidValue(
             "pushes", f"pushes of {', '.join(names)}", "pushes of one object",
@@ -188,7 +188,7 @@ def measured(pushes: xr.Dataset) -> Measured:
     size = float(np.ptp(corners, axis=0).max())
     usual = POSITION * size, ANGLE, FORCE * _median(np.hypot(*force.T)), REPEATABILITY
     position, angle, newton, friction = (
-        float(pushes.attrs.get(name, each)) for name, each in zip(NOISE, usual, strict=True)
+        float(pushes.attrs.get(name, default)) for name, default in zip(NOISE, usual, strict=True)
     )
     return Measured(
         outline=corners, contact=pushes["contact"].values, normal=pushes["normal"].values,
@@ -200,8 +200,8 @@ def measured(pushes: xr.Dataset) -> Measured:
 
 
 def _median(values: Array) -> float:
-    found = values[np.isfinite(values)]
-    return float(np.median(found)) if len(found) else 0.0
+    known = values[np.isfinite(values)]
+    return float(np.median(known)) if len(known) else 0.0
 
 
 def _paths(pushes: xr.Dataset, finger: Array) -> Array:
@@ -209,7 +209,7 @@ def _paths(pushes: xr.Dataset, finger: Array) -> Array:
     if "finger_path" not in pushes:
         return finger[:, None]
     return np.stack(
-        [_parts(each, end) for each, end in zip(pushes["finger_path"].values, finger, strict=True)]
+        [_parts(path, end) for path, end in zip(pushes["finger_path"].values, finger, strict=True)]
     )
 
 
@@ -222,5 +222,5 @@ def _parts(path: Array, end: Array) -> Array:
     marks = np.linspace(0.0, 1.0, PARTS + 1)
     if ways[-1] == 0.0:
         return np.tile(end / PARTS, (PARTS, 1))
-    x, y = (np.interp(marks * ways[-1], ways, each) for each in known.T)
+    x, y = (np.interp(marks * ways[-1], ways, column) for column in known.T)
     return np.diff(np.column_stack([x, y]), axis=0)

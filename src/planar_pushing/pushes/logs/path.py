@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.pushes.logs.given import numbers
+from planar_pushing.pushes.logs.arguments import numbers
 from planar_pushing.terms.errors import InvalidValue
 
 #: A touch this close to the end of a leg counts as at its end.
@@ -21,7 +21,7 @@ class Path(NamedTuple):
     times: Array | None
 
 
-def required_path(start: Any, end: Any, path: Any, times: Any, count: int) -> Path:
+def require_path(start: Any, end: Any, path: Any, times: Any, count: int) -> Path:
     """Return the paths of all pushes, shape (count, samples, 2), or raise `InvalidValue`."""
     ends, samples = (start is not None, end is not None), (path is not None, times is not None)
     if ends != (True, True) or any(samples):
@@ -31,18 +31,18 @@ def required_path(start: Any, end: Any, path: Any, times: Any, count: int) -> Pa
                 "finger_start and finger_end, or finger_path and path_time",
                 "give one of these pairs",
             )  # fmt: skip
-        return _sampled(path, times, count)
-    both = [numbers(*each) for each in (("finger_start", start), ("finger_end", end))]
-    for name, each in zip(("finger_start", "finger_end"), both, strict=True):
-        if each.shape != (count, 2):
+        return _sampled_path(path, times, count)
+    both = [numbers(*pair) for pair in (("finger_start", start), ("finger_end", end))]
+    for name, points in zip(("finger_start", "finger_end"), both, strict=True):
+        if points.shape != (count, 2):
             raise InvalidValue(
-                name, f"shape {each.shape}", f"shape ({count}, 2)", "give a row for each push"
+                name, f"shape {points.shape}", f"shape ({count}, 2)", "give a row for each push"
             )
-        _require_finite(name, each[:, None])
+        _require_finite(name, points[:, None])
     return Path(np.stack(both, axis=1), None)
 
 
-def _sampled(path: Any, times: Any, count: int) -> Path:
+def _sampled_path(path: Any, times: Any, count: int) -> Path:
     points, moments = numbers("finger_path", path), numbers("path_time", times)
     if points.ndim != 3 or points.shape[::2] != (count, 2) or points.shape[1] < 2:
         raise InvalidValue(
@@ -79,16 +79,16 @@ def _require_finite(name: str, points: Array) -> None:
         )  # fmt: skip
 
 
-def after_touch(path: Path, row: int, leg: int, way: float) -> Path:
+def after_touch(path: Path, row: int, leg: int, fraction: float) -> Path:
     """Displacements and times of one finger since the first touch, given as a fraction of a leg."""
     points = path.points[row]
     points = points[np.isfinite(points).all(axis=1)]
-    touch = points[leg] + way * (points[leg + 1] - points[leg])
-    rest = slice(leg + 2 if way > 1.0 - ROUNDING and leg + 2 < len(points) else leg + 1, None)
+    touch = points[leg] + fraction * (points[leg + 1] - points[leg])
+    rest = slice(leg + 2 if fraction > 1.0 - ROUNDING and leg + 2 < len(points) else leg + 1, None)
     moved = np.concatenate([np.zeros((1, 2)), points[rest] - touch])
     if path.times is None:
         return Path(moved, None)
     times = path.times[row]
-    moment = times[leg] + way * (times[leg + 1] - times[leg])
+    moment = times[leg] + fraction * (times[leg + 1] - times[leg])
     later = times[: len(points)][rest]
     return Path(moved, np.concatenate([[0.0], later - moment]))

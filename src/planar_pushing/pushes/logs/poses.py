@@ -8,20 +8,20 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.mechanics.outline import Corners, required_outline, size
+from planar_pushing.mechanics.outline import Corners, require_outline, size
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.pushes.logs.checks import JUMP, ON_OUTLINE, middle_displacement
-from planar_pushing.pushes.logs.given import (
+from planar_pushing.pushes.logs.arguments import (
     noise_attributes,
     not_negative,
     numbers,
     object_parts,
-    required_units,
+    require_units,
     rows_of,
 )
-from planar_pushing.pushes.logs.path import Path, required_path
-from planar_pushing.pushes.logs.schema import VARIABLES, XY, padded, required_pushes
-from planar_pushing.pushes.logs.touching import listed, touching
+from planar_pushing.pushes.logs.checks import JUMP, ON_OUTLINE, middle_displacement
+from planar_pushing.pushes.logs.path import Path, require_path
+from planar_pushing.pushes.logs.schema import VARIABLES, XY, pad, require_pushes
+from planar_pushing.pushes.logs.touching import push_numbers, touching
 from planar_pushing.terms.domain import RADIANS, TO_RADIANS, TURNS
 from planar_pushing.terms.errors import InvalidValue, number_of, require_flag
 
@@ -41,7 +41,7 @@ class Frames(NamedTuple):
 
     def places(self, points: Array) -> Array:
         """Positions in the world, shape (n, m, 2), converted to the object's frame before the push."""
-        return turned(points - self.origin[:, None], -self.angle[:, None])
+        return rotate(points - self.origin[:, None], -self.angle[:, None])
 
 
 def pushes_from_poses(
@@ -124,12 +124,12 @@ def pushes_from_poses(
         does not touch the object or begins deeper in it than the tolerance and is not omitted, or a pose
         jumps.
     """
-    corners, names = required_outline(outline), required_units(units)
+    corners, names = require_outline(outline), require_units(units)
     frames = _frames(
         rows_of("poses_before", poses_before, 3), rows_of("poses_after", poses_after, 3)
     )
     count = len(frames.angle)
-    world = required_path(finger_start, finger_end, finger_path, path_time, count)
+    world = require_path(finger_start, finger_end, finger_path, path_time, count)
     path = world._replace(points=frames.places(world.points))
     _require_one_unit(corners, path.points[:, 0])
     _refuse_jumps(corners, frames)
@@ -140,30 +140,30 @@ def pushes_from_poses(
     skip_missed = require_flag("skip_missed", skip_missed)
     rows, touch, after = touching(corners, path, radius, slack, skip_missed)
     forces = None if force is None else _forces(force, frames)
-    found: dict[str, Any] = {
+    arrays: dict[str, Any] = {
         "outline": np.array(corners)[None],
         **object_parts(feet, foot_weights, center_of_mass, mass),
         "contact": touch.contact[rows],
         "normal": touch.normal[rows],
-        "finger_displacement": np.array([each.points[-1] for each in after]),
+        "finger_displacement": np.array([path.points[-1] for path in after]),
         **({} if path.times is None else _path(after)),
         "finger_radius": np.full(len(rows), radius),
         "displacement": frames.displacement[rows],
         "rotation": np.rad2deg(frames.rotation[rows]),
         **({} if forces is None else {"force": forces[rows]}),
     }
-    given: dict[str, Any] = {}
-    for key, each in found.items():
+    variables: dict[str, Any] = {}
+    for key, array in arrays.items():
         unit = names.get(VARIABLES[key].quantity)
-        given[key] = VARIABLES[key].dims, each, {} if unit is None else {"units": unit}
+        variables[key] = VARIABLES[key].dims, array, {} if unit is None else {"units": unit}
     pushed = {"pushed": ("push", np.full(len(rows), name, dtype=object))}
     attributes = {"source": source, **noise_attributes(noise)} | (
         {"left_out": count - len(rows)} if skip_missed else {}
     )
-    return required_pushes(xr.Dataset(pushed | given, {"object": [name], "xy": XY}, attributes))
+    return require_pushes(xr.Dataset(pushed | variables, {"object": [name], "xy": XY}, attributes))
 
 
-def turned(vectors: Array, angle: Array) -> Array:
+def rotate(vectors: Array, angle: Array) -> Array:
     """Vectors of shape S + (2,) rotated by angles of shape S in radians."""
     c, s = np.cos(angle), np.sin(angle)
     x, y = vectors[..., 0], vectors[..., 1]
@@ -180,7 +180,7 @@ def _frames(before: Array, after: Array) -> Frames:
         )  # fmt: skip
     _refuse_degrees(before[:, 2], after[:, 2])
     rotation = (after[:, 2] - before[:, 2] + np.pi) % (2.0 * np.pi) - np.pi
-    moved = turned(after[:, :2] - before[:, :2], -before[:, 2])
+    moved = rotate(after[:, :2] - before[:, :2], -before[:, 2])
     return Frames(before[:, :2], before[:, 2], moved, rotation)
 
 
@@ -192,8 +192,8 @@ def _refuse_degrees(before: Array, after: Array) -> None:
     for name, angles in (("poses_before", before), ("poses_after", after)):
         beyond = np.flatnonzero(np.abs(angles) > TURNS)
         if len(beyond):
-            given = f"the angle {angles[beyond[0]]:.6g}, in pushes {listed(beyond)}"
-            raise InvalidValue(name, given, f"angles in {RADIANS}", TO_RADIANS)
+            beyond_turns = f"the angle {angles[beyond[0]]:.6g}, in pushes {push_numbers(beyond)}"
+            raise InvalidValue(name, beyond_turns, f"angles in {RADIANS}", TO_RADIANS)
     every, turn = np.concatenate([before, after]), after - before
     low, high = every.min(), every.max()
     half = np.pi + ROUNDING
@@ -201,7 +201,7 @@ def _refuse_degrees(before: Array, after: Array) -> None:
     far = np.flatnonzero(np.abs(turn) > half)
     if len(far) and not (signed or positive):
         raise InvalidValue(
-            "poses_after", f"a rotation by {turn[far[0]]:.6g} radians, in pushes {listed(far)}",
+            "poses_after", f"a rotation by {turn[far[0]]:.6g} radians, in pushes {push_numbers(far)}",
             "pushes that rotate the object by less than pi", f"give radians: {TO_RADIANS}",
         )  # fmt: skip
 
@@ -225,25 +225,26 @@ def _refuse_jumps(corners: Corners, frames: Frames) -> None:
     jumps = np.flatnonzero(moved > JUMP * size(places))
     if len(jumps):
         raise InvalidValue(
-            "poses_after", f"an object that moves by {moved[jumps[0]]:.4g}, in pushes {listed(jumps)}",
+            "poses_after",
+            f"an object that moves by {moved[jumps[0]]:.4g}, in pushes {push_numbers(jumps)}",
             f"at most {JUMP:g} times its size {size(places):.4g}", "the pose jumps: leave the push out",
         )  # fmt: skip
 
 
-def _forces(given: Any, frames: Frames) -> Array:
+def _forces(value: Any, frames: Frames) -> Array:
     """Forces along the object's axes halfway through its rotation."""
-    found = numbers("force", given)
-    if found.shape != (len(frames.angle), 2):
+    world = numbers("force", value)
+    if world.shape != (len(frames.angle), 2):
         allowed = f"shape ({len(frames.angle)}, 2)"
         raise InvalidValue(
-            "force", f"shape {found.shape}", allowed, "give NaN where it was not measured"
+            "force", f"shape {world.shape}", allowed, "give NaN where it was not measured"
         )
-    return turned(found, -(frames.angle + frames.rotation / 2.0))
+    return rotate(world, -(frames.angle + frames.rotation / 2.0))
 
 
 def _path(after: list[Path]) -> dict[str, Array]:
     """Paths of the finger over time, padded to equal length."""
     return {
-        "finger_path": padded([each.points for each in after]),
-        "path_time": padded([np.asarray(each.times) for each in after]),
+        "finger_path": pad([path.points for path in after]),
+        "path_time": pad([np.asarray(path.times) for path in after]),
     }

@@ -1,4 +1,4 @@
-"""The dataset of pushes: its variables, and `required_pushes`, which checks a dataset."""
+"""The dataset of pushes: its variables, and `require_pushes`, which checks a dataset."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.outline import required_outline
+from planar_pushing.mechanics.outline import require_outline
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.logs import checks
 from planar_pushing.terms.errors import InvalidValue
@@ -69,12 +69,12 @@ VARIABLES: dict[str, Variable] = {
 }  # fmt: skip
 
 
-def required_pushes(given: Any) -> xr.Dataset:
+def require_pushes(dataset: Any) -> xr.Dataset:
     """Return a canonical copy of a dataset of pushes, or raise a one-line error.
 
     Parameters
     ----------
-    given : xarray.Dataset
+    dataset : xarray.Dataset
         Dataset with the variables of the schema; all vectors of a push are in the object's frame before
         the push.
 
@@ -90,38 +90,38 @@ def required_pushes(given: Any) -> xr.Dataset:
         If a variable is missing or has other dimensions, a value is missing, or the pushes are impossible
         for their objects; see `planar_pushing.pushes.logs.checks`.
     """
-    if not isinstance(given, xr.Dataset):
+    if not isinstance(dataset, xr.Dataset):
         raise InvalidValue(
-            "pushes", type(given).__name__, "a dataset of pushes",
+            "pushes", type(dataset).__name__, "a dataset of pushes",
             "read one with load_pushes, or make one with pushes_from_poses",
         )  # fmt: skip
-    _require_variables(given)
-    units = _units(given)
-    names = _object_names(given)
+    _require_variables(dataset)
+    units = _units(dataset)
+    names = _object_names(dataset)
     coords = {"object": ("object", names, {"long_name": "name of the object"}), "xy": ("xy", XY)}
-    found: dict[str, Any] = {
+    variables: dict[str, Any] = {
         "pushed": (
             "push",
-            _pushed(given, names),
+            _object_of_push(dataset, names),
             {"long_name": "name of the object that is pushed"},
         )
     }
     for name, variable in VARIABLES.items():
-        if name in given:
+        if name in dataset:
             attributes = {"units": units[variable.quantity], "long_name": variable.long_name}
-            found[name] = variable.dims, _numbers(given, name), attributes
-    found["outline"] = (
+            variables[name] = variable.dims, _numbers(dataset, name), attributes
+    variables["outline"] = (
         VARIABLES["outline"].dims,
-        _outlines(found["outline"][1], names),
-        found["outline"][2],
+        _outlines(variables["outline"][1], names),
+        variables["outline"][2],
     )
     others = {
-        str(name): given[name].load()
-        for name in given.data_vars
-        if name not in found and {"push", "object"} & set(given[name].dims)
+        str(name): dataset[name].load()
+        for name in dataset.data_vars
+        if name not in variables and {"push", "object"} & set(dataset[name].dims)
     }
-    kept = {key: given.attrs[key] for key in ATTRIBUTES if key in given.attrs}
-    pushes = xr.Dataset(found | others, coords, {"source": ""} | kept)
+    kept = {key: dataset.attrs[key] for key in ATTRIBUTES if key in dataset.attrs}
+    pushes = xr.Dataset(variables | others, coords, {"source": ""} | kept)
     checks.require_consistent(pushes)
     return pushes
 
@@ -137,22 +137,22 @@ def without_padding(places: Array) -> Array:
     return places[: len(places) - int(empty[::-1].cumprod().sum())]
 
 
-def padded(arrays: list[Array]) -> Array:
+def pad(arrays: list[Array]) -> Array:
     """Arrays of different lengths as one array, with NaN after the shorter ones."""
     longest = max(map(len, arrays), default=0)
-    found = np.full((len(arrays), longest, *np.shape(arrays[0])[1:]), np.nan)
-    for row, each in zip(found, arrays, strict=True):
-        row[: len(each)] = each
-    return found
+    array = np.full((len(arrays), longest, *np.shape(arrays[0])[1:]), np.nan)
+    for row, part in zip(array, arrays, strict=True):
+        row[: len(part)] = part
+    return array
 
 
-def _require_variables(given: xr.Dataset) -> None:
+def _require_variables(dataset: xr.Dataset) -> None:
     """Refuse a dataset with missing variables or wrong dimensions."""
-    missing = [each for each in ("pushed", *VARIABLES) if each not in given]
-    missing = [each for each in missing if each == "pushed" or VARIABLES[each].required]
-    if "finger_path" in given and "path_time" not in given:
+    missing = [name for name in ("pushed", *VARIABLES) if name not in dataset]
+    missing = [name for name in missing if name == "pushed" or VARIABLES[name].required]
+    if "finger_path" in dataset and "path_time" not in dataset:
         missing.append("path_time")
-    if missing and {"time", "rod_angle", "twist"} <= set(given.variables):
+    if missing and {"time", "rod_angle", "twist"} <= set(dataset.variables):
         raise InvalidValue(
             "pushes", "a log of simulate, the motion in one push over time", "one entry for each push",
             "make them with simulate_pushes, pushes_from_poses or planar-pushing convert",
@@ -162,86 +162,86 @@ def _require_variables(given: xr.Dataset) -> None:
             "pushes", f"a dataset without {', '.join(missing)}", "one with every required variable",
             "make it with pushes_from_poses, or add the variable",
         )  # fmt: skip
-    dims = {"pushed": ("push",)} | {name: each.dims for name, each in VARIABLES.items()}
-    for name in dims.keys() & given.variables.keys():
-        if set(given[name].dims) != set(dims[name]):
-            shape = f"dimensions {tuple(map(str, given[name].dims))}"
+    dims = {"pushed": ("push",)} | {name: variable.dims for name, variable in VARIABLES.items()}
+    for name in dims.keys() & dataset.variables.keys():
+        if set(dataset[name].dims) != set(dims[name]):
+            shape = f"dimensions {tuple(map(str, dataset[name].dims))}"
             raise InvalidValue(name, shape, f"dimensions {dims[name]}", "rename the dimensions")
-    if given.sizes["xy"] != 2 or ("xy" in given.coords and list(given["xy"].values) != XY):
+    if dataset.sizes["xy"] != 2 or ("xy" in dataset.coords and list(dataset["xy"].values) != XY):
         raise InvalidValue(
-            "xy", given["xy"].values.tolist(), "x, y", "give both components of vectors"
+            "xy", dataset["xy"].values.tolist(), "x, y", "give both components of vectors"
         )
-    if not given.sizes["push"]:
+    if not dataset.sizes["push"]:
         raise InvalidValue("pushes", "no push", "at least one push", "add the measured pushes")
 
 
-def _units(given: xr.Dataset) -> dict[str, str]:
+def _units(dataset: xr.Dataset) -> dict[str, str]:
     """Unit of each quantity, which must be the same for all its variables."""
-    found: dict[str, tuple[str, str]] = {}
+    units: dict[str, tuple[str, str]] = {}
     for name, variable in VARIABLES.items():
-        unit = given[name].attrs.get("units") if name in given else None
+        unit = dataset[name].attrs.get("units") if name in dataset else None
         if unit is None:
             continue
-        first, known = found.setdefault(variable.quantity, (name, str(unit)))
+        first, known = units.setdefault(variable.quantity, (name, str(unit)))
         if str(unit) != known:
             raise InvalidValue(
                 "units", f"{name} in {unit}, {first} in {known}", f"one unit of {variable.quantity}",
                 "convert one of them",
             )  # fmt: skip
-    if "length" not in found:
+    if "length" not in units:
         raise InvalidValue(
             "units", None, "a name such as mm", "set the attribute units of the variable outline"
         )
-    if found.get("degree", ("", "degree"))[1] not in ("degree", "degrees", "deg"):
+    if units.get("degree", ("", "degree"))[1] not in ("degree", "degrees", "deg"):
         raise InvalidValue(
-            "units", f"rotation in {found['degree'][1]}", "degree", "convert the angles"
+            "units", f"rotation in {units['degree'][1]}", "degree", "convert the angles"
         )
-    return UNITS | {key: unit for key, (_, unit) in found.items()} | {"degree": "degree"}
+    return UNITS | {key: unit for key, (_, unit) in units.items()} | {"degree": "degree"}
 
 
-def _object_names(given: xr.Dataset) -> list[str]:
+def _object_names(dataset: xr.Dataset) -> list[str]:
     """Names of the objects, which must all be different."""
-    names = [str(each) for each in given["object"].values] if "object" in given.coords else []
+    names = [str(label) for label in dataset["object"].values] if "object" in dataset.coords else []
     if not names or len(set(names)) < len(names) or not all(names):
         raise InvalidValue("object", names, "a name for each object", "set the coordinate object")
     return names
 
 
-def _pushed(given: xr.Dataset, names: list[str]) -> Array:
+def _object_of_push(dataset: xr.Dataset, names: list[str]) -> Array:
     """Name of the object of each push."""
-    pushed = [str(each) for each in given["pushed"].values]
+    pushed = [str(label) for label in dataset["pushed"].values]
     unknown = sorted(set(pushed) - set(names))
     if unknown:
         raise InvalidValue("pushed", unknown[0], ", ".join(names), "name an object of the dataset")
     return np.array(pushed, dtype=object)
 
 
-def _numbers(given: xr.Dataset, name: str) -> Array:
+def _numbers(dataset: xr.Dataset, name: str) -> Array:
     """Values of a variable in double precision, in the order of its dimensions."""
     variable = VARIABLES[name]
-    values = as_array(given[name].transpose(*variable.dims).values)
+    values = as_array(dataset[name].transpose(*variable.dims).values)
     if values is None:
-        raise InvalidValue(name, str(given[name].dtype), "numbers", "give floats")
+        raise InvalidValue(name, str(dataset[name].dtype), "numbers", "give floats")
     bad = np.asarray(~np.isfinite(values) if variable.complete else np.isinf(values))
     if bad.any():
-        place = f"{variable.dims[0]} {int(np.nonzero(bad)[0][0])}"
+        where = f"{variable.dims[0]} {int(np.nonzero(bad)[0][0])}"
         raise InvalidValue(
             name,
-            f"{values[np.nonzero(bad)][0]} of {place}",
+            f"{values[np.nonzero(bad)][0]} of {where}",
             "finite numbers",
             "leave out pushes that were not measured",
         )
     return values + 0.0
 
 
-def _outlines(given: Array, names: list[str]) -> Array:
+def _outlines(outlines: Array, names: list[str]) -> Array:
     """Return counterclockwise outlines, or raise the error for the first invalid outline."""
-    found = []
-    for name, corners in zip(names, given, strict=True):
+    rings = []
+    for name, corners in zip(names, outlines, strict=True):
         try:
-            found.append(np.array(required_outline(without_padding(corners))))
+            rings.append(np.array(require_outline(without_padding(corners))))
         except InvalidValue as error:
             raise InvalidValue(
                 f"outline of {name}", error.given, error.allowed, error.remedy
             ) from None
-    return padded(found)
+    return pad(rings)

@@ -30,7 +30,7 @@ def touching(
     if len(deep) and (not skip_missed or inside.all()):
         raise InvalidValue(
             "finger_start",
-            f"a finger that begins {depth[deep[0]]:.4g} deep in the object, in pushes {listed(deep)}",
+            f"a finger that begins {depth[deep[0]]:.4g} deep in the object, in pushes {push_numbers(deep)}",
             f"an overlap of at most {tolerance:.4g}",
             "check poses, frame, radius and units, or raise the tolerance",
         )  # fmt: skip
@@ -39,12 +39,12 @@ def touching(
     forward = [
         one.points[-1] @ touch.normal[row] > 0.0 for row, one in zip(rows, after, strict=True)
     ]
-    pushing = [k for k, each in enumerate(forward) if each]
+    pushing = [k for k, ahead in enumerate(forward) if ahead]
     missed = np.setdiff1d(np.arange(len(leg)), rows[pushing])
     if len(missed) and (not skip_missed or len(missed) == len(leg)):
         raise InvalidValue(
-            "pushes", f"{len(missed)} of {len(leg)} that do not touch the object: {listed(missed)}",
-            "pushes that touch it", "leave them out, or set skip_missed=True where some touch",
+            "pushes", f"{len(missed)} of {len(leg)} that do not touch the object: {push_numbers(missed)}",
+            "pushes that touch it", "leave them out, or set skip_missed where some touch",
         )  # fmt: skip
     return rows[pushing], touch, [after[k] for k in pushing]
 
@@ -71,7 +71,7 @@ def _first(
     ), leg  # fmt: skip
 
 
-def listed(rows: npt.NDArray[np.intp]) -> str:
+def push_numbers(rows: npt.NDArray[np.intp]) -> str:
     """List of push numbers for a message, counted from 0."""
-    shown = ", ".join(str(int(row)) for row in rows[:LISTED])
-    return shown + (f" and {len(rows) - LISTED} more" if len(rows) > LISTED else "")
+    first = ", ".join(str(int(row)) for row in rows[:LISTED])
+    return first + (f" and {len(rows) - LISTED} more" if len(rows) > LISTED else "")

@@ -103,36 +103,38 @@ def _read(file: Path) -> xr.Dataset:
 def _shape(file: Path) -> str:
     """Return the name of the shape in a file's name, or raise `InvalidFile`."""
     words: list[str] = re.findall(r"[a-z]+\d*", file.stem.lower())
-    found = [each for each in words if each in OUTLINES]
-    if len(found) != 1:
+    shapes = [word for word in words if word in OUTLINES]
+    if len(shapes) != 1:
         remedy = suggestion(words[-1] if words else "", OUTLINES, "rename the file by its shape")
         allowed = ", ".join(OUTLINES)
         raise InvalidFile(
             f"{file}: a name without a known shape; allowed: one of {allowed}; {remedy}"
         )
-    return found[0]
+    return shapes[0]
 
 
 def _fields(file: Path) -> dict[str, Array]:
     """Values of each field over the pushes of a file, shape (n, 3) or (n, 2), or raise `InvalidFile`."""
     records = _records(file)
     return {
-        name: np.array([_field(file, k, each, name, width) for k, each in enumerate(records, 1)])
+        name: np.array(
+            [_field(file, k, record, name, width) for k, record in enumerate(records, 1)]
+        )
         for name, width in FIELDS.items()
     }
 
 
 def _field(file: Path, number: int, record: Any, name: str, width: int) -> Array:
     try:
-        found = np.asarray(getattr(record, name, np.nan), dtype=float)
+        values = np.asarray(getattr(record, name, np.nan), dtype=float)
     except (TypeError, ValueError):
-        found = np.full(1, np.nan)
+        values = np.full(1, np.nan)
     if not hasattr(record, name):
         fault = f"has no field {name}; allowed: {', '.join(FIELDS)}"
-    elif found.shape != (width,) or not np.isfinite(found).all():
+    elif values.shape != (width,) or not np.isfinite(values).all():
         fault = f"holds no {width} finite numbers in {name}"
     else:
-        return found
+        return values
     raise InvalidFile(f"{file}: push {number} {fault}; export the file again")
 
 
@@ -142,15 +144,15 @@ def _records(file: Path) -> list[Any]:
         raise InvalidFile(f"{file}: no such file; name a MATLAB file")
     try:
         # Damaged files make scipy raise many kinds of errors.
-        found = scipy.io.loadmat(
+        content = scipy.io.loadmat(
             file, squeeze_me=True, struct_as_record=False, variable_names=[RECORDS]
         )
     except Exception:
         raise InvalidFile(
             f"{file}: is not a MATLAB file of version 5; save it with -v6 or -v7"
         ) from None
-    if RECORDS not in found:
+    if RECORDS not in content:
         raise InvalidFile(
             f"{file}: has no variable {RECORDS}; allowed: the pushes in {RECORDS}; export them"
         )
-    return list(np.atleast_1d(found[RECORDS]))
+    return list(np.atleast_1d(content[RECORDS]))

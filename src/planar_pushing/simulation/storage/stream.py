@@ -13,9 +13,9 @@ import h5netcdf
 import h5py
 
 from planar_pushing.simulation import log
-from planar_pushing.simulation.disk import Disk, new_file, undisturbed
 from planar_pushing.simulation.fields import arrays, logged_fields
 from planar_pushing.simulation.problem import Problem
+from planar_pushing.simulation.storage.disk import Disk, block_interrupts, new_file
 from planar_pushing.terms.locks import PathLike
 from planar_pushing.terms.numbers import Array
 
@@ -33,7 +33,7 @@ class Stream:
     def append(self, rows: Array) -> None:
         """Write rows, in the units of the scene, to the end of the log."""
         start, self.length = self.length, self.length + len(rows)
-        with undisturbed():
+        with block_interrupts():
             self.file.resize_dimension("time", self.length)
             for name, value in arrays(rows, self.problem, self.fields).items():
                 stored = value.view("i1") if value.dtype == bool else value
@@ -45,7 +45,7 @@ class Stream:
 
     def end(self, stopped: str, time: float) -> None:
         """Store that the run has ended, the time, and the reason for an early end."""
-        with undisturbed():
+        with block_interrupts():
             self.file.attrs.update(log.attributes_at_end(stopped, time))
 
 
@@ -59,7 +59,7 @@ def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]
         If the file cannot be written.
     """
     with ExitStack() as files:
-        with undisturbed():
+        with block_interrupts():
             disk = files.enter_context(new_file(path))
             # netCDF readers require the creation order.
             hdf = files.enter_context(h5py.File(disk, "w", track_order=True))
@@ -68,7 +68,7 @@ def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]
         try:
             yield Stream(file, hdf, disk, problem)
         finally:
-            with undisturbed():
+            with block_interrupts():
                 files.close()
 
 

@@ -15,9 +15,9 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.pushes.formats.lines import Lines
 from planar_pushing.pushes.logs.combine import concat_pushes, require_file_names
-from planar_pushing.pushes.logs.lines import Lines
-from planar_pushing.pushes.logs.poses import pushes_from_poses, turned
+from planar_pushing.pushes.logs.poses import pushes_from_poses, rotate
 from planar_pushing.terms.errors import InvalidFile, InvalidValue, number_of
 from planar_pushing.terms.replacing import PathLike
 
@@ -90,13 +90,13 @@ def _read(file: Path) -> xr.Dataset:
 def _pushes(records: list[Record], feet: Array | None, name: str) -> xr.Dataset:
     """Dataset of the pushes of a log."""
     before, after = (
-        np.array([getattr(each, key) for each in records]) for key in ("before", "after")
+        np.array([getattr(record, key) for record in records]) for key in ("before", "after")
     )
-    tools = [each.tools[[0, -1], 1:] for each in records]
+    tools = [record.tools[[0, -1], 1:] for record in records]
     return pushes_from_poses(
         outline=OUTLINE, poses_before=planar(before), poses_after=planar(after),
-        finger_start=[each[0, :2] for each in tools], finger_end=[each[1, :2] for each in tools],
-        force=[mean_force(each) for each in records], feet=feet,
+        finger_start=[tool[0, :2] for tool in tools], finger_end=[tool[1, :2] for tool in tools],
+        force=[mean_force(record) for record in records], feet=feet,
         foot_weights=None if feet is None else loads(feet), center_of_mass=CENTER_OF_MASS, mass=MASS,
         units=("mm", "N"), name=name, source=SOURCE, noise=NOISE, skip_missed=True,
     )  # fmt: skip
@@ -104,12 +104,12 @@ def _pushes(records: list[Record], feet: Array | None, name: str) -> xr.Dataset:
 
 def _feet(file: Path) -> Array | None:
     """Positions of the feet from a file name, shape (3, 2); None for a patch."""
-    found = NUMBERS.search(file.stem)
-    if found is None and "patch" not in file.stem.lower():
+    match = NUMBERS.search(file.stem)
+    if match is None and "patch" not in file.stem.lower():
         raise InvalidFile(f"{file}: a name without feet; allowed: {ALLOWED}; rename the file")
-    if found is None:
+    if match is None:
         return None
-    feet = np.array(found[1].split("_"), dtype=float).reshape(2, 3).T
+    feet = np.array(match[1].split("_"), dtype=float).reshape(2, 3).T
     if not _stand(feet):
         center = f"({CENTER_OF_MASS[0]:g}, {CENTER_OF_MASS[1]:g})"
         raise InvalidFile(
@@ -160,13 +160,13 @@ def mean_force(record: Record) -> Array:
         return np.full(2, np.nan)
     strength = np.hypot(*forces.T)
     kept &= strength >= strength[kept].mean()
-    before, after = (yaw(each[3:]) for each in (record.before, record.after))
+    before, after = (yaw(pose[3:]) for pose in (record.before, record.after))
     turn = np.remainder(after - before + np.pi, 2.0 * np.pi) - np.pi
     times = record.forces[:, 0] - record.forces[0, 0]
     passed = times / times[-1] if times[-1] > 0.0 else np.full(len(times), 0.5)
     # The tool does not rotate; halfway through, the object has made half its rotation.
-    measured = turned(-(forces[kept] @ SENSOR.T), turn * (0.5 - passed[kept])).mean(axis=0)
-    return turned(measured, yaw(record.tools[0, 4:]))
+    measured = rotate(-(forces[kept] @ SENSOR.T), turn * (0.5 - passed[kept])).mean(axis=0)
+    return rotate(measured, yaw(record.tools[0, 4:]))
 
 
 def read_records(file: Path) -> list[Record]:
@@ -175,19 +175,19 @@ def read_records(file: Path) -> list[Record]:
     if len(lines.next_numbers()) == 1:
         lines.back()
         count = lines.count("the number of pushes")
-        found = [_record(lines.of_push(k + 1, count)) for k in range(count)]
+        records = [_record(lines.of_push(k + 1, count)) for k in range(count)]
         if lines.left:
             raise lines.wrong(
                 f"is followed by more lines, but the first line announces {number_of(count, 'push')}"
             )
     else:
         lines.back()
-        found = []
+        records = []
         while lines.left:
-            found.append(_record(lines.of_push(len(found) + 1)))
-    if not found:
+            records.append(_record(lines.of_push(len(records) + 1)))
+    if not records:
         raise InvalidFile(f"{file}: holds no push; allowed: at least one; name another file")
-    return found
+    return records
 
 
 def _record(lines: Lines) -> Record:

@@ -50,37 +50,37 @@ class Lines:
             )
         self._next += 1
         try:
-            found = [float(each) for each in self._lines[self._next - 1][1].split()]
+            row = [float(word) for word in self._lines[self._next - 1][1].split()]
         except ValueError:
             raise self.wrong(f"holds no numbers, where {kind} is expected") from None
-        if not np.isfinite(found).all():
+        if not np.isfinite(row).all():
             raise self.wrong(f"holds a number that is not finite in {kind}")
-        return found
+        return row
 
-    def count(self, kind: str, least: int = 0) -> int:
+    def count(self, kind: str, minimum: int = 0) -> int:
         """Read a whole number from a separate line."""
-        found = self.next_numbers(kind)
-        if len(found) != 1:
-            count = number_of(len(found), "number")
+        row = self.next_numbers(kind)
+        if len(row) != 1:
+            count = number_of(len(row), "number")
             raise self.wrong(f"holds {count}, where {kind} is expected: the counts do not match")
-        if found[0] != int(found[0]) or found[0] < least:
-            raise self.wrong(f"holds {found[0]:g}, where {kind} is expected, at least {least}")
-        return int(found[0])
+        if row[0] != int(row[0]) or row[0] < minimum:
+            raise self.wrong(f"holds {row[0]:g}, where {kind} is expected, at least {minimum}")
+        return int(row[0])
 
     def rows(self, count: int, width: int, kind: str) -> Array:
         """Read the next lines as an array of shape (count, width)."""
         return np.array([self._row(width, kind) for _ in range(count)]).reshape(count, width)
 
     def _row(self, width: int, kind: str) -> list[float]:
-        found = self.next_numbers(kind)
-        if len(found) == width:
-            return found
+        row = self.next_numbers(kind)
+        if len(row) == width:
+            return row
         if not self.left:
             raise self.wrong(
-                f"ends after {len(found)} of the {width} numbers of {kind}: it is cut short"
+                f"ends after {len(row)} of the {width} numbers of {kind}: it is cut short"
             )
         raise self.wrong(
-            f"holds {number_of(len(found), 'number')}, where {kind} has {width}: the counts do not match"
+            f"holds {number_of(len(row), 'number')}, where {kind} has {width}: the counts do not match"
         )
 
     def wrong(self, fault: str) -> InvalidFile:

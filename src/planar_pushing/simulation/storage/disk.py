@@ -25,7 +25,7 @@ class Disk(io.FileIO):
     """An empty unbuffered file that stores its first write error, and from then on all data in memory."""
 
     def __init__(self, path: PathLike) -> None:
-        super().__init__(path, "w+", opener=_opened)
+        super().__init__(path, "w+", opener=_open)
         self.failure: OSError | None = None
         #: Places and data of the writes since the failure.
         self.unwritten: list[tuple[int, bytes]] = []
@@ -45,14 +45,14 @@ class Disk(io.FileIO):
 
     def readinto(self, buffer: Any) -> int:
         """Read what was written, whether it is on the disk or not; bytes beyond the end are zero."""
-        place, view = self.tell(), memoryview(buffer).cast("B")
+        position, view = self.tell(), memoryview(buffer).cast("B")
         count = super().readinto(view) or 0
         view[count:] = bytes(len(view) - count)
         for start, data in self.unwritten:
-            low, high = max(start, place), min(start + len(data), place + len(view))
+            low, high = max(start, position), min(start + len(data), position + len(view))
             if low < high:
-                view[low - place : high - place] = data[low - start : high - start]
-        self.seek(place + len(view))
+                view[low - position : high - position] = data[low - start : high - start]
+        self.seek(position + len(view))
         return len(view)
 
     def truncate(self, size: int | None = None) -> int:
@@ -97,7 +97,7 @@ def new_file(path: PathLike) -> Iterator[Disk]:
             raise unwritable(path, disk.failure) from None
 
 
-def _opened(path: str, flags: int) -> int:
+def _open(path: str, flags: int) -> int:
     """Open a file, unless it has been replaced by a link since the links were resolved."""
     return os.open(path, flags | os.O_NOFOLLOW, 0o666)
 
@@ -126,23 +126,23 @@ PAUSE = Pause()
 
 
 @contextmanager
-def undisturbed() -> Iterator[None]:
+def block_interrupts() -> Iterator[None]:
     """Defer Ctrl-C and the collection of garbage until after the block.
 
     HDF5 crashes if the Python file that it writes raises, and if objects of HDF5 are destroyed while that
     file is called, which the collection of garbage can do at any time.
     """
-    with PAUSE, _uninterrupted():
+    with PAUSE, _hold_interrupts():
         yield
 
 
 @contextmanager
-def _uninterrupted() -> Iterator[None]:
+def _hold_interrupts() -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread():  # only it receives signals
         yield
         return
     held: list[Any] = []
-    before = signal.signal(signal.SIGINT, lambda *given: held.append(given))
+    before = signal.signal(signal.SIGINT, lambda *arguments: held.append(arguments))
     try:
         yield
     finally:

@@ -1,0 +1,1 @@
+"""Writing a log during a run, and what is left of it if the run is interrupted."""
