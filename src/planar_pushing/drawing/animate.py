@@ -19,20 +19,29 @@ from tqdm import tqdm
 
 from planar_pushing.drawing.body import body_in, name_centers
 from planar_pushing.drawing.canvas.axes import schematic, to_axes
-from planar_pushing.drawing.canvas.colors import GUIDE, MODES
-from planar_pushing.drawing.canvas.marks import NOTE, Picture, Sheet
+from planar_pushing.drawing.canvas.colors import DARK, MODES, PUSHER
+from planar_pushing.drawing.canvas.marks import Picture, Sheet
 from planar_pushing.drawing.canvas.style import paper_style
-from planar_pushing.drawing.motion import add_instant, add_paths, box, pose
-from planar_pushing.drawing.scene import add_center_mark
-from planar_pushing.drawing.timeline import announce_end, plotted, touching
+from planar_pushing.drawing.motion import box, frame_picture, pose
+from planar_pushing.drawing.timeline import (
+    announce_end,
+    contact_corner,
+    is_pivot,
+    path_data,
+    pusher_action,
+)
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.errors import InvalidValue, require_number, require_path
 from planar_pushing.terms.replacing import PathLike, replacing
 
 #: Size of a picture in inches, its pixels per inch, and the padding around the drawing in points.
-SIZE, DPI, PAD = (4.2, 3.2), 120, 16.0
+SIZE, DPI, PAD = (4.8, 3.6), 120, 10.0
+#: Height of the words above the drawing, inches, and their sizes, points.
+WORDS, ACTION, STATUS = 0.5, 12.0, 9.5
 #: Number of colors in the animation: enough for smooth edges, few enough for a small file.
 COLORS = 64
+#: A color with larger values of red, green and blue becomes white.
+NEAR_WHITE = 246
 FRAMES = "a whole number from 2 to 1000"
 
 
@@ -90,21 +99,21 @@ def animate(
         "frames_per_second", frames_per_second, lambda x: 0 < x <= 50, "a number in (0, 50]",
         "slow it down",
     )  # fmt: skip
-    data = plotted(log)
+    data = path_data(log)
     announce_end(log)
-    found = Animation(_gif(resampled(data, frames), frames_per_second), frames)
+    animation = Animation(_gif(resample(data, frames), frames_per_second), frames)
     if path is not None:
         with replacing(path) as temporary:
-            temporary.write_bytes(found.gif)
-    return found
+            temporary.write_bytes(animation.gif)
+    return animation
 
 
 def _gif(motion: xr.Dataset, rate: float) -> bytes:
     count = motion.sizes["time"]
     with paper_style():
         pictures = list(tqdm(_pictures(motion), "drawing", count, disable=None, leave=False))
-    palette = pictures[len(pictures) // 2].quantize(COLORS, dither=Image.Dither.NONE)
-    flat = [each.quantize(palette=palette, dither=Image.Dither.NONE) for each in pictures]
+    palette = _palette(pictures[len(pictures) // 2])
+    flat = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
     duration = max(2, math.floor(100 / rate + 0.5)) * 10
     file = io.BytesIO()
     flat[0].save(
@@ -114,66 +123,76 @@ def _gif(motion: xr.Dataset, rate: float) -> bytes:
     return file.getvalue()
 
 
-def resampled(data: xr.Dataset, count: int) -> xr.Dataset:
+def _palette(picture: Image.Image) -> Image.Image:
+    """Colors of a picture, with white for those that are close to it: the background stays white."""
+    reduced = picture.quantize(COLORS, dither=Image.Dither.NONE)
+    colors = np.reshape(reduced.getpalette() or [], (-1, 3))
+    colors[colors.min(axis=1) > NEAR_WHITE] = 255
+    reduced.putpalette(colors.ravel().tolist())
+    return reduced
+
+
+def resample(data: xr.Dataset, count: int) -> xr.Dataset:
     """Motion at evenly spaced times: positions interpolated, discontinuous values from the row before."""
     time = data["time"].values
-    wanted = np.linspace(time[0], time[-1], count)
-    before = np.clip(np.searchsorted(time, wanted, side="right") - 1, 0, len(time) - 1)
-    found = data.isel(time=before).assign_coords(time=wanted)
+    times = np.linspace(time[0], time[-1], count)
+    before = np.clip(np.searchsorted(time, times, side="right") - 1, 0, len(time) - 1)
+    motion = data.isel(time=before).assign_coords(time=times)
     if "path_flush" in data:
-        found["path_contact_position"] = ("time", _places_of_force(data, wanted, before))
+        motion["path_contact_position"] = ("time", _force_positions(data, times, before))
     names = ("path_position", "path_pusher", "path_rod_angle", "path_gap", "path_slip", "path_side")
-    for name in (each for each in names if each in data):
+    for name in filter(data.__contains__, names):
         values = data[name].values.reshape(len(time), -1)
-        columns = [np.interp(wanted, time, column) for column in values.T]
-        found[name] = (data[name].dims, np.stack(columns, axis=-1).reshape(found[name].shape))
-    return found
+        columns = [np.interp(times, time, column) for column in values.T]
+        motion[name] = (data[name].dims, np.stack(columns, axis=-1).reshape(motion[name].shape))
+    return motion
 
 
-def _places_of_force(data: xr.Dataset, wanted: Array, before: Any) -> Array:
-    """Places of the force along the fence, interpolated between rows with one contact."""
-    along, point = data["path_contact_position"].values, touching(data)
+def _force_positions(data: xr.Dataset, times: Array, before: Any) -> Array:
+    """Positions of the force along the fence, interpolated between rows with one contact."""
+    along, point = data["path_contact_position"].values, contact_corner(data)
     after = np.minimum(before + 1, len(along) - 1)
-    between = np.interp(wanted, data["time"].values, along)
+    between = np.interp(times, data["time"].values, along)
     smooth = (point[before] == point[after]) & np.isfinite(along[before] + along[after])
     return np.asarray(np.where(smooth, between, along[before]))
 
 
 def _pictures(data: xr.Dataset) -> Iterator[Image.Image]:
     """Yield one picture for each time."""
-    limits = box(data)
-    frame = Sheet.around(limits, 72 * np.array(SIZE), PAD).box  # type: ignore[arg-type]
+    limits, rect = box(data), (0.0, 0.0, 1.0, 1.0 - WORDS / SIZE[1])
+    size = 72 * np.array(SIZE) * rect[2:]
+    frame = Sheet.around(limits, size, PAD).box
     for row in range(data.sizes["time"]):
         figure = Figure(figsize=SIZE, dpi=DPI)
-        to_axes(instant_picture(data, row, frame), schematic(figure), limits, PAD)
-        text = f"t = {data['time'].values[row]:.2f}   {status(data, row)}"
-        figure.text(0.02, 0.96, text, size=NOTE, color=GUIDE, va="top")
+        to_axes(instant_picture(data, row, frame), schematic(figure, rect), limits, PAD)
+        _write(figure, data, row)
         canvas: Any = FigureCanvasAgg(figure)
         canvas.draw()
         yield Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3].copy())
 
 
+def _write(figure: Figure, data: xr.Dataset, row: int) -> None:
+    """Write time, action of the pusher and contact mode above a picture, each in the color of its marks."""
+    mode = MODES[int(data["path_mode"].values[row])]
+    time = f"$t = {data['time'].values[row]:.2f}$"
+    figure.text(0.02, 0.975, pusher_action(data, row), size=ACTION, color=PUSHER, va="top")
+    figure.text(0.98, 0.975, time, size=ACTION, color=DARK, va="top", ha="right")
+    text = f"contact: {status(data, row)}"
+    figure.text(0.02, 0.905, text, size=STATUS, color=mode.ink, va="top")
+
+
 def instant_picture(data: xr.Dataset, row: int, frame: Any) -> Picture:
-    """Picture of the slider, the pusher and the motion center at a row, with the paths up to it."""
-    picture = Picture()
-    add_paths(picture, data, frame, row)
-    add_instant(picture, data, row)
-    center = data["path_center"].values[row]
-    if np.isfinite(center).all():
-        add_center_mark(picture, center, size=4.5, pivot=_pivots(data, row))
+    """Picture of a frame of an animation; the first one names the centers of pressure and mass."""
+    picture = frame_picture(data, row, frame)
     if row == 0:
         name_centers(picture, body_in(data), pose(data, row))
     return picture
 
 
-def _pivots(data: xr.Dataset, row: int) -> bool:
-    return "path_pivot" in data and bool(data["path_pivot"].values[row] >= 0)
-
-
 def status(data: xr.Dataset, row: int) -> str:
     """Contact mode in words, with a note if the slider pivots or if there was a choice."""
     mode = MODES[int(data["path_mode"].values[row])].name
-    pivots = ", pivots" if _pivots(data, row) else ""
+    pivots = ", pivots" if is_pivot(data, row) else ""
     flush = ", flush" if "path_flush" in data and data["path_flush"].values[row] else ""
     several = " (one of several)" if data["path_solutions"].values[row] > 1 else ""
     return f"{mode}{flush}{pivots}{several}"

@@ -19,7 +19,7 @@ from planar_pushing.drawing.canvas.marks import (
     NOTE,
     Hatch,
     Picture,
-    Place,
+    Positions,
     arc,
 )
 from planar_pushing.drawing.supports import OUTLINE, Ink, Pose, add_support, extents
@@ -28,10 +28,10 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import Polygon, Ring
 from planar_pushing.scenes.scene_model import SceneFile
-from planar_pushing.terms.caches import cached
+from planar_pushing.terms.caches import cache_results
 
 #: Keys of a scene file that do not concern a motion over time.
-OWN = ("slider", "contact", "effects")
+SCENE_KEYS = ("slider", "contact", "effects")
 #: A center closer to the body's origin than this, in units of the support's size, counts as at the origin.
 NEAR = 1e-6
 #: Extent of dots and signs around their positions, in units of half the support.
@@ -45,7 +45,7 @@ SIDE = 1.5
 #: Drawing order of the disc of a finger.
 FINGER = AREAS + 0.9
 #: Distance between strokes of a fence's hatch, in units of its depth.
-APART = 0.8
+STROKE_SPACING = 0.8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -77,16 +77,17 @@ class Body:
 
     def box(self, pose: Pose) -> Array:
         """Corners of the upright box around the support and the marks, at a pose."""
-        marked = [place for _, place in self.centers]
-        points = [*extents(self.support, pose), *map(pose.at, (*marked, *self.outline))]
+        centers = [center for _, center in self.centers]
+        marked = map(pose.to_plane, (*centers, *self.outline))
+        points = [*extents(self.support, pose), *marked]
         rim = 0.0 if self.is_ring else RIM * self.half
         return np.array([np.min(points, axis=0) - rim, np.max(points, axis=0) + rim])
 
 
-@cached(32)
+@cache_results(32)
 def _bounds(support: Any, outline: tuple[tuple[float, float], ...]) -> Array:
-    every = np.array([*extents(support, Pose((0.0, 0.0), 0.0)), *outline])
-    return np.array([every.min(axis=0), every.max(axis=0)])
+    points = np.array([*extents(support, Pose((0.0, 0.0), 0.0)), *outline])
+    return np.array([points.min(axis=0), points.max(axis=0)])
 
 
 def body_of(scene: Scene) -> Body:
@@ -97,20 +98,21 @@ def body_of(scene: Scene) -> Body:
     if scene.isotropic:
         return Body(support=support, outline=outline)
     pressure = support.center_of_pressure
-    mass = tuple(scene.slider.radius * each for each in scene.mass_center)
-    found = {"pressure": pressure} if scene.friction else {}
-    found |= {"mass": mass} if scene.masses else {}
+    mass = tuple(scene.slider.radius * coordinate for coordinate in scene.mass_center)
+    centers = {"pressure": pressure} if scene.friction else {}
+    centers |= {"mass": mass} if scene.masses else {}
     near = NEAR * support.extent
-    apart = any(np.hypot(*place) > near for place in found.values())
-    return Body(support=support, centers=tuple(found.items()) if apart else (), outline=outline)
+    off_origin = any(np.hypot(*center) > near for center in centers.values())
+    marked = tuple(centers.items()) if off_origin else ()
+    return Body(support=support, centers=marked, outline=outline)
 
 
 def body_in(data: xr.Dataset) -> Body:
     """Slider of a scene's dataset or of a log; a ring if the dataset names no scene."""
-    named = data.attrs.get("scene") or data.attrs.get("parameters")
-    if named is None:
+    text = data.attrs.get("scene") or data.attrs.get("parameters")
+    if text is None:
         return Body(support=Ring(float(data["radius"])))
-    return _read(named)
+    return _read(text)
 
 
 @lru_cache(maxsize=16)
@@ -120,9 +122,9 @@ def _read(text: str) -> Body:
 
 def scene_in(text: str) -> Scene:
     """Scene stored in an attribute of a dataset."""
-    given = json.loads(text)
-    entry = given.get("scene", given)
-    return SceneFile.model_validate({name: entry[name] for name in OWN}).build()
+    content = json.loads(text)
+    entry = content.get("scene", content)
+    return SceneFile.model_validate({name: entry[name] for name in SCENE_KEYS}).build()
 
 
 def add_body(
@@ -130,27 +132,27 @@ def add_body(
     body: Body,
     pose: Pose,
     *,
-    contact: Place = (0.0, 0.0),
+    contact: Positions = (0.0, 0.0),
     side: Array | None = None,
     ink: Ink | None = None,
 ) -> None:
     """Add the outline, the support, the signs of the centers, and the rod with the contact.
 
-    A side that lies on the fence, given by its ends, takes the place of the rod.
+    A side that lies on the fence, given by its ends, replaces the rod.
     """
-    own = ink or Ink()
+    ink = ink or Ink()
     if body.outline:
-        add_outline(picture, pose.at(body.outline), own)
-    add_support(picture, body.support, pose, own)
+        add_outline(picture, pose.to_plane(body.outline), ink)
+    add_support(picture, body.support, pose, ink)
     if side is None:
-        add_rod(picture, pose.origin, contact=contact, ink=own)
+        add_rod(picture, pose.origin, contact=contact, ink=ink)
     else:
-        add_side(picture, side, pose.origin, own)
-    for name, place in body.centers:
-        face = own.color if name == "pressure" else "white"
-        edge, width = ("white", 0.6) if name == "pressure" else (own.color, 0.9)
+        add_side(picture, side, pose.origin, ink)
+    for name, center in body.centers:
+        face = ink.color if name == "pressure" else "white"
+        edge, width = ("white", 0.6) if name == "pressure" else (ink.color, 0.9)
         picture.dot(
-            pose.at(place), 7.2, face, edge=edge, width=width, shape=name, order=ARROWS - 0.5
+            pose.to_plane(center), 7.2, face, edge=edge, width=width, shape=name, order=ARROWS - 0.5
         )
 
 
@@ -161,14 +163,14 @@ def add_outline(picture: Picture, corners: Array, ink: Ink) -> None:
     picture.line(ring, tint(ink.color, 0.6), width=0.4 * ink.width, order=LINES)
 
 
-def add_rod(picture: Picture, center: Place, *, contact: Place, ink: Ink) -> None:
+def add_rod(picture: Picture, center: Positions, *, contact: Positions, ink: Ink) -> None:
     """Add the slider's center, the rod from there to the contact, and the dot of the contact."""
     picture.line([contact, center], ink.color, width=0.6 * ink.width, order=OUTLINE)
     picture.dot(center, 2.2, ink.color)
     picture.dot(contact, 4.0, ink.color, order=ARROWS + 1)
 
 
-def add_side(picture: Picture, side: Array, center: Place, ink: Ink) -> None:
+def add_side(picture: Picture, side: Array, center: Positions, ink: Ink) -> None:
     """Add a side that lies on the fence, with a dot at each end, and the slider's center."""
     picture.line(side, ink.color, width=SIDE * ink.width, order=OUTLINE)
     picture.dot(center, 2.2, ink.color)
@@ -178,8 +180,10 @@ def add_side(picture: Picture, side: Array, center: Place, ink: Ink) -> None:
 
 def name_centers(picture: Picture, body: Body, pose: Pose) -> None:
     """Label the signs of the centers."""
-    for name, place in body.centers:
-        picture.label(pose.at(place), NAMES[name], size=NOTE, color=DARK, offset=(0.0, -14.0))
+    for name, center in body.centers:
+        picture.label(
+            pose.to_plane(center), NAMES[name], size=NOTE, color=DARK, offset=(0.0, -14.0)
+        )
 
 
 def add_fence(
@@ -189,22 +193,26 @@ def add_fence(
     """Add a horizontal fence, hatched to a depth on the side away from the slider."""
     picture.line([(left, y), (right, y)], color, width=width)
     if depth:
-        starts = np.arange(left + depth, right + 1e-9 * depth, APART * depth)
+        starts = np.arange(left + depth, right + 1e-9 * depth, STROKE_SPACING * depth)
         tops = np.stack([starts, np.full(len(starts), y)], axis=-1)
         picture.add(Hatch(np.stack([tops, tops - depth], axis=1), color))
 
 
 def add_finger(
-    picture: Picture, side: Array, place: Place, color: str = SLIDER, center: Place | None = None
+    picture: Picture,
+    side: Array,
+    contact: Positions,
+    color: str = SLIDER,
+    center: Positions | None = None,
 ) -> None:
     """Add the flat side of the slider as a line, and the finger that touches it.
 
     A point finger is a dot; a finger with a center away from the contact is a disc.
     """
     picture.line(side, color, width=1.2, order=OUTLINE)
-    away = np.zeros(2) if center is None else np.subtract(place, center)
+    away = np.zeros(2) if center is None else np.subtract(contact, center)
     if not away.any():
-        picture.dot(place, 6.0, tint(PUSHER, 0.5), edge=PUSHER, width=0.9, order=ARROWS + 1)
+        picture.dot(contact, 6.0, tint(PUSHER, 0.5), edge=PUSHER, width=0.9, order=ARROWS + 1)
         return
     start = math.atan2(away[1], away[0])
     rim = np.asarray(center) + math.hypot(*away) * arc(start, start + 2 * math.pi)

@@ -46,6 +46,8 @@ QUANTITIES = {
 }
 #: Plotted variables over (quantity, model).
 NEEDED = ("median", "percentile_90", "ratio")
+#: Width of the column of ratios, points.
+COLUMN = 52.0
 #: Sizes in inches: a row, the space above and below the rows, the model names, an axis, its ratios.
 ROW, AROUND, NAMES, AXIS, RATIOS = 0.165, 0.5, 1.65, 1.3, 0.85
 
@@ -75,30 +77,30 @@ def plot_comparison(dataset: xr.Dataset, ax: Any = None) -> list[Axes]:
     InvalidValue
         If the dataset is not a comparison or contains no errors, or the number of axes is wrong.
     """
-    parts = by_quantity(_required(dataset))
+    parts = by_quantity(_require_comparison(dataset))
     with paper_style():
-        axes = _new_axes(parts) if ax is None else _required_axes(ax, list(parts))
-        for number, (one, own) in enumerate(zip(axes, parts.values(), strict=True)):
-            panel(one, own, named=number == 0 or ax is not None)
-            one.set_title(title(own))
+        axes = _new_axes(parts) if ax is None else _require_axes(ax, list(parts))
+        for number, (axis, errors) in enumerate(zip(axes, parts.values(), strict=True)):
+            panel(axis, errors, named=number == 0 or ax is not None)
+            axis.set_title(title(errors))
     return axes
 
 
 def by_quantity(dataset: xr.Dataset) -> dict[str, xr.Dataset]:
     """Quantities that have values, each with the models that have values."""
-    found = {}
+    parts = {}
     for name in map(str, dataset["quantity"].values):
-        one = dataset.sel(quantity=name)
-        rows = np.flatnonzero(np.isfinite(one["median"].values))
+        errors = dataset.sel(quantity=name)
+        rows = np.flatnonzero(np.isfinite(errors["median"].values))
         if len(rows):
-            found[name] = one.isel(model=rows)
-    return found
+            parts[name] = errors.isel(model=rows)
+    return parts
 
 
-def title(one: xr.Dataset) -> str:
+def title(errors: xr.Dataset) -> str:
     """Name of a quantity with the unit of its error."""
-    name, key = QUANTITIES.get(str(one["quantity"].item()), (str(one["quantity"].item()), ""))
-    unit = {"degree": "degrees"}.get(str(one.attrs.get(key)), str(one.attrs.get(key, "")))
+    name, key = QUANTITIES.get(str(errors["quantity"].item()), (str(errors["quantity"].item()), ""))
+    unit = {"degree": "degrees"}.get(str(errors.attrs.get(key)), str(errors.attrs.get(key, "")))
     return f"{name} ({unit})" if unit else name
 
 
@@ -110,12 +112,12 @@ def looks(models: Iterable[str]) -> dict[str, Look]:
     }
 
 
-def panel(ax: Axes, one: xr.Dataset, *, named: bool = True) -> None:
+def panel(ax: Axes, errors: xr.Dataset, *, named: bool = True) -> None:
     """Draw the errors of one quantity, with a row for each model and the first at the top."""
-    shown = looks(map(str, one["model"].values))
-    median, most = one["median"].values, one["percentile_90"].values
-    low, high = _interval(one, "median")
-    for row, look in enumerate(shown.values()):
+    styles = looks(map(str, errors["model"].values))
+    median, most = errors["median"].values, errors["percentile_90"].values
+    low, high = _interval(errors, "median")
+    for row, look in enumerate(styles.values()):
         face = "white" if look.marker in HOLLOW else look.color
         ax.plot([median[row], most[row]], [row, row], color=look.color, lw=0.8, zorder=2)
         ax.plot(most[row], row, "|", color=look.color, ms=6, mew=1.2, zorder=2)
@@ -124,36 +126,39 @@ def panel(ax: Axes, one: xr.Dataset, *, named: bool = True) -> None:
         ax.plot(
             median[row], row, look.marker, color=look.color, mfc=face, ms=4.2, mew=1.1, zorder=4
         )
-    ax.set(ylim=(len(shown) - 0.4, -0.6), xlim=(0.0, 1.06 * float(np.nanmax([*most, *median]))))
-    ax.set_yticks(range(len(shown)), [look.name if named else "" for look in shown.values()])
+    ax.set(ylim=(len(styles) - 0.4, -0.6), xlim=(0.0, 1.06 * float(np.nanmax([*most, *median]))))
+    ax.set_yticks(range(len(styles)), [look.name if named else "" for look in styles.values()])
     ax.tick_params(axis="y", length=0)
     ax.minorticks_off()
     ax.locator_params(axis="x", nbins=4)
     ax.grid(True, axis="x")
     ax.set_axisbelow(True)
-    _ratios(ax, one)
+    _ratios(ax, errors)
 
 
-def _ratios(ax: Axes, one: xr.Dataset) -> None:
-    """Write the ratios to the reference to the right of the rows, with a heading below."""
-    low, high = _interval(one, "ratio")
-    for row, ratio in enumerate(one["ratio"].values):
+def _ratios(ax: Axes, errors: xr.Dataset) -> None:
+    """Write the ratios to the reference to the right of the rows, with a heading above."""
+    low, high = _interval(errors, "ratio")
+    for row, ratio in enumerate(errors["ratio"].values):
         sure = np.isfinite([low[row], high[row]]).all() and low[row] < high[row]
         text = f"{ratio:.2f} ({low[row]:.2f}\N{EN DASH}{high[row]:.2f})" if sure else f"{ratio:.2f}"
         ax.annotate(text, (1.04, row), xycoords=("axes fraction", "data"), fontsize=NOTE - 0.5,
                     color=DARK, va="center", annotation_clip=False)  # fmt: skip
-    ax.annotate("ratio", (1.04, 0.0), (12, -4.5), xycoords="axes fraction", textcoords="offset points",
-                fontsize=NOTE - 0.5, color=GRAY, va="top", annotation_clip=False)  # fmt: skip
+    ax.annotate("ratio", (1.04, 1.0), (COLUMN, 4.0), xycoords="axes fraction", textcoords="offset points",
+                fontsize=NOTE - 0.5, color=GRAY, ha="right", va="baseline",
+                annotation_clip=False)  # fmt: skip
 
 
-def _interval(one: xr.Dataset, name: str) -> tuple[Any, Any]:
+def _interval(errors: xr.Dataset, name: str) -> tuple[Any, Any]:
     """Ends of an interval, NaN if the dataset has none."""
-    known = f"{name}_interval" in one
-    ends = one[f"{name}_interval"].values if known else np.full((one.sizes["model"], 2), np.nan)
+    known = f"{name}_interval" in errors
+    ends = (
+        errors[f"{name}_interval"].values if known else np.full((errors.sizes["model"], 2), np.nan)
+    )
     return ends[:, 0], ends[:, 1]
 
 
-def _required(dataset: Any) -> xr.Dataset:
+def _require_comparison(dataset: Any) -> xr.Dataset:
     """Return a comparison that contains errors, or raise `InvalidValue`."""
     allowed, remedy = "a dataset returned by compare", "call compare on pushes first"
     if not isinstance(dataset, xr.Dataset):
@@ -171,21 +176,21 @@ def _new_axes(parts: dict[str, xr.Dataset]) -> list[Axes]:
     """Axes side by side on a figure that notebooks and windows display."""
     import matplotlib.pyplot as plt
 
-    rows, each = max(one.sizes["model"] for one in parts.values()), AXIS + RATIOS
-    wide, high = NAMES + len(parts) * each, ROW * rows + AROUND
+    rows, width = max(errors.sizes["model"] for errors in parts.values()), AXIS + RATIOS
+    wide, high = NAMES + len(parts) * width, ROW * rows + AROUND
     figure = plt.figure(figsize=(wide, high))
     return [
-        figure.add_axes(((NAMES + k * each) / wide, 0.22 / high, AXIS / wide, ROW * rows / high))
+        figure.add_axes(((NAMES + k * width) / wide, 0.22 / high, AXIS / wide, ROW * rows / high))
         for k in range(len(parts))
     ]
 
 
-def _required_axes(given: Any, quantities: Sequence[str]) -> list[Axes]:
+def _require_axes(ax: Any, quantities: Sequence[str]) -> list[Axes]:
     """Return the given axes, one for each quantity, or raise `InvalidValue`."""
-    found = [given] if isinstance(given, Axes) else list(np.ravel(np.asarray(given, dtype=object)))
-    if len(found) != len(quantities) or not all(isinstance(each, Axes) for each in found):
+    axes = [ax] if isinstance(ax, Axes) else list(np.ravel(np.asarray(ax, dtype=object)))
+    if len(axes) != len(quantities) or not all(isinstance(axis, Axes) for axis in axes):
         allowed = f"{len(quantities)} axes, for {', '.join(quantities)}"
         raise InvalidValue(
-            "ax", f"{len(found)} axes", allowed, "give one for each quantity, or none"
+            "ax", f"{len(axes)} axes", allowed, "give one for each quantity, or none"
         )
-    return found
+    return axes

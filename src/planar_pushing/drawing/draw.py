@@ -15,24 +15,30 @@ from planar_pushing.drawing.canvas.axes import schematic, to_axes
 from planar_pushing.drawing.canvas.colors import GUIDE
 from planar_pushing.drawing.canvas.marks import NOTE
 from planar_pushing.drawing.canvas.style import paper_style
-from planar_pushing.drawing.motion import box, snapshots
-from planar_pushing.drawing.over_time import explain, mark_time, series, strip, varying
+from planar_pushing.drawing.motion import box
+from planar_pushing.drawing.over_time import (
+    draw_frames,
+    explain,
+    mark_time,
+    series,
+    strip,
+    varying_names,
+)
 from planar_pushing.drawing.scene import add_scale, scene_picture
 from planar_pushing.drawing.sketch import Sketch, with_curve
-from planar_pushing.drawing.timeline import announce_end, impacts, plotted
+from planar_pushing.drawing.timeline import announce_end, impacts, key_rows, path_data
 from planar_pushing.drawing.words import outcome
 from planar_pushing.mechanics.contact import ContactMode
-from planar_pushing.mechanics.scene import Scene, required_scene, required_single
+from planar_pushing.mechanics.scene import Scene, require_scene, require_single
+from planar_pushing.mechanics.solutions import Solution
 from planar_pushing.mechanics.solve import solve
-from planar_pushing.terms.domain import required
+from planar_pushing.terms.domain import require_in_range
 from planar_pushing.terms.errors import InvalidValue, require_flag, require_kind, require_number
 
 #: Sizes of the pictures of a scene and of a log, inches; padding, points.
-SCENE, LOG, PAD = (4.2, 4.0), (7.0, 3.2), 24.0
+SCENE, LOG, PAD = (4.2, 4.0), (7.0, 3.6), 24.0
 #: Height of the axes of a scene below a title of at most two lines, and of each further line, as fractions.
 HIGH, LINE = 0.9, 0.04
-#: Number of instants at which slider and pusher are drawn.
-COUNT = 5
 #: Variables plotted over time if they vary, and their labels.
 SERIES = {
     "path_rod_angle": "rod angle $\\psi$\n(degrees)",
@@ -90,58 +96,60 @@ def draw(
     A side that lies on the fence is a heavy line with a dot at each end. The force acts at x*, where its
     line of action crosses the side; thin arrows are the forces at both ends where they are determined.
     """
-    required_single(required_scene(scene))
+    require_single(require_scene(scene))
     require_flag("cones", cones)
     require_flag("limit_curve", limit_curve)
     if ax is not None and not isinstance(ax, Axes):
         raise InvalidValue("ax", ax, "axes of matplotlib", "leave them out for a new figure")
     if pusher_angle is None:
-        required("pusher_magnitude", pusher_magnitude)
+        require_in_range("pusher_magnitude", pusher_magnitude)
         if solution is not None:
             allowed, remedy = "None without pusher_angle", "give the pusher_angle"
             raise InvalidValue("solution", solution, allowed, remedy)
         sketch = Sketch.of(scene)
     else:
         push = {"pusher_angle": pusher_angle, "pusher_magnitude": pusher_magnitude}
-        for name, given in push.items():
-            require_number(name, given, math.isfinite, "a finite number", "draw one push at a time")
-        found = solve(scene, pusher_angle, pusher_magnitude)
-        chosen = None if solution is None else _number(list(found), solution)
-        sketch = Sketch.of(scene, pusher_angle, pusher_magnitude, found=found, chosen=chosen)
+        for name, value in push.items():
+            require_number(name, value, math.isfinite, "a finite number", "draw one push at a time")
+        solutions = solve(scene, pusher_angle, pusher_magnitude)
+        chosen = None if solution is None else _index_of(list(solutions), solution)
+        sketch = Sketch.of(
+            scene, pusher_angle, pusher_magnitude, solutions=solutions, chosen=chosen
+        )
     return _draw_axes(with_curve(sketch, scene) if limit_curve else sketch, cones, ax)
 
 
-def said(sketch: Sketch) -> str:
+def outcome_of(sketch: Sketch) -> str:
     """Outcome of a push in words; empty without a push."""
     if sketch.pusher is None:
         return ""
     return outcome(sketch.solutions, sketch.pusher, sketch.chosen)
 
 
-def _number(found: Sequence[Any], wanted: int | ContactMode) -> int:
-    """Number of the requested solution."""
+def _index_of(solutions: Sequence[Solution], wanted: int | ContactMode) -> int:
+    """Index of the requested solution."""
     if isinstance(wanted, ContactMode):
-        numbers = [i for i, each in enumerate(found) if each.mode is wanted]
+        indices = [i for i, candidate in enumerate(solutions) if candidate.mode is wanted]
     else:
-        numbers = [wanted] if wanted in range(len(found)) else []
-    if not numbers:
-        modes = ", ".join(f"{i} ({each.mode})" for i, each in enumerate(found))
+        indices = [wanted] if wanted in range(len(solutions)) else []
+    if not indices:
+        modes = ", ".join(f"{i} ({candidate.mode})" for i, candidate in enumerate(solutions))
         allowed = modes or "none, because no solution is consistent"
         raise InvalidValue("solution", wanted, allowed, "choose one of these, or leave it out")
-    return numbers[0]
+    return indices[0]
 
 
 def _draw_axes(sketch: Sketch, cones: bool, ax: Axes | None) -> Axes:
     """Axes with the picture of a sketch, its scale bar and its title."""
     with paper_style():
-        title = wrapped(said(sketch))
-        own = _axes_under_title(new_figure(SCENE), title) if ax is None else ax
-        own.set_axis_off()
+        title = wrap(outcome_of(sketch))
+        axes = _axes_under_title(new_figure(SCENE), title) if ax is None else ax
+        axes.set_axis_off()
         picture, frame = scene_picture(sketch, cones=cones), sketch.box
         add_scale(picture, frame, 0.3 * float(np.ptp(frame[:, 0])), sketch.unit)
-        to_axes(picture, own, frame, PAD)
-        own.set_title(title, fontsize=NOTE + 0.5, color=GUIDE)
-    return own
+        to_axes(picture, axes, frame, PAD)
+        axes.set_title(title, fontsize=NOTE + 0.5, color=GUIDE)
+    return axes
 
 
 def _axes_under_title(figure: Figure, title: str) -> Axes:
@@ -150,7 +158,7 @@ def _axes_under_title(figure: Figure, title: str) -> Axes:
     return schematic(figure, (0.0, 0.0, 1.0, HIGH - LINE * more))
 
 
-def wrapped(text: str, width: int = 64) -> str:
+def wrap(text: str, width: int = 64) -> str:
     """Text wrapped to lines of about equal width."""
     import textwrap
 
@@ -166,11 +174,16 @@ def new_figure(size: tuple[float, float]) -> Figure:
 
 def draw_on(figure: Figure, sketch: Sketch, *, cones: bool = True) -> None:
     """Draw a sketch on a separate figure, as `draw` does."""
-    _draw_axes(sketch, cones, _axes_under_title(figure, wrapped(said(sketch))))
+    _draw_axes(sketch, cones, _axes_under_title(figure, wrap(outcome_of(sketch))))
 
 
 def plot_log(log: xr.Dataset, figure: Figure | None = None) -> Figure:
-    """Draw a motion over time: slider and pusher at several instants, and time series.
+    """Draw a motion over time: slider and pusher at three instants, and time series.
+
+    The instants are the first, the last and between them the first impact, or the middle if there is none.
+    Each frame shows the force on the slider, the velocity of the pusher, the pusher's first position
+    (dashed), the path of the contact up to then in the colors of its modes, and the motion center. The tick
+    on a fence marks the point that the contact touched first.
 
     Parameters
     ----------
@@ -191,39 +204,42 @@ def plot_log(log: xr.Dataset, figure: Figure | None = None) -> Figure:
     """
     if figure is not None:
         require_kind("figure", figure, Figure, "give a figure of matplotlib, or leave it out")
-    data = plotted(log)
+    data = path_data(log)
     announce_end(log)
     with paper_style():
-        own = new_figure(LOG) if figure is None else figure
-        motion_and_series(own, data, impacts(log))
-    return own
+        figure = new_figure(LOG) if figure is None else figure
+        motion_and_series(figure, data, impacts(log))
+    return figure
 
 
-def motion_and_series(figure: Figure, data: xr.Dataset, struck: Sequence[int] = ()) -> None:
-    """Draw the trajectory on the left or at the top, and time series on the right or below.
+def motion_and_series(figure: Figure, data: xr.Dataset, impact_rows: Sequence[int] = ()) -> None:
+    """Draw frames of the motion above, and time series below, side by side if the figure is wide.
 
-    `struck` contains the rows of impacts, at which slider and pusher are drawn too.
+    `impact_rows` contains the rows of impacts.
     """
     wide = figure.get_figwidth() > figure.get_figheight()
-    ax = schematic(figure, (0.0, 0.0, 0.6, 1.0) if wide else (0.0, 0.5, 1.0, 0.5))
-    frame = box(data)
-    to_axes(snapshots(data, frame, COUNT, struck), ax, frame, 14.0)
-    shown = varying(data, SERIES) or ["path_rod_angle"]
-    edges = (
-        {"left": 0.69, "top": 0.97, "bottom": 0.19}
-        if wide
-        else {"left": 0.17, "top": 0.47, "bottom": 0.1}
+    middle, bottom = (0.42, 0.2) if wide else (0.6, 0.15)
+    frames = (0.0, middle, 1.0, 1.0 - middle)
+    draw_frames(
+        figure, data, key_rows(data, impact_rows), box(data), frames, impact_rows=impact_rows
     )
-    grid = figure.add_gridspec(
-        len(shown) + 1, 1, right=0.97, hspace=0.28, height_ratios=[*(1.0 for _ in shown), 0.35],
-        **edges,
-    )  # fmt: skip
-    for place, name in enumerate(shown):
-        series(figure.add_subplot(grid[place]), data, name, SERIES[name])
-    last = figure.add_subplot(grid[len(shown)])
-    strip(last, data)
-    explain(last, data)
-    figure.align_ylabels()
-    for row in struck:
-        for each in figure.axes[1:]:
-            mark_time(each, data, row)
+    names = varying_names(data, SERIES) or ["path_rod_angle"]
+    count = len(names) + 1
+    shape = (1, count) if wide else (count, 1)
+    space: dict[str, Any] = (
+        {"left": 0.095, "wspace": 0.42} if wide else {"left": 0.18, "hspace": 0.3}
+    )
+    grid = figure.add_gridspec(*shape, right=0.98, top=middle - 0.03, bottom=bottom, **space)
+    axes = [figure.add_subplot(grid[number]) for number in range(count)]
+    for ax, name in zip(axes, names, strict=False):
+        series(ax, data, name, SERIES[name])
+    strip(axes[-1], data)
+    explain(figure, data, impact_rows)
+    if not wide:
+        figure.align_ylabels()
+        for ax in axes[:-1]:
+            ax.set_xlabel("")
+            ax.tick_params(axis="x", labelbottom=False)
+    for row in impact_rows:
+        for ax in axes:
+            mark_time(ax, data, row)

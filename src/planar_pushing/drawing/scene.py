@@ -28,8 +28,8 @@ from planar_pushing.drawing.supports import Ink, Pose, add_support, extents
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.pictures import PICTURES
 from planar_pushing.mechanics.plane import Array, direction
-from planar_pushing.mechanics.scene import Scene, required_single
-from planar_pushing.mechanics.solutions import Solution
+from planar_pushing.mechanics.scene import Scene, require_single
+from planar_pushing.mechanics.solutions import Solution, Solutions
 
 #: Strength of the color of the solutions that are not drawn in full.
 PALE = 0.38
@@ -103,27 +103,27 @@ def add_force(picture: Picture, sketch: Sketch, solution: Solution, strength: fl
         return
     name = r"$\mathbf{f}$ (adhesive)" if solution.adhesive else r"$\mathbf{f}$"
     color, ends, tail = tint(FORCE, strength), forces(solution), sketch.tail_of(solution)
-    drawn = [sketch.force_scale(solution) * each for each in ends]
-    for vector in drawn:
-        text = name if len(drawn) == 1 and strength == 1 else ""
+    arrows = [sketch.force_scale(solution) * force for force in ends]
+    for vector in arrows:
+        text = name if len(arrows) == 1 and strength == 1 else ""
         picture.force(tail, vector, text, width=1.6, color=color, order=_order(strength))
     if solution.end_forces is not None:
         add_end_forces(picture, sketch, solution, strength)
-    if len(drawn) > 1 and strength == 1:
-        _fan(picture, drawn, name, tail)
+    if len(arrows) > 1 and strength == 1:
+        _fan(picture, arrows, name, tail)
 
 
 def add_end_forces(
     picture: Picture, sketch: Sketch, solution: Solution, strength: float = 1.0
 ) -> None:
-    """Add the place of the force on a side, and thin forces at the ends where they are determined."""
+    """Add the position of the force on a side, and thin forces at the ends where they are determined."""
     color = tint(FORCE, 0.75 * strength)
     for tail, vector in sketch.end_arrows(solution):
         picture.force(tail, vector, width=0.9, head=8.0, color=color, order=_order(strength) - 0.5)
-    place = sketch.tail_of(solution)
-    if strength == 1 and solution.flush and place[1] == 0.0:
-        picture.dot(place, 3.0, FORCE, order=ARROWS + 1)
-        picture.label(place, "$x^{*}$", color=FORCE, size=NOTE, offset=(0.0, -8.0))
+    position = sketch.tail_of(solution)
+    if strength == 1 and solution.flush and position[1] == 0.0:
+        picture.dot(position, 3.0, FORCE, order=ARROWS + 1)
+        picture.label(position, "$x^{*}$", color=FORCE, size=NOTE, offset=(0.0, -8.0))
 
 
 def _order(strength: float) -> float:
@@ -132,8 +132,8 @@ def _order(strength: float) -> float:
 
 def _fan(picture: Picture, ends: list[Array], name: str, apex: Array) -> None:
     """Add the range of force directions that are possible at a pivot."""
-    right, left = (float(np.arctan2(*each[::-1])) for each in ends)
-    turn, length = (left - right) % (2 * np.pi), 0.8 * min(float(np.hypot(*each)) for each in ends)
+    right, left = (float(np.arctan2(*end[::-1])) for end in ends)
+    turn, length = (left - right) % (2 * np.pi), 0.8 * min(float(np.hypot(*end)) for end in ends)
     picture.cone(right, right + turn, length, FORCE, apex=apex, strength=0.42, order=AREAS + 0.8)
     ahead = direction(right + turn / 2)
     shift = 11.0 * float(ahead[0]), 9.0 * float(ahead[1])
@@ -146,8 +146,8 @@ def add_line_of_force(
     """Add the line along which the pusher's force and the resistance of the slider act."""
     if moves(solution):
         tail = sketch.tail_of(solution)
-        for each in forces(solution):
-            picture.guide(tail, sketch.end_of_line(each, tail), tint(FORCE, strength))
+        for force in forces(solution):
+            picture.guide(tail, sketch.end_of_line(force, tail), tint(FORCE, strength))
 
 
 def add_motion(picture: Picture, sketch: Sketch, solution: Solution, strength: float = 1.0) -> None:
@@ -167,16 +167,16 @@ def add_motion(picture: Picture, sketch: Sketch, solution: Solution, strength: f
 
 def add_slip(picture: Picture, tail: Array, vector: Array, text: str, **rest: Any) -> None:
     """Add the slip of the contact relative to the pusher, as a dashed arrow."""
-    own = {"color": SLIP, "dash": "--", "width": 1.0, "head": 10.0, "at": 0.5}
-    picture.motion(tail, vector, text, offset=(0.0, 8.0), **own | rest)
+    style = {"color": SLIP, "dash": "--", "width": 1.0, "head": 10.0, "fraction": 0.5}
+    picture.motion(tail, vector, text, offset=(0.0, 8.0), **style | rest)
 
 
 def add_pusher(picture: Picture, sketch: Sketch) -> None:
     """Add the motion of the pusher if it differs from that of the contact."""
-    one = sketch.solution
-    if sketch.pusher is not None and (one is None or one.mode != ContactMode.STICK):
+    solution = sketch.solution
+    if sketch.pusher is not None and (solution is None or solution.mode != ContactMode.STICK):
         name = rf"$\mathbf{{{sketch.symbol}}}_p$"
-        tail, motion = sketch.contact_of(one), sketch.motion_scale * sketch.pusher
+        tail, motion = sketch.contact_of(solution), sketch.motion_scale * sketch.pusher
         picture.motion(tail, motion, name, color=PUSHER)
 
 
@@ -208,24 +208,24 @@ def add_center(picture: Picture, sketch: Sketch, solution: Solution, strength: f
 
 
 def add_center_mark(
-    picture: Picture, place: Any, *, color: str = CENTER, pivot: bool = False, size: float = 5.5
+    picture: Picture, position: Any, *, color: str = CENTER, pivot: bool = False, size: float = 5.5
 ) -> None:
     """Add a motion center: a circle with a dot, and a second circle for a pivot."""
     if pivot:
-        picture.dot(place, 2.3 * size, None, edge=color, width=1.2, order=ARROWS + 1)
-    picture.dot(place, size, "white", edge=color, width=1.0, order=ARROWS + 1)
-    picture.dot(place, 0.3 * size, color, order=ARROWS + 2)
+        picture.dot(position, 2.3 * size, None, edge=color, width=1.2, order=ARROWS + 1)
+    picture.dot(position, size, "white", edge=color, width=1.0, order=ARROWS + 1)
+    picture.dot(position, 0.3 * size, color, order=ARROWS + 2)
 
 
 def add_friction(picture: Picture, sketch: Sketch) -> None:
     """Add the friction of the support on the slider, in a paler color than the pusher's force."""
-    places, pulls = sketch.rubbing
-    largest = float(np.max(np.hypot(*pulls.T), initial=0.0))
-    for place, pull in zip(places, pulls, strict=True):
-        if np.any(pull):
-            along = SUPPORT_LENGTH * sketch.half * pull / largest
+    positions, friction = sketch.rubbing
+    largest = float(np.max(np.hypot(*friction.T), initial=0.0))
+    for position, force in zip(positions, friction, strict=True):
+        if np.any(force):
+            along = SUPPORT_LENGTH * sketch.half * force / largest
             picture.force(
-                place, along, width=0.7, head=6.5, color=tint(FORCE, 0.62), order=ARROWS - 0.8
+                position, along, width=0.7, head=6.5, color=tint(FORCE, 0.62), order=ARROWS - 0.8
             )
 
 
@@ -251,20 +251,20 @@ def limit_line(
 def add_scale(picture: Picture, box: Array, length: float, unit: str = "") -> None:
     """Add a scale bar of a round length, with its unit, in the lower right corner of a box."""
     power = 10.0 ** np.floor(np.log10(length))
-    whole = power * max(part for part in (1.0, 2.0, 5.0) if part * power <= length)
+    rounded = power * max(factor for factor in (1.0, 2.0, 5.0) if factor * power <= length)
     (_, low), (right, _) = box
-    picture.scale_bar((right - whole, low), whole, f"{whole:g} {unit}".strip())
+    picture.scale_bar((right - rounded, low), rounded, f"{rounded:g} {unit}".strip())
 
 
 def scene_svg(scene: Scene) -> str:
     """Picture of a slider with its cones."""
-    sketch = Sketch.of(required_single(scene))
+    sketch = Sketch.of(require_single(scene))
     return _svg(scene_picture(sketch), sketch.box, sketch.unit)
 
 
-def push_svg(scene: Scene, angle: float, magnitude: float, found: Any) -> str:
+def push_svg(scene: Scene, angle: float, magnitude: float, solutions: Solutions) -> str:
     """Picture of a scene under a push with its solutions."""
-    sketch = Sketch.of(scene, angle, magnitude, found=found)
+    sketch = Sketch.of(scene, angle, magnitude, solutions=solutions)
     return _svg(scene_picture(sketch), sketch.box, sketch.unit)
 
 

@@ -19,7 +19,7 @@ from planar_pushing.drawing.supports import Pose
 from planar_pushing.drawing.words import best
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.force.cones import friction_cone, motion_cone
-from planar_pushing.mechanics.force.limit_curve import limit_curve
+from planar_pushing.mechanics.force.limit_curve import limit_curve, require_one_curve
 from planar_pushing.mechanics.force.rubbing import place_friction, ring_friction
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene, require_one_point
@@ -30,7 +30,7 @@ from planar_pushing.mechanics.solve import solve
 FAR = 2.0
 #: Radii of the motion cone and the friction cone, in units of the reach of arrows.
 MOTION_CONE, FRICTION_CONE = 0.72, 0.5
-#: Lower edge of the label of a force's place on a side, in units of the reach.
+#: Lower edge of the label of a force's position on a side, in units of the reach.
 LABEL = -0.3
 #: Largest radius of the friction cones at both ends of a side, in units of its length.
 END_CONE = 0.45
@@ -70,7 +70,7 @@ class Sketch:
         Positions at which the support rubs, and its friction there in the chosen solution, shapes (n, 2).
     curve, flats : ndarray, sequence of slice
         Forces of the limit curve, shape (n, 2), and its flats, which belong to one pivot each.
-    drawn : float, optional
+    pusher_length : float, optional
         Drawn length of the pusher's motion, in units of the reach; by default the longest motion has the
         length of the reach.
     unit : str
@@ -91,7 +91,7 @@ class Sketch:
     rubbing: tuple[Array, Array] = field(default_factory=lambda: NOWHERE)
     curve: Array = field(default_factory=lambda: NOWHERE[0])
     flats: Sequence[slice] = ()
-    drawn: float | None = None
+    pusher_length: float | None = None
     unit: str = ""
 
     @classmethod
@@ -101,13 +101,13 @@ class Sketch:
         pusher_angle: float | None = None,
         magnitude: float = 1.0,
         *,
-        found: Solutions | None = None,
+        solutions: Solutions | None = None,
         chosen: int | None = None,
         **rest: Any,
     ) -> Self:
         """Sketch of a scene under a push at an angle in radians, or of the scene alone."""
         slider = scene.slider
-        own: dict[str, Any] = {
+        content: dict[str, Any] = {
             "body": body_of(scene),
             "pose": Pose(slider.rod_length * direction(slider.rod_angle), float(slider.rod_angle)),
             **_cones(scene),
@@ -115,19 +115,21 @@ class Sketch:
             "unit": scene.units.length if scene.units else "",
         }
         if pusher_angle is not None:
-            solutions = tuple(solve(scene, pusher_angle, magnitude) if found is None else found)
-            which = best(solutions) if chosen is None else chosen
-            own |= {"pusher": magnitude * direction(pusher_angle), "solutions": solutions}
-            own |= {"chosen": which}
-            if which >= 0:
-                own["rubbing"] = rubbing_of(scene, solutions[which])
-        return cls(**own | rest)
+            if solutions is None:
+                solutions = solve(scene, pusher_angle, magnitude)
+            consistent = tuple(solutions)
+            chosen = best(consistent) if chosen is None else chosen
+            content |= {"pusher": magnitude * direction(pusher_angle), "solutions": consistent}
+            content |= {"chosen": chosen}
+            if chosen >= 0:
+                content["rubbing"] = rubbing_of(scene, consistent[chosen])
+        return cls(**content | rest)
 
     @classmethod
     def of_dataset(cls, data: xr.Dataset) -> Self:
         """Sketch of a scene's dataset as a study stores it."""
         solutions = tuple(_solution(data.isel(solution=i)) for i in range(data.sizes["solution"]))
-        which = best(solutions)
+        chosen = best(solutions)
         angle = float(np.deg2rad(data["rod_angle"].item()))
         edges: dict[str, Any] = {
             kind: tuple(
@@ -138,9 +140,9 @@ class Sketch:
         return cls(
             body=body_in(data), pose=Pose(data["ring_center"].values, angle),
             friction=edges["friction"], motion=edges["motion"],
-            pusher=data["pusher_motion"].values, solutions=solutions, chosen=which,
+            pusher=data["pusher_motion"].values, solutions=solutions, chosen=chosen,
             symbol="a" if "inertia" in data["effect"].values else "v",
-            rubbing=_rubbing(data.isel(solution=which)) if which >= 0 else NOWHERE,
+            rubbing=_rubbing(data.isel(solution=chosen)) if chosen >= 0 else NOWHERE,
         )  # fmt: skip
 
     @property
@@ -181,12 +183,12 @@ class Sketch:
         It is where the line of action crosses the side. If it does not, because adhesion pulls at an end,
         it is the point of this line nearest the middle of the slider.
         """
-        place, forces_at_ends = solution.force_position, solution.end_forces
-        if self.ends is None or place is None or forces_at_ends is None or not solution.flush:
+        position, forces_at_ends = solution.force_position, solution.end_forces
+        if self.ends is None or position is None or forces_at_ends is None or not solution.flush:
             return self.contact_of(solution)
         start, end = self.ends
-        if start <= place <= end:
-            return np.array([place, 0.0])
+        if start <= position <= end:
+            return np.array([position, 0.0])
         heading = heading_of(solution.force)
         torque = float(np.dot(self.ends, forces_at_ends[:, 0, 1]))
         foot = torque / float(np.hypot(*solution.force)) * np.array([heading[1], -heading[0]])
@@ -195,7 +197,7 @@ class Sketch:
     @property
     def middle(self) -> Array:
         """Middle of the support; the center of a ring."""
-        return self.pose.at(self.body.middle)
+        return self.pose.to_plane(self.body.middle)
 
     @property
     def span(self) -> float:
@@ -211,10 +213,10 @@ class Sketch:
     def motion_scale(self) -> float:
         """Drawn length of a unit of motion."""
         pusher = 0.0 if self.pusher is None else float(np.hypot(*self.pusher))
-        if self.drawn is not None:
-            return self.drawn * self.reach / (pusher or 1.0)
-        own = 0.0 if self.solution is None else float(np.hypot(*self.solution.contact_motion))
-        return self.reach / (max(pusher, own) or 1.0)
+        if self.pusher_length is not None:
+            return self.pusher_length * self.reach / (pusher or 1.0)
+        contact = 0.0 if self.solution is None else float(np.hypot(*self.solution.contact_motion))
+        return self.reach / (max(pusher, contact) or 1.0)
 
     def force_scale(self, solution: Solution) -> float:
         """Drawn length of a unit of force; it keeps the head of a force off that of a parallel motion."""
@@ -264,11 +266,11 @@ class Sketch:
     def curve_scale(self) -> float:
         """Drawn length of a unit of force of the limit curve."""
         sizes = np.hypot(*self.curve.T)
-        one = self.solution
-        if one is None or not moves(one):
+        solution = self.solution
+        if solution is None or not moves(solution):
             return 0.95 * self.reach / float(sizes.max(initial=1e-300))
-        here = float(sizes[np.argmax(self.curve @ one.force / sizes)])
-        return self.force_scale(one) * float(np.hypot(*one.force)) / here
+        here = float(sizes[np.argmax(self.curve @ solution.force / sizes)])
+        return self.force_scale(solution) * float(np.hypot(*solution.force)) / here
 
     @property
     def box(self) -> Array:
@@ -281,23 +283,23 @@ class Sketch:
             points += [MOTION_CONE * self.reach * direction(np.linspace(*self.motion, 13))]
         else:
             cone = self.friction_radius * direction(np.linspace(*self.friction, 13))
-            points += [each + cone for each in self.contacts]
+            points += [contact + cone for contact in self.contacts]
             points.append((0.0, LABEL * self.reach))
         finger = min(self.finger_radius, self.reach)
         points += [(-finger, 0.0), (finger, -2 * finger)]
         if len(self.curve):
             points.append(self.curve_scale * self.curve)
-        one = self.solution
+        solution = self.solution
         if self.pusher is not None:
-            points.append(self.contact_of(one) + self.motion_scale * self.pusher)
-        if one is not None and moves(one):
-            tail = self.tail_of(one)
-            points.append(self.contact_of(one) + self.motion_scale * one.contact_motion)
-            for force in forces(one):
-                points += [tail, tail + self.force_scale(one) * force]
+            points.append(self.contact_of(solution) + self.motion_scale * self.pusher)
+        if solution is not None and moves(solution):
+            tail = self.tail_of(solution)
+            points.append(self.contact_of(solution) + self.motion_scale * solution.contact_motion)
+            for force in forces(solution):
+                points += [tail, tail + self.force_scale(solution) * force]
                 points.append(self.end_of_line(force, tail))
-            points += [each.sum(axis=0) for each in self.end_arrows(one)]
-            points.append(one.center if self.is_near(one) else self.far_center(one))
+            points += [arrow.sum(axis=0) for arrow in self.end_arrows(solution)]
+            points.append(solution.center if self.is_near(solution) else self.far_center(solution))
         return corners(points)
 
 
@@ -308,7 +310,7 @@ def _cones(scene: Scene) -> dict[str, Any]:
         friction, motion = friction_cone(scene), motion_cone(scene)
         edges = (friction.right, friction.left), (motion.right, motion.left)
         return dict(zip(("friction", "motion"), edges, strict=True))
-    start, end = (float(each) for each in slider.side)
+    start, end = (float(end) for end in slider.side)
     edges = (float(scene.law.right), float(scene.law.left)), (np.nan, np.nan)
     return {"friction": edges[0], "motion": edges[1], "ends": (start, end)}
 
@@ -325,20 +327,20 @@ def moves(solution: Solution) -> bool:
 
 def forces(solution: Solution) -> list[Array]:
     """The force, or both ends of its interval, the right one first, if a pivot leaves it undetermined."""
-    one, other = solution.force, solution.force_end
-    if np.array_equal(one, other):
-        return [one]
-    return [one, other] if one[0] * other[1] > one[1] * other[0] else [other, one]
+    force, end = solution.force, solution.force_end
+    if np.array_equal(force, end):
+        return [force]
+    return [force, end] if force[0] * end[1] > force[1] * end[0] else [end, force]
 
 
-def _solution(one: xr.Dataset) -> Solution:
+def _solution(data: xr.Dataset) -> Solution:
     """A solution in a scene's dataset."""
     return Solution(
-        mode=ContactMode(int(one["mode"])), force=one["force"].values,
-        force_end=one.get("force_end", one["force"]).values,
-        contact_motion=one["contact_motion"].values, twist=one["twist"].values,
-        spin_ratio=float(one["spin_ratio"]), center=one["center"].values,
-        pivot=int(one["pivot"]) if "pivot" in one else -1, continuum=False,
+        mode=ContactMode(int(data["mode"])), force=data["force"].values,
+        force_end=data.get("force_end", data["force"]).values,
+        contact_motion=data["contact_motion"].values, twist=data["twist"].values,
+        spin_ratio=float(data["spin_ratio"]), center=data["center"].values,
+        pivot=int(data["pivot"]) if "pivot" in data else -1, continuum=False,
     )  # fmt: skip
 
 
@@ -348,8 +350,8 @@ def rubbing_of(scene: Scene, solution: Solution) -> tuple[Array, Array]:
     if not scene.friction:
         return NOWHERE
     if not scene.isotropic:
-        found = place_friction(scene, twist)
-        return found["place_position"][1], found["place_force"][1][0]
+        friction = place_friction(scene, twist)
+        return friction["place_position"][1], friction["place_force"][1][0]
     return _around(scene.slider.rod_length * direction(scene.slider.rod_angle),
                    scene.slider.radius, ring_friction(scene, twist)["support_force"][1][0])  # fmt: skip
 
@@ -360,10 +362,10 @@ def _around(center: Array, radius: float, friction: Array) -> tuple[Array, Array
     return (center + radius * direction(turns))[::2], friction[::2]
 
 
-def _rubbing(one: xr.Dataset) -> tuple[Array, Array]:
-    if "place_force" in one:
-        return one["place_position"].values, one["place_force"].values
-    return _around(one["ring_center"].values, float(one["radius"]), one["support_force"].values)
+def _rubbing(data: xr.Dataset) -> tuple[Array, Array]:
+    if "place_force" in data:
+        return data["place_position"].values, data["place_force"].values
+    return _around(data["ring_center"].values, float(data["radius"]), data["support_force"].values)
 
 
 def with_curve(sketch: Sketch, scene: Scene) -> Sketch:
@@ -373,9 +375,10 @@ def with_curve(sketch: Sketch, scene: Scene) -> Sketch:
     ------
     InvalidValue
         If the force depends on the magnitude of the motion, so that no single curve bounds the forces of
-        all motions, or on the place of the force, because a side lies on the fence.
+        all motions, or on the position of the force, because a side lies on the fence.
     """
     require_one_point(scene, "limit_curve", "leave it out, or draw a scene at a point of the side")
+    require_one_curve(scene, "leave the limit curve out, or list one effect")
     curve = limit_curve(scene, ANGLES)
     return replace(sketch, curve=curve.force, flats=flats(curve.motion_angle))
 

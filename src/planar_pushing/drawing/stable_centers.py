@@ -100,11 +100,11 @@ class View:
         self.pose = Pose(slider.rod_length * direction(angle), angle)
         finite = [curve.centers[[0, -1]] for curve in region.curves]
         ends = np.concatenate([np.empty((0, 2)), *finite])
-        shown = self._corners_in_reach(
+        near = self._corners_in_reach(
             region.scene.to_fence(ends[np.isfinite(ends).all(axis=-1)], "point")
         )
         side = np.array([(end, 0.0) for end in slider.side])
-        needed = corners([*self.object_box, *side, *shown], AROUND * self.half)
+        needed = corners([*self.object_box, *side, *near], AROUND * self.half)
         self.box = Sheet.around(needed, tuple(shape), 0.0).box
         self.curves = [self.centers(curve.twists, curve.sense) for curve in region.curves]
 
@@ -239,7 +239,7 @@ def clearest(view: View, sense: Sense) -> tuple[Array, float]:
     if not len(points):
         return np.zeros(2), 0.0
     curves = np.concatenate([np.empty((0, 2)), *view.curves])
-    away = [np.hypot(*(points - each).T) for each in curves[view.shows(curves)]]
+    away = [np.hypot(*(points - center).T) for center in curves[view.shows(curves)]]
     away += [_outside(points, view.object_box), np.abs(points[:, 1])]
     away += [*(points - view.box[0]).T, *(view.box[1] - points).T]
     room = np.min(away, axis=0)
@@ -274,19 +274,19 @@ def add_curve(picture: Picture, view: View, curve: StableCurve, centers: Array) 
     if len(starts):
         start, stop = max(starts, key=lambda run: _length(centers[run[0] : run[1]]))
         part = centers[start:stop][view.shows(centers[start:stop])]
-        at = int(np.searchsorted(_along(part), 0.5 * _length(part)))
-        before, after = part[max(at - 1, 0)], part[min(at + 1, len(part) - 1)]
+        middle = int(np.searchsorted(_lengths_along(part), 0.5 * _length(part)))
+        before, after = part[max(middle - 1, 0)], part[min(middle + 1, len(part) - 1)]
         # The set is on the right of the curve as seen with the sense of the rotation from above.
-        way = after - before if curve.sense is Sense.COUNTERCLOCKWISE else before - after
-        out = np.array([-way[1], way[0]]) / (np.hypot(*way) or 1.0)
+        heading = after - before if curve.sense is Sense.COUNTERCLOCKWISE else before - after
+        out = np.array([-heading[1], heading[0]]) / (np.hypot(*heading) or 1.0)
         offset = float(32.0 * out[0]), float(14.0 * out[1])
-        picture.label(part[at], text, color=color, size=NOTE, offset=offset)
+        picture.label(part[middle], text, color=color, size=NOTE, offset=offset)
 
 
-def _along(points: Array) -> Array:
+def _lengths_along(points: Array) -> Array:
     steps = np.hypot(*np.diff(points, axis=0).T)
     return np.concatenate([[0.0], np.cumsum(steps)])
 
 
 def _length(points: Array) -> float:
-    return float(_along(points)[-1])
+    return float(_lengths_along(points)[-1])

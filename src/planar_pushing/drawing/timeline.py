@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import logging
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,11 +13,12 @@ from pydantic import ValidationError
 
 from planar_pushing.drawing.body import Body, body_in
 from planar_pushing.drawing.supports import Pose
+from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Ring
 from planar_pushing.terms.errors import InvalidFile, InvalidValue
 from planar_pushing.terms.options import Shape
-from planar_pushing.terms.quantities import described
+from planar_pushing.terms.quantities import describe, stop_text
 
 LOG = logging.getLogger("planar_pushing")
 #: Variables of a log that a picture shows, named path_* in the picture's data.
@@ -36,11 +37,13 @@ PATH = (
 BEYOND = 0.45
 #: Points of a side on the fence differ in height by less, in units of the slider's size.
 LEVEL = 1e-6
-#: A longer step of the place of a force along a side between two rows, in units of the slider's size, is a
-#: jump.
+#: A longer step of the position of a force along a side between two rows, in units of the slider's size,
+#: is a jump.
 MOVES = 0.02
 #: Speeds that differ by less count as equal.
 ROUNDING = 1e-6
+#: A pusher moves along the slider if the normal part of its velocity is a smaller part of its speed.
+SIDEWAYS = 1e-9
 
 
 class Run(NamedTuple):
@@ -53,7 +56,7 @@ class Run(NamedTuple):
     flush: bool = False
 
 
-def plotted(log: xr.Dataset) -> xr.Dataset:
+def path_data(log: xr.Dataset) -> xr.Dataset:
     """Select the data that a picture of a log shows.
 
     Raises
@@ -81,15 +84,16 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
             "name another file"
         )
     data = log[list(PATH)].rename({name: f"path_{name}" for name in PATH})
+    data["path_pusher_velocity"] = pusher_velocity(log)
     data["path_center"] = motion_center(log)
     for name in ("radius", "rod_length"):
-        data[name] = ((), float(slider[name]), described("length", name))
+        data[name] = ((), float(slider[name]), describe("length", name))
     data["radius"].attrs["long_name"] = "radius of the ring"
     data["rod_length"].attrs["long_name"] = "rod length, from the contact to the slider's center"
     if log.attrs.get("pusher_shape") == Shape.FINGER:
         data["path_side"] = side_of(log, slider)
         if radius := float(log.attrs.get("pusher_radius", 0.0)):
-            data["pusher_radius"] = ((), radius, described("length", "radius of the finger"))
+            data["pusher_radius"] = ((), radius, describe("length", "radius of the finger"))
     elif "flush" in log:
         data["path_flush"], data["path_contact_position"] = log["flush"], log["contact_position"]
         data["corners"] = corners_of(slider)
@@ -100,10 +104,12 @@ def plotted(log: xr.Dataset) -> xr.Dataset:
 
 
 def announce_end(log: xr.Dataset) -> None:
-    """Say where the log of a run ends that has been killed, or goes on."""
+    """Say where and why a log ends early: the run stopped, has been killed, or goes on."""
     if not log.attrs.get("finished", 1) and log.sizes["time"]:
         end, duration = float(log["time"][-1]), float(log.attrs["duration"])
         LOG.warning("the log is not finished: it ends at %.6g of %.6g", end, duration)
+    if text := stop_text(log):
+        LOG.warning(text)
 
 
 def motion_center(log: xr.Dataset) -> xr.DataArray:
@@ -111,18 +117,56 @@ def motion_center(log: xr.Dataset) -> xr.DataArray:
     v_x, v_y, spin = np.moveaxis(log["twist"].values, -1, 0)
     with np.errstate(divide="ignore", invalid="ignore"):
         offset = np.stack([-v_y, v_x], axis=-1) / spin[:, None]
-    place = log["position"] + np.where(spin[:, None] == 0, np.nan, offset)
-    place.attrs = described("length", "motion center, from the contact at time 0")
-    return place
+    center = log["position"] + np.where(spin[:, None] == 0, np.nan, offset)
+    center.attrs = describe("length", "motion center, from the contact at time 0")
+    return center
+
+
+def pusher_velocity(log: xr.Dataset) -> xr.DataArray:
+    """Velocity of the pusher from each row to the next; at the last row, that from the row before."""
+    steps, times = np.diff(log["pusher"].values, axis=0), np.diff(log["time"].values)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        velocity = np.where(times[:, None] > 0, steps / times[:, None], 0.0)
+    rows = np.minimum(np.arange(log.sizes["time"]), len(velocity) - 1)
+    values = velocity[rows] if len(velocity) else np.zeros((log.sizes["time"], 2))
+    attrs = describe("length/time", "velocity of the pusher")
+    return xr.DataArray(values, dims=("time", "xy"), attrs=attrs)
+
+
+def pusher_heading(data: xr.Dataset, row: int) -> int:
+    """Sign of the pusher's velocity along the normal into the slider: 1 toward it, -1 away from it."""
+    velocity = data["path_pusher_velocity"].values[row]
+    into = normal(data)[row] if "path_side" in data else np.array([0.0, 1.0])
+    along = float(velocity @ into)
+    return 0 if abs(along) <= SIDEWAYS * float(np.hypot(*velocity)) else int(np.sign(along))
+
+
+def pusher_action(data: xr.Dataset, row: int) -> str:
+    """What the pusher does at a row, in words, and what a retreat does to the slider."""
+    mode, gap = int(data["path_mode"].values[row]), data["path_gap"].values
+    if mode < 0:
+        return "no consistent motion"
+    if not np.any(data["path_pusher_velocity"].values[row]):
+        return "stands still"
+    noun = "ring" if body_in(data).is_ring else "slider"
+    in_contact, after = mode != ContactMode.SEPARATE, min(row, len(gap) - 2) + 1
+    heading = pusher_heading(data, row)
+    if heading < 0:
+        return f"retreats: the {noun} follows" if in_contact else "retreats: the contact parts"
+    if heading == 0:
+        return "moves along the fence" if "path_side" not in data else "moves along the side"
+    if in_contact:
+        return "pushes"
+    return "approaches" if gap[after] < gap[after - 1] else "falls behind"
 
 
 def impacts(log: xr.Dataset) -> list[int]:
     """Rows at which the slider's momentum jumps by more than the neighboring forces explain."""
-    effects = {each["type"]: each for each in json.loads(log.attrs["scene"])["effects"]}
+    effects = {effect["type"]: effect for effect in json.loads(log.attrs["scene"])["effects"]}
     if "inertia" not in effects:
         return []
     mass = float(effects["inertia"]["mass"])
-    weight = sum(float(each.get("weight", 0.0)) for each in effects.values())
+    weight = sum(float(effect.get("weight", 0.0)) for effect in effects.values())
     momentum = mass * np.hypot(*np.diff(_of_mass(log, effects["inertia"]), axis=0).T)
     force = np.hypot(*log["force"].values.T)
     largest = weight + np.maximum(force[1:], force[:-1])
@@ -134,7 +178,8 @@ def impacts(log: xr.Dataset) -> list[int]:
 def _of_mass(log: xr.Dataset, inertia: dict[str, Any]) -> Array:
     """Velocity of the center of mass."""
     arm = np.asarray(inertia.get("center", (0.0, 0.0)))
-    turned = np.array([Pose((0.0, 0.0), each).at(arm) for each in np.deg2rad(log["rod_angle"])])
+    angles = np.deg2rad(log["rod_angle"])
+    turned = np.array([Pose((0.0, 0.0), angle).to_plane(arm) for angle in angles])
     v_x, v_y, spin = log["twist"].values.T
     return np.stack([v_x - spin * turned[:, 1], v_y + spin * turned[:, 0]], axis=-1)
 
@@ -148,9 +193,9 @@ def side_of(log: xr.Dataset, slider: dict[str, Any]) -> xr.DataArray:
     angle = np.deg2rad(log["rod_angle"].values)
     touched = log["position"].values - slider["rod_length"] * _unit(angle)
     tangent = _unit(angle - np.deg2rad(slider["rod_angle"]))
-    places = touched[:, None, :] + ends[None, :, None] * tangent[:, None, :]
+    positions = touched[:, None, :] + ends[None, :, None] * tangent[:, None, :]
     return xr.DataArray(
-        places, dims=("time", "end", "xy"), attrs=described("length", "ends of the side")
+        positions, dims=("time", "end", "xy"), attrs=describe("length", "ends of the side")
     )
 
 
@@ -160,11 +205,11 @@ def corners_of(slider: dict[str, Any]) -> xr.DataArray:
     tangent = _unit(-np.deg2rad(slider["rod_angle"]))
     ends = np.multiply.outer(along, tangent) - (slider["rod_length"], 0.0)
     points = np.concatenate([ends, np.reshape(slider.get("outline", ()), (-1, 2))])
-    apart = np.hypot(*np.moveaxis(points[:, None] - points, -1, 0)) > LEVEL * np.ptp(points)
+    differ = np.hypot(*np.moveaxis(points[:, None] - points, -1, 0)) > LEVEL * np.ptp(points)
     points = points[
-        np.triu(~apart, 1).sum(axis=0) == 0
+        np.triu(~differ, 1).sum(axis=0) == 0
     ]  # a point that is listed again is one point
-    names = described("length", "points that can touch the fence, in the body frame")
+    names = describe("length", "points that can touch the fence, in the body frame")
     return xr.DataArray(points, dims=("corner", "xy"), attrs=names)
 
 
@@ -187,8 +232,8 @@ def contact(data: xr.Dataset) -> Array:
 
 def _contact_on_fence(data: xr.Dataset) -> Array:
     """Point of the fence at which the force acts at every row, or the slider's nearest point."""
-    along, places = data["path_contact_position"].values, corner_positions(data)
-    nearest = places[np.arange(len(places)), np.argmin(places[..., 1], axis=1)]
+    along, positions = data["path_contact_position"].values, corner_positions(data)
+    nearest = positions[np.arange(len(positions)), np.argmin(positions[..., 1], axis=1)]
     on_fence = data["path_pusher"].values + np.stack([along, np.zeros(len(along))], axis=-1)
     return np.asarray(np.where(np.isnan(along)[:, None], nearest, on_fence))
 
@@ -202,12 +247,12 @@ def corner_positions(data: xr.Dataset) -> Array:
     return np.asarray(data["path_position"].values[:, None] + turned)
 
 
-def touching(data: xr.Dataset) -> Array:
+def contact_corner(data: xr.Dataset) -> Array:
     """Number of the slider's point that is the contact at every row; -1 for a side on the fence."""
     if "path_flush" not in data:
         return np.zeros(data.sizes["time"], dtype=int)
-    apart = corner_positions(data) - contact(data)[:, None]
-    nearest = np.argmin(np.hypot(*np.moveaxis(apart, -1, 0)), axis=1)
+    from_contact = corner_positions(data) - contact(data)[:, None]
+    nearest = np.argmin(np.hypot(*np.moveaxis(from_contact, -1, 0)), axis=1)
     return np.where(data["path_flush"].values, -1, nearest)
 
 
@@ -215,7 +260,7 @@ def contact_jumps(data: xr.Dataset) -> Any:
     """Rows at which the contact is not where it was in the slider: at another point, or along a side."""
     if "path_flush" not in data:
         return np.empty(0, dtype=int)
-    point, arm = touching(data), contact(data) - data["path_position"].values
+    point, arm = contact_corner(data), contact(data) - data["path_position"].values
     size = float(np.ptp(corner_positions(data)[0], axis=0).max())
     along = (point[1:] == -1) & (np.hypot(*np.diff(arm, axis=0).T) > MOVES * size)
     return np.asarray(np.flatnonzero((np.diff(point) != 0) | along) + 1)
@@ -225,9 +270,9 @@ def side_on_fence(data: xr.Dataset, row: int) -> Array | None:
     """Ends of the side that lies on the fence at a row, shape (2, 2); None without one."""
     if "path_flush" not in data or not data["path_flush"].values[row]:
         return None
-    places = corner_positions(data.isel(time=[row]))[0]
-    height = places[:, 1] - places[:, 1].min()
-    on_fence = places[height <= LEVEL * float(np.ptp(places, axis=0).max())]
+    positions = corner_positions(data.isel(time=[row]))[0]
+    height = positions[:, 1] - positions[:, 1].min()
+    on_fence = positions[height <= LEVEL * float(np.ptp(positions, axis=0).max())]
     return np.asarray(on_fence[[np.argmin(on_fence[:, 0]), np.argmax(on_fence[:, 0])]])
 
 
@@ -268,6 +313,11 @@ def runs(data: xr.Dataset) -> Iterator[Run]:
         )
 
 
+def is_pivot(data: xr.Dataset, row: int) -> bool:
+    """Whether the slider pivots about a support point at a row."""
+    return "path_pivot" in data and bool(data["path_pivot"].values[row] >= 0)
+
+
 def pivots(data: xr.Dataset) -> Iterator[Run]:
     """Time intervals, longer than an instant, in which the slider pivots about one support point."""
     if "path_pivot" not in data:
@@ -283,5 +333,19 @@ def pivots(data: xr.Dataset) -> Iterator[Run]:
 def rows(data: xr.Dataset, count: int) -> list[int]:
     """Rows nearest to evenly spaced instants, both ends included."""
     time = data["time"].values
-    wanted = np.linspace(time[0], time[-1], count)
-    return sorted({int(np.argmin(np.abs(time - each))) for each in wanted})
+    return rows_at(data, np.linspace(time[0], time[-1], count))
+
+
+def rows_at(data: xr.Dataset, instants: Iterable[float]) -> list[int]:
+    """Rows nearest to instants, in the order of time."""
+    time = data["time"].values
+    return sorted({int(np.argmin(np.abs(time - instant))) for instant in instants})
+
+
+def key_rows(data: xr.Dataset, impact_rows: Sequence[int] = ()) -> list[int]:
+    """Three rows that tell the motion: the first, the first impact or else the middle, and the last."""
+    ends = {0, data.sizes["time"] - 1}
+    inner = next(
+        (row for row in impact_rows if row not in ends), rows(data, 3)[len(rows(data, 3)) // 2]
+    )
+    return sorted({*ends, inner})

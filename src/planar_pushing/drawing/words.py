@@ -39,11 +39,11 @@ def best(solutions: Sequence[Solution], wanted: str = "") -> int:
     """Index of the solution to draw in full: the wanted mode, otherwise sticking, otherwise moving."""
     ranks = [
         (
-            each.mode.name != wanted,
-            each.mode != ContactMode.STICK,
-            each.mode == ContactMode.SEPARATE,
+            solution.mode.name != wanted,
+            solution.mode != ContactMode.STICK,
+            solution.mode == ContactMode.SEPARATE,
         )
-        for each in solutions
+        for solution in solutions
     ]
     return min(range(len(ranks)), key=ranks.__getitem__, default=-1)
 
@@ -56,16 +56,16 @@ def best_row(modes: Any) -> Any:
 
 def does(solution: Solution, pusher: Any) -> str:
     """Behavior of the contact, such as "slips to the left while being pulled"."""
-    found = _moves(solution)
+    text = _moves(solution)
     if solution.mode == ContactMode.SEPARATE:
-        return found
+        return text
     if solution.adhesive:
-        found += ", held by adhesion"
+        text += ", held by adhesion"
     elif pusher[1] < -ROUNDING * float(np.hypot(*pusher)):
-        found += " while being pulled"
+        text += " while being pulled"
     if solution.continuum:
-        return f"{found} (one of a range of motions)"
-    return f"{found}, turning about a support point" if solution.pivot >= 0 else found
+        return f"{text} (one of a range of motions)"
+    return f"{text}, turning about a support point" if solution.pivot >= 0 else text
 
 
 def _moves(solution: Solution) -> str:
@@ -80,48 +80,48 @@ def _moves(solution: Solution) -> str:
 
 def end_of(solution: Solution) -> str:
     """The end of a side about which it turns as the other end lifts off; empty for another contact."""
-    place = solution.force_position
-    if solution.flush or place is None or np.isnan(place):
+    position = solution.force_position
+    if solution.flush or position is None or np.isnan(position):
         return ""
-    return "left" if place < 0 else "right"
+    return "left" if position < 0 else "right"
 
 
-def outcome(solutions: Sequence[Solution], pusher: Any, shown: int) -> str:
+def outcome(solutions: Sequence[Solution], pusher: Any, chosen: int) -> str:
     """One sentence on the solution that is drawn and on the others."""
     if not solutions:
         return "No motion of the slider is consistent with this push."
-    said = _capital(_with_subject(does(solutions[shown], pusher)))
-    others = [does(each, pusher) for i, each in enumerate(solutions) if i != shown]
+    sentence = _capitalize(_with_subject(does(solutions[chosen], pusher)))
+    others = [does(other, pusher) for i, other in enumerate(solutions) if i != chosen]
     if not others:
-        return f"{said}."
+        return f"{sentence}."
     count = f"{NUMBERS[len(others)]} other solution{'' if len(others) == 1 else 's'}"
-    return f"{said}; {count}: {_alternatives(others)}."
+    return f"{sentence}; {count}: {_alternatives(others)}."
 
 
-def _capital(said: str) -> str:
-    return said[0].upper() + said[1:]
+def _capitalize(text: str) -> str:
+    return text[0].upper() + text[1:]
 
 
 def _alternatives(others: list[str]) -> str:
     """Alternatives as a list in words, with a subject where it is not that of the one before."""
-    named, subject = [], ""
-    for said in others:
-        own = _subject(said)
-        named.append(said if own == subject else _with_subject(said))
-        subject = own
-    if len(named) == 1:
-        return named[0]
-    return f"{', '.join(named[:-1])}, or {named[-1]}"
+    texts, previous = [], ""
+    for behavior in others:
+        subject = _subject(behavior)
+        texts.append(behavior if subject == previous else _with_subject(behavior))
+        previous = subject
+    if len(texts) == 1:
+        return texts[0]
+    return f"{', '.join(texts[:-1])}, or {texts[-1]}"
 
 
-def _with_subject(said: str) -> str:
+def _with_subject(behavior: str) -> str:
     """Behavior with its subject."""
-    return said if said.startswith("the ") else f"the {_subject(said)} {said}"
+    return behavior if behavior.startswith("the ") else f"the {_subject(behavior)} {behavior}"
 
 
-def _subject(said: str) -> str:
+def _subject(behavior: str) -> str:
     """What moves: the contact, or a side on the fence."""
-    return "side" if said.startswith("the side") or "flush" in said else "contact"
+    return "side" if behavior.startswith("the side") or "flush" in behavior else "contact"
 
 
 def row(solution: Solution, pusher: Any) -> dict[str, str]:
@@ -131,15 +131,15 @@ def row(solution: Solution, pusher: Any) -> dict[str, str]:
     sticks = solution.mode == ContactMode.STICK
     end = end_of(solution)
     contact = DASH if rests else f"{end} end" if end else "flush"
-    place = solution.force_position
-    own = {} if place is None else {"at x*": number(place)}
+    position = solution.force_position
+    position_entry = {} if position is None else {"at x*": number(position)}
     return {
         "mode": str(solution.mode.name).replace("_", " ").lower(),
-        **({"contact": contact} if own else {}),
+        **({"contact": contact} if position_entry else {}),
         "force": "0" if rests else _polar(solution.force),
-        **own,
+        **position_entry,
         "motion": "0" if rests else _polar(solution.contact_motion),
-        "center": DASH if np.isnan(solution.center).any() else _place(solution.center),
+        "center": DASH if np.isnan(solution.center).any() else _position(solution.center),
         "slip": DASH if rests else "0" if sticks else number(slip),
     }
 
@@ -150,7 +150,7 @@ def _polar(vector: Any) -> str:
     return f"{number(float(np.hypot(*vector)))} at {number(angle, 1)}\N{DEGREE SIGN}"
 
 
-def _place(center: Any) -> str:
+def _position(center: Any) -> str:
     if not np.isfinite(center).all() or np.hypot(*center) > 1e6:
         return "at infinity"
     return f"({number(float(center[0]))}, {number(float(center[1]))})"

@@ -11,7 +11,7 @@ from urllib.parse import urlencode
 
 from pydantic import ValidationError
 
-from planar_pushing.explorer.state import Handle, Start, State, pushed
+from planar_pushing.explorer.state import Handle, Start, State, with_push
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.scenes.files import explain
 from planar_pushing.scenes.scene_model import SceneFile
@@ -20,7 +20,7 @@ from planar_pushing.terms.errors import (
     InvalidValue,
     PlanarPushingError,
     as_float,
-    shown,
+    format_value,
 )
 
 #: Named components of the state outside the scene file, and their values.
@@ -45,11 +45,15 @@ REMEDY = "the page shows its first preset instead"
 def query(state: State) -> str:
     """Query of an address for a state."""
     parts = {name: getattr(state, name) for name in NAMES | NUMBERS}
-    kept = {k: each for k, each in parts.items() if k not in DEFAULTS or each != DEFAULTS[k]}
+    entries = {
+        name: value
+        for name, value in parts.items()
+        if name not in DEFAULTS or value != DEFAULTS[name]
+    }
     content = state.file.model_dump(mode="json", exclude_none=True, exclude_defaults=True)
     for name in NESTED:
-        kept |= {f"{name}.{key}": each for key, each in content.pop(name, {}).items()}
-    return urlencode({key: _text(each) for key, each in (kept | content).items()})
+        entries |= {f"{name}.{key}": value for key, value in content.pop(name, {}).items()}
+    return urlencode({key: _text(value) for key, value in (entries | content).items()})
 
 
 def state_in(arguments: Mapping[str, str]) -> State:
@@ -69,7 +73,7 @@ def state_in(arguments: Mapping[str, str]) -> State:
             holder[inner or name] = _value(arguments[key])
     try:
         state = State(file=SceneFile.model_validate(content), **parts)
-        state = state if state.file.simulate else pushed(state, state.angle, state.magnitude)
+        state = state if state.file.simulate else with_push(state, state.angle, state.magnitude)
         _ = state.scene
     except ValidationError as error:
         line = explain_problem("address", error)
@@ -77,39 +81,39 @@ def state_in(arguments: Mapping[str, str]) -> State:
     return state
 
 
-def _part(key: str, given: str) -> Any:
+def _part(key: str, text: str) -> Any:
     """Component of the state outside the scene file."""
     if key in NAMES:
         allowed = " or ".join(NAMES[key])
-        if given in NAMES[key]:
-            return {"start": Start, "handle": Handle}.get(key, str)(given)
-        raise InvalidValue(f"address: {key}", given, allowed, REMEDY)
-    least, allowed = NUMBERS[key]
-    value = as_float(_value(given))
-    if not (math.isfinite(value) and value >= least):
-        raise InvalidValue(f"address: {key}", given, allowed, REMEDY)
+        if text in NAMES[key]:
+            return {"start": Start, "handle": Handle}.get(key, str)(text)
+        raise InvalidValue(f"address: {key}", text, allowed, REMEDY)
+    lowest, allowed = NUMBERS[key]
+    value = as_float(_value(text))
+    if not (math.isfinite(value) and value >= lowest):
+        raise InvalidValue(f"address: {key}", text, allowed, REMEDY)
     return value
 
 
-def _text(given: Any) -> str:
+def _text(value: Any) -> str:
     """A word unchanged, and any other value as JSON."""
-    return str(given) if isinstance(given, str) else json.dumps(given, separators=(",", ":"))
+    return str(value) if isinstance(value, str) else json.dumps(value, separators=(",", ":"))
 
 
-def _value(given: str) -> Any:
+def _value(text: str) -> Any:
     """Inverse of `_text`; text that is not JSON is returned unchanged."""
     try:
-        return json.loads(given)
+        return json.loads(text)
     except (ValueError, RecursionError):  # a text of thousands of brackets
-        return given
+        return text
 
 
-def refusal(error: BaseException, name: str = "", given: Any = None) -> str:
+def refusal(error: BaseException, name: str = "", value: Any = None) -> str:
     """One-line message with the changed widget and its value, if any, and the allowed values."""
     if isinstance(error, ValidationError):
         line = explain_problem("scene", error)
-        value = "nothing" if given is None or given == [] else shown(given)
-        return f"{name}: {value} given; {line.partition(' given; ')[2]}" if name else line
+        text = "nothing" if value is None or value == [] else format_value(value)
+        return f"{name}: {text} given; {line.partition(' given; ')[2]}" if name else line
     known = isinstance(error, PlanarPushingError)
     return " ".join((str(error) if known else f"{type(error).__name__}: {error}").split())
 

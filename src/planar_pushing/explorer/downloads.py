@@ -9,8 +9,8 @@ from pathlib import Path
 
 from planar_pushing.drawing.canvas.svg import to_svg
 from planar_pushing.drawing.scene import scene_picture
-from planar_pushing.explorer.pictures.following import followed
-from planar_pushing.explorer.pictures.pictures import solved
+from planar_pushing.explorer.pictures.following import follow
+from planar_pushing.explorer.pictures.pictures import solve_push
 from planar_pushing.explorer.python_lines import lines
 from planar_pushing.explorer.state import Start, State
 from planar_pushing.scenes.files import save_scene_file
@@ -33,13 +33,13 @@ def _yaml(state: State, path: Path) -> None:
 
 
 def _svg(state: State, path: Path) -> None:
-    sketch = solved(replace(state, time=None)).sketch
+    sketch = solve_push(replace(state, time=None)).sketch
     text = to_svg(scene_picture(sketch), sketch.box, SIZE, point=POINT)
     path.write_text(text, encoding="utf-8")
 
 
 def _log(state: State, path: Path) -> None:
-    write_dataset(followed(state).log, path)
+    write_dataset(follow(state).log, path)
 
 
 def _python(state: State, path: Path) -> None:

@@ -19,7 +19,13 @@ from pydantic import ValidationError
 
 from planar_pushing.explorer.address import query, refusal
 from planar_pushing.explorer.downloads import download
-from planar_pushing.explorer.pictures.following import WAYS, chosen, forgotten, taken, ways_at
+from planar_pushing.explorer.pictures.following import (
+    CHOICES,
+    choices_at,
+    has_choices,
+    with_choice,
+    without_choices,
+)
 from planar_pushing.explorer.pictures.maps import maps
 from planar_pushing.explorer.pictures.pictures import push_box
 from planar_pushing.explorer.pointing import Pointing
@@ -31,6 +37,7 @@ from planar_pushing.explorer.widgets import FRAMES, Field, alike, fields, update
 from planar_pushing.explorer.worker import Worker
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.errors import PlanarPushingError
+from planar_pushing.terms.quantities import stop_text
 
 
 class Screen(JSComponent):  # type: ignore[misc]
@@ -88,13 +95,15 @@ class Page:
         Document of the session; everything except the work of the threads runs in its loop.
     state : State
         The first state.
-    said : str
+    message : str
         Error message for the address, if any.
     close : callable
         Ends the server.
     """
 
-    def __init__(self, document: Any, state: State, said: str, close: Callable[[], None]) -> None:
+    def __init__(
+        self, document: Any, state: State, message: str, close: Callable[[], None]
+    ) -> None:
         self.document, self.state = document, state
         self.number, self.orders, self.changed_at = 0, 0, 0.0
         self.quiet = self.starts = False
@@ -102,9 +111,9 @@ class Page:
         self.box, self.view = push_box(state), View({})
         self.screen, self.pointing = Screen(self._hear), Pointing(self)
         self.fields = fields()
-        self.fixed = {"error": escape(said), "note": ""}
+        self.fixed = {"error": escape(message), "note": ""}
         self.painter = Worker(document, view, self._show)
-        self.mapper = Worker(document, self._map, self._mapped)
+        self.mapper = Worker(document, self._map, self._offer_modes)
         self.writer = Worker(document, lambda order: download(*order), self._save)
         self._build()
         self._listen(close)
@@ -116,8 +125,8 @@ class Page:
         options = {"Start from \u2026": ""} | {title: name for name, title in titles().items()}
         self.preset = pn.widgets.Select(options=options, sizing_mode="stretch_width", margin=0)
         self.solution = pn.widgets.RadioButtonGroup(margin=(2, 6))
-        self.ways = {
-            way: pn.widgets.Button(label=name, visible=False) for way, name in WAYS.items()
+        self.choices = {
+            policy: pn.widgets.Button(label=name, visible=False) for policy, name in CHOICES.items()
         }
         self.forget = pn.widgets.Button(label="Forget the choices made", visible=False)
         self.saves = {name: pn.widgets.Button(label=word, margin=0) for name, word in SAVES.items()}
@@ -125,12 +134,12 @@ class Page:
 
     def _listen(self, close: Callable[[], None]) -> None:
         for field in self.fields.values():
-            field.widget.param.watch(partial(self._edited, field), "value")
+            field.widget.param.watch(partial(self._edit, field), "value")
         self.preset.param.watch(self._start_from, "value")
         self.solution.param.watch(self._choose, "value")
-        for way, button in self.ways.items():
-            button.on_click(partial(self._take, way))
-        self.forget.on_click(lambda event: self.change(forgotten))
+        for policy, button in self.choices.items():
+            button.on_click(partial(self._take, policy))
+        self.forget.on_click(lambda event: self.change(without_choices))
         for name, button in self.saves.items():
             button.on_click(partial(self._write, name))
         self.close.on_click(partial(self._close, close))
@@ -138,24 +147,24 @@ class Page:
     @property
     def roots(self) -> dict[str, Any]:
         """Everything that the template places, by name."""
-        found = {name: field.widget for name, field in self.fields.items()}
-        found |= {name.replace(".", "_"): button for name, button in self.saves.items()}
-        found |= {"preset": self.preset, "solution": self.solution, "forget": self.forget}
-        ways = pn.FlexBox(*self.ways.values())
-        return found | {"close": self.close, "ways": ways, "screen": self.screen}
+        widgets = {name: field.widget for name, field in self.fields.items()}
+        widgets |= {name.replace(".", "_"): button for name, button in self.saves.items()}
+        widgets |= {"preset": self.preset, "solution": self.solution, "forget": self.forget}
+        choices = pn.FlexBox(*self.choices.values())
+        return widgets | {"close": self.close, "choices": choices, "screen": self.screen}
 
     # -- states --------------------------------------------------------------------------------------
 
-    def change(self, make: Callable[[State], State], name: str = "", given: Any = None) -> None:
+    def change(self, make: Callable[[State], State], name: str = "", value: Any = None) -> None:
         """Show the state after a change, or report why it is not possible.
 
-        `name` and `given` are the changed widget and its value.
+        `name` and `value` are the changed widget and its value.
         """
         try:
             state = make(self.state)
             _ = state.scene
         except (PlanarPushingError, ValidationError) as error:
-            self.say(refusal(error, name, given))
+            self.say(refusal(error, name, value))
             self.document.add_next_tick_callback(self.show_widgets)
             return
         self.say("")
@@ -206,8 +215,9 @@ class Page:
         self.screen.forget()
         self.draw()
 
-    def _edited(self, field: Field, event: Any) -> None:
-        if not self.quiet and not alike(event.new, field.read(self.state)):
+    def _edit(self, field: Field, event: Any) -> None:
+        late = field is self.fields["time"] and self.state.time is None
+        if not (self.quiet or late or alike(event.new, field.read(self.state))):
             name = field.widget.label
             self.change(lambda state: field.write(state, event.new), name, event.new)
             self.starts = field is self.fields["follow"] and event.new
@@ -217,24 +227,29 @@ class Page:
     def _start_from(self, event: Any) -> None:
         if event.new:
             self.preset.value = ""
+            self._stop_player()
             self.put(preset(event.new))
+
+    def _stop_player(self) -> None:
+        """Stop the player; a frame that the browser sends before it knows is not taken."""
+        self.starts, self.fields["time"].widget.direction = False, 0
 
     def _choose(self, event: Any) -> None:
         if not self.quiet and event.new:
             self.change(lambda state: replace(state, shown=event.new))
 
-    def _take(self, way: str, event: Any) -> None:
-        self.change(lambda state: taken(state, way))
+    def _take(self, policy: str, event: Any) -> None:
+        self.change(lambda state: with_choice(state, policy))
 
     def _write(self, name: str, event: Any) -> None:
         self.writer.ask((self.state, name))
 
-    def _save(self, order: tuple[State, str], found: Any) -> None:
+    def _save(self, order: tuple[State, str], answer: Any) -> None:
         """Send a file to the browser."""
-        if isinstance(found, BaseException):
-            self.say(refusal(found))
+        if isinstance(answer, BaseException):
+            self.say(refusal(answer))
         else:
-            self.screen.tell({}, file=[order[1], base64.b64encode(found).decode()])
+            self.screen.tell({}, file=[order[1], base64.b64encode(answer).decode()])
 
     def _close(self, close: Callable[[], None], event: Any) -> None:
         self.screen.tell({"words": CLOSED})
@@ -247,16 +262,16 @@ class Page:
 
     # -- pictures, texts and widgets -----------------------------------------------------------------
 
-    def _show(self, order: Order, found: Any) -> None:
+    def _show(self, order: Order, answer: Any) -> None:
         """Show the pictures of a state, or report why there are none."""
-        if isinstance(found, BaseException):
-            LOG.debug("no picture", exc_info=found)
-            self.say(refusal(found))
+        if isinstance(answer, BaseException):
+            LOG.debug("no picture", exc_info=answer)
+            self.say(refusal(answer))
             self.screen.tell({}, number=order.number)
             return
-        self.view = found
-        self.screen.tell(self.fixed | found.markup, number=order.number)
-        if self.starts and found.motion is not None:
+        self.view = answer
+        self.screen.tell(self.fixed | answer.markup, number=order.number)
+        if self.starts and answer.motion is not None:
             self.starts, self.fields["time"].widget.direction = False, 1
 
     def say(self, text: str) -> None:
@@ -276,10 +291,10 @@ class Page:
 
     def _show_choices(self) -> None:
         """Offer the solutions to draw in full, the available times, and a button to forget choices."""
-        self.forget.visible = chosen(self.state)
+        self.forget.visible = has_choices(self.state)
         motion, push = self.view.motion, self.view.push
         if push is not None:
-            names = [each.mode.name for each in push.solutions]
+            names = [solution.mode.name for solution in push.solutions]
             labels = {name.replace("_", " ").capitalize(): name for name in names}
             value = names[push.chosen] if names else None
             off = self.state.time is not None or len(names) < 2
@@ -293,10 +308,10 @@ class Page:
     def _look(self) -> None:
         """Report slow computations, and update the page once it is at rest."""
         motion = self.view.motion if self.state.time is not None else None
-        note = "" if motion is None else motion.log.attrs["stopped"]
+        note = "" if motion is None else stop_text(motion.log)
         if self.painter.seconds > SLOW or self.mapper.seconds > SLOW_MAP:
             note = COMPUTING
-        self.fixed["note"] = escape(note)
+        self.fixed["note"] = escape(note[:1].upper() + note[1:])
         self.screen.tell(self.fixed)
         rested = time.monotonic() - self.changed_at > REST and not self.painter.seconds
         if self.changed_at and rested:
@@ -317,22 +332,22 @@ class Page:
 
     def _map(self, order: tuple[State, State, View]) -> tuple[str, ...]:
         """Draw a coarse and a finer map; return the modes to choose from. Runs in the mapper's thread."""
-        state, subject, found = order
-        for each in maps(subject):
-            markup = map_markup(subject, each, self.sizes["map"])
-            markup["map-when"] = found.markup["when"]
+        state, subject, current = order
+        for modes in maps(subject):
+            markup = map_markup(subject, modes, self.sizes["map"])
+            markup["map-when"] = current.markup["when"]
             self.document.add_next_tick_callback(partial(self.screen.tell, markup))
             if self.mapper.wanted:
                 return ()
-        if state.time is None or found.motion is None:
+        if state.time is None or current.motion is None:
             return ()
-        return ways_at(state, found.motion, state.time)
+        return choices_at(state, current.motion, state.time)
 
-    def _mapped(self, order: tuple[State, State, View], found: Any) -> None:
+    def _offer_modes(self, order: tuple[State, State, View], answer: Any) -> None:
         """Offer the modes to choose from at an instant if it is still shown."""
-        if isinstance(found, BaseException):
-            LOG.debug("no map", exc_info=found)
+        if isinstance(answer, BaseException):
+            LOG.debug("no map", exc_info=answer)
         elif order[0] == self.state:
-            self.screen.tell({"choice": "From here on, the contact" if found else ""})
-            for way, button in self.ways.items():
-                update(button, {"visible": way in found})
+            self.screen.tell({"choice": "From here on, the contact" if answer else ""})
+            for policy, button in self.choices.items():
+                update(button, {"visible": policy in answer})

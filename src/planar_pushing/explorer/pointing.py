@@ -31,20 +31,20 @@ class Pointing:
             right, up = event["way"]
             self._key(right, up, event["coarse"])
         else:
-            EVENTS[event["kind"]](self, event["picture"], self._place(event))
+            EVENTS[event["kind"]](self, event["picture"], self._position(event))
 
-    def _place(self, event: dict[str, Any]) -> Array:
+    def _position(self, event: dict[str, Any]) -> Array:
         """Position of a pointer in its picture."""
         name = event["picture"]
         box = BOXES.get(name, self.page.box)
-        return sheet_of(self.page.sizes[name], box).place((event["x"], event["y"]))
+        return sheet_of(self.page.sizes[name], box).to_scene((event["x"], event["y"]))
 
     def _key(self, right: int, up: int, coarse: bool) -> None:
         if self.page.state.time is None:
             force = self.page.force
-            self.page.change(lambda state: handles.nudged(state, force, right, up, coarse))
+            self.page.change(lambda state: handles.nudge_handle(state, force, right, up, coarse))
 
-    def _grab(self, picture: str, place: Array) -> None:
+    def _grab(self, picture: str, position: Array) -> None:
         """Grab the handle at a position; on the limit curve this is the line of force.
 
         With a side on the fence there is neither a curve nor a map.
@@ -53,31 +53,31 @@ class Pointing:
             return
         handle: Handle | None = Handle.LINE
         if picture == "scene":
-            handle = handles.nearest(self.page.state, self.page.force, place)
+            handle = handles.nearest(self.page.state, self.page.force, position)
         if picture in ("map", "time"):
             self.held = picture
         elif handle is not None and self.page.state.time is None:
             self.held = picture
             self.page.change(lambda state: replace(state, handle=handle))
         if picture != "scene":
-            self._drag(picture, place)
+            self._drag(picture, position)
 
-    def _drag(self, picture: str, place: Array) -> None:
+    def _drag(self, picture: str, position: Array) -> None:
         motion = self.page.view.motion
         if self.held in ("scene", "curve"):
-            self.page.change(lambda state: handles.dragged(state, state.handle, place))
+            self.page.change(lambda state: handles.drag_handle(state, state.handle, position))
         elif self.held == "time" and motion is not None:
             end = float(motion.times[-1])
-            time = float(np.clip(end * place[0] / LONG, 0.0, end))
+            time = float(np.clip(end * position[0] / LONG, 0.0, end))
             self.page.change(lambda state: replace(state, time=time))
 
-    def _drop(self, picture: str, place: Array) -> None:
+    def _drop(self, picture: str, position: Array) -> None:
         if self.held == "map":
-            self.page.change(lambda state: maps.gone(self.page.subject, place))
-        self._drag(picture, place)
+            self.page.change(lambda state: maps.state_at(self.page.subject, position))
+        self._drag(picture, position)
         self.held = ""
 
-    def _cancel(self, picture: str, place: Array) -> None:
+    def _cancel(self, picture: str, position: Array) -> None:
         self.held = ""
 
 

@@ -53,11 +53,11 @@ def _simulate(state: State) -> Iterator[str]:
         yield ""
         yield f"pusher = pp.Pusher(velocity=velocity, {_kind(pusher)})"
     else:
-        pieces = [(time, tuple(each)) for time, each in pusher.pieces]
+        pieces = [(time, tuple(velocity)) for time, velocity in pusher.pieces]
         yield f"pusher = pp.Pusher(velocity={code(pieces)}, {_kind(pusher)})"
     yield "log = pp.simulate("
     yield "    scene, pusher=pusher,"
-    yield from (f"    {name}={code(each)}," for name, each in options.items())
+    yield from (f"    {name}={code(value)}," for name, value in options.items())
     yield ")"
 
 
@@ -70,8 +70,8 @@ def _kind(pusher: Any) -> str:
 def settings(state: State) -> dict[str, Any]:
     """Keyword arguments of `simulate` for the push that the page follows."""
     section = state.file.simulate
-    found = arguments(section) if section else {}
-    return {name: each for name, each in found.items() if each is not None}
+    options = arguments(section) if section else {}
+    return {name: value for name, value in options.items() if value is not None}
 
 
 def acceleration(state: State) -> tuple[float, float]:
@@ -83,8 +83,8 @@ def acceleration(state: State) -> tuple[float, float]:
 def code(value: Any) -> str:
     """A value as Python code with the public names of the package."""
     if is_dataclass(value) and not isinstance(value, type):
-        own = {each.name: getattr(value, each.name) for each in fields(value)}
-        inner = ", ".join(f"{name}={code(each)}" for name, each in own.items())
+        names = [field.name for field in fields(value)]
+        inner = ", ".join(f"{name}={code(getattr(value, name))}" for name in names)
         return f"pp.{type(value).__name__}({inner})"
     if isinstance(value, (tuple, list)):
         inner = ", ".join(map(code, value))

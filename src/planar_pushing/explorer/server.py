@@ -42,9 +42,9 @@ class Explorer:
             {"/": self._page}, port, HOST, websocket_origin=origins, title="Planar pushing"
         )
         _refuse_other_hosts(self.server._tornado)
-        for each in self.server._http._sockets.values():
+        for listener in self.server._http._sockets.values():
             # Otherwise TCP delays a small message by up to 40 ms, until the previous one is acknowledged.
-            each.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            listener.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
 
     @property
     def url(self) -> str:
@@ -72,8 +72,8 @@ class Explorer:
 
     def _page(self) -> Any:
         """Create the page of a session."""
-        state, said = self._state(_decoded(pn.state.session_args))
-        page = Page(pn.state.curdoc, state, said, self.stop)
+        state, message = self._state(_decode(pn.state.session_args))
+        page = Page(pn.state.curdoc, state, message, self.stop)
         template = pn.Template((FOLDER / "page.html").read_text(encoding="utf-8"))
         template.add_variable("style", (FOLDER / "page.css").read_text(encoding="utf-8"))
         for name, root in page.roots.items():
@@ -81,15 +81,15 @@ class Explorer:
         pn.state.on_session_destroyed(lambda context: page.end())
         return template
 
-    def _state(self, given: dict[str, str]) -> tuple[State, str]:
+    def _state(self, arguments: dict[str, str]) -> tuple[State, str]:
         """State in the address, and the message about an error in it."""
         try:
-            return (state_in(given) if given else self.first), ""
+            return (state_in(arguments) if arguments else self.first), ""
         except PlanarPushingError as error:
             return preset(FIRST), " ".join(str(error).split())
 
 
-def _decoded(arguments: Mapping[str, list[bytes]]) -> dict[str, str]:
+def _decode(arguments: Mapping[str, list[bytes]]) -> dict[str, str]:
     """Arguments of an address as text, without those of the protocol; other bytes are replaced."""
     return {
         key: values[0].decode(errors="replace")

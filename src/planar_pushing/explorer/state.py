@@ -76,8 +76,8 @@ class State:
     @property
     def finger_radius(self) -> float:
         """Radius of the finger; 0 for a point."""
-        given = self.file.simulate
-        return (given.pusher_radius or 0.0) if given else 0.0
+        section = self.file.simulate
+        return (section.pusher_radius or 0.0) if section else 0.0
 
     @property
     def duration(self) -> float:
@@ -105,28 +105,28 @@ def state_of(file: SceneFile, angle: float | None = None, magnitude: float = 1.0
     if file.simulate is not None and angle is None:
         first = file.simulate.pieces[0]
         speed = first.speed or 1.0
-        return State(file=file, angle=wrapped(first.angle), magnitude=speed)
+        return State(file=file, angle=wrap_angle(first.angle), magnitude=speed)
     inert = build(file).stores_energy
     state = State(file=file, start=Start.ACCELERATION if inert else Start.VELOCITY)
-    return pushed(state, 90.0 if angle is None else angle, magnitude)
+    return with_push(state, 90.0 if angle is None else angle, magnitude)
 
 
 def _along_fence(file: SceneFile) -> SceneFile:
     """File with waypoints and velocities in the world frame converted to velocities in the fence's."""
-    given = file.simulate
-    if given is None or (given.waypoints is None and given.pusher_frame == PusherFrame.FENCE):
+    section = file.simulate
+    if section is None or (section.waypoints is None and section.pusher_frame == PusherFrame.FENCE):
         return file
-    instead = {"pusher_angle": None, "pusher_speed": None, "waypoints": None, "pusher": file.pieces}
-    own = given.model_copy(update=instead | {"pusher_frame": PusherFrame.FENCE.value})
-    return file.model_copy(update={"simulate": own})
+    entries = {"pusher_angle": None, "pusher_speed": None, "waypoints": None, "pusher": file.pieces}
+    section = section.model_copy(update=entries | {"pusher_frame": PusherFrame.FENCE.value})
+    return file.model_copy(update={"simulate": section})
 
 
-def wrapped(angle: float) -> float:
+def wrap_angle(angle: float) -> float:
     """Equivalent direction in (-180, 180] degrees."""
     return 180.0 - (180.0 - angle) % 360.0
 
 
-def changed(state: State, **parts: Any) -> State:
+def with_entries(state: State, **parts: Any) -> State:
     """State with changed entries of its file, back at the push and without choices over time."""
     content = state.file.model_dump(exclude_none=True)
     if "simulate" in content:
@@ -136,16 +136,15 @@ def changed(state: State, **parts: Any) -> State:
     return replace(state, file=file, time=None)
 
 
-def pushed(state: State, angle: float, magnitude: float) -> State:
+def with_push(state: State, angle: float, magnitude: float) -> State:
     """State under another push, which has a constant direction."""
-    angle, magnitude = wrapped(angle), float(magnitude)
-    given = state.file.simulate
-    section = given.model_dump(exclude_none=True) if given else {}
+    angle, magnitude = wrap_angle(angle), float(magnitude)
+    section = simulate_entries(state)
     section.pop("pusher", None)
     section |= {"pusher_angle": angle, "pusher_speed": magnitude}
     section |= {"on_ambiguity": first_policy(state)}
     section.setdefault("duration", duration(state, magnitude))
-    return replace(changed(state, simulate=section), angle=angle, magnitude=magnitude)
+    return replace(with_entries(state, simulate=section), angle=angle, magnitude=magnitude)
 
 
 def first_policy(state: State) -> str:
@@ -159,22 +158,27 @@ def duration(state: State, magnitude: float) -> float:
     slider = state.scene.slider
     distance = FOLLOWED * (slider.rod_length + 2.0 * state.size)
     velocity = state.start == Start.VELOCITY
-    found = distance / magnitude if velocity else math.sqrt(2.0 * distance / magnitude)
-    return float(f"{found:.2g}")
+    time = distance / magnitude if velocity else math.sqrt(2.0 * distance / magnitude)
+    return float(f"{time:.2g}")
 
 
-def simulated(state: State, **options: Any) -> State:
+def simulate_entries(state: State) -> dict[str, Any]:
+    """Entries of the section `simulate`."""
+    section = state.file.simulate
+    return section.model_dump(exclude_none=True) if section else {}
+
+
+def with_simulation(state: State, **options: Any) -> State:
     """State with other options of the simulation."""
-    given = state.file.simulate
-    section = given.model_dump(exclude_none=True) if given else {}
-    return changed(state, simulate=section | options)
+    section = simulate_entries(state)
+    return with_entries(state, simulate=section | options)
 
 
 def with_rod(state: State, length: float, angle: float) -> State:
     """State with another rod."""
     angle = float(np.clip(angle, *ROD_ANGLES))
     rod = {"rod_length": max(float(length), 0.0), "rod_angle": angle}
-    return changed(state, slider=_own_slider(state) | rod, placement=None)
+    return with_entries(state, slider=_own_slider(state) | rod, placement=None)
 
 
 def _own_slider(state: State) -> dict[str, Any]:
@@ -193,55 +197,58 @@ def with_size(state: State, size: float) -> State:
     slider = _own_slider(state)
     if state.scene.isotropic or not state.scene.friction or "radius" in slider:
         slider["radius"] = factor * float(state.scene.slider.radius)
-    effects = [_with_scaled_support(each, factor) for each in entries(state)]
-    return changed(state, slider=slider, effects=effects, placement=None)
+    effects = [_with_scaled_support(effect, factor) for effect in entries(state)]
+    return with_entries(state, slider=slider, effects=effects, placement=None)
 
 
 def _with_scaled_support(effect: dict[str, Any], factor: float) -> dict[str, Any]:
     if "support" not in effect:
         return effect
-    return effect | {"support": scaled(effect["support"], factor)}
+    return effect | {"support": scale_support(effect["support"], factor)}
 
 
 def with_law(state: State, law: dict[str, Any]) -> State:
     """State with another contact law, in the format of scene files."""
-    return changed(state, contact=law)
+    return with_entries(state, contact=law)
 
 
 def entries(state: State) -> list[dict[str, Any]]:
     """Effects in the format of scene files."""
-    return [each.model_dump(exclude_none=True) for each in state.file.effects]
+    return [effect.model_dump(exclude_none=True) for effect in state.file.effects]
 
 
 def effect(state: State, kind: EffectKind) -> dict[str, Any] | None:
     """First effect of a kind; None if there is none."""
-    found = [each for each in entries(state) if EFFECTS[each["type"]].kind == kind]
-    return found[0] if found else None
+    matches = (entry for entry in entries(state) if EFFECTS[entry["type"]].kind == kind)
+    return next(matches, None)
 
 
 def with_effect(state: State, kind: EffectKind, entry: dict[str, Any] | None) -> State:
     """State with another effect of a kind, or without such an effect."""
-    others = [each for each in entries(state) if EFFECTS[each["type"]].kind != kind]
+    others = [other for other in entries(state) if EFFECTS[other["type"]].kind != kind]
     effects = [entry, *others] if kind == EffectKind.SUPPORT_FRICTION else [*others, entry]
-    found = changed(state, effects=[each for each in effects if each is not None])
-    start = Start.ACCELERATION if found.scene.stores_energy else Start.VELOCITY
-    same = found.scene.stores_energy == state.scene.stores_energy
-    return found if same else replace(found, start=start)
+    changed = with_entries(state, effects=[effect for effect in effects if effect is not None])
+    start = Start.ACCELERATION if changed.scene.stores_energy else Start.VELOCITY
+    same = changed.scene.stores_energy == state.scene.stores_energy
+    return changed if same else replace(changed, start=start)
 
 
 def with_support(state: State, support: dict[str, Any] | None) -> State:
     """State with another support of the same size; None is a ring with the slider's radius."""
-    given = effect(state, EffectKind.SUPPORT_FRICTION) or {"weight": 1.0}
+    current = effect(state, EffectKind.SUPPORT_FRICTION) or {"weight": 1.0}
     slider = _own_slider(state)
     if support is None:
-        friction = {"type": "ring_friction", "weight": given["weight"]}
+        friction = {"type": "ring_friction", "weight": current["weight"]}
         slider["radius"] = state.size
     else:
-        own = scaled(support, state.size)
-        friction = {"type": "support_friction", "weight": given["weight"], "support": own}
+        friction = {
+            "type": "support_friction",
+            "weight": current["weight"],
+            "support": scale_support(support, state.size),
+        }
         slider.pop("radius", None)
     return with_effect(
-        changed(state, slider=slider, placement=None), EffectKind.SUPPORT_FRICTION, friction
+        with_entries(state, slider=slider, placement=None), EffectKind.SUPPORT_FRICTION, friction
     )
 
 
@@ -265,36 +272,38 @@ LENGTHS = frozenset(
 ROUNDING = 1e-9
 
 
-def scaled(entry: dict[str, Any], factor: float) -> dict[str, Any]:
+def scale_support(entry: dict[str, Any], factor: float) -> dict[str, Any]:
     """Support enlarged by a factor."""
-    found = {key: _times(each, factor) if key in LENGTHS else each for key, each in entry.items()}
+    enlarged = {
+        key: _scale(value, factor) if key in LENGTHS else value for key, value in entry.items()
+    }
     if "members" in entry:
-        found["members"] = [
-            {**each, "support": scaled(each["support"], factor)} for each in entry["members"]
+        enlarged["members"] = [
+            {**member, "support": scale_support(member["support"], factor)}
+            for member in entry["members"]
         ]
-    return found
+    return enlarged
 
 
-def _times(given: Any, factor: float) -> Any:
-    if isinstance(given, (list, tuple)):
-        return [_times(each, factor) for each in given]
-    return given * factor
+def _scale(lengths: Any, factor: float) -> Any:
+    if isinstance(lengths, (list, tuple)):
+        return [_scale(length, factor) for length in lengths]
+    return lengths * factor
 
 
 def name_in(gallery: dict[str, Any], entry: dict[str, Any] | None, size: float) -> str:
     """Name of a support in the gallery, which has supports of size 1; empty if it is not there."""
     if entry is None:
         return "ring"
-    own = scaled(entry, 1.0 / size)
-    return next((name for name, each in gallery.items() if _alike(own, each)), "")
+    unit = scale_support(entry, 1.0 / size)
+    return next((name for name, support in gallery.items() if _alike(unit, support)), "")
 
 
 def _alike(one: Any, other: Any) -> bool:
     """Whether two supports are equal up to rounding."""
     if isinstance(one, dict):
-        kept = {key for key, each in one.items() if not _is_origin(key, each)}
-        kin = {key for key, each in other.items() if not _is_origin(key, each)}
-        return kept == kin and all(_alike(one[key], other[key]) for key in kept)
+        keys, other_keys = _keys_beyond_origin(one), _keys_beyond_origin(other)
+        return keys == other_keys and all(_alike(one[key], other[key]) for key in keys)
     if isinstance(one, (list, tuple)):
         return len(one) == len(other) and all(map(_alike, one, other))
     if isinstance(one, str):
@@ -302,6 +311,6 @@ def _alike(one: Any, other: Any) -> bool:
     return bool(np.isclose(one, other, rtol=ROUNDING, atol=ROUNDING))
 
 
-def _is_origin(key: str, given: Any) -> bool:
-    """Whether a key only states the default, that the support is centered at the origin."""
-    return key == "center" and not any(given)
+def _keys_beyond_origin(entry: dict[str, Any]) -> set[str]:
+    """Keys of a support, without a center at the origin, which is the default."""
+    return {key for key, value in entry.items() if key != "center" or any(value)}

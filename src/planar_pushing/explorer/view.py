@@ -16,11 +16,11 @@ from planar_pushing.drawing.words import outcome, row
 from planar_pushing.explorer.pictures import curve, maps
 from planar_pushing.explorer.pictures.following import (
     Motion,
-    followed,
+    follow,
     push_at,
-    said_at,
+    push_to_follow,
+    sentence_at,
     solution_at,
-    start,
 )
 from planar_pushing.explorer.pictures.pictures import (
     TIME_BOX,
@@ -29,9 +29,9 @@ from planar_pushing.explorer.pictures.pictures import (
     handles,
     instant_picture,
     markup,
-    now_picture,
     push_picture,
-    solved,
+    solve_push,
+    time_line_picture,
     time_picture,
 )
 from planar_pushing.explorer.state import State
@@ -65,8 +65,8 @@ class View(NamedTuple):
 
 def sheet_of(size: tuple[float, float], box: Array) -> Sheet:
     """Sheet of a picture with a size in pixels."""
-    most, least, each = POINT
-    return Sheet.around(box, size, PAD, float(np.clip(size[0] * each, least, most)))
+    largest, smallest, ratio = POINT
+    return Sheet.around(box, size, PAD, float(np.clip(size[0] * ratio, smallest, largest)))
 
 
 def view(order: Order) -> View:
@@ -75,14 +75,14 @@ def view(order: Order) -> View:
 
 
 def _push(order: Order) -> View:
-    push = solved(order.state)
+    push = solve_push(order.state)
     sheet = sheet_of(order.sizes["scene"], order.box)
-    found = {
+    content = {
         "scene": markup(push_picture(push), sheet, handles(push, sheet)),
         "words": outcome(push.solutions, push.sketch.pusher, push.chosen),
         "runs": "", "now": "", "when": "", "energies": energy_legend(),
     }  # fmt: skip
-    return View(found | _of_push(order, push), push)
+    return View(content | _of_push(order, push), push)
 
 
 def _of_push(order: Order, push: Push) -> dict[str, str]:
@@ -101,29 +101,29 @@ def _markup(order: Order, name: str, picture: Picture, box: Array) -> str:
 
 
 def _instant(order: Order, time: float) -> View:
-    state, motion = order.state, followed(order.state)
+    state, motion = order.state, follow(order.state)
     time = min(time, float(motion.times[-1]))
-    found = {
+    content = {
         "scene": markup(instant_picture(motion, time), sheet_of(order.sizes["scene"], motion.box)),
-        "words": said_at(motion, time),
-        "runs": _over_time(start(state), order.sizes["time"]),
-        "now": _markup(order, "time", now_picture(motion, time), TIME_BOX),
+        "words": sentence_at(motion, time),
+        "runs": _over_time(push_to_follow(state), order.sizes["time"]),
+        "now": _markup(order, "time", time_line_picture(motion, time), TIME_BOX),
         "energies": energy_legend(any(run.flush for run in motion.runs)),
     }
     instant = push_at(state, motion, time)
-    push = solved(replace(state, time=None) if instant is None else instant)
-    found |= _of_push(order, push) | {
+    push = solve_push(replace(state, time=None) if instant is None else instant)
+    content |= _of_push(order, push) | {
         "when": AT_START if instant is None else f"at time {time:.3f}"
     }
     if instant is None:
-        one = solution_at(state, motion, time)
-        found["solutions"] = table([] if one is None else [one[0]], one and one[1], 0)
-    return View(found, push, motion, instant)
+        solution, pusher = solution_at(state, motion, time) or (None, None)
+        content["solutions"] = table([] if solution is None else [solution], pusher, 0)
+    return View(content, push, motion, instant)
 
 
 @lru_cache(maxsize=4)
 def _over_time(state: State, size: tuple[float, float]) -> str:
-    return markup(time_picture(followed(state)), sheet_of(size, TIME_BOX))
+    return markup(time_picture(follow(state)), sheet_of(size, TIME_BOX))
 
 
 def table(solutions: Sequence[Solution], pusher: Array | None, chosen: int) -> str:
@@ -136,17 +136,17 @@ def table(solutions: Sequence[Solution], pusher: Array | None, chosen: int) -> s
         head = "".join(f"<th>{escape(name.capitalize())}</th>" for name in texts)
         name = chip(escape(texts.pop("mode")), look.fill, look.hatch, look.ink)
         cells = "".join(f"<td>{escape(text)}</td>" for text in texts.values())
-        shown = ' class="shown"' if index == chosen else ""
-        rows += f"<tr{shown}><th>{name}</th>{cells}</tr>"
+        emphasis = ' class="shown"' if index == chosen else ""
+        rows += f"<tr{emphasis}><th>{name}</th>{cells}</tr>"
     return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
 
 
-def map_markup(state: State, found: maps.Map, size: tuple[float, float]) -> dict[str, str]:
+def map_markup(state: State, modes: maps.Map, size: tuple[float, float]) -> dict[str, str]:
     """Markup of the map and its legend."""
-    looks = dict.fromkeys(look_of(code) for code in maps.sets_of(found))
+    looks = dict.fromkeys(look_of(code) for code in maps.sets_of(modes))
     return {
-        "areas": markup(maps.map_picture(state, found), sheet_of(size, maps.BOX)),
-        "legend": "".join(chip(*each[:2], each.hatch, each.ink) for each in looks),
+        "areas": markup(maps.map_picture(state, modes), sheet_of(size, maps.BOX)),
+        "legend": "".join(chip(*look[:2], look.hatch, look.ink) for look in looks),
     }
 
 

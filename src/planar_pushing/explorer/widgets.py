@@ -21,11 +21,11 @@ from planar_pushing.explorer.state import (
     effect,
     first_policy,
     name_in,
-    pushed,
-    simulated,
     with_effect,
     with_law,
+    with_push,
     with_rod,
+    with_simulation,
     with_size,
     with_support,
 )
@@ -40,13 +40,13 @@ LAWS: dict[str, dict[str, Any]] = {
     "infinite friction, definition 2": {"law": "infinite_friction", "at_zero_normal": "none"},
     "perfectly rough": {"law": "perfectly_rough"},
 }
-OWN = "own support"
+OWN_SUPPORT = "own support"
 
 
 def law_name(state: State) -> str:
     """Name of the contact law on the page."""
-    given = state.file.contact.model_dump().items()
-    return next(name for name, law in LAWS.items() if law.items() <= given)
+    entries = state.file.contact.model_dump().items()
+    return next(name for name, law in LAWS.items() if law.items() <= entries)
 
 
 def coefficient(state: State) -> float:
@@ -56,19 +56,20 @@ def coefficient(state: State) -> float:
 
 def with_named_law(state: State, name: str) -> State:
     """State with a contact law given by its name on the page."""
-    own = {"friction_coefficient": coefficient(state)} if LAWS[name]["law"] == "coulomb" else {}
-    return with_law(state, LAWS[name] | own)
+    coulomb = LAWS[name]["law"] == "coulomb"
+    parameters = {"friction_coefficient": coefficient(state)} if coulomb else {}
+    return with_law(state, LAWS[name] | parameters)
 
 
 def support_name(state: State) -> str:
     """Name of the support in the gallery."""
     entry = (effect(state, FRICTION) or {}).get("support")
-    return name_in(gallery(), entry, state.size) or OWN
+    return name_in(gallery(), entry, state.size) or OWN_SUPPORT
 
 
 def with_named_support(state: State, name: str) -> State:
     """State with a support of the gallery."""
-    if name == OWN:
+    if name == OWN_SUPPORT:
         return state
     return with_support(state, None if name == "ring" else gallery()[name])
 
@@ -142,8 +143,8 @@ def _number(name: str) -> pn.widgets.FloatInput:
 
 def _radius(state: State, shape: str) -> dict[str, Any]:
     """Radius of the finger in the file; a fence has none."""
-    given = state.file.simulate
-    radius = given.pusher_radius if given else None
+    section = state.file.simulate
+    radius = section.pusher_radius if section else None
     return {"pusher_radius": radius if shape == Shape.FINGER else None}
 
 
@@ -156,18 +157,20 @@ def _push() -> dict[str, Field]:
         "angle": Field(
             _slide("Direction (degrees)", -180.0, 180.0, 0.5),
             lambda state: state.angle,
-            lambda state, value: pushed(state, value, state.magnitude),
+            lambda state, value: with_push(state, value, state.magnitude),
         ),
         "magnitude": Field(
             _slide("Magnitude, m a / W", low, high, 0.01, format=CustomJSTickFormatter(code=POWER)),
-            AXES["magnitude"].here,
-            AXES["magnitude"].gone,
+            AXES["magnitude"].coordinate_of,
+            AXES["magnitude"].state_at,
             lambda state: {"visible": is_magnitude_open(state.scene)},
         ),
         "shape": Field(
             _buttons({"Fence": Shape.FENCE, "Finger": Shape.FINGER}),
             lambda state: state.shape,
-            lambda state, shape: simulated(state, pusher_shape=str(shape), **_radius(state, shape)),
+            lambda state, shape: with_simulation(
+                state, pusher_shape=str(shape), **_radius(state, shape)
+            ),
             lambda state: {"disabled": state.flush},
         ),
         "start": Field(
@@ -207,7 +210,7 @@ def _slider() -> dict[str, Field]:
         "support": Field(
             _select("Support", []), support_name, with_named_support,
             lambda state: {
-                "options": [*gallery(), *([OWN] if support_name(state) == OWN else [])],
+                "options": [*gallery(), *([OWN_SUPPORT] if support_name(state) == OWN_SUPPORT else [])],
                 "disabled": state.flush,
             },
         ),
@@ -268,15 +271,15 @@ def _part(name: str, kind: EffectKind, key: str) -> Field:
 def _center(name: str, part: int) -> Field:
     """Field for a coordinate of the center of mass."""
 
-    def place(state: State) -> list[float]:
+    def center(state: State) -> list[float]:
         return list((effect(state, INERTIA) or {}).get("center", (0.0, 0.0)))
 
     def write(state: State, value: Any) -> State:
-        center = [value if index == part else old for index, old in enumerate(place(state))]
-        return with_effect(state, INERTIA, (effect(state, INERTIA) or {}) | {"center": center})
+        changed = [value if index == part else old for index, old in enumerate(center(state))]
+        return with_effect(state, INERTIA, (effect(state, INERTIA) or {}) | {"center": changed})
 
     return Field(
-        _number(name), lambda state: place(state)[part], write,
+        _number(name), lambda state: center(state)[part], write,
         lambda state: {"disabled": effect(state, INERTIA) is None},
     )  # fmt: skip
 
@@ -291,7 +294,7 @@ def _views() -> dict[str, Field]:
             lambda state: {"options": axes_of(state), "disabled": state.flush},
         ),
         "handle": Field(
-            _buttons({each.capitalize(): each for each in Handle}),
+            _buttons({handle.capitalize(): handle for handle in Handle}),
             lambda state: state.handle,
             lambda state, handle: replace(state, handle=handle),
             lambda state: {"disabled": state.time is not None or state.flush},
@@ -306,7 +309,7 @@ def _motion() -> dict[str, Field]:
         show_loop_controls=False, visible_buttons=["first", "previous", "pause", "play", "next"],
         height=70, sizing_mode="stretch_width", scale_buttons=0.9, min_width=240, width=None,
     )  # fmt: skip
-    policies = {each.value.replace("-", " "): each.value for each in Policy}
+    policies = {policy.value.replace("-", " "): policy.value for policy in Policy}
     return {
         "follow": Field(
             toggle,
@@ -325,19 +328,19 @@ def _motion() -> dict[str, Field]:
         "duration": Field(
             _number("Duration"),
             lambda state: state.duration,
-            lambda state, value: _again(state, duration=value),
+            lambda state, value: _restart(state, duration=value),
         ),
         "policy": Field(
             _select("Where several modes are possible", policies),
             first_policy,
-            lambda state, value: _again(state, on_ambiguity=value),
+            lambda state, value: _restart(state, on_ambiguity=value),
         ),
     }
 
 
-def _again(state: State, **options: Any) -> State:
+def _restart(state: State, **options: Any) -> State:
     """State with other options; if it was followed over time, it is followed again."""
-    return replace(simulated(state, **options), time=None if state.time is None else 0.0)
+    return replace(with_simulation(state, **options), time=None if state.time is None else 0.0)
 
 
 def alike(one: Any, other: Any) -> bool:
@@ -349,6 +352,8 @@ def alike(one: Any, other: Any) -> bool:
 
 def update(widget: Any, wanted: dict[str, Any]) -> None:
     """Set the changed properties of a widget."""
-    fresh = {k: each for k, each in wanted.items() if not alike(getattr(widget, k), each)}
-    if fresh:
-        widget.param.update(**fresh)
+    changes = {
+        name: value for name, value in wanted.items() if not alike(getattr(widget, name), value)
+    }
+    if changes:
+        widget.param.update(**changes)

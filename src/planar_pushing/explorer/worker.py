@@ -43,9 +43,9 @@ class Worker:
             if wait([future], SOON).done:
                 self._finish(order, future)
             else:
-                future.add_done_callback(partial(self._done, order))
+                future.add_done_callback(partial(self._pass_on, order))
 
-    def _done(self, order: Any, future: Future[Any]) -> None:
+    def _pass_on(self, order: Any, future: Future[Any]) -> None:
         """Pass a result from the thread to the page's loop."""
         if not future.cancelled():
             self.document.add_next_tick_callback(partial(self._finish, order, future))

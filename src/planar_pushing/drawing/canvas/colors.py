@@ -80,9 +80,9 @@ _SUPPORTS = {
     "ring": GRAY,
     "disc": "#0072B2",
     "square": "#C24F00",
-    "rectangle_2_1": "#1B7837",
+    "rectangle_2_1": "#8F6400",
     "rectangle_4_1": "#AA4499",
-    "l_shape": "#8F6400",
+    "l_shape": "#1B7837",
     "pressure_map": "#222222",
     "tripod": "#00838F",
     "quadruped": "#882255",
@@ -111,4 +111,4 @@ def rod_color(rod_length: float) -> str:
 def tint(color: str, strength: float) -> str:
     """Color mixed with white; it is opaque, so that overlapping areas do not produce a third color."""
     parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
-    return "#" + "".join(f"{round(255 - strength * (255 - each)):02x}" for each in parts)
+    return "#" + "".join(f"{round(255 - strength * (255 - part)):02x}" for part in parts)

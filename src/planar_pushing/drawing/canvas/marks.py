@@ -8,6 +8,7 @@ of a higher order cover those of a lower order. `SHAPES` are the outlines of dot
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
@@ -21,12 +22,14 @@ from planar_pushing.mechanics.plane import Array, direction
 AREAS, HATCHES, LINES, DOTS, ARROWS, LABELS = 0.0, 1.0, 2.0, 4.0, 5.0, 10.0
 #: Font sizes in points.
 SYMBOL, NOTE = 9.5, 7.5
+#: Diameter of the white disc behind a symbol on an arc, in points.
+LETTER = 11.0
 #: Length and half the width of a head, in units of its size; an open head is wider.
 FILLED, OPEN = (0.42, 0.165), (0.4, 0.21)
 DASHES: dict[str, tuple[float, ...]] = {"": (), "--": (3.0, 1.8), ":": (1.0, 1.6)}
 
 #: One or several positions as numbers: an array or array-like.
-Place = Any
+Positions = Any
 
 
 class Area(NamedTuple):
@@ -77,8 +80,8 @@ class Arrow(NamedTuple):
         ahead = along / (length or 1.0)
         across = np.array([-ahead[1], ahead[0]])
         deep, half = (FILLED if self.filled else OPEN) * np.array(self.head * point)
-        whole = float(np.hypot(*(tip - self.points[0])))
-        shrink = min(1.0, 0.9 * whole / deep) if len(self.points) == 2 else 1.0
+        size = float(np.hypot(*(tip - self.points[0])))
+        shrink = min(1.0, 0.9 * size / deep) if len(self.points) == 2 else 1.0
         neck = tip - shrink * deep * ahead
         sides = neck + shrink * half * across, neck - shrink * half * across
         end = neck if self.filled else tip
@@ -88,7 +91,7 @@ class Arrow(NamedTuple):
 class Dot(NamedTuple):
     """Mark at a position: "o" for a disc, "mass" or "pressure" for a center, "burst" for an impact."""
 
-    place: Array
+    position: Array
     size: float
     face: str | None
     edge: str
@@ -100,7 +103,7 @@ class Dot(NamedTuple):
 class Label(NamedTuple):
     """Text centered at an offset from a position; a held label stays there when others make room."""
 
-    place: Array
+    position: Array
     text: str
     color: str = DARK
     size: float = SYMBOL
@@ -120,10 +123,9 @@ Mark = Area | Line | Hatch | Arrow | Dot | Label
 
 
 def plain(text: str) -> str:
-    """Text without mathematical markup, for estimating its length."""
-    for word in (r"\mathbf", r"\mathrm", "$", "{", "}", "_", "^", "\\"):
-        text = text.replace(word, "")
-    return text
+    """Text without mathematical markup and with one letter for each symbol, for estimating its length."""
+    letters = re.sub(r"\\[a-zA-Z]+", "x", re.sub(r"\\math(bf|rm)", "", text))
+    return re.sub(r"[${}_^\\]", "", letters)
 
 
 class Sheet(NamedTuple):
@@ -139,10 +141,10 @@ class Sheet(NamedTuple):
         cls, box: Array, size: Sequence[float], pad: float = 12.0, point: float = 1.0
     ) -> Sheet:
         """Sheet of a given size that shows a box of two corners with at least `pad` points around it."""
-        corners, whole = np.asarray(box, dtype=float), np.asarray(size, dtype=float)
-        room = np.maximum(whole - 2 * pad * point, 0.1 * whole)
-        apart = np.maximum(corners[1] - corners[0], 1e-12)
-        return cls(corners.mean(axis=0), float(np.min(room / apart)), whole, point)
+        corners, paper = np.asarray(box, dtype=float), np.asarray(size, dtype=float)
+        room = np.maximum(paper - 2 * pad * point, 0.1 * paper)
+        extent = np.maximum(corners[1] - corners[0], 1e-12)
+        return cls(corners.mean(axis=0), float(np.min(room / extent)), paper, point)
 
     @property
     def box(self) -> Array:
@@ -155,14 +157,14 @@ class Sheet(NamedTuple):
         """Length of a point in the scene."""
         return self.point / self.scale
 
-    def to(self, places: Place) -> Array:
+    def to_sheet(self, positions: Positions) -> Array:
         """Positions on the sheet, y downward from its upper left corner."""
-        away = (np.asarray(places, dtype=float) - self.middle) * [self.scale, -self.scale]
+        away = (np.asarray(positions, dtype=float) - self.middle) * [self.scale, -self.scale]
         return np.asarray(away + self.size / 2)
 
-    def place(self, on: Place) -> Array:
-        """Position in the scene of a position on the sheet."""
-        away = np.asarray(on, dtype=float) - self.size / 2
+    def to_scene(self, positions: Positions) -> Array:
+        """Positions in the scene of positions on the sheet."""
+        away = np.asarray(positions, dtype=float) - self.size / 2
         return np.asarray(away / [self.scale, -self.scale] + self.middle)
 
 
@@ -176,96 +178,110 @@ class Picture:
         self.marks.extend(marks)
 
     @property
-    def ordered(self) -> list[Mark]:
+    def drawing_order(self) -> list[Mark]:
         """The marks in drawing order, covering marks last."""
         return sorted(self.marks, key=lambda mark: mark.order)
 
-    def area(self, *rings: Place, color: str, **rest: Any) -> None:
+    def area(self, *rings: Positions, color: str, **rest: Any) -> None:
         self.add(Area(tuple(np.asarray(ring, dtype=float) for ring in rings), color, **rest))
 
-    def line(self, points: Place, color: str = DARK, **rest: Any) -> None:
+    def line(self, points: Positions, color: str = DARK, **rest: Any) -> None:
         self.add(Line(np.asarray(points, dtype=float), color, **rest))
 
-    def guide(self, start: Place, stop: Place, color: str = GUIDE, dash: str = "--") -> None:
+    def guide(
+        self, start: Positions, stop: Positions, color: str = GUIDE, dash: str = "--"
+    ) -> None:
         """Add a thin construction line, such as a line of force or a line of centers."""
         self.line([start, stop], color, width=0.7, dash=dash)
 
-    def dot(self, place: Place, size: float, face: str | None = DARK, **rest: Any) -> None:
+    def dot(self, position: Positions, size: float, face: str | None = DARK, **rest: Any) -> None:
         edge = rest.pop("edge", face or DARK)
-        self.add(Dot(np.asarray(place, dtype=float), size, face, edge, **rest))
+        self.add(Dot(np.asarray(position, dtype=float), size, face, edge, **rest))
 
-    def label(self, place: Place, text: str, **rest: Any) -> None:
-        self.add(Label(np.asarray(place, dtype=float), text, **rest))
+    def reserve(self, position: Positions, size: float) -> None:
+        """Keep labels off a disc that something outside of the picture covers, such as a handle."""
+        self.dot(position, size, None, edge="none")
+
+    def label(self, position: Positions, text: str, **rest: Any) -> None:
+        self.add(Label(np.asarray(position, dtype=float), text, **rest))
 
     def arrow(
         self,
-        tail: Place,
-        vector: Place,
+        tail: Positions,
+        vector: Positions,
         text: str = "",
         *,
         color: str,
         filled: bool,
         offset: tuple[float, float] | None = None,
-        at: float = 1.0,
+        fraction: float = 1.0,
         **rest: Any,
     ) -> None:
-        """Add an arrow from a tail along a vector; its label is beyond the tip or beside the shaft."""
+        """Add an arrow from a tail along a vector; its label is beyond the tip or beside the shaft.
+
+        `fraction` is the position of the label along the vector.
+        """
         start, along = np.asarray(tail, dtype=float), np.asarray(vector, dtype=float)
         self.add(Arrow(np.array([start, start + along]), color, filled, **rest))
         if text:
             ahead = along / (float(np.hypot(*along)) or 1.0)
             wide = 5.0 + Label(start, text).extent[0] / 2
             away = (wide * float(ahead[0]), 9.0 * float(ahead[1])) if offset is None else offset
-            self.label(start + at * along, text, color=color, offset=away)
+            self.label(start + fraction * along, text, color=color, offset=away)
 
-    def force(self, tail: Place, vector: Place, text: str = "", **rest: Any) -> None:
+    def force(self, tail: Positions, vector: Positions, text: str = "", **rest: Any) -> None:
         """Add the arrow of a force."""
         self.arrow(tail, vector, text, filled=True, **{"color": FORCE} | rest)
 
-    def motion(self, tail: Place, vector: Place, text: str = "", **rest: Any) -> None:
+    def motion(self, tail: Positions, vector: Positions, text: str = "", **rest: Any) -> None:
         """Add the arrow of a velocity or an acceleration."""
         self.arrow(tail, vector, text, filled=False, **{"color": MOTION} | rest)
 
     def cone(
-        self, right: float, left: float, radius: float, color: str, *, apex: Place = (0.0, 0.0),
+        self, right: float, left: float, radius: float, color: str, *, apex: Positions = (0.0, 0.0),
         strength: float = 0.16, order: float = AREAS + 0.5, hatch: str = "",
     ) -> None:  # fmt: skip
         """Add a cone of directions counterclockwise from right to left, radians; a line if they are equal.
 
         It covers the cones drawn before, so the largest must be drawn first.
         """
-        origin, whole = np.asarray(apex, dtype=float), left - right >= 2 * math.pi - 1e-9
-        rim = origin + radius * arc(right, right + 2 * math.pi if whole else left)
+        origin, full = np.asarray(apex, dtype=float), left - right >= 2 * math.pi - 1e-9
+        rim = origin + radius * arc(right, right + 2 * math.pi if full else left)
         self.area(
-            rim if whole else np.vstack([origin, rim]), color=tint(color, strength), ink=color,
+            rim if full else np.vstack([origin, rim]), color=tint(color, strength), ink=color,
             order=order, hatch=hatch,
         )  # fmt: skip
-        if not whole:
+        if not full:
             for edge in (rim[0], rim[-1]):
                 self.line([origin, edge], color, width=0.7, order=order + 0.1)
 
     def angle(
-        self, start: float, stop: float, radius: float, text: str = "", *, vertex: Place = (0, 0),
-        color: str = GUIDE, offset: float = 6.0, at: float = 0.5,
+        self, start: float, stop: float, radius: float, text: str = "", *, vertex: Positions = (0, 0),
+        color: str = GUIDE, offset: float = 6.0, fraction: float = 0.5,
     ) -> None:  # fmt: skip
-        """Add the arc between two directions in radians, with its label outside the arc."""
+        """Add the arc between two directions in radians, with its label outside it.
+
+        A label without an offset interrupts the arc.
+        """
         origin = np.asarray(vertex, dtype=float)
         self.line(origin + radius * arc(start, stop), color, width=0.7)
         if text:
-            x, y = direction(start + at * (stop - start))
+            x, y = direction(start + fraction * (stop - start))
             away = offset * float(x), offset * float(y)
-            place = origin + radius * np.array([x, y])
-            self.label(place, text, color=color, offset=away)
+            position = origin + radius * np.array([x, y])
+            if not offset:
+                self.dot(position, LETTER, "white", order=LINES + 0.2)
+            self.label(position, text, color=color, offset=away)
 
-    def turning(self, place: Place, sense: float, radius: float, color: str) -> None:
+    def turning(self, position: Positions, sense: float, radius: float, color: str) -> None:
         """Add a curved arrow around a center, counterclockwise for a positive sense."""
         turns = np.deg2rad(np.linspace(-30.0, 210.0, 25))
         points = direction(turns) * [1.0 if sense > 0 else -1.0, 1.0]
-        around = np.asarray(place, dtype=float) + radius * points
+        around = np.asarray(position, dtype=float) + radius * points
         self.add(Arrow(around, color, filled=False, width=0.9, head=8.0))
 
     def axis(
-        self, origin: Place, angle: float, length: float, name: str, color: str = GUIDE
+        self, origin: Positions, angle: float, length: float, name: str, color: str = GUIDE
     ) -> None:
         """Add a coordinate axis at an angle in radians, without a head: heads mark forces and motions."""
         start, (x, y) = np.asarray(origin, dtype=float), direction(angle)
@@ -273,9 +289,9 @@ class Picture:
         self.line([start, end], color, width=0.7, order=LINES + 0.5)
         self.label(end, name, color=color, offset=(7.0 * float(x), 7.0 * float(y)))
 
-    def scale_bar(self, place: Place, length: float, text: str) -> None:
+    def scale_bar(self, position: Positions, length: float, text: str) -> None:
         """Add a bar of a length from a position to the right, with its label above."""
-        start = np.asarray(place, dtype=float)
+        start = np.asarray(position, dtype=float)
         end = start + np.array([length, 0.0])
         self.line([start, end], GUIDE, width=1.6)
         self.label((start + end) / 2, text, color=GUIDE, size=NOTE, offset=(0.0, 6.5), held=True)
@@ -292,10 +308,12 @@ def unit(degrees: float) -> Array:
     return np.asarray(direction(math.radians(degrees)))
 
 
-def corners(points: Iterable[Place], margin: float = 0.0) -> Array:
+def corners(points: Iterable[Positions], margin: float = 0.0) -> Array:
     """Corners of the smallest upright box around points."""
-    every = np.concatenate([np.reshape(np.asarray(each, dtype=float), (-1, 2)) for each in points])
-    return np.array([every.min(axis=0) - margin, every.max(axis=0) + margin])
+    positions = np.concatenate(
+        [np.reshape(np.asarray(group, dtype=float), (-1, 2)) for group in points]
+    )
+    return np.array([positions.min(axis=0) - margin, positions.max(axis=0) + margin])
 
 
 def _turns(start: float, stop: float, count: int) -> Array:

@@ -46,7 +46,7 @@ def save(figure: Figure, path: PathLike) -> None:
     """
     kind = Path(path).suffix.lstrip(".").lower()
     if kind not in SAVING:
-        allowed = ", ".join(f".{each}" for each in SAVING)
+        allowed = ", ".join(f".{ending}" for ending in SAVING)
         raise InvalidValue("output", str(path), f"a name ending in {allowed}", "rename the file")
     with replacing(path) as temporary:
         figure.savefig(temporary, format=kind, **SAVING[kind])

@@ -48,7 +48,7 @@ def to_svg(
 ) -> str:
     """SVG of a size in pixels that shows a box with padding in points; a point has `point` pixels."""
     sheet = Sheet.around(box, size, pad, point)
-    wide, high = (f"{each:.6g}" for each in sheet.size)
+    wide, high = (f"{length:.6g}" for length in sheet.size)
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide}" height="{high}" '
         f'viewBox="0 0 {wide} {high}" font-family="{html.escape(FONT)}">{content(picture, sheet)}</svg>'
@@ -58,24 +58,28 @@ def to_svg(
 def content(picture: Picture, sheet: Sheet) -> str:
     """Elements of the marks in drawing order, covering marks last."""
     labels = {id(old): new for old, new in _labels(picture, sheet)}
-    marks = [labels.get(id(mark), mark) for mark in picture.ordered]
+    marks = [labels.get(id(mark), mark) for mark in picture.drawing_order]
     patterns = sorted({(a.hatch, a.ink) for a in marks if isinstance(a, Area) and a.hatch})
-    drawn = (DRAWN[type(mark)](mark, sheet) for mark in marks)
-    return "".join([*map(_pattern, patterns), *drawn])
+    elements = (DRAWERS[type(mark)](mark, sheet) for mark in marks)
+    return "".join([*map(_pattern, patterns), *elements])
 
 
 def _labels(picture: Picture, sheet: Sheet) -> Iterable[tuple[Label, Label]]:
-    own = [mark for mark in picture.marks if isinstance(mark, Label)]
-    return zip(own, settle(picture, sheet), strict=True)
+    old = [mark for mark in picture.marks if isinstance(mark, Label)]
+    return zip(old, settle(picture, sheet), strict=True)
 
 
 def _name(hatch: str, ink: str) -> str:
-    return "hatch" + "".join(f"{ord(each):x}" for each in sorted(set(hatch))) + ink.lstrip("#")
+    return (
+        "hatch"
+        + "".join(f"{ord(character):x}" for character in sorted(set(hatch)))
+        + ink.lstrip("#")
+    )
 
 
 def _pattern(look: tuple[str, str]) -> str:
     hatch, ink = look
-    strokes = "".join(STROKES[each] for each in sorted(set(hatch)))
+    strokes = "".join(STROKES[character] for character in sorted(set(hatch)))
     wide = 1.6 if "." in hatch else 0.8
     return (
         f'<defs><pattern id="{_name(hatch, ink)}" width="6" height="6" patternUnits="userSpaceOnUse">'
@@ -84,7 +88,7 @@ def _pattern(look: tuple[str, str]) -> str:
 
 
 def _path(points: Array, sheet: Sheet, end: str = "") -> str:
-    return "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in sheet.to(points).tolist()) + end
+    return "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in sheet.to_sheet(points).tolist()) + end
 
 
 def _area(area: Area, sheet: Sheet) -> str:
@@ -93,7 +97,7 @@ def _area(area: Area, sheet: Sheet) -> str:
     return "".join(f'<path d="{path}" fill="{fill}" fill-rule="evenodd"/>' for fill in fills)
 
 
-def _stroked(path: str, color: str, width: float, dash: str, sheet: Sheet) -> str:
+def _stroke_path(path: str, color: str, width: float, dash: str, sheet: Sheet) -> str:
     dashes = " ".join(f"{part * width * sheet.point:.3g}" for part in DASHES[dash])
     broken = f' stroke-dasharray="{dashes}"' if dashes else ""
     return (
@@ -103,20 +107,20 @@ def _stroked(path: str, color: str, width: float, dash: str, sheet: Sheet) -> st
 
 
 def _line(line: Line, sheet: Sheet) -> str:
-    return _stroked(_path(line.points, sheet), line.color, line.width, line.dash, sheet)
+    return _stroke_path(_path(line.points, sheet), line.color, line.width, line.dash, sheet)
 
 
 def _hatch(hatch: Hatch, sheet: Sheet) -> str:
     path = "".join(_path(stroke, sheet) for stroke in hatch.strokes)
-    return _stroked(path, hatch.color, hatch.width, "", sheet)
+    return _stroke_path(path, hatch.color, hatch.width, "", sheet)
 
 
 def _arrow(arrow: Arrow, sheet: Sheet) -> str:
     shaft, head = arrow.shape(sheet.unit)
-    drawn = _stroked(_path(shaft, sheet), arrow.color, arrow.width, arrow.dash, sheet)
+    line = _stroke_path(_path(shaft, sheet), arrow.color, arrow.width, arrow.dash, sheet)
     if arrow.filled:
-        return f'{drawn}<path d="{_path(head, sheet, "Z")}" fill="{arrow.color}"/>'
-    return drawn + _stroked(_path(head, sheet), arrow.color, arrow.width, "", sheet)
+        return f'{line}<path d="{_path(head, sheet, "Z")}" fill="{arrow.color}"/>'
+    return line + _stroke_path(_path(head, sheet), arrow.color, arrow.width, "", sheet)
 
 
 def _dot(dot: Dot, sheet: Sheet) -> str:
@@ -124,40 +128,40 @@ def _dot(dot: Dot, sheet: Sheet) -> str:
     edge = f' stroke="{dot.edge}" stroke-width="{wide:.3g}"' if wide else ""
     radius = dot.size / 2
     if dot.shape == "o":
-        x, y = sheet.to(dot.place).tolist()
+        x, y = sheet.to_sheet(dot.position).tolist()
         face = dot.face or "none"
         return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius * sheet.point:.3g}" fill="{face}"{edge}/>'
-    found = ""
+    shapes = ""
     for points, filled in SHAPES[dot.shape]:
         face = dot.edge if filled else dot.face or "none"
-        path = _path(dot.place + radius * sheet.unit * points, sheet, "Z")
-        found += f'<path d="{path}" fill="{face}"{edge}/>'
-    return found
+        path = _path(dot.position + radius * sheet.unit * points, sheet, "Z")
+        shapes += f'<path d="{path}" fill="{face}"{edge}/>'
+    return shapes
 
 
 def _label(label: Label, sheet: Sheet) -> str:
     right, up = label.offset
-    x, y = (sheet.to(label.place) + sheet.point * np.array([right, -up])).tolist()
+    x, y = (sheet.to_sheet(label.position) + sheet.point * np.array([right, -up])).tolist()
     size, rows = label.size * sheet.point, label.text.split("\n")
     head = (
         f'<text x="{x:.1f}" y="{y:.1f}" fill="{label.color}" font-size="{size:.3g}" '
         f'text-anchor="{ANCHORS[label.align]}" stroke="white" stroke-width="{2 * sheet.point:.3g}" '
         f'stroke-linejoin="round" paint-order="stroke">'
     )
-    found = []
+    spans = []
     for number, row in enumerate(rows):
         down = 0.34 + number - (len(rows) - 1) / 2
-        found.append(f'<tspan x="{x:.1f}" y="{y + down * size:.1f}">{text(row)}</tspan>')
-    return f"{head}{''.join(found)}</text>"
+        spans.append(f'<tspan x="{x:.1f}" y="{y + down * size:.1f}">{text(row)}</tspan>')
+    return f"{head}{''.join(spans)}</text>"
 
 
 def text(row: str) -> str:
     """A row of a label in SVG; mathematical text between dollar signs is bold, italic or small."""
     parts = row.split("$")
-    found = [
+    texts = [
         html.escape(part) if i % 2 == 0 else "".join(_math(part)) for i, part in enumerate(parts)
     ]
-    return "".join(found)
+    return "".join(texts)
 
 
 def _math(row: str) -> Iterator[str]:
@@ -182,7 +186,7 @@ def _math(row: str) -> Iterator[str]:
             yield "" if token[0] in "{}" else html.escape(token[0])
 
 
-DRAWN: dict[type, Callable[[Any, Sheet], str]] = {
+DRAWERS: dict[type, Callable[[Any, Sheet], str]] = {
     Area: _area,
     Line: _line,
     Hatch: _hatch,

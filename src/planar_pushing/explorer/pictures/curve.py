@@ -75,13 +75,13 @@ def _tip(curve: LimitCurve, force: Array) -> Array:
 @lru_cache(maxsize=8)
 def curve_at(scene: Scene, magnitude: float) -> LimitCurve:
     """Limit curve of motions of a given magnitude, in the force unit of the solutions."""
-    effects = tuple(_scaled(each, magnitude) for each in scene.effects)
+    effects = tuple(_scale_effect(effect, magnitude) for effect in scene.effects)
     angles = ANGLES[is_magnitude_open(scene)]
-    found: LimitCurve = curve_of_unit_motions(replace(scene, effects=effects), angles)
-    return found
+    curve: LimitCurve = curve_of_unit_motions(replace(scene, effects=effects), angles)
+    return curve
 
 
-def _scaled(effect: Any, magnitude: float) -> Any:
+def _scale_effect(effect: Any, magnitude: float) -> Any:
     """Effect that causes, at unit motion, the force of the given effect at a magnitude of motion."""
     if isinstance(effect, Inertia):
         return replace(effect, mass=magnitude * effect.mass)
@@ -100,11 +100,11 @@ def level(scene: Scene, solution: Solution | None) -> float:
         return 1.0
     turn, radius = float(scene.slider.rod_angle), scene.slider.radius
     v_x, v_y, spin = solution.twist[0], solution.twist[1], radius * solution.twist[2]
-    energy = whole = 0.0
+    energy = total = 0.0
     for entry in scene.rows.entries:
         if entry.degree == 2:
             (mass,), (ratio, x, y) = entry.forces, entry.others
-            own_x, own_y = np.cos(turn) * x - np.sin(turn) * y, np.sin(turn) * x + np.cos(turn) * y
-            square = (v_x - spin * own_y) ** 2 + (v_y + spin * own_x) ** 2 + ratio * spin**2
-            energy, whole = energy + mass * square, whole + mass
-    return float(np.sqrt(energy / whole))
+            arm_x, arm_y = np.cos(turn) * x - np.sin(turn) * y, np.sin(turn) * x + np.cos(turn) * y
+            square = (v_x - spin * arm_y) ** 2 + (v_y + spin * arm_x) ** 2 + ratio * spin**2
+            energy, total = energy + mass * square, total + mass
+    return float(np.sqrt(energy / total))

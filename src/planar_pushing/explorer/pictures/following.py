@@ -13,10 +13,10 @@ from planar_pushing.drawing.motion import box
 from planar_pushing.drawing.timeline import (
     Run,
     contact,
-    plotted,
+    contact_corner,
+    path_data,
     runs,
     side_on_fence,
-    touching,
 )
 from planar_pushing.drawing.words import NUMBERS
 from planar_pushing.explorer.python_lines import acceleration, settings
@@ -24,10 +24,10 @@ from planar_pushing.explorer.state import (
     Handle,
     Start,
     State,
-    changed,
     first_policy,
-    simulated,
-    wrapped,
+    with_entries,
+    with_simulation,
+    wrap_angle,
 )
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array, direction
@@ -37,7 +37,7 @@ from planar_pushing.simulation.simulate import simulate
 from planar_pushing.terms.options import Shape
 
 #: Contact modes that the user can choose, by the policy that prefers each.
-WAYS = {
+CHOICES = {
     "stick": "sticks",
     "slip-right": "slips to the right",
     "slip-left": "slips to the left",
@@ -75,20 +75,20 @@ class Motion(NamedTuple):
     box: Array
 
 
-def followed(state: State) -> Motion:
+def follow(state: State) -> Motion:
     """Simulate the push of a state."""
-    return _followed(start(state))
+    return _simulate_push(push_to_follow(state))
 
 
-def start(state: State) -> State:
+def push_to_follow(state: State) -> State:
     """State with the push to follow, without settings that only affect the display."""
     return replace(state, time=None, shown="", across="", handle=Handle.PUSHER)
 
 
 @lru_cache(maxsize=4)
-def _followed(state: State) -> Motion:
+def _simulate_push(state: State) -> Motion:
     log = simulate(state.scene, **_options(state))
-    data = plotted(log)
+    data = path_data(log)
     return Motion(log, data, data["time"].values, tuple(runs(data)), box(data))
 
 
@@ -97,9 +97,9 @@ def _options(state: State) -> dict[str, Any]:
     options = settings(state)
     if state.start == Start.ACCELERATION:
         x, y = acceleration(state)
-        given = options["pusher"]
+        pusher = options["pusher"]
         options["pusher"] = Pusher(
-            velocity=lambda time: (x * time, y * time), shape=given.shape, radius=given.radius
+            velocity=lambda time: (x * time, y * time), shape=pusher.shape, radius=pusher.radius
         )
     return options
 
@@ -121,9 +121,9 @@ def push_at(state: State, motion: Motion, time: float) -> State | None:
     gap = float(motion.data["path_gap"].values[row])
     if section is None or state.shape != Shape.FENCE or state.scene.stores_energy:
         return None
-    if touching(motion.data)[row] != (-1 if state.flush else 0):
+    if contact_corner(motion.data)[row] != (-1 if state.flush else 0):
         return None
-    piece = [each for each in section.pieces if each.time <= motion.times[row]][-1]
+    piece = [piece for piece in section.pieces if piece.time <= motion.times[row]][-1]
     angle = float(motion.data["path_rod_angle"].values[row])
     if state.flush and abs(angle - state.file.slider.rod_angle) > SAME_SIDE:
         return None
@@ -131,9 +131,9 @@ def push_at(state: State, motion: Motion, time: float) -> State | None:
         return None
     slider = state.file.slider.model_dump(exclude_none=True) | {"rod_angle": angle}
     mode = int(motion.data["path_mode"].values[row])
-    found = changed(state, slider=slider)
-    shown = ContactMode(mode).name if mode >= 0 else ""
-    return replace(found, angle=wrapped(piece.angle), magnitude=piece.speed, shown=shown)
+    turned = with_entries(state, slider=slider)
+    name = ContactMode(mode).name if mode >= 0 else ""
+    return replace(turned, angle=wrap_angle(piece.angle), magnitude=piece.speed, shown=name)
 
 
 def solution_at(state: State, motion: Motion, time: float) -> tuple[Solution, Array] | None:
@@ -161,7 +161,7 @@ def solution_at(state: State, motion: Motion, time: float) -> tuple[Solution, Ar
 
 
 def _on_side(motion: Motion, row: int) -> dict[str, Any]:
-    """Place of the force on a side that lies on the fence at a row, from the side's midpoint."""
+    """Position of the force on a side that lies on the fence at a row, from the side's midpoint."""
     side = side_on_fence(motion.data, row)
     if side is None:
         return {}
@@ -174,16 +174,17 @@ def _on_side(motion: Motion, row: int) -> dict[str, Any]:
 def _pusher_velocity(state: State, time: float) -> Array:
     if state.start == Start.ACCELERATION:
         return time * np.array(acceleration(state))
-    return np.array([each for start, each in settings(state)["pusher"].pieces if start <= time][-1])
+    pieces = settings(state)["pusher"].pieces
+    return np.array([velocity for start, velocity in pieces if start <= time][-1])
 
 
 def run_at(motion: Motion, time: float) -> Run:
     """Run of one mode at a time."""
     row = row_at(motion, time)
-    return next(each for each in reversed(motion.runs) if each.start <= row)
+    return next(run for run in reversed(motion.runs) if run.start <= row)
 
 
-def said_at(motion: Motion, time: float) -> str:
+def sentence_at(motion: Motion, time: float) -> str:
     """Sentence on the contact at a time."""
     row, data = row_at(motion, time), motion.data
     mode, count = (int(data[f"path_{name}"].values[row]) for name in ("mode", "solutions"))
@@ -193,39 +194,43 @@ def said_at(motion: Motion, time: float) -> str:
     return f"At time {time:.3f} {does}{more}."
 
 
-def ways_at(state: State, motion: Motion, time: float) -> tuple[str, ...]:
+def choices_at(state: State, motion: Motion, time: float) -> tuple[str, ...]:
     """Consistent contact modes at a time; empty unless there are several.
 
     They are found by simulation: a policy that prefers a mode takes it whenever it is consistent.
     """
     if not run_at(motion, time).several:
         return ()
-    return tuple(way for way in WAYS if _is_consistent(replace(state, time=time), way))
+    return tuple(policy for policy in CHOICES if _is_consistent(replace(state, time=time), policy))
 
 
-def _is_consistent(state: State, way: str) -> bool:
+def _is_consistent(state: State, policy: str) -> bool:
     """Whether the motion continues in a mode that is preferred from the state's time onward."""
-    options = _options(taken(state, way))
+    options = _options(with_choice(state, policy))
     shortly = (state.time or 0.0) + SHORTLY * options["duration"]
     log = simulate(state.scene, **options | {"duration": shortly, "samples": 2})
     mode = ContactMode(log["mode"].values[-1])
-    return str(mode.name) == way.replace("-", "_").upper()
+    return str(mode.name) == policy.replace("-", "_").upper()
 
 
-def taken(state: State, way: str) -> State:
+def with_choice(state: State, policy: str) -> State:
     """State with a mode chosen at its time; later choices are discarded."""
     section = state.file.simulate
     time = round(state.time or 0.0, 9)
-    before = [each.model_dump() for each in section.policies if each.time < time] if section else []
-    return _with_policies(state, [*before, {"time": time, "policy": way}])
+    before = (
+        [choice.model_dump() for choice in section.policies if choice.time < time]
+        if section
+        else []
+    )
+    return _with_policies(state, [*before, {"time": time, "policy": policy}])
 
 
-def forgotten(state: State) -> State:
+def without_choices(state: State) -> State:
     """State without choices of the user."""
     return _with_policies(state, first_policy(state))
 
 
-def chosen(state: State) -> bool:
+def has_choices(state: State) -> bool:
     """Whether the user chose a mode."""
     section = state.file.simulate
     return section is not None and len(section.policies) > 1
@@ -233,7 +238,7 @@ def chosen(state: State) -> bool:
 
 def _with_policies(state: State, policies: Any) -> State:
     """State with other policies at the same time."""
-    return replace(simulated(state, on_ambiguity=policies), time=state.time)
+    return replace(with_simulation(state, on_ambiguity=policies), time=state.time)
 
 
 def energies(motion: Motion) -> dict[str, Any]:

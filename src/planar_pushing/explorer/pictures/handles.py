@@ -10,7 +10,7 @@ from functools import lru_cache
 import numpy as np
 
 from planar_pushing.drawing.sketch import Sketch
-from planar_pushing.explorer.state import MAGNITUDES, Handle, State, pushed, with_rod, with_size
+from planar_pushing.explorer.state import MAGNITUDES, Handle, State, with_push, with_rod, with_size
 from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.force.cones import friction_cone, is_magnitude_open, motion_angle
 from planar_pushing.mechanics.plane import Array, direction
@@ -59,7 +59,7 @@ def _magnitude(state: State, length: float) -> float:
     )
 
 
-def places(state: State, force: Array | None) -> dict[Handle, Array]:
+def handle_positions(state: State, force: Array | None) -> dict[Handle, Array]:
     """Positions of the handles; the line of force has one if the pusher transmits a force.
 
     With a side on the fence, only the pusher has one: the rod belongs to a contact at one point.
@@ -68,52 +68,57 @@ def places(state: State, force: Array | None) -> dict[Handle, Array]:
     pusher = frame.reach * arrow_length(state) * direction(angle)
     if state.flush:
         return {Handle.PUSHER: pusher}
-    found = {
+    positions = {
         Handle.PUSHER: pusher,
         Handle.ROD: frame.center,
         Handle.SIZE: frame.middle + frame.half * direction(frame.pose.angle - math.pi / 4),
     }
     if force is not None and np.any(force):
-        found[Handle.LINE] = LINE * frame.reach * force / np.hypot(*force)
-    return found
+        positions[Handle.LINE] = LINE * frame.reach * force / np.hypot(*force)
+    return positions
 
 
-def nearest(state: State, force: Array | None, place: Array) -> Handle | None:
+def nearest(state: State, force: Array | None, position: Array) -> Handle | None:
     """Handle at a position in the picture; None if there is none."""
-    apart = {name: float(np.hypot(*(at - place))) for name, at in places(state, force).items()}
-    name = min(apart, key=apart.__getitem__)
-    return name if apart[name] < 0.16 * frame_of(state.scene).span else None
+    distances = {
+        handle: float(np.hypot(*(center - position)))
+        for handle, center in handle_positions(state, force).items()
+    }
+    handle = min(distances, key=distances.__getitem__)
+    return handle if distances[handle] < 0.16 * frame_of(state.scene).span else None
 
 
-def _drag_pusher(state: State, place: Array) -> State:
-    if not np.any(place):
+def _drag_pusher(state: State, position: Array) -> State:
+    if not np.any(position):
         return state
-    length = float(np.hypot(*place)) / frame_of(state.scene).reach
-    return pushed(state, math.degrees(math.atan2(place[1], place[0])), _magnitude(state, length))
+    length = float(np.hypot(*position)) / frame_of(state.scene).reach
+    return with_push(
+        state, math.degrees(math.atan2(position[1], position[0])), _magnitude(state, length)
+    )
 
 
-def _drag_rod(state: State, place: Array) -> State:
-    angle = math.degrees(math.atan2(max(place[1], 0.0), place[0]))
-    return with_rod(state, float(np.hypot(*place)), angle)
+def _drag_rod(state: State, position: Array) -> State:
+    angle = math.degrees(math.atan2(max(position[1], 0.0), position[0]))
+    return with_rod(state, float(np.hypot(*position)), angle)
 
 
-def _drag_size(state: State, place: Array) -> State:
+def _drag_size(state: State, position: Array) -> State:
     frame = frame_of(state.scene)
-    away = float(np.hypot(*(place - frame.middle)))
+    away = float(np.hypot(*(position - frame.middle)))
     return with_size(state, state.size * away / frame.half)
 
 
-def _drag_line(state: State, place: Array) -> State:
+def _drag_line(state: State, position: Array) -> State:
     """State with the push that sticks under a force along the line, or along the nearest in the cone."""
-    if not np.any(place):
+    if not np.any(position):
         return state
     scene = state.scene
     cone = friction_cone(scene)
     middle = (cone.right + cone.left) / 2
-    offset = math.remainder(math.atan2(place[1], place[0]) - middle, 2 * math.pi)
+    offset = math.remainder(math.atan2(position[1], position[0]) - middle, 2 * math.pi)
     force = middle + float(np.clip(offset, -cone.span / 2, cone.span / 2))
     angle = _push_of_force(scene, force, state.magnitude)
-    return pushed(replace(state, shown="STICK"), math.degrees(angle), state.magnitude)
+    return with_push(replace(state, shown="STICK"), math.degrees(angle), state.magnitude)
 
 
 def _push_of_force(scene: Scene, force: float, magnitude: float) -> float:
@@ -124,11 +129,11 @@ def _push_of_force(scene: Scene, force: float, magnitude: float) -> float:
     if not is_magnitude_open(scene):
         return float(motion_angle(scene, force))
     tries = np.asarray(motion_angle(scene, force, force_ratio=RATIOS))
-    slow = replace(scene, effects=tuple(each for each in scene.effects if each.degree == 1))
+    slow = replace(scene, effects=tuple(effect for effect in scene.effects if effect.degree == 1))
     tries = np.unwrap([motion_angle(slow, force), *tries[np.isfinite(tries)]])
     rough = replace(scene, contact=PerfectlyRough())
-    found = solve(rough, tries, magnitude)
-    sticks = found.force[np.arange(len(tries)), np.argmax(found.mode == 1, axis=-1)]
+    solutions = solve(rough, tries, magnitude)
+    sticks = solutions.force[np.arange(len(tries)), np.argmax(solutions.mode == 1, axis=-1)]
     off = np.remainder(np.arctan2(sticks[:, 1], sticks[:, 0]) - force + np.pi, 2 * np.pi) - np.pi
     order = np.argsort(off)
     return float(np.interp(0.0, off[order], tries[order]))
@@ -142,24 +147,24 @@ DRAGS: dict[Handle, Callable[[State, Array], State]] = {
 }
 
 
-def dragged(state: State, handle: Handle, place: Array) -> State:
+def drag_handle(state: State, handle: Handle, position: Array) -> State:
     """State after a handle is dragged to a position in the picture."""
-    return DRAGS[handle](state, np.asarray(place, dtype=float))
+    return DRAGS[handle](state, np.asarray(position, dtype=float))
 
 
 #: Steps of a key in degrees and in fractions of a length; ten times larger with the shift key.
 DEGREE, PART = 1.0, 0.02
 
 
-def nudged(state: State, force: Array | None, right: int, up: int, coarse: bool) -> State:
+def nudge_handle(state: State, force: Array | None, right: int, up: int, coarse: bool) -> State:
     """State after an arrow key: left and right turn its handle, up and down change its length."""
     handle = state.handle
-    place = places(state, force).get(handle)
-    if place is None:
+    position = handle_positions(state, force).get(handle)
+    if position is None:
         return state
     step = 10.0 if coarse else 1.0
     about = frame_of(state.scene).middle if handle == Handle.SIZE else np.zeros(2)
-    arm = place - about
+    arm = position - about
     angle = math.atan2(arm[1], arm[0]) - math.radians(DEGREE * step * right)
     length = float(np.hypot(*arm)) * (1.0 + PART * step * up)
-    return dragged(state, handle, about + length * direction(angle))
+    return drag_handle(state, handle, about + length * direction(angle))

@@ -14,7 +14,14 @@ from planar_pushing.drawing.canvas.colors import DARK, GUIDE, look_of
 from planar_pushing.drawing.canvas.marks import NOTE, Area, Picture
 from planar_pushing.explorer.pictures.curve import words_alone
 from planar_pushing.explorer.pictures.handles import unit_of_magnitude
-from planar_pushing.explorer.state import MAGNITUDES, ROD_ANGLES, State, pushed, with_law, with_rod
+from planar_pushing.explorer.state import (
+    MAGNITUDES,
+    ROD_ANGLES,
+    State,
+    with_law,
+    with_push,
+    with_rod,
+)
 from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.force.cones import is_magnitude_open
 from planar_pushing.mechanics.plane import Array
@@ -45,15 +52,15 @@ NO_MAP = (
 class Axis:
     """A second axis of the map, linear in its coordinate.
 
-    `values` returns the scenes and magnitudes over coordinates, `here` the coordinate of a state, and
-    `gone` the state at a coordinate.
+    `values` returns the scenes and magnitudes over coordinates, `coordinate_of` the coordinate of a state,
+    and `state_at` the state at a coordinate.
     """
 
     title: str
     ends: Callable[[State], tuple[float, float]]
     values: Callable[[State, Array], tuple[Scene, Any]]
-    here: Callable[[State], float]
-    gone: Callable[[State, float], State]
+    coordinate_of: Callable[[State], float]
+    state_at: Callable[[State, float], State]
     ticks: Callable[[State], dict[float, str]]
 
 
@@ -96,8 +103,10 @@ AXES: dict[str, Axis] = {
         title="magnitude of the push, m a / W",
         ends=lambda state: (float(np.log10(MAGNITUDES[0])), float(np.log10(MAGNITUDES[1]))),
         values=lambda state, power: (state.scene, unit_of_magnitude(state.scene) * 10.0**power),
-        here=lambda state: float(np.log10(state.magnitude / unit_of_magnitude(state.scene))),
-        gone=lambda state, power: pushed(
+        coordinate_of=lambda state: float(
+            np.log10(state.magnitude / unit_of_magnitude(state.scene))
+        ),
+        state_at=lambda state, power: with_push(
             state, state.angle, unit_of_magnitude(state.scene) * 10.0**power
         ),
         ticks=lambda state: {float(power): f"{10.0**power:g}" for power in range(-2, 3)},
@@ -106,8 +115,8 @@ AXES: dict[str, Axis] = {
         title="coefficient of friction \u03bc",
         ends=lambda state: (0.0, 90.0),
         values=_over_friction,
-        here=_friction_angle,
-        gone=_to_friction,
+        coordinate_of=_friction_angle,
+        state_at=_to_friction,
         ticks=lambda state: (
             {float(np.rad2deg(np.arctan(mu))): f"{mu:g}" for mu in FRICTIONS} | {90.0: "\u221e"}
         ),
@@ -116,20 +125,20 @@ AXES: dict[str, Axis] = {
         title="rod angle (degrees)",
         ends=lambda state: (0.0, 180.0),
         values=_over_rod("rod_angle", np.pi / 180),
-        here=lambda state: state.file.slider.rod_angle,
-        gone=lambda state, angle: with_rod(
+        coordinate_of=lambda state: state.file.slider.rod_angle,
+        state_at=lambda state, angle: with_rod(
             state, state.file.slider.rod_length, float(np.clip(angle, *ROD_ANGLES))
         ),
-        ticks=lambda state: {float(each): f"{each}" for each in range(0, 181, 45)},
+        ticks=lambda state: {float(angle): f"{angle}" for angle in range(0, 181, 45)},
     ),
     "rod length": Axis(
         title="rod length",
         ends=lambda state: (0.0, _longest(state)),
         values=_over_rod("rod_length", 1.0),
-        here=lambda state: state.file.slider.rod_length,
-        gone=lambda state, length: with_rod(state, length, state.file.slider.rod_angle),
+        coordinate_of=lambda state: state.file.slider.rod_length,
+        state_at=lambda state, length: with_rod(state, length, state.file.slider.rod_angle),
         ticks=lambda state: {
-            float(each): f"{each:.3g}" for each in np.linspace(0.0, _longest(state), 6)
+            float(length): f"{length:.3g}" for length in np.linspace(0.0, _longest(state), 6)
         },
     ),
 }
@@ -156,8 +165,8 @@ def maps(state: State) -> Iterator[Map]:
         return
     start = time.perf_counter()
     yield mode_map(state, COARSE)
-    each = (time.perf_counter() - start) / np.prod(COARSE)
-    finer = float(np.sqrt(min(TIME / each / np.prod(FINE), 1.0)))
+    seconds = (time.perf_counter() - start) / np.prod(COARSE)
+    finer = float(np.sqrt(min(TIME / seconds / np.prod(FINE), 1.0)))
     size = 2 * round(finer * FINE[0] / 2), round(finer * FINE[1])
     if size[0] > COARSE[0]:
         yield mode_map(state, size)
@@ -170,38 +179,40 @@ def mode_map(state: State, size: tuple[int, ...]) -> Map:
     angle = -180.0 + (np.arange(size[0]) + 0.5) * 360.0 / size[0]
     along = left + (np.arange(size[1]) + 0.5) * (right - left) / size[1]
     scene, magnitude = axis.values(state, along[None, :])
-    found = solve(scene, np.deg2rad(angle)[:, None], magnitude)
-    bits = np.where(found.mode >= 0, 1 << np.maximum(found.mode, 0).astype(int), 0)
+    solutions = solve(scene, np.deg2rad(angle)[:, None], magnitude)
+    bits = np.where(solutions.mode >= 0, 1 << np.maximum(solutions.mode, 0).astype(int), 0)
     codes = np.bitwise_or.reduce(bits, axis=-1).astype(np.uint8)
     return Map(np.broadcast_to(codes, size).copy(), left, right)
 
 
-def gone(state: State, place: Array) -> State:
+def state_at(state: State, position: Array) -> State:
     """State at a position in the picture of its map."""
-    axis, (x, y) = AXES[axis_of(state)], np.clip(place, 0.0, (WIDE, 1.0))
+    axis, (x, y) = AXES[axis_of(state)], np.clip(position, 0.0, (WIDE, 1.0))
     left, right = axis.ends(state)
-    found = axis.gone(state, float(left + (right - left) * x / WIDE))
-    return pushed(found, float(360.0 * y - 180.0), found.magnitude)
+    other = axis.state_at(state, float(left + (right - left) * x / WIDE))
+    return with_push(other, float(360.0 * y - 180.0), other.magnitude)
 
 
-def place_of(state: State) -> Array:
+def position_of(state: State) -> Array:
     """Position of a state in the picture of its map."""
     axis = AXES[axis_of(state)]
     left, right = axis.ends(state)
-    return np.array([WIDE * (axis.here(state) - left) / (right - left), state.angle / 360.0 + 0.5])
+    return np.array(
+        [WIDE * (axis.coordinate_of(state) - left) / (right - left), state.angle / 360.0 + 0.5]
+    )
 
 
 # -- marks -------------------------------------------------------------------------------------------
 
 
-def map_picture(state: State, found: Map) -> Picture:
+def map_picture(state: State, modes: Map) -> Picture:
     """Picture of the map with its axes; its height is 1."""
     if state.flush:
         return words_alone(BOX, NO_MAP)
     picture = Picture()
-    for code in np.unique(found.codes):
+    for code in np.unique(modes.codes):
         look = look_of(int(code))
-        cells = tuple(_rectangles(found.codes == code))
+        cells = tuple(_rectangles(modes.codes == code))
         picture.add(Area(cells, look.fill, look.hatch, look.ink))
     frame = [(0.0, 0.0), (WIDE, 0.0), (WIDE, 1.0), (0.0, 1.0), (0.0, 0.0)]
     picture.line(frame, GUIDE, width=0.7)
@@ -242,14 +253,14 @@ def cross(state: State) -> Picture:
     picture = Picture()
     if state.flush:
         return picture
-    here = place_of(state)
+    here = position_of(state)
     for color, width, half in (("#FFFFFF", 3.6, 0.034), (DARK, 1.5, 0.03)):
         for arm in half * np.eye(2):
             picture.line([here - arm, here + arm], color, width=width)
     return picture
 
 
-def sets_of(found: Map) -> list[int]:
+def sets_of(modes: Map) -> list[int]:
     """Codes of the sets of modes on a map, smaller sets first."""
-    codes = {int(code) for code in np.unique(found.codes)}
+    codes = {int(code) for code in np.unique(modes.codes)}
     return sorted(codes, key=lambda code: (code.bit_count(), code))

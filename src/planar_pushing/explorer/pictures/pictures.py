@@ -10,7 +10,13 @@ from planar_pushing.drawing.body import name_centers
 from planar_pushing.drawing.canvas.colors import DARK, ENERGIES, GUIDE, LIGHT, MODES, PUSHER
 from planar_pushing.drawing.canvas.marks import AREAS, NOTE, Area, Picture, Sheet
 from planar_pushing.drawing.canvas.svg import content, to_svg
-from planar_pushing.drawing.motion import add_instant, add_paths, span
+from planar_pushing.drawing.motion import (
+    add_first_pusher,
+    add_instant,
+    add_paths,
+    add_velocity,
+    span,
+)
 from planar_pushing.drawing.scene import (
     HALF,
     PALE,
@@ -23,7 +29,7 @@ from planar_pushing.drawing.scene import (
 from planar_pushing.drawing.sketch import FAR, Sketch
 from planar_pushing.drawing.words import best
 from planar_pushing.explorer.pictures.following import Motion, energies, row_at
-from planar_pushing.explorer.pictures.handles import arrow_length, frame_of, places
+from planar_pushing.explorer.pictures.handles import arrow_length, frame_of, handle_positions
 from planar_pushing.explorer.state import State
 from planar_pushing.mechanics.force.cones import is_magnitude_open
 from planar_pushing.mechanics.plane import Array
@@ -31,8 +37,8 @@ from planar_pushing.mechanics.solutions import Solution
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.terms.options import Shape
 
-#: Diameter of a handle in points, and its radius in pixels.
-HANDLE, RADIUS = 13.0, 11.0
+#: Diameter of a handle in points at the smallest scale of the page, and its radius in pixels.
+HANDLE, RADIUS = 17.6, 11.0
 #: Width of the picture over time for energies of height 1, top of the modes, and box around both.
 LONG, TOP = 5.0, 1.5
 TIME_BOX = np.array([(-0.5, -0.38), (LONG + 0.1, TOP + 0.05)])
@@ -52,19 +58,19 @@ class Push(NamedTuple):
         return None if self.chosen < 0 else self.solutions[self.chosen].force
 
 
-def solved(state: State) -> Push:
+def solve_push(state: State) -> Push:
     """Solve the push of a state."""
     scene, angle = state.scene, float(np.deg2rad(state.angle))
-    found = solve(scene, angle, state.magnitude)
-    solutions = tuple(found)
-    chosen = best(solutions, state.shown)
+    solutions = solve(scene, angle, state.magnitude)
+    consistent = tuple(solutions)
+    chosen = best(consistent, state.shown)
     side = scene.slider.side if state.shape == Shape.FINGER else None
     sketch = Sketch.of(
-        scene, angle, state.magnitude, found=found, chosen=chosen, side=side,
+        scene, angle, state.magnitude, solutions=solutions, chosen=chosen, side=side,
         finger_radius=state.finger_radius,
-        drawn=arrow_length(state),
+        pusher_length=arrow_length(state),
     )  # fmt: skip
-    return Push(state, solutions, chosen, sketch)
+    return Push(state, consistent, chosen, sketch)
 
 
 def push_picture(push: Push) -> Picture:
@@ -82,8 +88,8 @@ def push_picture(push: Push) -> Picture:
     if sketch.pusher is not None and np.any(sketch.contact_of(sketch.solution)):
         # The fence moves alike everywhere; the handle is at the tip of this arrow.
         picture.motion((0, 0), sketch.motion_scale * sketch.pusher, color=PUSHER)
-    for place in places(push.state, push.force).values():
-        picture.dot(place, HANDLE, None, edge="none")  # labels keep off the handles
+    for position in handle_positions(push.state, push.force).values():
+        picture.reserve(position, HANDLE)  # labels keep off the handles
     name_centers(picture, sketch.body, sketch.pose)
     return picture
 
@@ -100,22 +106,24 @@ def push_box(state: State) -> Array:
 
 def handles(push: Push, sheet: Sheet) -> str:
     """Markup of the handles as circles, with a mark on the one that the keys move."""
-    found = ""
-    for name, place in places(push.state, push.force).items():
-        x, y = sheet.to(place)
+    circles = ""
+    for name, position in handle_positions(push.state, push.force).items():
+        x, y = sheet.to_sheet(position)
         chosen = " chosen" if name == push.state.handle else ""
         circle = f'cx="{x:.1f}" cy="{y:.1f}" r="{RADIUS}"'
-        found += f'<circle class="handle{chosen}" data-handle="{name}" {circle}/>'
-    return found
+        circles += f'<circle class="handle{chosen}" data-handle="{name}" {circle}/>'
+    return circles
 
 
 def instant_picture(motion: Motion, time: float) -> Picture:
-    """Picture of slider and pusher at a time, with their past paths and the motion center."""
+    """Picture of slider and pusher at a time, with the first pusher, past paths and the motion center."""
     picture, data, row = Picture(), motion.data, row_at(motion, time)
+    add_first_pusher(picture, data, row)
     add_instant(picture, data, row)
+    add_velocity(picture, data, row)
     add_paths(picture, data, motion.box, row)
-    center, place = (data[f"path_{name}"].values[row] for name in ("center", "position"))
-    if np.hypot(*(center - place)) < FAR * span(data):
+    center, position = (data[f"path_{name}"].values[row] for name in ("center", "position"))
+    if np.hypot(*(center - position)) < FAR * span(data):
         pivot = "path_pivot" in data and data["path_pivot"].values[row] >= 0
         add_center_mark(picture, center, pivot=pivot)
     return picture
@@ -145,25 +153,25 @@ def time_picture(motion: Motion) -> Picture:
 
 def _energies(picture: Picture, motion: Motion, end: float) -> None:
     """Add the energies over time, on an axis of height 1."""
-    found = energies(motion)
-    low = min(0.0, *(float(each.min()) for each in found.values()))
-    high = max(1e-12, *(float(each.max()) for each in found.values()))
+    curves = energies(motion)
+    low = min(0.0, *(float(values.min()) for values in curves.values()))
+    high = max(1e-12, *(float(values.max()) for values in curves.values()))
     note: dict[str, Any] = {"size": NOTE, "held": True}
     for value in (low, high) if low < -0.01 * high else (0.0, high):
         y = (value - low) / (high - low)
         picture.line([(0.0, y), (LONG, y)], LIGHT, width=0.5)
         picture.label((0.0, y), f"{value:.3g}", offset=(-4.0, 0.0), align="right", **note)
     for value in np.linspace(0.0, end, 5):
-        place = LONG * value / end, 0.0
-        picture.label(place, f"{value:.3g}", offset=(0.0, -9.0), **note)
+        position = LONG * value / end, 0.0
+        picture.label(position, f"{value:.3g}", offset=(0.0, -9.0), **note)
     picture.label((LONG / 2, 0.0), "time", offset=(0.0, -20.0), color=GUIDE, **note)
-    for name, values in found.items():
+    for name, values in curves.items():
         points = [LONG * motion.times / end, (values - low) / (high - low)]
         width = 3.0 if name == "work" else 1.4  # the others add up to it and often cover it
         picture.line(np.stack(points, axis=-1), ENERGIES[name], width=width)
 
 
-def now_picture(motion: Motion, time: float) -> Picture:
+def time_line_picture(motion: Motion, time: float) -> Picture:
     """Picture of a line at a time."""
     picture, x = Picture(), LONG * min(time / (float(motion.times[-1]) or 1.0), 1.0)
     picture.line([(x, 0.0), (x, TOP)], DARK, width=1.4)
@@ -180,7 +188,7 @@ def chip(name: str, fill: str, hatch: str = "", ink: str = DARK) -> str:
 
 def markup(picture: Picture, sheet: Sheet, more: str = "") -> str:
     """SVG elements of a picture, in a group with its origin and scale in pixels."""
-    x, y = sheet.to((0.0, 0.0))
+    x, y = sheet.to_sheet((0.0, 0.0))
     return (
         f'<g data-x="{x:.2f}" data-y="{y:.2f}" data-scale="{sheet.scale:.4f}">'
         f"{content(picture, sheet)}{more}</g>"

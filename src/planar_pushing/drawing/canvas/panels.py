@@ -1,0 +1,201 @@
+"""Pictures in the rows of a figure, cropped to their marks, so that little white remains around them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from planar_pushing.drawing.canvas.axes import onto, schematic
+from planar_pushing.drawing.canvas.colors import DARK
+from planar_pushing.drawing.canvas.labels import settle
+from planar_pushing.drawing.canvas.marks import (
+    Area,
+    Arrow,
+    Dot,
+    Hatch,
+    Label,
+    Mark,
+    Picture,
+    Sheet,
+)
+from planar_pushing.mechanics.plane import Array
+
+#: White around the marks of a figure, between its panels, and height of a row of titles, in points.
+EDGE, GAP, TITLE = 3.0, 14.0, 15.0
+#: Room around the other marks in which labels settle, in points.
+ROOM = 45.0
+#: Rounds of settling labels and scaling, and steps to a scale.
+ROUNDS, STEPS = 2, 20
+
+
+class Cropped(NamedTuple):
+    """A picture with its labels in place, points per unit, and the corners of all marks.
+
+    The corners have shape (2, 2), in points from the origin of the scene.
+    """
+
+    picture: Picture
+    scale: float
+    box: Array
+
+    @property
+    def size(self) -> Array:
+        """Width and height in points."""
+        return np.asarray(np.ptp(self.box, axis=0))
+
+    def draw(self, figure: Figure, left: float, low: float) -> Axes:
+        """Draw the picture on new axes, with their lower left corner at a position in points."""
+        size, middle = self.size, self.box.mean(axis=0) / self.scale
+        paper = 72 * figure.get_size_inches()
+        ax = schematic(figure, (*(np.array([left, low]) / paper), *(size / paper)))
+        sheet = Sheet(middle, self.scale, size, 1.0)
+        (x_low, y_low), (x_high, y_high) = sheet.box
+        ax.set(xlim=(x_low, x_high), ylim=(y_low, y_high))
+        onto(self.picture, ax, sheet)
+        return ax
+
+
+def crop(
+    figure: Figure, picture: Picture, wide: float = 0.0, scale: float | None = None
+) -> Cropped:
+    """Crop a picture to its marks.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        The figure on which it will be drawn.
+    picture : Picture
+    wide : float, optional
+        Width of the marks with their labels, in points; the default is for a known scale.
+    scale : float, optional
+        Points per unit of the scene; by default the picture fills the width.
+    """
+    marks: Sequence[Mark] = picture.marks
+    bare = [mark for mark in marks if not isinstance(mark, Label)]
+    points = scale or _filling_scale(figure, bare, wide, 1.0)
+    for _ in range(ROUNDS):
+        box = _corners(figure, bare, points)
+        sheet = Sheet(box.mean(axis=0) / points, points, np.ptp(box, axis=0) + 2 * ROOM, 1.0)
+        marks = _settle_labels(picture, sheet)
+        points = scale or _filling_scale(figure, marks, wide, points)
+    return Cropped(Picture(list(marks)), points, _corners(figure, marks, points))
+
+
+def _settle_labels(picture: Picture, sheet: Sheet) -> list[Mark]:
+    """Marks of a picture, with labels that stay where they settle on a sheet."""
+    labels = iter(settle(picture, sheet))
+    return [
+        next(labels)._replace(held=True) if isinstance(mark, Label) else mark
+        for mark in picture.marks
+    ]
+
+
+def _filling_scale(figure: Figure, marks: Sequence[Mark], wide: float, start: float) -> float:
+    """Scale at which marks have a width in points, by steps from a positive scale."""
+    scale = start
+    for _ in range(STEPS):
+        scale *= wide / float(np.ptp(_corners(figure, marks, scale)[:, 0]))
+    return scale
+
+
+def _corners(figure: Figure, marks: Sequence[Mark], scale: float) -> Array:
+    """Lower left and upper right corner of marks, in points from the scene's origin."""
+    boxes = np.array([_box(figure, mark, scale) for mark in marks])
+    return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
+
+
+def _box(figure: Figure, mark: Mark, scale: float) -> Array:
+    """Corners of a mark in points from the scene's origin."""
+    if isinstance(mark, Label):
+        return scale * mark.position + _text_box(figure, mark)
+    if isinstance(mark, Area):
+        points, rim = np.concatenate(mark.rings), 0.0
+    elif isinstance(mark, Hatch):
+        points, rim = mark.strokes.reshape(-1, 2), mark.width / 2
+    elif isinstance(mark, Arrow):
+        points, rim = np.concatenate(mark.shape(1 / scale)), mark.width / 2
+    elif isinstance(mark, Dot):
+        points, rim = mark.position[None], (mark.size + mark.width) / 2
+    else:
+        points, rim = mark.points, mark.width / 2
+    return np.array([scale * points.min(axis=0) - rim, scale * points.max(axis=0) + rim])
+
+
+def _text_box(figure: Figure, label: Label) -> Array:
+    """Corners of a label in points from its position in the scene."""
+    text = figure.text(
+        0.0, 0.0, label.text, fontsize=label.size, ha=label.align, va="center", linespacing=0.95
+    )
+    box = text.get_window_extent().get_points() * 72 / figure.dpi
+    text.remove()
+    return np.asarray(box + label.offset)
+
+
+class Panel(NamedTuple):
+    """A picture with its title, and the name of the scale that it shares with other panels, if any."""
+
+    picture: Picture
+    title: str = ""
+    scale: str = ""
+
+
+def panels(
+    figure: Figure, contents: Sequence[Panel], columns: int = 1, *, scale: float | None = None
+) -> list[Axes]:
+    """Draw pictures in a grid, cropped to their marks, and fit the height of the figure to them.
+
+    The panels of a row show y = 0, the line of a fence, at one height.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+    contents : sequence of Panel
+    columns : int
+        Number of panels in a row.
+    scale : float, optional
+        Points per unit of the scene; by default the panels fill the columns.
+    """
+    wide = (72 * figure.get_figwidth() - 2 * EDGE - (columns - 1) * GAP) / columns
+    pictures = _to_scale(figure, contents, wide, scale)
+    title = TITLE if any(panel.title for panel in contents) else 0.0
+    rows = [range(i, min(i + columns, len(contents))) for i in range(0, len(contents), columns)]
+    above = [max(pictures[i].box[1, 1] for i in row) for row in rows]
+    below = [min(pictures[i].box[0, 1] for i in row) for row in rows]
+    spaces = GAP * (len(rows) - 1) + 2 * EDGE
+    high = float(sum(above) - sum(below)) + title * len(rows) + spaces
+    figure.set_figheight(high / 72)
+    axes, top = [], high - EDGE
+    for row, up, down in zip(rows, above, below, strict=True):
+        level = top - title - up
+        for column, index in enumerate(row):
+            picture = pictures[index]
+            middle = EDGE + column * (wide + GAP) + wide / 2
+            low = level + picture.box[0, 1]
+            axes.append(picture.draw(figure, middle - picture.size[0] / 2, low))
+            _add_title(figure, contents[index].title, middle, top)
+        top = level + down - GAP
+    return axes
+
+
+def _to_scale(
+    figure: Figure, contents: Sequence[Panel], wide: float, scale: float | None
+) -> list[Cropped]:
+    """Pictures of the panels: as wide as allowed, and at one scale if they share its name."""
+    pictures = [crop(figure, panel.picture, wide, scale) for panel in contents]
+    for name in {panel.scale for panel in contents} - {""}:
+        shared = [i for i, panel in enumerate(contents) if panel.scale == name]
+        smallest = min(pictures[i].scale for i in shared)
+        for i in shared:
+            pictures[i] = crop(figure, contents[i].picture, wide, smallest)
+    return pictures
+
+
+def _add_title(figure: Figure, title: str, middle: float, top: float) -> None:
+    """Add the title of a panel, below a height in points."""
+    if title:
+        wide, high = 72 * figure.get_size_inches()
+        figure.text(middle / wide, top / high, title, ha="center", va="top", color=DARK)
