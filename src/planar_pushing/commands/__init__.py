@@ -8,7 +8,7 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from importlib.metadata import entry_points
 
@@ -27,7 +27,7 @@ from planar_pushing.commands import (
     solve,
 )
 from planar_pushing.commands.words import Parser, check_push, text
-from planar_pushing.terms.errors import InvalidValue, PlanarPushingError
+from planar_pushing.terms.errors import InvalidValue, PlanarPushingError, suggestion
 
 #: Group of the entry points of other packages' commands, each a module with a function `add`. Help, version
 #: and completion import all of these modules, so none imports numpy before its command runs.
@@ -51,12 +51,17 @@ INVALID, INTERRUPTED, UNREAD = 2, 130, 141
 
 def parser() -> Parser:
     """The parser of all commands."""
-    found = Parser(prog="planar-pushing", description=__doc__, allow_abbrev=False)
-    found.add_argument("--version", action="version", version=f"planar-pushing {__version__}")
-    commands = found.add_subparsers(dest="command", required=True, metavar="command")
-    for command in (*COMMANDS, *(each.load() for each in sorted(entry_points(group=GROUP)))):
-        command.add(commands)
-    return found
+    return _parsers()[0]
+
+
+def _parsers() -> tuple[Parser, dict[str, Parser]]:
+    """The parser of all commands, and the parser of each by its name."""
+    top = Parser(prog="planar-pushing", description=__doc__, allow_abbrev=False)
+    top.add_argument("--version", action="version", version=f"planar-pushing {__version__}")
+    commands = top.add_subparsers(dest="command", required=True, metavar="command")
+    for module in (*COMMANDS, *(entry.load() for entry in sorted(entry_points(group=GROUP)))):
+        module.add(commands)
+    return top, commands.choices
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -75,17 +80,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return UNREAD
     except OSError as error:
         _discard_output()
-        place = f"{error.filename}: " if error.filename else ""
-        print(f"planar-pushing: {place}{error.strerror or error}", file=sys.stderr)
+        file = f"{error.filename}: " if error.filename else ""
+        print(f"planar-pushing: {file}{error.strerror or error}", file=sys.stderr)
         return INVALID
 
 
 def _run(arguments: Sequence[str] | None) -> int:
-    found = parser()
-    args, rest = found.parse_known_args(arguments)
-    if rest and args.command != "query":
-        found.error(f"unrecognized arguments: {' '.join(rest)}")
-    args.where, args.status = rest, 0  # a command can set the status
+    words = sys.argv[1:] if arguments is None else list(arguments)
+    top, commands = _parsers()
+    _check_words(words, top, commands)
+    others: list[str] = []
+    if words and words[0] in commands:
+        known, others = commands[words[0]].split(words[1:])
+        words = [words[0], *known]
+    args, rest = top.parse_known_args(words)
+    if not commands[args.command].open:
+        commands[args.command].require_no_more(rest)
+    args.where, args.status = [*others, *rest], 0  # a command can set the status
     try:
         check_push(args)
         _check_output(args)
@@ -94,6 +105,18 @@ def _run(arguments: Sequence[str] | None) -> int:
         print(f"planar-pushing {args.command}: {error}", file=sys.stderr)
         return INVALID
     return int(args.status)
+
+
+def _check_words(words: Sequence[str], top: Parser, commands: Mapping[str, Parser]) -> None:
+    """Reject a mistyped command or option, and suggest a similar one."""
+    name = words[0] if words else "--"
+    if name in commands:
+        commands[name].require_known(words[1:])
+    elif not name.startswith("-"):
+        remedy = suggestion(name, commands, "choose one of these")
+        top.error(f"{name!r} given; allowed: {', '.join(commands)}; {remedy}")
+    else:
+        top.require_known(words[:1])
 
 
 def _check_output(args: argparse.Namespace) -> None:

@@ -9,11 +9,14 @@ from typing import Any
 from planar_pushing.commands.words import Commands, add_output, command
 from planar_pushing.terms.errors import InvalidFile
 
+#: What to give instead of another file.
+LOG = "give a log that planar-pushing simulate has written"
+
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = "Turn the log of a simulation into an animation."
-    sub = command(commands, "animate", animated, about, "log.nc -o motion.gif --frames 50")
+    sub = command(commands, "animate", write_animation, about, "log.nc -o motion.gif --frames 50")
     sub.add_argument("log", type=Path, metavar="LOG.nc", help="log written by simulate")
     add_output(sub, "MOTION.gif", "output picture; its name ends in .gif")
     sub.add_argument(
@@ -26,18 +29,20 @@ def add(commands: Commands) -> None:
     )  # fmt: skip
 
 
-def animated(args: argparse.Namespace) -> dict[str, Any]:
+def write_animation(args: argparse.Namespace) -> dict[str, Any]:
     """Draw the log as an animation in one file."""
     from planar_pushing.drawing.animate import animate
-    from planar_pushing.drawing.timeline import plotted
+    from planar_pushing.drawing.timeline import path_data
     from planar_pushing.terms.netcdf import read_dataset
 
     if not args.log.exists():
-        raise InvalidFile(f"{args.log}: no such file; give a log written by simulate")
-    log = read_dataset(args.log)
+        raise InvalidFile(f"{args.log}: no such file; {LOG}")
+    log = read_dataset(args.log, remedy=LOG)
     try:
-        plotted(log)
+        path_data(log)
     except InvalidFile as error:
         raise InvalidFile(f"{args.log}: {error}") from None
-    found = animate(log, args.output, frames=args.frames, frames_per_second=args.frames_per_second)
-    return {"written": str(args.output), "frames": found.frames, "bytes": len(found.gif)}
+    animation = animate(
+        log, args.output, frames=args.frames, frames_per_second=args.frames_per_second
+    )
+    return {"written": str(args.output), "frames": animation.frames, "bytes": len(animation.gif)}

@@ -33,7 +33,7 @@ def add(commands: Commands) -> None:
         "of an object and scored on the other half, then vice versa. A ratio is the model's median error "
         "divided by that of an ellipsoid fitted to the same pushes, with its 95 percent interval."
     )
-    sub = command(commands, "compare", compared, about, "pushes.nc --identify")
+    sub = command(commands, "compare", compare_models, about, "pushes.nc --identify")
     add_pushes(sub, several=True)
     sub.add_argument(
         "--identify", action="store_true",
@@ -45,7 +45,7 @@ def add(commands: Commands) -> None:
     )  # fmt: skip
 
 
-def compared(args: argparse.Namespace) -> dict[str, Any]:
+def compare_models(args: argparse.Namespace) -> dict[str, Any]:
     """Score the models, write the dataset if requested, and report the errors of each model."""
     if args.output is not None:
         require_ending(args.output, ENDINGS)
@@ -54,36 +54,36 @@ def compared(args: argparse.Namespace) -> dict[str, Any]:
     from planar_pushing.pushes.compare import MODELS, compare
     from planar_pushing.terms.netcdf import write_dataset
 
-    models = [each for each in MODELS if args.identify or each != SLOW]
-    found = compare(pushes, models, seed=seed, progress=sys.stderr.isatty())
+    models = [model for model in MODELS if args.identify or model != SLOW]
+    scores = compare(pushes, models, seed=seed, progress=sys.stderr.isatty())
     written = {}
     if args.output is not None:
-        write_dataset(found, args.output)
+        write_dataset(scores, args.output)
         written = {"written": str(args.output)}
-    told = written | summary(found)
-    return told if args.json else {"": lines(told)}
+    entries = written | summary(scores)
+    return entries if args.json else {"": lines(entries)}
 
 
-def summary(found: xr.Dataset) -> dict[str, Any]:
+def summary(scores: xr.Dataset) -> dict[str, Any]:
     """Statistics of each model for the quantities that were measured."""
-    quantities = [str(each) for each in found["quantity"].values]
-    models = [str(each) for each in found["model"].values]
+    quantities = [str(label) for label in scores["quantity"].values]
+    models = [str(label) for label in scores["model"].values]
     pairs = {
         quantity: {
-            model: _statistics(found.sel(quantity=quantity, model=model)) for model in models
+            model: _statistics(scores.sel(quantity=quantity, model=model)) for model in models
         }
         for quantity in quantities
     }
     known = {
-        quantity: {model: each for model, each in rows.items() if each["median"] == each["median"]}
+        quantity: {model: row for model, row in rows.items() if row["median"] == row["median"]}
         for quantity, rows in pairs.items()
     }
     return {
-        "objects": [str(each) for each in found["object"].values],
-        "pushes": found.sizes["push"],
-        "seed": int(found.attrs["seed"]),
-        "reference": str(found.attrs["reference"]),
-        "units": {name: _unit(found, name) for name in quantities if known[name]},
+        "objects": [str(label) for label in scores["object"].values],
+        "pushes": scores.sizes["push"],
+        "seed": int(scores.attrs["seed"]),
+        "reference": str(scores.attrs["reference"]),
+        "units": {name: _unit(scores, name) for name in quantities if known[name]},
         "comparison": {name: rows for name, rows in known.items() if rows},
     }
 
@@ -93,21 +93,21 @@ def _statistics(one: xr.Dataset) -> dict[str, Any]:
     single = ("median", "percentile_90", "ratio", "difference")
     ends = ("median_interval", "ratio_interval", "difference_interval")
     return {name: float(one[name]) for name in single} | {
-        name: [float(each) for each in one[name].values] for name in ends
+        name: [float(end) for end in one[name].values] for name in ends
     }
 
 
-def _unit(found: xr.Dataset, quantity: str) -> str:
+def _unit(scores: xr.Dataset, quantity: str) -> str:
     """Unit of the errors of a quantity."""
-    return str(found.attrs["pose_units"]) if quantity == "pose" else "degree"
+    return str(scores.attrs["pose_units"]) if quantity == "pose" else "degree"
 
 
-def lines(told: dict[str, Any]) -> str:
+def lines(entries: dict[str, Any]) -> str:
     """Format the numbers as lines, with a table for each quantity."""
-    units, tables = told["units"], told["comparison"]
-    rest = {name: each for name, each in told.items() if name not in ("units", "comparison")}
+    units, tables = entries["units"], entries["comparison"]
+    rest = {name: entry for name, entry in entries.items() if name not in ("units", "comparison")}
     return "\n".join(
-        [text(rest), *(_table(name, units[name], each) for name, each in tables.items())]
+        [text(rest), *(_table(name, units[name], rows) for name, rows in tables.items())]
     )
 
 
@@ -116,11 +116,11 @@ def _table(quantity: str, unit: str, rows: dict[str, dict[str, Any]]) -> str:
     return table([
         {
             f"{quantity} [{unit}]": model,
-            "median": f"{each['median']:.3g}",
-            "90 %": f"{each['percentile_90']:.3g}",
-            "ratio": f"{each['ratio']:.3f}",
-            "from": f"{each['ratio_interval'][0]:.3f}",
-            "to": f"{each['ratio_interval'][1]:.3f}",
+            "median": f"{row['median']:.3g}",
+            "90 %": f"{row['percentile_90']:.3g}",
+            "ratio": f"{row['ratio']:.3f}",
+            "from": f"{row['ratio_interval'][0]:.3f}",
+            "to": f"{row['ratio_interval'][1]:.3f}",
         }
-        for model, each in rows.items()
+        for model, row in rows.items()
     ])  # fmt: skip

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from planar_pushing.commands.words import Commands, Parser, command
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import require_name
 from planar_pushing.terms.options import Method, Policy, Shape
 
 #: Lines that a shell needs before the bash function, which zsh can also run.
@@ -48,8 +48,7 @@ def add(commands: Commands) -> None:
 
 def script(args: argparse.Namespace) -> dict[str, Any]:
     """Completion script for a shell."""
-    if args.shell not in SHELLS:
-        raise InvalidValue("shell", args.shell, ", ".join(SHELLS), "name one of these shells")
+    require_name("shell", args.shell, SHELLS, "name one of these shells")
     known: dict[str, Parser] = args.known
     values: dict[str, tuple[str, ...]] = {
         f'*" {option}"': words for option, words in VALUES.items()
@@ -61,26 +60,24 @@ def script(args: argparse.Namespace) -> dict[str, Any]:
             start=SHELLS[args.shell],
             values=_cases(values),
             others="|".join(f'*" {name}"' for name in sorted(_taking(known.values()))),
-            commands=_cases({name: (*each.words, *_options(each)) for name, each in known.items()}),
+            commands=_cases(
+                {name: (*parser.words, *parser.options) for name, parser in known.items()}
+            ),
             first=" ".join([*known, "--help", "--version"]),
         )
     }
 
 
-def _options(parser: argparse.ArgumentParser) -> list[str]:
-    """The options of a command."""
-    # argparse has no public list of the options.
-    return [each for each in parser._option_string_actions if each.startswith("--")]
-
-
 def _taking(parsers: Iterable[Parser]) -> set[str]:
     """Options of all commands that take a value."""
     parsers = list(parsers)
-    actions = [each for parser in parsers for each in parser._option_string_actions.items()]
+    actions = [entry for parser in parsers for entry in parser._option_string_actions.items()]
     words = {word for parser in parsers for word in parser.words if word.startswith("--")}
     return words | {name for name, action in actions if action.nargs != 0}
 
 
 def _cases(words: dict[str, Any]) -> str:
     """Branches of a shell case statement, with the words that can follow each name."""
-    return "\n".join(f'    {name}) words="{" ".join(each)}" ;;' for name, each in words.items())
+    return "\n".join(
+        f'    {name}) words="{" ".join(choices)}" ;;' for name, choices in words.items()
+    )

@@ -76,14 +76,14 @@ def _push(args: argparse.Namespace, file: SceneFile, scene: Scene) -> tuple[floa
     """Angle in degrees and magnitude of the push."""
     from planar_pushing.mechanics.force.cones import angle_under_force
 
-    own = file.pieces[0] if file.simulate else None
+    piece = file.pieces[0] if file.simulate else None
     angle = args.pusher_angle
     if args.force_angle is not None:
         angle = angle_under_force(scene, args.force_angle)
     elif angle is None:
-        angle = own.angle if own else 90.0
+        angle = piece.angle if piece else 90.0
     # The file gives a velocity, but a scene with inertia is pushed from rest by an acceleration.
-    speed = own.speed if own and own.speed and not scene.stores_energy else 1.0
+    speed = piece.speed if piece and piece.speed and not scene.stores_energy else 1.0
     magnitude = args.pusher_magnitude or speed
     return float(angle), float(magnitude)
 

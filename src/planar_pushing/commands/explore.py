@@ -13,7 +13,7 @@ from planar_pushing.terms.errors import require_number
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
     about = "Open a scene in the browser, where you drag the push, rod, support and force."
-    sub = command(commands, "explore", explored, about, "scene.yaml")
+    sub = command(commands, "explore", serve_page, about, "scene.yaml")
     sub.add_argument(
         "scene", type=Path, nargs="?", metavar="SCENE.yaml",
         help="scene file to start from (default: pulling, Fig. 3)",
@@ -27,7 +27,7 @@ def add(commands: Commands) -> None:
     )
 
 
-def explored(args: argparse.Namespace) -> dict[str, Any]:
+def serve_page(args: argparse.Namespace) -> dict[str, Any]:
     """Serve the page until it is closed."""
     # The server, which refuses a port that is not free, takes seconds to import.
     allowed, remedy = "a whole number up to 65535", "leave it out to use a free port"

@@ -8,7 +8,7 @@ from importlib.metadata import entry_points
 from typing import Any
 
 from planar_pushing.commands.words import Commands, command
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import require_name
 
 #: Group of the entry points of other packages' kinds of files, each a model of the content.
 GROUP = "planar_pushing.schemas"
@@ -17,7 +17,7 @@ SCENE = "scene"
 
 def add(commands: Commands) -> None:
     """Add the command to the command line."""
-    kinds = (SCENE, *sorted(each.name for each in entry_points(group=GROUP)))
+    kinds = (SCENE, *sorted(entry.name for entry in entry_points(group=GROUP)))
     about = "Print the JSON schema of a kind of file, with which an editor completes and checks its keys."
     sub = command(commands, "schema", schema, about, "scene > scene.schema.json")
     sub.add_argument("kind", metavar="KIND", help=" or ".join(kinds))
@@ -31,10 +31,8 @@ def schema(args: argparse.Namespace) -> dict[str, Any]:
     from planar_pushing.scenes.object_model import ObjectFile
     from planar_pushing.scenes.scene_model import SceneFile
 
-    models = {each.name: each for each in entry_points(group=GROUP)}
-    if args.kind not in (SCENE, *models):
-        kinds = ", ".join((SCENE, *models))
-        raise InvalidValue("kind", args.kind, kinds, "name one of these kinds of files")
+    models = {entry.name: entry for entry in entry_points(group=GROUP)}
+    require_name("kind", args.kind, (SCENE, *models), "name one of these kinds of files")
     # A scene file is either in the body frame or in the frame of an object.
     model: Any = SceneFile | ObjectFile if args.kind == SCENE else models[args.kind].load()
     content = TypeAdapter(model).json_schema()

@@ -8,10 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 from planar_pushing.commands.words import (
     DIRECTION,
+    PUSHER_ANGLE,
     Commands,
     add_output,
     add_scene,
     command,
+    missing,
+    with_unit,
 )
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import SAMPLES, SPEED, TOLERANCE, Method, Policy, Shape
@@ -88,6 +91,7 @@ def add(commands: Commands) -> None:
         f"output log; its name ends in {' or '.join(ENDINGS)}; an older log of this name is replaced at "
         "the start, and an interrupted run leaves its log up to that time",
     )  # fmt: skip
+    sub.number_option = PUSHER_ANGLE
     for name, (kind, metavar, about) in OPTIONS.items():
         sub.add_argument(f"--{name}", type=kind, metavar=metavar, help=about)
     sub.add_argument(
@@ -107,7 +111,8 @@ def simulate_scene(args: argparse.Namespace) -> dict[str, Any]:
     file = load_scene_file(args.scene)
     file = file.model_copy(update={"simulate": _section(file, args)})
     with simulate_file(file, path=args.output, progress=args.progress) as log:
-        return {"written": str(args.output)} | summary(log)
+        entries = {"written": str(args.output)} | summary(log)
+        return entries if args.json else _in_words(entries, log)
 
 
 def _section(file: SceneFile, args: argparse.Namespace) -> SimulateEntry:
@@ -117,23 +122,35 @@ def _section(file: SceneFile, args: argparse.Namespace) -> SimulateEntry:
     from planar_pushing.scenes.simulate_model import SimulateEntry
 
     names = (name.replace("-", "_") for name in OPTIONS)
-    given = {name: getattr(args, name) for name in names}
+    options = {name: getattr(args, name) for name in names}
     section: dict[str, Any] = file.simulate.model_dump(exclude_none=True) if file.simulate else {}
-    if given["pusher_shape"] == Shape.FENCE:
+    if options["pusher_shape"] == Shape.FENCE:
         section.pop("pusher_radius", None)
-    if given["pusher_angle"] is not None:
+    if options["pusher_angle"] is not None:
         for other in ("pusher", "waypoints"):
             section.pop(other, None)
-    section |= {name: value for name, value in given.items() if value is not None}
-    for name, others in (("pusher_angle", ("pusher", "waypoints")), ("duration", ())):
-        if not {name, *others} & set(section):
-            option = f"--{name.replace('_', '-')}"
-            allowed = f"the option {option}, or a section simulate in {args.scene}"
-            raise InvalidValue(name, None, allowed, "give one of them")
+    section |= {name: value for name, value in options.items() if value is not None}
+    _require_motion(section, args)
     try:
         return SimulateEntry.model_validate(section)
     except ValidationError as error:
         raise _invalid(error, section) from None
+
+
+def _require_motion(section: dict[str, Any], args: argparse.Namespace) -> None:
+    """Refuse a simulation without a motion of the pusher or a duration, and say what to type."""
+    motions = {"pusher_angle", "pusher", "waypoints"}
+    example = {"pusher_angle": 165, "duration": 3}
+    names = [
+        name for name in example if not (motions if name in motions else {name}) & set(section)
+    ]
+    if names:
+        options = " ".join(f"--{name.replace('_', '-')} {example[name]}" for name in names)
+        keys = ", ".join(f"{name}: {example[name]}" for name in names)
+        raise missing(
+            ", ".join(names), f"as options, or in a section simulate of {args.scene}",
+            f"type for example {options}, or write simulate: {{{keys}}} into the file",
+        )  # fmt: skip
 
 
 def _invalid(error: ValidationError, section: dict[str, Any]) -> InvalidValue:
@@ -145,6 +162,26 @@ def _invalid(error: ValidationError, section: dict[str, Any]) -> InvalidValue:
     return InvalidValue(name, section.get(name), allowed, remedy or "change the value")
 
 
+def _in_words(entries: dict[str, Any], log: xr.Dataset) -> dict[str, Any]:
+    """Entries with units, and with the sentence on an early stop, if any, in place of its reason."""
+    from planar_pushing.terms.quantities import stop_text
+
+    stop = stop_text(log)
+    replaced = {"": stop} if stop else {}
+    first = {name: entries[name] for name in ("written", "time")}
+    others = {name: value for name, value in entries.items() if name not in ("stopped", *first)}
+    others["modes"] = [_with_units(change, log) for change in entries["modes"]]
+    return _with_units(first, log) | replaced | _with_units(others, log)
+
+
+def _with_units(entries: dict[str, Any], log: xr.Dataset) -> dict[str, Any]:
+    """Entries whose names have the units of the log's variables."""
+    from planar_pushing.terms.quantities import unit_of
+
+    units = {name: unit_of(log[name].attrs) for name in entries if name in log}
+    return {with_unit(name, units.get(name, "1")): value for name, value in entries.items()}
+
+
 def summary(log: xr.Dataset) -> dict[str, Any]:
     """Summary of a simulation: its final state and the sequence of modes."""
     last = log.isel(time=-1)
@@ -153,7 +190,7 @@ def summary(log: xr.Dataset) -> dict[str, Any]:
         "time": float(last["time"]),
         "stopped": log.attrs["stopped"],
         "rod_angle": float(last["rod_angle"]),
-        "position": [float(each) for each in last["position"]],
+        "position": [float(coordinate) for coordinate in last["position"]],
         "slip": float(last["slip"]),
         "gap": float(last["gap"]),
         **{name: kind(last[name]) for name, kind in where.items() if name in log},

@@ -6,8 +6,15 @@ import argparse
 import math
 from typing import TYPE_CHECKING, Any
 
-from planar_pushing.commands.words import Commands, add_push, add_scene, command, numbers, table
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.commands.words import (
+    Commands,
+    add_push,
+    add_scene,
+    command,
+    missing,
+    numbers,
+    table,
+)
 
 if TYPE_CHECKING:
     from planar_pushing.mechanics.scene import Scene
@@ -37,11 +44,11 @@ def solutions(args: argparse.Namespace) -> dict[str, Any]:
     """Outcome and solutions of the scene under one pusher motion or each of several."""
     from planar_pushing.scenes.files import load_scene
 
-    scene, given = load_scene(args.scene), args.pusher_angle
-    if isinstance(given, tuple):
-        found = [push(scene, each, args.pusher_magnitude) for each in given]
-        return {"pushes": found} if args.json else {"": _table(found)}
-    return push(scene, given, args.pusher_magnitude)
+    scene, angles = load_scene(args.scene), args.pusher_angle
+    if isinstance(angles, tuple):
+        pushes = [push(scene, angle, args.pusher_magnitude) for angle in angles]
+        return {"pushes": pushes} if args.json else {"": _table(pushes)}
+    return push(scene, angles, args.pusher_magnitude)
 
 
 def push(scene: Scene, degrees: float | None, magnitude: float | None) -> dict[str, Any]:
@@ -52,39 +59,39 @@ def push(scene: Scene, degrees: float | None, magnitude: float | None) -> dict[s
     from planar_pushing.terms.numbers import in_radians
 
     if degrees is None and scene.push is None:
-        raise InvalidValue(
-            "pusher_angle", None, "degrees, for a scene file without the section simulate",
-            "give --pusher-angle, 90 for a push into the slider",
+        raise missing(
+            "pusher_angle", "the option --pusher-angle, or a section simulate in the scene file",
+            "type --pusher-angle 90 for a push into the slider",
         )  # fmt: skip
-    angle, own = scene.push or (0.0, 1.0)
+    angle, default = scene.push or (0.0, 1.0)
     if degrees is not None:
-        angle, own = in_radians(degrees), 1.0
-    magnitude = own if magnitude is None else magnitude
-    found = solve(scene, angle, magnitude)
+        angle, default = in_radians(degrees), 1.0
+    magnitude = default if magnitude is None else magnitude
+    result = solve(scene, angle, magnitude)
     return {
-        "outcome": found.outcome.name,
-        "status": found.status.name,
+        "outcome": result.outcome.name,
+        "status": result.status.name,
         "pusher_angle": float(np.rad2deg(angle)) if degrees is None else degrees,
         "pusher_magnitude": magnitude,
-        "solutions": _solutions(found, _feet(scene)),
+        "solutions": _solutions(result, _feet(scene)),
     }
 
 
 def _feet(scene: Scene) -> tuple[str, ...]:
     """Names of the support points by number, if all friction acts on named points."""
-    supports = [each.support for each in scene.friction]
+    supports = [effect.support for effect in scene.friction]
     names = getattr(supports[0], "names", None) if len(supports) == 1 else None
     return names if names and len(set(supports[0].positions)) == len(names) else ()
 
 
-def _solutions(found: Solutions, feet: tuple[str, ...]) -> list[dict[str, Any]]:
+def _solutions(result: Solutions, feet: tuple[str, ...]) -> list[dict[str, Any]]:
     """Solutions as plain values without rounding errors; a slider at rest has no center."""
     import numpy as np
 
-    from planar_pushing.mechanics.solutions import printed
+    from planar_pushing.mechanics.solutions import printed_numbers
 
     listed = []
-    for one, values in zip(found, printed(found), strict=True):
+    for one, values in zip(result, printed_numbers(result), strict=True):
         ends = not np.array_equal(values["force"], values["force_end"])
         listed.append({
             "mode": one.mode.name,
@@ -106,8 +113,8 @@ def _solutions(found: Solutions, feet: tuple[str, ...]) -> list[dict[str, Any]]:
 def _on_side(flush: bool, values: dict[str, Any]) -> dict[str, Any]:
     """Values of a solution of a side on the fence, with the upper bound of a force if it is another one."""
     position = float(values["force_position"])
-    at = None if math.isnan(position) else position
-    entries: dict[str, Any] = {"flush": flush, "force_position": at}
+    where = None if math.isnan(position) else position
+    entries: dict[str, Any] = {"flush": flush, "force_position": where}
     for name, (low, high) in zip(END_FORCES, values["end_forces"], strict=True):
         entries[name] = numbers(low)
         if (low != high).any():
@@ -118,27 +125,25 @@ def _on_side(flush: bool, values: dict[str, Any]) -> dict[str, Any]:
 def _table(pushes: list[dict[str, Any]]) -> str:
     """Table with a line for each solution of each push, and one for a push without a solution."""
     return table([
-        {"angle": f"{each['pusher_angle']:.10g}"} | _row(one)
-        for each in pushes
-        for one in each["solutions"] or [{"mode": each["outcome"]}]
+        {"angle": f"{push['pusher_angle']:.10g}"} | _row(one)
+        for push in pushes
+        for one in push["solutions"] or [{"mode": push["outcome"]}]
     ])  # fmt: skip
 
 
 def _row(one: dict[str, Any]) -> dict[str, Any]:
     """Columns of one solution."""
-    found: dict[str, Any] = {"mode": one["mode"]}
+    row: dict[str, Any] = {"mode": one["mode"]}
     for name, columns in COLUMNS.items():
         values = one.get(name)
         words = ["none" if name == "center" and len(one) > 1 else None] * len(columns)
-        found |= zip(
-            columns, words if values is None else (f"{x:.6g}" for x in values), strict=True
-        )
+        row |= zip(columns, words if values is None else (f"{x:.6g}" for x in values), strict=True)
     continuum = "continuum" if one.get("continuum") else None
     pivot = one.get("foot", one.get("pivot"))
-    found |= {"pivot": None if pivot is None else str(pivot), "continuum": continuum}
+    row |= {"pivot": None if pivot is None else str(pivot), "continuum": continuum}
     position = one.get("force_position")
-    found["flush"] = "flush" if one.get("flush") else None
-    found["force_at"] = None if position is None else f"{position:.6g}"
+    row["flush"] = "flush" if one.get("flush") else None
+    row["force_at"] = None if position is None else f"{position:.6g}"
     for name, column in END_FORCES.items():
-        found[column] = f"{one[name][1]:.6g}" if name in one else None
-    return found
+        row[column] = f"{one[name][1]:.6g}" if name in one else None
+    return row

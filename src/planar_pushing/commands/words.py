@@ -10,7 +10,14 @@ from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from planar_pushing.terms.errors import InvalidValue, require_number, require_positive
+from planar_pushing.terms.errors import (
+    InvalidFile,
+    InvalidValue,
+    PlanarPushingError,
+    require_number,
+    require_positive,
+    suggestion,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -20,9 +27,15 @@ Commands = Any
 #: Function that runs a command with its arguments and returns the values to print.
 Action = Callable[[argparse.Namespace], dict[str, Any]]
 
+#: Option of the direction of a push.
+PUSHER_ANGLE = "--pusher-angle"
 DIRECTION = (
     "degrees counterclockwise from the fence, any finite number; 90 is straight into the slider"
 )
+
+
+#: Help for the file of an outline.
+OUTLINE = "YAML file of the object's corners, [[x, y], ...], or a scene file with object.outline"
 
 
 class Parser(argparse.ArgumentParser):
@@ -34,10 +47,16 @@ class Parser(argparse.ArgumentParser):
         Choices of its positional argument, for shell completion.
     values : mapping
         Choices by option, for shell completion.
+    open : bool
+        Whether the command itself reads the options that the parser does not know.
+    number_option : str
+        Option that a number without an option may be meant for.
     """
 
     words: tuple[str, ...] = ()
     values: Mapping[str, tuple[str, ...]] = {}
+    open: bool = False
+    number_option: str = ""
 
     def __init__(self, *args: Any, **options: Any) -> None:
         super().__init__(*args, **options)
@@ -45,6 +64,46 @@ class Parser(argparse.ArgumentParser):
         self._negative_number_matcher = re.compile(r"-\.?\d")
         self.register("type", float, _number)
         self.register("type", int, _whole_number)
+
+    @property
+    def options(self) -> list[str]:
+        """The long options, in the order of the help text."""
+        # argparse has no public list of the options.
+        return [name for name in self._option_string_actions if name.startswith("--")]
+
+    def require_known(self, words: Sequence[str]) -> None:
+        """Reject a mistyped option, before one that is missing for this reason is asked for."""
+        for word in words if not self.open else ():
+            name = word.partition("=")[0]
+            if name == "--":
+                return
+            if name.startswith("--") and name not in self.options:
+                remedy = suggestion(name, self.options, "choose one of these")
+                self.error(f"{name} given; allowed: {', '.join(self.options)}; {remedy}")
+
+    def split(self, words: Sequence[str]) -> tuple[list[str], list[str]]:
+        """Words that the parser reads, and the other options of an open command with their values."""
+        known: list[str] = []
+        others: list[str] = []
+        rest = list(words)
+        while self.open and rest and rest[0] != "--":
+            word = rest.pop(0)
+            is_other = word.startswith("--") and word.partition("=")[0] not in self.options
+            (others if is_other else known).append(word)
+            if is_other and "=" not in word and rest and self._is_value(rest[0]):
+                others.append(rest.pop(0))
+        return [*known, *rest], others
+
+    def _is_value(self, word: str) -> bool:
+        return not word.startswith("-") or self._negative_number_matcher.match(word) is not None
+
+    def require_no_more(self, words: Sequence[str]) -> None:
+        """Reject words that remain; a number probably lacks its option."""
+        is_number = len(words) == 1 and re.match(r"-?\.?\d", words[0])
+        remedy = f"type {self.number_option} {words[0]}" if is_number and self.number_option else ""
+        if words:
+            given = " ".join(words)
+            self.error(f"{given!r} given; allowed: nothing more; {remedy or 'remove it'}")
 
     def error(self, message: str) -> NoReturn:
         self.exit(2, f"{self.prog}: {message}; see {self.prog} --help\n")
@@ -71,10 +130,10 @@ MOST_ANGLES = 100_000
 def angles(text: str) -> float | tuple[float, ...]:
     """Parse an angle, or the angles of START:STOP:STEP, which include STOP if the steps reach it."""
     try:
-        given = tuple(map(float, text.split(":")))
-        if len(given) == 1:
-            return given[0]
-        start, stop, step = given
+        values = tuple(map(float, text.split(":")))
+        if len(values) == 1:
+            return values[0]
+        start, stop, step = values
         count = math.floor((stop - start) / step + 1e-9) + 1
         if not 0 < count <= MOST_ANGLES:
             raise ValueError
@@ -109,13 +168,14 @@ def add_output(sub: argparse.ArgumentParser, example: str, about: str) -> None:
     sub.add_argument("-o", "--output", type=Path, required=True, metavar=example, help=about)
 
 
-def add_push(sub: argparse.ArgumentParser, ranges: bool) -> None:
+def add_push(sub: Parser, ranges: bool) -> None:
     """Add the pusher's motion, whose angle can be a range."""
+    sub.number_option = PUSHER_ANGLE
     metavar = "DEGREES|START:STOP:STEP" if ranges else "DEGREES"
     default = "that of the scene file" if ranges else "that of the scene file, or 90"
     size = "that of the file if its angle is used, or 1" if ranges else "that of the file, or 1"
     sub.add_argument(
-        "--pusher-angle", type=angles if ranges else float, metavar=metavar,
+        PUSHER_ANGLE, type=angles if ranges else float, metavar=metavar,
         help=f"direction of the fence's motion, {DIRECTION} (default: {default})"
         + ("; a range, which includes STOP, prints a table" if ranges else ""),
     )  # fmt: skip
@@ -129,10 +189,10 @@ def add_push(sub: argparse.ArgumentParser, ranges: bool) -> None:
 def check_push(args: argparse.Namespace) -> None:
     """Reject angles and magnitudes that the fence cannot have."""
     for name in ("pusher_angle", "force_angle"):
-        given = getattr(args, name, None)
-        if given is not None and not isinstance(given, tuple):
+        degrees = getattr(args, name, None)
+        if degrees is not None and not isinstance(degrees, tuple):
             allowed = "a finite number of degrees"
-            require_number(name, given, math.isfinite, allowed, "give one angle")
+            require_number(name, degrees, math.isfinite, allowed, "give one angle")
     magnitude = getattr(args, "pusher_magnitude", None)
     if magnitude is not None:
         require_positive("pusher_magnitude", magnitude, "use the angle to reverse the pusher")
@@ -154,6 +214,11 @@ def add_pushes(sub: argparse.ArgumentParser, several: bool) -> None:
     )  # fmt: skip
 
 
+def missing(name: str, allowed: str, remedy: str) -> PlanarPushingError:
+    """The error for what the user must give and has not."""
+    return PlanarPushingError(f"{name}: missing; allowed: {allowed}; {remedy}")
+
+
 def require_seed(seed: int) -> int:
     """Return a valid seed, or raise `InvalidValue`."""
     allowed = "a whole number >= 0"
@@ -165,6 +230,20 @@ def require_ending(output: Path, endings: Sequence[str]) -> None:
     if output.suffix.lower() not in endings:
         allowed = f"a name ending in {' or '.join(endings)}"
         raise InvalidValue("output", str(output), allowed, "rename the file")
+
+
+def read_outline(path: Path) -> Any:
+    """Corners of an object from a file, which are not checked."""
+    from planar_pushing.scenes.yaml_text import read_yaml
+
+    content = read_yaml(path)
+    if isinstance(content, dict):
+        entry = content.get("object")
+        content = entry.get("outline") if isinstance(entry, dict) else None
+    if content is None:
+        allowed = "a list of corners [x, y], or a scene file with object.outline"
+        raise InvalidFile(f"{path}: holds no outline; allowed: {allowed}; choose another file")
+    return content
 
 
 def chosen_pushes(args: argparse.Namespace) -> xr.Dataset:
@@ -200,35 +279,42 @@ def numbers(values: Iterable[Any]) -> list[float]:
     return [float(value) + 0.0 for value in values]
 
 
+def with_unit(name: str, unit: str) -> str:
+    """Name of a quantity with its unit in brackets; "1" is the unit of numbers, flags and labels."""
+    return name if unit == "1" else f"{name} [{unit}]"
+
+
 def text(value: Any, indent: int = 0) -> str:
     """Readable lines of nested results."""
-    if _nested(value):
+    if _is_nested(value):
         blocks = (
-            f"{' ' * indent}{i}:\n{text(each, indent + 2)}" for i, each in enumerate(value, 1)
+            f"{' ' * indent}{i}:\n{text(entry, indent + 2)}" for i, entry in enumerate(value, 1)
         )
         return "\n".join(blocks)
     if isinstance(value, dict):
-        return "\n".join(_line(str(key), each, indent) for key, each in value.items())
+        return "\n".join(_line(str(key), entry, indent) for key, entry in value.items())
     entries = value if isinstance(value, list) else [value]
     finite = [abs(v) for v in entries if isinstance(v, float) and math.isfinite(v)]
-    least = ROUNDING * max(finite, default=0.0)
-    return " ".join(_word(v, least) for v in entries)
+    smallest = ROUNDING * max(finite, default=0.0)
+    return " ".join(_word(v, smallest) for v in entries)
 
 
-def _word(value: Any, least: float) -> str:
+def _word(value: Any, smallest: float) -> str:
     """Twelve digits of a number; 0 for a vector component that is only rounding error."""
     if value is None:
         return "none"
     return (
-        f"{0.0 if abs(value) < least else value:.12g}" if isinstance(value, float) else str(value)
+        f"{0.0 if abs(value) < smallest else value:.12g}"
+        if isinstance(value, float)
+        else str(value)
     )
 
 
-def _nested(value: Any) -> bool:
+def _is_nested(value: Any) -> bool:
     return isinstance(value, list) and bool(value) and isinstance(value[0], dict)
 
 
 def _line(key: str, value: Any, indent: int) -> str:
-    if _nested(value):
+    if _is_nested(value):
         return f"{' ' * indent}{key}:\n{text(value, indent + 2)}"
     return f"{' ' * indent}{key}: {text(value)}" if key else str(value)

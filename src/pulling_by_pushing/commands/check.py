@@ -9,10 +9,12 @@ from typing import Any
 from planar_pushing.commands.words import Commands, command
 from planar_pushing.terms.errors import InvalidFile, InvalidValue, number_of
 from pulling_by_pushing.study.studies import (
+    PAPER,
     PAPER_FILE,
     built_studies,
     file_name,
-    paper_file,
+    project_file,
+    study_file,
     study_folder,
 )
 
@@ -23,15 +25,15 @@ def add(commands: Commands) -> None:
         "Check a results folder against the golden data of its study, or certify points of any study. "
         "The exit code is 0 if everything agrees, 1 if anything differs."
     )
-    sub = command(commands, "check", checked, about, "--json")
+    sub = command(commands, "check", check_study, about, "--json")
     sub.add_argument(
         "results", type=Path, nargs="?", default=Path("results"), metavar="RESULTS",
         help="results folder that the pipeline has written (default: results)",
     )  # fmt: skip
     sub.add_argument(
-        "--study", type=Path, metavar="STUDY.yaml",
-        help="study file whose results are checked; results of a study other than the paper's are in "
-        f"RESULTS/studies/NAME (default: {PAPER_FILE})",
+        "--study", metavar="STUDY.yaml",
+        help="study file whose results are checked, or the name of a study of the project; results of a "
+        f"study other than the paper's are in RESULTS/studies/NAME (default: {PAPER_FILE})",
     )  # fmt: skip
     sub.add_argument(
         "--points", type=int, metavar="N",
@@ -40,7 +42,7 @@ def add(commands: Commands) -> None:
     )  # fmt: skip
 
 
-def checked(args: argparse.Namespace) -> dict[str, Any]:
+def check_study(args: argparse.Namespace) -> dict[str, Any]:
     """Return the verdict, and set `args.status` to 1 if anything differs."""
     from pulling_by_pushing.evidence.golden.check import check_results
     from pulling_by_pushing.evidence.golden.verdict import verdict, verdict_text
@@ -48,11 +50,11 @@ def checked(args: argparse.Namespace) -> dict[str, Any]:
     file = _study(args)
     folder = study_folder(file_name(file), args.results)
     if args.points is None:
-        found = verdict(check_results(folder, file))
+        content = verdict(check_results(folder, file))
     else:
-        found = verdict(*_points(folder, file, args.points))
-    args.status = 0 if found["passed"] else 1
-    return found if args.json else {"": _short(verdict_text(found))}
+        content = verdict(*_points(folder, file, args.points))
+    args.status = 0 if content["passed"] else 1
+    return content if args.json else {"": _without_agreement(verdict_text(content))}
 
 
 def _study(args: argparse.Namespace) -> Path:
@@ -62,18 +64,18 @@ def _study(args: argparse.Namespace) -> Path:
         remedy = "name the folder of the results, or build them with planar-pushing run STUDY.yaml"
         raise InvalidFile(f"{results}: no such folder; {remedy}")
     if args.study is not None:
-        return Path(args.study)
+        return study_file(args.study, results)
     others = built_studies(results)
     if others and not (results / "data").is_dir():
         remedy = "give the file of a study with --study"
         raise InvalidFile(f"{results}: holds results of {', '.join(others)} only; {remedy}")
-    if (file := paper_file()) is None:
+    if (file := project_file(PAPER)) is None:
         remedy = "go to the project's folder, or give the file of a study with --study"
         raise InvalidFile(f"{PAPER_FILE}: no such file; {remedy}")
     return file
 
 
-def _short(text: str) -> str:
+def _without_agreement(text: str) -> str:
     """Shorten the verdict: count the variables that agree instead of listing them."""
     lines = text.rstrip().splitlines()
     kept = [line for line in lines if not line.startswith("ok ")]

@@ -29,7 +29,7 @@ def add(commands: Commands) -> None:
         "Estimate the cost of a study before running it: points, chunks, jobs, memory, disk space and CPU "
         "hours of each dataset. Rates are measured on this machine in a few seconds."
     )
-    sub = command(commands, "plan", planned, about, "workflow/config/paper.yaml")
+    sub = command(commands, "plan", plan_study, about, "workflow/config/paper.yaml")
     sub.add_argument(
         "study",
         type=Path,
@@ -38,29 +38,29 @@ def add(commands: Commands) -> None:
     )
 
 
-def planned(args: argparse.Namespace) -> dict[str, Any]:
+def plan_study(args: argparse.Namespace) -> dict[str, Any]:
     """The plan of each dataset, as a table."""
     from dataclasses import asdict
 
-    from pulling_by_pushing.study.running.plan import study_plan, uncounted
+    from pulling_by_pushing.study.running.plan import counts_beyond_grids, study_plan
     from pulling_by_pushing.study.study_file import load_study
 
     study = load_study(args.study)
-    found, others = study_plan(study), uncounted(study)
+    plans, uncounted = study_plan(study), counts_beyond_grids(study)
     if args.json:
-        return {"datasets": [asdict(each) for each in found], "not_counted": others}
-    listed = ", ".join(_counted(count, name[:-1]) for name, count in others.items() if count)
-    return {"": _table(found) + (f"\nnot counted: {listed}" if listed else "")}
+        return {"datasets": [asdict(plan) for plan in plans], "not_counted": uncounted}
+    listed = ", ".join(_count_text(count, name[:-1]) for name, count in uncounted.items() if count)
+    return {"": _table(plans) + (f"\nnot counted: {listed}" if listed else "")}
 
 
-def _table(found: list[Plan]) -> str:
+def _table(plans: list[Plan]) -> str:
     """Table with a line for each dataset, and the totals below."""
-    rows = [{name: shape.format(each) for name, shape in COLUMNS.items()} for each in found]
-    hours, disk = sum(each.cpu_hours for each in found), sum(each.disk for each in found)
-    jobs = sum(each.jobs for each in found)
-    total = f"{_counted(jobs, 'job')}, {hours:,.3f} CPU hours, {disk / 1e3:,.3f} GB of disk"
+    rows = [{name: shape.format(plan) for name, shape in COLUMNS.items()} for plan in plans]
+    hours, disk = sum(plan.cpu_hours for plan in plans), sum(plan.disk for plan in plans)
+    jobs = sum(plan.jobs for plan in plans)
+    total = f"{_count_text(jobs, 'job')}, {hours:,.3f} CPU hours, {disk / 1e3:,.3f} GB of disk"
     return "\n".join([*([table(rows)] if rows else []), f"together: {total}"])
 
 
-def _counted(number: int, noun: str) -> str:
+def _count_text(number: int, noun: str) -> str:
     return f"{number:,} {noun}{'s' * (number != 1)}"

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import argparse
+import shlex
 from collections.abc import Hashable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from planar_pushing.commands.words import Commands, command
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.commands.words import Commands, command, missing, with_unit
+from planar_pushing.terms.errors import InvalidValue, PlanarPushingError, require_name
 from planar_pushing.terms.options import EffectSet
 from planar_pushing.terms.quantities import unit_of
-from pulling_by_pushing.study.catalog import DATASETS, opened
+from pulling_by_pushing.study.catalog import DATASETS, dataset_names
 from pulling_by_pushing.study.studies import PAPER
 
 if TYPE_CHECKING:
@@ -25,21 +26,21 @@ def add(commands: Commands) -> None:
         "Without DATASET, list the datasets that are built and the commands that build the others."
     )
     example = "motion_cones --effects inertia --rod-length 2"
-    sub = command(commands, "query", part, about, example)
+    sub = command(commands, "query", query_dataset, about, example)
     sub.usage = (
         "planar-pushing query [DATASET] [--AXIS VALUE ...] [--axes] [--study NAME] "
         "[--results FOLDER] [--json]"
     )
-    named = [name for name in opened() if not name.endswith("/NAME")]
-    axes = sorted({option(axis) for entry in DATASETS.values() for axis in entry.dims})
-    sub.words = (*named, *axes)
+    named = [name for name in dataset_names() if not name.endswith("/NAME")]
+    axes = sorted({option(axis) for entry in DATASETS.values() for axis in entry.selectors})
+    sub.words, sub.open = (*named, *axes), True
     sub.values = {
         "--effects": tuple(EffectSet), "--study": (PAPER, "$(ls results/studies 2>/dev/null)"),
     }  # fmt: skip
     sub.epilog = f"{_axes_of_datasets()}\n\n{sub.epilog}"
     sub.add_argument(
         "dataset", metavar="DATASET", nargs="?",
-        help=f"{', '.join(opened())}; NAME is a scene, a simulation, or a figure of the study",
+        help=f"{', '.join(dataset_names())}; NAME is a scene, a simulation, or a figure of the study",
     )  # fmt: skip
     sub.add_argument(
         "--axes", action="store_true", help="list the axes of the dataset and their values instead"
@@ -51,14 +52,15 @@ def add(commands: Commands) -> None:
     sub.add_argument(
         "--study", metavar="NAME", help="another study, by its name (default: the paper's)"
     )
+    sub.set_defaults(options=sub.options)
 
 
 def _axes_of_datasets() -> str:
     """Text with a line for each dataset that has axes."""
     lines = (
-        f"  {name}: {' '.join(map(option, entry.dims))}"
+        f"  {name}: {' '.join(map(option, entry.selectors))}"
         for name, entry in DATASETS.items()
-        if entry.dims
+        if entry.selectors
     )
     return "\n".join(["axes:", *lines])
 
@@ -68,50 +70,68 @@ def option(axis: str) -> str:
     return f"--{axis.replace('_', '-')}"
 
 
-def part(args: argparse.Namespace) -> dict[str, Any]:
+def query_dataset(args: argparse.Namespace) -> dict[str, Any]:
     """Part of a dataset at the given axis values, its axes, or the list of datasets."""
-    from pulling_by_pushing.study.query import axis_names, listed, select
+    from pulling_by_pushing.study.query import axis_names, axis_text, select
     from pulling_by_pushing.study.store import open_dataset
 
     if args.dataset is None:
         return _listing(args)
-    found = open_dataset(args.dataset, args.results, study=args.study)
-    found = select(found, _pairs(args.where))
+    dataset = open_dataset(args.dataset, args.results, study=args.study)
+    axes = list(map(option, axis_names(dataset)))
+    for word in args.where:
+        if word.startswith("--"):
+            name, remedy = word.partition("=")[0], "name one of the dataset's axes"
+            require_name("option", name, (*axes, *args.options), remedy)
+    dataset = select(dataset, _pairs(args.where))
     if args.axes:
-        return {option(name): listed(found.coords[name]) for name in axis_names(found)}
-    return dict(found.to_dict()) if args.json else {"": _table(found)}
+        return {option(name): axis_text(dataset.coords[name]) for name in axis_names(dataset)}
+    return dict(dataset.to_dict()) if args.json else {"": _table(dataset)}
 
 
 def _listing(args: argparse.Namespace) -> dict[str, Any]:
-    """The datasets that are built, the commands that build the others, and the other studies."""
+    """The datasets that are built, how to get the others, and the other studies."""
     from pulling_by_pushing.study.query import built_datasets, other_datasets
     from pulling_by_pushing.study.studies import built_studies
 
     if args.where:
-        words = " ".join(args.where)
-        raise InvalidValue("query", words, "a dataset, then its axes", "name a dataset first")
+        raise _no_dataset(args.where)
     if args.study is None and not (args.results / "data").is_dir():
         built = {}  # there may be other studies
     else:
         built = built_datasets(args.results, args.study)
-    others, studies = other_datasets(built), built_studies(args.results)
+    others, studies = other_datasets(built, args.results), built_studies(args.results)
     if args.json:
         return {"datasets": built, "not_built": others, "studies": studies}
-    return {"": "\n".join([*_built(built, args.results), *_others(others), *_studies(studies)])}
+    return {
+        "": "\n".join(
+            [*_title_lines(built, args.results), *_other_lines(others), *_studies(studies)]
+        )
+    }
 
 
-def _built(titles: dict[str, str], results: Path) -> list[str]:
+def _no_dataset(words: Sequence[str]) -> PlanarPushingError:
+    """Error for axes without a dataset, with the datasets that have them."""
+    axes = {word.partition("=")[0] for word in words if word.startswith("--")}
+    names = [name for name, entry in DATASETS.items() if axes <= set(map(option, entry.selectors))]
+    remedy = "name a dataset first"
+    if names:
+        remedy = f"type for example planar-pushing query {names[0]} {shlex.join(words)}"
+    return missing("dataset", ", ".join(names or dataset_names()), remedy)
+
+
+def _title_lines(titles: dict[str, str], results: Path) -> list[str]:
     width = max(map(len, titles), default=0)
     lines = [f"{name:<{width}}  {title}" for name, title in titles.items()]
     return lines or [f"{results}: holds no datasets of the paper's study"]
 
 
-def _others(ways: dict[str, str]) -> list[str]:
-    """Lines for the commands, each with the datasets that it builds."""
+def _other_lines(remedies: dict[str, str]) -> list[str]:
+    """Lines that say how to get the datasets that are not built, those with one remedy in one line."""
     names: dict[str, list[str]] = {}
-    for name, way in ways.items():
-        names.setdefault(way, []).append(name)
-    lines = [f"  {', '.join(each)}: {way}" for way, each in names.items()]
+    for name, remedy in remedies.items():
+        names.setdefault(remedy, []).append(name)
+    lines = [f"  {', '.join(datasets)}: {remedy}" for remedy, datasets in names.items()]
     return ["not built here:", *lines] if lines else []
 
 
@@ -134,17 +154,16 @@ def _pairs(words: Sequence[str]) -> dict[str, str]:
     return dict(zip(names, parts[1::2], strict=True))
 
 
-def _table(found: xr.Dataset) -> str:
+def _table(dataset: xr.Dataset) -> str:
     """Text: the selected values in one line, a line per single value, and a table per set of axes."""
     marks = {}
-    for name, variable in found.variables.items():
-        unit = _unit(found, variable)
-        marks[name] = str(name) if unit == "1" else f"{name} [{unit}]"
-    chosen = [name for name, coord in found.coords.items() if not coord.ndim]
-    rest = found.drop_vars(chosen).map(_in_words, keep_attrs=True)
+    for name, variable in dataset.variables.items():
+        marks[name] = with_unit(str(name), _unit(dataset, variable))
+    scalars = [name for name, coord in dataset.coords.items() if not coord.ndim]
+    rest = dataset.drop_vars(scalars).map(_in_words, keep_attrs=True)
     singles = [name for name, variable in rest.data_vars.items() if not variable.ndim]
     width = max((len(marks[name]) for name in singles), default=0)
-    blocks = [", ".join(f"{name}={found[name].item()}" for name in chosen)] if chosen else []
+    blocks = [", ".join(f"{name}={dataset[name].item()}" for name in scalars)] if scalars else []
     if singles:
         blocks.append("\n".join(f"{marks[n]:<{width}}  {rest[n].item()}" for n in singles))
     for dims in dict.fromkeys(
@@ -157,10 +176,10 @@ def _table(found: xr.Dataset) -> str:
     return "\n".join(blocks)
 
 
-def _unit(found: xr.Dataset, variable: xr.Variable) -> str:
+def _unit(dataset: xr.Dataset, variable: xr.Variable) -> str:
     """Unit of a variable, or units of its components."""
     unit = unit_of(variable.attrs)
-    components = found[unit] if unit in found.coords else None
+    components = dataset[unit] if unit in dataset.coords else None
     return unit if components is None else ", ".join(map(str, components.values.ravel()))
 
 
@@ -172,15 +191,15 @@ def _in_words(variable: xr.DataArray) -> xr.DataArray:
     if "flag_values" not in attrs:
         return variable
     words = dict(zip(attrs["flag_values"].tolist(), attrs["flag_meanings"].split(), strict=True))
-    listed = [words.get(each, "-") for each in variable.values.ravel().tolist()]
-    array = np.array(listed, dtype=object).reshape(variable.shape)
+    names = [words.get(value, "-") for value in variable.values.ravel().tolist()]
+    array = np.array(names, dtype=object).reshape(variable.shape)
     return variable.copy(data=array)
 
 
-def _frame(found: xr.Dataset, names: list[Hashable], dims: list[Hashable]) -> Any:
+def _frame(dataset: xr.Dataset, names: list[Hashable], dims: list[Hashable]) -> Any:
     """Values along the same axes, without the unused entries along `solution`."""
-    frame = found[names].to_dataframe(dim_order=dims)[names]
-    if "solution" not in dims or "consistent" not in found:
+    frame = dataset[names].to_dataframe(dim_order=dims)[names]
+    if "solution" not in dims or "consistent" not in dataset:
         return frame
-    held = found[["consistent"]].broadcast_like(found[names]).to_dataframe(dim_order=dims)
+    held = dataset[["consistent"]].broadcast_like(dataset[names]).to_dataframe(dim_order=dims)
     return frame[held["consistent"]]

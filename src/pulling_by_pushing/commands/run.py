@@ -26,7 +26,7 @@ def add(commands: Commands) -> None:
         "Build a study with Snakemake, in the current folder. Missing and outdated results are written to "
         "RESULTS/studies/NAME, where NAME is the name of the study file. Needs the extra workflow."
     )
-    sub = command(commands, "run", built, about, "my_folder/my_study.yaml --cores 2")
+    sub = command(commands, "run", run_study, about, "my_folder/my_study.yaml --cores 2")
     about = "study file, which says what is computed and drawn"
     sub.add_argument("study", type=Path, metavar="STUDY.yaml", help=about)
     sub.add_argument(
@@ -40,11 +40,11 @@ def add(commands: Commands) -> None:
     sub.add_argument("--dry-run", action="store_true", help="print the jobs without running them")
 
 
-def built(args: argparse.Namespace) -> dict[str, Any]:
+def run_study(args: argparse.Namespace) -> dict[str, Any]:
     """Return the location of the results, and set `args.status` to 1 if a job fails."""
     if args.cores is not None and args.cores < 1:
         raise InvalidValue("cores", args.cores, "a whole number >= 1", "leave it out for all cores")
-    name, folder = _checked(args)
+    name, folder = _require_study(args)
     args.status = _snakemake(args)
     if args.status:
         return {"results": str(folder), "built": "incomplete; see the lines above"}
@@ -55,7 +55,7 @@ def built(args: argparse.Namespace) -> dict[str, Any]:
     return {"results": str(folder), "to list its datasets": listing}
 
 
-def _checked(args: argparse.Namespace) -> tuple[str, Path]:
+def _require_study(args: argparse.Namespace) -> tuple[str, Path]:
     """Name and folder of a valid study; Snakemake itself would report an error in many lines."""
     from planar_pushing.terms.extras import require_extra
     from pulling_by_pushing.study.studies import (
@@ -67,9 +67,9 @@ def _checked(args: argparse.Namespace) -> tuple[str, Path]:
         study_name,
     )
 
-    given = {KEY: str(args.study), RESULTS: str(args.results)}
-    chosen_study(given)
-    name, folder = study_name(args.study), Path(chosen_results(given))
+    config = {KEY: str(args.study), RESULTS: str(args.results)}
+    chosen_study(config)
+    name, folder = study_name(args.study), Path(chosen_results(config))
     for extra in ("workflow", "figures"):
         require_extra(extra)
     from pulling_by_pushing.figures.studies import load_drawn_study
@@ -82,10 +82,10 @@ def _checked(args: argparse.Namespace) -> tuple[str, Path]:
 def snakefile() -> Path:
     """Path of the Snakefile of this package."""
     package = Path(pulling_by_pushing.__path__[0])
-    found = [(package / place / "Snakefile").resolve() for place in PLACES]
-    if existing := [path for path in found if path.is_file()]:
+    candidates = [(package / folder / "Snakefile").resolve() for folder in PLACES]
+    if existing := [path for path in candidates if path.is_file()]:
         return existing[0]
-    raise InvalidFile(f"{found[0]}: no such file; reinstall planar-pushing")
+    raise InvalidFile(f"{candidates[0]}: no such file; reinstall planar-pushing")
 
 
 def _snakemake(args: argparse.Namespace) -> int:
@@ -104,7 +104,7 @@ def _snakemake(args: argparse.Namespace) -> int:
         # Quoted, because Snakemake would read a path such as 2026 as a number.
         *(f"{key}={json.dumps(str(getattr(args, key)))}" for key in ("study", "results")),
     ]
-    environment = {key: each for key, each in os.environ.items() if key != "SNAKEMAKE_PROFILE"}
+    environment = {key: value for key, value in os.environ.items() if key != "SNAKEMAKE_PROFILE"}
     heard: list[int] = []
     before = signal.signal(signal.SIGINT, lambda number, _: heard.append(number))
     try:
