@@ -15,7 +15,7 @@ from pulling_by_pushing.evidence.writing import json_text, write_text
 #: Patterns of the logs in the folder.
 PATTERNS = ("three_feet/*.txt", "polygons/*.mat")
 #: Number of significant digits that are kept; differences between machines are far smaller.
-DIGITS = 4
+SIGNIFICANT_DIGITS = 4
 
 
 def logs(folder: PathLike) -> list[Path]:
@@ -29,11 +29,11 @@ def logs(folder: PathLike) -> list[Path]:
     allowed = f"a folder with {' and '.join(PATTERNS)}"
     if not Path(folder).is_dir():
         raise InvalidFile(f"{folder}: no such folder; allowed: {allowed}; give another path")
-    found = [sorted(Path(folder).glob(pattern)) for pattern in PATTERNS]
-    for pattern, files in zip(PATTERNS, found, strict=True):
+    logs_by_pattern = [sorted(Path(folder).glob(pattern)) for pattern in PATTERNS]
+    for pattern, files in zip(PATTERNS, logs_by_pattern, strict=True):
         if not files:
             raise InvalidFile(f"{folder}: contains no {pattern}; allowed: {allowed}; add the logs")
-    return [file for files in found for file in files]
+    return [file for files in logs_by_pattern for file in files]
 
 
 def fingerprints(folder: PathLike) -> str:
@@ -45,14 +45,14 @@ def fingerprints(folder: PathLike) -> str:
     return "".join(lines)
 
 
-def stable(content: Any) -> Any:
+def round_numbers(content: Any) -> Any:
     """Content with four significant digits, sorted keys, and null instead of NaN."""
     if isinstance(content, Mapping):
-        return {str(key): stable(content[key]) for key in sorted(content, key=str)}
+        return {str(key): round_numbers(content[key]) for key in sorted(content, key=str)}
     if isinstance(content, (list, tuple)):
-        return [stable(each) for each in content]
+        return [round_numbers(value) for value in content]
     if isinstance(content, float):
-        return float(f"{content:.{DIGITS}g}") if math.isfinite(content) else None
+        return float(f"{content:.{SIGNIFICANT_DIGITS}g}") if math.isfinite(content) else None
     return content
 
 
@@ -76,6 +76,6 @@ def measure(json: PathLike, files: PathLike, *, folder: PathLike) -> None:
     from pulling_by_pushing.evidence.published import measure as measured
 
     digests = fingerprints(folder)
-    found = stable(measured(folder))
-    write_text(json_text(found), json)
+    numbers = round_numbers(measured(folder))
+    write_text(json_text(numbers), json)
     write_text(digests, files)

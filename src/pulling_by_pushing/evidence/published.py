@@ -11,16 +11,16 @@ import xarray as xr
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.compare import compare, feet_of
 from planar_pushing.pushes.fit.statistics import REFERENCE, statistics
+from planar_pushing.pushes.formats.mit import read_mit
+from planar_pushing.pushes.formats.three_feet import read_three_feet
 from planar_pushing.pushes.identified import Identified, moments_of
 from planar_pushing.pushes.identify import identify
 from planar_pushing.pushes.logs.combine import of_object
-from planar_pushing.pushes.logs.measured import Mask, Measured, measured
-from planar_pushing.pushes.logs.mit import read_mit
-from planar_pushing.pushes.logs.three_feet import read_three_feet
+from planar_pushing.pushes.logs.measured import Mask, Measured, measurements_of
 from planar_pushing.terms.errors import InvalidValue
 
 #: Folders and extensions of the logs.
-FOLDERS = {"three_feet": "*.txt", "polygons": "*.mat"}
+LOG_FILES = {"three_feet": "*.txt", "polygons": "*.mat"}
 #: Sources of the logs.
 SOURCES = {
     "three_feet": "J. Zhou, R. Paolini, J. A. Bagnell and M. T. Mason, ICRA 2016",
@@ -29,9 +29,9 @@ SOURCES = {
 }  # fmt: skip
 COMMAND = "snakemake pushes --config data=FOLDER"
 #: Largest distance of the center of rotation from a foot, in mm, in pushes about that foot.
-ABOUT = 5.0
+PIVOT_DISTANCE = 5.0
 #: Largest distance of a wrench from the load set of a foot, relative to its magnitude, to count as in it.
-NEAR = 0.2
+LOAD_SET_TOLERANCE = 0.2
 
 
 def measure(folder: Any, seed: int = 0, progress: bool = False) -> dict[str, Any]:
@@ -58,29 +58,31 @@ def measure(folder: Any, seed: int = 0, progress: bool = False) -> dict[str, Any
     InvalidFile
         If a log cannot be read.
     """
-    files = {name: sorted(Path(folder, name).glob(ending)) for name, ending in FOLDERS.items()}
+    files = {name: sorted(Path(folder, name).glob(ending)) for name, ending in LOG_FILES.items()}
     if not any(files.values()):
         raise InvalidValue(
             "data", str(folder), "a folder with three_feet/*.txt or polygons/*.mat",
             "give the folder of the published logs",
         )  # fmt: skip
-    found: dict[str, Any] = {"command": COMMAND, "seed": seed, "source": SOURCES}
+    numbers: dict[str, Any] = {"command": COMMAND, "seed": seed, "source": SOURCES}
     if files["three_feet"]:
         pushes = read_three_feet(*files["three_feet"])
         footed = np.array([feet_of(of_object(pushes, name)) is not None for name in _names(pushes)])
-        for key, chosen in (("three_feet", footed), ("patch", ~footed)):
-            names = [name for name, own in zip(_names(pushes), chosen, strict=True) if own]
+        for key, members in (("three_feet", footed), ("patch", ~footed)):
+            names = [
+                name for name, is_member in zip(_names(pushes), members, strict=True) if is_member
+            ]
             if names:
-                found[key] = _with_forces(_of_objects(pushes, names), seed, progress)
+                numbers[key] = _with_forces(_of_objects(pushes, names), seed, progress)
         if footed.any():
-            found["about_a_foot"] = _about_a_foot(pushes)
+            numbers["about_a_foot"] = _about_a_foot(pushes)
     if files["polygons"]:
-        found["polygons"] = _by_poses(read_mit(*files["polygons"]), seed, progress)
-    return found
+        numbers["polygons"] = _by_poses(read_mit(*files["polygons"]), seed, progress)
+    return numbers
 
 
 def _names(pushes: xr.Dataset) -> list[str]:
-    return [str(each) for each in pushes["object"].values]
+    return [str(name) for name in pushes["object"].values]
 
 
 def _of_objects(pushes: xr.Dataset, names: list[str]) -> xr.Dataset:
@@ -92,23 +94,25 @@ def _of_objects(pushes: xr.Dataset, names: list[str]) -> xr.Dataset:
 
 
 def _with_forces(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any]:
-    """Numbers for logs with forces."""
-    found = compare(pushes, seed=seed, progress=progress)
+    """Identified supports and the comparison of models, for logs with forces."""
+    comparison = compare(pushes, seed=seed, progress=progress)
     return {
         "selection": "all pushes that touch the object",
         "pushes": pushes.sizes["push"],
-        "length": float(found["length"].values[0]),
+        "length": float(comparison["length"].values[0]),
         "logs": {name: _log(of_object(pushes, name), seed, progress) for name in _names(pushes)},
-        "comparison": _table(found),
-        "against_quartic": _against_quartic(found),
+        "comparison": _table(comparison),
+        "against_quartic": _against_quartic(comparison),
     }
 
 
-def _against_quartic(found: xr.Dataset) -> dict[str, Any]:
+def _against_quartic(comparison: xr.Dataset) -> dict[str, Any]:
     """Ratios of the errors of the identified pressure to those of the fitted quartic, if it applies."""
-    if "fitted_quartic" not in found["model"]:
+    if "fitted_quartic" not in comparison["model"]:
         return {}
-    table = _table(_part(found, np.ones(found.sizes["push"], dtype=bool), "fitted_quartic"))
+    table = _table(
+        _part(comparison, np.ones(comparison.sizes["push"], dtype=bool), "fitted_quartic")
+    )
     return {
         quantity: {name: models["identified"][name] for name in ("ratio", "ratio_interval")}
         for quantity, models in table.items()
@@ -117,144 +121,150 @@ def _against_quartic(found: xr.Dataset) -> dict[str, Any]:
 
 def _by_poses(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any]:
     """Numbers for logs without forces: for pushes that touch a side first, and for all pushes."""
-    found = compare(pushes, seed=seed, progress=progress)
-    corner, pushed = found["at_corner"].values, found["pushed"].values
-    by_side = _table(_part(found, ~corner))
-    objects = {name: _table(_part(found, (pushed == name) & ~corner)) for name in _names(pushes)}
+    comparison = compare(pushes, seed=seed, progress=progress)
+    corner, pushed = comparison["at_corner"].values, comparison["pushed"].values
+    by_side = _table(_part(comparison, ~corner))
+    objects = {
+        name: _table(_part(comparison, (pushed == name) & ~corner)) for name in _names(pushes)
+    }
     return {
         "selection": "pushes that touch the object; comparison: of those that touch a side first",
         "pushes": pushes.sizes["push"],
         "corner_pushes": int(corner.sum()),
         "left_out": int(pushes.attrs.get("left_out", 0)),
-        "length": dict(zip(_names(pushes), found["length"].values.tolist(), strict=True)),
+        "length": dict(zip(_names(pushes), comparison["length"].values.tolist(), strict=True)),
         "comparison": by_side,
-        "with_corners": _table(found),
+        "with_corners": _table(comparison),
         "objects": {
-            name: {model: each["median"] for model, each in table["pose"].items()}
+            name: {model: entry["median"] for model, entry in table["pose"].items()}
             for name, table in objects.items()
         },
     }
 
 
-def _part(found: xr.Dataset, rows: Mask, model: str = REFERENCE) -> xr.Dataset:
+def _part(comparison: xr.Dataset, rows: Mask, model: str = REFERENCE) -> xr.Dataset:
     """Statistics of some of the pushes, relative to a model."""
-    chosen = found["error"].isel(push=np.flatnonzero(rows))
-    return statistics(chosen, found.attrs["resamples"], found.attrs["seed"], model)
+    errors = comparison["error"].isel(push=np.flatnonzero(rows))
+    return statistics(errors, comparison.attrs["resamples"], comparison.attrs["seed"], model)
 
 
-def _table(found: xr.Dataset) -> dict[str, Any]:
+def _table(comparison: xr.Dataset) -> dict[str, Any]:
     """Statistics by quantity and model, without missing values."""
     table: dict[str, Any] = {}
-    for quantity in map(str, found["quantity"].values):
-        for model in map(str, found["model"].values):
-            own = found.sel(quantity=quantity, model=model)
-            if np.isfinite(own["median"]):
+    for quantity in map(str, comparison["quantity"].values):
+        for model in map(str, comparison["model"].values):
+            entry = comparison.sel(quantity=quantity, model=model)
+            if np.isfinite(entry["median"]):
                 table.setdefault(quantity, {})[model] = {
-                    "median": float(own["median"]),
-                    "median_interval": own["median_interval"].values.tolist(),
-                    "percentile_90": float(own["percentile_90"]),
-                    "ratio": float(own["ratio"]),
-                    "ratio_interval": own["ratio_interval"].values.tolist(),
+                    "median": float(entry["median"]),
+                    "median_interval": entry["median_interval"].values.tolist(),
+                    "percentile_90": float(entry["percentile_90"]),
+                    "ratio": float(entry["ratio"]),
+                    "ratio_interval": entry["ratio_interval"].values.tolist(),
                 }
     return table
 
 
 def _log(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any]:
     """Support identified from all pushes of a log, and the true one if it is known."""
-    found, true = identify(pushes, seed=seed, progress=progress), feet_of(pushes)
-    own = measured(pushes)
+    identified, true = identify(pushes, seed=seed, progress=progress), feet_of(pushes)
+    measurements = measurements_of(pushes)
     numbers: dict[str, Any] = {
-        "pushes": len(own),
-        "outline": own.outline.tolist(),
-        "support": _weighted(found.support),
-        "feet": _weighted(found.feet),
-        "contact_friction": found.contact_friction,
-        "center_of_pressure": found.center_of_pressure.tolist(),
-        "spin_torque": found.spin_torque,
-        "weight": found.weight if own.has_force.any() else None,
-        "intervals": _intervals(found),
-        "optimality": found.optimality,
+        "pushes": len(measurements),
+        "outline": measurements.outline.tolist(),
+        "support": _weighted_points(identified.support),
+        "feet": _weighted_points(identified.feet),
+        "contact_friction": identified.contact_friction,
+        "center_of_pressure": identified.center_of_pressure.tolist(),
+        "spin_torque": identified.spin_torque,
+        "weight": identified.weight if measurements.has_force.any() else None,
+        "intervals": _intervals(identified),
+        "optimality": identified.optimality,
         "true_feet": None,
         "true_spin_torque": None,
     }
     if true is not None:
-        places, loads = np.array(true.positions), np.array(true.weights)
+        positions, loads = np.array(true.positions), np.array(true.weights)
         numbers |= {
-            "true_feet": _weighted(true),
+            "true_feet": _weighted_points(true),
             "true_center_of_pressure": list(true.center_of_pressure),
-            "true_spin_torque": moments_of(places, loads)[1],
+            "true_spin_torque": moments_of(positions, loads)[1],
         }
     return numbers
 
 
-def _weighted(points: Any) -> list[list[float]]:
+def _weighted_points(points: Any) -> list[list[float]]:
     """Positions of points and their fractions of the weight."""
     loads = np.array(points.weights)
     rows: list[list[float]] = np.column_stack([points.positions, loads / loads.sum()]).tolist()
     return rows
 
 
-def _intervals(found: Identified) -> dict[str, list[float]]:
-    """Intervals that have values."""
-    return {name: list(ends) for name, ends in found.intervals.items() if np.isfinite(ends).all()}
+def _intervals(identified: Identified) -> dict[str, list[float]]:
+    """Both ends of each resampled interval that is finite."""
+    return {
+        name: list(ends) for name, ends in identified.intervals.items() if np.isfinite(ends).all()
+    }
 
 
 def _about_a_foot(pushes: xr.Dataset) -> dict[str, Any]:
     """How often the wrench of a push is in a foot's load set, for pushes about the foot and for all."""
-    about, within, count, others = 0, 0, 0, 0
+    about_foot, about_in_set, count, all_in_set = 0, 0, 0, 0
     for name in _names(pushes):
-        own = of_object(pushes, name)
-        feet = feet_of(own)
+        log = of_object(pushes, name)
+        feet = feet_of(log)
         if feet is None:
             continue
-        part = measured(own)
-        places, shares = np.array(feet.positions), np.array(feet.weights) / sum(feet.weights)
-        scaled = _sets(part, places, shares, identify(own, known=feet, resamples=1).weight)
-        near = _pivots(part, places) < ABOUT
-        about, within = (
-            about + int(near.any(axis=1).sum()),
-            within + int((near & scaled).any(axis=1).sum()),
+        measurements = measurements_of(log)
+        positions, shares = np.array(feet.positions), np.array(feet.weights) / sum(feet.weights)
+        in_sets = _in_load_sets(
+            measurements, positions, shares, identify(log, known=feet, resamples=1).weight
         )
-        count, others = count + near.size, others + int(scaled.sum())
+        is_about = _pivots(measurements, positions) < PIVOT_DISTANCE
+        about_foot, about_in_set = (
+            about_foot + int(is_about.any(axis=1).sum()),
+            about_in_set + int((is_about & in_sets).any(axis=1).sum()),
+        )
+        count, all_in_set = count + is_about.size, all_in_set + int(in_sets.sum())
     return {
-        "distance": ABOUT,
-        "tolerance": NEAR,
-        "pushes": about,
-        "in_load_set": within / max(about, 1),
-        "of_random_pushes": others / max(count, 1),
+        "distance": PIVOT_DISTANCE,
+        "tolerance": LOAD_SET_TOLERANCE,
+        "pushes": about_foot,
+        "in_load_set": about_in_set / max(about_foot, 1),
+        "of_random_pushes": all_in_set / max(count, 1),
     }
 
 
-def _pivots(pushes: Measured, places: Array) -> Array:
+def _pivots(pushes: Measured, positions: Array) -> Array:
     """Distance of the center of rotation of each push from each place, shape (n, k)."""
     v_x, v_y, turn = pushes.twists.T[..., None]
-    x, y = places.T
+    x, y = positions.T
     speed = np.hypot(v_x - turn * y, v_y + turn * x)
     return np.asarray(speed / np.maximum(np.abs(turn), 1e-300))
 
 
-def _sets(pushes: Measured, places: Array, shares: Array, weight: float) -> Mask:
+def _in_load_sets(pushes: Measured, positions: Array, shares: Array, weight: float) -> Mask:
     """Whether the wrench of each push is near the load set of a rotation about each place, shape (n, k).
 
     The rotation determines the forces at the other feet; the force at the foot is any up to its share.
     """
     scale = np.array([1.0, 1.0, pushes.length])
     wrenches = pushes.wrenches / scale
-    found = np.zeros((len(pushes), len(places)), dtype=bool)
-    for k, (x, y) in enumerate(places):
+    inside = np.zeros((len(pushes), len(positions)), dtype=bool)
+    for k, (x, y) in enumerate(positions):
         sense = np.sign(pushes.rotation)
-        away = np.delete(places, k, axis=0) - [x, y]
-        far = np.hypot(*away.T)
-        u_x, u_y = -away[:, 1] / far, away[:, 0] / far
-        arm = np.delete(places, k, axis=0)
+        from_foot = np.delete(positions, k, axis=0) - [x, y]
+        distances = np.hypot(*from_foot.T)
+        u_x, u_y = -from_foot[:, 1] / distances, from_foot[:, 0] / distances
+        arm = np.delete(positions, k, axis=0)
         loads = np.stack([u_x, u_y, arm[:, 0] * u_y - arm[:, 1] * u_x])
-        rest = weight * (loads @ np.delete(shares, k)) / scale
-        left = wrenches - sense[:, None] * rest
+        other_friction = weight * (loads @ np.delete(shares, k)) / scale
+        left = wrenches - sense[:, None] * other_friction
         # Force at the foot by least squares, bounded by its share, and the remainder of the wrench.
         reach = np.array([[1.0, 0.0], [0.0, 1.0], [-y / pushes.length, x / pushes.length]])
         force = left @ np.linalg.pinv(reach).T
         size = np.hypot(*force.T)
         force *= np.minimum(1.0, weight * shares[k] / np.maximum(size, 1e-300))[:, None]
-        apart = np.linalg.norm(left - force @ reach.T, axis=1)
-        found[:, k] = apart < NEAR * np.linalg.norm(wrenches, axis=1)
-    return found
+        distance = np.linalg.norm(left - force @ reach.T, axis=1)
+        inside[:, k] = distance < LOAD_SET_TOLERANCE * np.linalg.norm(wrenches, axis=1)
+    return inside

@@ -30,7 +30,7 @@ T = TypeVar("T")
 F = TypeVar("F", bound=Callable[..., Any])
 Exact = Any  # fmpq_poly modulo the cyclotomic polynomial, or a rational
 Vector = tuple[arb, arb]
-Place = tuple[fmpq, fmpq]
+Position = tuple[fmpq, fmpq]
 
 
 ZERO = fmpq(0)
@@ -60,12 +60,12 @@ def remember(size: int) -> Callable[[F], F]:
 
     def decorate(function: F) -> F:
         @lru_cache(size)
-        def known(_bits: int, *args: Any) -> Any:
+        def compute(_bits: int, *args: Any) -> Any:
             return function(*args)
 
         @wraps(function)
         def evaluate(*args: Any) -> Any:
-            return known(ctx.prec, *args)
+            return compute(ctx.prec, *args)
 
         return evaluate  # type: ignore[return-value]
 
@@ -77,7 +77,7 @@ def rational(number: float | fmpq) -> fmpq:
     return number if isinstance(number, fmpq) else fmpq(*float(number).as_integer_ratio())
 
 
-def place(numbers: Sequence[float]) -> Place:
+def rational_pair(numbers: Sequence[float]) -> Position:
     """Two doubles as exact numbers."""
     return rational(numbers[0]), rational(numbers[1])
 
@@ -133,7 +133,7 @@ def cosine_sine(degrees: fmpq) -> Vector:
 
 
 def in_degrees(radians: arb) -> arb:
-    """Radians in degrees."""
+    """Convert an angle from radians."""
     return radians * 180 / arb.pi()
 
 
@@ -161,7 +161,7 @@ class Direction:
     """
 
     degrees: fmpq | None = None
-    vector: Place | None = None
+    vector: Position | None = None
     radians: fmpq = ZERO
     rod: fmpq = ZERO
 
@@ -201,7 +201,7 @@ class Direction:
         return 1 + (turn * arb.pi() / 180).mid()
 
     @property
-    def fixed(self) -> tuple[Exact, Exact] | None:
+    def in_fence_frame(self) -> tuple[Exact, Exact] | None:
         """The exact vector in the frame of the fence, or None."""
         return _about(self, ZERO).exact
 
@@ -214,7 +214,7 @@ class Direction:
         return x * c - y * s, x * s + y * c
 
     def about(self, rod: fmpq) -> Direction:
-        """The direction in the frame of a rod."""
+        """The same direction, with components in the frame of a rod at an angle in degrees."""
         return _about(self, rod)
 
     def sign(self, function: Callable[[Exact, Exact], Exact]) -> int:
@@ -222,11 +222,11 @@ class Direction:
         exact = self.exact
         return sign(function(*self.ball), None if exact is None else lambda: function(*exact))
 
-    def across(self, point: Place) -> int:
+    def across(self, point: Position) -> int:
         """Sign of the cross product with an exact vector: its side of the line along the direction."""
         return self.sign(lambda x, y: x * point[1] - y * point[0])
 
-    def along(self, point: Place) -> int:
+    def along(self, point: Position) -> int:
         """Sign of the scalar product with an exact vector."""
         return self.sign(lambda x, y: x * point[0] + y * point[1])
 
@@ -288,7 +288,7 @@ class Number(NamedTuple):
     rounding: arb
 
     @property
-    def allowed(self) -> arb:
+    def allowance(self) -> arb:
         """Largest difference that roundings explain."""
         return ROUNDINGS * UNIT * self.rounding
 
@@ -307,6 +307,6 @@ def settle(number: Number, exact: Callable[[], Exact] | None = None) -> int:
         If roundings could change the sign of a number that is not exactly zero.
     """
     result = sign(number.ball, exact)
-    if result and not abs(number.ball) > number.allowed:
+    if result and not abs(number.ball) > number.allowance:
         raise Undecided(f"rounding decides the sign of {number.ball.str(6)}")
     return result

@@ -13,10 +13,10 @@ from typing import NamedTuple
 
 from flint import arb, fmpq
 
-from pulling_by_pushing.oracle.balls import ZERO, Place, Undecided, Vector, cross, dot, remember
+from pulling_by_pushing.oracle.balls import ZERO, Position, Undecided, Vector, cross, dot, remember
 from pulling_by_pushing.oracle.support import Support
 
-ORIGIN: Place = (ZERO, ZERO)
+ORIGIN: Position = (ZERO, ZERO)
 Row = list[arb]
 Matrix = list[Row]
 
@@ -55,18 +55,18 @@ class Body:
     weight: fmpq | arb = ZERO
     mass: fmpq | arb = ZERO
     gyration: fmpq = ZERO
-    mass_center: Place = ORIGIN
+    mass_center: Position = ORIGIN
     viscous: fmpq = ZERO
     load: tuple[fmpq | arb, ...] = (ZERO, ZERO, ZERO)
 
     @cached_property
-    def pressure(self) -> Place:
+    def pressure(self) -> Position:
         """Center of pressure relative to the contact."""
         assert self.support is not None
         return self.support.center[0] + self.length, self.support.center[1]
 
     @cached_property
-    def spread(self) -> tuple[fmpq, fmpq, fmpq]:
+    def second_moments(self) -> tuple[fmpq, fmpq, fmpq]:
         """Second moments xx, xy, yy of the pressure about the contact."""
         assert self.support is not None
         (x, y), (xx, xy, yy), length = self.support.center, self.support.second, self.length
@@ -76,7 +76,7 @@ class Body:
     @remember(1 << 10)
     def lever(self) -> arb:
         """Root mean square distance of the pressure from the contact."""
-        return arb(self.spread[0] + self.spread[2]).sqrt()
+        return arb(self.second_moments[0] + self.second_moments[2]).sqrt()
 
     @property
     @remember(1 << 10)
@@ -86,16 +86,18 @@ class Body:
         inertia = _linear(self.mass, (x, y), self.gyration + x * x + y * y)
         if not self.viscous:
             return inertia
-        viscous = _linear(self.viscous, self.pressure, self.spread[0] + self.spread[2])
+        viscous = _linear(
+            self.viscous, self.pressure, self.second_moments[0] + self.second_moments[2]
+        )
         return [
             [a + b for a, b in zip(*rows, strict=True)]
             for rows in zip(inertia, viscous, strict=True)
         ]
 
-    def foot(self, index: int) -> Place:
+    def foot(self, index: int) -> Position:
         """A point of the support relative to the contact."""
         assert self.support is not None
-        x, y = self.support.points[index].place
+        x, y = self.support.points[index].position
         return x + self.length, y
 
     def share(self, index: int) -> fmpq | arb:
@@ -143,7 +145,7 @@ class Body:
         assert self.support is not None
         speed = (q[0] * q[0] + q[1] * q[1]).sqrt()
         ex, ey, omega = q[0] / speed, q[1] / speed, q[2]
-        (x, y), (xx, xy, yy) = self.pressure, self.spread
+        (x, y), (xx, xy, yy) = self.pressure, self.second_moments
         reach = self.support.extent + arb(x * x + y * y).sqrt()
         turn = 2 * abs(omega) * reach / speed
         if not turn < 0.1:
@@ -172,7 +174,7 @@ def _linear(mass: fmpq | arb, center: tuple[fmpq, fmpq], second: fmpq) -> Matrix
     return [[arb(mass * part) for part in row] for row in rows]
 
 
-def holding_force(wrench: Row, e: Vector, r: Place) -> Vector:
+def holding_force(wrench: Row, e: Vector, r: Position) -> Vector:
     """The force at r from the contact with which the whole force is along e, without torque."""
     f_x, f_y, moment = wrench
     bent, lever = cross(e, (f_x, f_y)), cross(e, r)

@@ -41,15 +41,15 @@ def _center(slider: Slider, force: Direction, radius: fmpq, spin: arb, side: int
     if spin == 0:
         flip = -1 if side < 0 else 1
         return [
-            terms(own, length)
+            terms(rod_part, length)
             if part.is_zero()
             else Number(arb.pos_inf() * flip * part.sgn(), arb(0))
-            for own, part in zip(rod, (-y, x), strict=True)
+            for rod_part, part in zip(rod, (-y, x), strict=True)
         ]
     parts, turn = (-y * radius / spin, x * radius / spin), force.roundings
     return [
-        terms(own + part, own, part, turn * radius / spin, turn * length)
-        for own, part in zip(rod, parts, strict=True)
+        terms(rod_part + part, rod_part, part, turn * radius / spin, turn * length)
+        for rod_part, part in zip(rod, parts, strict=True)
     ]
 
 
@@ -66,8 +66,8 @@ def conservative_cone(slider: Slider, radius: fmpq) -> tuple[Number, Number]:
     rights, lefts = [], []
     for first, last in pairwise(angles):
         # Not midway: a sector between tangents is symmetric about the rod, where the arm vanishes.
-        inside = slider.rod_angle - (3 * first + 5 * last) / 8
-        misses = sign(length * abs((inside / 180).sin_pi()) - 1) > 0
+        from_force = slider.rod_angle - (3 * first + 5 * last) / 8
+        misses = sign(length * abs((from_force / 180).sin_pi()) - 1) > 0
         for spin in (arb(1), arb.pos_inf()) if misses else (arb(0), arb(1)):
             rights.append(_angle(slider.rod_angle, length, first, spin))
             lefts.append(_angle(slider.rod_angle, length, last, spin))
@@ -90,10 +90,10 @@ def _tangents(slider: Slider, length: fmpq) -> list[arb]:
 
 def _angle(rod_angle: fmpq, length: fmpq, force: arb, size: arb) -> arb:
     """Angle of the motion at a spin ratio of this magnitude; infinite: rotation about the ring's center."""
-    lean = (rod_angle - force) / 180
-    cosine, sine = lean.cos_pi(), lean.sin_pi()
+    from_force = (rod_angle - force) / 180
+    cosine, sine = from_force.cos_pi(), from_force.sin_pi()
     side = 0 if length == 0 or sine.is_zero() else sign(sine)
     if not size.is_finite():
         return force if side == 0 else arb(rod_angle - side * fmpq(90))
-    pull = side * size * length
-    return force - in_degrees((pull * cosine / (1 + pull * sine)).atan())
+    spin_length = side * size * length
+    return force - in_degrees((spin_length * cosine / (1 + spin_length * sine)).atan())

@@ -28,17 +28,17 @@ ONLY_A_RING = (
     "with friction and inertia together, only a ring has a certified list of contact modes"
 )
 #: Most parts of a cover, and the relative width of a gap.
-MOST, GAP = 4096, arb(2) ** -60
+MOST_PARTS, GAP_WIDTH = 4096, arb(2) ** -60
 #: Least precision of a cover in bits, which needs signs alone; it follows a quarter of the precision.
-COARSE = 96
+COVER_BITS = 96
 
 
 class Part(NamedTuple):
-    """An interval of k on which N is monotone with the sign `rise`, or a gap, where `rise` is 0."""
+    """An interval of k on which N is monotone, with the sign of its slope; 0 in a gap."""
 
     low: arb
     high: arb
-    rise: int
+    slope_sign: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +82,7 @@ class Path:
         return values[0].union(values[-1])
 
     def normal_motion(self, k: arb) -> arb:
-        """N."""
+        """N, the normal motion of the contact under the force of the edge."""
         if self.stays:
             return -self.scale / self.gyration * self.lever * self.surplus(k)
         return self.scale * self.surplus(k) / (self.gyration * k - self.arm) * self.advance(k)
@@ -105,7 +105,7 @@ class Path:
     @cached_property
     def parts(self) -> list[Part]:
         """Monotone parts and gaps that cover the interval, in order of k."""
-        with ctx.workprec(max(COARSE, ctx.prec // 4)):
+        with ctx.workprec(max(COVER_BITS, ctx.prec // 4)):
             return self._cover()
 
     def _cover(self) -> list[Part]:
@@ -120,18 +120,18 @@ class Path:
         if low < 1 < high:
             cuts.insert(1, arb(1))
         rest, parts = [(a, b) for a, b in pairwise(cuts)][::-1], list[Part]()
-        for _ in range(MOST):
+        for _ in range(MOST_PARTS):
             if not rest:
                 return parts
             a, b = rest.pop()
-            rise = self.turn(a, b)
-            if not rise and b - a > GAP * b:
+            slope_sign = self.turn(a, b)
+            if not slope_sign and b - a > GAP_WIDTH * b:
                 middle = ((a + b) / 2).mid()
                 rest += [(middle, b), (a, middle)]
-            elif parts and parts[-1].rise == rise:
-                parts[-1] = Part(parts[-1].low, b, rise)
+            elif parts and parts[-1].slope_sign == slope_sign:
+                parts[-1] = Part(parts[-1].low, b, slope_sign)
             else:
-                parts.append(Part(a, b, rise))
+                parts.append(Part(a, b, slope_sign))
         raise Undecided("the slope of the normal motion under an edge has no decided sign")
 
     def spins(self, target: arb) -> list[arb]:
@@ -140,11 +140,11 @@ class Path:
         ends.append(self._end(self.parts[-1].high, True) if self.parts else arb(0))
         guesses = []
         for part, start, end in zip(self.parts, ends, ends[1:], strict=False):
-            if part.rise == 0:
+            if part.slope_sign == 0:
                 if self.normal_motion(part.low.union(part.high)).overlaps(target):
                     raise Undecided("a slip next to an extremum of the normal motion")
             elif sign(start - target) != sign(end - target):
-                guesses.append(self._between(part, target, sign(end - target)))
+                guesses.append(self._bisect(part, target, sign(end - target)))
         return guesses if self.friction < self.inertia else guesses[::-1]
 
     def _end(self, k: arb, outer: bool) -> arb:
@@ -159,7 +159,7 @@ class Path:
             else arb.pos_inf() * sign(self.advance(self.inertia))
         )
 
-    def _between(self, part: Part, target: arb, after: int) -> arb:
+    def _bisect(self, part: Part, target: arb, after: int) -> arb:
         low, high = part.low, part.high
         for _ in range(48):
             middle = ((low + high) / 2).mid()
@@ -180,7 +180,7 @@ class Path:
         return [k] if sign(k - self.friction) * sign(k - self.inertia) < 0 else []
 
     def speed(self, k: arb) -> arb:
-        """Speed of the center."""
+        """v, the speed of the center at a spin ratio."""
         return self.scale * self.surplus(k) / (self.gyration * k - self.arm)
 
 
@@ -210,12 +210,12 @@ def path(slider: Slider, force: Direction) -> Path:
         Slider(Body(length=body.length, support=body.support, weight=ONE), slider.rod_angle),
         Slider(Body(length=body.length, mass=ONE, gyration=body.gyration), slider.rod_angle),
     )
-    turned = ray(friction_alone, force).q
-    center = turned[0], turned[1] + turned[2] * body.length
-    spin = abs(turned[2]) * radius / (x * center[0] + y * center[1])
-    moved = ray(inertia_alone, force)
-    exact, gyration = moved.exact, body.gyration / (radius * radius)
-    normal = inertia_alone.rod[1] * moved.q[0] + inertia_alone.rod[0] * moved.q[1]
+    friction_motion = ray(friction_alone, force).q
+    center = friction_motion[0], friction_motion[1] + friction_motion[2] * body.length
+    spin = abs(friction_motion[2]) * radius / (x * center[0] + y * center[1])
+    inertia_motion = ray(inertia_alone, force)
+    exact, gyration = inertia_motion.exact, body.gyration / (radius * radius)
+    normal = inertia_alone.rod[1] * inertia_motion.q[0] + inertia_alone.rod[0] * inertia_motion.q[1]
     return Path(
         arm=arm,
         normal=force.ball[1],

@@ -57,7 +57,7 @@ def ring_radius(body: Body) -> fmpq | None:
 def exact_motion(body: Body, force: Direction) -> tuple[Exact, Exact] | None:
     """A positive multiple of the contact's motion under a force, in the fence's frame, if it is known."""
     if is_parallel(body, force):
-        return force.fixed
+        return force.in_fence_frame
     if force.exact is None or not (body.weight == 0 or is_tangent(body, force)):
         return None
     # Eqs. (11)-(12); a line of force tangent to the ring, without a mass aside, is as if rho were R.
@@ -75,17 +75,17 @@ def is_parallel(body: Body, direction: Direction) -> bool:
 def exact_force(body: Body, t: Direction) -> tuple[Exact, Exact] | None:
     """A positive multiple of the force of a sticking motion, in the fence's frame, if it is algebraic."""
     if is_parallel(body, t):
-        return t.fixed
+        return t.in_fence_frame
     if t.exact is None:
         return None
     if body.weight == 0:  # Eqs. (11)-(12)
         (x, y), a, b = t.exact, body.mass_center[0] + body.length, body.mass_center[1]
         turn = (b * x - a * y) / (body.gyration + a * a + b * b)
         return t.to_fence((x - turn * b, y + turn * a))
-    return _beyond(body, t)
+    return _force_across_line(body, t)
 
 
-def _beyond(body: Body, t: Direction) -> tuple[Exact, Exact] | None:
+def _force_across_line(body: Body, t: Direction) -> tuple[Exact, Exact] | None:
     """The force across a support on a line, if the center of rotation lies on that line beyond its ends."""
     ends = body.support.ends if body.mass == 0 and body.support is not None else None
     if ends is None:

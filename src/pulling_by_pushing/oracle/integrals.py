@@ -40,17 +40,17 @@ def distance_and_gradient(support: Support, c: Vector) -> Means:
 
 def _parts(support: Support, c: Vector) -> Iterator[Means]:
     for point in support.points:
-        x, y = point.place[0] - c[0], point.place[1] - c[1]
+        x, y = point.position[0] - c[0], point.position[1] - c[1]
         if not (x.is_zero() and y.is_zero()):
             rho = (x * x + y * y).sqrt()
             yield point.share * rho, point.share * x / rho, point.share * y / rho
     for line in support.lines:
-        yield _under_line(line, c) if line.plate else _along_line(line, c)
+        yield _triangle_integrals(line, c) if line.plate else _segment_means(line, c)
     for circle in support.circles:
-        yield _along_rim(circle, c) if circle.profile is ring else _under_rim(circle, c)
+        yield _ring_means(circle, c) if circle.profile is ring else _disc_integrals(circle, c)
 
 
-def _along_line(line: Line, c: Vector) -> Means:
+def _segment_means(line: Line, c: Vector) -> Means:
     """A segment: means over its length; from a center on its line the integrands are |s| and its sign."""
     dx, dy = line.end[0] - line.start[0], line.end[1] - line.start[1]
     x, y = line.start[0] - c[0], line.start[1] - c[1]
@@ -64,19 +64,19 @@ def _along_line(line: Line, c: Vector) -> Means:
             slope * dx,
             slope * dy,
         )
-    return _scaled(
+    return _scale(
         _integrals(_on_line(line, c), 0, arb(1), lambda *_: acb(1)), line.share, line.share
     )
 
 
-def _under_line(line: Line, c: Vector) -> Means:
+def _triangle_integrals(line: Line, c: Vector) -> Means:
     """Integrals over the triangle between the center of rotation and an edge of a plate."""
     dx, dy = line.end[0] - line.start[0], line.end[1] - line.start[1]
     swept = (line.start[0] - c[0]) * dy - (line.start[1] - c[1]) * dx
     if swept.is_zero():
         return arb(0), arb(0), arb(0)
     integrals = _integrals(_on_line(line, c), 0, arb(1), lambda *_: acb(swept))
-    return _scaled(integrals, line.share / 3, line.share / 2)
+    return _scale(integrals, line.share / 3, line.share / 2)
 
 
 def _on_line(line: Line, c: Vector) -> Curve:
@@ -84,19 +84,19 @@ def _on_line(line: Line, c: Vector) -> Curve:
     return lambda w: (a - c[0] + w * dx, b - c[1] + w * dy)
 
 
-def _along_rim(circle: Circle, c: Vector) -> Means:
-    """A ring: means over its circle."""
+def _ring_means(circle: Circle, c: Vector) -> Means:
+    """Means over a circle, times the share of the ring."""
     integrals = _integrals(_on_rim(circle, c), -1, arb.pi(), lambda *_: acb(1))
     rate = circle.share / (2 * arb.pi())
-    return _scaled(integrals, rate, rate)
+    return _scale(integrals, rate, rate)
 
 
-def _under_rim(circle: Circle, c: Vector) -> Means:
-    """A disc, by its rim."""
+def _disc_integrals(circle: Circle, c: Vector) -> Means:
+    """Integrals over a disc, as integrals along its rim."""
     x, y = circle.center[0] - c[0], circle.center[1] - c[1]
     integrals = _integrals(_on_rim(circle, c), -1, arb.pi(), lambda a, b: a * (a - x) + b * (b - y))
     density = circle.share / (arb.pi() * circle.radius**2)
-    return _scaled(integrals, density / 3, density / 2)
+    return _scale(integrals, density / 3, density / 2)
 
 
 def _on_rim(circle: Circle, c: Vector) -> Curve:
@@ -104,7 +104,7 @@ def _on_rim(circle: Circle, c: Vector) -> Curve:
     return lambda w: (x + circle.radius * w.cos(), y + circle.radius * w.sin())
 
 
-def _scaled(integrals: Means, first: arb | fmpq, second: arb | fmpq) -> Means:
+def _scale(integrals: Means, first: arb | fmpq, second: arb | fmpq) -> Means:
     return first * integrals[0], second * integrals[1], second * integrals[2]
 
 

@@ -35,7 +35,7 @@ from pulling_by_pushing.oracle.prove import (
     Proved,
     Slider,
     State,
-    along,
+    force_along,
     krawczyk,
     moves,
     torque,
@@ -137,8 +137,12 @@ def _admit(
     on_edge = False
     for side in (1, -1):
         edge = cone_edge(law.friction_coefficient, side)
-        force, known = low.exact, edge.exact
-        exact = None if force is None or known is None else lambda f=force, k=known: cross(k, f)
+        force, edge_exact = low.exact, edge.exact
+        exact = (
+            None
+            if force is None or edge_exact is None
+            else lambda f=force, k=edge_exact: cross(k, f)
+        )
         depth = settle(_depth(slider, edge, side, low), exact)
         if depth < 0 or (depth == 0 and not law.closed):
             return None, False
@@ -173,7 +177,7 @@ def _depth(slider: Slider, edge: Direction, side: int, end: Proved) -> Number:
     x, y = edge.ball
 
     def depth(state: State) -> list[arb]:
-        return [side * cross((x, y), state.turned(state.f_x, state.f_y))]
+        return [side * cross((x, y), state.to_fence(state.f_x, state.f_y))]
 
     number = end.numbers(slider, depth)[0]
     size = abs(end.force[0]) + abs(end.force[1])
@@ -181,7 +185,7 @@ def _depth(slider: Slider, edge: Direction, side: int, end: Proved) -> Number:
 
 
 def _normal_force(slider: Slider, end: Proved) -> Number:
-    return end.numbers(slider, lambda state: [state.turned(state.f_x, state.f_y)[1]])[0]
+    return end.numbers(slider, lambda state: [state.to_fence(state.f_x, state.f_y)[1]])[0]
 
 
 def _is_continuum(slider: Slider, law: Law, pusher: Direction, on_edge: bool) -> bool:
@@ -207,7 +211,7 @@ def _keeps_to_fence(slider: Slider, force: Direction, pusher: Direction) -> bool
     normal, exact = normal_motion(slider, motion)
     if settle(normal, exact) != 0:
         return False
-    return sign(motion.numbers(slider, lambda s: s.turned(s.u_x, s.u_y))[0].ball) == pusher.sign(
+    return sign(motion.numbers(slider, lambda s: s.to_fence(s.u_x, s.u_y))[0].ball) == pusher.sign(
         lambda x, _: x
     )
 
@@ -215,7 +219,7 @@ def _keeps_to_fence(slider: Slider, force: Direction, pusher: Direction) -> bool
 def normal_motion(slider: Slider, motion: Proved) -> tuple[Number, Any]:
     """Normal motion of the contact, and its exact multiple or None."""
     world = motion.exact
-    number = motion.numbers(slider, lambda state: [state.turned(state.u_x, state.u_y)[1]])[0]
+    number = motion.numbers(slider, lambda state: [state.to_fence(state.u_x, state.u_y)[1]])[0]
     return number, None if world is None else lambda: world[1]
 
 
@@ -227,10 +231,10 @@ def _steady_slips(
     normal, exact = normal_motion(slider, motion)
     if not towards or settle(normal, exact) != towards:
         return
-    world, known = motion.exact, pusher.exact
-    exact = None if world is None or known is None else lambda: cross(world, known)
+    world, pusher_exact = motion.exact, pusher.exact
+    exact = None if world is None or pusher_exact is None else lambda: cross(world, pusher_exact)
     w = pusher.ball
-    turn = motion.numbers(slider, lambda s: [cross(s.turned(s.u_x, s.u_y), w)])[0]
+    turn = motion.numbers(slider, lambda s: [cross(s.to_fence(s.u_x, s.u_y), w)])[0]
     speed = abs(motion.q[0]) + abs(motion.q[1])
     turn = Number(turn.ball, turn.rounding + pusher.roundings * speed)
     if settle(turn, exact) * towards * side < 0:
@@ -248,7 +252,7 @@ def _at_speed(
     q = [factor * part for part in motion.q]
     level = moves((sine, cosine, 0), size * pusher.ball[1], pusher.roundings + e.roundings)
     if motion.pivot < 0 and not is_tangent(body, e):
-        equations = [torque, along(e.ball, e.roundings), level]
+        equations = [torque, force_along(e.ball, e.roundings), level]
         return with_roundings(body, equations, q, body.wrench(q), motion.exact)
     # The same motion at another speed: shifts of the motion scale, and those of friction do not.
     force_x, force_y = motion.force
@@ -256,10 +260,10 @@ def _at_speed(
     first = [
         sum((a * b for a, b in zip(row, motion.q, strict=True)), arb(0)) for row in body.matrix[:2]
     ]
-    whole = force_x + linear[0] - first[0], force_y + linear[1] - first[1]
+    total_force = force_x + linear[0] - first[0], force_y + linear[1] - first[1]
     shifts = [[*(factor * part for part in shift[:3]), *shift[3:]] for shift in motion.shifts]
     shifts.append([*(pusher.roundings * abs(part) for part in q), arb(0), arb(0)])
-    return Proved(q, whole, shifts, motion.pivot, motion.exact)
+    return Proved(q, total_force, shifts, motion.pivot, motion.exact)
 
 
 def _slips(
@@ -278,7 +282,7 @@ def _slips(
         guess = [speed * x, speed * y - turn * body.length, turn]
         equations = [
             torque,
-            along(e.ball, e.roundings),
+            force_along(e.ball, e.roundings),
             moves((sine, cosine, 0), level, pusher.roundings + e.roundings),
         ]
         q, wrench = krawczyk(body, equations, guess)
@@ -289,10 +293,12 @@ def _slips(
         if not wrench.value[0] * x + wrench.value[1] * y > 0:
             raise Undecided("a slip under a force opposite to an edge")
         w, exact = size * pusher.ball[0], exact_motion(body, e)
-        known = None if exact is None or pusher.exact is None else _coincide(exact, pusher.exact)
-        pace = motion.numbers(slider, lambda s: [s.turned(s.u_x, s.u_y)[0]])[0]
+        zero_slip = (
+            None if exact is None or pusher.exact is None else _coincide(exact, pusher.exact)
+        )
+        pace = motion.numbers(slider, lambda s: [s.to_fence(s.u_x, s.u_y)[0]])[0]
         slip = Number(pace.ball - w, pace.rounding + pusher.roundings * abs(w))
-        if settle(slip, known) * side < 0:
+        if settle(slip, zero_slip) * side < 0:
             yield Solution(mode, motion, motion)
 
 

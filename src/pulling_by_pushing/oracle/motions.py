@@ -30,9 +30,9 @@ from pulling_by_pushing.oracle.prove import (
     Equation,
     Proved,
     Slider,
-    along,
     differences,
     energy,
+    force_along,
     krawczyk,
     moves,
     torque,
@@ -82,13 +82,13 @@ def ray(slider: Slider, force: Direction) -> Proved:
 
 
 def _enclose(body: Body, e: Direction, last: Equation, guess: Sequence[Any]) -> Proved:
-    equations = [torque, along(e.ball, e.roundings), last]
+    equations = [torque, force_along(e.ball, e.roundings), last]
     return with_roundings(body, equations, *krawczyk(body, equations, guess), exact_motion(body, e))
 
 
 def _translate(body: Body, e: Direction, last: Equation) -> Proved:
     """The translation along a force through the center, scaled to an equation."""
-    equations = [torque, along(e.ball, e.roundings), last]
+    equations = [torque, force_along(e.ball, e.roundings), last]
     q = _scale_to(last, [*e.ball, arb(0)])
     return with_roundings(body, equations, q, body.wrench(q), exact_motion(body, e))
 
@@ -96,7 +96,7 @@ def _translate(body: Body, e: Direction, last: Equation) -> Proved:
 def _with_slopes(
     body: Body, e: Direction, last: Equation, q: Row, wrench: Wrench, slopes: Wrench
 ) -> Proved:
-    equations = [torque, along(e.ball, e.roundings), last]
+    equations = [torque, force_along(e.ball, e.roundings), last]
     return with_roundings(
         body, equations, q, slopes._replace(value=wrench.value), exact_motion(body, e)
     )
@@ -118,8 +118,8 @@ def _scale_to(last: Equation, q: Row) -> Row:
     empty = Wrench([arb(0)] * 3, [[arb(0)] * 3] * 3, [arb(0)] * 3)
     zero, one = (last(motion, empty).value for motion in ([arb(0)] * 3, q))
     two = last([2 * part for part in q], empty).value
-    rise, degree = one - zero, ((two - zero) / (one - zero)).mid()
-    factor = (-zero / rise) if degree < 3 else (-zero / rise).sqrt()
+    change, degree = one - zero, ((two - zero) / (one - zero)).mid()
+    factor = (-zero / change) if degree < 3 else (-zero / change).sqrt()
     return [factor * part for part in q]
 
 
@@ -234,10 +234,10 @@ def rotation(body: Body, u: Vector) -> tuple[Row, Wrench, Wrench]:
         middle = ((low + high) / 2).mid()
         value = moment(middle)
         if value.contains(0):
-            near = (middle - limit).mid(), (middle + limit).mid()
-            if not moment(near[0]) < 0 < moment(near[1]):
+            bracket = (middle - limit).mid(), (middle + limit).mid()
+            if not moment(bracket[0]) < 0 < moment(bracket[1]):
                 raise Undecided("a torque that hardly changes with the rotation")
-            low, high = near
+            low, high = bracket
             break
         low, high = (middle, high) if value < 0 else (low, middle)
     omega = low.union(high)
@@ -246,28 +246,28 @@ def rotation(body: Body, u: Vector) -> tuple[Row, Wrench, Wrench]:
 
 
 #: Precision of guesses in bits, and most steps to one.
-COARSE, STEPS = 80, 80
+GUESS_BITS, GUESS_STEPS = 80, 80
 
 
 def guess_ray(body: Body, e: Vector) -> Row:
     """A motion with ``e . u = 1`` at which the potential is least, by damped Newton steps."""
-    with ctx.workprec(COARSE):
+    with ctx.workprec(GUESS_BITS):
         e = e[0].mid(), e[1].mid()
         across = -e[1], e[0]
-        place = _start(body, e)
+        unknowns = _start(body, e)
 
-        def at(place: Sequence[arb]) -> Row:
+        def motion_at(unknowns: Sequence[arb]) -> Row:
             return [
-                (e[0] + place[0] * across[0]).mid(),
-                (e[1] + place[0] * across[1]).mid(),
-                place[1].mid(),
+                (e[0] + unknowns[0] * across[0]).mid(),
+                (e[1] + unknowns[0] * across[1]).mid(),
+                unknowns[1].mid(),
             ]
 
         def slope(wrench: Wrench) -> tuple[arb, arb]:
             return dot(across, wrench.value[:2]).mid(), wrench.value[2].mid()
 
-        for _ in range(STEPS):
-            wrench = body.wrench(at(place))
+        for _ in range(GUESS_STEPS):
+            wrench = body.wrench(motion_at(unknowns))
             g, j = slope(wrench), wrench.jacobian
             rows = [dot(across, (j[0][k], j[1][k])) for k in range(3)]
             a, b, d = dot(across, rows[:2]).mid(), rows[2].mid(), j[2][2].mid()
@@ -279,18 +279,18 @@ def guess_ray(body: Body, e: Vector) -> Row:
                 ((b * g[0] - a * g[1]) / determinant).mid(),
             )
             fall, part = abs(dot(g, step)), arb(1)
-            if fall < arb(2) ** (8 - COARSE):
+            if fall < arb(2) ** (8 - GUESS_BITS):
                 break
-            for _ in range(STEPS):
-                there = [(x + part * s).mid() for x, s in zip(place, step, strict=True)]
+            for _ in range(GUESS_STEPS):
+                trial = [(x + part * s).mid() for x, s in zip(unknowns, step, strict=True)]
                 try:
-                    if dot(slope(body.wrench(at(there))), step) <= fall * arb(0.9):
+                    if dot(slope(body.wrench(motion_at(trial))), step) <= fall * arb(0.9):
                         break
                 except Undecided:
                     pass
                 part = (part * arb(0.4)).mid()
-            place = there
-        return at(place)
+            unknowns = trial
+        return motion_at(unknowns)
 
 
 def _start(body: Body, e: Vector) -> list[arb]:
@@ -298,7 +298,7 @@ def _start(body: Body, e: Vector) -> list[arb]:
     if body.weight == 0:
         x, y, second = body.mass_center[0] + body.length, body.mass_center[1], None
     else:
-        (x, y), second = body.pressure, body.spread
+        (x, y), second = body.pressure, body.second_moments
     gyration = body.gyration if second is None else second[0] + second[2] - x * x - y * y
     turn = (x * e[1] - y * e[0]) / arb(gyration)
     u = e[0] - turn * y, e[1] + turn * x
@@ -312,7 +312,7 @@ def guess_beside(body: Body, e: Vector, foot: int) -> Row:
     The potential falls fastest if the foot moves along h, the force that would hold it, up to where its
     slope changes sign.
     """
-    with ctx.workprec(COARSE):
+    with ctx.workprec(GUESS_BITS):
         e, r = (e[0].mid(), e[1].mid()), body.foot(foot)
         arm = cross(e, r)
         q = [r[1] / arm, -r[0] / arm, 1 / arm]
@@ -321,7 +321,7 @@ def guess_beside(body: Body, e: Vector, foot: int) -> Row:
         p, turn = dot(r, h) / arm / size, -dot(e, h) / arm / size
         step = [-e[1] * p, e[0] * p, turn]  # moves the foot by h / |h|
         part = arb(1)
-        for _ in range(2 * COARSE):
+        for _ in range(2 * GUESS_BITS):
             guess = [(a + part * b).mid() for a, b in zip(q, step, strict=True)]
             if dot(step, body.wrench(guess).value) < 0:
                 break
@@ -331,12 +331,12 @@ def guess_beside(body: Body, e: Vector, foot: int) -> Row:
 
 def guess_rotation(body: Body, u: Vector) -> arb:
     """A rotation without torque: the torque increases with it; Newton steps inside a bracket."""
-    with ctx.workprec(COARSE):
+    with ctx.workprec(GUESS_BITS):
         motion = [u[0].mid(), u[1].mid()]
         square = body.lever**2 if body.weight != 0 else arb(body.matrix[2][2] / body.mass)
         reach = ((motion[0] ** 2 + motion[1] ** 2) / square).sqrt().mid()
-        low, high, omega, fine = arb.neg_inf(), arb.pos_inf(), arb(0), arb(2) ** (20 - COARSE)
-        for _ in range(4 * STEPS):
+        low, high, omega, fine = arb.neg_inf(), arb.pos_inf(), arb(0), arb(2) ** (20 - GUESS_BITS)
+        for _ in range(4 * GUESS_STEPS):
             wrench = body.wrench([*motion, omega])
             value, slope = wrench.value[2].mid(), wrench.jacobian[2][2].mid()
             low, high = (low, omega) if value > 0 else (omega, high)
@@ -345,11 +345,11 @@ def guess_rotation(body: Body, u: Vector) -> arb:
                 return target if target.is_finite() else omega
             if high - low < fine * (abs(low) + abs(high)):
                 return omega
-            far = (4 * abs(omega) + reach).mid()
-            if arb.max(low, -far) < target < arb.min(high, far):
+            limit = (4 * abs(omega) + reach).mid()
+            if arb.max(low, -limit) < target < arb.min(high, limit):
                 omega = target
             elif low.is_finite() and high.is_finite():
                 omega = ((low + high) / 2).mid()
             else:
-                omega = -far if value > 0 else far
+                omega = -limit if value > 0 else limit
         return omega

@@ -12,7 +12,7 @@ from pulling_by_pushing.oracle.balls import (
     ZERO,
     Direction,
     Exact,
-    Place,
+    Position,
     Undecided,
     Vector,
     dot,
@@ -50,29 +50,29 @@ def pivot_under(body: Body, e: Direction, foot: int) -> Proved | None:
     changes = [[size[i] if k == i else arb(0) for k in range(3)] + [arb(0)] * 2 for i in range(3)]
     turn = e.roundings
     changes.append([arb(0)] * 3 + [-y * turn, x * turn])
-    moved = [[arb(0)] * 3] * 4
+    motion_shifts = [[arb(0)] * 3] * 4
     for i in range(3):
         dq = [abs(q[i].mid()) if k == i else arb(0) for k in range(3)]
         changes.append([dot(row, dq) for row in jacobian] + [arb(0)] * 2)
-        moved.append(dq)
+        motion_shifts.append(dq)
     load = numbers_of(lambda *parts: balance(*parts)[2:], inputs, changes)[0]
     share = body.share(foot)
     excess = load.ball - share * share
     if sign(excess) >= 0:
-        if not excess > load.allowed:
+        if not excess > load.allowance:
             raise Undecided(f"rounding decides whether the slider pivots about the point {foot}")
         return None
     f_x, f_y, _ = balance(*inputs)
     unit = ROUNDINGS * UNIT
     shifts = []
-    for change, dq in zip(changes, moved, strict=True):
-        there = balance(*((a + unit * b).mid() for a, b in zip(inputs, change, strict=True)))
-        shifts.append([*dq, (there[0] - f_x.mid()) / unit, (there[1] - f_y.mid()) / unit])
+    for change, dq in zip(changes, motion_shifts, strict=True):
+        changed = balance(*((a + unit * b).mid() for a, b in zip(inputs, change, strict=True)))
+        shifts.append([*dq, (changed[0] - f_x.mid()) / unit, (changed[1] - f_y.mid()) / unit])
     exact = _across_rod(e, r, sign(q[2]))
     return Proved(q, (f_x, f_y), shifts, foot, exact)
 
 
-def _across_rod(e: Direction, r: Place, turn: int) -> tuple[Exact, Exact] | None:
+def _across_rod(e: Direction, r: Position, turn: int) -> tuple[Exact, Exact] | None:
     """Exact direction of a contact that rotates about a foot on the rod's line."""
     return None if r[1] else e.to_fence((ZERO, fmpq(-turn if r[0] > 0 else turn)))
 
@@ -104,19 +104,19 @@ def pivot_at(body: Body, t: Direction, u: Vector, foot: int) -> tuple[Proved, Pr
     if settle(terms(slack, arb(share), wrench.size[2] / reach)) <= 0:
         return None
     changes = [[wrench.size[i] if k == i else arb(0) for k in range(3)] for i in range(3)]
-    moved = [[arb(0)] * 3] * 3
+    motion_shifts = [[arb(0)] * 3] * 3
     for i in range(3):
         dq = [abs(q[i].mid()) * t.roundings if k == i else arb(0) for k in range(3)]
         changes.append([dot(row, dq) for row in jacobian])
-        moved.append(dq)
+        motion_shifts.append(dq)
     base, unit = ends(*wrench.value), ROUNDINGS * UNIT
     shifts: list[list[Row]] = [[], []]
-    for change, dq in zip(changes, moved, strict=True):
-        there = ends(*((a + unit * b).mid() for a, b in zip(wrench.value, change, strict=True)))
-        by = [(b - a.mid()) / unit for a, b in zip(base, there, strict=True)]
+    for change, dq in zip(changes, motion_shifts, strict=True):
+        changed = ends(*((a + unit * b).mid() for a, b in zip(wrench.value, change, strict=True)))
+        by = [(b - a.mid()) / unit for a, b in zip(base, changed, strict=True)]
         for side in (0, 1):
             shifts[side].append([*dq, *by[2 * side : 2 * side + 2]])
-    exact = t.fixed if is_even(body) and is_across(t) else None
+    exact = t.in_fence_frame if is_even(body) and is_across(t) else None
     low, high = (Proved(q, (base[2 * i], base[2 * i + 1]), shifts[i], foot, exact) for i in (0, 1))
     return low, high
 

@@ -27,9 +27,9 @@ from pulling_by_pushing.oracle.balls import (
 from pulling_by_pushing.oracle.body import Body, Matrix, Row, Wrench
 
 #: Most Newton steps, and most widenings of a box.
-STEPS, WIDENINGS = 30, 5
+KRAWCZYK_STEPS, WIDENINGS = 30, 5
 #: A root or a wrench that is known less accurately than this, relative to its terms, is tried again.
-ROUGH = arb(2) ** -80
+WORST_ACCURACY = arb(2) ** -80
 
 
 class Row3(NamedTuple):
@@ -40,7 +40,7 @@ class Row3(NamedTuple):
     size: arb
 
 
-ONE = arb(1)
+ONE_ROUNDING = arb(1)
 Equation = Callable[[Sequence[arb], Wrench], Row3]
 
 
@@ -49,7 +49,7 @@ def torque(q: Sequence[arb], wrench: Wrench) -> Row3:
     return Row3(wrench.value[2], wrench.jacobian[2], wrench.size[2])
 
 
-def along(direction: Vector, roundings: arb = ONE) -> Equation:
+def force_along(direction: Vector, roundings: arb = ONE_ROUNDING) -> Equation:
     """The force is along a direction, or against it; `roundings` are those of the direction."""
     x, y = direction
 
@@ -61,7 +61,7 @@ def along(direction: Vector, roundings: arb = ONE) -> Equation:
     return row
 
 
-def moves(direction: Sequence[Any], value: Any, roundings: arb = ONE) -> Equation:
+def moves(direction: Sequence[Any], value: Any, roundings: arb = ONE_ROUNDING) -> Equation:
     """A linear condition on the motion: its part along a direction of (u_x, u_y, omega)."""
 
     def row(q: Sequence[arb], wrench: Wrench) -> Row3:
@@ -108,7 +108,7 @@ class State(NamedTuple):
     sine: arb
     length: arb
 
-    def turned(self, x: arb, y: arb) -> Vector:
+    def to_fence(self, x: arb, y: arb) -> Vector:
         """A vector of the rod's frame in the frame of the fence."""
         return x * self.cosine - y * self.sine, x * self.sine + y * self.cosine
 
@@ -176,15 +176,15 @@ def with_roundings(
     """A root of equations, with the effect of roundings on it.
 
     These are a rounding of each equation's terms, of each unknown, and of the length of the rod and of the
-    support's places, which change the velocities of all of its points.
+    support's points, which change the velocities of all of them.
     """
     value, jacobian, size = (
         [part.mid() for part in wrench.value],
         _middles(wrench.jacobian),
         wrench.size,
     )
-    middle, at = [part.mid() for part in q], Wrench(value, jacobian, size)
-    rows = [equation(middle, at) for equation in equations]
+    middle, middle_wrench = [part.mid() for part in q], Wrench(value, jacobian, size)
+    rows = [equation(middle, middle_wrench) for equation in equations]
     inverse = _inverse(rows)
     shifts = []
     for i, row in enumerate(rows):
@@ -197,9 +197,9 @@ def with_roundings(
     for i, reach in enumerate((extent, extent + abs(arb(body.length)))):
         change = [line[i] * middle[2] * reach for line in jacobian]
         change[2] = change[2] + value[1 - i] * reach
-        moved = at._replace(value=[a + b for a, b in zip(value, change, strict=True)])
+        shifted = middle_wrench._replace(value=[a + b for a, b in zip(value, change, strict=True)])
         defect = [
-            equation(middle, moved).value - row.value
+            equation(middle, shifted).value - row.value
             for equation, row in zip(equations, rows, strict=True)
         ]
         dq = [-dot((inverse[k, m] for m in range(3)), defect) for k in range(3)]
@@ -251,7 +251,7 @@ def krawczyk(body: Body, equations: Sequence[Equation], guess: Sequence[Any]) ->
         return [equation(q, wrench) for equation in equations]
 
     x = [arb(part).mid() for part in guess]
-    for _ in range(STEPS):
+    for _ in range(KRAWCZYK_STEPS):
         step = _newton_step(rows(x))
         x = [(a - b).mid() for a, b in zip(x, step, strict=True)]
         scale = _scale(body, x)
@@ -259,24 +259,25 @@ def krawczyk(body: Body, equations: Sequence[Equation], guess: Sequence[Any]) ->
             break
     if abs(x[2]) < scale[2] * arb(2) ** (-ctx.prec // 3):
         x[2] = arb(0)
-    at = rows(x)
-    inverse = _inverse(at)
-    rest = inverse * arb_mat([[row.value] for row in at])
+    equation_rows = rows(x)
+    inverse = _inverse(equation_rows)
+    correction = inverse * arb_mat([[row.value] for row in equation_rows])
     floor = [part * arb(2) ** (16 - ctx.prec) for part in scale]
-    width = [arb.max(2 * abs(rest[i, 0]).upper(), floor[i]).upper() for i in range(3)]
+    width = [arb.max(2 * abs(correction[i, 0]).upper(), floor[i]).upper() for i in range(3)]
     for _ in range(WIDENINGS):
         box = [a + arb(0, b) for a, b in zip(x, width, strict=True)]
         defect = inverse * arb_mat([list(row.gradient) for row in rows(box)])
         for i in range(3):
             defect[i, i] = defect[i, i] - 1
         move = defect * arb_mat([[arb(0, b)] for b in width])
-        image = [x[i] - rest[i, 0] - move[i, 0] for i in range(3)]
+        image = [x[i] - correction[i, 0] - move[i, 0] for i in range(3)]
         if all(b.contains_interior(a) for a, b in zip(image, box, strict=True)):
             wrench = body.wrench(image)
             force = sum(wrench.size, arb(0))
             sizes = [*scale, force, force, force]
             if any(
-                a.rad() > b * ROUGH for a, b in zip((*image, *wrench.value), sizes, strict=True)
+                a.rad() > b * WORST_ACCURACY
+                for a, b in zip((*image, *wrench.value), sizes, strict=True)
             ):
                 raise Undecided("a root that is known to few digits")
             return image, wrench

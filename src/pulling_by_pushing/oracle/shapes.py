@@ -8,7 +8,7 @@ from typing import Any
 
 from flint import fmpq
 
-from pulling_by_pushing.oracle.balls import Place, place, rational
+from pulling_by_pushing.oracle.balls import Position, rational, rational_pair
 from pulling_by_pushing.oracle.support import ONE, Circle, Line, Point, Profile, Support, disc, ring
 
 Entry = Mapping[str, Any]
@@ -20,15 +20,15 @@ def support(entry: Entry) -> Support:
 
 
 def _points(entry: Entry) -> Support:
-    loads: dict[Place, fmpq] = {}
-    for position, weight in zip(entry["positions"], entry["weights"], strict=True):
-        loads[place(position)] = loads.get(place(position), fmpq(0)) + rational(weight)
-    whole = sum(loads.values(), fmpq(0))
-    return Support(points=tuple(Point(at, load / whole) for at, load in loads.items()))
+    loads: dict[Position, fmpq] = {}
+    for point, weight in zip(map(rational_pair, entry["positions"]), entry["weights"], strict=True):
+        loads[point] = loads.get(point, fmpq(0)) + rational(weight)
+    total = sum(loads.values(), fmpq(0))
+    return Support(points=tuple(Point(point, load / total) for point, load in loads.items()))
 
 
 def _circle(profile: Profile, entry: Entry, radius: Any, share: fmpq = ONE) -> Circle:
-    return Circle(profile, place(entry.get("center") or (0, 0)), rational(radius), share)
+    return Circle(profile, rational_pair(entry.get("center") or (0, 0)), rational(radius), share)
 
 
 def _ring(entry: Entry) -> Support:
@@ -49,7 +49,9 @@ def _annulus(entry: Entry) -> Support:
 
 
 def _segment(entry: Entry) -> Support:
-    return Support(lines=(Line(place(entry["start"]), place(entry["end"]), ONE, plate=False),))
+    return Support(
+        lines=(Line(rational_pair(entry["start"]), rational_pair(entry["end"]), ONE, plate=False),)
+    )
 
 
 def _polygon(entry: Entry) -> Support:
@@ -59,27 +61,32 @@ def _polygon(entry: Entry) -> Support:
 
 def _boundary(vertices: Sequence[Sequence[float]], pressure: int) -> list[Line]:
     """Edges of a polygon inside which the pressure rises by a number, in either order of vertices."""
-    corners = list(map(place, vertices))
+    corners = list(map(rational_pair, vertices))
     edges = [Line(a, b, fmpq(pressure), plate=True) for a, b in pairwise([*corners, corners[0]])]
-    turned = 1 if sum(map(_load, edges), fmpq(0)) * pressure > 0 else -1
-    return [line._replace(share=line.share * turned) for line in edges]
+    sense = 1 if sum(map(_load, edges), fmpq(0)) * pressure > 0 else -1
+    return [line._replace(share=line.share * sense) for line in edges]
 
 
 def _pressure_map(entry: Entry) -> Support:
     x, y = (list(map(rational, entry[name])) for name in "xy")
-    steps: dict[tuple[Place, Place], fmpq] = {}
+    steps: dict[tuple[Position, Position], fmpq] = {}
     for j, row in enumerate(entry["pressure"]):
         for i, pressure in enumerate(row):
             corners = [(x[i], y[j]), (x[i + 1], y[j]), (x[i + 1], y[j + 1]), (x[i], y[j + 1])]
             for a, b in pairwise([*corners, corners[0]]):
                 ends, side = ((a, b), 1) if a < b else ((b, a), -1)
                 steps[ends] = steps.get(ends, fmpq(0)) + side * rational(pressure)
-    (ox, oy), (ax, ay) = place(entry.get("origin") or (0, 0)), place(entry.get("axis") or (1, 0))
+    (ox, oy), (ax, ay) = (
+        rational_pair(entry.get("origin") or (0, 0)),
+        rational_pair(entry.get("axis") or (1, 0)),
+    )
 
-    def turned(p: Place) -> Place:
+    def to_body(p: Position) -> Position:
         return ox + p[0] * ax - p[1] * ay, oy + p[1] * ax + p[0] * ay
 
-    lines = [Line(turned(a), turned(b), step, plate=True) for (a, b), step in steps.items() if step]
+    lines = [
+        Line(to_body(a), to_body(b), step, plate=True) for (a, b), step in steps.items() if step
+    ]
     return Support(lines=_plates(lines))
 
 
@@ -98,18 +105,18 @@ def _composite(entry: Entry) -> Support:
     members = [
         (support(member["support"]), rational(member["share"])) for member in entry["members"]
     ]
-    whole = sum((share for _, share in members), fmpq(0))
-    return together([(member, share / whole) for member, share in members])
+    load = sum((share for _, share in members), fmpq(0))
+    return together([(member, share / load) for member, share in members])
 
 
 def together(members: Iterable[tuple[Support, fmpq]]) -> Support:
     """Supports that carry shares of one load."""
-    points: dict[Place, fmpq] = {}
+    points: dict[Position, fmpq] = {}
     circles: list[Circle] = []
     lines: list[Line] = []
     for member, share in members:
         for point in member.points:
-            points[point.place] = points.get(point.place, fmpq(0)) + share * point.share
+            points[point.position] = points.get(point.position, fmpq(0)) + share * point.share
         circles += [circle._replace(share=share * circle.share) for circle in member.circles]
         lines += [line._replace(share=share * line.share) for line in member.lines]
     return Support(tuple(Point(*item) for item in points.items()), tuple(circles), tuple(lines))

@@ -17,7 +17,7 @@ from flint import acb, arb, ctx, fmpq
 
 from pulling_by_pushing.oracle.balls import (
     ZERO,
-    Place,
+    Position,
     Undecided,
     Vector,
     norm,
@@ -37,9 +37,9 @@ class Rim(Undecided):
 
 
 class Point(NamedTuple):
-    """A point and its share."""
+    """A point of support, and its share of the load."""
 
-    place: Place
+    position: Position
     share: fmpq
 
 
@@ -47,7 +47,7 @@ class Circle(NamedTuple):
     """A ring or a disc, and its share."""
 
     profile: Profile
-    center: Place
+    center: Position
     radius: fmpq
     share: fmpq
 
@@ -55,8 +55,8 @@ class Circle(NamedTuple):
 class Line(NamedTuple):
     """A segment and its share, or an edge of a plate and the pressure on its left."""
 
-    start: Place
-    end: Place
+    start: Position
+    end: Position
     share: fmpq
     plate: bool
 
@@ -74,7 +74,7 @@ def ring(c2: arb) -> tuple[arb, arb, arb]:
 
 
 def disc(c2: arb) -> tuple[arb, arb, arb]:
-    """The uniform unit disc."""
+    """The uniform unit disc; near the rim as elliptic integrals, elsewhere as power series."""
     if 0.25 < c2 < 4:
         return _near_rim(_disc_at_rim, c2)
     if c2 < 1:
@@ -93,20 +93,20 @@ def _near_rim(
     Over a ball, K and E are poor next to the rim: there the value in the middle, and the mean value
     theorem.
     """
-    over = _from_integrals(at_rim, c2)
+    enclosure = _from_integrals(at_rim, c2)
     if c2.is_exact():
-        return over
+        return enclosure
     middle = c2.mid()
     distance, slope, _ = _from_integrals(at_rim, middle)
-    away = c2 - middle
-    return distance + away * over[1] / 2, slope + away * over[2], over[2]
+    offset = c2 - middle
+    return distance + offset * enclosure[1] / 2, slope + offset * enclosure[2], enclosure[2]
 
 
 def _from_integrals(
     at_rim: Callable[[arb, arb, arb], tuple[arb, arb, arb]], c2: arb
 ) -> tuple[arb, arb, arb]:
-    lost = max(0, -math.floor(float((1 - c2).abs_lower().log() / arb(2).log())))
-    with ctx.workprec(ctx.prec + 3 * lost):
+    lost_bits = max(0, -math.floor(float((1 - c2).abs_lower().log() / arb(2).log())))
+    with ctx.workprec(ctx.prec + 3 * lost_bits):
         c, m = c2.sqrt(), acb(c2 if c2 < 1 else 1 / c2)
         distance, gradient, slope = at_rim(c, m.elliptic_k().real, m.elliptic_e().real)
         return distance, gradient / c, (slope - gradient / c) / (2 * c2)
@@ -116,9 +116,11 @@ def _ring_at_rim(c: arb, first: arb, second: arb) -> tuple[arb, arb, arb]:
     """With k the one of c and 1 / c below 1: f = 2 E / pi, t = 2 (E - (1 - k^2) K) / (pi k), and t'."""
     k = c if c < 1 else 1 / c
     scale = 2 / arb.pi()
-    force, rise = scale * second, scale * (first - second) / (k * k)
+    force, slope = scale * second, scale * (first - second) / (k * k)
     torque = scale * (second - (1 - k) * (1 + k) * first) / k
-    return (force + c * torque, torque, rise) if c < 1 else (torque + c * force, force, k**3 * rise)
+    return (
+        (force + c * torque, torque, slope) if c < 1 else (torque + c * force, force, k**3 * slope)
+    )
 
 
 def _disc_at_rim(c: arb, first: arb, second: arb) -> tuple[arb, arb, arb]:
@@ -153,11 +155,11 @@ class Support:
 
     def _parts_of_moments(self) -> Iterator[tuple[fmpq, ...]]:
         for point in self.points:
-            yield _scaled(point.share, _products(point.place, point.place))
+            yield _scale(point.share, _products(point.position, point.position))
         for circle in self.circles:
             one, x, y, xx, xy, yy = _products(circle.center, circle.center)
             spread = circle.radius**2 / (2 if circle.profile is ring else 4)
-            yield _scaled(circle.share, (one, x, y, xx + spread, xy, yy + spread))
+            yield _scale(circle.share, (one, x, y, xx + spread, xy, yy + spread))
         for line in self.lines:
             (a, b), (c, d) = line.start, line.end
             pairs = ((line.start, line.start), (line.end, line.end), (line.start, line.end))
@@ -167,13 +169,13 @@ class Support:
             )
             if line.plate:  # a triangle from the origin
                 area, middle = line.share * (a * d - b * c) / 2, ((a + c) / 3, (b + d) / 3)
-                yield _scaled(area, (ONE, *middle, *(square / 2 for square in squares)))
+                yield _scale(area, (ONE, *middle, *(square / 2 for square in squares)))
             else:
-                yield _scaled(line.share, (ONE, (a + c) / 2, (b + d) / 2, *squares))
+                yield _scale(line.share, (ONE, (a + c) / 2, (b + d) / 2, *squares))
 
     @property
-    def center(self) -> Place:
-        """Center of pressure."""
+    def center(self) -> Position:
+        """First moments of the pressure."""
         return self._moments[1], self._moments[2]
 
     @property
@@ -185,7 +187,7 @@ class Support:
     @remember(1 << 10)
     def extent(self) -> arb:
         """Largest distance from the center of pressure."""
-        ends = [(point.place, fmpq(0)) for point in self.points]
+        ends = [(point.position, fmpq(0)) for point in self.points]
         ends += [(end, fmpq(0)) for line in self.lines for end in (line.start, line.end)]
         ends += [(circle.center, circle.radius) for circle in self.circles]
         x, y = self.center
@@ -200,13 +202,15 @@ class Support:
         return self._loads(1) == self._loads(-1)
 
     def _loads(self, flip: int) -> dict[tuple[Any, ...], fmpq]:
-        def at(point: Place) -> tuple[str, str]:
+        def reflect(point: Position) -> tuple[str, str]:
             return str(point[0]), str(flip * point[1])
 
-        shares: list[tuple[tuple[Any, ...], fmpq]] = [(at(p.place), p.share) for p in self.points]
-        shares += [((c.profile, at(c.center), str(c.radius)), c.share) for c in self.circles]
+        shares: list[tuple[tuple[Any, ...], fmpq]] = [
+            (reflect(p.position), p.share) for p in self.points
+        ]
+        shares += [((c.profile, reflect(c.center), str(c.radius)), c.share) for c in self.circles]
         for line in self.lines:  # a reflection reverses an edge
-            ends = at(line.start), at(line.end)
+            ends = reflect(line.start), reflect(line.end)
             first, last = sorted(ends)
             side = -flip if line.plate and ends != (first, last) else flip if line.plate else 1
             shares.append(((line.plate, first, last), line.share * side))
@@ -216,16 +220,16 @@ class Support:
         return {key: load for key, load in loads.items() if load}
 
     @cached_property
-    def ends(self) -> tuple[Place, Place] | None:
+    def ends(self) -> tuple[Position, Position] | None:
         """Ends of a support that lies on a line, or None."""
         if self.circles or any(line.plate for line in self.lines):
             return None
-        places = [point.place for point in self.points]
-        places += [end for line in self.lines for end in (line.start, line.end)]
-        first, last = min(places, key=_key), max(places, key=_key)
+        positions = [point.position for point in self.points]
+        positions += [end for line in self.lines for end in (line.start, line.end)]
+        first, last = min(positions, key=_key), max(positions, key=_key)
         along = last[0] - first[0], last[1] - first[1]
-        aside = (along[0] * (y - first[1]) - along[1] * (x - first[0]) for x, y in places)
-        return None if first == last or any(aside) else (first, last)
+        offsets = (along[0] * (y - first[1]) - along[1] * (x - first[0]) for x, y in positions)
+        return None if first == last or any(offsets) else (first, last)
 
     def dgh(self, c: Vector, skip: int = -1) -> Six:
         """D with gradient and Hessian at a center of rotation, without the point with the index `skip`.
@@ -247,16 +251,16 @@ class Support:
         yield from (_of_line(line, c) for line in self.lines)
 
 
-def _key(point: Place) -> Place:
+def _key(point: Position) -> Position:
     return point
 
 
-def _products(a: Place, b: Place) -> tuple[fmpq, ...]:
+def _products(a: Position, b: Position) -> tuple[fmpq, ...]:
     mixed = (a[0] * b[1] + a[1] * b[0]) / 2
     return ONE, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, a[0] * b[0], mixed, a[1] * b[1]
 
 
-def _scaled(share: fmpq, numbers: Iterable[fmpq]) -> tuple[fmpq, ...]:
+def _scale(share: fmpq, numbers: Iterable[fmpq]) -> tuple[fmpq, ...]:
     return tuple(share * number for number in numbers)
 
 
@@ -299,7 +303,7 @@ def _across_rim(profile: Profile, square: arb) -> tuple[arb, arb, arb]:
 
 
 def _of_line(line: Line, c: Vector) -> Six:
-    """A segment or an edge, from the integrals of rho and of 1 / rho along it (PHYSICS: section 7)."""
+    """A segment or an edge, from the integrals of rho and of 1 / rho along it."""
     dx, dy = line.end[0] - line.start[0], line.end[1] - line.start[1]
     length = arb(dx * dx + dy * dy).sqrt()
     tx, ty = dx / length, dy / length  # the normal is (ty, -tx)
@@ -311,19 +315,19 @@ def _of_line(line: Line, c: Vector) -> Six:
     )
     r1, r2 = norm(ax, ay), norm(bx, by)
     log = _log(length, (s1, s2), (r1, r2), h)
-    rise, both = r2 - r1, s1 + s2
-    whole = (length * (r1 + r2 + both * both / (r1 + r2)) / 2 + h * log) / 2
-    ux, uy = tx * rise + ty * log, ty * rise - tx * log  # the integral of the unit vectors
+    r_change, s_sum = r2 - r1, s1 + s2
+    integral = (length * (r1 + r2 + s_sum * s_sum / (r1 + r2)) / 2 + h * log) / 2
+    ux, uy = tx * r_change + ty * log, ty * r_change - tx * log  # the integral of the unit vectors
     share = line.share
     if line.plate:
         return (
-            share * h * whole / 3, -share * ty * whole, share * tx * whole,
+            share * h * integral / 3, -share * ty * integral, share * tx * integral,
             share * ty * ux, share * (ty * uy - tx * ux) / 2, -share * tx * uy,
         )  # fmt: skip
     rate, tt, tn = share / length, s2 / r2 - s1 / r1, h * (1 / r2 - 1 / r1)
     nn = (log / h if not h.is_zero() else _inverse((s1, s2), (r1, r2))) - tt
     return (
-        rate * whole, -rate * ux, -rate * uy,
+        rate * integral, -rate * ux, -rate * uy,
         rate * (tt * tx * tx + 2 * tn * tx * ty + nn * ty * ty),
         rate * ((tt - nn) * tx * ty + tn * (ty * ty - tx * tx)),
         rate * (tt * ty * ty - 2 * tn * tx * ty + nn * tx * tx),

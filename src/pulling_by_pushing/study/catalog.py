@@ -30,6 +30,8 @@ class Dataset:
         Axes of the study's grid that are dimensions of the dataset, in order; those of `inner` follow.
     inner : tuple of str
         Dimensions that are not on the grid.
+    labels : tuple of str
+        Further coordinates along these dimensions, by which a query can select, too.
     reads : tuple of str
         Further axes of the grid that the dataset depends on.
     variables : tuple of str
@@ -50,6 +52,7 @@ class Dataset:
     source: str
     dims: tuple[str, ...] = ()
     inner: tuple[str, ...] = ()
+    labels: tuple[str, ...] = ()
     reads: tuple[str, ...] = ()
     variables: tuple[str, ...] = ()
     module: str
@@ -64,15 +67,23 @@ class Dataset:
         return (*self.dims, *self.reads)
 
     @property
+    def selectors(self) -> tuple[str, ...]:
+        """Axes and labels along them by which a query selects values."""
+        dims = (dim for dim in (*self.dims, *self.inner) if dim not in NUMBERED)
+        return (*dims, *self.labels)
+
+    @property
     def needs(self) -> str:
         """Keys of the study from which the dataset is computed, in words."""
         effects = f", and the effects {self.effects}" if self.effects else ""
         fine = ", and lists it under fine_grids" if self.fine else ""
-        return f"{', '.join(KEYS.get(axis, axis) for axis in self.axes)}{effects}{fine}"
+        return f"{', '.join(AXIS_KEYS.get(axis, axis) for axis in self.axes)}{effects}{fine}"
 
 
+#: Dimensions whose entries are numbered and have no values.
+NUMBERED = ("solution", "rod")
 #: Keys of a study whose names differ from that of their axis.
-KEYS = {"support": "supports", "contact": "contact_friction_coefficient"}
+AXIS_KEYS = {"support": "supports", "contact": "contact_friction_coefficient"}
 
 
 #: The datasets of a study.
@@ -96,6 +107,7 @@ DATASETS: Mapping[str, Dataset] = {
         about="friction cones, and the motion cones to which they map",
         source="Secs. 3.1, 3.2 and 4, Figs. 6, 7 and 9",
         dims=("effects", "rod_length", "rod_angle", "friction_coefficient"),
+        labels=("friction_angle",),
         variables=(
             "friction_cone_right", "friction_cone_left", "motion_cone_right", "motion_cone_left",
             "limit_force_right", "limit_force_left", "pulls", "slips_while_pushing",
@@ -107,6 +119,7 @@ DATASETS: Mapping[str, Dataset] = {
         source="Secs. 2, 3.2, 4 and 5",
         dims=("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle"),
         inner=("solution", "xy", "twist_component"),
+        labels=("friction_coefficient", "friction_angle", "law", "twist_unit"),
         variables=SOLUTIONS,
         module="contact_modes",
     ),
@@ -114,6 +127,7 @@ DATASETS: Mapping[str, Dataset] = {
         about="sets of consistent contact modes over friction and the direction of the push",
         source="Secs. 2, 3.2, 4 and 5",
         dims=("effects", "contact", "rod_length", "pusher_magnitude", "pusher_angle"),
+        labels=("friction_coefficient", "friction_angle", "law"),
         variables=("modes", "sticking_force_angle", "furthest_pull"),
         module="mode_maps",
         fine=True,
@@ -148,6 +162,7 @@ DATASETS: Mapping[str, Dataset] = {
         source="Sec. 3, Eqs. (1)-(3), for any pressure distribution",
         dims=("support", "center_x", "center_y"),
         inner=("twist_component", "wrench_component"),
+        labels=("description", "twist_unit", "wrench_unit"),
         variables=(
             "mean_distance", "force_x", "force_y", "torque", "center_of_pressure_x",
             "center_of_pressure_y", "extent", "integration_constant", "ellipsoid",
@@ -160,6 +175,7 @@ DATASETS: Mapping[str, Dataset] = {
         source="Secs. 3.1 and 3.2, for any pressure distribution",
         dims=("support", "rod_length", "rod_angle", "friction_coefficient"),
         inner=("edge",),
+        labels=("friction_angle",),
         variables=("motion_angle", "pivot", "width", "pulls", "slips_while_pushing"),
         module="support_motions",
     ),
@@ -168,6 +184,7 @@ DATASETS: Mapping[str, Dataset] = {
         source="Secs. 2, 3.1 and 3.2, for any pressure distribution",
         dims=("support", "rod_length", "rod_angle", "friction_coefficient", "pusher_angle"),
         inner=("solution", "xy", "twist_component"),
+        labels=("friction_angle", "twist_unit"),
         variables=SOLUTIONS,
         module="support_motions",
     ),
@@ -186,6 +203,7 @@ DATASETS: Mapping[str, Dataset] = {
         source="Secs. 3.1 and 3.2, for any pressure distribution",
         dims=("support",),
         inner=("rod", "edge"),
+        labels=("sweep", "rod_length", "rod_angle"),
         reads=("rod_length", "rod_angle"),
         variables=(
             "motion_angle", "pulling_friction_angle", "ring_motion_angle",
@@ -212,7 +230,7 @@ EVIDENCE = {
 #: Those without times, and those with.
 COUNTS, TIMES = ("hard_cases", "accuracy"), ("accuracy_time", "effects")
 #: Names of the dataset files.
-WHOLE = (*DATASETS, *EVIDENCE)
+FILE_DATASETS = (*DATASETS, *EVIDENCE)
 #: Groups of the datasets that are opened one group at a time; the study names the groups of `scenes`.
 GROUPS = {
     "scenes": ("NAME",),
@@ -249,7 +267,7 @@ def dataset_place(name: str) -> tuple[str, str | None]:
     Parameters
     ----------
     name : str
-        A dataset, "dataset/group", or a file of one of the folders, such as "simulations/figure_15".
+        A dataset, "dataset/group", or a file of one of the folders, such as "simulations/slipping".
 
     Raises
     ------
@@ -257,25 +275,27 @@ def dataset_place(name: str) -> tuple[str, str | None]:
         If there is no dataset with this name.
     """
     stem, slash, part = name.partition("/") if isinstance(name, str) else ("", "", "")
-    named = NAME.fullmatch(part) is not None
-    if stem in FOLDERS and named:
+    valid_part = NAME.fullmatch(part) is not None
+    if stem in FOLDERS and valid_part:
         return f"{FOLDERS[stem]}/{part}.nc", None
-    if stem in WHOLE and (named or not slash):
+    if stem in FILE_DATASETS and (valid_part or not slash):
         return f"data/{stem}.nc", part or None
-    remedy = suggestion(stem, WHOLE, "name one of these datasets")
-    raise InvalidValue("name", name, ", ".join(opened()), remedy)
+    remedy = suggestion(stem, FILE_DATASETS, "name one of these datasets")
+    raise InvalidValue("name", name, ", ".join(dataset_names()), remedy)
 
 
-def opened() -> list[str]:
+def dataset_names() -> list[str]:
     """Names that `open_dataset` accepts; NAME is a placeholder for a name chosen by a study."""
     parts = [
-        f"{stem}/{part}" if part else stem for stem in WHOLE for part in GROUPS.get(stem, ("",))
+        f"{stem}/{part}" if part else stem
+        for stem in FILE_DATASETS
+        for part in GROUPS.get(stem, ("",))
     ]
     return [*parts, *(f"{folder}/NAME" for folder in FOLDERS)]
 
 
-def building(name: str) -> str:
-    """Command that builds a missing dataset."""
+def build_command(name: str) -> str:
+    """How to build a missing dataset: the command, and what its study must give."""
     stem = name.partition("/")[0]
     if stem in EVIDENCE:
         return "build it with make, in the project's folder"
@@ -295,7 +315,10 @@ def dataset_file(name: str) -> str:
 
 def contact_labels(coefficients: Iterable[float]) -> list[str]:
     """Labels along the axis `contact`: a Coulomb law for each coefficient, then the other laws."""
-    return [*(f"coulomb_{number_label(each)}" for each in coefficients), *CONTACT_LAWS]
+    return [
+        *(f"coulomb_{number_label(coefficient)}" for coefficient in coefficients),
+        *CONTACT_LAWS,
+    ]
 
 
 def number_label(number: float) -> str:

@@ -17,7 +17,14 @@ import numpy as np
 from planar_pushing.mechanics.entries import to_json
 from planar_pushing.terms.extras import require_extra
 from pulling_by_pushing.study.catalog import DATASETS
-from pulling_by_pushing.study.slices import Cut, cut, cuts, points, sizes, study_slice
+from pulling_by_pushing.study.slices import (
+    Ranges,
+    points,
+    select_ranges,
+    sizes,
+    split_ranges,
+    study_slice,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -37,12 +44,12 @@ MEMORY = 900
 MINUTES, SECONDS_PER_POINT = 10, 1e-4
 
 
-def blocks(lengths: Mapping[str, int], most: int = BLOCK) -> list[Cut]:
+def blocks(lengths: Mapping[str, int], most: int = BLOCK) -> list[Ranges]:
     """Split a grid into blocks of at most `most` points."""
     from planar_pushing.terms.netcdf import block_shape
 
     steps = block_shape(list(lengths.values()), most)
-    return list(cuts(lengths, dict(zip(lengths, steps, strict=True))))
+    return list(split_ranges(lengths, dict(zip(lengths, steps, strict=True))))
 
 
 def in_blocks(study: StudyFile, name: str) -> bool:
@@ -50,29 +57,31 @@ def in_blocks(study: StudyFile, name: str) -> bool:
     return bool(DATASETS[name].dims) and points(name, study_slice(study, name)) > BLOCK
 
 
-def chunk_name(part: Cut) -> str:
+def chunk_name(part: Ranges) -> str:
     """Name of a chunk from the indices at which it starts, such as contact_10.pusher_angle_90."""
     return ".".join(f"{dim}_{span.start}" for dim, span in part.items())
 
 
 def chunk_steps(study: StudyFile, name: str) -> dict[str, int]:
     """Maximum length of a chunk along each dimension that is split, in the dataset's order."""
-    given = study.chunks.get(name, {})
-    return {dim: given[dim] for dim in sizes(name, study_slice(study, name)) if dim in given}
+    steps = study.chunks.get(name, {})
+    return {dim: steps[dim] for dim in sizes(name, study_slice(study, name)) if dim in steps}
 
 
-def chunk_parts(study: StudyFile, name: str) -> dict[str, Cut]:
-    """Chunks of a dataset by name, in order."""
+def chunk_parts(study: StudyFile, name: str) -> dict[str, Ranges]:
+    """Ranges of each chunk along the dimensions that are split, by the name of the chunk."""
     lengths = sizes(name, study_slice(study, name))
-    return {chunk_name(part): part for part in cuts(lengths, chunk_steps(study, name))}
+    return {chunk_name(part): part for part in split_ranges(lengths, chunk_steps(study, name))}
 
 
-def chunk_slice(study: StudyFile, name: str, part: Cut) -> dict[str, Any]:
+def chunk_slice(study: StudyFile, name: str, part: Ranges) -> dict[str, Any]:
     """Plain values of a study that a chunk reads."""
-    return cut(study_slice(study, name), part)
+    return select_ranges(study_slice(study, name), part)
 
 
-def joined(folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int]) -> xr.Dataset:
+def open_chunks(
+    folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int]
+) -> xr.Dataset:
     """Open the chunks in a folder as one dataset, which dask reads on demand.
 
     Parameters
@@ -90,7 +99,7 @@ def joined(folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int
     import dask
     import xarray as xr
 
-    files = [Path(folder, f"{chunk_name(part)}.nc") for part in cuts(lengths, steps)]
+    files = [Path(folder, f"{chunk_name(part)}.nc") for part in split_ranges(lengths, steps)]
     counts = [-(-lengths[dim] // step) for dim, step in steps.items()]
     # With pieces as small as those stored, dask would spend more time on scheduling than on reading.
     with dask.config.set({"array.chunk-size": PIECE}):
@@ -103,12 +112,16 @@ def joined(folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int
 
 def _attributes(parts: Sequence[dict[str, Any]], context: object = None) -> dict[str, Any]:
     """Attributes of the first part, with the supports of all parts in its parameters, in order."""
-    found = dict(parts[0])
-    if "parameters" in found:
-        listed = [json.loads(each["parameters"]) for each in parts]
-        supports = {name: each for one in listed for name, each in one.get("supports", {}).items()}
-        found["parameters"] = to_json(listed[0] | ({"supports": supports} if supports else {}))
-    return found
+    attrs = dict(parts[0])
+    if "parameters" in attrs:
+        parameters = [json.loads(part["parameters"]) for part in parts]
+        supports = {
+            name: support
+            for entry in parameters
+            for name, support in entry.get("supports", {}).items()
+        }
+        attrs["parameters"] = to_json(parameters[0] | ({"supports": supports} if supports else {}))
+    return attrs
 
 
 def threads(count: int) -> int:

@@ -8,9 +8,9 @@ from typing import Any, cast
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.arrays import flag_attributes
 from planar_pushing.mechanics.contact import ContactLaw, friction_coefficient
 from planar_pushing.mechanics.entries import to_json, versions
+from planar_pushing.mechanics.kernels.arrays import flag_attributes
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.terms.options import BEHIND, FLAGS
 from planar_pushing.terms.quantities import (
@@ -58,14 +58,16 @@ def describe(
     return dataset
 
 
-def described(dataset: xr.Dataset, name: str, part: Part) -> xr.Dataset:
+def apply_declaration(dataset: xr.Dataset, name: str, part: Part) -> xr.Dataset:
     """Order a dataset as declared, and add the attributes that its declaration defines."""
     entry = DATASETS[name]
     order = [*entry.dims, *entry.inner]
     ordered = dataset[list(entry.variables)].transpose(*order, missing_dims="ignore")
-    coords = sorted(map(str, ordered.coords), key=lambda each: (_place(order, each), each))
-    variables = {each: ordered[each].variable for each in entry.variables}  # without coordinates
-    ordered = xr.Dataset(variables, {each: ordered.coords[each].variable for each in coords})
+    coords = sorted(map(str, ordered.coords), key=lambda coord: (_position(order, coord), coord))
+    variables = {
+        variable: ordered[variable].variable for variable in entry.variables
+    }  # without coordinates
+    ordered = xr.Dataset(variables, {coord: ordered.coords[coord].variable for coord in coords})
     support = "support" in entry.dims
     if entry.rod or not support:
         ordered = ordered.assign_coords(_scalars(part, (*entry.dims, *coords)))
@@ -79,7 +81,7 @@ def described(dataset: xr.Dataset, name: str, part: Part) -> xr.Dataset:
     )
 
 
-def _place(order: list[str], name: str) -> int:
+def _position(order: list[str], name: str) -> int:
     return order.index(name) if name in order else len(order)
 
 
@@ -87,7 +89,7 @@ def _parameters(part: Part, dims: tuple[str, ...]) -> dict[str, object]:
     """Parameters of a study that are not axes."""
     if "support" in dims:
         entries = part.supports.items()
-        return {"supports": {name: each.model_dump(exclude_none=True) for name, each in entries}}
+        return {"supports": {name: entry.model_dump(exclude_none=True) for name, entry in entries}}
     slider = part.slider.model_dump(exclude_none=True, exclude=set(dims))
     return {"slider": slider, **part.parts}
 
@@ -95,23 +97,23 @@ def _parameters(part: Part, dims: tuple[str, ...]) -> dict[str, object]:
 def _scalars(part: Part, dims: tuple[str, ...]) -> dict[str, float]:
     """Scalar coordinates: the parameters of slider and effects that are not axes."""
     groups = (part.slider, *part.parts.values())
-    every = {name: value for group in groups for name, value in group}
-    return {name: value for name, value in every.items() if value is not None and name not in dims}
+    values = {name: value for group in groups for name, value in group}
+    return {name: value for name, value in values.items() if value is not None and name not in dims}
 
 
 def scene_scalars(scene: Scene) -> dict[str, float]:
     """Parameters of a scene, which its log and its dataset have as scalars."""
     slider = scene.slider
-    found = {"rod_length": float(slider.rod_length), "radius": float(slider.radius)}
-    found["friction_coefficient"] = friction_coefficient(cast(ContactLaw, scene.contact))
+    scalars = {"rod_length": float(slider.rod_length), "radius": float(slider.radius)}
+    scalars["friction_coefficient"] = friction_coefficient(cast(ContactLaw, scene.contact))
     for effect in scene.effects:
         for name in ("weight", "mass", "gyration_radius"):
             if hasattr(effect, name):
-                found[name] = float(getattr(effect, name))
-    return found
+                scalars[name] = float(getattr(effect, name))
+    return scalars
 
 
-def of_study(
+def add_study_attributes(
     built: xr.Dataset | dict[str, xr.Dataset], name: str, study: Mapping[str, str]
 ) -> xr.Dataset | dict[str, xr.Dataset]:
     """Name the study and the conventions in a dataset, or in each group and their root.
@@ -130,7 +132,7 @@ def of_study(
     if isinstance(built, xr.Dataset):
         return built.assign_attrs({"title": title} | built.attrs | marks)
     groups = {
-        part: each.assign_attrs({"title": f"{title}: {part}"} | each.attrs | marks)
-        for part, each in built.items()
+        part: dataset.assign_attrs({"title": f"{title}: {part}"} | dataset.attrs | marks)
+        for part, dataset in built.items()
     }
     return {"/": xr.Dataset(attrs={"title": title} | marks)} | groups

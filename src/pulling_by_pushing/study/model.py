@@ -10,7 +10,7 @@ from pydantic import BeforeValidator, ConfigDict, Field, model_validator
 
 from planar_pushing.mechanics.contact import ContactLaw, Coulomb, InfiniteFriction, PerfectlyRough
 from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
-from planar_pushing.mechanics.scene import Slider
+from planar_pushing.mechanics.slider import Slider
 from planar_pushing.scenes.entries import WholeSupport
 from planar_pushing.scenes.fields import (
     Angles,
@@ -34,20 +34,20 @@ from planar_pushing.scenes.fields import (
     Shares,
     Text,
     Truth,
-    known_keys,
     refuse,
+    require_known_keys,
 )
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.options import STUDIED
-from pulling_by_pushing.study.catalog import CONTACT_LAWS, DATASETS, KEYS, contact_labels
+from pulling_by_pushing.study.catalog import AXIS_KEYS, CONTACT_LAWS, DATASETS, contact_labels
 
 Values = tuple[float, ...]
 
 
-def _named(given: object) -> object:
-    if not isinstance(given, dict) or not given:
+def _require_entries(entries: object) -> object:
+    if not isinstance(entries, dict) or not entries:
         raise refuse("a mapping of at least one name to a support")
-    return given
+    return entries
 
 
 class SliderEntry(FileModel):
@@ -69,7 +69,7 @@ class FrictionParameters(FileModel):
 
 
 class InertiaParameters(FileModel):
-    """Parameters of inertia."""
+    """Mass m, and radius of gyration about the center of mass."""
 
     mass: Positive
     gyration_radius: Positive
@@ -122,6 +122,7 @@ class Cut(FileModel):
     rod_length: NonNegative | tuple[NonNegative, ...] | None = None
     friction_coefficient: FrictionCoefficient | tuple[FrictionCoefficient, ...] | None = None
     pusher_magnitude: Positive | tuple[Positive, ...] | None = None
+    support: Annotated[tuple[Name, ...], NotEmpty] | None = None
 
 
 class FigureEntry(Cut):
@@ -132,8 +133,8 @@ class FigureEntry(Cut):
 
     @model_validator(mode="before")
     @classmethod
-    def _known_keys(cls, given: object) -> object:
-        return known_keys(given, [*cls.model_fields, *DATASETS])
+    def _require_known_keys(cls, content: object) -> object:
+        return require_known_keys(content, [*cls.model_fields, *DATASETS])
 
 
 class Parameters(FileModel):
@@ -142,15 +143,15 @@ class Parameters(FileModel):
     slider: SliderEntry
     support_friction: FrictionParameters | None = None
     inertia: InertiaParameters | None = None
-    supports: Annotated[dict[Name, WholeSupport], BeforeValidator(_named)] = Field(
+    supports: Annotated[dict[Name, WholeSupport], BeforeValidator(_require_entries)] = Field(
         default_factory=dict
     )
 
     @property
     def parts(self) -> dict[str, FrictionParameters | InertiaParameters]:
         """Parameters of the study's effects, by name."""
-        known = {str(kind): getattr(self, kind) for kind in STUDIED}
-        return {name: part for name, part in known.items() if part is not None}
+        entries = {str(kind): getattr(self, kind) for kind in STUDIED}
+        return {name: part for name, part in entries.items() if part is not None}
 
     def effects(self, name: EffectsName) -> tuple[Effect, ...]:
         """Build the effects for a value of the effects axis."""
@@ -199,13 +200,13 @@ class StudyFile(Parameters):
         """Values along an axis of a dataset, which can have a grid of its own."""
         if axis == "support":
             return tuple(self.supports)
-        key = KEYS.get(axis, axis)
+        key = AXIS_KEYS.get(axis, axis)
         values: tuple[Any, ...] = getattr(self._grid(axis, dataset), key)
         return tuple(contact_labels(values)) if axis == "contact" and values else values
 
-    def place(self, axis: str, dataset: str) -> str:
+    def axis_key(self, axis: str, dataset: str) -> str:
         """Key of the study that gives the values along an axis of a dataset."""
-        key = KEYS.get(axis, axis)
+        key = AXIS_KEYS.get(axis, axis)
         if axis == "support":
             return key
         fine = self._grid(axis, dataset) is not self.grid
@@ -213,7 +214,7 @@ class StudyFile(Parameters):
 
     def _grid(self, axis: str, dataset: str) -> Grid:
         fine = self.fine_grids.get(dataset)
-        return fine if fine and getattr(fine, KEYS.get(axis, axis)) else self.grid
+        return fine if fine and getattr(fine, AXIS_KEYS.get(axis, axis)) else self.grid
 
 
 #: Laws for the labels along `contact` that have no coefficient.

@@ -15,9 +15,9 @@ from pulling_by_pushing.study.studies import study_name
 from pulling_by_pushing.study.study_file import scene_file
 
 #: Keys of a study that do not affect values: the golden data to compare with, and the chunks.
-ASIDE = {"golden", "chunks", "gather"}
+IGNORED_KEYS = {"golden", "chunks", "gather"}
 #: Results about the computation itself, and the keys that they do not use.
-UNREAD = {"effects": ("title", "scenes", "simulations", "figures")}
+UNUSED_KEYS = {"effects": ("title", "scenes", "simulations", "figures")}
 
 #: Function from the name of a result to the attributes that identify its study.
 Marks = Callable[[str], dict[str, str]]
@@ -30,24 +30,27 @@ def provenance(study: StudyFile, file: PathLike) -> Marks:
     of other results do not affect it. Results are named as in `open_dataset`. Scene files are read once,
     when this function is called.
     """
-    name, whole = study_name(file), contents(study)
+    name, values = study_name(file), contents(study)
 
     def marks(result: str) -> dict[str, str]:
-        return {"study": name, "study_digest": f"sha256:{digest(_read(study, whole, result))}"}
+        return {
+            "study": name,
+            "study_digest": f"sha256:{digest(_source_values(study, values, result))}",
+        }
 
     return marks
 
 
 def digest(values: object) -> str:
     """SHA-256 of plain values; keys without a value are ignored, so that new keys do not change digests."""
-    return hashlib.sha256(to_json(_given(values)).encode()).hexdigest()
+    return hashlib.sha256(to_json(_without_none(values)).encode()).hexdigest()
 
 
-def _given(values: Any) -> Any:
+def _without_none(values: Any) -> Any:
     """Plain values without the keys that hold None."""
     if isinstance(values, dict):
-        return {key: _given(each) for key, each in values.items() if each is not None}
-    return list(map(_given, values)) if isinstance(values, (list, tuple)) else values
+        return {key: _without_none(value) for key, value in values.items() if value is not None}
+    return list(map(_without_none, values)) if isinstance(values, (list, tuple)) else values
 
 
 def whole_digest(study: StudyFile) -> str:
@@ -61,22 +64,22 @@ def contents(study: StudyFile) -> dict[str, Any]:
     def scene(path: str) -> dict[str, Any]:
         return scene_file(path).model_dump(exclude_defaults=True)
 
-    values = study.model_dump(exclude=ASIDE)
+    values = study.model_dump(exclude=IGNORED_KEYS)
     values["simulations"] = {name: scene(path) for name, path in study.simulations.items()}
     for push in values["scenes"].values():
         push["file"] = scene(push["file"])
     return values
 
 
-def _read(study: StudyFile, whole: dict[str, Any], result: str) -> object:
+def _source_values(study: StudyFile, values: dict[str, Any], result: str) -> object:
     """Values from which a result is computed; empty for a result that does not depend on the study."""
     folder, _, name = result.rpartition("/")
     if folder == SIMULATIONS:
-        return whole[SIMULATIONS][name]
+        return values[SIMULATIONS][name]
     if name == "scenes":
-        return whole["scenes"]
+        return values["scenes"]
     if name in DATASETS:
         return study_slice(study, name)
-    if name in UNREAD:
-        return {key: each for key, each in whole.items() if key not in UNREAD[name]}
+    if name in UNUSED_KEYS:
+        return {key: value for key, value in values.items() if key not in UNUSED_KEYS[name]}
     return None

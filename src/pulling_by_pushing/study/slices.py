@@ -13,7 +13,7 @@ from pulling_by_pushing.study.model import Part, PushEntry, StudyFile
 #: Plain values of a study: parameters, and the values along each axis under `grid`.
 Values = Mapping[str, Any]
 #: A range along each dimension that is split; the others are whole.
-Cut = Mapping[str, slice]
+Ranges = Mapping[str, slice]
 
 
 def computes(study: StudyFile, name: str) -> bool:
@@ -21,9 +21,9 @@ def computes(study: StudyFile, name: str) -> bool:
     entry = DATASETS[name]
     if name == "scenes":
         return bool(study.scenes)
-    given = name in study.fine_grids or not entry.fine
+    has_grid = name in study.fine_grids or not entry.fine
     effects = entry.effects is None or entry.effects in study.grid.effects
-    return given and effects and all(study.values(axis, name) for axis in entry.axes)
+    return has_grid and effects and all(study.values(axis, name) for axis in entry.axes)
 
 
 def result_names(study: StudyFile) -> list[str]:
@@ -42,11 +42,11 @@ def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
     if entry.pushes:
         grid["force_angle"] = [angle for angle in grid["force_angle"] if 0 <= angle <= 180]
     if "support" in grid:
-        listed = {key: each.model_dump() for key, each in study.supports.items()}
+        supports = {key: support.model_dump() for key, support in study.supports.items()}
         # An angle is required, but not read by the other datasets.
         slider = study.slider.model_dump(include=None if entry.rod else {"rod_angle"})
-        return {"slider": slider, "supports": listed, "grid": grid}
-    parts = {part: each.model_dump() for part, each in study.parts.items()}
+        return {"slider": slider, "supports": supports, "grid": grid}
+    parts = {part: parameters.model_dump() for part, parameters in study.parts.items()}
     return {"slider": study.slider.model_dump(), **parts, "grid": grid}
 
 
@@ -65,25 +65,28 @@ def sizes(name: str, values: Values) -> dict[str, int]:
     return {dim: len(values["grid"][dim]) for dim in DATASETS[name].dims}
 
 
-def cut(values: Values, ranges: Cut) -> dict[str, Any]:
+def select_ranges(values: Values, ranges: Ranges) -> dict[str, Any]:
     """Part of a slice with only the values in a range of each axis."""
-    found = dict(values)
+    part = dict(values)
     if ranges:
-        grid = {axis: each[ranges.get(axis, slice(None))] for axis, each in values["grid"].items()}
-        found["grid"] = grid
+        grid = {
+            axis: axis_values[ranges.get(axis, slice(None))]
+            for axis, axis_values in values["grid"].items()
+        }
+        part["grid"] = grid
         if "support" in grid:
-            found["supports"] = {name: values["supports"][name] for name in grid["support"]}
-    return found
+            part["supports"] = {name: values["supports"][name] for name in grid["support"]}
+    return part
 
 
-def cuts(lengths: Mapping[str, int], steps: Mapping[str, int]) -> Iterator[Cut]:
+def split_ranges(lengths: Mapping[str, int], steps: Mapping[str, int]) -> Iterator[Ranges]:
     """Ranges that split dimensions of these lengths at multiples of the given steps."""
     spans = [
         [slice(start, min(start + step, lengths[dim])) for start in range(0, lengths[dim], step)]
         for dim, step in steps.items()
     ]
-    for chosen in itertools.product(*spans):
-        yield dict(zip(steps, chosen, strict=True))
+    for part in itertools.product(*spans):
+        yield dict(zip(steps, part, strict=True))
 
 
 def points(name: str, values: Values) -> int:

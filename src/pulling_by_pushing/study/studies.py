@@ -13,6 +13,8 @@ from pulling_by_pushing.study.catalog import NAME
 PAPER_FILE, PAPER = "workflow/config/paper.yaml", "paper"
 #: The study of sliders, which is built together with it.
 SLIDERS_FILE = "workflow/config/sliders.yaml"
+#: The project's own studies, each with its file.
+FILES = {PAPER: PAPER_FILE, "sliders": SLIDERS_FILE}
 #: The keys of the workflow's configuration: the study's file, the folder of all results, and the folder of
 #: published logs of pushes.
 KEY, RESULTS, DATA = "study", "results", "data"
@@ -94,11 +96,36 @@ def _is_papers(file: PathLike) -> bool:
     return Path(file).resolve() == Path(PAPER_FILE).resolve()
 
 
-def paper_file() -> Path | None:
-    """File of the paper's study, in the current folder or in the checkout that holds this package."""
+def project_file(name: str) -> Path | None:
+    """File of a study of the project, in the current folder or in the checkout that holds this package."""
     checkout = Path(__file__).parents[3]
-    found = (folder / PAPER_FILE for folder in (Path(), checkout))
-    return next((file for file in found if file.is_file()), None)
+    candidates = (folder / FILES[name] for folder in (Path(), checkout) if name in FILES)
+    return next((file for file in candidates if file.is_file()), None)
+
+
+def study_file(study: str, results: PathLike = RESULTS) -> Path:
+    """File of a study that is given by its path, or by its name if it is one of the project's.
+
+    Raises
+    ------
+    InvalidValue
+        If a name is that of another study, whose file only the user knows, or of none.
+    """
+    path = Path(study)
+    if path.is_file() or not NAME.fullmatch(study):
+        return path
+    if (file := project_file(study)) is not None:
+        return file
+    built = built_studies(results)
+    remedy = suggestion(study, {*FILES, *built}, "give the path of its file")
+    if study in built:
+        remedy = f"give the file from which {study_folder(study, results)} was built"
+    elif study in FILES:
+        remedy = (
+            f"go to the project's folder, which has {FILES[study]}, or give the path of its file"
+        )
+    allowed = f"the path of a study file, or of the project's studies the name {' or '.join(FILES)}"
+    raise InvalidValue("study", study, allowed, remedy)
 
 
 def built_studies(results: PathLike = RESULTS) -> list[str]:
@@ -137,5 +164,6 @@ def built_folder(name: str | None, results: PathLike = "results") -> Path:
 
 def _unknown(name: object, results: PathLike) -> InvalidValue:
     """Error that lists the studies that were built."""
-    allowed = ", ".join([PAPER, *built_studies(results)])
-    return InvalidValue("study", name, allowed, "name a study that was built")
+    names = [PAPER, *built_studies(results)]
+    remedy = suggestion(name, names, "name a study that was built")
+    return InvalidValue("study", name, ", ".join(names), remedy)

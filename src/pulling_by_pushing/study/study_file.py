@@ -12,7 +12,7 @@ from planar_pushing.mechanics.effects import EFFECTS
 from planar_pushing.scenes.files import load_model, load_scene_file
 from planar_pushing.scenes.scene_model import SceneFile
 from planar_pushing.terms.domain import LONGEST
-from planar_pushing.terms.errors import InvalidFile
+from planar_pushing.terms.errors import InvalidFile, suggestion
 from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.study.catalog import DATASETS
 from pulling_by_pushing.study.model import StudyFile
@@ -27,7 +27,7 @@ def load_study(path: PathLike) -> StudyFile:
 
     Paths in the file are relative to its folder; in the returned study, to the current folder.
     """
-    study = _located(load_model(path, StudyFile), Path(path).parent)
+    study = _resolve_paths(load_model(path, StudyFile), Path(path).parent)
     for problem in _study_problems(study):
         raise InvalidFile(f"{path}: {problem}")
     return study
@@ -45,7 +45,7 @@ def _scene_file(file: Path, stamp: object) -> SceneFile:
     return load_scene_file(file)
 
 
-def _located(study: StudyFile, folder: Path) -> StudyFile:
+def _resolve_paths(study: StudyFile, folder: Path) -> StudyFile:
     def from_here(file: str) -> str:
         return os.path.normpath(folder / file)
 
@@ -93,17 +93,19 @@ def _size_problems(study: StudyFile, computed: Iterable[str]) -> Iterator[str]:
 
 def _chunk_problems(study: StudyFile, computed: Collection[str]) -> Iterator[str]:
     """Chunks of datasets that cannot be split, chunks along invalid axes, and `gather` without chunks."""
-    cut = [name for name in computed if DATASETS[name].dims]
+    splittable = [name for name in computed if DATASETS[name].dims]
     for name, chunk in study.chunks.items():
-        allowed = DATASETS[name].dims if name in cut else ()
+        allowed = DATASETS[name].dims if name in splittable else ()
         if not allowed:
-            yield f"chunks.{name}: unknown, or not computed; allowed: {', '.join(cut)}; remove it"
+            remedy = suggestion(name, splittable, "remove it")
+            yield f"chunks.{name}: unknown, or not computed; allowed: {', '.join(splittable)}; {remedy}"
         elif not chunk or not set(chunk) <= set(allowed):
             yield f"chunks.{name}: {list(chunk)} given; allowed: {', '.join(allowed)}; name some of these"
     for name in study.gather:
         if name not in study.chunks:
             known = ", ".join(study.chunks) or "none, as there are no chunks"
-            yield f"gather.{name}: unknown; allowed: {known}; remove it, or give its chunks"
+            remedy = suggestion(name, study.chunks, "remove it, or give its chunks")
+            yield f"gather.{name}: unknown; allowed: {known}; {remedy}"
 
 
 def _support_problems(study: StudyFile) -> Iterator[str]:

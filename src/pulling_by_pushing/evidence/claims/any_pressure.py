@@ -36,13 +36,13 @@ POINT, VELOCITY = (fmpq(1, 2), fmpq(-1)), (fmpq(0), fmpq(1))
 LOW = 0.17468027, (6.0e-9, -0.7939129525749, -0.2939129396204)
 HIGH = 0.441832885, (2.0e-9, 0.7095422201805, 0.8647673086457)
 #: Distance from these to the rotations that pressures reach.
-REACH = 5.0e-9
+END_GAP = 5.0e-9
 #: Pressures of one half on opposite points balance the torque close to these rotations.
 LOW_POINT, HIGH_POINT = (1.0, -1.0), (1.0, 0.822237)
 #: The clockwise center on the x axis, and the coefficient of friction, that suffice for every pressure; and
 #: the functions that prove it, for a force inside of the right and the left edge of the friction cone, and
 #: for a line of action to the right of the start of the side and to the left of its end.
-CENTER, FRICTION = 2.000000005, 0.236067981
+CENTER_X, COEFFICIENT = 2.000000005, 0.236067981
 INSIDE_RIGHT = 2.0e-9, -0.2236101646460, -0.3165713479412
 INSIDE_LEFT = 2.0e-9, -0.1031652157684, 0.4370162968188
 RIGHT_OF_START = 2.0e-9, 0.3162277690780, -0.3162277655425
@@ -85,11 +85,11 @@ def positive_sum(motion: Motion, load: Load, affine: tuple[float, ...]) -> Evide
     for (x, y), (end_x, end_y) in zip(CORNERS, CORNERS[1:] + CORNERS[:1], strict=True):
 
         def difference(
-            at: arb, x: int = x, y: int = y, dx: int = end_x - x, dy: int = end_y - y
+            s: arb, x: int = x, y: int = y, dx: int = end_x - x, dy: int = end_y - y
         ) -> arb_series:
-            along = arb_series([at, 1], prec=3)
-            place = x + dx * along, y + dy * along
-            return part(motion, load, *place) - a - b_x * place[0] - b_y * place[1]
+            along = arb_series([s, 1], prec=3)
+            point = x + dx * along, y + dy * along
+            return part(motion, load, *point) - a - b_x * point[0] - b_y * point[1]
 
         def margin(low: arb, high: arb) -> arb:
             off = arb(0, ((high - low) / 2).upper())
@@ -123,10 +123,10 @@ def rising_torque() -> Evidence:
     arm = -any_support.POINT[1], any_support.POINT[0]
     v = any_support.SLIDE
     rate = ids.dot(arm, arm) * ids.dot(v, v) - ids.dot(arm, v) ** 2
-    moved = tuple(part.derivative("k") for part in v)
+    slopes = tuple(part.derivative("k") for part in v)
     return identity({
-        "the derivative of the velocity by the rotation, along x": moved[0] - arm[0],
-        "the derivative of the velocity by the rotation, along y": moved[1] - arm[1],
+        "the derivative of the velocity by the rotation, along x": slopes[0] - arm[0],
+        "the derivative of the velocity by the rotation, along y": slopes[1] - arm[1],
         "the derivative of the torque": rate - ids.cross(arm, v) ** 2,
     })  # fmt: skip
 
@@ -134,43 +134,43 @@ def rising_torque() -> Evidence:
 @proof
 def rotation_for_any_pressure(low: float, high: float, within: float) -> Evidence:
     """The rotations of the push at (0.5, -1) with the velocity (0, 1): both ends, to within an accuracy."""
-    still, moment = (fmpq(0), fmpq(0)), fmpq(1)
-    beyond = [
-        positive_sum(Motion(POINT, VELOCITY, rational(LOW[0])), Load(still, -moment), LOW[1]),
-        positive_sum(Motion(POINT, VELOCITY, rational(HIGH[0])), Load(still, moment), HIGH[1]),
+    no_force, moment = (fmpq(0), fmpq(0)), fmpq(1)
+    outer = [
+        positive_sum(Motion(POINT, VELOCITY, rational(LOW[0])), Load(no_force, -moment), LOW[1]),
+        positive_sum(Motion(POINT, VELOCITY, rational(HIGH[0])), Load(no_force, moment), HIGH[1]),
     ]
     # Pressures that balance at a rotation between the proved end and this one.
-    inner = LOW[0] + REACH, HIGH[0] - REACH
+    inner = LOW[0] + END_GAP, HIGH[0] - END_GAP
     attained = inequality(torque(inner[0], LOW_POINT)), inequality(-torque(inner[1], HIGH_POINT))
     ends = (
         arb(rational(LOW[0])).union(arb(rational(inner[0]))),
         arb(rational(inner[1])).union(arb(rational(HIGH[0]))),
     )
-    both = near(ends[1], high, within), near(ends[0], low, within)
-    return together(*both, *beyond, *attained, rising_torque())
+    inner_ends = near(ends[1], high, within), near(ends[0], low, within)
+    return together(*inner_ends, *outer, *attained, rising_torque())
 
 
 @proof
 def stable_for_any_pressure(center: float, friction: float, within: float) -> Evidence:
     """The nearest clockwise center on the x axis, and the least friction there, to within an accuracy."""
-    c, mu = rational(CENTER), rational(FRICTION)
-    none, one = fmpq(0), fmpq(1)
+    c, mu = rational(CENTER_X), rational(COEFFICIENT)
+    zero, one = fmpq(0), fmpq(1)
 
-    def about(x: int, y: int, at: fmpq = c) -> Motion:
-        return Motion((fmpq(x), fmpq(y)), (fmpq(y), at - x), -one)
+    def about(x: int, y: int, center_x: fmpq = c) -> Motion:
+        return Motion((fmpq(x), fmpq(y)), (fmpq(y), center_x - x), -one)
 
     stays = [
-        positive_sum(about(0, 0), Load((-one, mu), none), INSIDE_RIGHT),
-        positive_sum(about(0, 0), Load((one, mu), none), INSIDE_LEFT),
-        positive_sum(about(-1, -1), Load((none, none), one), RIGHT_OF_START),
-        positive_sum(about(1, -1), Load((none, none), -one), LEFT_OF_END),
+        positive_sum(about(0, 0), Load((-one, mu), zero), INSIDE_RIGHT),
+        positive_sum(about(0, 0), Load((one, mu), zero), INSIDE_LEFT),
+        positive_sum(about(-1, -1), Load((zero, zero), one), RIGHT_OF_START),
+        positive_sum(about(1, -1), Load((zero, zero), -one), LEFT_OF_END),
     ]
     # One half of the pressure on two opposite corners needs this friction, and a center that is as far.
     closer = 2 * rational(2.0) - c
-    fails = inequality(-_opposite(about(-1, -1, closer), Load((none, none), one), (1.0, 1.0)))
+    fails = inequality(-_opposite(about(-1, -1, closer), Load((zero, zero), one), (1.0, 1.0)))
     force = [
-        _opposite(about(0, 0), Load(axis, none), (1.0, 1.0)) for axis in ((one, none), (none, one))
+        _opposite(about(0, 0), Load(axis, zero), (1.0, 1.0)) for axis in ((one, zero), (zero, one))
     ]
     nearest = near(arb(closer).union(arb(c)), center, within)
-    least = near((force[0] / force[1]).union(arb(mu)), friction, within)
-    return together(nearest, least, *stays, fails)
+    coefficient = near((force[0] / force[1]).union(arb(mu)), friction, within)
+    return together(nearest, coefficient, *stays, fails)

@@ -35,7 +35,7 @@ def motion_never_turns_back() -> Evidence:
     # e_1, e_2 are (x, y) and (p, q); s_1, s_2 are e and t.
     forces = (ids.x - ids.p, ids.y - ids.q)
     slides = (ids.e * ids.x - ids.t * ids.p, ids.e * ids.y - ids.t * ids.q)
-    rest = ids.dot(forces, slides) - (ids.e + ids.t) * (1 - ids.LEAN)
+    rest = ids.dot(forces, slides) - (ids.e + ids.t) * (1 - ids.ROD_COSINE)
     return together(identity({"the product": ids.normal(rest)}), power_of_any_support())
 
 
@@ -44,7 +44,7 @@ def opposite_edges() -> Evidence:
     """The motions under the forces at 0 and at 180 degrees are opposite."""
     back = {"a": -ids.a, "b": -ids.b, "k": -ids.k}
     return identity(
-        {f"component {i}": part + ids.replaced(part, **back) for i, part in enumerate(SLIDE)}
+        {f"component {i}": part + ids.substitute(part, **back) for i, part in enumerate(SLIDE)}
     )
 
 
@@ -52,7 +52,7 @@ def opposite_edges() -> Evidence:
 def symmetric_about_rod() -> Evidence:
     """The limit curve of a mirror-symmetric support is symmetric about the rod."""
     image = {"a": -ids.a, "k": -ids.k, "p": -ids.p}
-    along, across = (ids.replaced(part, **image) for part in SLIDE)
+    along, across = (ids.substitute(part, **image) for part in SLIDE)
     return identity({"along the axis": along + SLIDE[0], "across it": across - SLIDE[1]})
 
 
@@ -61,7 +61,7 @@ def largest_through_center_of_pressure() -> Evidence:
     """The force is at most W, and equals W only along the line through the center of pressure."""
     # e_1, e_2 are (x, y) and (p, q); the loads are e and t.
     force = ids.e * ids.x + ids.t * ids.p, ids.e * ids.y + ids.t * ids.q
-    rest = ids.dot(force, force) - (ids.e + ids.t) ** 2 + 2 * ids.e * ids.t * (1 - ids.LEAN)
+    rest = ids.dot(force, force) - (ids.e + ids.t) ** 2 + 2 * ids.e * ids.t * (1 - ids.ROD_COSINE)
     return identity({"the force": ids.normal(rest)})
 
 
@@ -82,7 +82,7 @@ def _one_motion() -> Evidence:
     Under one force the two slides of a point are parallel; their cross product is 2 u_y times the
     component along the fence.
     """
-    other = ids.replaced(SLIDE[0], b=-ids.b), ids.replaced(SLIDE[1], b=-ids.b)
+    other = ids.substitute(SLIDE[0], b=-ids.b), ids.substitute(SLIDE[1], b=-ids.b)
     return identity({"the slides": ids.cross(other, SLIDE) - 2 * ids.b * SLIDE[0]})
 
 
@@ -124,9 +124,9 @@ def pulls_where_it_slips() -> Evidence:
     return together(facts(laws), opposite_edges(), power_of_any_support(), _no_other_edge())
 
 
-def _slide(place: Vector, center: Vector) -> Vector:
+def _slide(point: Vector, center: Vector) -> Vector:
     """Velocity of a point while the slider rotates at k about a center."""
-    return -ids.k * (place[1] - center[1]), ids.k * (place[0] - center[0])
+    return -ids.k * (point[1] - center[1]), ids.k * (point[0] - center[0])
 
 
 @proof
@@ -152,7 +152,7 @@ def center_within_bound() -> Evidence:
     gap = (a**2 + c**2) - (a**2 - e + c**2 - 2 * c * x) - (2 * c * x + e)
     left = (c * e + excess * x) * s * (s + rho) - excess * x * rho * (s + rho)
     parts = c * e * s * (s + rho) + excess * x * (s**2 - rho**2)
-    bound = ids.replaced(c * (a**2 + c**2) - excess * a, c=ids.a + ids.f)
+    bound = ids.substitute(c * (a**2 + c**2) - excess * a, c=ids.a + ids.f)
     return together(
         identity({"a point": term, "s^2 - rho^2": gap, "the rest": left - parts}),
         facts({"c s^2 > (c^2 - a^2) a": all(term > 0 for term in bound.coeffs())}),

@@ -14,7 +14,7 @@ from pulling_by_pushing.evidence.proofs.verdicts import (
     facts,
     identity,
     inequality,
-    least,
+    smallest,
     together,
 )
 from pulling_by_pushing.oracle.balls import rational, sign
@@ -43,7 +43,7 @@ def acceleration_turns_with_force() -> Evidence:
 @proof
 def left_force_pushes() -> Evidence:
     """The normal velocity is positive if the line of force passes the center on the left; here b is -k."""
-    normal = ids.replaced(ids.MOTION[1], k=-ids.b)
+    normal = ids.substitute(ids.MOTION[1], k=-ids.b)
     terms = {"no negative term": all(term > 0 for term in normal.coeffs())}
     return together(facts(terms), lemmas.same_sense())
 
@@ -70,10 +70,10 @@ def sticks_inside_slips_outside() -> Evidence:
 def infinite_cone_spans() -> Evidence:
     """A rotation of the force by 180 degrees rotates the motion by 180 degrees."""
     sums = {
-        f"component {i} of the motion": part + ids.replaced(part, x=-ids.x, y=-ids.y, k=-ids.k)
+        f"component {i} of the motion": part + ids.substitute(part, x=-ids.x, y=-ids.y, k=-ids.k)
         for i, part in enumerate(ids.MOTION)
     }
-    sums["the arm"] = ids.ARM + ids.replaced(ids.ARM, x=-ids.x, y=-ids.y)
+    sums["the arm"] = ids.ARM + ids.substitute(ids.ARM, x=-ids.x, y=-ids.y)
     return identity(sums)
 
 
@@ -81,19 +81,20 @@ def infinite_cone_spans() -> Evidence:
 def every_rod_pulls_and_slips() -> Evidence:
     """Normal motions under the forces at 0 and at 180 degrees."""
     differences = {}
-    for way in (1, -1):
+    for sense in (1, -1):
         arm, normal = (
-            ids.replaced(part, x=way * ids.ONE, y=0 * ids.ONE) for part in (ids.ARM, ids.MOTION[1])
+            ids.substitute(part, x=sense * ids.ONE, y=0 * ids.ONE)
+            for part in (ids.ARM, ids.MOTION[1])
         )
-        differences[f"the arm, {way}"] = arm - way * ids.l * ids.q
-        differences[f"n . v_s, {way}"] = normal + ids.k * ids.l * ids.p
+        differences[f"the arm, {sense}"] = arm - sense * ids.l * ids.q
+        differences[f"n . v_s, {sense}"] = normal + ids.k * ids.l * ids.p
     return together(identity(differences), lemmas.same_sense())
 
 
 @proof
 def aligned_without_rod() -> Evidence:
     """With l = 0 the motion is along the force."""
-    motion = tuple(ids.replaced(part, l=0 * ids.ONE) for part in ids.MOTION)
+    motion = tuple(ids.substitute(part, l=0 * ids.ONE) for part in ids.MOTION)
     return identity({"v_s x f": ids.cross((motion[0], motion[1]), (ids.x, ids.y))})
 
 
@@ -103,10 +104,10 @@ def _beyond_left_edge(
     """Evidence that a pusher angle is beyond every sticking motion, and that the left edge approaches."""
     scene, pusher = Scene(rod_length=rod_length, effects=effects), rational(pusher_angle)
     rights, lefts = zip(*(mechanics.motion_cone(pure) for pure in scene.pure), strict=True)
-    margin = least(pusher - left for left in lefts)
+    margin = smallest(pusher - left for left in lefts)
     beyond = inequality(margin, value=pusher - margin, unit="degree", claimed=pusher_angle)
-    inside = inequality(least([*lefts, *(180 - left for left in lefts)]), unit="degree")
-    below = inequality(least(pusher - right for right in rights), unit="degree")
+    inside = inequality(smallest([*lefts, *(180 - left for left in lefts)]), unit="degree")
+    below = inequality(smallest(pusher - right for right in rights), unit="degree")
     return together(beyond, inside, below, both_effects_lie_between())
 
 
@@ -130,7 +131,7 @@ def no_solution_beyond_edge(
 def both_effects_lie_between() -> Evidence:
     """The exact cone of the ring with both effects is the hull of the two pure cones."""
     rate = ids.l * ids.q, -ids.l * ids.p  # of the motion with k
-    turning = ids.cross(ids.MOTION, rate) + ids.l * ids.LEAN
+    turning = ids.cross(ids.MOTION, rate) + ids.l * ids.ROD_COSINE
     return together(
         identity({"u x du/dk": ids.normal(turning)}),
         lemmas.rising_arm(),

@@ -93,10 +93,10 @@ def rod_on_a_wall(numerator: float, denominator: float) -> Evidence:
     critical = rational(numerator) / rational(denominator)
     square = (ids.s - 2 * ids.c) ** 2
     rest = 1 + 3 * ids.c**2 - 3 * critical * ids.s * ids.c - square
-    least = (1 + fmpq(3, 5)) / fmpq(6, 5)  # tan psi = 2: c^2 = 1/5 and s c = 2/5
+    coefficient = (1 + fmpq(3, 5)) / fmpq(6, 5)  # tan psi = 2: c^2 = 1/5 and s c = 2/5
     number = facts(
-        {"the coefficient": least == critical},
-        value=arb(least), unit="1", claimed=numerator / denominator,
+        {"the coefficient": coefficient == critical},
+        value=arb(coefficient), unit="1", claimed=numerator / denominator,
     )  # fmt: skip
     return together(number, identity({"the square": ids.normal(rest)}))
 
@@ -105,8 +105,8 @@ def rod_on_a_wall(numerator: float, denominator: float) -> Evidence:
 def centers_on_a_line(rod_length: float, distance: float) -> Evidence:
     """Fig. 9: under inertia every center has the component rho^2 / l along the rod; rho = R = 1."""
     along = ids.l * ids.dot((ids.y, -ids.x), (ids.p, ids.q)) + ids.ARM  # times -1 / k, k = h
-    place = equal(1 / arb(rational(rod_length)), distance, unit="R")
-    return together(place, identity({"the component along the rod": ids.normal(along)}))
+    component = equal(1 / arb(rational(rod_length)), distance, unit="R")
+    return together(component, identity({"the component along the rod": ids.normal(along)}))
 
 
 def _forward() -> Evidence:

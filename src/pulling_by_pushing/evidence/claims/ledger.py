@@ -51,9 +51,9 @@ from pulling_by_pushing.oracle.balls import Undecided, precise, rational
 
 Id = Annotated[str, Field(pattern="^[a-z0-9-]+$")]
 Text = Annotated[str, Field(min_length=1)]
-Places = tuple[Annotated[int, Field(ge=1, le=13)], ...]
+PaperNumbers = tuple[Annotated[int, Field(ge=1, le=13)], ...]
 Values = dict[str, float | str]
-_OF_SCENE = frozenset(part.name for part in fields(Scene))
+_SCENE_KEYS = frozenset(part.name for part in fields(Scene))
 
 
 class CheckEntry(FileModel):
@@ -99,7 +99,7 @@ class CheckEntry(FileModel):
 
     @property
     def argument(self) -> str:
-        """Key of the argument."""
+        """Key of `Ledger.arguments`: the check, or the function of the number."""
         return self.check or (self.number or "modes").partition(".")[0]
 
     @precise
@@ -107,17 +107,17 @@ class CheckEntry(FileModel):
         """Evidence; raises `Fails` for a number that does not exist, `Undecided` for an undecided sign."""
         if self.check is not None:
             return CHECKS[self.check].run(mechanics, **self.claimed)
-        parameters: dict[str, Any] = {key: self.at[key] for key in self.at if key in _OF_SCENE}
+        parameters: dict[str, Any] = {key: self.at[key] for key in self.at if key in _SCENE_KEYS}
         if "support" in parameters:
             parameters["support"] = supports[parameters["support"]]
-        further = {key: self.at[key] for key in self.at if key not in _OF_SCENE}
+        further = {key: self.at[key] for key in self.at if key not in _SCENE_KEYS}
         ask = self._modes if self.number is None else self._number
         return ask(mechanics, Scene(**parameters), further).at_most(Verdict.ENCLOSED)
 
     def _number(self, mechanics: Mechanics, scene: Scene, further: Values) -> Evidence:
-        function, place, unit = NUMBERS[str(self.number)]
+        function, component, unit = NUMBERS[str(self.number)]
         numbers = function(mechanics, scene, **further)
-        value = numbers if place is None else numbers[place]
+        value = numbers if component is None else numbers[component]
         if self.near is not None:
             return near(value, self.near, self.within or 0.0, unit)
         if self.equals is not None:
@@ -130,19 +130,20 @@ class CheckEntry(FileModel):
     def _modes(self, mechanics: Mechanics, scene: Scene, push: Any) -> Evidence:
         """These modes, each as often as it is listed, are exactly the consistent ones."""
         expected = self.modes or ()
-        listed = [mode for mode, _ in mechanics.modes(scene, **{"magnitude": 1.0} | push)]
-        text = f"{', '.join(expected) or 'none'} (there are: {', '.join(listed) or 'none'})"
-        return facts({text: Counter(listed) == Counter(expected)})
+        consistent = [mode for mode, _ in mechanics.modes(scene, **{"magnitude": 1.0} | push)]
+        text = f"{', '.join(expected) or 'none'} (there are: {', '.join(consistent) or 'none'})"
+        return facts({text: Counter(consistent) == Counter(expected)})
 
 
 class Claim(FileModel):
-    """A statement, its checks, and the expected verdict."""
+    """A statement, in full and in short, its checks, and the expected verdict."""
 
     id: Id
     section: Literal["1", "2", "3", "3.1", "3.2", "4", "5"]
-    equations: Places = ()
-    figures: Places = ()
+    equations: PaperNumbers = ()
+    figures: PaperNumbers = ()
     origin: Literal["paper", "ours"]
+    short: Text
     statement: Text
     expect: Literal["proved", "enclosed", "sampled", "open", "refuted"]
     reason: Text | None = None

@@ -27,8 +27,8 @@ def limit_surface() -> Evidence:
     """The surface is closed, convex and contains the origin; the motion is normal to it."""
     # e is t' and a is t'': the tangent is (-k e, e), and its derivative (-e - k a, a).
     turning = ids.cross((-ids.k * ids.e, ids.e), (-ids.k * ids.a - ids.e, ids.a))
-    turned = identity({"turning minus t'^2": ids.normal(turning - ids.e**2)})
-    return together(lemmas.rising_torque(), turned, lemmas.same_sense())
+    convex = identity({"turning minus t'^2": ids.normal(turning - ids.e**2)})
+    return together(lemmas.rising_torque(), convex, lemmas.same_sense())
 
 
 @proof
@@ -59,7 +59,7 @@ def parallel_at_four_angles(along: float, across: float) -> Evidence:
     products = {}
     for degrees, part in ((along, 1), (along + 180, 1), (across, 0), (across + 180, 0)):
         products[f"phi = {degrees:g}"] = _ROD.in_rod_frame(degrees)[part] == 0
-    turn = ids.cross((ids.x, ids.y), ids.MOTION) + ids.l * ids.k * ids.LEAN
+    turn = ids.cross((ids.x, ids.y), ids.MOTION) + ids.l * ids.k * ids.ROD_COSINE
     crossed = identity({"f x v_s": ids.normal(turn)})
     return together(facts(products), crossed, lemmas.rising_torque(), lemmas.positive_work())
 
@@ -75,11 +75,11 @@ def never_an_ellipse() -> Evidence:
 @proof
 def tends_to_circle(coefficient: float) -> Evidence:
     """1 - f < coefficient H^2 for every k in (0, 1]."""
-    most = rational(coefficient)
+    factor = rational(coefficient)
 
     def margin(low: arb, high: arb) -> arb:
         arm = boxes.turn(low, low) / profile(low)[0]
-        return most * arm**2 - boxes.loss(high, high)
+        return factor * arm**2 - boxes.loss(high, high)
 
     return positive(margin)
 

@@ -14,7 +14,7 @@ from pulling_by_pushing.oracle.balls import cross, dot, in_degrees, norm, ration
 
 RING = Scene()
 #: Halvings of the interval that contains a root.
-STEPS = 96
+ROOT_HALVINGS = 96
 #: Degrees from the rod within which the chord of the limit curve bounds the force; degrees between force
 #: and motion below which the two count as parallel; length of a step over the angle between them.
 _GAP, _FLAT, _STRIDE = fmpq(1, 2), 2.0**-20, 0.9
@@ -26,7 +26,7 @@ def root(function: Callable[[fmpq], arb], low: fmpq, high: fmpq) -> arb:
     if not (side * function(low) < 0 < side * function(high)):
         raise Fails(f"no change of sign between {float(low):g} and {float(high):g}")
     last = high
-    for _ in range(STEPS):
+    for _ in range(ROOT_HALVINGS):
         middle = (low + last) / 2
         low, last = (middle, last) if side * function(middle) < 0 else (low, middle)
     step = last - low
@@ -64,7 +64,7 @@ def friction_cone(mechanics: Mechanics, scene: Scene) -> tuple[arb, arb, arb]:
 
 @number(right="degree", left="degree")
 def motion_cone(mechanics: Mechanics, scene: Scene) -> Pair:
-    """Edges of a motion cone."""
+    """Right and left edge; with both effects, bounds over all magnitudes."""
     return mechanics.motion_cone(scene)
 
 
@@ -115,8 +115,8 @@ def _along_fence(mechanics: Mechanics, scene: Scene) -> arb:
 @number("R")
 def pulling_offset(mechanics: Mechanics, scene: Scene) -> arb:
     """Offset on the right of the center beyond which the contact moves away."""
-    lean = rational(scene.rod_angle) - _along_fence(mechanics, scene)
-    return rational(scene.rod_length) * (lean / 180).sin_pi()
+    from_rod = rational(scene.rod_angle) - _along_fence(mechanics, scene)
+    return rational(scene.rod_length) * (from_rod / 180).sin_pi()
 
 
 @number("1")
@@ -147,14 +147,14 @@ def ellipse_shortfall(mechanics: Mechanics, scene: Scene) -> arb:
     end = root(lambda k: ratio(k)[1] - length * ratio(k)[0], length / 4, 4 * length)
     squeeze = (1 / friction(mechanics, end)[0] ** 2 - 1) / arb(length) ** 2
 
-    def place(size: arb) -> arb:
+    def spin_ratio_at(size: arb) -> arb:
         return root(
             lambda k: size * ratio(k)[1] - k * ratio(k)[0], fmpq(1, 2**20), rational(float(end))
         )
 
-    lowest = place(squeeze.lower()).union(place(squeeze.upper()))
-    least, torque = friction(mechanics, lowest)
-    return 1 - (least**2 + squeeze * torque**2).sqrt()
+    k_at_minimum = spin_ratio_at(squeeze.lower()).union(spin_ratio_at(squeeze.upper()))
+    f, t = friction(mechanics, k_at_minimum)
+    return 1 - (f**2 + squeeze * t**2).sqrt()
 
 
 @number(least="W/m", force="W", return_force="W")
@@ -235,10 +235,10 @@ def least_force_off(mechanics: Mechanics, scene: Scene) -> arb:
     rod, ends = rational(scene.rod_angle), (_GAP, 180 - _GAP)
     low, high = ends
     for side in (1, -1):
-        place = low if side > 0 else high
-        while (step := side * turn(mechanics, scene, rod + place)) > _FLAT:
-            place += side * rational(_STRIDE * float(step.lower()))
-        low, high = (place, high) if side > 0 else (low, place)
+        angle = low if side > 0 else high
+        while (step := side * turn(mechanics, scene, rod + angle)) > _FLAT:
+            angle += side * rational(_STRIDE * float(step.lower()))
+        low, high = (angle, high) if side > 0 else (low, angle)
     bottom = force(mechanics, scene, rod + (low + high) / 2)
     top = arb.min(*(force(mechanics, scene, rod + end) for end in ends))
     if not top * arb.cos_pi_fmpq(_GAP / 180) > bottom:

@@ -14,8 +14,8 @@ from pulling_by_pushing.evidence.proofs.verdicts import (
     Evidence,
     identity,
     inequality,
-    least,
     near,
+    smallest,
     together,
 )
 from pulling_by_pushing.oracle.balls import at_degrees, rational
@@ -60,7 +60,7 @@ def elliptic(k: arb) -> tuple[arb, arb]:
     return 2 / arb.pi() * second, 2 / arb.pi() * (second - (1 - k * k) * first) / k
 
 
-def printed(k: arb) -> tuple[arb, arb, arb]:
+def printed_integrals(k: arb) -> tuple[arb, arb, arb]:
     """Eqs. (1)-(3) as printed, per unit weight, by rigorous quadrature at an exact k other than 1."""
 
     def mean(numerator: Callable[[acb], acb]) -> arb:
@@ -88,14 +88,16 @@ def closed_forms_on_grid(least_ratio: float, greatest_ratio: float, count: float
     gaps = []
     for i in range(steps + 1):
         k = (low * (high / low) ** (arb(i) / steps)).mid()
-        sideways, *integrals = printed(k)
+        sideways, *integrals = printed_integrals(k)
         pairs = zip((*elliptic(k), *profile(k)), integrals * 2, strict=True)
-        gaps += [abs(sideways), *(abs(one - other) for one, other in pairs)]
-    widest = -least(-gap for gap in gaps)
+        gaps += [abs(sideways), *(abs(value - integral) for value, integral in pairs)]
+    widest = -smallest(-gap for gap in gaps)
     return inequality(arb(10) ** -25 - widest, value=widest, points=len(gaps))
 
 
-def _turn(force: tuple[ids.Polynomial, ids.Polynomial]) -> tuple[ids.Polynomial, ids.Polynomial]:
+def _to_fence_frame(
+    force: tuple[ids.Polynomial, ids.Polynomial],
+) -> tuple[ids.Polynomial, ids.Polynomial]:
     """Rotate a vector from the primed frame to the frame of the fence; x' is at phi - 90 degrees."""
     return force[0] * ids.y + force[1] * ids.x, -force[0] * ids.x + force[1] * ids.y
 
@@ -103,9 +105,9 @@ def _turn(force: tuple[ids.Polynomial, ids.Polynomial]) -> tuple[ids.Polynomial,
 @proof
 def fence_frame(rod_angle: float) -> Evidence:
     """Eqs. (4)-(6)."""
-    along, across = _turn((0 * ids.f, ids.f))
-    moved = ids.cross((ids.l * ids.p, ids.l * ids.q), (ids.f * ids.x, ids.f * ids.y))
-    torque = moved - ids.l * ids.f * (ids.y * ids.p - ids.x * ids.q)
+    along, across = _to_fence_frame((0 * ids.f, ids.f))
+    moment = ids.cross((ids.l * ids.p, ids.l * ids.q), (ids.f * ids.x, ids.f * ids.y))
+    torque = moment - ids.l * ids.f * (ids.y * ids.p - ids.x * ids.q)
     claimed, printed = (at_degrees(degrees).exact or () for degrees in (rod_angle, 45.0))
     differences = {
         "f_x": ids.normal(along - ids.f * ids.x),
@@ -126,8 +128,8 @@ def unique_center() -> Evidence:
 @proof
 def rotation_sense(sign: float) -> Evidence:
     """The sign printed below Eq. (7): `sign` times tau_0' has the sign of omega."""
-    way = rational(sign)
-    return together(boxes.positive(lambda a, b: way * boxes.turn(a, b)), lemmas.rates())
+    sense = rational(sign)
+    return together(boxes.positive(lambda a, b: sense * boxes.turn(a, b)), lemmas.rates())
 
 
 @proof
@@ -135,7 +137,7 @@ def self_duality(force: float, within: float) -> Evidence:
     """Identity f(1 / k) = t(k) for k > 0, and both values at k = 1."""
     half = 2 * ids.c**2 - 1  # cos(theta) by c = cos(theta / 2)
     top, bottom = (
-        ids.replaced(part, k=ids.ONE, c=half) for part in (lemmas.FORCE, lemmas.RADICAND)
+        ids.substitute(part, k=ids.ONE, c=half) for part in (lemmas.FORCE, lemmas.RADICAND)
     )
     centered = identity({"the integrand at k = 1": top**2 - bottom * ids.c**2})
     return together(near(2 / arb.pi(), force, within, "W"), lemmas.duality(), centered)

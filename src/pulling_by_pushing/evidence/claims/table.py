@@ -28,7 +28,7 @@ COLUMNS = (
     *("claimed", "margin", "points", "reason"),
 )
 #: Correct digits of an enclosure that the table prints.
-DIGITS = 20
+PRINTED_DIGITS = 20
 
 Row = dict[str, Any]
 
@@ -41,25 +41,25 @@ def write_table(json: PathLike, csv: PathLike, *, ledger: str) -> None:
     InvalidResult
         If a verdict is not the one that the ledger expects; nothing is written.
     """
-    listed = load_ledger(ledger)
-    judged = judge_all(listed)
+    content = load_ledger(ledger)
+    judged = judge_all(content)
     if problem := complaint(judged):
         raise InvalidResult(problem)
-    claims = rows(listed, judged)
+    claims = rows(content, judged)
     writing.write_text(json_text(claims), json)
     writing.write_text(csv_text(claims), csv)
 
 
 def rows(ledger: Ledger, judged: Iterable[Judged]) -> list[Row]:
     """Every claim as a row, with the rows of its checks."""
-    return [_claim(one) | {"checks": _checks(ledger, one)} for one in judged]
+    return [_claim(entry) | {"checks": _checks(ledger, entry)} for entry in judged]
 
 
 def json_text(claims: list[Row]) -> str:
     """The table as JSON: counts of the verdicts, and each claim with its checks."""
     counts = Counter(row["verdict"] for row in claims)
-    listed = {str(verdict): counts[verdict] for verdict in Verdict if counts[verdict]}
-    return writing.json_text({"counts": listed, "claims": claims})
+    by_verdict = {str(verdict): counts[verdict] for verdict in Verdict if counts[verdict]}
+    return writing.json_text({"counts": by_verdict, "claims": claims})
 
 
 def csv_text(claims: list[Row]) -> str:
@@ -83,9 +83,9 @@ def _cell(value: Any) -> Any:
 
 def complaint(judged: Iterable[Judged]) -> str:
     """Differences from the ledger's expectations; empty if there are none."""
-    wrong = [one for one in judged if one.verdict != one.claim.expect]
+    wrong = [entry for entry in judged if entry.verdict != entry.claim.expect]
     head = [f"claims whose verdict is not the expected one: {len(wrong)}"] if wrong else []
-    return "\n".join(head + [_difference(one) for one in wrong])
+    return "\n".join(head + [_difference(entry) for entry in wrong])
 
 
 def _difference(judged: Judged) -> str:
@@ -120,7 +120,7 @@ def _check(entry: CheckEntry, evidence: Evidence, argument: str) -> Row:
         "radius": radius,
         "unit": evidence.unit if text is not None else None,
         "claimed": claimed if claimed is not None and math.isfinite(claimed) else None,
-        "margin": None if evidence.margin is None else below(evidence.margin),
+        "margin": None if evidence.margin is None else double_below(evidence.margin),
         "points": evidence.points,
         "reason": evidence.reason,
     }
@@ -128,26 +128,26 @@ def _check(entry: CheckEntry, evidence: Evidence, argument: str) -> Row:
 
 @precise
 def digits(ball: arb | None) -> tuple[str | None, float | None]:
-    """Correct digits of an enclosure, at most `DIGITS`, and a radius about them that contains it."""
+    """Correct digits of an enclosure, up to `PRINTED_DIGITS`, and a radius about them that contains it."""
     if ball is None or not ball.is_finite():
         return None, None
-    text = ball.str(DIGITS, radius=False)
+    text = ball.str(PRINTED_DIGITS, radius=False)
     mantissa, _, exponent = text.partition("e")
-    whole, _, part = mantissa.partition(".")
-    shift = int(exponent or 0) - len(part)
-    printed = fmpq(int(whole + part)) * fmpq(10) ** shift
+    integer, _, decimals = mantissa.partition(".")
+    shift = int(exponent or 0) - len(decimals)
+    printed = fmpq(int(integer + decimals)) * fmpq(10) ** shift
     gap = (ball - printed).abs_upper()
-    return (text if printed else "0"), _rounded(gap, math.inf)
+    return (text if printed else "0"), _round_toward(gap, math.inf)
 
 
 @precise
-def below(ball: arb) -> float | None:
+def double_below(ball: arb) -> float | None:
     """A double below every number of the ball."""
-    return _rounded(ball.lower(), -math.inf) if ball.is_finite() else None
+    return _round_toward(ball.lower(), -math.inf) if ball.is_finite() else None
 
 
-def _rounded(exact: arb, towards: float) -> float:
+def _round_toward(exact: arb, toward: float) -> float:
     """Double next to an exact number, on the given side of it."""
     number = float(exact)
-    beyond = arb(number) < exact if towards > 0 else arb(number) > exact
-    return math.nextafter(number, towards) if beyond else number
+    beyond = arb(number) < exact if toward > 0 else arb(number) > exact
+    return math.nextafter(number, toward) if beyond else number

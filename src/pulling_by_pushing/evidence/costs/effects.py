@@ -26,7 +26,7 @@ from planar_pushing.simulation.simulate import simulate
 from planar_pushing.terms.options import STUDIED, EffectSet, Method
 from planar_pushing.terms.quantities import EFFECT_COSTS
 from planar_pushing.terms.replacing import PathLike
-from pulling_by_pushing.evidence.costs.measure import accuracy_time, seconds, stamped
+from pulling_by_pushing.evidence.costs.measure import accuracy_time, add_machine, seconds
 from pulling_by_pushing.study.catalog import EVIDENCE
 from pulling_by_pushing.study.describe import describe
 from pulling_by_pushing.study.model import StudyFile
@@ -35,7 +35,7 @@ from pulling_by_pushing.study.study_file import load_study
 
 #: A push, and the duration and the number of steps of its simulation.
 FRICTION_COEFFICIENT, PUSHER_ANGLE = 2.0, np.deg2rad(-10.0)
-DURATION, STEPS = 1.0, 100
+DURATION, RUN_STEPS = 1.0, 100
 FORCE_ANGLES = np.deg2rad(np.arange(361.0))
 #: Numbers of equal squares among which friction is divided, and the number of steps of their simulation.
 SUPPORTS, DIVIDED_STEPS = (1, 2, 4, 8, 16), 1000
@@ -53,13 +53,13 @@ def pushed_slider(study: StudyFile, effects: Any) -> Scene:
     )
 
 
-def divided(study: StudyFile, number: int) -> Scene:
+def divided_slider(study: StudyFile, number: int) -> Scene:
     """The slider on squares that share the weight equally, so that it moves as on one of them."""
     part = SupportFriction(support=SQUARE, weight=1.0 / number)
     return replace(pushed_slider(study, EffectSet.SUPPORT_FRICTION), effects=(part,) * number)
 
 
-def run(scene: Scene, method: Method, steps: int = STEPS) -> xr.Dataset:
+def run(scene: Scene, method: Method, steps: int = RUN_STEPS) -> xr.Dataset:
     """Log of a scene that the fence moves from rest."""
     step = DURATION / steps if method is Method.TIME_STEPPING else None
     fence = Pusher(velocity=tuple(direction(PUSHER_ANGLE)))
@@ -104,21 +104,21 @@ def effects(study: StudyFile) -> xr.Dataset:
         `computation_seconds` over `computation` and `effects`, and `supports_seconds` over `supports`, for
         friction that is divided among equal supports; both over `repeat`.
     """
-    scenes = [pushed_slider(study, listed) for listed in study.grid.effects]
+    scenes = [pushed_slider(study, effect_set) for effect_set in study.grid.effects]
     by_effects = seconds(
         [partial(_repeat, compute, scene) for compute in COMPUTATIONS.values() for scene in scenes],
         REPEATS,
     )
     by_supports = seconds(
         [
-            partial(run, divided(study, number), Method.TIME_STEPPING, DIVIDED_STEPS)
+            partial(run, divided_slider(study, number), Method.TIME_STEPPING, DIVIDED_STEPS)
             for number in SUPPORTS
         ],
         REPEATS,
     )
     shape = len(COMPUTATIONS), len(scenes), REPEATS
     counts = [[_evaluations(run(scene, method)) for scene in scenes] for method in Method]
-    measured = xr.Dataset(
+    dataset = xr.Dataset(
         {
             "evaluations": (("integrator", "effects", "effect"), counts),
             "computation_seconds": (
@@ -135,14 +135,14 @@ def effects(study: StudyFile) -> xr.Dataset:
             "supports": list(SUPPORTS),
         },
     )
-    described = describe(
-        measured,
+    costs = describe(
+        dataset,
         title=EVIDENCE["effects"].capitalize(),
         source="Secs. 3-4",
-        parameters={"duration": DURATION, "steps": STEPS, "divided_steps": DIVIDED_STEPS},
+        parameters={"duration": DURATION, "steps": RUN_STEPS, "divided_steps": DIVIDED_STEPS},
         quantities=EFFECT_COSTS,
     )
-    return stamped(described)
+    return add_machine(costs)
 
 
 def _repeat(compute: Callable[[Scene], object], scene: Scene) -> None:
@@ -151,6 +151,6 @@ def _repeat(compute: Callable[[Scene], object], scene: Scene) -> None:
 
 
 def _evaluations(log: xr.Dataset) -> list[int]:
-    """Evaluations of each effect at the end of a log."""
+    """Total of each effect that a study can have; 0 for one that the log lacks."""
     counts = dict(zip(log.effect.values.tolist(), log.evaluations.values[-1].tolist(), strict=True))
     return [counts.get(str(kind), 0) for kind in STUDIED]

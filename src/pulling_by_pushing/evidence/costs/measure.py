@@ -110,7 +110,7 @@ def _difference(value: float, exact: arb, unit: arb) -> float:
 
 
 def wrench_error(k: float, force: Array, torque: Array) -> float:
-    """Larger relative error of force and torque."""
+    """The larger of the relative errors of force and torque at a spin ratio."""
     pairs = zip((force, torque), ring_wrench(k), strict=True)
     return max(_difference(float(value[0]), exact, exact) for value, exact in pairs)
 
@@ -166,7 +166,7 @@ def accuracy() -> dict[str, xr.Dataset]:
             errors.append(quantity.error(call.case, *values))
             counts.append(float(np.mean(evaluations)))
         variables = {f"{name}_error": errors, "evaluations": counts}
-        groups[name] = _labeled(name, "accuracy", variables)
+        groups[name] = _point_dataset(name, "accuracy", variables)
     return groups
 
 
@@ -186,11 +186,13 @@ def accuracy_time() -> dict[str, xr.Dataset]:
         calls = sweep(name)
         results = np.array([call.results for call in calls])
         times = seconds([call.run for call in calls], REPEATS) / results[:, None]
-        groups[name] = stamped(_labeled(name, "accuracy_time", {f"{name}_seconds": times}))
+        groups[name] = add_machine(
+            _point_dataset(name, "accuracy_time", {f"{name}_seconds": times})
+        )
     return groups
 
 
-def _labeled(name: str, dataset: str, variables: dict[str, Any]) -> xr.Dataset:
+def _point_dataset(name: str, dataset: str, variables: dict[str, Any]) -> xr.Dataset:
     """Dataset over `point`, a row for each setting of a method, and the cases, from values of all calls."""
     quantity = QUANTITIES[name]
     rows = [(row.name, setting, row.counted) for row in METHODS[name] for setting in row.settings]
@@ -229,7 +231,7 @@ def seconds(calls: Iterable[Callable[[], object]], repeats: int) -> Array:
     return durations[1:].T
 
 
-def stamped(measured: xr.Dataset) -> xr.Dataset:
+def add_machine(dataset: xr.Dataset) -> xr.Dataset:
     """Name the machine that a dataset was measured on: no host name."""
     machine = {
         "processor": _processor(),
@@ -238,7 +240,7 @@ def stamped(measured: xr.Dataset) -> xr.Dataset:
         "python": platform.python_version(),
         **{name: version(name) for name in PACKAGES},
     }
-    return measured.assign_attrs(machine=json.dumps(machine))
+    return dataset.assign_attrs(machine=json.dumps(machine))
 
 
 def _processor() -> str:

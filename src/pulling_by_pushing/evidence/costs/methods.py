@@ -17,7 +17,8 @@ from planar_pushing.mechanics.effects import RingFriction
 from planar_pushing.mechanics.force.cones import motion_angle
 from planar_pushing.mechanics.force.wrench import ring_profile
 from planar_pushing.mechanics.plane import Array, direction
-from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.slider import Slider
 from planar_pushing.scenes.files import load_scene_file
 from planar_pushing.scenes.simulate import arguments
 from planar_pushing.simulation.simulate import simulate
@@ -34,16 +35,16 @@ FRICTION_COEFFICIENTS = np.array([0.5, 2.0, np.inf])
 ROD_ANGLE = np.pi / 4
 #: Scene files of the motions: slip with infinite friction in one mode, and a pull whose fence turns.
 SCENES = {
-    "slipping": "workflow/scenes/figure_15.yaml",
-    "pulling": "workflow/scenes/figure_14a.yaml",
+    "slipping": "workflow/scenes/slipping.yaml",
+    "pulling": "workflow/scenes/turning_fence.yaml",
 }
 #: Setting of a formula, numbers of points, and tolerances.
 FORMULA = (0.0,)
-POINTS, NODES = tuple(2.0 ** np.arange(2, 17)), tuple(2.0 ** np.arange(2, 10))
+RULE_POINTS, NODES = tuple(2.0 ** np.arange(2, 17)), tuple(2.0 ** np.arange(2, 10))
 TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13)
 #: Tolerances and numbers of steps of a motion.
 STEP_TOLERANCES = tuple(10.0 ** -np.arange(4, 13, 2))
-STEPS = (10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0)
+STEP_COUNTS = (10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0)
 TINY, EPS = np.finfo(float).tiny, float(np.finfo(float).eps)
 
 #: Force and torque at spin ratios.
@@ -195,25 +196,29 @@ def _through(inverse: Callable[[Array, float], tuple[Array, Array]]) -> Run:
     """Motion angles from the spin ratios of positive moment arms, by Eqs. (10)-(12) as in the paper."""
 
     def run(length: Array, angle: Array, setting: float) -> tuple[Array, Array]:
-        lean, arm = ROD_ANGLE - angle, _arms(length, angle)
+        from_force, arm = ROD_ANGLE - angle, _arms(length, angle)
         ratio, evaluations = inverse(np.abs(arm), setting)
-        pull = np.copysign(ratio, arm) * length
-        return angle - np.arctan2(pull * np.cos(lean), 1 + pull * np.sin(lean)), evaluations
+        spin_length = np.copysign(ratio, arm) * length
+        return angle - np.arctan2(
+            spin_length * np.cos(from_force), 1 + spin_length * np.sin(from_force)
+        ), evaluations
 
     return run
 
 
 def _arms(length: Array, angle: Array) -> Array:
     """Moment arms, Eq. (10); near a tangent to the ring the rounding error of the subtraction matters."""
-    lean = ROD_ANGLE - angle
-    back = lean - ROD_ANGLE
-    rounding = (ROD_ANGLE - (lean - back)) - (angle + back)
+    from_force = ROD_ANGLE - angle
+    back = from_force - ROD_ANGLE
+    rounding = (ROD_ANGLE - (from_force - back)) - (angle + back)
     force = direction(angle)
     across = np.sin(ROD_ANGLE) * force[:, 0]
-    return length * np.where(force[:, 1] == 0, across, np.sin(lean) + rounding * np.cos(lean))
+    return length * np.where(
+        force[:, 1] == 0, across, np.sin(from_force) + rounding * np.cos(from_force)
+    )
 
 
-def _bracketed(arms: Array, tolerance: float) -> tuple[Array, Array]:
+def _bracket_roots(arms: Array, tolerance: float) -> tuple[Array, Array]:
     """`brentq` on adaptive quadrature, one arm at a time; evaluations of the integrand."""
     limits = {"xtol": 1e-300, "rtol": max(tolerance, 4 * EPS)}
     evaluations = np.zeros(arms.shape)
@@ -228,7 +233,7 @@ def _bracketed(arms: Array, tolerance: float) -> tuple[Array, Array]:
     return np.array(ratios), evaluations
 
 
-def _proportional(arms: Array, setting: float) -> tuple[Array, Array]:
+def _ellipsoid_ratios(arms: Array, setting: float) -> tuple[Array, Array]:
     """The spin ratios of the ellipsoid, which are its moment arms."""
     return arms, np.zeros(arms.shape)
 
@@ -255,8 +260,8 @@ def _time_stepping(scene: str, steps: float) -> tuple[float, float]:
 
 
 def _simulate(scene: str, **options: Any) -> tuple[float, float]:
-    built, settings = _problem(scene)
-    log = simulate(built, **{**settings, **options})
+    slider_scene, settings = _problem(scene)
+    log = simulate(slider_scene, **{**settings, **options})
     return float(log.rod_angle[-1]), float(log.evaluations[-1].sum())
 
 
@@ -268,18 +273,18 @@ METHODS: dict[str, tuple[Method, ...]] = {
         Method("hyp2f1", "nothing", FORMULA, _dual(_hypergeometric), 2**12),
         Method("Carlson", "nothing", FORMULA, _dual(_carlson), 2**12),
         Method("textbook E and K", "nothing", FORMULA, _dual(_textbook), 2**12),
-        Method("trapezoid", "integrand", POINTS, _rule(_trapezoid), 2**15),
+        Method("trapezoid", "integrand", RULE_POINTS, _rule(_trapezoid), 2**15),
         Method("Gauss-Legendre", "integrand", NODES, _rule(_gauss_legendre), 2**15),
         Method("quad", "integrand", TOLERANCES, _adaptive, 4),
         Method("ellipsoid", "nothing", FORMULA, _formula(_ellipsoid), 2**12),
     ),
     "cone": (
         Method("closed form", "wrench", FORMULA, _closed_edges, 2**5),
-        Method("brentq on quad", "integrand", TOLERANCES, _through(_bracketed)),
-        Method("ellipsoid", "nothing", FORMULA, _through(_proportional), 2**5),
+        Method("brentq on quad", "integrand", TOLERANCES, _through(_bracket_roots)),
+        Method("ellipsoid", "nothing", FORMULA, _through(_ellipsoid_ratios), 2**5),
     ),
     "motion": (
         Method("event-driven", "motion", STEP_TOLERANCES, _event_driven),
-        Method("time-stepping", "motion", STEPS, _time_stepping),
+        Method("time-stepping", "motion", STEP_COUNTS, _time_stepping),
     ),
 }

@@ -64,9 +64,9 @@ def check_results(folder: Path, file: PathLike) -> list[Check]:
 def require_results(folder: Path) -> None:
     """Refuse a folder without datasets."""
     if not any(folder.glob("data/*.nc")):
-        place = "contains no datasets" if folder.is_dir() else "no such folder"
+        problem = "contains no datasets" if folder.is_dir() else "no such folder"
         remedy = "build them with make, or with planar-pushing run STUDY.yaml"
-        raise InvalidFile(f"{folder}: {place}; name the folder of the results, or {remedy}")
+        raise InvalidFile(f"{folder}: {problem}; name the folder of the results, or {remedy}")
 
 
 def _surplus(golden: Path, names: list[str]) -> Iterator[Check]:
@@ -80,18 +80,18 @@ def _surplus(golden: Path, names: list[str]) -> Iterator[Check]:
 
 def _check_file(name: str, path: Path, golden: Path, tolerances: TolerancesFile) -> list[Check]:
     """Compare every group of a file."""
-    wanted = _golden_groups(golden)
+    golden_groups = _golden_groups(golden)
     try:
-        found = group_names(path) or [""]
+        groups = group_names(path) or [""]
         checks = [
             Check(file=f"{name}/{group}", problem="is no group of this dataset")
-            for group in set(found) - set(wanted)
+            for group in set(groups) - set(golden_groups)
         ]
-        if "" not in wanted:
+        if "" not in golden_groups:
             checks += compare(name, _root(path), _root(golden), tolerances)
-        for group, each in wanted.items():
+        for group, dataset in golden_groups.items():
             result = read_dataset(path, group or None).load()
-            checks += compare(f"{name}/{group}" if group else name, result, each, tolerances)
+            checks += compare(f"{name}/{group}" if group else name, result, dataset, tolerances)
         return checks
     except InvalidFile as error:
         return [Check(file=name, problem=f"cannot be read: {error}")]

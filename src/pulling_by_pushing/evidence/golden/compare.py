@@ -34,7 +34,7 @@ DEGREE = "degree"
 #: Beginning of the problem of a result that is of another study than the golden file.
 OTHER_STUDY = "has study_digest "
 #: Attributes of a golden file itself, or of the packages with which a result was computed.
-ASIDE = (
+UNCOMPARED_ATTRIBUTES = (
     KIND, "golden_method", "golden_checked_by_integrals", "golden_versions", "golden_precision_bits",
     "golden_roundings",
     "versions",
@@ -81,14 +81,14 @@ class TolerancesFile(FileModel):
     def of(self, file: str, variable: str) -> Tolerance:
         """Tolerance of a variable; a variable that is not listed must agree exactly."""
         for name in (file, file.partition("/")[0]):
-            found = self.tolerances.get(name, {}).get(variable)
-            if found:
-                return found
+            tolerance = self.tolerances.get(name, {}).get(variable)
+            if tolerance:
+                return tolerance
         return Tolerance()
 
 
 def load_tolerances() -> TolerancesFile:
-    """The tolerances of the package."""
+    """Read tolerances.yaml, which belongs to the package."""
     path = files("pulling_by_pushing.evidence.golden") / "tolerances.yaml"
     return load_model(Path(str(path)), TolerancesFile)
 
@@ -131,7 +131,7 @@ class Check:
         return f"{self.file}: {self.variable}"
 
     @property
-    def passed(self) -> bool:
+    def passes(self) -> bool:
         return not self.problem and not self.failed
 
     @property
@@ -145,15 +145,17 @@ class Check:
 def compare(
     file: str, result: xr.Dataset, golden: xr.Dataset, tolerances: TolerancesFile
 ) -> list[Check]:
-    """Compare a dataset with its golden file."""
+    """Checks of a dataset: one for each variable, and one for each difference in names or attributes."""
     result = comparable(file, result)
     kind = Kind(golden.attrs.get(KIND, Kind.PLAIN))
-    checks = [Check(file=file, kind=kind, problem=each) for each in _differences(result, golden)]
+    checks = [
+        Check(file=file, kind=kind, problem=problem) for problem in _differences(result, golden)
+    ]
     for name in _variables(golden):
-        if name in result.variables and not _unlike(result[name], golden[name]):
+        if name in result.variables and not _mismatch(result[name], golden[name]):
             plain = golden[name].dtype.kind == "f" and f"{name}{RADIUS}" not in golden
-            own = Kind.PLAIN if plain and not is_exact(golden, name) else kind
-            check = Check(file=file, variable=name, kind=own)
+            known_by = Kind.PLAIN if plain and not is_exact(golden, name) else kind
+            check = Check(file=file, variable=name, kind=known_by)
             checks.append(_compare_variable(check, result[name], golden, tolerances.of(file, name)))
     return checks
 
@@ -165,65 +167,64 @@ def _variables(golden: xr.Dataset) -> list[str]:
 
 def _differences(result: xr.Dataset, golden: xr.Dataset) -> Iterator[str]:
     """Differences in the lists of variables, their dimensions and attributes."""
-    wanted = _variables(golden)
-    for name in sorted(set(wanted) - set(map(str, result.variables))):
+    golden_names = _variables(golden)
+    for name in sorted(set(golden_names) - set(map(str, result.variables))):
         yield f"{name} is missing from the result"
-    for name in sorted(set(map(str, result.variables)) - set(wanted)):
+    for name in sorted(set(map(str, result.variables)) - set(golden_names)):
         yield f"{name} is not in the golden data"
     yield from _attributes("", result.attrs, golden.attrs)
-    for name in wanted:
+    for name in golden_names:
         if name in result.variables:
-            problem = _unlike(result[name], golden[name])
+            problem = _mismatch(result[name], golden[name])
             if problem:
                 yield f"{name} {problem}"
             yield from _attributes(f"{name} ", result[name].attrs, golden[name].attrs)
 
 
 def _attributes(name: str, ours: Mapping[str, Any], theirs: Mapping[str, Any]) -> Iterator[str]:
-    for key in sorted({*ours, *theirs} - set(ASIDE)):
-        one, other = ours.get(key), theirs.get(key)
-        if not np.array_equal(np.asarray(one), np.asarray(other)):
-            yield f"{name}has {key} {_short(one)}, not {_short(other)}"
+    for key in sorted({*ours, *theirs} - set(UNCOMPARED_ATTRIBUTES)):
+        value, golden_value = ours.get(key), theirs.get(key)
+        if not np.array_equal(np.asarray(value), np.asarray(golden_value)):
+            yield f"{name}has {key} {_abbreviate(value)}, not {_abbreviate(golden_value)}"
 
 
-def _short(value: Any) -> str:
+def _abbreviate(value: Any) -> str:
     text = repr(value)
     return text if len(text) < 80 else f"{text[:77]}..."
 
 
-def _unlike(found: xr.DataArray, wanted: xr.DataArray) -> str:
+def _mismatch(result: xr.DataArray, golden: xr.DataArray) -> str:
     """The reason why a variable cannot be compared; empty if it can."""
-    if found.dims != wanted.dims:
-        return f"has the dims {found.dims}, not {wanted.dims}"
-    if found.shape != wanted.shape:
-        return f"has the shape {found.shape}, not {wanted.shape}"
-    one, other = (each.dtype.kind.replace("O", "U") for each in (found, wanted))
-    return f"has the type {found.dtype}, not {wanted.dtype}" if one != other else ""
+    if result.dims != golden.dims:
+        return f"has the dims {result.dims}, not {golden.dims}"
+    if result.shape != golden.shape:
+        return f"has the shape {result.shape}, not {golden.shape}"
+    kind, golden_kind = (variable.dtype.kind.replace("O", "U") for variable in (result, golden))
+    return f"has the type {result.dtype}, not {golden.dtype}" if kind != golden_kind else ""
 
 
 def _compare_variable(
     check: Check, result: xr.DataArray, golden: xr.Dataset, tolerance: Tolerance
 ) -> Check:
-    wanted = golden[check.variable]
+    golden_variable = golden[check.variable]
     name = f"{check.variable}{RADIUS}"
-    radius = radii(golden[name].values) if name in golden else np.zeros(wanted.shape)
-    scale = wanted.values
-    if {"xy", "twist_component"} & set(wanted.dims) and wanted.dtype.kind == "f":
+    radius = radii(golden[name].values) if name in golden else np.zeros(golden_variable.shape)
+    scale = golden_variable.values
+    if {"xy", "twist_component"} & set(golden_variable.dims) and golden_variable.dtype.kind == "f":
         scale = np.broadcast_to(_largest(scale), scale.shape)
 
-    def label(at: tuple[int, ...]) -> str:
+    def label(index: tuple[int, ...]) -> str:
         return ", ".join(
-            f"{dim}={wanted[dim].values[i] if dim in wanted.coords else i}"
-            for dim, i in zip(wanted.dims, at, strict=True)
+            f"{dim}={golden_variable[dim].values[i] if dim in golden_variable.coords else i}"
+            for dim, i in zip(golden_variable.dims, index, strict=True)
         )
 
     if check.kind is not Kind.ENCLOSED:
-        size = (
-            np.where(np.isfinite(scale), np.abs(scale), 0.0) if wanted.dtype.kind == "f" else radius
-        )
+        numbers = golden_variable.dtype.kind == "f"
+        size = np.where(np.isfinite(scale), np.abs(scale), 0.0) if numbers else radius
         radius = radius + tolerance.absolute + tolerance.ulp * np.spacing(size)
-    turns = wanted.attrs.get("units") == DEGREE
-    return judge(check, result.values, wanted.values, radius, label, turns)
+    turns = golden_variable.attrs.get("units") == DEGREE
+    return judge(check, result.values, golden_variable.values, radius, label, turns)
 
 
 def _largest(vectors: Floats) -> Floats:
@@ -252,10 +253,10 @@ def judge(
             if middle.dtype.kind in "OU"
             else computed != middle
         )
-        counted = replace(
+        totals = replace(
             check, labels=middle.size, failed=int(wrong.sum()), error=float(wrong.any())
         )
-        return _described(counted, computed, middle, wrong.astype(float), label)
+        return _with_worst(totals, computed, middle, wrong.astype(float), label)
     finite = np.isfinite(middle)
     error = _difference(computed, middle, turns)
     error = np.where(
@@ -263,24 +264,24 @@ def judge(
         0.0,
         error,
     )
-    counted = replace(
+    totals = replace(
         check,
         count=int(finite.sum()),
         labels=int(finite.size - finite.sum()),
         failed=int((~(error <= np.where(finite, allowed, 0.0))).sum()),
     )
     if not error.size:
-        return counted
+        return totals
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         ratio = np.where(error == 0, 0.0, error / allowed)
-    described = _described(counted, computed, middle, ratio, label)
-    at = _place(ratio)
-    counts = finite[at] and np.isfinite(error[at])
+    worst_check = _with_worst(totals, computed, middle, ratio, label)
+    worst = _worst_index(ratio)
+    counts = finite[worst] and np.isfinite(error[worst])
     return replace(
-        described,
-        error=float(error[at]),
-        ulp=float(error[at]) / float(np.spacing(np.abs(middle[at]))) if counts else 0.0,
-        allowed=float(allowed[at]),
+        worst_check,
+        error=float(error[worst]),
+        ulp=float(error[worst]) / float(np.spacing(np.abs(middle[worst]))) if counts else 0.0,
+        allowed=float(allowed[worst]),
     )
 
 
@@ -294,15 +295,15 @@ def _difference(computed: Floats, middle: Floats, turns: bool) -> Floats:
     return np.where(same, 0.0, np.where(np.isnan(gap), np.inf, gap))
 
 
-def _place(badness: Floats) -> tuple[int, ...]:
+def _worst_index(badness: Floats) -> tuple[int, ...]:
     flat = int(np.argmax(np.where(np.isnan(badness), np.inf, badness)))
     return tuple(int(i) for i in np.unravel_index(flat, badness.shape))
 
 
-def _described(check: Check, computed: Any, middle: Any, badness: Floats, label: Any) -> Check:
+def _with_worst(check: Check, computed: Any, middle: Any, badness: Floats, label: Any) -> Check:
     """The check, with its worst value and the place of this value."""
     if not badness.size or not badness.any():
         return check
-    at = _place(badness)
-    where = f"{label(at)}: computed {computed[at]!s}, golden {middle[at]!s}".lstrip(": ")
+    worst = _worst_index(badness)
+    where = f"{label(worst)}: computed {computed[worst]!s}, golden {middle[worst]!s}".lstrip(": ")
     return replace(check, where=where)

@@ -17,8 +17,8 @@ from flint import arb, ctx
 from tqdm import tqdm
 
 from planar_pushing.terms.errors import InvalidResult
-from pulling_by_pushing.evidence.golden import cells
-from pulling_by_pushing.evidence.golden.cells import CENTERS, Record, Values
+from pulling_by_pushing.evidence.golden.cells import contacts, ring, supports
+from pulling_by_pushing.evidence.golden.cells.sliders import CENTERS, Record, Values
 from pulling_by_pushing.evidence.golden.enclosures import EXACT, RADIUS, holds_radii, is_exact
 from pulling_by_pushing.oracle.balls import FINE, Number, Undecided, Vector, precise
 from pulling_by_pushing.oracle.integrals import distance_and_gradient
@@ -42,50 +42,50 @@ ROD = ("support", "rod_length", "rod_angle", "friction_coefficient")
 #: The cells of each dataset; together they provide all of its numbers.
 CELLS: Mapping[str, tuple[Cell, ...]] = {
     "limit_curves": (
-        Cell(("effects", "rod_length", "rod_angle", "force_angle"), cells.limit_point_values),
+        Cell(("effects", "rod_length", "rod_angle", "force_angle"), ring.limit_point_values),
     ),
-    "curves": (Cell(("effects", "rod_length", "force_angle"), cells.curve_point),),
+    "curves": (Cell(("effects", "rod_length", "force_angle"), ring.curve_point),),
     "motion_cones": (
-        Cell(("effects", "rod_length", "rod_angle", "friction_coefficient"), cells.motion_cone),
-        Cell(("friction_coefficient",), cells.coefficients),
+        Cell(("effects", "rod_length", "rod_angle", "friction_coefficient"), ring.motion_cone),
+        Cell(("friction_coefficient",), contacts.coefficients),
     ),
     "contact_modes": (
         Cell(
             (*RODS, "pusher_magnitude", "pusher_angle"),
-            cells.ring_solutions,
+            ring.ring_solutions,
         ),
-        Cell(("contact",), cells.contact_laws),
+        Cell(("contact",), contacts.contact_laws),
     ),
     "mode_maps": (
-        Cell((*RODS, "pusher_magnitude", "pusher_angle"), cells.mode_set),
-        Cell(("effects", "rod_length", "pusher_magnitude", "pusher_angle"), cells.sticking_force),
-        Cell((*RODS, "pusher_magnitude"), cells.furthest_pull),
-        Cell(("contact",), cells.contact_laws),
+        Cell((*RODS, "pusher_magnitude", "pusher_angle"), ring.mode_set),
+        Cell(("effects", "rod_length", "pusher_magnitude", "pusher_angle"), ring.sticking_force),
+        Cell((*RODS, "pusher_magnitude"), ring.furthest_pull),
+        Cell(("contact",), contacts.contact_laws),
     ),
     "acceleration_centers": (
-        Cell(("rod_length", "force_angle", "inertia_share"), cells.acceleration_center),
-        Cell(("rod_length",), cells.acceleration_cones),
+        Cell(("rod_length", "force_angle", "inertia_share"), ring.acceleration_center),
+        Cell(("rod_length",), ring.acceleration_cones),
     ),
-    "center_regions": (Cell(("rod_length", "rod_angle", "force_angle"), cells.region_ends),),
+    "center_regions": (Cell(("rod_length", "rod_angle", "force_angle"), ring.region_ends),),
     "supports": (
-        Cell(("support", "center_x", "center_y"), cells.support_wrench),
-        Cell(("support",), cells.support_numbers),
+        Cell(("support", "center_x", "center_y"), supports.support_wrench),
+        Cell(("support",), supports.support_numbers),
     ),
     "support_cones": (
-        Cell(ROD, cells.support_cone),
-        Cell(("friction_coefficient",), cells.coefficients),
+        Cell(ROD, supports.support_cone),
+        Cell(("friction_coefficient",), contacts.coefficients),
     ),
     "support_modes": (
-        Cell((*ROD, "pusher_angle"), cells.support_solutions),
-        Cell(("friction_coefficient",), cells.coefficients),
+        Cell((*ROD, "pusher_angle"), supports.support_solutions),
+        Cell(("friction_coefficient",), contacts.coefficients),
     ),
     "support_curves": (
-        Cell(("support", "force_angle"), cells.support_curve),
-        Cell(("force_angle",), cells.ring_curve),
+        Cell(("support", "force_angle"), supports.support_curve),
+        Cell(("force_angle",), supports.ring_curve),
     ),
     "support_rods": (
-        Cell(("support", "rod"), cells.support_rod),
-        Cell(("rod",), cells.ring_rod),
+        Cell(("support", "rod"), supports.support_rod),
+        Cell(("rod",), supports.ring_rod),
     ),
 }
 #: Variables that are stored as computed: the errors of another model, at motions that a search found.
@@ -95,13 +95,13 @@ PLAIN = {
     )
 }
 #: Largest relative radius of an integral that is compared.
-WIDE = 2.0**-60
+WIDEST_INTEGRAL = 2.0**-60
 #: The second route is taken at one of so many points.
-SAMPLE = 20
+SAMPLED_ONE_OF = 20
 #: Number of points that a process takes at once.
-TAKEN = 400
+POINTS_PER_TASK = 400
 #: Fewer points than this are done before another process has started.
-FEW = 100
+FEW_POINTS = 100
 
 
 def evaluate(
@@ -128,7 +128,7 @@ def _record(cell: Cell, values: Values, point: Point, twice: bool) -> Record:
 
 def is_sampled(point: Point) -> bool:
     """Whether the second route is taken at a point: at one of 20, by a digest of its coordinates."""
-    return zlib.crc32(repr(point).encode()) % SAMPLE == 0
+    return zlib.crc32(repr(point).encode()) % SAMPLED_ONE_OF == 0
 
 
 def is_never(point: Point) -> bool:
@@ -145,9 +145,11 @@ def _agrees(center: tuple[Support, Vector]) -> bool:
         return False
     closed = pieces.dgh(
         c,
-        next((i for i, point in enumerate(pieces.points) if c == tuple(map(arb, point.place))), -1),
+        next(
+            (i for i, point in enumerate(pieces.points) if c == tuple(map(arb, point.position))), -1
+        ),
     )
-    if any(part.rad() > WIDE * (1 + abs(part)) for part in printed):
+    if any(part.rad() > WIDEST_INTEGRAL * (1 + abs(part)) for part in printed):
         return False
     if not all(a.overlaps(b) for a, b in zip(printed, closed, strict=False)):
         raise InvalidResult(f"the integrals disagree with D and its gradient at the center {c}")
@@ -157,7 +159,7 @@ def _agrees(center: tuple[Support, Vector]) -> bool:
 def _store_nested(value: Any) -> Any:
     """Numbers as pairs of midpoint and exponent, in the same nested lists."""
     if isinstance(value, list):
-        return [_store_nested(each) for each in value]
+        return [_store_nested(entry) for entry in value]
     return store(value)
 
 
@@ -169,13 +171,13 @@ def records(
     second: Callable[[Point], bool] = is_never,
 ) -> Iterator[Record | str]:
     """Records of points, in order; `second` selects the points of the second route."""
-    wanted = partial(evaluate, cell, values, second)
-    if len(points) < FEW:
-        yield from map(wanted, points)
+    evaluate_point = partial(evaluate, cell, values, second)
+    if len(points) < FEW_POINTS:
+        yield from map(evaluate_point, points)
         return
     with get_context("spawn").Pool(processes) as pool:
-        step = max(1, min(TAKEN, len(points) // (4 * processes)))
-        yield from pool.imap(wanted, points, chunksize=step)
+        step = max(1, min(POINTS_PER_TASK, len(points) // (4 * processes)))
+        yield from pool.imap(evaluate_point, points, chunksize=step)
 
 
 def points(dataset: xr.Dataset, dims: Iterable[str]) -> list[Point]:
@@ -207,14 +209,16 @@ def certify(
     arrays: Arrays = {}
     count = 0
     for cell in CELLS[name]:
-        every = points(template, cell.dims)
+        cell_points = points(template, cell.dims)
         sizes = [template.sizes[dim] for dim in cell.dims]
-        computed = records(cell, values, every, processes, is_sampled)
-        for index, record in enumerate(tqdm(computed, name, len(every), disable=None, leave=False)):
+        computed = records(cell, values, cell_points, processes, is_sampled)
+        for index, record in enumerate(
+            tqdm(computed, name, len(cell_points), disable=None, leave=False)
+        ):
             if isinstance(record, str):
-                raise InvalidResult(kink(name, cell, every[index], record))
+                raise InvalidResult(kink(name, cell, cell_points[index], record))
             count += record.pop(CENTERS)
-            _place(arrays, template, tuple(np.unravel_index(index, sizes)), record)
+            _store_at(arrays, template, tuple(np.unravel_index(index, sizes)), record)
     return _assemble(name, arrays, template, PLAIN.get(name, ())), count
 
 
@@ -226,33 +230,33 @@ def certify_record(
 ) -> xr.Dataset:
     """A dataset with the certified values of one record instead of its own; `plain` ones are retained."""
     arrays: Arrays = {}
-    _place(arrays, template, (), {key: _store_nested(value) for key, value in record.items()})
+    _store_at(arrays, template, (), {key: _store_nested(value) for key, value in record.items()})
     return _assemble(name, arrays, template, plain)
 
 
 def kink(name: str, cell: Cell, point: Point, reason: str) -> str:
     """The message about a point that cannot be certified."""
-    where = ", ".join(f"{dim}={each}" for dim, each in zip(cell.dims, point, strict=True))
+    where = ", ".join(f"{dim}={value}" for dim, value in zip(cell.dims, point, strict=True))
     return (
         f"{name}: {where}: on a kink, where rounding decides ({reason}); allowed: a point off it; "
         "choose another value of the grid, such as another coefficient of friction"
     )
 
 
-def _place(arrays: Arrays, template: xr.Dataset, at: tuple[Any, ...], record: Record) -> None:
+def _store_at(arrays: Arrays, template: xr.Dataset, index: tuple[Any, ...], record: Record) -> None:
     """Store the numbers of a point at their place."""
     for name, nested in record.items():
         if name not in arrays:
-            like = template[name].values
-            empty = np.full(like.shape, empty_entry(name, like.dtype), like.dtype)
-            arrays[name] = empty, np.full(like.shape, EXACT, np.int8)
+            values = template[name].values
+            empty = np.full(values.shape, empty_entry(name, values.dtype), values.dtype)
+            arrays[name] = empty, np.full(values.shape, EXACT, np.int8)
         middle, exponent = arrays[name]
         if isinstance(nested, tuple):
-            middle[at], exponent[at] = nested
+            middle[index], exponent[index] = nested
         elif nested:
             numbers = np.array(nested, dtype=object)
-            span = (*at, *(slice(0, length) for length in numbers.shape[:-1]))
-            if numbers.shape[:-1] > middle[at].shape:
+            span = (*index, *(slice(0, length) for length in numbers.shape[:-1]))
+            if numbers.shape[:-1] > middle[index].shape:
                 raise InvalidResult(f"{name}: the result has too few entries; make it anew")
             middle[span], exponent[span] = numbers[..., 0], numbers[..., 1]
 
@@ -260,15 +264,18 @@ def _place(arrays: Arrays, template: xr.Dataset, at: tuple[Any, ...], record: Re
 def _assemble(name: str, arrays: Arrays, template: xr.Dataset, plain: Sequence[str]) -> xr.Dataset:
     """The template with the certified values; all of its numbers except `plain` ones are required."""
     # As variables, so that no index aligns them: a certified time differs from the stored one.
-    variables = {str(each): variable.copy() for each, variable in template.variables.items()}
-    for each, (middle, exponent) in arrays.items():
-        dims, attrs = template[each].dims, template[each].attrs
-        variables[each] = xr.Variable(dims, middle, attrs)
-        variables[f"{each}{RADIUS}"] = xr.Variable(dims, exponent)
-    coords = {each: variables.pop(each) for each in map(str, template.coords)}
-    found = xr.Dataset(variables, coords, template.attrs)
-    _require_all(name, found, plain)
-    return found
+    variables = {
+        str(variable_name): variable.copy()
+        for variable_name, variable in template.variables.items()
+    }
+    for variable_name, (middle, exponent) in arrays.items():
+        dims, attrs = template[variable_name].dims, template[variable_name].attrs
+        variables[variable_name] = xr.Variable(dims, middle, attrs)
+        variables[f"{variable_name}{RADIUS}"] = xr.Variable(dims, exponent)
+    coords = {coord: variables.pop(coord) for coord in map(str, template.coords)}
+    dataset = xr.Dataset(variables, coords, template.attrs)
+    _require_all(name, dataset, plain)
+    return dataset
 
 
 def empty_entry(name: str, dtype: np.dtype[Any]) -> Any:
@@ -278,21 +285,23 @@ def empty_entry(name: str, dtype: np.dtype[Any]) -> Any:
     return -1 if name in ("mode", "pivot") else 0
 
 
-def _require_all(name: str, found: xr.Dataset, known: Sequence[str] = ()) -> None:
+def _require_all(name: str, dataset: xr.Dataset, plain: Sequence[str] = ()) -> None:
     """Refuse a dataset with numbers that no cell certifies; axes and parameters are exact."""
-    for each, variable in found.variables.items():
-        plain = (
-            variable.dtype.kind in "OU" or holds_radii(each, found) or is_exact(found, str(each))
+    for variable_name, variable in dataset.variables.items():
+        is_exact_value = (
+            variable.dtype.kind in "OU"
+            or holds_radii(variable_name, dataset)
+            or is_exact(dataset, str(variable_name))
         )
-        given = str(each) == "friction_coefficient" or each in known
-        if not (plain or given or f"{each}{RADIUS}" in found):
-            raise InvalidResult(f"{name}: {each} is certified by no cell; add it to one")
+        is_plain = str(variable_name) == "friction_coefficient" or variable_name in plain
+        if not (is_exact_value or is_plain or f"{variable_name}{RADIUS}" in dataset):
+            raise InvalidResult(f"{name}: {variable_name} is certified by no cell; add it to one")
 
 
 #: The smallest and the largest exponent of a radius.
-LEAST, MOST = -127, 127
+SMALLEST_EXPONENT, LARGEST_EXPONENT = -127, 127
 #: Largest radius of an enclosure itself, relative to the number, or to 1 for numbers smaller than 1.
-WIDEST = 2.0**-60
+WIDEST_ENCLOSURE = 2.0**-60
 
 
 def store(value: Any) -> tuple[Any, int]:
@@ -315,17 +324,19 @@ def store(value: Any) -> tuple[Any, int]:
         return middle, EXACT if rounding.is_zero() else _exponent(rounding, math.floor)
     with ctx.workprec(FINE):
         radius = (ball - middle).abs_upper()
-        if ball.rad() > WIDEST * max(abs(middle), 1.0):
+        if ball.rad() > WIDEST_ENCLOSURE * max(abs(middle), 1.0):
             raise Undecided(f"{ball} is too wide to store")
-        if middle and ball.contains(0) and radius < 2.0**LEAST:
+        if middle and ball.contains(0) and radius < 2.0**SMALLEST_EXPONENT:
             middle, radius = 0.0, ball.abs_upper()  # a number that vanishes by symmetry
-        radius = arb(radius) + value.allowed
+        radius = arb(radius) + value.allowance
     return middle, EXACT if radius.is_zero() else _exponent(radius, math.ceil)
 
 
 def _exponent(size: arb, to_integer: Any) -> int:
     if not size.is_finite():
-        return MOST
+        return LARGEST_EXPONENT
     with ctx.workprec(FINE):
         logarithm = arb(size.abs_upper()).log() / arb(2).log()
-        return int(min(max(to_integer(float(logarithm.upper())), LEAST), MOST))
+        return int(
+            min(max(to_integer(float(logarithm.upper())), SMALLEST_EXPONENT), LARGEST_EXPONENT)
+        )

@@ -20,11 +20,21 @@ from pulling_by_pushing.oracle.prove import Proved, Slider, State
 from pulling_by_pushing.oracle.support import Support
 
 
+def smaller(a: Number, b: Number) -> Number:
+    """The smaller of two numbers, with the larger rounding."""
+    return Number(arb.min(a.ball, b.ball), arb.max(a.rounding, b.rounding))
+
+
+def larger(a: Number, b: Number) -> Number:
+    """The larger of two numbers, with the larger rounding."""
+    return Number(arb.max(a.ball, b.ball), arb.max(a.rounding, b.rounding))
+
+
 def motion_angle(slider: Slider, force: Direction, motion: Proved) -> Number:
     """Angle of the contact's motion in degrees, on the branch within 90 degrees of the force."""
 
     def turn(state: State) -> list[arb]:
-        u, e = state.turned(state.u_x, state.u_y), force.ball
+        u, e = state.to_fence(state.u_x, state.u_y), force.ball
         return [in_degrees(arb.atan2(cross(e, u), dot(e, u)))]
 
     number = motion.numbers(slider, turn)[0]
@@ -36,7 +46,7 @@ def force_angle(slider: Slider, pusher: Direction, motion: Proved) -> Number:
     """Angle of a sticking force in degrees, on the branch within 90 degrees of the motion."""
 
     def turn(state: State) -> list[arb]:
-        f, u = state.turned(state.f_x, state.f_y), pusher.ball
+        f, u = state.to_fence(state.f_x, state.f_y), pusher.ball
         return [in_degrees(arb.atan2(cross(u, f), dot(u, f)))]
 
     number = motion.numbers(slider, turn)[0]
@@ -55,9 +65,10 @@ def spin_ratio(slider: Slider, motion: Proved, size: fmpq | arb) -> Number:
     if turn.ball.is_zero():
         return turn
     speed = norm(v_x.ball, v_y.ball)
-    if speed <= v_x.allowed + v_y.allowed:
+    if speed <= v_x.allowance + v_y.allowance:
         return Number(
-            arb.pos_inf() * turn.ball.sgn(), abs(turn.ball) / (speed + v_x.allowed + v_y.allowed)
+            arb.pos_inf() * turn.ball.sgn(),
+            abs(turn.ball) / (speed + v_x.allowance + v_y.allowance),
         )
     return motion.numbers(slider, lambda state: [parts(state)[0] / norm(*parts(state)[1:])])[0]
 
@@ -70,19 +81,19 @@ def center(slider: Slider, motion: Proved) -> list[Number]:
     """
 
     def parts(state: State) -> list[arb]:
-        return [state.omega, *state.turned(-state.u_y, state.u_x)]
+        return [state.omega, *state.to_fence(-state.u_y, state.u_x)]
 
     omega, *across = motion.numbers(slider, parts)
-    if abs(omega.ball) > omega.allowed:
+    if abs(omega.ball) > omega.allowance:
         return motion.numbers(
             slider, lambda state: [part / state.omega for part in parts(state)[1:]]
         )
-    centers = motion.numbers(slider, lambda state: state.turned(state.length, arb(0)))
+    centers = motion.numbers(slider, lambda state: state.to_fence(state.length, arb(0)))
     for i, part in enumerate(across):
-        if abs(part.ball) > part.allowed:
-            most = abs(omega.ball) + omega.allowed
-            least = arb(0) if most == 0 else (abs(part.ball) - part.allowed) / most
-            centers[i] = Number(arb.pos_inf() * part.ball.sgn(), least)
+        if abs(part.ball) > part.allowance:
+            most = abs(omega.ball) + omega.allowance
+            smallest_distance = arb(0) if most == 0 else (abs(part.ball) - part.allowance) / most
+            centers[i] = Number(arb.pos_inf() * part.ball.sgn(), smallest_distance)
         elif not (omega.ball.is_zero() and _moves_along(motion, i)):
             centers[i] = centers[i]._replace(rounding=arb.pos_inf())
     return centers

@@ -12,7 +12,7 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.terms.replacing import PathLike
-from pulling_by_pushing.evidence.golden.cells import CENTERS
+from pulling_by_pushing.evidence.golden.cells.sliders import CENTERS
 from pulling_by_pushing.evidence.golden.check import require_results
 from pulling_by_pushing.evidence.golden.compare import DEGREE, Check, judge
 from pulling_by_pushing.evidence.golden.enclosures import EXACT, radii
@@ -26,13 +26,13 @@ SEED = 20_261_125
 
 
 @dataclass(slots=True)
-class Compared:
+class Comparison:
     """Numbers of a variable at points: computed values, midpoints, exponents, and the points."""
 
     computed: list[Any] = field(default_factory=list)
     middle: list[Any] = field(default_factory=list)
     exponent: list[int] = field(default_factory=list)
-    place: list[str] = field(default_factory=list)
+    where: list[str] = field(default_factory=list)
 
 
 def check_points(folder: Path, file: PathLike, number: int) -> tuple[list[Check], str]:
@@ -47,46 +47,48 @@ def check_points(folder: Path, file: PathLike, number: int) -> tuple[list[Check]
     study = load_study(file)
     require_results(folder)
     checks: list[Check] = []
-    said, open_ones = [], []
-    for name in (each for each in CELLS if computes(study, each)):
+    counts, undecided = [], []
+    for name in (dataset for dataset in CELLS if computes(study, dataset)):
         result = read_dataset(folder / dataset_file(name))
-        taken, skipped, found = _certify_points(name, study_slice(study, name), result, number)
-        if not taken:
+        count, skipped, numbers = _certify_points(name, study_slice(study, name), result, number)
+        if not count:
             checks.append(Check(file=name, problem="has no point that could be certified"))
         checks += [
-            _check(name, variable, each, result[variable].attrs.get("units") == DEGREE)
-            for variable, each in found.items()
+            _check(name, variable, comparison, result[variable].attrs.get("units") == DEGREE)
+            for variable, comparison in numbers.items()
         ]
-        said.append(f"{taken} of {name}")
-        open_ones += skipped
-    note = f"certified points, chosen at random: {', '.join(said)}"
-    if open_ones:
-        note += f"; {len(open_ones)} more are undecided, the first: {open_ones[0]}"
+        counts.append(f"{count} of {name}")
+        undecided += skipped
+    note = f"certified points, chosen at random: {', '.join(counts)}"
+    if undecided:
+        note += f"; {len(undecided)} more are undecided, the first: {undecided[0]}"
     return checks, note
 
 
 def _certify_points(
     name: str, values: Mapping[str, Any], result: xr.Dataset, number: int
-) -> tuple[int, list[str], dict[str, Compared]]:
+) -> tuple[int, list[str], dict[str, Comparison]]:
     """Numbers of random points, by variable; the number of points; and those that are undecided."""
-    found: dict[str, Compared] = {}
+    numbers: dict[str, Comparison] = {}
     skipped = []
-    chooser, taken = np.random.default_rng(SEED), 0
+    chooser, count = np.random.default_rng(SEED), 0
     for cell in CELLS[name]:
-        chosen = list(_random_points(cell, result, number, chooser))
-        points = [point for _, point in chosen]
-        every = records(cell, values, points, min(os.cpu_count() or 1, 4))
-        for (index, point), record in zip(chosen, every, strict=True):
+        samples = list(_random_points(cell, result, number, chooser))
+        points = [point for _, point in samples]
+        point_records = records(cell, values, points, min(os.cpu_count() or 1, 4))
+        for (index, point), record in zip(samples, point_records, strict=True):
             if isinstance(record, str):
                 skipped.append(kink(name, cell, point, record))
                 continue
-            taken += cell is CELLS[name][0]
+            count += cell is CELLS[name][0]
             record.pop(CENTERS)
-            where = ", ".join(f"{dim}={each}" for dim, each in zip(cell.dims, point, strict=True))
+            where = ", ".join(f"{dim}={value}" for dim, value in zip(cell.dims, point, strict=True))
             for variable, nested in record.items():
                 values_here = np.asarray(result[variable].isel(index).values)
-                _add(found.setdefault(variable, Compared()), variable, values_here, nested, where)
-    return taken, skipped, found
+                _add(
+                    numbers.setdefault(variable, Comparison()), variable, values_here, nested, where
+                )
+    return count, skipped, numbers
 
 
 def _random_points(
@@ -94,13 +96,13 @@ def _random_points(
 ) -> Iterator[tuple[dict[str, int], Point]]:
     """Indices and coordinates of points, each at most once."""
     sizes = [result.sizes[dim] for dim in cell.dims]
-    whole = int(np.prod(sizes))
-    for flat in sorted(chooser.choice(whole, min(number, whole), replace=False).tolist()):
+    size = int(np.prod(sizes))
+    for flat in sorted(chooser.choice(size, min(number, size), replace=False).tolist()):
         index = dict(zip(cell.dims, map(int, np.unravel_index(flat, sizes)), strict=True))
         yield index, tuple(result[dim].values[i].item() for dim, i in index.items())
 
 
-def _add(compared: Compared, name: str, computed: Any, nested: Any, where: str) -> None:
+def _add(comparison: Comparison, name: str, computed: Any, nested: Any, where: str) -> None:
     """Add the numbers of a point; after the last solution both have empty entries."""
     pairs = np.empty(0, object) if nested == [] else np.array(nested, dtype=object)
     sizes = pairs.shape[:-1] if pairs.size else (0,) * computed.ndim
@@ -112,16 +114,18 @@ def _add(compared: Compared, name: str, computed: Any, nested: Any, where: str) 
     if pairs.size:
         within = tuple(map(slice, sizes))
         middle[within], exponent[within] = pairs[..., 0], pairs[..., 1]
-    compared.computed += left.ravel().tolist()
-    compared.middle += middle.ravel().tolist()
-    compared.exponent += exponent.ravel().tolist()
-    compared.place += [where] * left.size
+    comparison.computed += left.ravel().tolist()
+    comparison.middle += middle.ravel().tolist()
+    comparison.exponent += exponent.ravel().tolist()
+    comparison.where += [where] * left.size
 
 
-def _check(name: str, variable: str, each: Compared, turns: bool) -> Check:
-    computed, middle = (np.asarray(part) for part in (each.computed, each.middle))
+def _check(name: str, variable: str, comparison: Comparison, turns: bool) -> Check:
+    computed, middle = (np.asarray(part) for part in (comparison.computed, comparison.middle))
     if middle.dtype.kind == "f":
         computed = computed.astype(float)
-    exponents = np.asarray(each.exponent, np.int8)
+    exponents = np.asarray(comparison.exponent, np.int8)
     check = Check(file=name, variable=variable)
-    return judge(check, computed, middle, radii(exponents), lambda at: each.place[at[0]], turns)
+    return judge(
+        check, computed, middle, radii(exponents), lambda index: comparison.where[index[0]], turns
+    )

@@ -58,21 +58,21 @@ def build(name: str, variables: Mapping[str, str]) -> list[Path]:
 
 def used_tolerances(verdicts: list[Path]) -> Ratios:
     """The largest part of its tolerance that each result uses."""
-    found: Ratios = defaultdict(float)
+    ratios: Ratios = defaultdict(float)
     for path in verdicts:
         for check in json.loads(path.read_text(encoding="utf-8"))["checks"]:
-            found[check["file"]] = max(found[check["file"]], used_tolerance(check))
-    return found
+            ratios[check["file"]] = max(ratios[check["file"]], used_tolerance(check))
+    return ratios
 
 
 def table(ratios: Mapping[str, Ratios]) -> str:
     """The parts of the tolerances by result, the largest first."""
-    names = {name for each in ratios.values() for name in each}
-    worst = {name: max(each.get(name, 0.0) for each in ratios.values()) for name in names}
+    names = {name for parts in ratios.values() for name in parts}
+    worst = {name: max(parts.get(name, 0.0) for parts in ratios.values()) for name in names}
     head = "".join(f"{name:>12}" for name in ratios)
     lines = [f"{'largest difference / tolerance':<40}{head}"]
-    for name in sorted(names, key=lambda each: (-worst[each], each)):
-        row = "".join(f"{each.get(name, np.nan):>12.2g}" for each in ratios.values())
+    for name in sorted(names, key=lambda result: (-worst[result], result)):
+        row = "".join(f"{parts.get(name, np.nan):>12.2g}" for parts in ratios.values())
         lines.append(f"{name:<40}{row}")
     return "\n".join(lines)
 
@@ -84,11 +84,13 @@ def main() -> int:
         return 0
     variables: dict[str, dict[str, str]] = {OLDER: older_processor(), NATIVE: {}}
     ratios: dict[str, Ratios] = {}
-    for name, each in variables.items():
-        print(f"Building as on {name} processors:", each or "all features", flush=True)
-        ratios[name] = used_tolerances(build(name, each))
+    for name, environment in variables.items():
+        print(f"Building as on {name} processors:", environment or "all features", flush=True)
+        ratios[name] = used_tolerances(build(name, environment))
     print(table(ratios))
-    failed = sorted({n for each in ratios.values() for n, used in each.items() if not used <= 1.0})
+    failed = sorted(
+        {name for parts in ratios.values() for name, used in parts.items() if not used <= 1.0}
+    )
     print(
         f"FAILED: {', '.join(failed)}" if failed else "passed: both builds agree with golden data"
     )

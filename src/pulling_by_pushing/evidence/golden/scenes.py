@@ -8,18 +8,18 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from pulling_by_pushing.evidence.golden.cells import (
+from pulling_by_pushing.evidence.golden.cells.ring import motion_cone
+from pulling_by_pushing.evidence.golden.cells.sliders import (
     BOTH,
     CENTERS,
     EDGES,
     FRICTION,
     INERTIA,
     Record,
-    motion_cone,
     ring_slider,
     shares,
-    solutions,
 )
+from pulling_by_pushing.evidence.golden.cells.solutions import solutions
 from pulling_by_pushing.evidence.golden.numbers import center, motion_angle
 from pulling_by_pushing.oracle.balls import (
     Direction,
@@ -44,9 +44,9 @@ from pulling_by_pushing.oracle.prove import Proved, Slider, State
 
 CONE_SAMPLES = 181
 SUPPORT_ANGLES = tuple(range(0, 360, 15))
-KINDS = {"ring_friction": FRICTION, "inertia": INERTIA}
-#: Variables of `cells.columns` that a scene does not contain.
-ELSEWHERE = ("solutions", "force_end", "pivot", "continuum", "consistent", CENTERS)
+EFFECT_NAMES = {"ring_friction": FRICTION, "inertia": INERTIA}
+#: Variables of `solutions.columns` that a scene does not contain.
+NOT_IN_SCENES = ("solutions", "force_end", "pivot", "continuum", "consistent", CENTERS)
 
 
 def law_of(scene: Mapping[str, Any]) -> Law:
@@ -63,8 +63,8 @@ def study_of(scene: Mapping[str, Any]) -> tuple[dict[str, Any], str]:
     """Values of a study and the label of the effects, of a scene of a ring."""
     effects = {effect["type"]: effect for effect in scene["effects"]}
     values = {"slider": {name: scene["slider"][name] for name in ("radius", "rod_angle")}}
-    values |= {name: effects[kind] for kind, name in KINDS.items() if kind in effects}
-    return values, "+".join(name for kind, name in KINDS.items() if kind in effects)
+    values |= {name: effects[kind] for kind, name in EFFECT_NAMES.items() if kind in effects}
+    return values, "+".join(name for kind, name in EFFECT_NAMES.items() if kind in effects)
 
 
 @precise
@@ -101,7 +101,7 @@ def scene_values(values: Mapping[str, Any]) -> Record:
         ],
         "support_motion": [_support(slider, motion, None) for motion in motions],
         "support_force": [_support(slider, motion, weight) for motion in motions],
-        **{name: column for name, column in columns.items() if name not in ELSEWHERE},
+        **{name: column for name, column in columns.items() if name not in NOT_IN_SCENES},
         **_cones(study, effects, length, law.friction_coefficient),
     }
 
@@ -124,7 +124,7 @@ def _slip(slider: Slider, motion: Proved | None, pusher: Direction, magnitude: f
     w = magnitude * pusher.ball[0]
     if motion is None:
         return terms(-w, pusher.roundings * magnitude)
-    slip = motion.numbers(slider, lambda state: [state.turned(state.u_x, state.u_y)[0] - w])[0]
+    slip = motion.numbers(slider, lambda state: [state.to_fence(state.u_x, state.u_y)[0] - w])[0]
     return Number(slip.ball, slip.rounding + pusher.roundings * magnitude)
 
 
@@ -136,7 +136,7 @@ def _support(slider: Slider, motion: Proved | None, weight: Any) -> list[list[An
     places = [cosine_sine(fmpq(angle)) for angle in SUPPORT_ANGLES]
 
     def points(state: State) -> Iterable[arb]:
-        v_x, v_y = state.turned(state.u_x, state.u_y + state.omega * state.length)
+        v_x, v_y = state.to_fence(state.u_x, state.u_y + state.omega * state.length)
         for x, y in places:
             a, b = v_x - state.omega * radius * y, v_y + state.omega * radius * x
             scale = 1 if weight is None else -weight / (a * a + b * b).sqrt()
@@ -179,8 +179,8 @@ def _sample(right: arb, left: arb, mu: float, index: int) -> Direction:
     part = fmpq(index, CONE_SAMPLES - 1)
     if math.isinf(mu):
         return at_degrees(180 * part)
-    for side, at in ((1, 0), (-1, CONE_SAMPLES - 1)):
-        if index == at:
+    for side, edge_index in ((1, 0), (-1, CONE_SAMPLES - 1)):
+        if index == edge_index:
             return cone_edge(mu, side)
     return Direction(vector=_rational_direction(right + (left - right) * part))
 

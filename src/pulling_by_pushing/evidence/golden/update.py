@@ -24,7 +24,7 @@ from tqdm import tqdm
 
 from planar_pushing.scenes.files import load_scene_file
 from planar_pushing.terms.netcdf import group_names, read_attributes, write_dataset
-from pulling_by_pushing.evidence.golden.compare import ASIDE, KIND, Kind, comparable
+from pulling_by_pushing.evidence.golden.compare import KIND, UNCOMPARED_ATTRIBUTES, Kind, comparable
 from pulling_by_pushing.evidence.golden.enclosures import RADIUS, holds_radii
 from pulling_by_pushing.evidence.golden.grid import (
     CELLS,
@@ -67,8 +67,10 @@ def golden_groups(
         return (
             Kind.ENCLOSED,
             {
-                group: certify_record(f"{name}/{group}", scene_values(_scene(study, group)), each)
-                for group, each in groups.items()
+                group: certify_record(
+                    f"{name}/{group}", scene_values(_scene(study, group)), dataset
+                )
+                for group, dataset in groups.items()
             },
             0,
         )
@@ -79,7 +81,7 @@ def golden_groups(
         groups[""] = _with_rounding(groups[""])
     if name == "accuracy":
         groups["wrench"] = _with_noise(groups["wrench"])
-    compared = {group: comparable(f"{name}/{group}", each) for group, each in groups.items()}
+    compared = {group: comparable(f"{name}/{group}", dataset) for group, dataset in groups.items()}
     return Kind.PLAIN, compared, 0
 
 
@@ -127,9 +129,9 @@ def differences(name: str, new: Groups, path: Path) -> list[str]:
     if set(stored) != set(new):
         return [f"{name}: different groups"]
     return [
-        f"{name}{'/' if group else ''}{group}: {each}"
+        f"{name}{'/' if group else ''}{group}: {change}"
         for group in new
-        for each in _changes(new[group], stored[group])
+        for change in _changes(new[group], stored[group])
     ]
 
 
@@ -143,32 +145,36 @@ def _changes(new: xr.Dataset, stored: xr.Dataset) -> Iterator[str]:
     for name in map(str, new.variables):
         if holds_radii(name, new):
             continue
-        one, other = new[name], stored[name]
-        if one.dims != other.dims or one.shape != other.shape:
+        new_variable, stored_variable = new[name], stored[name]
+        if new_variable.dims != stored_variable.dims or new_variable.shape != stored_variable.shape:
             yield f"{name} has different dimensions"
-        elif _marks(one.attrs) != _marks(other.attrs):
+        elif _marks(new_variable.attrs) != _marks(stored_variable.attrs):
             yield f"{name} has different attributes"
         elif f"{name}{RADIUS}" in new:
             yield from _changed_numbers(name, new, stored)
-        elif not one.equals(other):
+        elif not new_variable.equals(stored_variable):
             yield f"{name} changes"
 
 
 def _changed_numbers(name: str, new: xr.Dataset, stored: xr.Dataset) -> Iterator[str]:
     """Changes of the midpoints of a variable by more than an ulp, and changes of its radii."""
-    one, other = (dataset[name].values.astype(float) for dataset in (new, stored))
-    same = (one == other) | (np.isnan(one) & np.isnan(other))
+    new_values, stored_values = (dataset[name].values.astype(float) for dataset in (new, stored))
+    same = (new_values == stored_values) | (np.isnan(new_values) & np.isnan(stored_values))
     with np.errstate(invalid="ignore"):
-        moved = ~same & ~(np.abs(one - other) <= np.spacing(np.abs(other)))
+        changed = ~same & ~(np.abs(new_values - stored_values) <= np.spacing(np.abs(stored_values)))
     wider = new[f"{name}{RADIUS}"].values != stored[f"{name}{RADIUS}"].values
-    if moved.any():
-        yield f"{name}: {moved.sum()} of {moved.size} numbers change"
+    if changed.any():
+        yield f"{name}: {changed.sum()} of {changed.size} numbers change"
     if wider.any():
         yield f"{name}: {wider.sum()} of {wider.size} radii change"
 
 
 def _marks(attrs: Mapping[str, Any]) -> dict[str, str]:
-    return {key: repr(each) for key, each in attrs.items() if key not in ASIDE or key == KIND}
+    return {
+        key: repr(value)
+        for key, value in attrs.items()
+        if key not in UNCOMPARED_ATTRIBUTES or key == KIND
+    }
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -200,19 +206,19 @@ def _update(file: str, args: argparse.Namespace) -> int:
     for name in tqdm(names, study_name(file), disable=None, leave=False):
         kind, new, count = golden_groups(study, name, folder / dataset_place(name)[0], processes)
         checked += count
-        new = {group: _described(each, kind, count) for group, each in new.items()}
-        found = differences(name, new, golden / f"{name}.nc")
-        changed += len(found)
-        print("\n".join(found) if found else f"{name}: unchanged", flush=True)
-        if found and args.write:
+        new = {group: _mark_golden(dataset, kind, count) for group, dataset in new.items()}
+        changes = differences(name, new, golden / f"{name}.nc")
+        changed += len(changes)
+        print("\n".join(changes) if changes else f"{name}: unchanged", flush=True)
+        if changes and args.write:
             root = xr.Dataset(attrs=read_attributes(folder / dataset_place(name)[0]))
-            whole = {"/": _described(root, kind, count)} | new
-            write_dataset(new.get("", whole), golden / f"{name}.nc")
+            content = {"/": _mark_golden(root, kind, count)} | new
+            write_dataset(new.get("", content), golden / f"{name}.nc")
     print(f"D and its gradient agree with their integrals at {checked} centers")
     return changed
 
 
-def _described(dataset: xr.Dataset, kind: Kind, count: int) -> xr.Dataset:
+def _mark_golden(dataset: xr.Dataset, kind: Kind, count: int) -> xr.Dataset:
     marks: dict[str, Any] = {KIND: str(kind), "golden_method": METHOD[kind]}
     if kind is not Kind.PLAIN:
         marks["golden_versions"] = f"python-flint {version('python-flint')}, FLINT {FLINT}"

@@ -16,14 +16,14 @@ from pulling_by_pushing.evidence.writing import json_text, write_text
 #: Whether all passed, counts of values by kind, and every check, worst first.
 Verdict = dict[str, Any]
 #: Results that are not compared, and why.
-ASIDE = {"accuracy_time": "times", "effects": "times, and evaluations in logs"}
+UNCOMPARED_RESULTS = {"accuracy_time": "times", "effects": "times, and evaluations in logs"}
 
 
 def write_verdict(data: PathLike, text: PathLike, *, study: str, results: str) -> None:
     """Compare the results of a study with its golden data, and write the verdict, passed or failed."""
-    judged = verdict(check_results(Path(results), study))
-    write_text(verdict_text(judged), text)
-    write_text(json_text(judged), data)
+    content = verdict(check_results(Path(results), study))
+    write_text(verdict_text(content), text)
+    write_text(json_text(content), data)
 
 
 def verdict(checks: Iterable[Check], note: str = "") -> Verdict:
@@ -32,8 +32,8 @@ def verdict(checks: Iterable[Check], note: str = "") -> Verdict:
     `values` of a kind are finite numbers that were compared; `labels` are all other entries: infinite
     numbers, NaN, texts and flags.
     """
-    ranked = sorted(checks, key=lambda check: (check.passed, -check.badness, check.name))
-    failed = sum(not check.passed for check in ranked)
+    ranked = sorted(checks, key=lambda check: (check.passes, -check.badness, check.name))
+    failed = sum(not check.passes for check in ranked)
     return {
         "passed": not failed,
         "failed": failed,
@@ -41,44 +41,44 @@ def verdict(checks: Iterable[Check], note: str = "") -> Verdict:
         "labels": sum(check.labels for check in ranked),
         "used": _used_parts(map(_entry, ranked)),
         "note": note,
-        "aside": ASIDE,
+        "aside": UNCOMPARED_RESULTS,
         "checks": [_entry(check) for check in ranked],
     }
 
 
 def _counts(checks: list[Check], kind: Kind) -> dict[str, int]:
-    found = [check for check in checks if check.kind is kind and check.count]
-    return {"values": sum(check.count for check in found), "variables": len(found)}
+    compared = [check for check in checks if check.kind is kind and check.count]
+    return {"values": sum(check.count for check in compared), "variables": len(compared)}
 
 
 def _entry(check: Check) -> dict[str, Any]:
-    given = {"passed": check.passed} | asdict(check) | {"kind": check.kind.name.lower()}
+    fields = {"passed": check.passes} | asdict(check) | {"kind": check.kind.name.lower()}
     infinite = {
-        name for name, each in given.items() if isinstance(each, float) and math.isinf(each)
+        name for name, value in fields.items() if isinstance(value, float) and math.isinf(value)
     }
-    return given | dict.fromkeys(infinite)
+    return fields | dict.fromkeys(infinite)
 
 
-def verdict_text(found: Verdict) -> str:
+def verdict_text(verdict: Verdict) -> str:
     """Readable verdict, worst first."""
-    failed = f"FAILED: {found['failed']} of {len(found['checks'])} checks"
+    failed = f"FAILED: {verdict['failed']} of {len(verdict['checks'])} checks"
     counts = (
         f"  {count['values']} numbers of {count['variables']} variables {kind}"
-        for kind, count in ((each, found["kinds"][each.name.lower()]) for each in Kind)
-        if count["values"]
+        for kind in Kind
+        if (count := verdict["kinds"][kind.name.lower()])["values"]
     )
     lines = [
-        *_other_study(found["checks"]),
-        "passed: every value agrees" if found["passed"] else failed,
+        *_other_study(verdict["checks"]),
+        "passed: every value agrees" if verdict["passed"] else failed,
         *counts,
-        f"  {found['labels']} other entries are equal: infinite numbers, NaN, texts and flags",
-        *([found["note"]] if found["note"] else []),
+        f"  {verdict['labels']} other entries are equal: infinite numbers, NaN, texts and flags",
+        *([verdict["note"]] if verdict["note"] else []),
     ]
     used = [
         f"  {ratio:.2g} of the allowed difference is used in {name}"
-        for name, ratio in found["used"].items()
+        for name, ratio in verdict["used"].items()
     ]
-    return "\n".join([*lines, *used, "", *map(_line, found["checks"])]) + "\n"
+    return "\n".join([*lines, *used, "", *map(_line, verdict["checks"])]) + "\n"
 
 
 def _other_study(checks: list[Mapping[str, Any]]) -> list[str]:
@@ -121,8 +121,8 @@ def _worst(check: Mapping[str, Any]) -> str:
     if not error and not check["failed"]:
         return ""
     ulp = f" ({check['ulp']:.3g} ulp)" if check["ulp"] else ""
-    place = f" at {check['where']}" if check["where"] else ""
-    return f"; worst {error:.2g}{ulp}, allowed {allowed:.2g}{place}"
+    location = f" at {check['where']}" if check["where"] else ""
+    return f"; worst {error:.2g}{ulp}, allowed {allowed:.2g}{location}"
 
 
 def used_tolerance(check: Mapping[str, Any]) -> float:

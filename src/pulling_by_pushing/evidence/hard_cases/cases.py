@@ -35,7 +35,8 @@ from planar_pushing.mechanics.contact import (
 from planar_pushing.mechanics.effects import Effect, Inertia, RingFriction
 from planar_pushing.mechanics.force.cones import motion_angle, motion_cone, spin_ratio
 from planar_pushing.mechanics.force.wrench import ring_profile, ring_spin_ratios, wrench
-from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.slider import Slider
 from planar_pushing.mechanics.solve import solve
 from pulling_by_pushing.evidence.hard_cases import references, supports
 from pulling_by_pushing.evidence.hard_cases.case import PSI, Case, Function, spin_of_stick
@@ -63,7 +64,7 @@ def make_scene(
 @cache
 def cases() -> tuple[Case, ...]:
     """Every hard case, by line."""
-    ring = (_ring, _lengths, _contact, _speeds, _rest, _painleve)
+    ring = (_ring, _lengths, _contact, _speeds, _slow_motions, _painleve)
     families = (*ring, supports.rotations, supports.motions)
     table = (case for family in families for case in family())
     return tuple(sorted(table, key=lambda case: case.line))
@@ -224,7 +225,7 @@ TWISTS = (
 )
 
 
-def _rest() -> Iterator[Case]:
+def _slow_motions() -> Iterator[Case]:
     for speed, spin in TWISTS:
         for function in RESTING:
             label = f"{function.quantity} at v = {speed:g}, R omega = {spin:g}"
@@ -236,13 +237,13 @@ def _rest() -> Iterator[Case]:
 #: The published example: l = 2, psi = 45 degrees, mu = 1.4, W = m = rho = R = 1, force on the right edge.
 LENGTH, COEFFICIENT = 2.0, 1.4
 #: The minimum of n . u, at which the two slips merge.
-LEAST = -0.04002960666599751
-LEVELS = (-1e-8, -1e-4, -0.01, -0.03, -0.04, LEAST * (1 - 1e-8), LEAST * (1 - 1e-13))
+MINIMUM = -0.04002960666599751
+LEVELS = (-1e-8, -1e-4, -0.01, -0.03, -0.04, MINIMUM * (1 - 1e-8), MINIMUM * (1 - 1e-13))
 
 
 def _slipping(branch: int, mu: float, length: float, psi: float, push: float, size: float) -> float:
     modes = solve(make_scene(length, psi, mu=mu), push, size)
-    slips = [each.spin_ratio for each in modes if each.mode is ContactMode.SLIP_LEFT]
+    slips = [solution.spin_ratio for solution in modes if solution.mode is ContactMode.SLIP_LEFT]
     return float(sorted(slips)[branch])
 
 

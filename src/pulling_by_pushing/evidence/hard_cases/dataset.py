@@ -19,9 +19,9 @@ from pulling_by_pushing.study.describe import describe
 from pulling_by_pushing.study.running.build import Attributes, write_built
 
 #: Working precision in bits, doubled until a reference has the digits that are stored, and the largest one.
-PRECISION, FINEST = 320, 5120
+FIRST_PRECISION, FINEST = 320, 5120
 #: Decimal digits of a reference that are stored.
-DIGITS = 40
+REFERENCE_DIGITS = 40
 #: Relative change by rounding: half an ulp.
 CHANGE = fmpq(1, 2**53)
 EPS = float(np.finfo(float).eps)
@@ -55,7 +55,7 @@ class Measure:
     condition: float
 
     @property
-    def bound(self) -> float:
+    def rounding_bound(self) -> float:
         """Relative error due to rounding of the inputs, whatever the algorithm."""
         return self.condition * EPS
 
@@ -82,7 +82,7 @@ def measure(case: Case) -> Measure:
         low = float((value - high).mid())
         result = float(case.function.compute(*case.inputs))
         error_ulp = float(abs(value - result).mid() / arb(float(np.spacing(abs(high)))))
-        text = value.mid().str(DIGITS, radius=False)
+        text = value.mid().str(REFERENCE_DIGITS, radius=False)
     return Measure(
         reference=text, reference_high=high, reference_low=low,
         result=result, error_ulp=error_ulp, condition=condition,
@@ -94,14 +94,17 @@ def _reference(
     function: Callable[..., Number], inputs: tuple[float, ...]
 ) -> tuple[arb, int, float]:
     """The reference, the precision at which it has its digits, and its condition number."""
-    exact, precision, reason = [_exact(number) for number in inputs], PRECISION, ""
+    exact, precision, reason = [_exact(number) for number in inputs], FIRST_PRECISION, ""
     while precision <= FINEST:
         with ctx.workprec(precision):
             try:
                 value = function(*exact)
-                if value.ball == 0 or value.ball.rel_accuracy_bits() > DIGITS / math.log10(2):
+                if (
+                    value.ball == 0
+                    or value.ball.rel_accuracy_bits() > REFERENCE_DIGITS / math.log10(2)
+                ):
                     return value.ball, precision, _condition(function, exact, value)
-                reason = f"{value.ball} has fewer than {DIGITS} digits"
+                reason = f"{value.ball} has fewer than {REFERENCE_DIGITS} digits"
             except Undecided as error:
                 reason = str(error)
         precision *= 2
@@ -119,8 +122,8 @@ def _condition(function: Callable[..., Number], inputs: list[float | fmpq], valu
     total = value.rounding
     for i, number in enumerate(inputs):
         if isinstance(number, fmpq) and number != 0:
-            moved = [*inputs[:i], number * (1 + CHANGE), *inputs[i + 1 :]]
-            total += abs(function(*moved).ball - value.ball) / CHANGE
+            changed_inputs = [*inputs[:i], number * (1 + CHANGE), *inputs[i + 1 :]]
+            total += abs(function(*changed_inputs).ball - value.ball) / CHANGE
     return float((total / abs(value.ball)).mid())
 
 
@@ -139,7 +142,7 @@ def build() -> xr.Dataset:
         "quantity": [case.function.quantity for case in table],
         "quantity_unit": [QUANTITIES[case.function.quantity] for case in table],
         **{field.name: [getattr(m, field.name) for m in measures] for field in fields(Measure)},
-        "error_bound": [m.bound for m in measures],
+        "error_bound": [m.rounding_bound for m in measures],
         "ill_conditioned": np.array([m.ill_conditioned for m in measures]),
     }
     dataset = xr.Dataset(
@@ -150,7 +153,7 @@ def build() -> xr.Dataset:
         dataset,
         title="Hard cases: results in doubles against references of 40 digits",
         source="Eqs. (2)-(12)",
-        parameters={"precision_bits": PRECISION, "ill_conditioned_from": ILL_CONDITIONED},
+        parameters={"precision_bits": FIRST_PRECISION, "ill_conditioned_from": ILL_CONDITIONED},
     )
 
 

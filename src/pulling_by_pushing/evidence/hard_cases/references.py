@@ -37,7 +37,7 @@ RING: Entry = {"shape": "ring"}
 BITS = 1024
 QUARTER = math.pi / 2
 #: Halvings of a bracket, down to 1 in 10^48 of it.
-STEPS = 160
+BISECTIONS = 160
 ONE = fmpq(1)
 
 
@@ -52,7 +52,7 @@ def in_exact_degrees(radians: float | fmpq) -> fmpq:
 
 
 def direction(radians: fmpq) -> Direction:
-    """The direction at an angle."""
+    """Exact direction at an angle in radians."""
     return at_degrees(in_exact_degrees(radians))
 
 
@@ -82,7 +82,7 @@ def ring_wrench(part: int, k: fmpq) -> Number:
 def ring_spin(arm: fmpq) -> Number:
     """Spin ratio under a force with a moment arm, the inverse of ``t(k) / f(k)``, by a change of sign."""
     low, high = arb(arm) / 5, arb(arm) * 4
-    for _ in range(STEPS):
+    for _ in range(BISECTIONS):
         middle = ((low + high) / 2).mid()
         force, torque = friction(middle)
         excess = torque - arm * force
@@ -97,7 +97,7 @@ def ring_spin(arm: fmpq) -> Number:
 
 def turn(state: State, force: Direction) -> arb:
     """Angle of the contact's motion, within a quarter turn of that of the force."""
-    u, e = state.turned(state.u_x, state.u_y), force.ball
+    u, e = state.to_fence(state.u_x, state.u_y), force.ball
     return force.angle * arb.pi() / 180 + arb.atan2(cross(e, u), dot(e, u))
 
 
@@ -107,14 +107,14 @@ def spin(state: State, _force: Direction) -> arb:
 
 
 def force_size(state: State, _force: Direction) -> arb:
-    """Magnitude of the force."""
+    """Measure of a state: magnitude of its force."""
     return norm(state.f_x, state.f_y)
 
 
 def under_force(measure: Measure, rod: Slider, force: Direction) -> Number:
     """A number of the motion under a force."""
-    alone = rod.body.weight == 0 or rod.body.mass == 0
-    return _of(measure, rod, force, (ray if alone else unit_motion)(rod, force))
+    is_single = rod.body.weight == 0 or rod.body.mass == 0
+    return _of(measure, rod, force, (ray if is_single else unit_motion)(rod, force))
 
 
 def sticking(measure: Measure, rod: Slider, pusher: Direction, size: fmpq = ONE) -> Number:
@@ -148,15 +148,15 @@ def rotation(part: int, entry: Entry, x: fmpq, y: fmpq) -> Number:
         return (distance, norm(g_x, g_y), distance - x * g_x - y * g_y)[part]
 
     terms = [member.dgh((arb(x), arb(y)))[:3] for member in _members(support(entry), (x, y))]
-    whole = [sum(column, arb(0)) for column in zip(*terms, strict=True)]
-    return Number(value(*whole), sum((abs(value(*term)) for term in terms), arb(0)))
+    sums = [sum(column, arb(0)) for column in zip(*terms, strict=True)]
+    return Number(value(*sums), sum((abs(value(*term)) for term in terms), arb(0)))
 
 
 def _members(pieces: Support, center: tuple[fmpq, fmpq]) -> list[Support]:
     """The feet that are not at the center, the circles and segments of a support, and its plate."""
     plate = tuple(line for line in pieces.lines if line.plate)
     return [
-        *(Support(points=(point,)) for point in pieces.points if point.place != center),
+        *(Support(points=(point,)) for point in pieces.points if point.position != center),
         *(Support(circles=(circle,)) for circle in pieces.circles),
         *(Support(lines=(line,)) for line in pieces.lines if not line.plate),
         *([Support(lines=plate)] if plate else []),

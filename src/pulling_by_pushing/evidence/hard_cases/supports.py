@@ -13,7 +13,8 @@ from planar_pushing.mechanics.effects import SupportFriction
 from planar_pushing.mechanics.force.cones import motion_angle
 from planar_pushing.mechanics.force.force_motion import motion_of_force
 from planar_pushing.mechanics.force.wrench import potential, wrench
-from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.slider import Slider
 from planar_pushing.mechanics.supports import SHAPES
 from pulling_by_pushing.evidence.hard_cases import references
 from pulling_by_pushing.evidence.hard_cases.case import PSI, QUARTER, Case, Function, spin_of_stick
@@ -143,11 +144,11 @@ def _exact_push(
 
 def rotations() -> Iterator[Case]:
     """Cases of rotations about centers."""
-    for line, name, place, center, quantities in CENTERS:
+    for line, name, center_name, center, quantities in CENTERS:
         for quantity in quantities:
             part, entry = ALL.index(quantity), SUPPORTS[name]
             routes = partial(_rotation, part, entry), partial(references.rotation, part, entry)
-            label = f"{quantity.replace('_', ' ')}, {name}, center {place}"
+            label = f"{quantity.replace('_', ' ')}, {name}, center {center_name}"
             yield Case(label, line, Function(quantity, *routes), center)
 
 

@@ -19,14 +19,14 @@ from pulling_by_pushing.evidence.proofs.verdicts import Evidence, Verdict
 OnBox = Callable[[arb, arb], arb]
 
 #: Maximum number of boxes; a statement that needs more remains undecided.
-_MOST = 2000
+_MOST_BOXES = 2000
 
 
 @dataclass(frozen=True, slots=True)
 class Cover:
     """Boxes that cover the interval, the smallest value on them, and a point of failure if there is one."""
 
-    least: arb
+    smallest: arb
     boxes: int
     failure: arb | None = None
     open: bool = False
@@ -42,23 +42,23 @@ class Cover:
             reason = f"undecided after {self.boxes} boxes"
         return Evidence(
             verdict=verdict,
-            value=self.least,
+            value=self.smallest,
             unit="1",
-            margin=self.least,
+            margin=self.smallest,
             points=self.boxes,
             reason=reason,
         )
 
 
-def cover(margin: OnBox, low: arb, high: arb, most: int = _MOST) -> Cover:
+def cover(margin: OnBox, low: arb, high: arb, most: int = _MOST_BOXES) -> Cover:
     """Cover [low, high] by boxes on which `margin` is positive, or find a point where it is not."""
-    rest, least, boxes = [(low, high)], arb.pos_inf(), 0
+    rest, smallest, boxes = [(low, high)], arb.pos_inf(), 0
     while rest:
         a, b = rest.pop()
         value = margin(a, b)
         boxes += 1
         if value > 0:
-            least = arb.min(least, value.lower())
+            smallest = arb.min(smallest, value.lower())
             continue
         middle = ((a + b) / 2).mid()
         point = margin(middle, middle)
@@ -67,7 +67,7 @@ def cover(margin: OnBox, low: arb, high: arb, most: int = _MOST) -> Cover:
         if boxes >= most:
             return Cover(value, boxes, open=True)
         rest += [(middle, b), (a, middle)]
-    return Cover(least, boxes)
+    return Cover(smallest, boxes)
 
 
 def positive(margin: OnBox) -> Evidence:

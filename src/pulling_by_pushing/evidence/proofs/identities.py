@@ -25,7 +25,7 @@ ONE = _RING.constant(1)
 #: Moment arm of the line of force, Eq. (10); cosine of the angle from the rod to the force; motion of
 #: the contact per unit speed of the center.
 ARM = l * (q * x - p * y)
-LEAN = p * x + q * y
+ROD_COSINE = p * x + q * y
 MOTION = (x + k * l * q, y - k * l * p)
 
 _RELATIONS = (s**2 + c**2 - 1, y**2 + x**2 - 1, q**2 + p**2 - 1)
@@ -38,7 +38,7 @@ def normal(polynomial: Polynomial) -> Polynomial:
     return polynomial
 
 
-def replaced(polynomial: Polynomial, **values: Polynomial) -> Polynomial:
+def substitute(polynomial: Polynomial, **values: Polynomial) -> Polynomial:
     """Substitute other polynomials for variables."""
     substitutes = dict(zip(_RING.names(), _RING.gens(), strict=True)) | values
     return polynomial.compose(*substitutes.values())

@@ -20,8 +20,8 @@ def no_sideways_force() -> Evidence:
     odd = -ids.k * ids.s
     return identity(
         {
-            "the numerator and its mirror image": odd + ids.replaced(odd, s=-ids.s),
-            "the radicand": RADICAND - ids.replaced(RADICAND, s=-ids.s),
+            "the numerator and its mirror image": odd + ids.substitute(odd, s=-ids.s),
+            "the radicand": RADICAND - ids.substitute(RADICAND, s=-ids.s),
         }
     )
 
@@ -43,21 +43,21 @@ def duality() -> Evidence:
     """Evidence for f(1 / k) = t(k): the integrand of Eq. (2) at 1 / k is that of Eq. (3) at k > 0."""
     return identity(
         {
-            "the radicand": RADICAND - _reversed(RADICAND, 2),
-            "the numerator": TORQUE - _reversed(FORCE, 1),
+            "the radicand": RADICAND - _reverse(RADICAND, 2),
+            "the numerator": TORQUE - _reverse(FORCE, 1),
         }
     )
 
 
-def _reversed(polynomial: ids.Polynomial, power: int) -> ids.Polynomial:
+def _reverse(polynomial: ids.Polynomial, power: int) -> ids.Polynomial:
     """k^power times the polynomial at 1 / k."""
     context = polynomial.context()
-    place, turned = context.names().index("k"), {}
+    index, coefficients = context.names().index("k"), {}
     for exponents, coefficient in polynomial.to_dict().items():
-        flipped = list(exponents)
-        flipped[place] = power - flipped[place]
-        turned[tuple(flipped)] = coefficient
-    return context.from_dict(turned)
+        powers = list(exponents)
+        powers[index] = power - powers[index]
+        coefficients[tuple(powers)] = coefficient
+    return context.from_dict(coefficients)
 
 
 def torque_rate() -> Evidence:
@@ -67,15 +67,16 @@ def torque_rate() -> Evidence:
     their difference is the derivative of sin / (k speed) around the ring.
     """
 
-    def around(polynomial: ids.Polynomial) -> ids.Polynomial:
+    def angle_derivative(polynomial: ids.Polynomial) -> ids.Polynomial:
         return polynomial.derivative("s") * ids.c - polynomial.derivative("c") * ids.s
 
-    whole = around(ids.s) * RADICAND - ids.s * around(RADICAND) / 2  # times k speed^3
-    right = (FORCE - ids.k * TORQUE) * ids.k - TORQUE * (1 - ids.k**2)  # times k (1 - k^2) speed
+    # The derivative times k speed^3, and the right side times k (1 - k^2) speed.
+    derivative = angle_derivative(ids.s) * RADICAND - ids.s * angle_derivative(RADICAND) / 2
+    right = (FORCE - ids.k * TORQUE) * ids.k - TORQUE * (1 - ids.k**2)
     return identity(
         {
             "sin^2 / speed^3 + cos / (k speed)": ids.normal(
-                ids.k * ids.s**2 + ids.c * RADICAND - whole
+                ids.k * ids.s**2 + ids.c * RADICAND - derivative
             ),
             "the right side": ids.normal(right + ids.c * (1 - ids.k**2)),
         }
@@ -124,8 +125,8 @@ def least_work(low: arb, high: arb) -> arb:
 
 def work() -> Evidence:
     """Evidence for f . u = 1 + k h with a unit force and a unit speed of the center."""
-    done = ids.dot((ids.x, ids.y), ids.MOTION)
-    return identity({"f . u": ids.normal(done - 1 - ids.k * ids.ARM)})
+    power = ids.dot((ids.x, ids.y), ids.MOTION)
+    return identity({"f . u": ids.normal(power - 1 - ids.k * ids.ARM)})
 
 
 def positive_work() -> Evidence:
@@ -136,16 +137,16 @@ def positive_work() -> Evidence:
 def turning() -> Evidence:
     """Evidence for u x du/dphi = 1 + k h - e l cos(psi - phi), with e = dk/dphi."""
     rate = -ids.y + ids.e * ids.l * ids.q, ids.x - ids.e * ids.l * ids.p
-    rest = 1 + ids.k * ids.ARM - ids.e * ids.l * ids.LEAN
+    rest = 1 + ids.k * ids.ARM - ids.e * ids.l * ids.ROD_COSINE
     return identity({"u x du/dphi": ids.normal(ids.cross(ids.MOTION, rate) - rest)})
 
 
 def inertial_turning() -> Evidence:
     """Evidence for u x du/dphi = 1 + e l^2 and f . u = 1 + e h^2 under inertia, e = (R / rho)^2."""
     spin = ids.e * ids.ARM
-    motion = tuple(ids.replaced(part, k=spin) for part in ids.MOTION)
-    rate = ids.e * ids.l * -ids.LEAN  # derivative of the spin ratio by phi
-    turned = -ids.y + rate * ids.l * ids.q, ids.x - rate * ids.l * ids.p
-    turning = ids.cross((motion[0], motion[1]), turned) - 1 - ids.e * ids.l**2
+    motion = tuple(ids.substitute(part, k=spin) for part in ids.MOTION)
+    rate = ids.e * ids.l * -ids.ROD_COSINE  # derivative of the spin ratio by phi
+    motion_rate = -ids.y + rate * ids.l * ids.q, ids.x - rate * ids.l * ids.p
+    turning = ids.cross((motion[0], motion[1]), motion_rate) - 1 - ids.e * ids.l**2
     work = ids.dot((ids.x, ids.y), (motion[0], motion[1])) - 1 - ids.e * ids.ARM**2
     return identity({"u x du/dphi": ids.normal(turning), "f . u": ids.normal(work)})

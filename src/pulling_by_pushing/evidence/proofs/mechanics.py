@@ -96,7 +96,7 @@ class Scene:
 
 
 class Mechanics(Protocol):
-    """The questions."""
+    """The questions that a check may ask."""
 
     def wrench(self, scene: Scene, motion: Sequence[Any], without: int = -1) -> Triple:
         """Force and torque that sustain a motion, without the friction of the foot of this index."""
@@ -123,7 +123,7 @@ class Mechanics(Protocol):
 
 
 class Oracle:
-    """The answers of the oracle."""
+    """The answers in ball arithmetic."""
 
     def wrench(self, scene: Scene, motion: Sequence[Any], without: int = -1) -> Triple:
         force_x, force_y, torque = (
@@ -133,8 +133,8 @@ class Oracle:
 
     def motion(self, scene: Scene, force_angle: fmpq, power: fmpq) -> Triple:
         motion = _motion(scene, at_degrees(force_angle), power)
-        known = _in_rods_frame(motion.exact, rational(scene.rod_angle))
-        u_x, u_y = (_without_zero(*pair) for pair in zip(motion.q, known, strict=False))
+        exact = _in_rods_frame(motion.exact, rational(scene.rod_angle))
+        u_x, u_y = (_without_zero(*pair) for pair in zip(motion.q, exact, strict=False))
         return power * u_x, power * u_y, power * motion.q[2]
 
     def friction_cone(self, scene: Scene) -> Pair:
@@ -151,8 +151,8 @@ class Oracle:
 
     def dip(self, scene: Scene) -> Triple:
         motions = path(_slider(scene), _edges(scene)[0])
-        gaps = [part.low.union(part.high) for part in motions.parts if part.rise == 0]
-        if [part.rise for part in motions.parts] not in ([-1, 0, 1], [1, 0, -1]):
+        gaps = [part.low.union(part.high) for part in motions.parts if part.slope_sign == 0]
+        if [part.slope_sign for part in motions.parts] not in ([-1, 0, 1], [1, 0, -1]):
             raise Fails("the normal motion does not fall and rise once")
         bottom, back = gaps[0], motions.normal / motions.lever
         forces = [profile(k)[0] + motions.speed(k) for k in (bottom, back)]  # W f + m v
@@ -162,19 +162,19 @@ class Oracle:
         self, scene: Scene, pusher_angle: float, magnitude: float
     ) -> list[tuple[str, arb | None]]:
         pusher, size = at_degrees(pusher_angle), rational(magnitude)
-        listed = []
+        modes = []
         for solution in contact_modes(_slider(scene), _law(scene), pusher, size):
             name, motion = solution.mode.name.lower().replace("_", "-"), solution.motion
-            listed.append((name, None if motion is None else _force_angle(scene, motion, name)))
-        return listed
+            modes.append((name, None if motion is None else _force_angle(scene, motion, name)))
+        return modes
 
 
 def profile(k: arb) -> Pair:
     """Force f and torque t of the ring at a spin ratio k >= 0; f decreases with k and t increases."""
     if k.is_exact():
         return friction(k)
-    (most, low), (least, high) = friction(k.lower()), friction(k.upper())
-    return most.union(least), low.union(high)
+    (f_high, t_low), (f_low, t_high) = friction(k.lower()), friction(k.upper())
+    return f_high.union(f_low), t_low.union(t_high)
 
 
 def _slider(scene: Scene, power: fmpq = ONE) -> Slider:

@@ -25,15 +25,15 @@ class Check(NamedTuple):
 
     def run(self, mechanics: Mechanics, **claimed: Any) -> Evidence:
         """Evidence, with a verdict no stronger than the kind."""
-        asked = (mechanics,) if self.asks else ()
-        return self.function(*asked, **claimed).at_most(self.kind)
+        arguments = (mechanics,) if self.asks else ()
+        return self.function(*arguments, **claimed).at_most(self.kind)
 
 
 class Number(NamedTuple):
     """A function of a mechanics and a scene, the index of the number in its result, and the unit."""
 
     function: Callable[..., Any]
-    place: int | None
+    component: int | None
     unit: str
 
 
@@ -61,8 +61,8 @@ def number(unit: str | None = None, **units: str) -> Callable[[Function], Functi
     def register(function: Function) -> Function:
         if unit is not None:
             NUMBERS[function.__name__] = Number(function, None, unit)
-        for place, part in enumerate(units):
-            NUMBERS[f"{function.__name__}.{part}"] = Number(function, place, units[part])
+        for component, part in enumerate(units):
+            NUMBERS[f"{function.__name__}.{part}"] = Number(function, component, units[part])
         return function
 
     return register

@@ -36,7 +36,7 @@ class Verdict(StrEnum):
 
 
 def weakest(verdicts: Iterable[Verdict]) -> Verdict:
-    """Return the verdict that decides."""
+    """The verdict of a claim with several checks: the weakest of them."""
     return max(verdicts, key=list(Verdict).index)
 
 
@@ -90,11 +90,11 @@ def equal(value: arb, claimed: float, exact: Exact | None = None, unit: str = "1
     """Evidence for a number that is claimed exactly; `exact` is the number in exact arithmetic."""
     goal = rational(claimed)
     try:
-        apart = sign(value - goal, None if exact is None else lambda: exact - goal)
+        side = sign(value - goal, None if exact is None else lambda: exact - goal)
     except Undecided as error:
         return Evidence(verdict=Verdict.UNDECIDED, value=value, unit=unit, reason=str(error))
     numbers: dict[str, Any] = {"value": value, "unit": unit, "claimed": claimed, "points": 1}
-    if not apart:
+    if not side:
         return Evidence(verdict=Verdict.PROVED, margin=arb(0), **numbers)
     reason = f"the number is {value.str(12, radius=False)}"
     return Evidence(verdict=Verdict.REFUTED, margin=-abs(value - goal), reason=reason, **numbers)
@@ -103,16 +103,16 @@ def equal(value: arb, claimed: float, exact: Exact | None = None, unit: str = "1
 def identity(differences: Mapping[str, Identity]) -> Evidence:
     """Evidence for polynomial identities: each difference vanishes in normal form."""
     wrong = [f"{name} is off by {rest}" for name, rest in differences.items() if rest != 0]
-    return _decided("; ".join(wrong), len(differences))
+    return _decide("; ".join(wrong), len(differences))
 
 
 def facts(holds: Mapping[str, bool], **numbers: Any) -> Evidence:
     """Evidence for decided facts, by name."""
     wrong = ", ".join(name for name, is_so in holds.items() if not is_so)
-    return replace(_decided(wrong and f"false: {wrong}", len(holds)), **numbers)
+    return replace(_decide(wrong and f"false: {wrong}", len(holds)), **numbers)
 
 
-def _decided(wrong: str, points: int) -> Evidence:
+def _decide(wrong: str, points: int) -> Evidence:
     verdict = Verdict.REFUTED if wrong else Verdict.PROVED
     return Evidence(verdict=verdict, points=points, reason=wrong or None)
 
@@ -126,6 +126,6 @@ def together(main: Evidence, *others: Evidence) -> Evidence:
     return replace(main, verdict=verdict, reason=reason, points=points)
 
 
-def least(margins: Iterable[arb]) -> arb:
+def smallest(margins: Iterable[arb]) -> arb:
     """Smallest of several margins."""
     return reduce(arb.min, margins)

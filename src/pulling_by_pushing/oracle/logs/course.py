@@ -31,24 +31,24 @@ from pulling_by_pushing.oracle.modes import Mode
 Point = tuple[arb, ...]
 Rates = Callable[[Point], Point]
 #: A stored instant this close to an event, as a fraction of the last time, is that of the event.
-NEAR = fmpq(1, 10**8)
+NEAR_EVENT = fmpq(1, 10**8)
 #: Longest step, and the time after an event at which modes are listed, as fractions of the duration.
-LONGEST, AHEAD = fmpq(1, 16), fmpq(1, 2**24)
+LONGEST_STEP, MODE_DELAY = fmpq(1, 16), fmpq(1, 2**24)
 #: Maximum number of halvings of a step, and of Newton steps to an event.
-HALVINGS, STEPS = 64, 40
+STEP_HALVINGS, EVENT_STEPS = 64, 40
 #: Step of a difference quotient, accuracy of an event, and rounding, as fractions of the duration.
-TINY, CLOSE, NOISE = (arb(2) ** -power for power in (56, 100, 110))
+DIFFERENCE_STEP, EVENT_ACCURACY, TIME_NOISE = (arb(2) ** -power for power in (56, 100, 110))
 #: Unit steps in the logarithm of the speed after which a motion has decayed to zero to all digits.
 DECAYS = 64
 #: The mode that a policy prefers; then sticking precedes slip, and separation comes last.
-FIRST = {
+PREFERRED_MODE = {
     "keep-contact": Mode.STICK,
     "separate": Mode.SEPARATE,
     "stick": Mode.STICK,
     "slip-right": Mode.SLIP_RIGHT,
     "slip-left": Mode.SLIP_LEFT,
 }
-ORDER = Mode.STICK, Mode.SLIP_RIGHT, Mode.SLIP_LEFT, Mode.SEPARATE
+MODE_ORDER = Mode.STICK, Mode.SLIP_RIGHT, Mode.SLIP_LEFT, Mode.SEPARATE
 
 
 class Scheme(NamedTuple):
@@ -84,8 +84,8 @@ def _step(rates: Rates, start: Point, step: arb, scheme: Scheme) -> Point | None
         return start
     try:
         for before, after in pairwise(islice(_extrapolate(rates, start, step), scheme.rows)):
-            apart = (abs(a - b) for a, b in zip(before, after, strict=True))
-            if all(part < scheme.tolerance for part in apart):
+            differences = (abs(a - b) for a, b in zip(before, after, strict=True))
+            if all(part < scheme.tolerance for part in differences):
                 return after
     except Undecided:
         pass
@@ -93,7 +93,7 @@ def _step(rates: Rates, start: Point, step: arb, scheme: Scheme) -> Point | None
 
 
 def _advance(
-    rates: Rates, start: Point, step: arb, scheme: Scheme, halvings: int = HALVINGS
+    rates: Rates, start: Point, step: arb, scheme: Scheme, halvings: int = STEP_HALVINGS
 ) -> Point:
     """The point after a step, in as many parts as it requires."""
     after = _step(rates, start, step, scheme)
@@ -130,19 +130,19 @@ def _find_event(
     def margin(point: Point, ahead: arb) -> arb:
         return margins(_advance(rates, point, (ahead * unit).mid(), scheme))[index][1]
 
-    point, past = end, arb(0)
-    for _ in range(STEPS):
+    point, shift = end, arb(0)
+    for _ in range(EVENT_STEPS):
         value = margins(point)[index][1]
-        change = (-value * TINY / (margin(point, TINY) - value)).mid()
-        past += change
-        if not -2 * step < past * unit < step:
+        change = (-value * DIFFERENCE_STEP / (margin(point, DIFFERENCE_STEP) - value)).mid()
+        shift += change
+        if not -2 * step < shift * unit < step:
             return None
         point = _advance(rates, point, (change * unit).mid(), scheme)
-        if abs(change) < CLOSE:
+        if abs(change) < EVENT_ACCURACY:
             others = (value for i, (_, value) in enumerate(margins(point)) if i != index)
-            falls = margin(point, -16 * CLOSE) > 0 > margin(point, 16 * CLOSE)
-            inside = -step - CLOSE * unit < past * unit < CLOSE * unit
-            if falls and inside and all(value > -NOISE for value in others):
+            falls = margin(point, -16 * EVENT_ACCURACY) > 0 > margin(point, 16 * EVENT_ACCURACY)
+            inside = -step - EVENT_ACCURACY * unit < shift * unit < EVENT_ACCURACY * unit
+            if falls and inside and all(value > -TIME_NOISE for value in others):
                 return margins(point)[index][0], point
             return None
     return None
@@ -193,7 +193,7 @@ class Course:
 
     @property
     def duration(self) -> fmpq:
-        """End of the motion."""
+        """Time at which the last piece of the fence's motion ends."""
         return self.pieces[-1].end
 
     def follow(self) -> list[Instant]:
@@ -211,7 +211,7 @@ class Course:
                         count = len(self.slider.phases(self.state, piece.velocity))
                         self.instants[i] = self._instant(self.state, count)
             self._reach(
-                min(piece.end, last * (1 + NEAR))
+                min(piece.end, last * (1 + NEAR_EVENT))
             )  # an event can be just after the last instant
             before = piece.velocity
         return [self.instants[i] for i in range(len(self.times))]
@@ -221,10 +221,10 @@ class Course:
         state, fence = self.state, piece.velocity
         if isinstance(self.slider, Massive):
             jump = line(before, fence, -1)
-            over, away = line((state.along_rate, state.gap_rate), jump, 1)
-            state = state._replace(along_rate=over, gap_rate=away)
-            if state.gap == 0 and not (over == 0 and away == 0):
-                state = self.slider.hit(state, fence, self._choose)
+            slip_rate, gap_rate = line((state.along_rate, state.gap_rate), jump, 1)
+            state = state._replace(along_rate=slip_rate, gap_rate=gap_rate)
+            if state.gap == 0 and not (slip_rate == 0 and gap_rate == 0):
+                state = self.slider.impact(state, fence, self._choose)
         self._begin(self.slider.phases(state, fence), state)
 
     def _begin(self, phases: list[Phase], state: State) -> None:
@@ -238,7 +238,7 @@ class Course:
         """The mode that the policy selects."""
         if not modes:
             raise Undecided("no contact mode is consistent")
-        return next(mode for mode in [FIRST[self.policy], *ORDER] if mode in modes)
+        return next(mode for mode in [PREFERRED_MODE[self.policy], *MODE_ORDER] if mode in modes)
 
     def _rates(self, state: Point) -> State:
         return self.slider.rates(State(*state), self.phase)
@@ -260,32 +260,32 @@ class Course:
     def _reach(self, time: fmpq) -> None:
         """Integrate to a time, through the events before it."""
         unit = arb(self.duration)
-        longest = (LONGEST * unit).mid()
+        longest = (LONGEST_STEP * unit).mid()
         size = longest
-        while (left := (time - self.state.time).mid()) > 0:
+        while (remaining := (time - self.state.time).mid()) > 0:
             self.rest = self.rest or self._look_for_rest(size)
-            if self.rest is not None and self.rest.time < time + NEAR * self.times[-1]:
+            if self.rest is not None and self.rest.time < time + NEAR_EVENT * self.times[-1]:
                 self._change(STOPS, self.rest)
                 continue
-            step = left if left < size + NOISE * unit else size
+            step = remaining if remaining < size + TIME_NOISE * unit else size
             after = _step(self._rates, self.state, step, self.scheme)
             if after is not None and _most_negative(self._margins(after)) is None:
                 self.state = State(*after)
-                if step is left:
+                if step is remaining:
                     self.state = self.state._replace(time=arb(time))
                 if self.state.gap == 0 and not self.state.angle.sin() > 0:
                     raise Undecided("the slider's center reaches the fence")
                 size = arb.min(longest, 2 * size).mid()
                 continue
-            found = None
+            event = None
             if after is not None:
-                found = _find_event(self._rates, self._margins, after, step, unit, self.scheme)
-            if found is not None:
-                self._change(found[0], State(*found[1]))
+                event = _find_event(self._rates, self._margins, after, step, unit, self.scheme)
+            if event is not None:
+                self._change(event[0], State(*event[1]))
                 size = longest
                 continue
             size = (step / 2).mid()
-            if size < longest / 2**HALVINGS:
+            if size < longest / 2**STEP_HALVINGS:
                 raise Undecided(f"the motion is not smooth at the time {float(self.state.time)}")
 
     def _change(self, event: int, state: State) -> None:
@@ -295,7 +295,9 @@ class Course:
         velocity jumps at the event.
         """
         slider, fence, last = self.slider, self.phase.fence, self.times[-1]
-        near = [i for i, time in enumerate(self.times) if abs(time - state.time) < NEAR * last]
+        near = [
+            i for i, time in enumerate(self.times) if abs(time - state.time) < NEAR_EVENT * last
+        ]
         if len(near) != 1:
             time = float(state.time)
             raise Undecided(f"{len(near)} stored instants are next to the event at {time}")
@@ -304,17 +306,19 @@ class Course:
             state = later = state._replace(gap=arb(0))
         if isinstance(slider, Massive):
             if event == TOUCHES:
-                state = later = slider.hit(state, fence, self._choose)
+                state = later = slider.impact(state, fence, self._choose)
             elif event == SLIP_ENDS:
                 state = later = state._replace(along_rate=arb(0))
             elif event == STOPS:
                 later = state
-        phases = slider.phases(later or self._state_after(state, arb(AHEAD * self.duration)), fence)
+        phases = slider.phases(
+            later or self._state_after(state, arb(MODE_DELAY * self.duration)), fence
+        )
         self._begin(phases, state)
-        there = self._state_after(state, self.times[near[0]] - state.time)
+        stored = self._state_after(state, self.times[near[0]] - state.time)
         if event == TOUCHES:
-            there = there._replace(gap=arb(0))
-        self.instants[near[0]] = self._instant(there, len(phases), event, state.time)
+            stored = stored._replace(gap=arb(0))
+        self.instants[near[0]] = self._instant(stored, len(phases), event, state.time)
 
     def _look_for_rest(self, step: arb) -> State | None:
         """The state in which a motion near its end decays to rest, or None.
@@ -330,9 +334,13 @@ class Course:
         def pace(state: State, rates: State) -> arb:
             """Rate of the logarithm of the speed."""
             energy = slider.energy(state.angle, slider.velocity(state, fence), state.spin)
-            return (rates.rubbed + rates.lost - rates.work) / (2 * energy) if energy > 0 else arb(0)
+            return (
+                (rates.support_loss + rates.contact_loss - rates.work) / (2 * energy)
+                if energy > 0
+                else arb(0)
+            )
 
-        def left(state: State) -> arb:
+        def time_to_rest(state: State) -> arb:
             """Time to the rest if the speed decreases in proportion to it."""
             return (1 / pace(state, slider.rates(state, phase))).mid()
 
@@ -355,20 +363,20 @@ class Course:
             signs = slider.move(physical(z), phase).margins
             return tuple((event, margin * z[-1].exp()) for event, margin in signs)
 
-        if not left(start) < 4 * step:
+        if not time_to_rest(start) < 4 * step:
             return None
         z: Point = *start[:3], *slider.velocity(start, fence), *start[5:], arb(0)
         while z[-1] < DECAYS:
             after = _advance(rates, z, arb(1), self.scheme)
             if _most_negative(margins(after)) is not None:
-                if not left(physical(z)) < NEAR * self.times[-1]:
+                if not time_to_rest(physical(z)) < NEAR_EVENT * self.times[-1]:
                     return None
-                found = _find_event(rates, margins, after, arb(1), arb(1), self.scheme)
-                if found is None or found[0] != SLIP_ENDS:
+                slip_end = _find_event(rates, margins, after, arb(1), arb(1), self.scheme)
+                if slip_end is None or slip_end[0] != SLIP_ENDS:
                     raise Undecided("the contact changes while the motion decays")
-                after = *found[1][:3], fence[0], *found[1][4:]
+                after = *slip_end[1][:3], fence[0], *slip_end[1][4:]
                 phase = self._preferred_phase(slider.phases(physical(after), fence))
             z = after
         last = physical(z)
-        time = (last.time + left(last)).mid()
+        time = (last.time + time_to_rest(last)).mid()
         return State(*last[:3], -fence[0], -fence[1], arb(0), *last[6:-1], time)

@@ -21,11 +21,11 @@ from pulling_by_pushing.oracle.balls import (
     cosine_sine,
     in_degrees,
     norm,
-    place,
     rational,
+    rational_pair,
 )
 from pulling_by_pushing.oracle.body import Body
-from pulling_by_pushing.oracle.logs.course import FIRST, Course, Instant, Piece, Scheme
+from pulling_by_pushing.oracle.logs.course import PREFERRED_MODE, Course, Instant, Piece, Scheme
 from pulling_by_pushing.oracle.logs.phases import Massive, Slider, State, line
 from pulling_by_pushing.oracle.logs.sliding import Sliding
 from pulling_by_pushing.oracle.shapes import support
@@ -36,7 +36,7 @@ Values = dict[str, tuple[tuple[str, ...], Any]]
 #: Two schemes of different orders; the result is from the first.
 SCHEMES = Scheme(16, arb(2) ** -122), Scheme(12, arb(2) ** -100)
 #: Largest difference of the two runs, and the least radius, both over the largest number of a variable.
-RESOLUTION, SHARED = arb(10) ** -25, arb(2) ** -100
+LARGEST_DIFFERENCE, SMALLEST_RADIUS = arb(10) ** -25, arb(2) ** -100
 FRICTIONS = "ring_friction", "support_friction"
 #: Dimensions after time.
 VECTORS = {"position": "xy", "pusher": "xy", "force": "xy", "twist": "twist_component"}
@@ -91,7 +91,7 @@ def log_values(scene: File, times: Sequence[float]) -> Values:
 
 
 def _columns(scene: File, times: list[fmpq], scheme: Scheme) -> Values:
-    """The values of a run."""
+    """Every variable of the log, from one run of the integrator."""
     section, slider, pieces = scene["simulate"], _slider(scene), _pieces(scene["simulate"])
     if not (times[0] >= 0 and times[-1] <= pieces[-1].end):
         raise Undecided("instants must be within the duration")
@@ -103,7 +103,7 @@ def _columns(scene: File, times: list[fmpq], scheme: Scheme) -> Values:
         rational(section["initial_gap"]),
     )
     rows = [
-        _row(slider, radius, _place_of_fence(pieces, time, gap), instant)
+        _row(slider, radius, _fence_position(pieces, time, gap), instant)
         for time, instant in zip(times, instants, strict=True)
     ]
     values: Values = {}
@@ -111,7 +111,10 @@ def _columns(scene: File, times: list[fmpq], scheme: Scheme) -> Values:
         dims = (VECTORS[name],) if name in VECTORS else ()
         values[name] = ("time", *dims), [row[name] for row in rows]
     dissipated = [
-        [arb(0) if effect["type"] == "inertia" else row.state.rubbed for effect in scene["effects"]]
+        [
+            arb(0) if effect["type"] == "inertia" else row.state.support_loss
+            for effect in scene["effects"]
+        ]
         for row in instants
     ]
     return values | {"dissipated": (("time", "effect"), dissipated)}
@@ -138,7 +141,7 @@ def _row(slider: Slider, radius: fmpq | arb, fence: Vector, instant: Instant) ->
         "solutions": solutions,
         "adhesive": bool(motion.force[1] < 0),
         "spin_ratio": arb(0) if spin == 0 else radius * spin / norm(*velocity),
-        "contact_dissipated": state.lost,
+        "contact_dissipated": state.contact_loss,
         "work": state.work,
         "kinetic_energy": slider.energy(state.angle, motion.contact, spin),
     }
@@ -159,26 +162,29 @@ def _join(fine: Any, coarse: Any, size: arb) -> Any:
         if fine != coarse:
             raise Undecided(f"two runs differ in a flag: {fine}, {coarse}")
         return fine
-    number, apart = fine.mid(), abs(fine.mid() - coarse.mid())
-    if not apart <= RESOLUTION * size:
+    number, difference = fine.mid(), abs(fine.mid() - coarse.mid())
+    if not difference <= LARGEST_DIFFERENCE * size:
         raise Undecided(f"two runs differ by too much: {fine}, {coarse}")
-    radius = arb.max(apart, SHARED * size)
+    radius = arb.max(difference, SMALLEST_RADIUS * size)
     if number != 0 and abs(number) < radius:
         return arb(0, 2 * radius)
-    if apart == 0 and number == float(number):  # a number of the scene, or zero
+    if difference == 0 and number == float(number):  # a number of the scene, or zero
         return number
     return arb(number, radius)
 
 
 def _pieces(section: File) -> list[Piece]:
-    """The motion of the fence."""
+    """Pieces of constant velocity of the fence, from the section `simulate`."""
     plain = section["method"] == "event-driven" and section["pusher_shape"] == "fence"
     further = any(section.get(name) is not None for name in ("waypoints", "until"))
     along = section.get("pusher_frame", "fence") == "fence"
     if not plain or not along or further:
         raise Undecided("motion over time requires event-driven integration and a fence")
-    if not isinstance(section["on_ambiguity"], str) or section["on_ambiguity"] not in FIRST:
-        raise Undecided(f"motion over time requires one policy of {', '.join(FIRST)}")
+    if (
+        not isinstance(section["on_ambiguity"], str)
+        or section["on_ambiguity"] not in PREFERRED_MODE
+    ):
+        raise Undecided(f"motion over time requires one policy of {', '.join(PREFERRED_MODE)}")
     entries = section["pusher"] or [
         {"time": 0, "angle": section["pusher_angle"], "speed": section["pusher_speed"]}
     ]
@@ -191,7 +197,7 @@ def _pieces(section: File) -> list[Piece]:
     return pieces
 
 
-def _place_of_fence(pieces: Sequence[Piece], time: fmpq, gap: fmpq) -> Vector:
+def _fence_position(pieces: Sequence[Piece], time: fmpq, gap: fmpq) -> Vector:
     """Place of the fence, which is initially at a gap below the contact."""
     x, y = arb(0), arb(-gap)
     for start, end, velocity in pieces:
@@ -201,7 +207,7 @@ def _place_of_fence(pieces: Sequence[Piece], time: fmpq, gap: fmpq) -> Vector:
 
 
 def _slider(scene: File) -> Slider:
-    """The slider of a scene file."""
+    """The slider, if the scene is of a kind that `log_values` supports."""
     entry, contact, effects = scene["slider"], scene["contact"], scene["effects"]
     inertia = [effect for effect in effects if effect["type"] == "inertia"]
     frictions = [effect for effect in effects if effect["type"] in FRICTIONS]
@@ -222,7 +228,7 @@ def _slider(scene: File) -> Slider:
         body = Body(length=length, support=support(shape), weight=weight)
     if body is not None and not inertia:
         return Sliding(length=length, edges=edges, body=body)
-    mass, (x, y) = rational(inertia[0]["mass"]), place(inertia[0]["center"])
+    mass, (x, y) = rational(inertia[0]["mass"]), rational_pair(inertia[0]["center"])
     return Massive(
         length=length, edges=edges, body=body, mass=mass, center=(length + x, y),
         moment=mass * rational(inertia[0]["gyration_radius"]) ** 2,

@@ -13,7 +13,7 @@ from typing import NamedTuple, TypeVar
 
 from flint import arb, fmpq
 
-from pulling_by_pushing.oracle.balls import Place, Vector, cross, dot, sign
+from pulling_by_pushing.oracle.balls import Position, Vector, cross, dot, sign
 from pulling_by_pushing.oracle.body import Body, Matrix, Row
 from pulling_by_pushing.oracle.modes import Mode
 
@@ -22,7 +22,7 @@ SENSE = {Mode.SLIP_RIGHT: 1, Mode.SLIP_LEFT: -1}
 #: Events, as numbered in a log.
 LEAVES_CONE, SLIP_ENDS, FORCE_ENDS, TOUCHES, STOPS, KINK = 0, 1, 2, 3, 8, 10
 NO_FOOT = -1
-ZERO: Vector = (arb(0), arb(0))
+ZERO_VECTOR: Vector = (arb(0), arb(0))
 #: A slower rotation, over the speed of the contact, is evaluated as a change of a translation.
 STRAIGHT = arb(2) ** -60
 #: Numbers that are positive while a phase lasts, each with the event that ends it.
@@ -46,8 +46,8 @@ class State(NamedTuple):
     spin: arb
     slip: arb
     work: arb
-    rubbed: arb
-    lost: arb
+    support_loss: arb
+    contact_loss: arb
     time: arb
 
 
@@ -75,7 +75,7 @@ class Motion(NamedTuple):
 
 
 def turn(vector: Sequence[arb], angle: arb) -> Vector:
-    """A vector turned by an angle."""
+    """Rotate a vector counterclockwise by an angle in radians."""
     sine, cosine = angle.sin_cos()
     x, y = vector
     return (cosine * x - sine * y).mid(), (sine * x + cosine * y).mid()
@@ -107,7 +107,7 @@ class Slider(ABC):
 
     @abstractmethod
     def move(self, state: State, phase: Phase) -> Motion:
-        """The motion in a phase."""
+        """Velocities, force and margins of a state in a phase."""
 
     @abstractmethod
     def phases(self, state: State, fence: Vector) -> list[Phase]:
@@ -120,11 +120,11 @@ class Slider(ABC):
     def rates(self, state: State, phase: Phase) -> State:
         """Derivative of the state by time."""
         motion = self.move(state, phase)
-        over = line(motion.contact, phase.fence, -1)
-        work, lost = dot(motion.force, phase.fence), -dot(motion.force, over)
-        slip = arb(0) if phase.mode is Mode.SEPARATE else over[0]
+        relative = line(motion.contact, phase.fence, -1)
+        work, contact_loss = dot(motion.force, phase.fence), -dot(motion.force, relative)
+        slip = arb(0) if phase.mode is Mode.SEPARATE else relative[0]
         return State(
-            motion.spin, *over, *motion.changes, slip, work, motion.power, lost, arb(1)
+            motion.spin, *relative, *motion.changes, slip, work, motion.power, contact_loss, arb(1)
         )  # fmt: skip
 
     def rod(self, angle: arb) -> Vector:
@@ -167,14 +167,14 @@ class Massive(Slider):
 
     mass: fmpq
     moment: fmpq
-    center: Place
+    center: Position
 
     def move(self, state: State, phase: Phase) -> Motion:
         fence, mode = phase.fence, phase.mode
         u, edge = self.velocity(state, fence), self.edge(mode)
         margins: Margins = ((TOUCHES, state.gap),)
         if _rests(u, state):
-            return Motion(ZERO, ZERO, arb(0), arb(0), margins if fence[1] > 0 else ())
+            return Motion(ZERO_VECTOR, ZERO_VECTOR, arb(0), arb(0), margins if fence[1] > 0 else ())
         friction, torque = self._friction(state, u)
         free, turn = self._free(state, friction, torque)
         force = self._force(state.angle, mode, free)
@@ -198,19 +198,19 @@ class Massive(Slider):
         free, _ = self._free(state, *self._friction(state, u))
         return [Phase(fence, mode) for mode in self._modes(state.angle, state.along_rate, free)]
 
-    def hit(self, state: State, fence: Vector, choose: Callable[[list[Mode]], Mode]) -> State:
-        """The state after an impact of the contact on the fence."""
+    def impact(self, state: State, fence: Vector, choose: Callable[[list[Mode]], Mode]) -> State:
+        """The state after an inelastic impact on the fence, in the mode that `choose` selects."""
         before = state.along_rate, state.gap_rate
         mode = choose(self._modes(state.angle, arb(0), before))
         p = self._force(state.angle, mode, before)
-        over, away = line(before, self._response(state.angle, p), 1)
-        over = arb(0) if mode is Mode.STICK else over
-        away = away if mode is Mode.SEPARATE else arb(0)
-        lost = -dot(p, (before[0] + over, before[1] + away)) / 2
+        slip_rate, gap_rate = line(before, self._response(state.angle, p), 1)
+        slip_rate = arb(0) if mode is Mode.STICK else slip_rate
+        gap_rate = gap_rate if mode is Mode.SEPARATE else arb(0)
+        loss = -dot(p, (before[0] + slip_rate, before[1] + gap_rate)) / 2
         return state._replace(
-            along_rate=over, gap_rate=away,
+            along_rate=slip_rate, gap_rate=gap_rate,
             spin=(state.spin + self._torque(state.angle, p) / self.moment).mid(),
-            work=(state.work + dot(p, fence)).mid(), lost=(state.lost + lost).mid(),
+            work=(state.work + dot(p, fence)).mid(), contact_loss=(state.contact_loss + loss).mid(),
         )  # fmt: skip
 
     def velocity(self, state: State, fence: Vector) -> Vector:
@@ -246,7 +246,7 @@ class Massive(Slider):
     def _force(self, angle: arb, mode: Mode, free: Vector) -> Vector:
         """Force of a mode, or its impulse; `free` as in `_modes`."""
         if mode is Mode.SEPARATE:
-            return ZERO
+            return ZERO_VECTOR
         if mode is not Mode.STICK:
             edge = self.edge(mode)
             size = -free[1] / self._response(angle, edge)[1]
@@ -276,10 +276,10 @@ class Massive(Slider):
     def _free(self, state: State, friction: Vector, torque: arb) -> tuple[Vector, arb]:
         """Accelerations of the contact and of the rotation without a force of the fence."""
         x, y = arm = self._arm(state.angle)
-        turn, pull = (cross(arm, friction) - torque) / self.moment, state.spin**2
-        along = turn * y + pull * x - friction[0] / self.mass
-        away = pull * y - turn * x - friction[1] / self.mass
-        return (along.mid(), away.mid()), turn.mid()
+        turn, spin_square = (cross(arm, friction) - torque) / self.moment, state.spin**2
+        slip_change = turn * y + spin_square * x - friction[0] / self.mass
+        gap_change = spin_square * y - turn * x - friction[1] / self.mass
+        return (slip_change.mid(), gap_change.mid()), turn.mid()
 
 
 def _rests(u: Vector, state: State) -> bool:

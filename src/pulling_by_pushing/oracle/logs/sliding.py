@@ -19,7 +19,7 @@ from pulling_by_pushing.oracle.logs.phases import (
     SLIP_ENDS,
     STRAIGHT,
     TOUCHES,
-    ZERO,
+    ZERO_VECTOR,
     Margins,
     Motion,
     Phase,
@@ -30,7 +30,7 @@ from pulling_by_pushing.oracle.logs.phases import (
 from pulling_by_pushing.oracle.modes import Mode
 
 #: Maximum number of Newton steps; halvings and bits in the search for a first guess.
-STEPS, HALVINGS, BITS = 16, 40, 64
+SLIDING_STEPS, SEEK_HALVINGS, SEEK_BITS = 16, 40, 64
 System = Callable[[Row], tuple[Row, Matrix]]
 
 
@@ -43,7 +43,7 @@ def newton(system: System, guess: Row) -> Row:
         If Newton's method does not converge.
     """
     root, close = guess, arb(2) ** (2 - ctx.prec // 2)
-    for _ in range(STEPS):
+    for _ in range(SLIDING_STEPS):
         values, slopes = system(root)
         matrix = arb_mat([[part.mid() for part in row] for row in slopes])
         try:
@@ -95,20 +95,24 @@ class Sliding(Slider):
         fence, mode, foot, side = phase
         if mode is Mode.SEPARATE:
             return Motion(
-                ZERO, ZERO, arb(0), arb(0), ((TOUCHES, state.gap),) if fence[1] > 0 else ()
+                ZERO_VECTOR,
+                ZERO_VECTOR,
+                arb(0),
+                arb(0),
+                ((TOUCHES, state.gap),) if fence[1] > 0 else (),
             )
         if mode is Mode.STICK:
             spin, force = self._stick(state.angle, fence)
             low, high = self.cone(force)
             margins: Margins = (LEAVES_CONE, low), (LEAVES_CONE, high)
             if side:
-                margins = (*margins, (KINK, side * self._beyond(state.angle, fence, spin)))
+                margins = (*margins, (KINK, side * self._center_outside(state.angle, fence, spin)))
             return Motion(fence, force, spin, dot(force, fence), margins)
         ray, (x, y) = self._ray(state.angle, mode, foot), self.edge(mode)
         scale = fence[1] / ray.contact[1]
         contact, force = ((scale * ray.contact[0]).mid(), fence[1]), (ray.force * x, ray.force * y)
-        over = SENSE[mode] * (contact[0] - fence[0])
-        margins = (KINK, ray.margin), (SLIP_ENDS, over)
+        slip_rate = SENSE[mode] * (contact[0] - fence[0])
+        margins = (KINK, ray.margin), (SLIP_ENDS, slip_rate)
         return Motion(contact, force, (scale * ray.spin).mid(), dot(force, contact), margins)
 
     def phases(self, state: State, fence: Vector) -> list[Phase]:
@@ -117,20 +121,20 @@ class Sliding(Slider):
         if fence[0] == fence[1] == 0:
             raise Undecided("a fence at rest is not supported with friction alone")
         left, right = (self.ray(state.angle, mode) for mode in (Mode.SLIP_RIGHT, Mode.SLIP_LEFT))
-        past, short = sign(cross(right.contact, fence)), sign(cross(left.contact, fence))
-        rise = sign(fence[1])
-        phases = [] if rise > 0 else [Phase(fence, Mode.SEPARATE)]
-        if past > 0 > short:
+        from_right, from_left = sign(cross(right.contact, fence)), sign(cross(left.contact, fence))
+        approach = sign(fence[1])
+        phases = [] if approach > 0 else [Phase(fence, Mode.SEPARATE)]
+        if from_right > 0 > from_left:
             spin, _ = self._stick(state.angle, fence)
-            side = sign(self._beyond(state.angle, fence, spin))
+            side = sign(self._center_outside(state.angle, fence, spin))
             phases.append(Phase(fence, Mode.STICK, side=side))
-        if rise and sign(left.contact[1]) == rise == short:
+        if approach and sign(left.contact[1]) == approach == from_left:
             phases.append(Phase(fence, Mode.SLIP_RIGHT, left.foot))
-        if rise and sign(right.contact[1]) == rise == -past:
+        if approach and sign(right.contact[1]) == approach == -from_right:
             phases.append(Phase(fence, Mode.SLIP_LEFT, right.foot))
         return phases
 
-    def _beyond(self, angle: arb, contact: Vector, spin: arb) -> arb:
+    def _center_outside(self, angle: arb, contact: Vector, spin: arb) -> arb:
         """A number that is positive while the motion center is outside a ring; 0 for other supports."""
         radius, rod = ring_radius(self.body), self.rod(angle)
         if radius is None:
@@ -157,9 +161,9 @@ class Sliding(Slider):
         except Undecided:
             solved = False
         if not solved:
-            self.guesses[mode] = self._beside(self._seek(e_rod))
+            self.guesses[mode] = self._nearest_foot(self._seek(e_rod))
             ray = self._ray(angle, mode, NO_FOOT)
-        self.guesses[mode] = self._beside(self._lift(*self.guesses[mode])[0])
+        self.guesses[mode] = self._nearest_foot(self._lift(*self.guesses[mode])[0])
         return ray
 
     def _stick(self, angle: arb, fence: Vector) -> tuple[arb, Vector]:
@@ -183,27 +187,27 @@ class Sliding(Slider):
         def torque(spin: arb) -> arb:
             return self.wrench([*u_rod, spin])[0][2]
 
-        with ctx.workprec(BITS):
+        with ctx.workprec(SEEK_BITS):
             low, high = arb(-1.1), arb(1.3)  # halvings then avoid symmetric motions about a foot
             while torque(low) > 0:
                 low *= 2
             while torque(high) < 0:
                 high *= 2
-            for _ in range(HALVINGS):
+            for _ in range(SEEK_HALVINGS):
                 middle = (low + high) / 2
                 low, high = (middle, high) if torque(middle) < 0 else (low, middle)
             return ((low + high) / 2).mid()
 
     def _seek(self, e_rod: Vector) -> Row:
         """The motion under a force along an edge, to some digits; the force turns with the motion."""
-        with ctx.workprec(BITS):
+        with ctx.workprec(SEEK_BITS):
             low, high = -arb.pi() / 2, arb.pi() / 2
-            for _ in range(HALVINGS):
+            for _ in range(SEEK_HALVINGS):
                 middle = (low + high) / 2
                 u = turn(e_rod, middle)
                 q = [*u, self._turn(u)]
-                short = cross(e_rod, self.wrench(q)[0]) < 0
-                low, high = (middle, high) if short else (low, middle)
+                is_behind = cross(e_rod, self.wrench(q)[0]) < 0
+                low, high = (middle, high) if is_behind else (low, middle)
             along = dot(u, e_rod)
             return [(part / along).mid() for part in q]
 
@@ -214,8 +218,8 @@ class Sliding(Slider):
         spin = (1 / lever).mid()
         u_rod = (spin * arm[1]).mid(), (-spin * arm[0]).mid()
         x, y, torque = self.wrench([*u_rod, spin], foot)[0]
-        aside = cross(e_rod, (x, y))
-        h = [(torque * e - aside * r) / lever for e, r in zip(e_rod, arm, strict=True)]
+        across = cross(e_rod, (x, y))
+        h = [(torque * e - across * r) / lever for e, r in zip(e_rod, arm, strict=True)]
         size = dot(e_rod, (x + h[0], y + h[1]))
         margin = 1 - dot(h, h) / share**2
         return Ray(turn(u_rod, angle), spin, size.mid(), margin.mid(), foot)
@@ -226,13 +230,13 @@ class Sliding(Slider):
         if foot != NO_FOOT:
             return self._pivot(angle, e_rod, foot)
         if mode not in self.guesses:
-            self.guesses[mode] = self._beside(self._seek(e_rod))
-        near, guess = self.guesses[mode]
+            self.guesses[mode] = self._nearest_foot(self._seek(e_rod))
+        nearest, guess = self.guesses[mode]
 
         def system(z: Row) -> tuple[Row, Matrix]:
-            q, slopes, own, rate = self._lift(near, z)
-            value, response = self.wrench(q, near)
-            force = [a + b for a, b in zip(value, own, strict=True)]
+            q, slopes, foot_force, rate = self._lift(nearest, z)
+            value, response = self.wrench(q, nearest)
+            force = [a + b for a, b in zip(value, foot_force, strict=True)]
             by_z = [[dot(row, column) for column in zip(*slopes, strict=True)] for row in response]
             for row, part in zip(by_z, rate, strict=True):
                 row[1] += part
@@ -242,13 +246,13 @@ class Sliding(Slider):
             return values, [along, by_z[2], across]
 
         z = newton(system, guess)
-        self.guesses[mode] = near, z
-        q, _, own, _ = self._lift(near, z)
-        value = self.wrench(q, near)[0]
-        size = dot(e_rod, (value[0] + own[0], value[1] + own[1]))
-        return Ray(turn(q[:2], angle), q[2], size.mid(), arb(1) if near == NO_FOOT else z[0])
+        self.guesses[mode] = nearest, z
+        q, _, foot_force, _ = self._lift(nearest, z)
+        value = self.wrench(q, nearest)[0]
+        size = dot(e_rod, (value[0] + foot_force[0], value[1] + foot_force[1]))
+        return Ray(turn(q[:2], angle), q[2], size.mid(), arb(1) if nearest == NO_FOOT else z[0])
 
-    def _beside(self, q: Sequence[arb]) -> tuple[int, Row]:
+    def _nearest_foot(self, q: Sequence[arb]) -> tuple[int, Row]:
         """The nearest foot, its speed and direction, and the rotation; without feet the motion itself."""
 
         def velocity(foot: int) -> Vector:
@@ -257,21 +261,25 @@ class Sliding(Slider):
 
         if not self._feet or abs(q[2]) < STRAIGHT:
             return NO_FOOT, list(q)
-        near = min(self._feet, key=lambda foot: float(dot(velocity(foot), velocity(foot)).mid()))
-        x, y = velocity(near)
-        return near, [dot((x, y), (x, y)).sqrt().mid(), arb.atan2(y, x).mid(), q[2]]
+        nearest = min(self._feet, key=lambda foot: float(dot(velocity(foot), velocity(foot)).mid()))
+        x, y = velocity(nearest)
+        return nearest, [dot((x, y), (x, y)).sqrt().mid(), arb.atan2(y, x).mid(), q[2]]
 
-    def _lift(self, near: int, z: Row) -> tuple[Row, Matrix, Row, Row]:
+    def _lift(self, nearest: int, z: Row) -> tuple[Row, Matrix, Row, Row]:
         """The motion and its Jacobian, and the force on the nearest foot with its rate by the direction.
 
         The force has that direction also where the speed is negative, so that the equations remain smooth
         while the center of rotation passes the foot.
         """
-        if near == NO_FOOT:
+        if nearest == NO_FOOT:
             unit = [[arb(i == k) for k in range(3)] for i in range(3)]
             return z, unit, [arb(0)] * 3, [arb(0)] * 3
         speed, direction, spin = z
-        (x, y), share, (s, c) = self.body.foot(near), self.body.share(near), direction.sin_cos()
+        (x, y), share, (s, c) = (
+            self.body.foot(nearest),
+            self.body.share(nearest),
+            direction.sin_cos(),
+        )
         q = [(speed * c + spin * y).mid(), (speed * s - spin * x).mid(), spin]
         slopes = [[c, -speed * s, arb(y)], [s, speed * c, arb(-x)], [arb(0), arb(0), arb(1)]]
         force, rate = [c, s, x * s - y * c], [-s, c, x * c + y * s]

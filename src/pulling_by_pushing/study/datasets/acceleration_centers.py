@@ -10,7 +10,7 @@ from planar_pushing.mechanics.force.centers import conservative_motion_cone, mot
 from planar_pushing.mechanics.force.cones import motion_angle, motion_cone
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.terms.options import EffectSet
-from pulling_by_pushing.study.datasets.base import axis, pushing
+from pulling_by_pushing.study.datasets.base import axis, labeled_radians
 from pulling_by_pushing.study.model import Part
 
 
@@ -21,7 +21,7 @@ def acceleration_centers(part: Part) -> xr.Dataset:
         contact=InfiniteFriction(),
         effects=part.effects(EffectSet.BOTH),
     )
-    phi, share = pushing(axis(part, "force_angle")), axis(part, "inertia_share")
+    phi, share = labeled_radians(axis(part, "force_angle")), axis(part, "inertia_share")
     center = motion_centers(scene, phi, share)
     bound, exact = conservative_motion_cone(scene), motion_cone(scene)
     return xr.Dataset(

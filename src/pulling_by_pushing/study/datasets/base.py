@@ -21,9 +21,9 @@ def axis(part: Part, name: str) -> xr.DataArray:
 
 def objects(name: str, labels: Iterable[Any], values: Iterable[Any]) -> xr.DataArray:
     """Objects along a labeled axis, such as contact laws or supports."""
-    listed = list(values)
-    array = np.empty(len(listed), dtype=object)
-    array[:] = listed
+    instances = list(values)
+    array = np.empty(len(instances), dtype=object)
+    array[:] = instances
     return xr.DataArray(array, dims=name, coords={name: list(labels)})
 
 
@@ -36,11 +36,11 @@ def friction_axis(part: Part) -> xr.DataArray:
 def over_effects(part: Part, build: Callable[[tuple[Any, ...]], xr.Dataset]) -> xr.Dataset:
     """Combine the datasets for the grid's sets of effects along the axis `effects`."""
     names = list(part.grid["effects"])
-    found = [build(part.effects(name)) for name in names]
-    return xr.concat(found, xr.Variable("effects", names))
+    datasets = [build(part.effects(name)) for name in names]
+    return xr.concat(datasets, xr.Variable("effects", names))
 
 
-def pushing(degrees: xr.DataArray) -> xr.DataArray:
+def labeled_radians(degrees: xr.DataArray) -> xr.DataArray:
     """Angles in radians, labeled in degrees."""
     return degrees.copy(data=in_radians(degrees.values))
 

@@ -12,7 +12,7 @@ from planar_pushing.mechanics.force.centers import conservative_spin_ratios, mot
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.terms.options import EffectKind, EffectSet
-from pulling_by_pushing.study.datasets.base import axis, pushing
+from pulling_by_pushing.study.datasets.base import axis, labeled_radians
 from pulling_by_pushing.study.model import Part
 
 #: Ends of both regions along a line of force; the segment between them sweeps over the region.
@@ -20,7 +20,7 @@ BOUND_ENDS = ("inner", "outer")
 EXACT_ENDS = (str(EffectKind.SUPPORT_FRICTION), str(EffectKind.INERTIA))
 
 
-def _bound(length: float, angle: float, force_angle: float) -> Array:
+def _bound_ends(length: float, angle: float, force_angle: float) -> Array:
     """Ends of the paper's bound for one line of force, in radii from the contact, shape (end, xy)."""
     arm = length * np.sin(angle - force_angle)  # Eq. (10)
     # Rounding of the sine must not move a line that is tangent to the ring inside or outside.
@@ -37,16 +37,16 @@ def center_regions(part: Part) -> xr.Dataset:
     """Build the dataset for part of a study: ends of both regions along every line of force."""
     slider = part.ring(axis(part, "rod_length"), axis(part, "rod_angle"))
     scene = Scene(slider=slider, contact=InfiniteFriction(), effects=part.effects(EffectSet.BOTH))
-    phi = pushing(axis(part, "force_angle"))
+    phi = labeled_radians(axis(part, "force_angle"))
     bound = slider.radius * xr.apply_ufunc(
-        np.vectorize(_bound, signature="(),(),()->(e,c)"),
+        np.vectorize(_bound_ends, signature="(),(),()->(e,c)"),
         *(slider.length_ratio, slider.rod_angle, phi),
         output_core_dims=[["bound_end", "xy"]],
     )
     exact = motion_centers(scene, phi, xr.DataArray([0.0, 1.0], dims="exact_end"))
-    found = {
+    variables = {
         f"{name}_{across}": ends.isel(xy=i, drop=True)
         for name, ends in (("bound", bound), ("exact", exact))
         for i, across in enumerate("xy")
     }
-    return xr.Dataset(found, {"bound_end": list(BOUND_ENDS), "exact_end": list(EXACT_ENDS)})
+    return xr.Dataset(variables, {"bound_end": list(BOUND_ENDS), "exact_end": list(EXACT_ENDS)})

@@ -19,15 +19,15 @@ from planar_pushing.mechanics.solve import SOLUTIONS, solve
 from pulling_by_pushing.study.datasets.base import (
     axis,
     friction_angle,
+    labeled_radians,
     objects,
     over_effects,
-    pushing,
 )
 from pulling_by_pushing.study.model import Part, labeled_law
 
 #: Entries along `solution`, the same number for every set of effects; and the values of entries after the
 #: last solution, where numbers are NaN.
-PLACES = np.arange(max(SOLUTIONS.values()))
+SOLUTION_ENTRIES = np.arange(max(SOLUTIONS.values()))
 FILL = {"mode": -1, "pivot": -1, "consistent": False, "continuum": False}
 
 
@@ -48,16 +48,16 @@ def contact_modes(part: Part) -> xr.Dataset:
     labels = part.grid["contact"]
     laws = list(map(labeled_law, labels))
     slider = part.ring(axis(part, "rod_length"))
-    angle, magnitude = pushing(axis(part, "pusher_angle")), axis(part, "pusher_magnitude")
+    angle, magnitude = labeled_radians(axis(part, "pusher_angle")), axis(part, "pusher_magnitude")
 
-    def solutions(effects: tuple[Any, ...]) -> xr.Dataset:
+    def solve_for(effects: tuple[Any, ...]) -> xr.Dataset:
         contact = objects("contact", labels, laws)
         scene = Scene(slider=slider, contact=contact, effects=effects)
-        found = solve(scene, angle, magnitude)
-        numbered = found.assign_coords(solution=np.arange(found.sizes["solution"]))
-        return numbered.reindex(solution=PLACES, fill_value=FILL).drop_vars("solution")
+        solutions = solve(scene, angle, magnitude)
+        numbered = solutions.assign_coords(solution=np.arange(solutions.sizes["solution"]))
+        return numbered.reindex(solution=SOLUTION_ENTRIES, fill_value=FILL).drop_vars("solution")
 
-    return over_effects(part, solutions).assign_coords(law_coordinates(laws))
+    return over_effects(part, solve_for).assign_coords(law_coordinates(laws))
 
 
 def law_coordinates(laws: Sequence[ContactLaw]) -> dict[str, tuple[str, Any]]:

@@ -10,8 +10,9 @@ import xarray as xr
 from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.force.limit_curve import curve_of_unit_motions
 from planar_pushing.mechanics.plane import direction
-from planar_pushing.mechanics.scene import Scene, Slider
-from pulling_by_pushing.study.datasets.base import axis, over_effects, pushing
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.slider import Slider
+from pulling_by_pushing.study.datasets.base import axis, labeled_radians, over_effects
 from pulling_by_pushing.study.model import Part
 
 
@@ -27,7 +28,7 @@ def curves(part: Part) -> xr.Dataset:
 
 def _curves_of(part: Part, slider: Slider) -> xr.Dataset:
     """Limit curves of a slider for all effects and force angles of part of a study."""
-    phi = pushing(axis(part, "force_angle"))
+    phi = labeled_radians(axis(part, "force_angle"))
     heading = xr.DataArray(direction(phi.values), dims=("force_angle", "xy"))
 
     def curve_of(effects: tuple[Any, ...]) -> xr.Dataset:

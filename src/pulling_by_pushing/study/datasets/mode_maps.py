@@ -12,12 +12,12 @@ from planar_pushing.mechanics.force.cones import friction_cone
 from planar_pushing.mechanics.plane import direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
-from pulling_by_pushing.study.datasets.base import axis, objects, over_effects, pushing
+from pulling_by_pushing.study.datasets.base import axis, labeled_radians, objects, over_effects
 from pulling_by_pushing.study.datasets.contact_modes import law_coordinates
 from pulling_by_pushing.study.model import Part, labeled_law
 
 #: Halvings of the half turn that contains an angle, until it is known to a rounding.
-HALVINGS = 56
+ANGLE_HALVINGS = 56
 
 
 def mode_maps(part: Part) -> xr.Dataset:
@@ -30,7 +30,7 @@ def mode_maps(part: Part) -> xr.Dataset:
     labels = part.grid["contact"]
     laws = list(map(labeled_law, labels))
     slider = part.ring(axis(part, "rod_length"))
-    angle, magnitude = pushing(axis(part, "pusher_angle")), axis(part, "pusher_magnitude")
+    angle, magnitude = labeled_radians(axis(part, "pusher_angle")), axis(part, "pusher_magnitude")
 
     finite = xr.DataArray([not isinstance(law, PerfectlyRough) for law in laws], dims="contact")
 
@@ -38,33 +38,33 @@ def mode_maps(part: Part) -> xr.Dataset:
         scene = Scene(slider=slider, contact=objects("contact", labels, laws), effects=effects)
         rough = Scene(slider=slider, contact=PerfectlyRough(), effects=effects)
         x, y = _sticking_force(rough, angle, magnitude)
-        pull = _furthest_pull(scene, rough, magnitude)
+        pull_angle = _furthest_pull(scene, rough, magnitude)
         return xr.Dataset(
             {
                 "modes": mode_sets(solve(scene, angle, magnitude)["mode"]),
                 "sticking_force_angle": np.rad2deg(np.arctan2(y, x)),
-                "furthest_pull": np.rad2deg(pull.where(finite)),
+                "furthest_pull": np.rad2deg(pull_angle.where(finite)),
             }
         )
 
     return over_effects(part, maps).assign_coords(law_coordinates(laws))
 
 
-def mode_sets(mode: xr.DataArray) -> xr.DataArray:
+def mode_sets(modes: xr.DataArray) -> xr.DataArray:
     """Code of the set of consistent modes along `solution`: the sum of 2 ** mode over the modes.
 
     Several slips of one mode count as one mode.
     """
-    code = xr.zeros_like(mode.isel(solution=0, drop=True))
-    for each in ContactMode:
-        code += (mode == each).any("solution").astype(code.dtype) << each
+    code = xr.zeros_like(modes.isel(solution=0, drop=True))
+    for kind in ContactMode:
+        code += (modes == kind).any("solution").astype(code.dtype) << kind
     return code
 
 
 def _sticking_force(rough: Scene, angle: xr.DataArray, magnitude: xr.DataArray) -> Any:
     """Components of the force of a perfectly rough contact, sticking."""
-    found = solve(rough, angle, magnitude)
-    force = found.force.where(found["mode"] == ContactMode.STICK).max("solution")
+    solutions = solve(rough, angle, magnitude)
+    force = solutions.force.where(solutions["mode"] == ContactMode.STICK).max("solution")
     return [force.isel(xy=i, drop=True) for i in (0, 1)]
 
 
@@ -77,7 +77,7 @@ def _furthest_pull(scene: Scene, rough: Scene, magnitude: xr.DataArray) -> xr.Da
     e_x, e_y = (edge.copy(data=part) for part in direction(edge.values).T)
     angle = edge + 0 * magnitude
     step = np.pi / 2
-    for _ in range(HALVINGS):
+    for _ in range(ANGLE_HALVINGS):
         x, y = _sticking_force(rough, angle, magnitude)
         angle = angle - step * np.sign(e_x * y - e_y * x)
         step /= 2

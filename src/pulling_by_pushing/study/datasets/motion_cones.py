@@ -27,13 +27,13 @@ def motion_cones(part: Part) -> xr.Dataset:
     def cones(effects: tuple[Any, ...]) -> xr.Dataset:
         scene = Scene(slider=slider, contact=laws, effects=effects)
         force, cone = friction_cone(scene), motion_cone(scene)
-        whole = xr.zeros_like(cone.right)
+        zeros = xr.zeros_like(cone.right)
         right: xr.DataArray = force.right
         left: xr.DataArray = force.left
         return xr.Dataset(
             {
-                "friction_cone_right": np.rad2deg(right) + whole,
-                "friction_cone_left": np.rad2deg(left) + whole,
+                "friction_cone_right": np.rad2deg(right) + zeros,
+                "friction_cone_left": np.rad2deg(left) + zeros,
                 "motion_cone_right": np.rad2deg(cone.right),
                 "motion_cone_left": np.rad2deg(cone.left),
                 "limit_force_right": curve_of_unit_motions(scene, right).magnitude,

@@ -43,47 +43,47 @@ def pusher_angle(scene: Scene, push: PushEntry) -> float:
 def _solutions(solutions: Solutions, pusher: Array) -> dict[str, Any]:
     vectors = ("solution", "xy")
     return {
-        "mode": ("solution", np.array([each.mode for each in solutions], np.int8)),
-        "adhesive": ("solution", np.array([each.adhesive for each in solutions], bool)),
-        "force": (vectors, np.reshape([each.force for each in solutions], (-1, 2))),
+        "mode": ("solution", np.array([s.mode for s in solutions], np.int8)),
+        "adhesive": ("solution", np.array([s.adhesive for s in solutions], bool)),
+        "force": (vectors, np.reshape([s.force for s in solutions], (-1, 2))),
         "contact_motion": (vectors, np.reshape([s.contact_motion for s in solutions], (-1, 2))),
         "slip": ("solution", np.array([s.contact_motion[0] - pusher[0] for s in solutions], float)),
         "twist": (
             ("solution", "twist_component"),
-            np.reshape([each.twist for each in solutions], (-1, 3)),
+            np.reshape([s.twist for s in solutions], (-1, 3)),
         ),
-        "spin_ratio": ("solution", np.array([each.spin_ratio for each in solutions], float)),
-        "center": (vectors, np.reshape([each.center for each in solutions], (-1, 2))),
+        "spin_ratio": ("solution", np.array([s.spin_ratio for s in solutions], float)),
+        "center": (vectors, np.reshape([s.center for s in solutions], (-1, 2))),
     }
 
 
 def _pivots(solutions: Solutions) -> dict[str, Any]:
     """Support point about which each solution pivots, and the other end of the force range of a pivot."""
-    ends = np.reshape([each.force_end for each in solutions], (-1, 2))
+    ends = np.reshape([s.force_end for s in solutions], (-1, 2))
     return {
         "force_end": (("solution", "xy"), ends),
-        "pivot": ("solution", np.array([each.pivot for each in solutions], np.int32)),
+        "pivot": ("solution", np.array([s.pivot for s in solutions], np.int32)),
     }
 
 
 def _kinds(scene: Scene) -> dict[str, tuple[Any, ...]]:
     """Effects that resist a push from rest, grouped by the name of their kind."""
     absent = {EffectKind.LOAD} | ({EffectKind.VISCOUS} if scene.stores_energy else set())
-    found = {
-        kind: tuple(each for each in scene.effects if each.kind == kind)
+    groups = {
+        kind: tuple(effect for effect in scene.effects if effect.kind == kind)
         for kind in EffectKind
         if kind not in absent
     }
-    return {name: effects for name, effects in found.items() if effects}
+    return {name: effects for name, effects in groups.items() if effects}
 
 
 def _cones(scene: Scene) -> dict[str, Any]:
     """Friction cone, motion cone, and the motions under each effect along the friction cone."""
     forces, motions = friction_cone(scene), motion_cone(scene)
     phi = np.linspace(forces.right, forces.left, CONE_SAMPLES)
-    alone = [replace(scene, effects=kind) for kind in _kinds(scene).values()]
-    angles = np.stack([motion_angle(each, phi) for each in alone])
-    centers = np.stack([motion_centers(each, phi) for each in alone])
+    kind_scenes = [replace(scene, effects=kind) for kind in _kinds(scene).values()]
+    angles = np.stack([motion_angle(kind_scene, phi) for kind_scene in kind_scenes])
+    centers = np.stack([motion_centers(kind_scene, phi) for kind_scene in kind_scenes])
     return {
         "friction_cone_right": np.rad2deg(forces.right),
         "friction_cone_left": np.rad2deg(forces.left),
@@ -121,7 +121,7 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
         "twist_component": list(TWIST),
         "twist_unit": ("twist_component", list(TWIST_UNITS)),
     }
-    coords |= {name: each for name, each in scene_scalars(scene).items() if name not in variables}
+    coords |= {name: value for name, value in scene_scalars(scene).items() if name not in variables}
     twists = values["twist"][1]
     if scene.isotropic:
         variables |= ring_friction(scene, twists)

@@ -18,15 +18,16 @@ from planar_pushing.mechanics.effects import Inertia, SupportFriction
 from planar_pushing.mechanics.force.cones import leaves_the_fence, motion_cone, omits_pushes
 from planar_pushing.mechanics.force.limit_curve import limit_curve
 from planar_pushing.mechanics.plane import direction
-from planar_pushing.mechanics.scene import Scene, Slider
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.slider import Slider
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.mechanics.supports import Ring
 from pulling_by_pushing.study.datasets.base import (
     axis,
     friction_angle,
     friction_axis,
+    labeled_radians,
     objects,
-    pushing,
 )
 from pulling_by_pushing.study.model import Part
 
@@ -50,7 +51,7 @@ def on_grid(part: Part, contact: xr.DataArray | ContactLaw) -> Scene:
 
 
 def support_axis(part: Part) -> xr.DataArray:
-    """Supports along the axis `support`."""
+    """The study's supports as objects, labeled with their names."""
     supports = part.gallery()
     return objects("support", supports, supports.values())
 
@@ -90,8 +91,8 @@ def _sustaining(scene: Scene, motion: float) -> tuple[xr.DataArray, xr.DataArray
     solutions = solve(rough, xr.DataArray(motion))
     sticks = solutions["mode"] == int(ContactMode.STICK)
     ends = [_turn(motion, solutions[name]).where(sticks) for name in ("force", "force_end")]
-    both, every = xr.concat(ends, "end"), ("end", "solution")
-    return both.min(every), both.max(every)
+    angles, dims = xr.concat(ends, "end"), ("end", "solution")
+    return angles.min(dims), angles.max(dims)
 
 
 def _turn(heading: float, force: xr.DataArray) -> xr.DataArray:
@@ -124,13 +125,13 @@ def support_cones(part: Part) -> xr.Dataset:
 
 def _edges(cone: Any) -> xr.DataArray:
     """Both edges of cones along the axis `edge`, radians."""
-    both: list[xr.DataArray] = [cone.right, cone.left]
-    return xr.concat(both, xr.Variable("edge", EDGES))
+    edges: list[xr.DataArray] = [cone.right, cone.left]
+    return xr.concat(edges, xr.Variable("edge", EDGES))
 
 
 def support_modes(part: Part) -> xr.Dataset:
     """Build the solutions of each support for part of a study, by `solve` on labeled arrays."""
-    angles: xr.DataArray = pushing(axis(part, "pusher_angle"))
+    angles: xr.DataArray = labeled_radians(axis(part, "pusher_angle"))
     solutions = solve(on_grid(part, friction_axis(part)), angles)
     angle = friction_angle(part.grid["friction_coefficient"])
     return solutions.assign_coords(friction_angle=("friction_coefficient", angle))
@@ -138,7 +139,7 @@ def support_modes(part: Part) -> xr.Dataset:
 
 def support_curves(part: Part) -> xr.Dataset:
     """Build the limit curves of each support, and of the study's ring, for the study's rod."""
-    phi = pushing(axis(part, "force_angle"))
+    phi = labeled_radians(axis(part, "force_angle"))
     rod = part.slider.rod_length, part.slider.rod_angle, InfiniteFriction()
     scene = scene_of(support_axis(part), *rod)
     curve = limit_curve(scene, phi)

@@ -37,7 +37,10 @@ def _over_centers(supports: list[Any], twists: Array) -> dict[str, Any]:
     effects = [SupportFriction(support=support) for support in supports]
     wrenches = np.stack([wrench(effect, twists) for effect in effects])
     return {
-        "mean_distance": (OVER_CENTERS, np.stack([potential(each, twists) for each in effects])),
+        "mean_distance": (
+            OVER_CENTERS,
+            np.stack([potential(effect, twists) for effect in effects]),
+        ),
         "force_x": (OVER_CENTERS, wrenches[..., 0]),
         "force_y": (OVER_CENTERS, wrenches[..., 1]),
         "torque": (OVER_CENTERS, wrenches[..., 2]),

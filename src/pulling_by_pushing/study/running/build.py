@@ -15,13 +15,13 @@ from typing import Any
 
 import xarray as xr
 
-from planar_pushing.mechanics.arrays import CORES
+from planar_pushing.mechanics.kernels.arrays import CORES
 from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.study.catalog import DATASETS
-from pulling_by_pushing.study.chunks import blocks, chunk_name, joined
-from pulling_by_pushing.study.describe import described, of_study
-from pulling_by_pushing.study.slices import cut, part_of, pushes, sizes
+from pulling_by_pushing.study.chunks import blocks, chunk_name, open_chunks
+from pulling_by_pushing.study.describe import add_study_attributes, apply_declaration
+from pulling_by_pushing.study.slices import part_of, pushes, select_ranges, sizes
 from pulling_by_pushing.study.store import index_of
 
 Built = xr.Dataset | dict[str, xr.Dataset]
@@ -37,7 +37,7 @@ def build_dataset(name: str, values: Values) -> Built:
         groups: dict[str, xr.Dataset] = build(pushes(values))
         return groups
     part = part_of(values)
-    return described(build(part), name, part)
+    return apply_declaration(build(part), name, part)
 
 
 def dataset(
@@ -57,27 +57,34 @@ def dataset(
     with tempfile.TemporaryDirectory(dir=Path(path).parent, prefix=f".{name}.") as folder:
         for part in parts:
             write_built(
-                build_dataset(name, cut(study, part)), Path(folder, _file(part)), name, None
+                build_dataset(name, select_ranges(study, part)),
+                Path(folder, _file(part)),
+                name,
+                None,
             )
         steps = {dim: span.stop - span.start for dim, span in parts[0].items()}
-        with _joined(folder, lengths, steps) as whole:
-            write_built(whole, path, name, marks)
+        with _open_one_by_one(folder, lengths, steps) as combined:
+            write_built(combined, path, name, marks)
 
 
 def gather(
-    path: PathLike, *, chunks: Sequence[str], name: str, whole: Values, marks: Attributes
+    path: PathLike, *, chunks: Sequence[str], name: str, chunking: Values, marks: Attributes
 ) -> None:
     """Write the chunks of a dataset into one file."""
-    with _joined(Path(chunks[0]).parent, whole["lengths"], whole["steps"]) as found:
-        write_built(found, path, name, marks)
+    with _open_one_by_one(
+        Path(chunks[0]).parent, chunking["lengths"], chunking["steps"]
+    ) as combined:
+        write_built(combined, path, name, marks)
 
 
 def index(
-    path: PathLike, *, chunks: Sequence[str], name: str, whole: Values, marks: Attributes
+    path: PathLike, *, chunks: Sequence[str], name: str, chunking: Values, marks: Attributes
 ) -> None:
     """Write the index of a dataset that is stored in chunks."""
-    with _joined(Path(chunks[0]).parent, whole["lengths"], whole["steps"]) as found:
-        write_built(index_of(found, whole["steps"]), path, name, marks)
+    with _open_one_by_one(
+        Path(chunks[0]).parent, chunking["lengths"], chunking["steps"]
+    ) as combined:
+        write_built(index_of(combined, chunking["steps"]), path, name, marks)
 
 
 def _file(part: Mapping[str, slice]) -> str:
@@ -85,15 +92,15 @@ def _file(part: Mapping[str, slice]) -> str:
 
 
 @contextmanager
-def _joined(
+def _open_one_by_one(
     folder: PathLike, lengths: Mapping[str, int], steps: Mapping[str, int]
 ) -> Iterator[xr.Dataset]:
     """Open blocks or chunks as one dataset, which reads them one by one as it is written."""
-    with joined(folder, lengths, steps) as whole:
+    with open_chunks(folder, lengths, steps) as combined:
         import dask  # an extra that grids of one block do not need
 
         with dask.config.set(scheduler="synchronous"):
-            yield whole
+            yield combined
 
 
 def write_built(built: Built, path: PathLike, name: str, marks: Attributes | None) -> None:
@@ -103,4 +110,4 @@ def write_built(built: Built, path: PathLike, name: str, marks: Attributes | Non
         return
     if isinstance(built, xr.Dataset) and "solutions" in built and "solution" in built.dims:
         built = built.isel(solution=slice(max(1, int(built["solutions"].max()))))
-    write_dataset(of_study(built, name, marks), path)
+    write_dataset(add_study_attributes(built, name, marks), path)

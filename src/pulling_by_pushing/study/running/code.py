@@ -44,10 +44,10 @@ def code_of(*modules: str) -> str:
     reached = closure(f"{PAPER}.{name}" for name in modules)
     files = {_path(name) for name in reached}
     files |= {file for folder in {file.parent for file in files} for file in _data_files(folder)}
-    whole = hashlib.sha256()
+    code_hash = hashlib.sha256()
     for file in sorted(files):
-        whole.update(f"{file.name}\0{_facts(file)['digest']}\0".encode())
-    return whole.hexdigest()
+        code_hash.update(f"{file.name}\0{_facts(file)['digest']}\0".encode())
+    return code_hash.hexdigest()
 
 
 def closure(modules: Iterable[str]) -> set[str]:
@@ -74,15 +74,15 @@ def value_of_code(name: str, digest: str, compute: Callable[[], Any]) -> Any:
     compute : callable
         Function without arguments that returns the value.
     """
-    entry = _known()["values"].get(name)
+    entry = _stored_facts()["values"].get(name)
     if not isinstance(entry, list) or entry[:1] != [digest]:
-        _known()["values"][name] = entry = [digest, compute()]
+        _stored_facts()["values"][name] = entry = [digest, compute()]
     return entry[1]
 
 
 def keep_facts() -> None:
     """Store what was read for the next run; a folder that cannot be written costs only time."""
-    content = json.dumps(_known())
+    content = json.dumps(_stored_facts())
     with suppress(OSError, PlanarPushingError):
         stored = CACHE.read_text(encoding="utf-8") if CACHE.is_file() else ""
         if content != stored and CACHE.parent.is_dir():
@@ -92,26 +92,26 @@ def keep_facts() -> None:
 
 def forget_facts() -> None:
     """Forget what was read in this process; files are then examined again."""
-    for function in (code_of, _known, _facts, _path, _data_files):
+    for function in (code_of, _stored_facts, _facts, _path, _data_files):
         function.cache_clear()
 
 
 @cache
-def _known() -> dict[str, Any]:
+def _stored_facts() -> dict[str, Any]:
     """Stored facts by file, and values that depend on code; empty if the store cannot be read."""
     empty: dict[str, Any] = {"format": FORMAT, "files": {}, "values": {}}
     try:
         stored = json.loads(CACHE.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return empty
-    same = isinstance(stored, dict) and stored.get("format") == FORMAT
-    return stored if same and stored.keys() == empty.keys() else empty
+    is_current = isinstance(stored, dict) and stored.get("format") == FORMAT
+    return stored if is_current and stored.keys() == empty.keys() else empty
 
 
 @cache
 def _facts(file: Path) -> Facts:
     """Facts about a file, read again only if its time or size has changed."""
-    state, files = file.stat(), _known()["files"]
+    state, files = file.stat(), _stored_facts()["files"]
     stamp = [state.st_mtime_ns, state.st_size]
     facts: Facts | None = files.get(str(file))
     if facts is None or facts["stamp"] != stamp:

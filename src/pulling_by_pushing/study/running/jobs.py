@@ -31,10 +31,10 @@ def job_log(path: str) -> Iterator[logging.Logger]:
     with open(path, "a", encoding="utf-8") as lock:  # noqa: PTH123 - held open
         with suppress(OSError):  # a cluster's file system may not support locks
             fcntl.flock(lock, fcntl.LOCK_EX)
-        yield from _logged(path)
+        yield from _log_to(path)
 
 
-def _logged(path: str) -> Iterator[logging.Logger]:
+def _log_to(path: str) -> Iterator[logging.Logger]:
     logger = logging.getLogger(PACKAGE)
     handler = logging.FileHandler(path, mode="w", encoding="utf-8")
     handler.setFormatter(logging.Formatter("%(levelname)s %(message)s"))
@@ -61,8 +61,10 @@ def failure_text(rule: str, message: str, logs: Sequence[str]) -> str:
     lines = [f"FAILED: {rule}" + (f" ({message})" if message else "")]
     for log in logs:
         path = Path(log)
-        said = path.read_text(encoding="utf-8").splitlines() if path.is_file() else ["no such file"]
-        lines += [f"  end of {log}:", *(f"    {line}" for line in said[-TAIL:])]
+        log_lines = (
+            path.read_text(encoding="utf-8").splitlines() if path.is_file() else ["no such file"]
+        )
+        lines += [f"  end of {log}:", *(f"    {line}" for line in log_lines[-TAIL:])]
     return "\n".join([*lines, "  fix the error and run make again; it continues from here"])
 
 

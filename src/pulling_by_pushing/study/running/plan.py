@@ -16,12 +16,12 @@ from pulling_by_pushing.study import chunks
 from pulling_by_pushing.study.catalog import DATASETS
 from pulling_by_pushing.study.model import StudyFile
 from pulling_by_pushing.study.running.build import build_dataset
-from pulling_by_pushing.study.slices import computes, cut, points, sizes, study_slice
+from pulling_by_pushing.study.slices import computes, points, select_ranges, sizes, study_slice
 
 #: Number of blocks for measuring a rate, four for each set of effects if a study has all, and their points.
-SAMPLES, SAMPLE = 12, 2**14
+SAMPLES, SAMPLE_POINTS = 12, 2**14
 #: CPU seconds to start a job, in addition to those of its points (measured: 2.9).
-START = 3.0
+START_SECONDS = 3.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,7 +44,7 @@ def study_plan(study: StudyFile) -> list[Plan]:
     ]
 
 
-def uncounted(study: StudyFile) -> dict[str, int]:
+def counts_beyond_grids(study: StudyFile) -> dict[str, int]:
     """Numbers of scenes and other outputs beyond the grids, whose cost is known only after a run."""
     return {
         "scenes": len(study.scenes),
@@ -66,23 +66,23 @@ def _plan(study: StudyFile, name: str) -> Plan:
         jobs=number + 1,  # the last job combines or indexes the chunks, or is the only job
         memory=chunks.MEMORY,
         disk=count * stored * copies / 1e6,
-        cpu_hours=(count * seconds * copies + (number + 1) * START) / 3600,
+        cpu_hours=(count * seconds * copies + (number + 1) * START_SECONDS) / 3600,
     )
 
 
 def measured_rates(name: str, values: dict[str, Any]) -> tuple[float, float]:
     """CPU seconds and bytes per point, measured on blocks at the middles of equal parts of a grid."""
-    found = chunks.blocks(sizes(name, values), SAMPLE)
-    number = min(SAMPLES, len(found))
-    chosen = [found[(2 * i + 1) * len(found) // (2 * number)] for i in range(number)]
+    blocks = chunks.blocks(sizes(name, values), SAMPLE_POINTS)
+    number = min(SAMPLES, len(blocks))
+    samples = [blocks[(2 * i + 1) * len(blocks) // (2 * number)] for i in range(number)]
     # The first block has one point and imports what the others need.
-    _measured(name, cut(values, {dim: slice(0, 1) for dim in found[0]}))
-    rows = [_measured(name, cut(values, part)) for part in chosen]
+    _measure_block(name, select_ranges(values, {dim: slice(0, 1) for dim in blocks[0]}))
+    rows = [_measure_block(name, select_ranges(values, part)) for part in samples]
     count = sum(row[0] for row in rows)
     return sum(row[1] for row in rows) / count, sum(row[2] for row in rows) / count
 
 
-def _measured(name: str, values: dict[str, Any]) -> tuple[int, float, int]:
+def _measure_block(name: str, values: dict[str, Any]) -> tuple[int, float, int]:
     """Points of a block, CPU seconds to compute and write it, and its bytes."""
     with tempfile.TemporaryDirectory() as folder:
         path, start = Path(folder) / "block.nc", time.process_time()

@@ -37,5 +37,5 @@ def study_log(file: SceneFile) -> xr.Dataset:
     """Log of a scene file, with the parameters of the scene as scalar coordinates."""
     log = simulate_file(file)
     scalars = scene_scalars(file.build())
-    coords = {name: ((), each, attributes(LOG, name)) for name, each in scalars.items()}
+    coords = {name: ((), value, attributes(LOG, name)) for name, value in scalars.items()}
     return log.assign_coords(coords)

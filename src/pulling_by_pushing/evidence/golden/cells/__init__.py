@@ -1,0 +1,1 @@
+"""Cells of datasets that the oracle certifies: what each asks, and the answer in balls."""
