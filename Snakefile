@@ -71,7 +71,7 @@ use rule dataset as scenes with:
         path="{results}/data/{dataset,scenes}.nc",
 
 
-# Figs. 14, 15 and 19: motion over time. One job simulates all scene files of a study. The marks include the content
+# Motion over time. One job simulates all scene files of a study. The marks include the content
 # of the files. The files are no inputs, since their layout does not matter.
 for folder, study in STUDIES.items():
 
@@ -103,19 +103,19 @@ use rule dataset as supports with:
         path="{results}/data/{dataset,supports}.nc",
 
 
-# Fig. 16: limit curves of each support and of the ring.
+# Limit curves of each support and of the ring.
 use rule dataset as support_curves with:
     output:
         path="{results}/data/{dataset,support_curves}.nc",
 
 
-# Figs. 17 and 18: motion cones of each support.
+# Motion cones of each support.
 use rule dataset as support_cones with:
     output:
         path="{results}/data/{dataset,support_cones}.nc",
 
 
-# Figs. 17 and 18: motion cones over rod lengths and rod angles, and the friction that pulling needs.
+# Motion cones over rod lengths and rod angles, and the friction that pulling needs.
 use rule dataset as support_rods with:
     output:
         path="{results}/data/{dataset,support_rods}.nc",
@@ -129,7 +129,7 @@ use rule dataset as support_modes with:
 
 rule data:
     input:
-        over("{results}/data/{name}.nc", computed),
+        over("{results}/data/{name}.nc", computed_datasets),
         over(
             "{results}/data/simulations/{name}.nc",
             lambda study: study.simulations,

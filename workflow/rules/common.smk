@@ -20,7 +20,7 @@ from pulling_by_pushing.figures.studies import (
     PUSHES,
     cuts,
     load_drawn_study,
-    numbered,
+    study_figures,
 )
 from pulling_by_pushing.report.provenance import commit
 from pulling_by_pushing.study import chunks
@@ -100,7 +100,7 @@ TO_BEGIN, LONG, AWAITED = 10, 2, 1
 #: File formats of every picture.
 KINDS = ["svg", "pdf", "png"]
 #: Scenes whose motions are computed with each accuracy.
-MOTIONS = [f"workflow/scenes/figure_{name}.yaml" for name in ("14a", "15")]
+MOTIONS = [f"workflow/scenes/{name}.yaml" for name in ("turning_fence", "slipping")]
 #: The ledger of the paper's claims, in the project's folder; without it, no claim is checked.
 LEDGER = "paper/claims.yaml"
 #: Folder of the paper's study, which golden data certify as a whole and the report describes.
@@ -117,7 +117,7 @@ CERTIFIED = [WHOLE] if WHOLE else []
 #: Digests of the evaluated logs; `pushes` runs again if they are missing or the logs have changed.
 DIGESTS = f"{WHOLE or chosen_results(config)}/tables/measured_pushes.txt"
 #: Whether the report can be built: all of its figures are drawn by the studies of this run.
-REPORTED = WHOLE is not None and set(numbered()) == {
+REPORTED = WHOLE is not None and set(study_figures()) == {
     name for study in STUDIES.values() for name in study.figures
 }
 
@@ -136,7 +136,7 @@ def over(pattern, names):
     ]
 
 
-def computed(study):
+def computed_datasets(study):
     """Datasets that a study computes; only these have jobs."""
     return [name for name in DATASETS if computes(study, name)]
 
@@ -192,8 +192,8 @@ def runs(call, *members, also=lambda wildcards: []):
 
     def digest(wildcards):
         named = [member.format(**wildcards) for member in members]
-        own = code.code_of(call.partition(":")[0], *named)
-        return [own, *more] if (more := also(wildcards)) else own
+        code_digest = code.code_of(call.partition(":")[0], *named)
+        return [code_digest, *more] if (more := also(wildcards)) else code_digest
 
     return {"call": call, "code": digest}
 
@@ -209,7 +209,7 @@ def marks(*names):
     return attributes
 
 
-def chunked(wildcards):
+def chunks_of(wildcards):
     """Chunks of a dataset by name; empty for a dataset that is built in one piece."""
     study, name = STUDIES[wildcards.results], wildcards.dataset
     return chunks.chunk_parts(study, name) if name in study.chunks else {}
@@ -217,7 +217,7 @@ def chunked(wildcards):
 
 def job_slice(wildcards):
     """Values of the study from which a dataset or a chunk is computed."""
-    part = chunked(wildcards).get(wildcards.get("chunk"), {})
+    part = chunks_of(wildcards).get(wildcards.get("chunk"), {})
     return chunks.chunk_slice(STUDIES[wildcards.results], wildcards.dataset, part)
 
 
@@ -238,7 +238,7 @@ def job_minutes(wildcards):
 def chunk_files(wildcards):
     """Chunk files that are combined into a dataset."""
     folder = f"{wildcards.results}/chunks/{wildcards.dataset}"
-    files = [f"{folder}/{chunk}.nc" for chunk in chunked(wildcards)]
+    files = [f"{folder}/{chunk}.nc" for chunk in chunks_of(wildcards)]
     return {"chunks": files} if files else {}
 
 
@@ -265,17 +265,17 @@ def dataset_call(wildcards):
     """Name of the function that builds a dataset, combines its chunks, or writes their index."""
     gathers = STUDIES[wildcards.results].gather.get(wildcards.dataset, True)
     function = "gather" if gathers else "index"
-    return f"study.running.build:{function if chunked(wildcards) else 'dataset'}"
+    return f"study.running.build:{function if chunks_of(wildcards) else 'dataset'}"
 
 
 def dataset_values(wildcards, threads):
     """Keyword arguments of the function that `dataset_call` names."""
     study, name = STUDIES[wildcards.results], wildcards.dataset
     values = study_slice(study, name)
-    if not chunked(wildcards):
+    if not chunks_of(wildcards):
         return {"study": values, "threads": threads}
     steps = chunks.chunk_steps(study, name)
-    return {"whole": {"lengths": sizes(name, values), "steps": steps}}
+    return {"chunking": {"lengths": sizes(name, values), "steps": steps}}
 
 
 def measured_files(wildcards):

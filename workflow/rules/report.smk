@@ -1,11 +1,15 @@
 # The report: first its tables, then the PDF. It describes the paper's study, which golden data certify as a
 # whole, and the study of sliders.
 #: Sources in addition to the results.
-SOURCES = sorted(
-    str(part)
-    for part in Path("paper").rglob("*")
-    if part.suffix in (".typ", ".md", ".bib", ".json") and "manual" not in part.parts
-)
+SOURCES = [
+    "CITATION.cff",
+    *sorted(
+        str(part)
+        for part in Path("paper").rglob("*")
+        if part.suffix in (".typ", ".md", ".bib", ".json")
+        and "manual" not in part.parts
+    ),
+]
 #: The tables of the report with their titles in Snakemake's report.
 TABLES = {
     "infinite_friction_cones": ("Tables", "motion cones of infinite friction", "cones"),
@@ -114,6 +118,7 @@ rule manual_pages:
         rules.report_tables.input,
         rules.report_tables.output,
         rules.paper_pdf.output,
+        SOURCES,
         "results/README.md",
         [
             str(path)
@@ -127,7 +132,7 @@ rule manual_pages:
     benchmark:
         f"{WHOLE}/benchmarks/manual/manual_pages.tsv"
     params:
-        **runs("report.manual:build_manual", "study.dictionary"),
+        **runs("report.manual:build_manual", "report.typeset", "study.dictionary"),
         source=lambda wildcards: "paper/manual",
     message:
         "Building the manual"

@@ -9,11 +9,11 @@ if os.environ.get("PLANAR_PUSHING_DASK") == "no":
 
 from pulling_by_pushing.study.running.jobs import job_log
 
-given = dict(snakemake.params.items())
-for shown in ("code", "title", "promise"):  # for Snakemake and its report
-    given.pop(shown, None)
-given |= given.pop("values", {})
+arguments = dict(snakemake.params.items())
+for name in ("code", "title", "promise"):  # for Snakemake and its report
+    arguments.pop(name, None)
+arguments |= arguments.pop("values", {})
 
 with job_log(snakemake.log[0]):
-    function = resolve_name(f"pulling_by_pushing.{given.pop('call')}")
-    function(**dict(snakemake.input.items()), **dict(snakemake.output.items()), **given)
+    function = resolve_name(f"pulling_by_pushing.{arguments.pop('call')}")
+    function(**dict(snakemake.input.items()), **dict(snakemake.output.items()), **arguments)

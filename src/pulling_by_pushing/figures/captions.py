@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -21,7 +22,6 @@ SYMBOLS = {
     "rod_angle": ("ψ", "°"),
     "friction_coefficient": ("μ", ""),
     "pusher_angle": ("θₚ", "°"),
-    "pusher_magnitude": ("|aₚ|", ""),
     "radius": ("R", ""),
     "weight": ("W", ""),
     "mass": ("m", ""),
@@ -36,9 +36,14 @@ def values(data: xr.Dataset, *names: str) -> str:
     )
 
 
-def _text(given: Any, sign: str) -> str:
-    every = [f"{number(float(each))}{sign}" for each in np.atleast_1d(given)]
-    return every[0] if len(every) == 1 else f"{', '.join(every[:-1])} and {every[-1]}"
+def _text(numbers: Any, sign: str) -> str:
+    texts = [f"{number(float(value))}{sign}" for value in np.atleast_1d(numbers)]
+    return texts[0] if len(texts) == 1 else f"{', '.join(texts[:-1])} and {texts[-1]}"
+
+
+def acceleration(data: xr.Dataset) -> float:
+    """Magnitude of the pusher's acceleration in units of mu_s g, where W = mu_s m g."""
+    return float(data.pusher_magnitude * data.mass / data.weight)
 
 
 def number(value: float, digits: int = 6) -> str:
@@ -76,10 +81,14 @@ def pusher_motion(log: xr.Dataset) -> str:
     velocity = np.diff(log.pusher.values, axis=0) / np.diff(times)[:, None]
     turns = np.any(np.abs(np.diff(velocity, axis=0)) > ROUNDING, axis=1)
     starts = [0, *(np.flatnonzero(turns) + 1)]
-    return "vₚ = " + ", ".join(_motion(times[row], velocity[row]) for row in starts)
+    # Around an event, times are so close that the velocity is inexact, but its text is the same.
+    motions = groupby(starts, key=lambda row: _motion(velocity[row]))
+    first, *others = [(motion, number(times[next(rows)])) for motion, rows in motions]
+    return ", ".join(
+        [f"vₚ = {first[0]}", *(f"then {motion} from time {time}" for motion, time in others)]
+    )
 
 
-def _motion(time: float, velocity: Array) -> str:
+def _motion(velocity: Array) -> str:
     speed, angle = np.hypot(*velocity), np.rad2deg(np.arctan2(*velocity[::-1]))
-    motion = f"{number(round(float(speed), 9))} at {number(round(float(angle), 9))}°"
-    return f"then {motion} from time {number(time)}" if time else motion
+    return f"{number(round(float(speed), 9))} at {number(round(float(angle), 9))}°"

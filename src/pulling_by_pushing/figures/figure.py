@@ -13,7 +13,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import require_name
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -115,17 +115,15 @@ def module_name(name: str) -> str:
         If there is no figure of this name.
     """
     modules = module_names()
-    if name not in modules:
-        raise InvalidValue("figure", name, ", ".join(modules), "name one of these figures")
-    return modules[name]
+    return modules[require_name("figure", name, modules, "name one of these figures")]
 
 
 def drawing(name: str) -> Drawing:
     """Figure with its functions, such as "figure_08"; errors as in `module_name`."""
     module = _load(module_name(name))
     if hasattr(module, "FIGURES"):
-        one: Drawing = module.FIGURES[name]
-        return one
+        figure_drawing: Drawing = module.FIGURES[name]
+        return figure_drawing
     return Drawing(module.FIGURE, module.draw, module.caption)
 
 
@@ -169,21 +167,23 @@ def view(name: str, results: PathLike, cuts: Cuts | None = None) -> Any:
     figure = entry(name)
     if any(map(_is_file, figure.reads)):
         return read_pushes(figure.reads[0])
-    return {source: cut(open_dataset(source, results), cuts_of(figure, source, cuts or {}))
+    return {source: select_values(open_dataset(source, results), cuts_of(figure, source, cuts or {}))
             for source in figure.reads}  # fmt: skip
 
 
 def cuts_of(figure: Figure, source: str, cuts: Cuts) -> Cuts:
     """Values at which one dataset of a figure is cut: those of the study, and the figure's own."""
-    given = [
-        {axis: value for axis, value in each.items() if not isinstance(value, Mapping)}
-        | dict(each.get(source, {}))
-        for each in (cuts, figure.cuts)
+    selections = [
+        {axis: value for axis, value in axis_values.items() if not isinstance(value, Mapping)}
+        | dict(axis_values.get(source, {}))
+        for axis_values in (cuts, figure.cuts)
     ]
-    return {axis: value for axis, value in (given[0] | given[1]).items() if value is not None}
+    return {
+        axis: value for axis, value in (selections[0] | selections[1]).items() if value is not None
+    }
 
 
-def cut(dataset: xr.Dataset, values: Cuts) -> xr.Dataset:
+def select_values(dataset: xr.Dataset, values: Cuts) -> xr.Dataset:
     """Part of a dataset at one or several values of the axes that it has."""
     return dataset.sel(
         {
@@ -200,8 +200,8 @@ def _is_file(source: str) -> bool:
 
 def full_caption(name: str, data: Any) -> str:
     """Caption as printed; a reconstruction names its figure in the paper; errors as in `module_name`."""
-    one = drawing(name)
-    if not one.figure.promise:
-        return one.caption(data)
+    figure_drawing = drawing(name)
+    if not figure_drawing.figure.promise:
+        return figure_drawing.caption(data)
     number = int(name.removeprefix("figure_"))
-    return f"{one.caption(data)} After Fig. {number} of Lynch and Mason."
+    return f"{figure_drawing.caption(data)} After Fig. {number} of Lynch and Mason."

@@ -21,11 +21,11 @@ from pulling_by_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_fol
 from pulling_by_pushing.study.study_file import load_study
 
 #: Scale of a stored image relative to its picture: large enough to reveal a moved label.
-SCALE = 0.36
+STORED_SCALE = 0.36
 #: Number of colors in a stored image.
 COLORS = 128
 #: Largest allowed root mean square difference of color levels, 0 to 255.
-TOLERANCE = 2.0
+LEVEL_TOLERANCE = 2.0
 
 
 def thumbnail(path: Path) -> Image.Image:
@@ -39,7 +39,7 @@ def thumbnail(path: Path) -> Image.Image:
     if not path.is_file():
         raise InvalidFile(f"{path}: no such picture; build it with make or snakemake")
     with Image.open(path) as image:
-        size = round(SCALE * image.width), round(SCALE * image.height)
+        size = round(STORED_SCALE * image.width), round(STORED_SCALE * image.height)
         small = image.convert("RGB").resize(size, Image.Resampling.LANCZOS)
         return small.quantize(COLORS)
 
@@ -54,11 +54,11 @@ def difference(path: Path, stored: Path) -> float:
 
 def every_picture(results: Path) -> dict[str, Path]:
     """Pictures of the figures of both default studies and of those on measured pushes."""
-    own = study_folder(study_name(SLIDERS_FILE), results)
-    folders = {PAPER_FILE: results, SLIDERS_FILE: own}
-    found = [pictures(folder, load_study(file)) for file, folder in folders.items()]
+    sliders = study_folder(study_name(SLIDERS_FILE), results)
+    folders = {PAPER_FILE: results, SLIDERS_FILE: sliders}
+    by_study = [pictures(folder, load_study(file)) for file, folder in folders.items()]
     measured = {name: results / "figures" / f"{name}.png" for name in PUSHES}
-    return found[0] | found[1] | measured
+    return by_study[0] | by_study[1] | measured
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -72,8 +72,10 @@ def main(arguments: list[str] | None = None) -> int:
     for name, picture in every_picture(args.results).items():
         stored = args.golden / "images" / f"{name}.png"
         gap = difference(picture, stored) if stored.is_file() else np.inf
-        print(f"{name}: {'unchanged' if gap <= TOLERANCE else 'differs'}, {gap:.2f} color levels")
-        if gap > TOLERANCE:
+        print(
+            f"{name}: {'unchanged' if gap <= LEVEL_TOLERANCE else 'differs'}, {gap:.2f} color levels"
+        )
+        if gap > LEVEL_TOLERANCE:
             changed += 1
             if args.write:
                 with replacing(stored) as temporary:

@@ -25,12 +25,12 @@ def read_pushes(path: PathLike) -> dict[str, Any]:
         If the file is missing, is not JSON, or lacks a section.
     """
     try:
-        found = json.loads(Path(path).read_text(encoding="utf-8"))
+        numbers = json.loads(Path(path).read_text(encoding="utf-8"))
     except FileNotFoundError:
         raise InvalidFile(f"{path}: no such file; {REMEDY}") from None
     except json.JSONDecodeError as error:
         raise InvalidFile(f"{path}: is not JSON ({error}); {REMEDY}") from None
-    lacking = [part for part in PARTS if not isinstance(found, dict) or part not in found]
-    if lacking:
-        raise InvalidFile(f"{path}: lacks {lacking[0]}; allowed: {', '.join(PARTS)}; {REMEDY}")
-    return dict(found)
+    missing = [part for part in PARTS if not isinstance(numbers, dict) or part not in numbers]
+    if missing:
+        raise InvalidFile(f"{path}: lacks {missing[0]}; allowed: {', '.join(PARTS)}; {REMEDY}")
+    return dict(numbers)

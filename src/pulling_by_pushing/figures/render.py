@@ -29,12 +29,12 @@ def figure(
     paths : paths
         Pictures to save; the ending of a name determines the format.
     """
-    one, data = drawing(name), view(name, results, cuts)
+    figure_drawing, data = drawing(name), view(name, results, cuts)
 
     def draw(figure: Any) -> None:
-        one.draw(figure, data)
+        figure_drawing.draw(figure, data)
 
-    save_drawn(draw, one.figure.size, paths.values())
+    save_drawn(draw, figure_drawing.figure.size, paths.values())
 
 
 def simulation_figures(sources: Sequence[PathLike], **paths: Sequence[PathLike]) -> None:

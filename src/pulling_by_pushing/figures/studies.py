@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from planar_pushing.scenes.yaml_text import shown
-from planar_pushing.terms.errors import InvalidFile
+from planar_pushing.scenes.yaml_text import format_entry
+from planar_pushing.terms.errors import InvalidFile, suggestion
 from planar_pushing.terms.replacing import PathLike
-from pulling_by_pushing.figures.figure import Figure, cuts_of, entry, figure_names
+from pulling_by_pushing.figures.figure import Figure, cuts_of, entry
 from pulling_by_pushing.study.catalog import DATASETS, SIMULATIONS
 from pulling_by_pushing.study.model import StudyFile
 from pulling_by_pushing.study.slices import computes
@@ -17,14 +17,26 @@ from pulling_by_pushing.study.study_file import load_study
 
 #: Figures on measured pushes, drawn from numbers in the project's folder.
 PUSHES = ("measured_pressures", "measured_errors")
-#: Figures on the computations and predictions of this work, in the order of the report; they are the same
-#: for every study.
-OURS = (*PUSHES, "accuracy_wrench", "accuracy_cone_motion", "effects", "hard_cases")
+#: Figures on the computations and predictions of this work; they are the same for every study.
+OURS = (*PUSHES, "accuracy", "effects", "hard_cases")
+#: Figures in the order in which the report mentions them; numbers of its supplement begin with S.
+BODY = (
+    *(f"figure_{number:02}" for number in range(1, 14)),
+    "friction_for_pulling", "measured_errors", "accuracy", "effects", "hard_cases",
+)  # fmt: skip
+SUPPLEMENT = (
+    "pulling_over_time", "slip_over_time", "support_limit_curves", "slip_of_supports", "pivoting_tripod",
+    "measured_pressures",
+)  # fmt: skip
+#: Printed number of each figure.
+NUMBERS = {name: str(number) for number, name in enumerate(BODY, 1)} | {
+    name: f"S{number}" for number, name in enumerate(SUPPLEMENT, 1)
+}
 
 
-def numbered() -> list[str]:
-    """Names of the numbered figures, which a study can list, in order."""
-    return [name for name in figure_names() if name not in OURS]
+def study_figures() -> list[str]:
+    """Names of the figures that a study can list, in the order of the report."""
+    return [name for name in NUMBERS if name not in OURS]
 
 
 def load_drawn_study(path: PathLike) -> StudyFile:
@@ -38,16 +50,17 @@ def load_drawn_study(path: PathLike) -> StudyFile:
 def cuts(study: StudyFile, name: str) -> dict[str, Any]:
     """Values at which a figure cuts its datasets: those of its entry, and otherwise the study's rod."""
     rod = study.slider.model_dump(include={"rod_length", "rod_angle"}, exclude_none=True)
-    given = study.figures.get(name)
-    return rod | (given.model_dump(exclude_none=True) if given else {})
+    listed = study.figures.get(name)
+    return rod | (listed.model_dump(exclude_none=True) if listed else {})
 
 
 def problems(study: StudyFile) -> Iterator[str]:
     """Reasons why figures listed by a study cannot be drawn."""
-    known = numbered()
+    known = study_figures()
     for name in study.figures:
         if name not in known:
-            yield f"figures.{name}: unknown; allowed: {', '.join(known)}; remove it"
+            remedy = suggestion(name, known, "remove it")
+            yield f"figures.{name}: unknown; allowed: {', '.join(known)}; {remedy}"
             continue
         figure = entry(name)
         yield from _missing_sources(study, name, figure)
@@ -73,34 +86,34 @@ def _missing_sources(study: StudyFile, name: str, figure: Figure) -> Iterator[st
 
 def _missing_entries(study: StudyFile, name: str, figure: Figure) -> Iterator[str]:
     """Problems with values that a figure takes from its entry, and with datasets that it does not read."""
-    given = cuts(study, name)
+    values = cuts(study, name)
     for key in figure.takes:
         source, _, axis = key.rpartition(".")
-        if axis not in (given.get(source, {}) if source else given):
+        if axis not in (values.get(source, {}) if source else values):
             yield f"figures.{name}.{key}: missing; allowed: values of the grid; add it"
-    for key, value in given.items():
+    for key, value in values.items():
         if isinstance(value, Mapping) and key not in figure.reads:
             yield f"figures.{name}.{key}: given; allowed: {', '.join(figure.reads)}; remove it"
 
 
 def _missing_values(study: StudyFile, name: str, figure: Figure, source: str) -> Iterator[str]:
     """Problems with values at which a figure cuts a dataset that does not have them."""
-    own = study.figures[name].model_dump(exclude_none=True)
+    listed = study.figures[name].model_dump(exclude_none=True)
     for axis, value in cuts_of(figure, source, cuts(study, name)).items():
         if source not in DATASETS or axis not in DATASETS[source].dims:
             continue
         values = tuple(value) if isinstance(value, (list, tuple)) else (value,)
-        allowed, place = study.values(axis, source), study.place(axis, source)
-        lacking = [each for each in values if each not in allowed]
-        key = f"{source}.{axis}" if axis in own.get(source, {}) else axis
-        if lacking and (key != axis or axis in own):
+        allowed, axis_key = study.values(axis, source), study.axis_key(axis, source)
+        lacking = [item for item in values if item not in allowed]
+        key = f"{source}.{axis}" if axis in listed.get(source, {}) else axis
+        if lacking and (key != axis or axis in listed):
             yield (
-                f"figures.{name}.{key}: {shown(values)} given; allowed: values of {place}, "
-                f"{shown(allowed)}; change it or add it there"
+                f"figures.{name}.{key}: {format_entry(values)} given; allowed: values of {axis_key}, "
+                f"{format_entry(allowed)}; change it or add it there"
             )
         elif lacking:
             yield (
-                f"{place}: {shown(allowed)} given; allowed: values that include {lacking[0]!r}, "
+                f"{axis_key}: {format_entry(allowed)} given; allowed: values that include {lacking[0]!r}, "
                 f"at which figures.{name} is drawn; add it, or remove the figure"
             )
 

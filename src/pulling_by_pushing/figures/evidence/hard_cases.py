@@ -15,10 +15,10 @@ from pulling_by_pushing.figures.figure import Data, Figure
 FIGURE = Figure(
     title="Errors of the hard cases",
     reads=("hard_cases",),
-    size=(PAGE, 2.8),
+    size=(PAGE, 2.4),
 )
-#: Names of the hard places, in the order of `line`.
-PLACES = (
+#: Names of the groups, in the order of `line`.
+GROUPS = (
     "center on\nthe ring",
     "translation,\nrotation",
     "lengths,\nangles",
@@ -45,8 +45,8 @@ def positions(lines: Array) -> Array:
 
 def caption(data: Data) -> str:
     """Caption of the figure."""
-    every = data["hard_cases"]
-    cases, ill = every.sizes["case"], int((every.ill_conditioned > 0).sum())
+    errors = data["hard_cases"]
+    cases, ill = errors.sizes["case"], int((errors.ill_conditioned > 0).sum())
     return (
         f"Errors of the {cases} hard cases in units in the last place (ulp), ordered within each "
         "group from best to worst condition: rings first, then other supports. A stroke is the "
@@ -62,22 +62,24 @@ def draw(figure: Any, data: Data) -> None:
     """Draw errors as dots and condition numbers as strokes, ordered by condition within each group."""
     cases = data["hard_cases"]
     cases = cases.isel(case=np.lexsort((cases.condition.values, cases.line.values)))
-    ax = figure.add_axes((0.075, 0.17, 0.915, 0.7))
-    at = positions(cases.line.values)
+    ax = figure.add_axes((0.075, 0.17, 0.915, 0.72))
+    abscissa = positions(cases.line.values)
     error = np.maximum(cases.error_ulp.values, FLOOR)
     ill = cases.ill_conditioned.values > 0
-    ax.set(yscale="log", xlim=(at[0] - GAP / 2, at[-1] + GAP / 2), ylim=(FLOOR / 1.6, 1e18))
+    ax.set(
+        yscale="log", xlim=(abscissa[0] - GAP / 2, abscissa[-1] + GAP / 2), ylim=(FLOOR / 1.6, 1e18)
+    )
     ax.axhspan(FLOOR / 1.6, 4, color="#E3EEF6", zorder=0, lw=0, label="up to 4 ulp")
     ax.plot(
-        at, np.maximum(cases.condition, 1), "_", color=GRAY, ms=3, mew=1.4,
+        abscissa, np.maximum(cases.condition, 1), "_", color=GRAY, ms=3, mew=1.4,
         label="condition number",
     )  # fmt: skip
-    ax.plot(at[~ill], error[~ill], "o", color=MOTION, ms=2.6, mew=0, label="error")
+    ax.plot(abscissa[~ill], error[~ill], "o", color=MOTION, ms=2.6, mew=0, label="error")
     ax.plot(
-        at[ill], error[ill], "D", color=FORCE, ms=3.4, mew=0,
+        abscissa[ill], error[ill], "D", color=FORCE, ms=3.4, mew=0,
         label="error, ill-conditioned",
     )  # fmt: skip
-    _decorate(ax, cases.line.values, at)
+    _decorate(ax, cases.line.values, abscissa)
     ax.legend(
         loc="lower left",
         bbox_to_anchor=(0.0, 1.0),
@@ -87,12 +89,13 @@ def draw(figure: Any, data: Data) -> None:
     )
 
 
-def _decorate(ax: Axes, lines: Array, at: Array) -> None:
-    middles = [at[lines == line].mean() for line in range(1, len(PLACES) + 1)]
-    ax.set_xticks(middles, PLACES)
+def _decorate(ax: Axes, lines: Array, abscissa: Array) -> None:
+    middles = [abscissa[lines == line].mean() for line in range(1, len(GROUPS) + 1)]
+    names = [name if "\n" in name else f"{name}\n" for name in GROUPS]
+    ax.set_xticks(middles, names)
     ax.tick_params(axis="x", length=0)
-    for line in range(2, len(PLACES) + 1):
-        ax.axvline(at[lines == line][0] - (GAP + 1) / 2, color="#D0D0D0", lw=0.5, zorder=0)
+    for line in range(2, len(GROUPS) + 1):
+        ax.axvline(abscissa[lines == line][0] - (GAP + 1) / 2, color="#D0D0D0", lw=0.5, zorder=0)
     powers = (4, 8, 12, 16)
     ax.set_yticks(
         [FLOOR, 1, *(10**n for n in powers)], ["0", "1", *(f"$10^{{{n}}}$" for n in powers)]

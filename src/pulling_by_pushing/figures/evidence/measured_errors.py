@@ -11,11 +11,9 @@ import xarray as xr
 from planar_pushing.drawing.canvas.colors import DARK
 from planar_pushing.drawing.canvas.style import PAGE
 from planar_pushing.drawing.comparison import (
-    AROUND,
     LOOKS,
     NAMES,
     RATIOS,
-    ROW,
     by_quantity,
     panel,
     title,
@@ -26,14 +24,14 @@ from pulling_by_pushing.figures.measured import PUSHES_FILE
 FIGURE = Figure(
     title="Errors of models on measured pushes",
     reads=(PUSHES_FILE,),
-    size=(PAGE, 4.6),
+    size=(PAGE, 3.6),
 )
 #: Statistics of a model, and the sizes of their last axes.
 STATISTICS = {
     "median": (), "median_interval": (2,), "percentile_90": (), "ratio": (), "ratio_interval": (2,)
 }  # fmt: skip
-#: Panels in a row.
-COLUMNS = 3
+#: Panels in a row; height of a model, and space above and below a row of panels, inches.
+COLUMNS, ROW, AROUND = 3, 0.15, 0.42
 
 
 class Group(NamedTuple):
@@ -63,7 +61,7 @@ class Part(NamedTuple):
 
 def caption(data: dict[str, Any]) -> str:
     """Caption of the figure."""
-    feet, face, every = (data[name]["pushes"] for name in ("three_feet", "patch", "polygons"))
+    feet, face, polygons = (data[name]["pushes"] for name in ("three_feet", "patch", "polygons"))
     return (
         "Errors of friction models on measured pushes; each half of the pushes is predicted by models "
         "fitted to the other half. A marker is the median, a thick line its 95 percent interval, and a "
@@ -72,7 +70,7 @@ def caption(data: dict[str, Any]) -> str:
         "exact mechanics, hollow diamonds are ellipsoids, and the hollow triangle is the convex quartic, "
         "which needs measured forces. The object is a triangle on three feet "
         f"({feet} pushes) or on its whole face ({face}), or a polygon pushed at a side "
-        f"({every - data['polygons']['corner_pushes']}), or at a side or a corner ({every})."
+        f"({polygons - data['polygons']['corner_pushes']}), or at a side or a corner ({polygons})."
     )
 
 
@@ -82,32 +80,34 @@ def parts(data: dict[str, Any]) -> list[list[Part]]:
 
 
 def _parts(data: dict[str, Any], group: Group) -> list[Part]:
-    found = by_quantity(statistics(data[group.part][group.key], "mm"))
-    return [Part(group, one) for one in found.values()]
+    quantities = by_quantity(statistics(data[group.part][group.key], "mm"))
+    return [Part(group, errors) for errors in quantities.values()]
 
 
 def statistics(comparison: Mapping[str, Mapping[str, Any]], unit: str) -> xr.Dataset:
     """A comparison in the file as a dataset like that of `compare`, with models in the order of `LOOKS`."""
     quantities, models = list(comparison), _in_order(comparison.values())
-    found: dict[str, Any] = {}
+    variables: dict[str, Any] = {}
     for name, rest in STATISTICS.items():
-        every = np.full((len(quantities), len(models), *rest), np.nan)
+        values = np.full((len(quantities), len(models), *rest), np.nan)
         for i, quantity in enumerate(quantities):
             for j, model in enumerate(models):
                 if model in comparison[quantity]:
-                    every[i, j] = comparison[quantity][model][name]
-        found[name] = ("quantity", "model", *(["bound"] if rest else [])), every
+                    values[i, j] = comparison[quantity][model][name]
+        variables[name] = ("quantity", "model", *(["bound"] if rest else [])), values
     return xr.Dataset(
-        found,
+        variables,
         {"quantity": quantities, "model": models},
         {"pose_units": unit, "angle_units": "degree"},
     )
 
 
-def _in_order(given: Iterable[Mapping[str, Any]]) -> list[str]:
+def _in_order(comparisons: Iterable[Mapping[str, Any]]) -> list[str]:
     """Models with a value of some quantity, first those with an entry in `LOOKS`."""
-    every = dict.fromkeys(name for each in given for name in each)
-    return [name for name in LOOKS if name in every] + [name for name in every if name not in LOOKS]
+    models = dict.fromkeys(name for models in comparisons for name in models)
+    return [name for name in LOOKS if name in models] + [
+        name for name in models if name not in LOOKS
+    ]
 
 
 def draw(figure: Any, data: dict[str, Any]) -> None:
@@ -115,23 +115,23 @@ def draw(figure: Any, data: dict[str, Any]) -> None:
     rows = parts(data)
     wide = figure.get_figwidth()
     heights = [ROW * max(part.errors.sizes["model"] for part in row) for row in rows]
-    whole = sum(heights) + AROUND * len(rows)
-    figure.set_figheight(whole)
-    for row, high, low in zip(rows, heights, _lows(heights, whole), strict=True):
+    height = sum(heights) + AROUND * len(rows)
+    figure.set_figheight(height)
+    for row, high, low in zip(rows, heights, _lows(heights, height), strict=True):
         width = (wide - NAMES) / COLUMNS
         for k, part in enumerate(row):
             left, axis = NAMES + k * width, width - RATIOS
-            ax = figure.add_axes((left / wide, low / whole, axis / wide, high / whole))
+            ax = figure.add_axes((left / wide, low / height, axis / wide, high / height))
             panel(ax, part.errors, named=k == 0)
             ax.set_title(title(part.errors) + part.group.remark, loc="left", fontsize=8)
             if k == 0:
-                figure.text(0.07 / wide, (low + high + 0.06) / whole, part.group.name, color=DARK,
+                figure.text(0.07 / wide, (low + high + 0.06) / height, part.group.name, color=DARK,
                             weight="bold")  # fmt: skip
 
 
-def _lows(heights: list[float], whole: float) -> Iterator[float]:
+def _lows(heights: list[float], height: float) -> Iterator[float]:
     """Lower edge of the axes of each row, inches from the bottom."""
-    top = whole
+    top = height
     for high in heights:
         top -= AROUND + high
         yield top + 0.2

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from planar_pushing.drawing.body import add_fence, add_rod
-from planar_pushing.drawing.canvas.axes import Panel, panels
 from planar_pushing.drawing.canvas.colors import DARK, FORCE, GUIDE, MOTION, PUSHER
-from planar_pushing.drawing.canvas.marks import NOTE, Picture, corners, unit
+from planar_pushing.drawing.canvas.marks import NOTE, Picture, unit
+from planar_pushing.drawing.canvas.panels import Panel, panels
 from planar_pushing.drawing.canvas.style import COLUMN
 from planar_pushing.drawing.supports import Ink, Pose, add_support
 from planar_pushing.mechanics.supports import Ring
@@ -34,6 +34,8 @@ FIGURE = Figure(
 )
 #: Drawn lengths of the pusher's velocity and of the force.
 SPEED, FORCE_LENGTH = 2.9, 2.3
+#: Direction of the labels on the arcs, between the rod and the force, degrees.
+BETWEEN = 78.0
 
 
 def angles(cone: xr.Dataset) -> dict[str, float]:
@@ -49,7 +51,7 @@ def angles(cone: xr.Dataset) -> dict[str, float]:
 def caption(data: Data) -> str:
     """Caption with the plotted values."""
     cone = data["motion_cones"]
-    force, slider, pusher = (f"{each:.1f}°" for each in angles(cone).values())
+    force, slider, pusher = (f"{angle:.1f}°" for angle in angles(cone).values())
     return (
         "The pushing problem: a fence pushes a ring at the free end of its rod. Filled arrowheads "
         "mark forces, and open ones mark velocities and accelerations; angles are measured from the "
@@ -73,8 +75,7 @@ def draw(figure: Any, data: Data) -> None:
     _lengths(picture, ring, psi, size)
     for turn, name in ((0.0, "$x$"), (np.pi / 2, "$y$")):
         picture.axis((left + 0.3, ring[1] - 0.2), turn, 0.7, name)
-    box = corners([(left, -0.45), (right, ring[1] + size)])
-    panels(figure, [Panel(picture, box, pad=8.0)])
+    panels(figure, [Panel(picture)])
 
 
 def _vectors(picture: Picture, force: float, slider: float, pusher: float) -> None:
@@ -85,13 +86,15 @@ def _vectors(picture: Picture, force: float, slider: float, pusher: float) -> No
 
 
 def _angles(picture: Picture, psi: float, force: float, slider: float, pusher: float) -> None:
-    for reach, end, symbol, color, at in (
-        (0.5, psi, r"$\psi$", DARK, 0.5),
-        (1.05, force, r"$\phi$", FORCE, 0.62),
-        (1.35, slider, r"$\theta_s$", MOTION, 0.62),
-        (1.65, pusher, r"$\theta_p$", PUSHER, 0.62),
+    picture.angle(0.0, np.deg2rad(psi), 0.45, r"$\psi$", color=DARK)
+    for reach, end, symbol, color in (
+        (0.95, force, r"$\phi$", FORCE),
+        (1.3, slider, r"$\theta_s$", MOTION),
+        (1.65, pusher, r"$\theta_p$", PUSHER),
     ):
-        picture.angle(0.0, np.deg2rad(end), reach, symbol, color=color, at=at)
+        picture.angle(
+            0.0, np.deg2rad(end), reach, symbol, color=color, fraction=BETWEEN / end, offset=0.0
+        )
 
 
 def _lengths(picture: Picture, ring: np.ndarray, psi: float, size: float) -> None:

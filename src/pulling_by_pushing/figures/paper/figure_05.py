@@ -30,7 +30,7 @@ FIGURE = Figure(
 #: Force angles, measured from the rod, at which force and velocity are parallel, degrees.
 PARALLEL = (0.0, 90.0, 180.0, 270.0)
 #: Force angle of the curves' labels, degrees; half the width of the axes, in units of W; their position.
-LABEL_ANGLE, SPAN, PLACE = 168.0, 1.27, (0.135, 0.12, 0.855, 0.855)
+LABEL_ANGLE, SPAN, PLACE = 155.0, 1.27, (0.135, 0.12, 0.855, 0.855)
 
 
 def caption(data: Data) -> str:
@@ -56,7 +56,7 @@ def draw(figure: Any, data: Data) -> None:
     picture, rod = Picture(), float(curves.rod_angle)
     for turn in PARALLEL[:2]:
         picture.guide(-0.95 * unit(rod + turn), 0.95 * unit(rod + turn), dash=":")
-    add_curves(picture, curves, LABEL_ANGLE, "right")
+    add_curves(picture, curves, LABEL_ANGLE)
     # A force along the rod translates the slider, whatever the rod's length.
     ends = np.stack([forces(curves, angle)[-1] * unit(angle) for angle in (rod, rod + 180)])
     picture.line(ends, rod_color(np.inf), width=1.6, order=3.0)
@@ -70,7 +70,7 @@ def draw(figure: Any, data: Data) -> None:
 def forces(curves: xr.Dataset, angle: float) -> Array:
     """Forces at a force angle in degrees, by rod length."""
     x, sizes = curves.force_angle.values, curves.force.transpose("rod_length", ...).values
-    return np.array([np.interp(angle % 360, x, each) for each in sizes])
+    return np.array([np.interp(angle % 360, x, force) for force in sizes])
 
 
 def _add_velocities(picture: Picture, feet: Array, angle: float) -> None:

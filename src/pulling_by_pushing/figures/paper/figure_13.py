@@ -8,14 +8,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.legend_handler import HandlerTuple
 from matplotlib.patches import Patch, Rectangle
 
 from planar_pushing.drawing.canvas.colors import DARK, look_of
 from planar_pushing.drawing.canvas.marks import NOTE
 from planar_pushing.drawing.canvas.style import PAGE
 from planar_pushing.mechanics.plane import Array
-from pulling_by_pushing.figures.captions import mathematical, values
-from pulling_by_pushing.figures.figure import Data, Figure
+from pulling_by_pushing.figures.captions import acceleration, mathematical, number, values
+from pulling_by_pushing.figures.figure import BOTH, Data, Figure
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -30,7 +31,7 @@ FIGURE = Figure(
 TITLES = {
     "support_friction": "support friction",
     "inertia": "inertia",
-    "support_friction+inertia": r"both, $|\mathbf{{a}}_p| = {:g}\,W/m$",
+    "support_friction+inertia": "both",
 }
 #: Friction coefficients labeled on the axis, and the range of the pusher angle, degrees.
 TICKS = (0.0, 0.5, 1.0, 2.0, 5.0, np.inf)
@@ -51,13 +52,18 @@ DOTS: dict[str, Any] = {
 }
 #: Line at which sticking ends.
 BORDER: dict[str, Any] = {"color": DARK, "linewidth": 0.7, "zorder": 2}
+#: Frame of a map, a strip, and a field of the legend.
+FRAME: dict[str, Any] = {"fill": False, "edgecolor": DARK, "linewidth": 0.6}
 UPRIGHT: dict[str, Any] = {"rotation": 90, "ha": "center", "va": "top", "size": NOTE}
 
 
 def caption(data: Data) -> str:
     """Caption with the plotted values."""
-    names = "rod_length rod_angle radius weight mass gyration_radius pusher_magnitude"
-    known = values(data["mode_maps"], *names.split())
+    maps = data["mode_maps"]
+    names = "rod_length rod_angle radius weight mass gyration_radius"
+    known = (
+        f"{values(maps, *names.split())}, |aₚ| = {number(acceleration(maps))}\N{NO-BREAK SPACE}μₛg"
+    )
     return (
         "Consistent contact modes over the coefficient of friction μ (the axis is linear in "
         "arctan μ, given in degrees below μ) and the direction of the fence's motion, for support "
@@ -75,28 +81,40 @@ def draw(figure: Any, data: Data) -> None:
     maps, cones = data["mode_maps"], data["motion_cones"]
     maps = maps.sel(pusher_angle=maps.pusher_angle >= LOWEST)
     axes = figure.subplots(1, maps.sizes["effects"], sharey=True, squeeze=False).ravel()
-    figure.subplots_adjust(left=0.07, right=0.995, bottom=0.36, top=0.93, wspace=0.08)
+    figure.subplots_adjust(left=0.063, right=0.995, bottom=0.298, top=0.935, wspace=0.08)
     codes: set[int] = set()
     for ax, name in zip(axes, maps.effects.values, strict=True):
         codes |= _map(ax, maps.sel(effects=name), cones.sel(effects=name))
         _name_strips(ax)
-        ax.set_title(TITLES[str(name)].format(float(maps.pusher_magnitude)), x=MIDDLE)
+        ax.set_title(_title(maps, str(name)), x=MIDDLE)
         ax.set_xlabel(r"$\mu$, and $\arctan \mu$ (degrees)", x=MIDDLE)
     axes[0].set_ylabel("pusher angle (degrees)")
     ordered = sorted(codes, key=lambda code: (bin(code).count("1") != 1, code))
     _add_legend(figure, ordered, axes[0].lines[-1:])
 
 
+def _title(maps: xr.Dataset, effects: str) -> str:
+    """Title of a map; that of both effects depends on the magnitude of the acceleration."""
+    if effects != BOTH:
+        return TITLES[effects]
+    return rf"{TITLES[effects]}, $|\mathbf{{a}}_p| = {acceleration(maps):g}\,\mu_s g$"
+
+
 def _add_legend(figure: Any, codes: list[int], dots: Sequence[Artist]) -> None:
     """Add a legend below the maps: sets of one mode first, then larger sets, then the dots."""
-    handles = []
-    for code in codes:
-        look = look_of(code)
-        handles.append(Patch(facecolor=look.fill, hatch=look.hatch, edgecolor=look.ink, linewidth=0.5,
-                             label=look.name))  # fmt: skip
+    looks = [look_of(code) for code in codes]
+    swatches = [
+        (
+            Patch(facecolor=look.fill, hatch=look.hatch, edgecolor=look.ink, linewidth=0),
+            Patch(**FRAME),
+        )
+        for look in looks
+    ]
+    names = [*(look.name for look in looks), *(dot.get_label() for dot in dots)]
     figure.legend(
-        handles=[*handles, *dots], ncols=4, loc="lower center", handlelength=2.2,
+        [*swatches, *dots], names, ncols=4, loc="lower center", handlelength=2.2,
         bbox_to_anchor=(0.5, 0.0), columnspacing=1.4, handleheight=1.1,
+        handler_map={tuple: HandlerTuple(ndivide=1, pad=0.0)},
     )  # fmt: skip
 
 
@@ -121,7 +139,7 @@ def _map(ax: Axes, one: xr.Dataset, cones: xr.Dataset) -> set[int]:
     if "+" not in str(one.effects.values):  # otherwise the cone covers every magnitude
         for side in ("right", "left"):
             edge = cones[f"motion_cone_{side}"]
-            ax.plot(cones.friction_angle, edge, "o", label="computed cone edges", **DOTS)
+            ax.plot(cones.friction_angle, edge, "o", label="edges in the dataset", **DOTS)
     _decorate(ax)
     return codes
 
@@ -136,9 +154,9 @@ def _decorate(ax: Axes) -> None:
 
 
 def _name_strips(ax: Axes) -> None:
-    for name, place in STRIPS.items():
-        at, below = (place + STRIP_WIDTH / 2, -0.03), ax.get_xaxis_transform()
-        ax.annotate(STRIP_NAMES[name], at, xycoords=below, annotation_clip=False, **UPRIGHT)
+    for name, left in STRIPS.items():
+        position, below = (left + STRIP_WIDTH / 2, -0.03), ax.get_xaxis_transform()
+        ax.annotate(STRIP_NAMES[name], position, xycoords=below, annotation_clip=False, **UPRIGHT)
 
 
 def _force_angle(one: xr.Dataset) -> Array:
@@ -161,20 +179,20 @@ def _bands(ax: Axes, one: xr.Dataset) -> set[int]:
     A set that occurs only at isolated angles, where the fence moves along its own line, has no band.
     """
     modes = one.modes.values
-    found = np.unique(modes[:, 1:][modes[:, 1:] == modes[:, :-1]])
-    ordered = sorted(found, key=lambda code: float(np.nonzero(modes == code)[1].mean()))
+    codes = np.unique(modes[:, 1:][modes[:, 1:] == modes[:, :-1]])
+    ordered = sorted(codes, key=lambda code: float(np.nonzero(modes == code)[1].mean()))
     rank = np.full(modes.shape, -1)
     for index, code in enumerate(ordered):
         rank[modes == code] = index
     rank = np.maximum.accumulate(rank, axis=1)
-    below = [(rank < each).sum(axis=1) for each in range(len(found) + 1)]
+    below = [(rank < index).sum(axis=1) for index in range(len(codes) + 1)]
     edges = [_edge(one, count) for count in below]
     for code, low, high in zip(ordered, edges[:-1], edges[1:], strict=True):
         # A band that ends between two columns tapers to a point at the second one.
         present = np.convolve(high > low, [1, 1, 1], mode="same") > 0
         fill(ax, one.friction_angle.values, low, high, int(code), where=present)
     _frame(ax, 0.0, 90.0)
-    return {int(code) for code in found}
+    return {int(code) for code in codes}
 
 
 def _edge(one: xr.Dataset, count: Array) -> Array:
@@ -205,6 +223,6 @@ def _strip(ax: Axes, column: xr.Dataset) -> set[int]:
 
 
 def _frame(ax: Axes, left: float, width: float) -> None:
-    outline = Rectangle((left, LOWEST), width, 180.0 - LOWEST, fill=False, edgecolor=DARK)
-    outline.set(linewidth=0.6, zorder=2, clip_on=False)
+    outline = Rectangle((left, LOWEST), width, 180.0 - LOWEST, **FRAME)
+    outline.set(zorder=2, clip_on=False)
     ax.add_patch(outline)

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from planar_pushing.drawing.body import add_fence, add_rod
-from planar_pushing.drawing.canvas.axes import Panel, panels
 from planar_pushing.drawing.canvas.colors import DARK, FORCE, MOTION
-from planar_pushing.drawing.canvas.marks import NOTE, Picture, corners, unit
+from planar_pushing.drawing.canvas.marks import Picture, unit
+from planar_pushing.drawing.canvas.panels import Panel, panels
 from planar_pushing.drawing.canvas.style import PAGE
 from planar_pushing.drawing.supports import Ink, Pose, add_support
 from planar_pushing.mechanics.plane import Array
@@ -23,7 +23,7 @@ from pulling_by_pushing.figures.figure import (
     Drawing,
     Figure,
 )
-from pulling_by_pushing.figures.parts.curves import add_curves, points
+from pulling_by_pushing.figures.parts.curves import SMALL, add_curves, points
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -42,7 +42,7 @@ class Mapped(NamedTuple):
     motion_angles: Array
 
 
-def mapped(data: Data) -> Mapped:
+def map_cone(data: Data) -> Mapped:
     """Forces at the edges of the friction cone and inside it, and the motions to which they map."""
     curve, cone = data["curves"], data["motion_cones"]
     if curve.rod_length.ndim:
@@ -85,7 +85,7 @@ def draw_velocities(figure: Any, data: Data) -> None:
 def accelerations_caption(data: Data) -> str:
     """Caption of the mapping to an acceleration cone."""
     cone = data["motion_cones"]
-    lengths = ", ".join(number(float(each)) for each in data["curves"].rod_length)
+    lengths = ", ".join(number(float(length)) for length in data["curves"].rod_length)
     known = values(
         cone, "rod_length", "rod_angle", "friction_coefficient", "radius", "mass", "gyration_radius"
     )
@@ -102,7 +102,7 @@ def draw_accelerations(figure: Any, data: Data) -> None:
     """Draw the three panels, with the same numbering of forces and accelerations in all of them."""
     ellipses, cone, picture = data["curves"], data["motion_cones"], Picture()
     length = float(cone.rod_length)
-    add_curves(picture, ellipses, LABEL_ANGLE, "left", bold=length)
+    add_curves(picture, ellipses, LABEL_ANGLE, bold=length)
     titles = (
         rf"friction cone, $\mu = {mathematical(float(cone.friction_coefficient))}$",
         "ellipses of four rod lengths" if ellipses.sizes["rod_length"] == 4 else "ellipses",
@@ -118,12 +118,11 @@ def _panels(
 
     `middle` contains the curves, drawn to a distance `span` from the origin; `symbol` names the motion.
     """
-    cone, arrows = data["motion_cones"], mapped(data)
+    cone, arrows = data["motion_cones"], map_cone(data)
     first = _cone_panel(cone, "f", arrows.force_angles, titles[0])
     last = _cone_panel(cone, symbol, arrows.motion_angles, titles[2])
     _add_forces(middle, arrows, span, symbol)
-    box = corners([(-1.25 * span, -1.1 * span), (1.35 * span, 1.3 * span)])
-    panels(figure, [first, Panel(middle, box, titles[1], pad=6.0), last], 3)
+    panels(figure, [first, Panel(middle, titles[1]), last], 3)
 
 
 def _cone_panel(cone: xr.Dataset, name: str, angles: Array, title: str) -> Panel:
@@ -132,8 +131,6 @@ def _cone_panel(cone: xr.Dataset, name: str, angles: Array, title: str) -> Panel
     rod, ring = float(cone.rod_length), float(cone.radius)
     center, reach = rod * unit(float(cone.rod_angle)), 0.62 * (rod + ring)
     right = max(center[0] + ring, reach)
-    low = min(center[1] - ring, -0.45 * reach if name != "f" else -0.1 * reach)
-    box = corners([(-1.1 * reach, low), (right, max(center[1] + ring, 1.05 * reach))])
     add_fence(picture, -reach, right, depth=0.06 * reach)
     add_support(picture, Ring(ring), Pose(center, 0.0), Ink(width=1.6))
     add_rod(picture, center, contact=(0.0, 0.0), ink=Ink(width=1.6))
@@ -142,7 +139,7 @@ def _cone_panel(cone: xr.Dataset, name: str, angles: Array, title: str) -> Panel
     for edge in (angles[0], angles[-1]):
         x, y = unit(edge)
         picture.label(
-            reach * unit(edge), degrees(edge), color=color, size=NOTE,
+            reach * unit(edge), degrees(edge), color=color, size=SMALL,
             offset=(15.0 * float(x), 8.0 * float(y)),
         )  # fmt: skip
     # Shorter than the rod, because an arrow can cover it.
@@ -150,7 +147,7 @@ def _cone_panel(cone: xr.Dataset, name: str, angles: Array, title: str) -> Panel
     draw = picture.force if name == "f" else picture.motion
     for index, angle in enumerate(angles):
         draw((0, 0), length * unit(angle), rf"$\mathbf{{{name}}}_{index + 1}$", head=10, width=1.1)
-    return Panel(picture, box, title, 20.0)
+    return Panel(picture, title, "slider")
 
 
 def _add_forces(picture: Picture, arrows: Mapped, span: float, symbol: str) -> None:
@@ -160,7 +157,7 @@ def _add_forces(picture: Picture, arrows: Mapped, span: float, symbol: str) -> N
     angle = np.deg2rad(arrows.force_angles)
     picture.cone(angle[0], angle[-1], 1.12 * span, FORCE, strength=0.1)
     for index, (tip, motion) in enumerate(zip(arrows.forces, arrows.motion_angles, strict=True)):
-        picture.force((0, 0), tip, rf"$\mathbf{{f}}_{index + 1}$", head=8, width=1.0, at=0.6,
+        picture.force((0, 0), tip, rf"$\mathbf{{f}}_{index + 1}$", head=8, width=1.0, fraction=0.6,
                       offset=(0.0, 7.0))  # fmt: skip
         text = rf"$\mathbf{{{symbol}}}_{index + 1}$"
         picture.motion(tip, 0.42 * span * unit(float(motion)), text, head=8, width=1.0)

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from planar_pushing.drawing.body import add_body, add_fence
-from planar_pushing.drawing.canvas.axes import Panel, panels
-from planar_pushing.drawing.canvas.colors import CENTER, DARK, FORCE, GUIDE, MOTION
-from planar_pushing.drawing.canvas.marks import AREAS, NOTE, Arrow, Picture, corners, unit
+from planar_pushing.drawing.canvas.colors import CENTER, DARK, FORCE, GUIDE, MOTION, PUSHER
+from planar_pushing.drawing.canvas.marks import AREAS, NOTE, Arrow, Picture, unit
+from planar_pushing.drawing.canvas.panels import Panel, panels
 from planar_pushing.drawing.canvas.style import COLUMN
 from planar_pushing.drawing.scene import (
     add_center,
@@ -25,14 +25,14 @@ from planar_pushing.drawing.scene import (
 from planar_pushing.drawing.sketch import MOTION_CONE, Sketch
 from planar_pushing.drawing.words import best_row
 from planar_pushing.mechanics.plane import Array, direction
-from pulling_by_pushing.figures.captions import degrees, values
+from pulling_by_pushing.figures.captions import acceleration, degrees, number, values
 from pulling_by_pushing.figures.figure import DYNAMICS, STATICS, Data, Drawing, Figure
 
 if TYPE_CHECKING:
     import xarray as xr
 
-#: Points per unit of length in the figures to be compared.
-SCALE = 42.0
+#: Points per unit of length by figure; 2 and 3 are to be compared, and a column has room for the others.
+SCALES = {"balance": 42.0, "coordinates": 46.0, "slip": 27.3, "both": 29.0}
 #: Quantities of a quasi-static scene given in a caption.
 QUASI_STATIC = ("rod_length", "rod_angle", "friction_coefficient", "radius", "weight")
 
@@ -85,7 +85,7 @@ def draw_balance(figure: Any, data: Data) -> None:
         add(picture, sketch, one)
     add_pusher(picture, sketch)
     add_friction(picture, sketch)
-    panels(figure, [Panel(picture, sketch.box, pad=18.0)], scale=SCALE)
+    panels(figure, [Panel(picture)], scale=SCALES["balance"])
 
 
 # -- Figure 4 ------------------------------------------------------------------------------------------
@@ -120,14 +120,13 @@ def draw_coordinates(figure: Any, data: Data) -> None:
     picture.axis((0, 0), math.pi / 2, 2.1 * radius, "$y$", DARK)
     picture.axis(ring, phi - math.pi / 2, long, "$x$\N{PRIME}", DARK)
     picture.axis(ring, phi, long, "$y$\N{PRIME}", DARK)
-    picture.force((0, 0), 1.4 * np.array([math.cos(phi), math.sin(phi)]), r"$\mathbf{f}$")
-    picture.angle(0.0, phi, 0.95, r"$\phi$", color=FORCE, at=0.75)
-    picture.angle(0.0, psi, 0.6, r"$\psi$", color=DARK, at=0.5)
+    picture.force((0, 0), 1.15 * np.array([math.cos(phi), math.sin(phi)]), r"$\mathbf{f}$")
+    picture.angle(0.0, phi, 0.95, r"$\phi$", color=FORCE, fraction=0.45, offset=0.0)
+    picture.angle(0.0, psi, 0.5, r"$\psi$", color=DARK)
     _center_motion(picture, ring, one.center, one.twist, phi)
     _element(picture, ring, radius, math.degrees(phi) - 90)
-    picture.label(0.42 * ring, "$l$", offset=(7.0, -7.0))
-    box = corners([(-0.9, -0.3), ring + np.array([long, 1.9 * radius]), (0, 2.3 * radius)])
-    panels(figure, [Panel(picture, box, pad=10.0)])
+    picture.label(0.6 * ring, "$l$", offset=(-6.0, 6.0), held=True)
+    panels(figure, [Panel(picture)], scale=SCALES["coordinates"])
 
 
 def _center_motion(picture: Picture, ring: Any, center: Any, twist: Any, phi: float) -> None:
@@ -151,11 +150,11 @@ def _center_motion(picture: Picture, ring: Any, center: Any, twist: Any, phi: fl
 
 def _element(picture: Picture, ring: Any, radius: float, start: float) -> None:
     """Draw an element of the ring and its direction from the x' axis."""
-    place = ring + radius * unit(start + ELEMENT)
-    picture.guide(ring, place)
-    picture.dot(place, 4.5, DARK)
+    element = ring + radius * unit(start + ELEMENT)
+    picture.guide(ring, element)
+    picture.dot(element, 4.5, DARK)
     ends = math.radians(start), math.radians(start + ELEMENT)
-    picture.angle(*ends, 0.32, r"$\theta$", vertex=ring, at=0.72)
+    picture.angle(*ends, 0.32, r"$\theta$", vertex=ring, fraction=0.72)
 
 
 # -- Figure 8 ------------------------------------------------------------------------------------------
@@ -191,11 +190,9 @@ def draw_slip(figure: Any, data: Data) -> None:
         add(picture, sketch, one)
     add_pusher(picture, sketch)
     text = rf"$\theta_p = {float(scene.pusher_angle):g}^\circ$"
-    picture.label(
-        sketch.motion_scale * scene.pusher_motion.values, text, size=NOTE, offset=(-4.0, 15.0)
-    )
-    box = corners([sketch.box, (left, 0.0)])
-    panels(figure, [Panel(picture, box, pad=14.0)])
+    tip = sketch.motion_scale * scene.pusher_motion.values
+    picture.label(tip, text, color=PUSHER, size=NOTE, offset=(-4.0, 13.0), held=True)
+    panels(figure, [Panel(picture)], scale=SCALES["slip"])
 
 
 # -- Figure 11 -----------------------------------------------------------------------------------------
@@ -207,13 +204,13 @@ LENGTH = 0.84
 def both_caption(data: Data) -> str:
     """Caption of pulling with friction and inertia."""
     one = solution(data)
-    known = values(one, *QUASI_STATIC, "mass", "gyration_radius", "pusher_magnitude")
+    known = values(one, *QUASI_STATIC, "mass", "gyration_radius")
     return (
         "Pulling from rest, with support friction and inertia. For an acceleration center on the "
         "ring, the support friction and the inertial force act along one line, whatever their "
         "magnitudes. This line is tangent to the ring opposite the center. The force f of the pusher "
         f"balances them (f at {angle_of(one, 'force')}, aₛ at {angle_of(one, 'contact_motion')}; "
-        f"{known})."
+        f"{known}, |aₚ| = {number(acceleration(one))}\N{NO-BREAK SPACE}μₛg)."
     )
 
 
@@ -235,9 +232,12 @@ def draw_both(figure: Any, data: Data) -> None:
     picture.dot(foot, 3.0, FORCE)
     for text, force in resistances(scene).items():
         tip = scale * force
-        picture.force(foot, tip, text, width=1.4, head=11.0, at=0.5, offset=(13.0, -10.0))
+        picture.force(foot, tip, width=1.4, head=11.0)
+        picture.label(
+            foot + tip / 2, text, color=FORCE, offset=(5.0, -6.0), align="left", held=True
+        )
         foot = foot + tip
-    panels(figure, [Panel(picture, corners([sketch.box]), pad=16.0)])
+    panels(figure, [Panel(picture)], scale=SCALES["both"])
 
 
 def resistances(scene: xr.Dataset) -> dict[str, Array]:

@@ -2,35 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Iterable, Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from planar_pushing.drawing.canvas.colors import FORCE, GRAY, MOTION
+from planar_pushing.drawing.canvas.colors import DARK, FORCE, GRAY, MOTION
 from planar_pushing.drawing.canvas.marks import NOTE
 from planar_pushing.mechanics.plane import Array
 from pulling_by_pushing.figures.figure import Data
 
-#: Colors of the groups of methods: ours, other formulas, and quadrature rules.
-OURS, FORMULA, RULE = FORCE, MOTION, "#8F6400"
+#: Colors of the groups of methods: ours, other formulas, and quadrature rules, each with its dashes.
+OURS, FORMULA = FORCE, MOTION
+TRAPEZOID, GAUSS, ADAPTIVE = "#8F6400", "#1B7837", "#8A3C70"
+HOLLOW = {"markerfacecolor": "white", "markeredgewidth": 0.9}
 _OURS: dict[str, Any] = {"marker": "*", "color": OURS, "markersize": 8, "zorder": 6}
-#: Marker and color of each method.
+_ADAPTIVE: dict[str, Any] = {"marker": "v", "color": ADAPTIVE, "linestyle": (0, (1, 1.2))}
+#: Marker, line and color of each method.
 LOOKS: dict[str, dict[str, Any]] = {
-    "closed form": _OURS,
-    "hyp2f1": {"marker": "s", "color": FORMULA},
-    "Carlson": {"marker": "D", "color": FORMULA},
-    "textbook E and K": {"marker": "X", "color": FORMULA, "markersize": 5},
-    "trapezoid": {"marker": "o", "color": RULE, "markersize": 3},
-    "Gauss-Legendre": {"marker": "^", "color": RULE},
-    "quad": {"marker": "v", "color": RULE},
-    "brentq on quad": {"marker": "v", "color": RULE},
+    "closed form": {**_OURS, "linestyle": "none"},
+    "hyp2f1": {"marker": "s", "color": FORMULA, "linestyle": "none"},
+    "Carlson": {"marker": "D", "color": FORMULA, "linestyle": "none", **HOLLOW},
+    "textbook E and K": {"marker": "X", "color": FORMULA, "linestyle": "none", "markersize": 5},
+    "trapezoid": {"marker": ".", "color": TRAPEZOID, "markersize": 5},
+    "Gauss-Legendre": {"marker": "^", "color": GAUSS, "linestyle": (0, (4, 1.5)), **HOLLOW},
+    "quad": _ADAPTIVE,
+    "brentq on quad": _ADAPTIVE,
     "event-driven": _OURS,
-    "time-stepping": {"marker": "o", "color": FORMULA},
-    "ellipsoid": {"marker": "o", "color": GRAY, "markersize": 5, "markerfacecolor": "white"},
+    "time-stepping": {"marker": "o", "color": FORMULA, "linestyle": (0, (5, 1.5))},
+    "ellipsoid": {"marker": "o", "color": GRAY, "linestyle": "none", "markersize": 5, **HOLLOW},
 }
 #: Factor by which the error axis extends beyond its limits, to keep marks there inside.
 MARGIN = 6.0
@@ -87,19 +90,30 @@ def setting_text(value: float) -> str:
     return rf"$10^{{{round(np.log10(value))}}}$"
 
 
-def name_ends(
-    ax: Axes, data: xr.Dataset, quantity: str, named: Mapping[str, tuple[str, str]]
-) -> None:
-    """Write the first and the last setting of some methods beside their markers.
+class Label(NamedTuple):
+    """Text beside the marker of a setting, which is the row of its method; offset of the text, points.
 
-    `named` gives, for each method, the format of a setting and the horizontal alignment of the text.
+    Braces in the text stand for the setting. A text level with its marker starts beyond the hair.
     """
-    for name, (words, side) in named.items():
-        for row in np.flatnonzero(data.method.values == name)[[0, -1]]:
-            times = data[f"{quantity}_seconds"][row]
-            time, offset = (times.min(), -8) if side == "right" else (times.median(), 8)
+
+    row: int
+    text: str
+    offset: tuple[float, float]
+    align: str = "left"
+
+
+def label_settings(
+    ax: Axes, data: xr.Dataset, quantity: str, labels: Mapping[str, Iterable[Label]]
+) -> None:
+    """Write the labels of methods beside their markers."""
+    for name, texts in labels.items():
+        rows = np.flatnonzero(data.method.values == name)
+        for row, text, offset, align in texts:
+            point = data.isel(point=rows[row])
+            times = point[f"{quantity}_seconds"]
+            time = times.median() if align == "left" and not offset[1] else times.min()
+            words = text.format(setting_text(float(point.setting))) if "{}" in text else text
             ax.annotate(
-                words.format(setting_text(float(data.setting[row]))),
-                (float(time), float(data[f"{quantity}_error"][row])), (offset, 0),
-                textcoords="offset points", ha=side, va="center", color=GRAY, fontsize=NOTE - 1,
+                words, (float(time), float(point[f"{quantity}_error"])), offset,
+                textcoords="offset points", ha=align, va="center", color=DARK, fontsize=NOTE,
             )  # fmt: skip

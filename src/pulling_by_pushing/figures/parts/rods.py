@@ -1,24 +1,26 @@
-"""A quantity of every support over rod lengths and over rod angles, in four panels."""
+"""Panels with a quantity of several supports over rod lengths and over rod angles."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from planar_pushing.drawing.canvas.colors import DARK, GRAY, support_colors
+from planar_pushing.drawing.canvas.colors import DARK, GRAY
 from planar_pushing.mechanics.plane import Array
 from pulling_by_pushing.figures.captions import number, words
-from pulling_by_pushing.figures.parts.gallery import families, name_ring
+from pulling_by_pushing.figures.parts.gallery import name_ring
 
 if TYPE_CHECKING:
     import xarray as xr
 
-AXES = ("rod_length", "rod_angle")
+AXES, LETTERS = ("rod_length", "rod_angle"), "abcd"
 #: Style of the ring's line, which is behind the others and wider.
 BEHIND: dict[str, Any] = {"color": GRAY, "linewidth": 2.8, "alpha": 0.55}
+#: Style of the ring's line under inertia alone.
+INERTIA: dict[str, Any] = {"color": GRAY, "linewidth": 0.9, "linestyle": (0, (4, 3))}
 #: Dashes of the supports of a panel, in addition to their colors.
 DASHES: tuple[Any, ...] = (
-    "-", (0, (5, 1.5)), (0, (2, 1)), (0, (9, 1.5, 2, 1.5)), (0, (5, 1.5, 1, 1.5)), (0, (1, 1)),
+    "-", (0, (5, 1.5)), (0, (2, 1)), (0, (9, 1.5, 2, 1.5)), (0, (1, 1)), (0, (5, 1.5, 1, 1.5)),
 )  # fmt: skip
 
 
@@ -27,15 +29,15 @@ def over(rods: xr.Dataset, axis: str) -> xr.Dataset:
     return rods.isel(rod=rods.sweep.values == axis)
 
 
-def fixed(rods: xr.Dataset, axis: str) -> float:
+def common_value(rods: xr.Dataset, axis: str) -> float:
     """Value of the quantity, length or angle, that the rods over the other one have in common."""
     (other,) = {*AXES} - {axis}
     return float(over(rods, other)[axis][0])
 
 
 def cuts(rods: xr.Dataset, supports: xr.Dataset) -> tuple[str, str, str]:
-    """Fixed rod length, fixed rod angle, and the ring with its radius, as text for a caption."""
-    length, angle = (number(fixed(rods, axis)) for axis in AXES)
+    """Common rod length, common rod angle, and the ring with its radius, as text for a caption."""
+    length, angle = (number(common_value(rods, axis)) for axis in AXES)
     radius = float(rods.radius)
     return length, angle, f"{name_ring(supports, radius)}, of radius {number(radius)}"
 
@@ -51,27 +53,30 @@ class Panel(NamedTuple):
 def panels(
     figure: Any,
     rods: xr.Dataset,
-    shapes: Mapping[str, Any],
+    colors: Mapping[str, str],
+    rows: Sequence[Sequence[str]],
     heights: Callable[[xr.Dataset, str, str], Array],
 ) -> Iterator[Panel]:
-    """Draw supports on areas above those on points and lines, over rod length and over rod angle.
+    """Draw rows of panels, each with some of the supports over rod length and over rod angle.
 
-    `heights(rods, axis, prefix)` are those in the panel over an axis; the prefix is that of the variables
-    of the ring, or empty.
+    `colors` are those of the supports. `heights(rods, axis, prefix)` are those in the panel over an axis;
+    the prefix is that of the variables of the ring, or empty.
     """
-    colors = support_colors(shapes)
-    axes = figure.subplots(2, 2)
-    figure.subplots_adjust(left=0.085, right=0.985, bottom=0.09, top=0.97, hspace=0.16, wspace=0.2)
-    for index, ax in enumerate(axes.flat):
-        names, axis = families(shapes, float(rods.radius))[index // 2], AXES[index % 2]
+    axes = figure.subplots(len(rows), len(AXES), squeeze=False)
+    inch = 1 / figure.get_figheight()
+    figure.subplots_adjust(left=0.085, right=0.985, bottom=0.42 * inch, top=1 - 0.16 * inch,
+                           hspace=0.16, wspace=0.2)  # fmt: skip
+    pairs = ((ax, axis, names) for names, row in zip(rows, axes, strict=True)
+             for ax, axis in zip(row, AXES, strict=True))  # fmt: skip
+    for letter, (ax, axis, names) in zip(LETTERS, pairs, strict=False):
         part = over(rods, axis)
         looks = [(name, colors[name], DASHES[i % len(DASHES)]) for i, name in enumerate(names)]
         ax.plot(part[axis], heights(part, axis, "ring_"), label="ring", **BEHIND)
         for name, color, dash in looks:
             y = heights(part.sel(support=name), axis, "")
             ax.plot(part[axis], y, color=color, linestyle=dash, label=words(name))
-        _frame(ax, rods, axis, named=index > 1)
-        ax.set_title(f"({'abcd'[index]})", loc="left", pad=2.0, color=DARK)
+        _frame(ax, rods, axis, named=names is rows[-1])
+        ax.set_title(f"({letter})", loc="left", pad=2.0, color=DARK)
         yield Panel(ax, axis, looks)
 
 
@@ -82,10 +87,10 @@ def _frame(ax: Any, rods: xr.Dataset, axis: str, *, named: bool) -> None:
         ax.set_xscale("log")
         ax.set(xlim=(lengths[0], lengths[-1]), xticks=ticks, xticklabels=[f"{x:g}" for x in ticks])
         ax.set_xticks([], minor=True)
-        text = rf"rod length $l$, at $\psi = {fixed(rods, 'rod_angle'):g}^\circ$"
+        text = rf"rod length $l$, at $\psi = {common_value(rods, 'rod_angle'):g}^\circ$"
     else:
         ax.set(xlim=(0.0, 180.0), xticks=range(0, 181, 45))
-        text = rf"rod angle $\psi$ (degrees), at $l = {fixed(rods, 'rod_length'):g}$"
+        text = rf"rod angle $\psi$ (degrees), at $l = {common_value(rods, 'rod_length'):g}$"
     if named:
         ax.set_xlabel(text, color=DARK)
     else:

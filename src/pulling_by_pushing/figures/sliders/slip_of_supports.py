@@ -1,4 +1,4 @@
-"""Figure 18: slip with infinite friction for the gallery of supports."""
+"""Slip with infinite friction for the gallery of supports."""
 
 from __future__ import annotations
 
@@ -6,11 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from planar_pushing.drawing.canvas.colors import support_colors
 from planar_pushing.drawing.canvas.style import PAGE
 from planar_pushing.mechanics.plane import Array
 from pulling_by_pushing.figures.figure import Data, Figure
-from pulling_by_pushing.figures.parts.gallery import SECTION, shapes
-from pulling_by_pushing.figures.parts.rods import AXES, cuts, fixed, panels
+from pulling_by_pushing.figures.parts.gallery import SECTION, families, shapes
+from pulling_by_pushing.figures.parts.line_labels import label_lines, named_lines
+from pulling_by_pushing.figures.parts.rods import AXES, common_value, cuts, panels
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -19,7 +21,7 @@ FIGURE = Figure(
     title="Slip with infinite friction, any slider",
     reads=("support_rods", "support_cones", "supports"),
     cuts={"support_cones": {"friction_coefficient": np.inf, "rod_length": None, "rod_angle": None}},
-    size=(PAGE, 4.9),
+    size=(PAGE, 2.6),
     section=SECTION,
 )
 #: Upper end of the axis of fractions in all panels, percent.
@@ -31,20 +33,22 @@ def caption(data: Data) -> str:
     length, angle, ring = cuts(data["support_rods"], data["supports"])
     return (
         "Slip with infinite friction: the fraction of push directions between 0° and 180° that "
-        "slip, for supports on areas (a, b) and on points and lines (c, d), over the rod length "
-        f"(a, c; ψ = {angle}°) and the rod angle (b, d; l = {length}). Where the force along "
-        "the fence has one motion, the motion cone spans 180 degrees, and the fraction is its tilt from "
-        "the friction cone divided by 180 degrees. Dots are from the motion cones of the dataset; gray "
-        f"is {ring} (μ = ∞)."
+        f"slip, over the rod length (a; ψ = {angle}°) and the rod angle (b; l = {length}). Where the "
+        "force along the fence has one motion, the motion cone spans 180 degrees, and the fraction is its "
+        "tilt from the friction cone divided by 180 degrees. Dots are from the motion cones of the "
+        f"dataset; gray is {ring} (μ = ∞)."
     )
 
 
 def draw(figure: Any, data: Data) -> None:
     """Draw the slipping fraction in percent, with dots for the cones of the study's grid."""
     rods, cones = data["support_rods"], data["support_cones"].stack(rod=AXES)
-    for ax, axis, looks in panels(figure, rods, shapes(data["supports"]), _lines):
+    supports = shapes(data["supports"])
+    names = [name for family in families(supports, float(rods.radius)) for name in family]
+    for ax, axis, looks in panels(figure, rods, support_colors(supports), [names], _lines):
         (other,) = {*AXES} - {axis}
-        dots = cones.isel(rod=cones[other].values == fixed(rods, other))
+        lines = named_lines(ax)
+        dots = cones.isel(rod=cones[other].values == common_value(rods, other))
         for name, color, _ in looks:
             style: dict[str, Any] = {
                 "markersize": 3.2,
@@ -56,7 +60,7 @@ def draw(figure: Any, data: Data) -> None:
         ax.set_ylim(0.0, HIGHEST)
         if axis == "rod_length":
             ax.set_ylabel("pushes that slip (percent)")
-            ax.legend(loc="upper left", ncols=2, labelspacing=0.2)
+        label_lines(ax, lines)
 
 
 def _lines(rods: xr.Dataset, axis: str, prefix: str) -> Array:

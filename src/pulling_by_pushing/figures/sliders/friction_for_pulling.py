@@ -1,4 +1,4 @@
-"""Figure 17: the friction that pulling requires."""
+"""The friction that pulling requires."""
 
 from __future__ import annotations
 
@@ -7,14 +7,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from planar_pushing.drawing.canvas.colors import DARK, GRAY
+from planar_pushing.drawing.canvas.colors import GRAY, support_colors
 from planar_pushing.drawing.canvas.marks import NOTE
 from planar_pushing.drawing.canvas.style import PAGE
 from planar_pushing.mechanics.plane import Array
 from pulling_by_pushing.figures.captions import words
 from pulling_by_pushing.figures.figure import Data, Figure
-from pulling_by_pushing.figures.parts.gallery import SECTION, shapes
-from pulling_by_pushing.figures.parts.rods import Panel, cuts, over, panels
+from pulling_by_pushing.figures.parts.gallery import SECTION, families, shapes
+from pulling_by_pushing.figures.parts.line_labels import label_lines, named_lines
+from pulling_by_pushing.figures.parts.rods import INERTIA, Panel, cuts, over, panels
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 FIGURE = Figure(
     title="The friction that pulling needs",
     reads=("support_rods", "supports"),
-    size=(PAGE, 4.9),
+    size=(PAGE, 3.7),
     section=SECTION,
 )
 #: Friction coefficients labeled on the axis of friction angles.
@@ -38,11 +39,11 @@ def caption(data: Data) -> str:
     length, angle, ring = cuts(rods, data["supports"])
     return (
         "Smallest coefficient of friction at which the contact can stick while the pusher moves "
-        "away, for supports on areas (a, b) and on points and lines (c, d). Over the rod length "
-        f"(a, c; ψ = {angle}°), the vertical axis is linear in arctan μ. Over the rod angle (b, d; "
-        f"l = {length}), the curves show the difference of arctan μ from that of {ring} "
-        "(gray). Where a curve reaches infinity, pulling is impossible; at ψ = 90° this happens for "
-        f"every support that is symmetric about the rod.{''.join(_remarks(rods))}"
+        "away, for supports on areas (a, b) and on points and lines (c, d), over the rod length "
+        f"(a, c; ψ = {angle}°) and, as the difference Δ of arctan μ from that of {ring}, over the rod "
+        f"angle (b, d; l = {length}). Where a curve reaches infinity, pulling is impossible; at ψ = 90° "
+        "this happens for every support that is symmetric about the rod."
+        f"{''.join(_remarks(rods))}"
     )
 
 
@@ -62,15 +63,18 @@ def _remarks(rods: xr.Dataset) -> Iterator[str]:
 def draw(figure: Any, data: Data) -> None:
     """Draw the smallest friction over rod length, and its difference from the ring's over rod angle."""
     rods = data["support_rods"]
-    for panel in panels(figure, rods, shapes(data["supports"]), _heights):
+    supports = shapes(data["supports"])
+    rows = families(supports, float(rods.radius))
+    for panel in panels(figure, rods, support_colors(supports), rows, _heights):
         swept = over(rods, panel.axis)
         law = _heights(swept, panel.axis, "inertia_")
-        panel.ax.plot(swept[panel.axis], law, ":", color=DARK, label="ring, inertia alone")
+        panel.ax.plot(swept[panel.axis], law, label="ring, inertia alone", **INERTIA)
         if panel.axis == "rod_length":
             _over_lengths(panel.ax)
         else:
-            panel.ax.set_ylabel(r"$\arctan \mu$ minus the ring's (degrees)")
-            _jumps_at_the_upright_rod(panel, rods)
+            panel.ax.set_ylabel(r"$\Delta\,\arctan \mu$ (degrees)")
+            _mark_jumps(panel, rods)
+        label_lines(panel.ax, named_lines(panel.ax))
 
 
 def _heights(rods: xr.Dataset, axis: str, prefix: str) -> Array:
@@ -83,17 +87,16 @@ def _heights(rods: xr.Dataset, axis: str, prefix: str) -> Array:
 
 def _over_lengths(ax: Any) -> None:
     ax.set_ylim(42.0, 91.5)
-    shown = TICKS[np.degrees(np.arctan(TICKS)) >= 42.0]
-    names = [r"$\infty$" if np.isinf(mu) else f"{mu:g}" for mu in shown]
-    ax.set_yticks(np.degrees(np.arctan(shown)), names)
+    ticks = TICKS[np.degrees(np.arctan(TICKS)) >= 42.0]
+    names = [r"$\infty$" if np.isinf(mu) else f"{mu:g}" for mu in ticks]
+    ax.set_yticks(np.degrees(np.arctan(ticks)), names)
     ax.axhline(90.0, color=GRAY, linewidth=0.5, zorder=0)
     ax.annotate("never", (1.0, 90.3), xycoords=("axes fraction", "data"), annotation_clip=False,
                 size=NOTE, color=GRAY, ha="right", va="bottom")  # fmt: skip
     ax.set_ylabel(r"smallest $\mu$ that pulls")
-    ax.legend(loc="upper right", bbox_to_anchor=(1.0, 0.97), labelspacing=0.2)
 
 
-def _jumps_at_the_upright_rod(panel: Panel, rods: xr.Dataset) -> None:
+def _mark_jumps(panel: Panel, rods: xr.Dataset) -> None:
     """Mark curves whose value at 90 degrees differs from their limit there."""
     for name, color, _ in panel.looks:
         heights = _jump(rods, name)

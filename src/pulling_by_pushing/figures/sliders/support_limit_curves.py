@@ -1,4 +1,4 @@
-"""Figure 16: limit curves of a gallery of supports, compared with the ring."""
+"""Limit curves of a gallery of supports, compared with the ring."""
 
 from __future__ import annotations
 
@@ -21,13 +21,15 @@ from pulling_by_pushing.figures.parts.gallery import SECTION, curve, flat_parts,
 FIGURE = Figure(
     title="Limit curves of a gallery of supports",
     reads=("support_curves", "supports"),
-    size=(PAGE, 5.4),
+    size=(PAGE, 2.7),
     section=SECTION,
 )
 #: Columns of panels.
-COLUMNS = 4
+COLUMNS = 6
 #: Half the width of a panel, and of the picture of the slider in it, in units of the largest force.
 SPAN, SKETCH = 1.22, 0.3
+#: Space between columns as a fraction of a panel; height of a title between rows, inches.
+GAP, TITLE = 0.06, 0.19
 TICKS = (-0.5, 0.0, 0.5)
 
 
@@ -53,7 +55,7 @@ def draw(figure: Any, data: Data) -> None:
     lines = [*curves.force, curves.ring_force]
     ahead = max(float(np.abs(curve(force)).max()) for force in lines)
     axes = figure.subplots(rows, COLUMNS, sharex=True, sharey=True, squeeze=False)
-    _place(figure, rows)
+    _arrange(figure, rows)
     for ax in axes.flat:
         ax.set(
             xlim=(-SPAN * ahead, SPAN * ahead), ylim=(-SPAN * ahead, SPAN * ahead), aspect="equal"
@@ -61,24 +63,24 @@ def draw(figure: Any, data: Data) -> None:
         ax.set(xticks=TICKS, yticks=TICKS)
     for ax, name in zip(axes.flat, supports, strict=False):
         _panel(figure, ax, supports[name], curves.sel(support=name), ahead)
-        ax.text(
-            0.03, 0.97, words(name), transform=ax.transAxes, va="top", size=NOTE + 0.5, color=DARK
-        )
-    for ax in axes.flat[len(supports) :]:
-        ax.set_axis_off()
+        ax.set_title(words(name), pad=1.5, fontsize=NOTE + 0.5, color=DARK)
+    for index in range(len(supports), axes.size):
+        axes.flat[index].set_axis_off()
+        axes.flat[index - COLUMNS].tick_params(labelbottom=True)
     _legend(axes.flat[-1])
     figure.supxlabel("force along the fence, $f_x / W$", fontsize=8.5, y=0.01)
     figure.supylabel("force normal to the fence, $f_y / W$", fontsize=8.5, x=0.006)
 
 
-def _place(figure: Any, rows: int) -> None:
+def _arrange(figure: Any, rows: int) -> None:
     """Place square panels side by side and fit the height of the figure to them."""
     wide = figure.get_figwidth()
-    left, right, below, above = 0.48, 0.04, 0.42, 0.06
-    high = rows * (wide - left - right) / COLUMNS + below + above
+    left, right, below, above = 0.48, 0.04, 0.4, 0.16
+    side = (wide - left - right) / (COLUMNS + GAP * (COLUMNS - 1))
+    high = rows * side + (rows - 1) * TITLE + below + above
     figure.set_figheight(high)
     figure.subplots_adjust(left=left / wide, right=1 - right / wide, bottom=below / high,
-                           top=1 - above / high, wspace=0.06, hspace=0.06)  # fmt: skip
+                           top=1 - above / high, wspace=GAP, hspace=TITLE / side)  # fmt: skip
 
 
 def _panel(figure: Any, ax: Any, support: Any, one: Any, ahead: float) -> None:
@@ -109,7 +111,7 @@ def _slider(picture: Picture, support: Any, ahead: float) -> None:
 def _legend(ax: Any) -> None:
     lines = (
         Line2D([], [], color=DARK, linewidth=1.0, label="limit curve"),
-        Line2D([], [], color=GRAY, linewidth=0.8, linestyle="--", label="of a ring"),
+        Line2D([], [], color=GRAY, linewidth=0.8, linestyle="--", label="the ring's"),
         Line2D([], [], color=FORCE, linewidth=2.6, label="flat: one pivot"),
     )
     ax.legend(handles=lines, loc="center")
