@@ -68,29 +68,30 @@ def _read(path: Path) -> Any:
 def _verdict(folders: Sequence[Path]) -> str:
     """Combined golden verdict of several studies."""
     files = [folder / "tables/golden_verdict.json" for folder in folders]
-    found = [each for each in map(_read, files) if each]
-    if not found:
+    verdicts = [verdict for verdict in map(_read, files) if verdict]
+    if not verdicts:
         return "not compared, as the study names no golden data"
-    word = "passed" if all(each["passed"] for each in found) else "FAILED"
+    word = "passed" if all(verdict["passed"] for verdict in verdicts) else "FAILED"
     counts = {
-        kind: sum(each["kinds"][kind]["values"] for each in found) for kind in found[0]["kinds"]
+        kind: sum(verdict["kinds"][kind]["values"] for verdict in verdicts)
+        for kind in verdicts[0]["kinds"]
     }
     enclosed = counts.pop("enclosed")
     return f"{word}: {enclosed:,} numbers enclosed, {sum(counts.values()):,} compared otherwise"
 
 
 def _claims(path: Path) -> str:
-    found = _read(path)
-    if found is None:
+    table = _read(path)
+    if table is None:
         return "not checked; they are about the paper's ring"
-    return ", ".join(f"{count} {verdict}" for verdict, count in found["counts"].items())
+    return ", ".join(f"{count} {verdict}" for verdict, count in table["counts"].items())
 
 
 def main() -> int:
     """Print the lines for the study on the command line, or for the two default studies."""
-    given = sys.argv[1:]
-    file = chosen_study({KEY: given[0]} if given else {})
-    others = () if given else (study_folder(study_name(SLIDERS_FILE)),)
+    arguments = sys.argv[1:]
+    file = chosen_study({KEY: arguments[0]} if arguments else {})
+    others = () if arguments else (study_folder(study_name(SLIDERS_FILE)),)
     print(*closing_lines(study_folder(study_name(file)), others), sep="\n")
     return 0
 

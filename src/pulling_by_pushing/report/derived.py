@@ -15,9 +15,9 @@ def ellipse_deviation(curves: xr.Dataset, rod_length: float) -> float:
     """Largest deviation of the limit curve from the ellipse with the same axes, percent."""
     force = curves.force.sel(effects=FRICTION, rod_length=rod_length)
     quarter = force.sel(force_angle=slice(ROD_ANGLE, ROD_ANGLE + 90.0))
-    long, short = quarter.values[0], quarter.values[-1]
+    major, minor = quarter.values[0], quarter.values[-1]
     angle = np.deg2rad(quarter.force_angle.values - ROD_ANGLE)
-    ellipse = long * short / np.hypot(short * np.cos(angle), long * np.sin(angle))
+    ellipse = major * minor / np.hypot(minor * np.cos(angle), major * np.sin(angle))
     return 100 * float(np.max(np.abs(quarter.values / ellipse - 1)))
 
 

@@ -32,19 +32,19 @@ PACKAGES = (
 
 
 def commit(folder: PathLike = ".") -> str:
-    """Current commit of a folder, its date, and whether tracked files differ from it."""
+    """Current commit of a folder and its date, with a remark if tracked files differ from it."""
     try:
         head = _git(folder, "log", "-1", "--format=%h of %cs", "--abbrev=12")
         changed = _git(folder, "status", "--porcelain", "--untracked-files=no")
     except (OSError, subprocess.CalledProcessError):
         return "unknown: not a clone of the repository"
-    return f"{head}, {'with changes' if changed else 'clean'}"
+    return f"{head}, with changes" if changed else head
 
 
 def _git(folder: PathLike, *arguments: str) -> str:
     command = ["git", "-C", str(folder), *arguments]
-    found = subprocess.run(command, capture_output=True, text=True, check=True)
-    return found.stdout.strip()
+    completed = subprocess.run(command, capture_output=True, text=True, check=True)
+    return completed.stdout.strip()
 
 
 def write_provenance(output: str, *, study: str, results: str, golden: str, state: str) -> None:

@@ -40,7 +40,7 @@ class Quantity:
     def entry(self, results: Results) -> dict[str, str]:
         """Text, unit and source for the report's table of numbers."""
         value = self.read(results)
-        text = value if isinstance(value, str) else rounded(value, self.digits)
+        text = value if isinstance(value, str) else decimal_text(value, self.digits)
         return {"text": text, "unit": self.unit, "source": self.source}
 
 
@@ -48,7 +48,7 @@ class Quantity:
 Numbers = dict[str, Quantity]
 
 
-def rounded(value: float, digits: int) -> str:
+def decimal_text(value: float, digits: int) -> str:
     """Value with the given number of digits after the decimal point; a rounded zero has no sign.
 
     Raises
@@ -70,10 +70,10 @@ def significant(value: float, digits: int = 2) -> str:
     return f"{value:.{max(0, digits - 1 - power)}f}" if plain else scaled
 
 
-def picked(
+def pick(
     dataset: str,
     variable: str,
-    at: Mapping[str, float | str] = NOWHERE,
+    location: Mapping[str, float | str] = NOWHERE,
     *,
     digits: int = 2,
     unit: str = "degree",
@@ -81,45 +81,45 @@ def picked(
     """One value of a dataset at these coordinates, or at these indices of axes without coordinates."""
 
     def read(results: Results) -> float:
-        return float(chosen(results.dataset(dataset)[variable], at).item())
+        return float(select_value(results.dataset(dataset)[variable], location).item())
 
-    place = ", ".join(f"{axis}={where}" for axis, where in at.items())
-    source = f"{dataset}: {variable}" + (f" at {place}" if place else "")
+    coordinates = ", ".join(f"{axis}={value}" for axis, value in location.items())
+    source = f"{dataset}: {variable}" + (f" at {coordinates}" if coordinates else "")
     return Quantity(read=read, digits=digits, unit=unit, source=source)
 
 
-def chosen(variable: xr.DataArray, at: Mapping[str, float | str]) -> xr.DataArray:
+def select_value(variable: xr.DataArray, location: Mapping[str, float | str]) -> xr.DataArray:
     """Select by coordinate, or by index along axes without coordinates."""
-    by_value = {axis: where for axis, where in at.items() if axis in variable.coords}
-    by_place = {axis: int(where) for axis, where in at.items() if axis not in by_value}
-    return variable.sel(by_value).isel(by_place)
+    values = {axis: value for axis, value in location.items() if axis in variable.coords}
+    indices = {axis: int(index) for axis, index in location.items() if axis not in values}
+    return variable.sel(values).isel(indices)
 
 
-def computed(
-    dataset: str, compute: Callable[..., float], *given: Any, digits: int = 0, unit: str = "1"
+def compute_number(
+    dataset: str, compute: Callable[..., float], *arguments: Any, digits: int = 0, unit: str = "1"
 ) -> Quantity:
     """Number computed by a function from a dataset and other arguments; its docstring is the source."""
 
     def read(results: Results) -> float:
-        return compute(results.dataset(dataset), *given)
+        return compute(results.dataset(dataset), *arguments)
 
     what = (compute.__doc__ or "").partition("\n")[0].rstrip(".")
     return Quantity(read=read, digits=digits, unit=unit, source=f"{dataset}: {what}")
 
 
 def magnitude(
-    dataset: str, compute: Callable[..., float], *given: Any, unit: str = "1", digits: int = 1
+    dataset: str, compute: Callable[..., float], *arguments: Any, unit: str = "1", digits: int = 1
 ) -> Quantity:
-    """As `computed`, with the given number of significant digits after the first."""
-    number = computed(dataset, compute, *given, unit=unit)
+    """As `compute_number`, with the given number of significant digits after the first."""
+    number = compute_number(dataset, compute, *arguments, unit=unit)
 
     def read(results: Results) -> str:
-        return significant(compute(results.dataset(dataset), *given), digits + 1)
+        return significant(compute(results.dataset(dataset), *arguments), digits + 1)
 
     return replace(number, read=read)
 
 
-def claimed(
+def check_number(
     claim: str, check: str, *, field: str = "value", digits: int, unit: str = "1"
 ) -> Quantity:
     """A number found by a check of a claim."""
@@ -131,7 +131,7 @@ def claimed(
     return Quantity(read=read, digits=digits, unit=unit, source=source)
 
 
-def counted(what: str, count: Callable[[dict[str, Any]], int]) -> Quantity:
+def count_claims(what: str, count: Callable[[dict[str, Any]], int]) -> Quantity:
     """Sum of a count over the claims of the ledger."""
 
     def read(results: Results) -> float:

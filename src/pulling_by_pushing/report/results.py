@@ -6,18 +6,18 @@ import json
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 import xarray as xr
 
-from planar_pushing.scenes.fields import EffectsName
 from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.netcdf import read_attributes
+from planar_pushing.terms.options import EffectSet
 from pulling_by_pushing.figures.measured import PUSHES_FILE, read_pushes
 from pulling_by_pushing.study.store import open_dataset, read_dataset
 
 #: Names of the sets of effects in the datasets.
-EFFECTS: tuple[str, ...] = get_args(EffectsName)
+EFFECTS: tuple[str, ...] = tuple(map(str, EffectSet))
 FRICTION, INERTIA, BOTH = EFFECTS
 #: Datasets about the computation itself; the name of a group follows a slash.
 MEASURED = ("accuracy", "accuracy_time", "effects", "hard_cases")
@@ -28,7 +28,7 @@ SLIDERS = "sliders"
 
 
 @cache
-def _opened(name: str, folder: Path) -> xr.Dataset:
+def _open(name: str, folder: Path) -> xr.Dataset:
     kind, _, part = name.partition("/")
     if kind == SLIDERS:
         return open_dataset(part, folder, study=SLIDERS)
@@ -62,7 +62,7 @@ class Results:
         Names are, for example, "accuracy/cone" for a group, and "sliders/supports" for a dataset of the
         study of sliders. Errors as in `open_dataset`.
         """
-        return _opened(name, self.folder)
+        return _open(name, self.folder)
 
     def golden_marks(self) -> list[dict[str, Any]]:
         """Attributes of every golden file: method, precision, versions and counts.
@@ -99,13 +99,10 @@ class Results:
         InvalidFile
             If the ledger has no claim with this name, or the claim has no such check.
         """
-        claims = {each["id"]: each["checks"] for each in self.claims["claims"]}
-        found: dict[str, Any] = self._one(
-            {each["name"]: each for each in self._one(claims, claim, "claim")},
-            name,
-            f"{claim}: check",
-        )
-        return found
+        checks = {entry["id"]: entry["checks"] for entry in self.claims["claims"]}
+        named = {entry["name"]: entry for entry in self._one(checks, claim, "claim")}
+        evidence: dict[str, Any] = self._one(named, name, f"{claim}: check")
+        return evidence
 
     @property
     def pushes(self) -> dict[str, Any]:
@@ -124,9 +121,9 @@ class Results:
 
 def _json(path: Path) -> dict[str, Any]:
     try:
-        found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+        content: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
         raise InvalidFile(f"{path}: no such table; build it with make or snakemake") from None
     except json.JSONDecodeError as error:
         raise InvalidFile(f"{path}: is not JSON ({error}); delete it and build it again") from None
-    return found
+    return content

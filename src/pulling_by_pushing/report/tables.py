@@ -12,12 +12,13 @@ from planar_pushing.terms.errors import InvalidFile
 from pulling_by_pushing.evidence.writing import csv_text, json_text, write_text
 from pulling_by_pushing.figures.captions import words
 from pulling_by_pushing.figures.figure import entry, full_caption, view
+from pulling_by_pushing.figures.studies import NUMBERS as FIGURE_NUMBERS
 from pulling_by_pushing.figures.studies import OURS, PUSHES, cuts
 from pulling_by_pushing.report.costs.numbers import machine, processor
 from pulling_by_pushing.report.costs.tables import COST_TABLES
 from pulling_by_pushing.report.derived import ROD_ANGLE
 from pulling_by_pushing.report.parts import costs, evidence, mechanics, pushes
-from pulling_by_pushing.report.quantities import Numbers, rounded
+from pulling_by_pushing.report.quantities import Numbers, decimal_text
 from pulling_by_pushing.report.results import FRICTION, INERTIA, SLIDERS, Results
 from pulling_by_pushing.report.verdict import failure_rows, verdict_rows
 from pulling_by_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
@@ -62,8 +63,7 @@ def numbers_text(results: Results) -> str:
 def figures_text(results: Results) -> str:
     """Table of the figures: captions, contents according to the paper's captions, files and sections.
 
-    Figures about our own computation are numbered after those on the paper's subjects and on any slider.
-    The caption of a figure that shows times ends with the machine.
+    They are in the order of the report. The caption of a figure that shows times ends with the machine.
     """
     entries: dict[str, dict[str, object]] = {}
     for part, file in {"": PAPER_FILE, f"studies/{SLIDERS}/": SLIDERS_FILE}.items():
@@ -71,17 +71,18 @@ def figures_text(results: Results) -> str:
         for name in study.figures:
             data = view(name, results.folder / part, cuts(study, name))
             entries[name] = _figure(name, data, f"{part}figures")
-    for number, name in enumerate(OURS, len(entries) + 1):
+    for name in OURS:
         data = results.pushes if name in PUSHES else view(name, results.folder)
         ours = _figure(name, data, "figures")
-        ours["caption"] = f"{ours['caption']}{_machine(data)}"
-        entries[name] = ours | {"number": str(number)}
-    return json_text(entries)
+        entries[name] = ours | {"caption": f"{ours['caption']}{_machine(data)}"}
+    order = [name for name in FIGURE_NUMBERS if name in entries]
+    return json_text({name: entries[name] for name in order})
 
 
 def _figure(name: str, data: Any, folder: str) -> dict[str, object]:
     figure = entry(name)
     return {
+        "number": FIGURE_NUMBERS[name],
         "caption": full_caption(name, data),
         "promise": figure.promise,
         "section": figure.section,
@@ -91,7 +92,7 @@ def _figure(name: str, data: Any, folder: str) -> dict[str, object]:
 
 def _machine(data: Mapping[str, Any]) -> str:
     """Sentence that describes the machine on which a dataset of a figure was measured, if any."""
-    measured = (each for each in data.values() if "machine" in getattr(each, "attrs", ()))
+    measured = (dataset for dataset in data.values() if "machine" in getattr(dataset, "attrs", ()))
     dataset = next(measured, None)
     if dataset is None:
         return ""
@@ -102,15 +103,15 @@ def _machine(data: Mapping[str, Any]) -> str:
 
 def ellipsoids_text(results: Results) -> str:
     """Table of the ellipsoids that approximate supports: integration constants, and errors in degrees."""
-    found = results.dataset(f"{SLIDERS}/supports")
+    supports = results.dataset(f"{SLIDERS}/supports")
     rows = []
-    for name in found.support.values:
-        one = found.sel(support=name)
-        constant = rounded(float(one.integration_constant), 4)
+    for name in supports.support.values:
+        one = supports.sel(support=name)
+        constant = decimal_text(float(one.integration_constant), 4)
         row = {"support": words(str(name)), "constant": constant}
         for what in ("force", "motion"):
             for size in ("mean", "worst"):
-                row[f"{what}, {size}"] = rounded(float(one[f"{size}_{what}_error"]), 1)
+                row[f"{what}, {size}"] = decimal_text(float(one[f"{size}_{what}_error"]), 1)
         rows.append(row)
     return csv_text(rows)
 
@@ -122,15 +123,15 @@ def cones_text(results: Results) -> str:
     rows = []
     for length in centers.rod_length.values:
         one, bound = cones.sel(rod_length=length), centers.sel(rod_length=length)
-        found = {
+        pairs = {
             "friction": [one.sel(effects=FRICTION)[_edge("motion", s)] for s in SIDES],
             "inertia": [one.sel(effects=INERTIA)[_edge("motion", s)] for s in SIDES],
             "both, exact": [bound[_edge("exact", s)] for s in SIDES],
             "both, bound of the paper": [bound[_edge("conservative", s)] for s in SIDES],
         }
         edges = {
-            f"{name}, {side}": rounded(float(value), 2)
-            for name, pair in found.items()
+            f"{name}, {side}": decimal_text(float(value), 2)
+            for name, pair in pairs.items()
             for side, value in zip(SIDES, pair, strict=True)
         }
         rows.append({"rod length": f"{length:g}", **edges})

@@ -1,10 +1,11 @@
-"""Typeset a Typst source as a PDF with bytes that depend only on its inputs."""
+"""Typeset a Typst source, as a PDF or in HTML, with bytes that depend only on its inputs."""
 
 from __future__ import annotations
 
 import re
 from importlib.metadata import distribution
 from pathlib import Path
+from typing import Literal
 
 import typst
 
@@ -15,7 +16,11 @@ from planar_pushing.terms.replacing import PathLike, replacing
 FONTS = str(distribution("matplotlib").locate_file("matplotlib/mpl-data/fonts/ttf"))
 
 
-def compiled(source: PathLike, root: PathLike, results: str = "results") -> bytes:
+#: What Typst says of every page in HTML.
+EXPERIMENTAL = "html export is under active development and incomplete"
+
+
+def typeset_pdf(source: PathLike, root: PathLike, results: str = "results") -> bytes:
     """Typeset a source as a PDF, with the fonts of the figures and those shipped with Typst.
 
     Parameters
@@ -32,6 +37,17 @@ def compiled(source: PathLike, root: PathLike, results: str = "results") -> byte
     InvalidFile
         If the source cannot be typeset, or only with a warning, such as a missing font.
     """
+    return _compile(source, root, results, "pdf")
+
+
+def typeset_html(source: PathLike, root: PathLike, results: str = "results") -> str:
+    """Typeset a source as a page in HTML, with formulas in MathML; parameters as in `typeset_pdf`."""
+    return _compile(source, root, results, "html").decode("utf-8")
+
+
+def _compile(
+    source: PathLike, root: PathLike, results: str, output: Literal["pdf", "html"]
+) -> bytes:
     if not Path(source).is_file():
         raise InvalidFile(f"{source}: no such file; give the path of a Typst source")
     compiler = typst.Compiler(
@@ -42,14 +58,15 @@ def compiled(source: PathLike, root: PathLike, results: str = "results") -> byte
         sys_inputs={"results": f"/{results}"},
     )
     try:
-        pdf, warnings = compiler.compile_with_warnings(format="pdf", timestamp=0)
+        content, warnings = compiler.compile_with_warnings(format=output, timestamp=0)
     except typst.TypstError as error:
         raise InvalidFile(_explain(source, error)) from None
     for warning in warnings:
-        raise InvalidFile(_explain(source, warning))
-    if not isinstance(pdf, bytes):
-        raise InvalidFile(f"{source}: was not typeset as one PDF; set its output to paged")
-    return pdf
+        if warning.message != EXPERIMENTAL:
+            raise InvalidFile(_explain(source, warning))
+    if not isinstance(content, bytes):
+        raise InvalidFile(f"{source}: was not typeset as one file; set its output to paged")
+    return content
 
 
 def _explain(source: PathLike, fault: typst.TypstError | typst.TypstWarning) -> str:
@@ -61,7 +78,7 @@ def _explain(source: PathLike, fault: typst.TypstError | typst.TypstWarning) -> 
 
 
 def typeset(source: PathLike, root: PathLike, output: PathLike, results: str = "results") -> None:
-    """Write the PDF of a source, completely or not at all; errors as in `compiled`."""
-    pdf = compiled(source, root, results)
+    """Write the PDF of a source, completely or not at all; errors as in `typeset_pdf`."""
+    pdf = typeset_pdf(source, root, results)
     with replacing(output) as temporary:
         temporary.write_bytes(pdf)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from itertools import islice
 from typing import Any
 
 from pulling_by_pushing.evidence.golden.verdict import used_tolerance
@@ -24,7 +25,7 @@ def verdict_word() -> Quantity:
     """Quantity that says whether the checks passed."""
     return Quantity(
         read=lambda results: (
-            "passed" if all(each["passed"] for each in results.verdicts) else "failed"
+            "passed" if all(verdict["passed"] for verdict in results.verdicts) else "failed"
         ),
         digits=0,
         unit="1",
@@ -35,7 +36,9 @@ def verdict_word() -> Quantity:
 def kind_count(kind: str, part: str = "values") -> Quantity:
     """Number of compared values or variables of one kind of golden data."""
     return Quantity(
-        read=lambda results: float(sum(each["kinds"][kind][part] for each in results.verdicts)),
+        read=lambda results: float(
+            sum(verdict["kinds"][kind][part] for verdict in results.verdicts)
+        ),
         digits=0,
         unit="1",
         source=f"{SOURCE} of both studies: {part} of the kind {kind}",
@@ -47,19 +50,19 @@ def independent_share() -> Quantity:
 
     def read(results: Results) -> float:
         counts = {
-            kind: sum(int(each["kinds"][kind]["values"]) for each in results.verdicts)
+            kind: sum(int(verdict["kinds"][kind]["values"]) for verdict in results.verdicts)
             for kind in KINDS
         }
         return 100 * (1 - counts[STORED] / sum(counts.values()))
 
     source = f"{SOURCE} of both studies: values of all kinds but {STORED}"
-    return Quantity(read=read, digits=0, unit="percent", source=source)
+    return Quantity(read=read, digits=1, unit="percent", source=source)
 
 
 def label_count() -> Quantity:
     """Number of entries that are not finite numbers."""
     return Quantity(
-        read=lambda results: float(sum(each["labels"] for each in results.verdicts)),
+        read=lambda results: float(sum(verdict["labels"] for verdict in results.verdicts)),
         digits=0,
         unit="1",
         source=f"{SOURCE} of both studies: labels",
@@ -81,8 +84,8 @@ def verdict_rows(results: Results) -> list[dict[str, str]]:
     Scenes and logs are each counted together.
     """
     groups: dict[str, list[Check]] = defaultdict(list)
-    for found in results.verdicts:
-        for check in found["checks"]:
+    for verdict in results.verdicts:
+        for check in verdict["checks"]:
             if check["count"]:
                 groups[check["file"].partition("/")[0]].append(check)
     return [_row(name, groups[name]) for name in sorted(groups)]
@@ -92,8 +95,8 @@ def failure_rows(results: Results) -> list[dict[str, str]]:
     """The worst failed comparisons of both studies, at most `SHOWN` of each."""
     return [
         _failure(check)
-        for found in results.verdicts
-        for check in [each for each in found["checks"] if not each["passed"]][:SHOWN]
+        for verdict in results.verdicts
+        for check in islice((check for check in verdict["checks"] if not check["passed"]), SHOWN)
     ]
 
 

@@ -23,8 +23,8 @@ PAINLEVE, THIN = 7, 12
 
 def machine(data: xr.Dataset) -> dict[str, str]:
     """Machine on which a dataset was measured, as stored in it."""
-    found: dict[str, str] = json.loads(data.attrs["machine"])
-    return found
+    description: dict[str, str] = json.loads(data.attrs["machine"])
+    return description
 
 
 def processor(data: xr.Dataset) -> str:
@@ -53,19 +53,9 @@ def error(data: xr.Dataset, name: str) -> float:
     return float(method(data, name)[variable][-1].max())
 
 
-def evaluations(data: xr.Dataset, name: str) -> float:
-    """Largest number of evaluations of a method, at its most accurate setting."""
-    return float(method(data, name).evaluations[-1].max())
-
-
 def error_at(wrench: xr.Dataset, name: str, spin_ratio: float) -> float:
     """Relative error at one spin ratio, at the most accurate setting."""
     return error(wrench.sel(spin_ratio=[spin_ratio]), name)
-
-
-def evaluations_at(wrench: xr.Dataset, name: str, spin_ratio: float) -> float:
-    """Evaluations at one spin ratio, at the most accurate setting."""
-    return evaluations(wrench.sel(spin_ratio=[spin_ratio]), name)
 
 
 def spin_ratios(wrench: xr.Dataset) -> float:
@@ -171,11 +161,6 @@ def ill_from(cases: xr.Dataset) -> float:
     return float(json.loads(cases.attrs["parameters"])["ill_conditioned_from"])
 
 
-def condition_of_ill(cases: xr.Dataset, which: Callable[[npt.NDArray[np.float64]], float]) -> float:
-    """Extreme condition number of the ill-conditioned cases."""
-    return float(which(ill(cases).condition.values))
-
-
 def both_ratio(effects: xr.Dataset, computation: str) -> float:
     """Ratio of the time with both effects to the sum of the times with one."""
     shortest = effects.computation_seconds.sel(computation=computation).min("repeat").values
@@ -204,12 +189,12 @@ def single_runs(counts: xr.Dataset) -> float:
     return float(single(counts).evaluations.isel(effect=0).size)
 
 
-def listed(counts: xr.Dataset) -> float:
+def count_listed(counts: xr.Dataset) -> float:
     """Evaluations of the listed effect in the runs with one effect."""
     alone = single(counts).evaluations
     return float(alone.where(alone.effects == alone.effect).sum())
 
 
-def absent(counts: xr.Dataset) -> float:
+def count_absent(counts: xr.Dataset) -> float:
     """Evaluations of the unlisted effect in the runs with one effect."""
-    return float(single(counts).evaluations.sum()) - listed(counts)
+    return float(single(counts).evaluations.sum()) - count_listed(counts)

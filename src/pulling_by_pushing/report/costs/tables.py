@@ -110,19 +110,19 @@ def places_text(results: Results) -> str:
 
 def case_text(name: str) -> str:
     """Name of a case for prose: four significant digits, with thousands separators."""
-    found = re.sub(r"\d+(?:\.\d+)?(?:e[+-]\d+)?", lambda each: _short(float(each[0])), name)
-    return found.replace(" . ", " \u00b7 ")
+    text = re.sub(r"\d+(?:\.\d+)?(?:e[+-]\d+)?", lambda number: _short_text(float(number[0])), name)
+    return text.replace(" . ", " \u00b7 ")
 
 
-def _short(value: float) -> str:
-    whole = value == int(value)
-    return f"{value:,.0f}".replace(",", "\u2009") if whole else f"{value:.4g}"
+def _short_text(value: float) -> str:
+    integral = value == int(value)
+    return f"{value:,.0f}".replace(",", "\u2009") if integral else f"{value:.4g}"
 
 
 def ill_text(results: Results) -> str:
     """Table of the ill-conditioned cases, with the digits that survive rounding of the inputs."""
     cases = ill(results.dataset("hard_cases"))
-    found = zip(
+    columns = zip(
         cases.case.values.tolist(),
         cases.condition.values.tolist(),
         cases.error_bound.values.tolist(),
@@ -137,7 +137,7 @@ def ill_text(results: Results) -> str:
                 "digits": f"{max(0.0, -np.log10(bound)):.0f}",
                 "error, ulp": significant(error),
             }
-            for name, condition, bound, error in found
+            for name, condition, bound, error in columns
         ]
     )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from pulling_by_pushing.report.costs import numbers as costs
-from pulling_by_pushing.report.quantities import Numbers, Quantity, computed, magnitude
+from pulling_by_pushing.report.quantities import Numbers, Quantity, compute_number, magnitude
 
 WRENCH, CONE, MOTION = (f"accuracy/{name}" for name in ("wrench", "cone", "motion"))
 WRENCH_TIME, CONE_TIME, MOTION_TIME = (
@@ -13,38 +13,31 @@ WRENCH_TIME, CONE_TIME, MOTION_TIME = (
 )
 HARD, COUNTS = "hard_cases", "effects"
 NANO, MICRO, MILLI = 1e9, 1e6, 1e3
-#: Spin ratios in the prose: near the ring, and near a pure rotation.
-NEAR, SPIN = 1 - 1e-9, 1e8
 #: Settings of the motions in the prose: a tolerance, and a number of steps.
 RUNS = {"event-driven": 1e-10, "time-stepping": 1000.0}
 
 
 def _ulp(name: str) -> Quantity:
-    return computed(WRENCH, costs.worst_error_in, costs.EPS, name, digits=1, unit="epsilon")
+    return compute_number(WRENCH, costs.worst_error_in, costs.EPS, name, digits=1, unit="epsilon")
 
 
 def _times(prefix: str, name: str, per: float, unit: str) -> Numbers:
     """Smallest and largest time of a method for the wrench over the spin ratios."""
     ends = {"least": np.min, "most": np.max}
     return {
-        f"{prefix}-time-{end}": computed(WRENCH_TIME, costs.time, name, which, per, unit=unit)
+        f"{prefix}-time-{end}": compute_number(WRENCH_TIME, costs.time, name, which, per, unit=unit)
         for end, which in ends.items()
     }
 
 
 ACCURACY: Numbers = {
-    "spin-ratios": computed(WRENCH, costs.spin_ratios),
+    "spin-ratios": compute_number(WRENCH, costs.spin_ratios),
     "closed-form-error": _ulp("closed form"),
     "hypergeometric-error": _ulp("hyp2f1"),
     "carlson-error": _ulp("Carlson"),
-    "trapezoid-evaluations": computed(WRENCH, costs.evaluations_at, "trapezoid", 1.0),
     "trapezoid-error": magnitude(WRENCH, costs.error_at, "trapezoid", 1.0),
-    "quad-evaluations-near": computed(WRENCH, costs.evaluations_at, "quad", NEAR),
-    "quad-evaluations-on": computed(WRENCH, costs.evaluations_at, "quad", 1.0),
-    "quad-error-spin": magnitude(WRENCH, costs.error_at, "quad", SPIN),
     "cone-error": magnitude(CONE, costs.error, "closed form", unit="degree"),
-    "brentq-evaluations": computed(CONE, costs.evaluations, "brentq on quad"),
-    "ellipsoid-cone-error": computed(CONE, costs.error, "ellipsoid", digits=1, unit="degree"),
+    "ellipsoid-cone-error": compute_number(CONE, costs.error, "ellipsoid", digits=1, unit="degree"),
     **{
         f"{name}-error": magnitude(MOTION, costs.slip, "motion_error", name, setting, unit="degree")
         for name, setting in RUNS.items()
@@ -60,40 +53,40 @@ TIMES: Numbers = {
     ),
     **_times("closed-form", "closed form", NANO, "ns"),
     **_times("quad", "quad", MICRO, "us"),
-    "quad-time-ratio": computed(WRENCH_TIME, costs.time_ratio, "quad"),
-    "trapezoid-time": computed(
+    "quad-time-ratio": compute_number(WRENCH_TIME, costs.time_ratio, "quad"),
+    "trapezoid-time": compute_number(
         WRENCH_TIME, costs.time_at, "trapezoid", 1.0, MILLI, digits=1, unit="ms"
     ),
-    "cone-time": computed(CONE_TIME, costs.time, "closed form", np.min, MICRO, digits=1, unit="us"),
-    "brentq-time-ratio": computed(CONE_TIME, costs.time_ratio, "brentq on quad"),
+    "cone-time": compute_number(
+        CONE_TIME, costs.time, "closed form", np.min, MICRO, digits=1, unit="us"
+    ),
+    "brentq-time-ratio": compute_number(CONE_TIME, costs.time_ratio, "brentq on quad"),
     **{
-        f"{name}-time": computed(
+        f"{name}-time": compute_number(
             MOTION_TIME, costs.slip, "motion_seconds", name, setting, MILLI, digits=1, unit="ms"
         )
         for name, setting in RUNS.items()
     },
-    "both-ratio": computed(COUNTS, costs.both_ratio, "contact modes", digits=1),
-    "supports": computed(COUNTS, costs.most_supports),
-    "supports-ratio": computed(COUNTS, costs.supports_ratio, digits=1),
+    "both-ratio": compute_number(COUNTS, costs.both_ratio, "contact modes", digits=1),
+    "supports": compute_number(COUNTS, costs.most_supports),
+    "supports-ratio": compute_number(COUNTS, costs.supports_ratio, digits=1),
 }
 
 HARD_CASES: Numbers = {
-    "hard-cases": computed(HARD, costs.hard_cases),
-    "hard-well": computed(HARD, costs.well_cases),
-    "hard-ill": computed(HARD, costs.ill_cases),
-    "hard-accurate": computed(HARD, costs.accurate_cases),
-    "hard-largest": computed(HARD, costs.largest_error),
-    "hard-largest-condition": computed(HARD, costs.condition_there),
-    "hard-largest-elsewhere": computed(HARD, costs.largest_error_elsewhere, digits=1),
+    "hard-cases": compute_number(HARD, costs.hard_cases),
+    "hard-well": compute_number(HARD, costs.well_cases),
+    "hard-ill": compute_number(HARD, costs.ill_cases),
+    "hard-accurate": compute_number(HARD, costs.accurate_cases),
+    "hard-largest": compute_number(HARD, costs.largest_error),
+    "hard-largest-condition": compute_number(HARD, costs.condition_there),
+    "hard-largest-elsewhere": compute_number(HARD, costs.largest_error_elsewhere, digits=1),
     "hard-thin": magnitude(HARD, costs.largest_error_of_thin),
-    "hard-share": computed(HARD, costs.largest_share, digits=1),
+    "hard-share": compute_number(HARD, costs.largest_share, digits=1),
     "hard-limit": magnitude(HARD, costs.ill_from, digits=0),
-    "hard-least-condition": magnitude(HARD, costs.condition_of_ill, np.min),
-    "hard-most-condition": magnitude(HARD, costs.condition_of_ill, np.max),
 }
 
 EFFECTS: Numbers = {
-    "effects-single": computed(COUNTS, costs.single_runs),
-    "effects-listed": computed(COUNTS, costs.listed),
-    "effects-absent": computed(COUNTS, costs.absent),
+    "effects-single": compute_number(COUNTS, costs.single_runs),
+    "effects-listed": compute_number(COUNTS, costs.count_listed),
+    "effects-absent": compute_number(COUNTS, costs.count_absent),
 }

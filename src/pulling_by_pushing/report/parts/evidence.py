@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from pulling_by_pushing.evidence.proofs.verdicts import Verdict
-from pulling_by_pushing.report.quantities import Numbers, Quantity, claimed, counted
+from pulling_by_pushing.report.quantities import Numbers, Quantity, check_number, count_claims
 from pulling_by_pushing.report.verdict import (
     KINDS,
     independent_share,
@@ -20,7 +20,7 @@ VERDICTS = [verdict for verdict in Verdict if verdict is not Verdict.UNDECIDED]
 
 
 def _verdicts(verdict: Verdict) -> Quantity:
-    return counted(verdict, lambda claim: int(claim["verdict"] == verdict))
+    return count_claims(verdict, lambda claim: int(claim["verdict"] == verdict))
 
 
 GOLDEN: Numbers = {
@@ -37,54 +37,51 @@ GOLDEN: Numbers = {
 
 def _of_the_paper(what: str, verdicts: Collection[Verdict]) -> Quantity:
     """Number of statements of the paper with one of these verdicts."""
-    return counted(
+    return count_claims(
         f"statements of the paper, {what}",
         lambda claim: int(claim["origin"] == "paper" and claim["verdict"] in verdicts),
     )
 
 
 CLAIMS: Numbers = {
-    "claims": counted("claims", lambda claim: 1),
+    "claims": count_claims("claims", lambda claim: 1),
     "claims-paper": _of_the_paper("all", VERDICTS),
     **{
         f"claims-paper-{verdict}": _of_the_paper(verdict, (verdict,))
         for verdict in (Verdict.PROVED, Verdict.ENCLOSED, Verdict.OPEN)
     },
-    "claims-ours": counted("claims of ours", lambda claim: int(claim["origin"] == "ours")),
-    "claims-checks": counted("checks", lambda claim: len(claim["checks"])),
+    "claims-ours": count_claims("claims of ours", lambda claim: int(claim["origin"] == "ours")),
+    "claims-checks": count_claims("checks", lambda claim: len(claim["checks"])),
     **{f"claims-{verdict}": _verdicts(verdict) for verdict in VERDICTS},
-    "threshold-inertia": claimed("pulling-condition", "threshold", digits=1),
-    "threshold-inertia-short-rod": claimed("pulling-condition", "threshold-short-rod", digits=1),
-    "threshold-friction": claimed("speed-decides-pulling", "threshold", digits=4),
-    "pulling-offset": claimed("pulling-offset", "long-rod", digits=3, unit="R"),
-    "pulling-offset-short-rod": claimed("pulling-offset", "short-rod", digits=3, unit="R"),
-    "dip": claimed("normal-motion-dips", "least", digits=4, unit="W/m"),
-    "dip-force": claimed("normal-motion-dips", "force", digits=3, unit="W"),
-    "return-force": claimed("normal-motion-dips", "return-force", digits=3, unit="W"),
-    "beyond-both": claimed("cones-beyond-the-pure-ones", "both", digits=2, unit="degree"),
+    "threshold-inertia": check_number("pulling-condition", "threshold", digits=1),
+    "threshold-inertia-short-rod": check_number(
+        "pulling-condition", "threshold-short-rod", digits=1
+    ),
+    "threshold-friction": check_number("speed-decides-pulling", "threshold", digits=4),
+    "pulling-offset": check_number("pulling-offset", "long-rod", digits=3, unit="R"),
+    "pulling-offset-short-rod": check_number("pulling-offset", "short-rod", digits=3, unit="R"),
+    "dip": check_number("normal-motion-dips", "least", digits=4, unit="W/m"),
+    "dip-force": check_number("normal-motion-dips", "force", digits=3, unit="W"),
+    "return-force": check_number("normal-motion-dips", "return-force", digits=3, unit="W"),
+    "beyond-both": check_number("cones-beyond-the-pure-ones", "both", digits=2, unit="degree"),
 }
 
 
 def _constant(support: str, digits: int = 4) -> Quantity:
     """Integration constant of a support, in units of its weight and extent."""
-    return claimed("integration-constants", support, digits=digits)
+    return check_number("integration-constants", support, digits=digits)
 
 
 def _of_l(check: str) -> Quantity:
     """Angle for the L-shaped support."""
-    return claimed("shape-of-an-l", check, digits=1, unit="degree")
+    return check_number("shape-of-an-l", check, digits=1, unit="degree")
 
 
 ANY_SLIDER: Numbers = {
     "l-cone-right": _of_l("along-normal"),
-    "l-leaning-right": _of_l("leaning"),
-    "l-difference": claimed("shape-of-an-l", "difference", digits=3, unit="W"),
-    "l-least-force": _of_l("least-force"),
-    "pivot-span": claimed("pivots-of-a-tripod", "span", digits=1, unit="degree"),
-    "pivot-offset": claimed("pivots-of-a-tripod", "farthest", digits=3),
-    "corner-span": claimed("corner-of-a-line", "span", digits=1, unit="degree"),
-    "foot-margin": claimed("foot-ahead-holds", "margin", digits=3, unit="W"),
-    "center-product": claimed("center-beyond-bound", "product", digits=6),
+    "l-difference": check_number("shape-of-an-l", "difference", digits=3, unit="W"),
+    "pivot-span": check_number("pivots-of-a-tripod", "span", digits=1, unit="degree"),
+    "corner-span": check_number("corner-of-a-line", "span", digits=1, unit="degree"),
     "constant-ring": _constant("ring", 0),
     **{f"constant-{name}": _constant(name) for name in ("square", "rectangle", "strip", "disc")},
 }

@@ -18,45 +18,45 @@ from pulling_by_pushing.report.derived import (
     solutions,
     sticking_pulls,
 )
-from pulling_by_pushing.report.quantities import Numbers, Quantity, computed, picked
+from pulling_by_pushing.report.quantities import Numbers, Quantity, compute_number, pick
 from pulling_by_pushing.report.results import BOTH, FRICTION, INERTIA
 
 #: A contact law for which slow pulling is possible but fast pulling is not.
 SLOW = "coulomb_1.4"
 
 
-def _at(effects: str, rod_length: float) -> dict[str, float | str]:
+def _location(effects: str, rod_length: float) -> dict[str, float | str]:
     return {"effects": effects, "rod_length": rod_length, "rod_angle": ROD_ANGLE}
 
 
 def _cone(prefix: str, effects: str, rod_length: float, mu: float) -> Numbers:
     """Both edges of a motion cone."""
-    at = _at(effects, rod_length) | {"friction_coefficient": mu}
+    location = _location(effects, rod_length) | {"friction_coefficient": mu}
     return {
-        f"{prefix}-{side}": picked("motion_cones", f"motion_cone_{side}", at)
+        f"{prefix}-{side}": pick("motion_cones", f"motion_cone_{side}", location)
         for side in ("right", "left")
     }
 
 
 def _force(effects: str, rod_length: float, force_angle: float, digits: int = 4) -> Quantity:
     """Magnitude of a force on a limit curve."""
-    at = _at(effects, rod_length) | {"force_angle": force_angle}
-    return picked("limit_curves", "force", at, digits=digits, unit="force")
+    location = _location(effects, rod_length) | {"force_angle": force_angle}
+    return pick("limit_curves", "force", location, digits=digits, unit="force")
 
 
 def _scene(number: str, prefix: str, digits: int = 0) -> Numbers:
     """Rod length and pusher angle of a figure's scene, with the given number of digits of the angle."""
     name = f"scenes/figure_{number}"
     return {
-        f"{prefix}-rod-length": picked(name, "rod_length", digits=0, unit="length"),
-        f"{prefix}-pusher-angle": picked(name, "pusher_angle", digits=digits),
+        f"{prefix}-rod-length": pick(name, "rod_length", digits=0, unit="length"),
+        f"{prefix}-pusher-angle": pick(name, "pusher_angle", digits=digits),
     }
 
 
 def _spin_ratio(number: str) -> Quantity:
     """Spin ratio of the sticking solution, the second one, of a pulling scene."""
     name = f"scenes/figure_{number}"
-    return picked(name, "spin_ratio", {"solution": 1}, digits=3, unit="1")
+    return pick(name, "spin_ratio", {"solution": 1}, digits=3, unit="1")
 
 
 def _map(prefix: str, rod_length: float, friction: float) -> Numbers:
@@ -69,25 +69,25 @@ def _map(prefix: str, rod_length: float, friction: float) -> Numbers:
 
 def _furthest_pull(magnitude: float) -> Quantity:
     """Smallest pusher angle at which the contact can stick, with both effects."""
-    at: dict[str, float | str] = {"effects": BOTH, "contact": SLOW, "rod_length": 2.0}
-    return picked("mode_maps", "furthest_pull", at | {"pusher_magnitude": magnitude}, digits=1)
+    location: dict[str, float | str] = {"effects": BOTH, "contact": SLOW, "rod_length": 2.0}
+    return pick("mode_maps", "furthest_pull", location | {"pusher_magnitude": magnitude}, digits=1)
 
 
 def _axis(dataset: str, axis: str, value: float, digits: int = 0, unit: str = "1") -> Quantity:
     """A value on an axis."""
-    return picked(dataset, axis, {axis: value}, digits=digits, unit=unit)
+    return pick(dataset, axis, {axis: value}, digits=digits, unit=unit)
 
 
 def _bounds() -> Numbers:
     """Edges of the exact and the conservative acceleration cones, and their differences."""
-    at = {"rod_length": 5.0}
+    location = {"rod_length": 5.0}
     edges = {
-        f"{kind}-cone-{side}": picked("acceleration_centers", f"{kind}_cone_{side}", at)
+        f"{kind}-cone-{side}": pick("acceleration_centers", f"{kind}_cone_{side}", location)
         for kind in ("exact", "conservative")
         for side in ("right", "left")
     }
     excess = {
-        f"excess-{side}": computed(
+        f"excess-{side}": compute_number(
             "acceleration_centers", conservative_excess, side, digits=2, unit="degree"
         )
         for side in ("right", "left")
@@ -96,20 +96,20 @@ def _bounds() -> Numbers:
 
 
 SETTING: Numbers = {
-    "rod-angle": picked("scenes/figure_03", "rod_angle", digits=0),
+    "rod-angle": pick("scenes/figure_03", "rod_angle", digits=0),
 }
 
 QUASI_STATIC: Numbers = {
     **_scene("02", "pushing", digits=1),
     **_scene("03", "pulling", digits=1),
-    "pulling-solutions": computed("scenes/figure_03", solutions),
+    "pulling-solutions": compute_number("scenes/figure_03", solutions),
     "pulling-spin-ratio": _spin_ratio("03"),
     "limit-rod-length": _axis("limit_curves", "rod_length", 2.0),
     "long-rod-length": _axis("limit_curves", "rod_length", 10.0),
     "force-across-rod": _force(FRICTION, 2.0, ROD_ANGLE + 90),
     "force-across-long-rod": _force(FRICTION, 10.0, ROD_ANGLE + 90),
-    "ellipse-deviation": computed("curves", ellipse_deviation, 2.0, digits=1, unit="percent"),
-    "ellipse-deviation-long-rod": computed(
+    "ellipse-deviation": compute_number("curves", ellipse_deviation, 2.0, digits=1, unit="percent"),
+    "ellipse-deviation-long-rod": compute_number(
         "curves", ellipse_deviation, 10.0, digits=1, unit="percent"
     ),
     **_map("cone", 2.0, 2.0),
@@ -119,8 +119,10 @@ QUASI_STATIC: Numbers = {
 INFINITE_FRICTION: Numbers = {
     **_cone("infinite-cone", FRICTION, 5.0, math.inf),
     **_scene("08", "slip"),
-    "slip-motion-angle": computed("scenes/figure_08", motion_direction, digits=1, unit="degree"),
-    "slip-share": computed("scenes/figure_08", slip_share, unit="percent"),
+    "slip-motion-angle": compute_number(
+        "scenes/figure_08", motion_direction, digits=1, unit="degree"
+    ),
+    "slip-share": compute_number("scenes/figure_08", slip_share, unit="percent"),
 }
 
 DYNAMIC: Numbers = {
@@ -138,30 +140,30 @@ BOTH_EFFECTS: Numbers = {
     "both-pulling-spin-ratio": _spin_ratio("11"),
     **_scene("12", "both-slip"),
     **_bounds(),
-    "bound-reach": computed("acceleration_centers", bound_reach, digits=2, unit="length"),
+    "bound-reach": compute_number("acceleration_centers", bound_reach, digits=2, unit="length"),
 }
 
 OVER_TIME: Numbers = {
-    "pull-end-time": computed("simulations/end_of_pull", pull_end, "time", digits=3, unit="time"),
-    "pull-end-rod-angle": computed(
-        "simulations/end_of_pull", pull_end, "rod_angle", digits=2, unit="degree"
+    "pull-end-time": compute_number("simulations/pulling", pull_end, "time", digits=3, unit="time"),
+    "pull-end-rod-angle": compute_number(
+        "simulations/pulling", pull_end, "rod_angle", digits=2, unit="degree"
     ),
 }
 
 MODES: Numbers = {
-    "pushes": computed("contact_modes", pushes),
-    "unique-pushes": computed("contact_modes", outcomes, Outcome.UNIQUE),
-    "ambiguous-pushes": computed("contact_modes", outcomes, Outcome.AMBIGUOUS),
-    "inconsistent-pushes": computed("contact_modes", outcomes, Outcome.INCONSISTENT),
-    "sticking-pulls": computed("contact_modes", sticking_pulls),
+    "pushes": compute_number("contact_modes", pushes),
+    "unique-pushes": compute_number("contact_modes", outcomes, Outcome.UNIQUE),
+    "ambiguous-pushes": compute_number("contact_modes", outcomes, Outcome.AMBIGUOUS),
+    "inconsistent-pushes": compute_number("contact_modes", outcomes, Outcome.INCONSISTENT),
+    "sticking-pulls": compute_number("contact_modes", sticking_pulls),
     "mode-rod-length": _axis("contact_modes", "rod_length", 2.0),
-    "first-without-solution": picked(
+    "first-without-solution": pick(
         "motion_cones",
         "motion_cone_left",
-        _at(FRICTION, 2.0) | {"friction_coefficient": math.inf},
+        _location(FRICTION, 2.0) | {"friction_coefficient": math.inf},
         digits=1,
     ),
-    "slow-friction": picked(
+    "slow-friction": pick(
         "contact_modes", "friction_coefficient", {"contact": SLOW}, digits=1, unit="1"
     ),
     "slow-magnitude": _axis("contact_modes", "pusher_magnitude", 0.1, digits=1),

@@ -13,8 +13,9 @@ GROUPS = {
     "feet": ("three_feet", "comparison"),
     "face": ("patch", "comparison"),
     "sides": ("polygons", "comparison"),
-    "corners": ("polygons", "with_corners"),
 }
+#: Counts up to ten as words.
+WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 IDENTIFIED, FITTED, QUARTIC = "identified", "fitted_ellipsoid", "fitted_quartic"
 
 
@@ -31,11 +32,11 @@ def _read(
     )
 
 
-def _at(*path: str, digits: int = 0, unit: str = "1", factor: float = 1.0) -> Quantity:
+def _value(*path: str, digits: int = 0, unit: str = "1", factor: float = 1.0) -> Quantity:
     """A number in the file at a path of keys, multiplied by a factor."""
 
-    def compute(found: dict[str, Any]) -> float:
-        node: Any = found
+    def compute(content: dict[str, Any]) -> float:
+        node: Any = content
         for key in path:
             node = node[key]
         return factor * float(node)
@@ -47,7 +48,7 @@ def _median(group: str, quantity: str, model: str) -> Quantity:
     """Median error of a model, in degrees or mm."""
     part, key = GROUPS[group]
     unit = "mm" if quantity == "pose" else "degree"
-    return _at(part, key, quantity, model, "median", digits=1, unit=unit)
+    return _value(part, key, quantity, model, "median", digits=1, unit=unit)
 
 
 def _ratio(group: str, quantity: str) -> Numbers:
@@ -65,16 +66,16 @@ def _quartic_ratio(group: str, quantity: str) -> Numbers:
 def _with_ends(name: str, *path: str) -> Numbers:
     """A ratio at a path of keys, and the ends of its interval."""
 
-    def end(place: int) -> Quantity:
-        def compute(found: dict[str, Any]) -> float:
-            node: Any = found
+    def end(index: int) -> Quantity:
+        def compute(content: dict[str, Any]) -> float:
+            node: Any = content
             for key in (*path, "ratio_interval"):
                 node = node[key]
-            return float(node[place])
+            return float(node[index])
 
         return _read(compute, ".".join((*path, "ratio_interval")), 2)
 
-    return {name: _at(*path, "ratio", digits=2), f"{name}-low": end(0), f"{name}-high": end(1)}
+    return {name: _value(*path, "ratio", digits=2), f"{name}-low": end(0), f"{name}-high": end(1)}
 
 
 def _medians(group: str, quantity: str, *models: str) -> Numbers:
@@ -84,44 +85,48 @@ def _medians(group: str, quantity: str, *models: str) -> Numbers:
     }
 
 
-def _sides(found: dict[str, Any]) -> int:
+def _sides(content: dict[str, Any]) -> int:
     """Number of polygon pushes that first touch a side."""
-    return int(found["polygons"]["pushes"] - found["polygons"]["corner_pushes"])
+    return int(content["polygons"]["pushes"] - content["polygons"]["corner_pushes"])
 
 
-def _for_a_polygon(found: dict[str, Any]) -> float:
+def _for_a_polygon(content: dict[str, Any]) -> float:
     """Mean number of pushes of a polygon in the half to which a model is fitted."""
-    return _sides(found) / len(found["polygons"]["objects"]) / 2
+    return _sides(content) / len(content["polygons"]["objects"]) / 2
 
 
-def _for_a_triangle(found: dict[str, Any]) -> float:
+def _for_a_triangle(content: dict[str, Any]) -> float:
     """Mean number of pushes of a triangle in the half to which a model is fitted."""
-    logs = [*found["three_feet"]["logs"].values(), *found["patch"]["logs"].values()]
+    logs = [*content["three_feet"]["logs"].values(), *content["patch"]["logs"].values()]
     return sum(int(log["pushes"]) for log in logs) / len(logs) / 2
 
 
-def _better(found: dict[str, Any]) -> int:
-    """Number of objects with poses predicted better by the identified pressure than by the ellipsoid."""
-    return sum(each[IDENTIFIED] < each[FITTED] for each in found["polygons"]["objects"].values())
+def _better(content: dict[str, Any]) -> str:
+    """Of which polygons the identified pressure predicts poses better than the fitted ellipsoid."""
+    polygons = content["polygons"]["objects"].values()
+    count = sum(medians[IDENTIFIED] < medians[FITTED] for medians in polygons)
+    total = WORDS[len(polygons)]
+    return f"all {total}" if count == len(polygons) else f"{WORDS[count]} of {total}"
 
 
 MEASURED: Numbers = {
-    "pushes-feet-logs": _read(lambda found: len(found["three_feet"]["logs"]), "logs on three feet"),
-    "pushes-feet": _at("three_feet", "pushes"),
-    "pushes-face": _at("patch", "pushes"),
-    "pushes-objects": _read(lambda found: len(found["polygons"]["objects"]), "polygons"),
+    "pushes-feet-logs": _read(
+        lambda content: len(content["three_feet"]["logs"]), "logs on three feet"
+    ),
+    "pushes-feet": _value("three_feet", "pushes"),
+    "pushes-face": _value("patch", "pushes"),
+    "pushes-objects": _read(lambda content: len(content["polygons"]["objects"]), "polygons"),
     "pushes-sides": _read(_sides, "polygons: pushes less corner_pushes"),
-    "pushes-corners": _at("polygons", "corner_pushes"),
+    "pushes-corners": _value("polygons", "corner_pushes"),
     "pushes-fit-triangle": _read(_for_a_triangle, "half of the mean number of pushes in a log"),
     "pushes-fit-polygon": _read(_for_a_polygon, "half of the mean number of pushes at sides"),
-    "pushes-seed": _at("seed"),
-    **_medians("feet", "motion", "known_feet", "known_feet_ellipsoid", FITTED, QUARTIC, "uniform"),
-    **_medians("feet", "pose", "known_feet", "known_feet_ellipsoid", FITTED, QUARTIC),
-    "pushes-near-foot": _at("about_a_foot", "pushes"),
-    "pushes-foot-distance": _at("about_a_foot", "distance", unit="mm"),
-    "pushes-load-set-tolerance": _at("about_a_foot", "tolerance", unit="percent", factor=100.0),
-    "pushes-in-load-set": _at("about_a_foot", "in_load_set", unit="percent", factor=100.0),
-    "pushes-random-in-load-set": _at(
+    "pushes-seed": _value("seed"),
+    **_medians("feet", "motion", "known_feet", "known_feet_ellipsoid"),
+    "pushes-near-foot": _value("about_a_foot", "pushes"),
+    "pushes-foot-distance": _value("about_a_foot", "distance", unit="mm"),
+    "pushes-load-set-tolerance": _value("about_a_foot", "tolerance", unit="percent", factor=100.0),
+    "pushes-in-load-set": _value("about_a_foot", "in_load_set", unit="percent", factor=100.0),
+    "pushes-random-in-load-set": _value(
         "about_a_foot", "of_random_pushes", unit="percent", factor=100.0
     ),
     **_ratio("feet", "motion"),
@@ -129,11 +134,13 @@ MEASURED: Numbers = {
     **_ratio("feet", "wrench"),
     **_ratio("face", "wrench"),
     **_quartic_ratio("feet", "motion"),
-    **_quartic_ratio("feet", "wrench"),
     **_quartic_ratio("face", "motion"),
     **_ratio("sides", "pose"),
-    **_ratio("corners", "pose"),
-    "pushes-objects-better": _read(_better, "objects: identified below fitted_ellipsoid"),
-    **_medians("face", "motion", IDENTIFIED, "uniform", "uniform_ellipsoid", FITTED, QUARTIC),
-    **_medians("sides", "pose", IDENTIFIED, "uniform", "uniform_ellipsoid", FITTED),
+    "pushes-objects-better": Quantity(
+        read=lambda results: _better(results.pushes),
+        digits=0,
+        unit="name",
+        source="paper/measured_pushes.json: objects: identified below fitted_ellipsoid",
+    ),
+    **_medians("face", "motion", IDENTIFIED, "uniform", FITTED, QUARTIC),
 }
