@@ -31,7 +31,7 @@ export XDG_CACHE_HOME := $(HOME)/.cache
 $(shell mkdir -p "$(XDG_CACHE_HOME)")
 endif
 
-.PHONY: all test test-all test-processors test-slurm test-drags lint coverage bench golden images dictionary lock report manual clean help
+.PHONY: all test test-all test-processors test-slurm test-drags lint coverage bench golden images dictionary lock report jobs-report manual clean help
 .DELETE_ON_ERROR:
 
 # One make at a time. The operating system releases the lock when its process ends, even if it is killed.
@@ -107,7 +107,10 @@ dictionary: $(INSTALLED) ## write results/README.md from the attributes of the d
 manual: $(CORE) ## write the manual to results/manual/index.html; missing results are built first
 	@$(LOCK); $(BIN)/snakemake manual
 
-report: all ## write results/report.html, Snakemake's report of the last run
+report: $(CORE) ## write the report to results/paper.pdf; missing results are built first
+	@$(LOCK); $(BIN)/snakemake paper && echo "results/paper.pdf"
+
+jobs-report: all ## write results/report.html, Snakemake's report on the jobs of the last run
 	@$(LOCK); $(BIN)/snakemake --report results/report.html
 
 lock: $(INSTALLED) ## update requirements.lock to the newest versions of the dependencies
@@ -122,4 +125,5 @@ clean: ## remove all generated files
 	find results -mindepth 1 -not -name README.md -delete
 
 help:
-	@grep -hE '^(# make|[a-z-]+:.*## )' $(MAKEFILE_LIST) | sed -E 's/^# //; s/^([a-z-]+):.*## /make \1\t/' | expand -t 20
+	@grep -hE '^(# make|[a-z-]+:.*## )' $(MAKEFILE_LIST) | \
+		sed -E 's/^# (make[ a-z]*[a-z]|make)  +/\1\t/; s/^([a-z-]+):.*## /make \1\t/' | expand -t 22

@@ -24,7 +24,18 @@ os.environ.pop("JUPYTER_PATH", None)
 os.environ["MATPLOTLIBRC"] = str(STYLE_SHEET)
 profile = Path(KERNELS, "profile_default", "ipython_kernel_config.py")
 profile.parent.mkdir()
-profile.write_text('c.InlineBackend.figure_formats = {"svg"}\n', encoding="utf-8")
+# They start in a folder of their own, which holds the results.
+results_folder = "../../results"  # relative to this folder
+START = Path(KERNELS, "start")
+START.mkdir()
+(START / "results").symlink_to((HERE / results_folder).resolve())
+settings = {
+    "InlineBackend.figure_formats": {"svg"},
+    "IPKernelApp.exec_lines": [f"__import__('os').chdir({str(START)!r})"],
+}
+profile.write_text(
+    "".join(f"c.{key} = {value!r}\n" for key, value in settings.items()), encoding="utf-8"
+)
 
 project = "planar-pushing"
 author = "The planar-pushing developers"
@@ -38,12 +49,11 @@ extensions = [
     "command_reference",
     "docstrings",
     "figure_gallery",
+    "ledger_proofs",
     "results_in_text",
 ]
 source_suffix = {".md": "myst-nb"}
 exclude_patterns = ["examples/**"]
-#: The results of the pipeline, relative to this folder.
-results_folder = "../../results"
 
 nitpicky = True
 # Parameters, and names from other packages, have no page here.
@@ -75,3 +85,16 @@ BRAND = ("color-brand-primary", "color-brand-content", "color-brand-visited", "c
 html_theme_options = {
     f"{page}_css_variables": dict.fromkeys(BRAND, color) for page, color in LINKS.items()
 }
+#: What a page with cells begins with, so that they run; the page itself is plain Markdown.
+NOTEBOOK = "---\nfile_format: mystnb\nkernelspec:\n  name: python3\n---\n\n"
+
+
+def mark_notebook(app, page, text):
+    """Put what makes a page a notebook before its text."""
+    if "```{code-cell}" in text[0]:
+        text[0] = NOTEBOOK + text[0]
+
+
+def setup(app):
+    """Register the event."""
+    app.connect("source-read", mark_notebook)

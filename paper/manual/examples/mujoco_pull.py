@@ -41,13 +41,13 @@ def run(first, last, **options):
 
 def consistent(rod_angle, angle):
     """Twists of all consistent modes by name, for unit speed of the fence."""
-    found = pp.solve(scene(rod_angle, pp.RingFriction()), np.deg2rad(angle))
-    return {each.mode.name.lower(): each.twist for each in found}
+    solutions = pp.solve(scene(rod_angle, pp.RingFriction()), np.deg2rad(angle))
+    return {solution.mode.name.lower(): solution.twist for solution in solutions}
 
 
 def shown(twist):
     """A twist as three numbers."""
-    return " ".join(f"{each:7.4f}" for each in np.round(twist, 4) + 0.0)
+    return " ".join(f"{component:7.4f}" for component in np.round(twist, 4) + 0.0)
 
 
 if __name__ == "__main__":

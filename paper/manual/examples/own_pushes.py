@@ -63,25 +63,25 @@ def executed(push, law):
     return np.append(log.object_position[-1], log.object_angle[-1])
 
 
-def print_support(found):
+def print_support(estimate):
     """Print the estimates with their 90 percent intervals."""
-    numbers = {name: found.intervals[name] for name in ("weight", "contact_friction")}
+    numbers = {name: estimate.intervals[name] for name in ("weight", "contact_friction")}
     for name, (low, high) in numbers.items():
-        print(f"{name:16}  {getattr(found, name):5.3f}  {low:5.3f} to {high:5.3f}")
-    feet = zip(FEET, found.support.weights, found.weight_intervals, strict=True)
+        print(f"{name:16}  {getattr(estimate, name):5.3f}  {low:5.3f} to {high:5.3f}")
+    feet = zip(FEET, estimate.support.weights, estimate.weight_intervals, strict=True)
     for (x, y), load, (low, high) in feet:
         print(f"load at {x:3}, {y:3}  {load:5.3f}  {low:5.3f} to {high:5.3f}")
 
 
 if __name__ == "__main__":
-    found = pp.identify(measured(), known=FEET)
-    print_support(found)
-    law = pp.Coulomb(found.contact_friction)
-    for name, support in {"three feet": found.support, "even base": BOX}.items():
-        friction = (pp.SupportFriction(support=support, weight=found.weight),)
+    estimate = pp.identify(measured(), known=FEET)
+    print_support(estimate)
+    law = pp.Coulomb(estimate.contact_friction)
+    for name, support in {"three feet": estimate.support, "even base": BOX}.items():
+        friction = (pp.SupportFriction(support=support, weight=estimate.weight),)
         push, *_ = pp.pushes_for(friction, twist_to(*GOAL), BOX)  # smallest friction first
         x, y, turn = executed(push, law) - GOAL
         told = f"push at {push.point[0]:4.1f}, needs friction {push.friction_coefficient:5.3f}"
         print(f"{name:10}  {told}, misses by {np.hypot(x, y):4.1f} mm, {abs(turn):4.1f} degrees")
-        if support is found.support and len(sys.argv) > 1:
+        if support is estimate.support and len(sys.argv) > 1:
             pp.save_scene(scene_of(push, friction, law), sys.argv[1])

@@ -25,8 +25,8 @@ def box(side):
 
 def exact(scene):
     """Twists (v_x, v_y, omega) under the forces, for unit speed of the finger."""
-    found = pp.solve(scene, pp.motion_angle(scene, FORCES))
-    return found.twist[found.mode == pp.ContactMode.STICK]
+    solutions = pp.solve(scene, pp.motion_angle(scene, FORCES))
+    return solutions.twist[solutions.mode == pp.ContactMode.STICK]
 
 
 def ellipsoid(scene):
@@ -67,8 +67,8 @@ def reach(model):
         plans = []
         for sides in np.ndindex(4, 4, 4):
             goal = {"type": "eq", "fun": lambda *a: after(*a) - GOAL, "args": (pose, sides, twists)}
-            found = optimize.minimize(COSTS.dot, START, bounds=BOUNDS, constraints=goal)
-            plans += [(found.fun, sides, found.x)] if found.success else []
+            plan = optimize.minimize(COSTS.dot, START, bounds=BOUNDS, constraints=goal)
+            plans += [(plan.fun, sides, plan.x)] if plan.success else []
         pose = after(min(plans)[2], pose, min(plans)[1], twists, executed)
         yield min(plans)[0], np.hypot(*(pose - GOAL)[:2]), np.rad2deg(abs(pose - GOAL)[2])
 

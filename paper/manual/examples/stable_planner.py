@@ -47,7 +47,7 @@ def path(start, goal, radii):
             ]
             twists = np.array([(0, 1, 1 / first), (0, 1, 0), (0, 1, 1 / last)])
             paths.append((sum(arcs) + line, twists, [arcs[0], line, arcs[1]]))
-    return min(paths, key=lambda each: each[0])[1:]
+    return min(paths, key=lambda candidate: candidate[0])[1:]
 
 
 def moved(pose, twist, duration):

@@ -27,8 +27,8 @@ def commands() -> dict[str, argparse.ArgumentParser]:
 def arguments(command: argparse.ArgumentParser) -> Iterator[tuple[str, str]]:
     """Each argument of a command as it is typed, with its help; positional arguments first."""
     formatter = argparse.HelpFormatter(command.prog)
-    own = (action for action in command._actions if action.dest not in SHARED)
-    for action in sorted(own, key=lambda action: bool(action.option_strings)):
+    options = (action for action in command._actions if action.dest not in SHARED)
+    for action in sorted(options, key=lambda action: bool(action.option_strings)):
         yield formatter._format_action_invocation(action), formatter._expand_help(action)
 
 

@@ -49,7 +49,7 @@ def figures(project: Path, results: Path) -> Iterator[Shown]:
     table = json.loads((results / "tables/figures.json").read_text(encoding="utf-8"))
     supports = load_study(project / SLIDERS_FILE).figures
     for name, values in table.items():
-        about, number = entry(name), values.get("number") or int(name.rpartition("_")[2])
+        about = entry(name)
         if name in OURS:
             group = METHODS
         elif name in supports:
@@ -57,7 +57,7 @@ def figures(project: Path, results: Path) -> Iterator[Shown]:
         else:
             group = PAPER if about.promise else BEYOND
         yield Shown(
-            group=group, name=name, file=values["file"], title=f"Figure {number}. {about.title}",
+            group=group, name=name, file=values["file"], title=f"Figure {values['number']}. {about.title}",
             caption=values["caption"],
             code=f"{MODULES}/{module_name(name).replace('.', '/')}.py",
         )  # fmt: skip
@@ -80,23 +80,23 @@ def simulations(project: Path) -> Iterator[Shown]:
 
 
 def gallery(project: Path, results: Path) -> list[Shown]:
-    """All figures of the paper's study and of the study of supports."""
+    """All figures of the paper's study and of the study `sliders`."""
     return [*figures(project, results), *simulations(project)]
 
 
 def _text(caption: str) -> list[nodes.Node]:
     """A caption with its symbols in italics, their indices lowered, and equations on one line."""
-    found: list[nodes.Node] = []
+    parts: list[nodes.Node] = []
     caption = caption.replace(" = ", "\u00a0=\u00a0")
     end = 0
     for match in INDEXED.finditer(caption):
-        found += [
+        parts += [
             nodes.Text(caption[end : match.start()]),
             nodes.emphasis("", match[1]),
             nodes.subscript("", match[2]),
         ]
         end = match.end()
-    return [*found, nodes.Text(caption[end:])]
+    return [*parts, nodes.Text(caption[end:])]
 
 
 def _block(text: str, language: str) -> nodes.literal_block:
@@ -114,21 +114,21 @@ class FigureGallery(SphinxDirective):
         project = self.env.srcdir.parents[1]
         results = (self.env.srcdir / self.config.results_folder).resolve()
         groups: dict[str, nodes.section] = {}
-        for each in gallery(project, results):
-            group = groups.setdefault(each.group, _titled(each.group, each.group))
-            group += self._section(each, project)
+        for figure in gallery(project, results):
+            group = groups.setdefault(figure.group, _titled(figure.group, figure.group))
+            group += self._section(figure, project)
         return list(groups.values())
 
-    def _section(self, shown: Shown, project: Path) -> nodes.section:
-        self.env.note_dependency(project / shown.code)
-        image = nodes.image(uri=f"{self.config.results_folder}/{shown.file}.svg", alt=shown.title)
-        code = (project / shown.code).read_text(encoding="utf-8").rstrip()
-        section = _titled(shown.title, shown.name)
-        section += nodes.figure("", image, nodes.caption("", "", *_text(shown.caption)))
-        section += _block(f"$ snakemake results/{shown.file}.svg", "console")
-        summary = f"<details><summary><code>{shown.code}</code></summary>"
+    def _section(self, figure: Shown, project: Path) -> nodes.section:
+        self.env.note_dependency(project / figure.code)
+        image = nodes.image(uri=f"{self.config.results_folder}/{figure.file}.svg", alt=figure.title)
+        code = (project / figure.code).read_text(encoding="utf-8").rstrip()
+        section = _titled(figure.title, figure.name)
+        section += nodes.figure("", image, nodes.caption("", "", *_text(figure.caption)))
+        section += _block(f"$ snakemake results/{figure.file}.svg", "console")
+        summary = f"<details><summary><code>{figure.code}</code></summary>"
         section += nodes.raw("", summary, format="html")
-        section += _block(code, shown.language)
+        section += _block(code, figure.language)
         section += nodes.raw("", "</details>", format="html")
         return section
 

@@ -34,9 +34,9 @@ def written(text: str) -> str:
     return POWER.sub(_power, text).replace("-", "\u2212")
 
 
-def _power(found: re.Match[str]) -> str:
-    ten = "10" + str(int(found[2])).translate(RAISED)
-    return ten if found[1] == "1" else f"{found[1]} \u00d7 {ten}"
+def _power(power: re.Match[str]) -> str:
+    ten = "10" + str(int(power[2])).translate(RAISED)
+    return ten if power[1] == "1" else f"{power[1]} \u00d7 {ten}"
 
 
 class Number(SphinxRole):
