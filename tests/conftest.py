@@ -6,7 +6,7 @@ import pytest
 from core.both_forms import BothForms
 from hypothesis import HealthCheck, settings
 
-from planar_pushing.mechanics import kernels
+from planar_pushing.mechanics.kernels import calls as kernels
 
 settings.register_profile(
     "reproducible",

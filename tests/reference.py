@@ -210,14 +210,3 @@ def mixed_motion_angle(length, phi, psi, share, rho=1):
     if share == 1:
         return inertia_motion_angle(length, phi, psi, rho)
     return motion_angle(length, phi, psi, mixed_spin_ratio(arm, share / (1 - share), rho))
-
-
-def pulling_threshold(spin_ratio_of_arm, length, psi):
-    """mu at which the right edge of the motion cone is along the fence."""
-
-    def normal_motion(mu):
-        phi = mp.acot(mu)
-        k = spin_ratio_of_arm(moment_arm(length, phi, psi))
-        return mp.sin(phi) - k * length * mp.cos(psi)
-
-    return mp.findroot(normal_motion, (mpf(1), mpf(3)), solver="anderson", tol=mpf(10) ** -60)

@@ -56,6 +56,24 @@ def test_an_angle_says_radians_in_its_first_line(function, parameter):
     assert "radians" in described(inspect.getdoc(function))[parameter]
 
 
+@pytest.mark.parametrize(("name", "said"), [
+    ("motioncone", "; did you mean motion_cone?"), ("Solve", "; did you mean solve?"),
+    ("numpy", "; dir(planar_pushing) lists the names"),
+])  # fmt: skip
+def test_a_mistyped_name_of_the_package_is_answered_by_a_similar_one(name, said):
+    with pytest.raises(AttributeError) as caught:
+        getattr(pp, name)
+    assert str(caught.value) == f"planar_pushing has no attribute {name}{said}"
+    assert not hasattr(pp, name)
+
+
+def test_a_name_that_its_module_lacks_is_not_called_mistyped(monkeypatch):
+    monkeypatch.delitem(vars(pp), "Coulomb", raising=False)  # set when the name was first used
+    monkeypatch.delattr("planar_pushing.mechanics.contact.Coulomb")
+    with pytest.raises(AttributeError, match=r"mechanics\.contact' has no attribute 'Coulomb'$"):
+        _ = pp.Coulomb
+
+
 def test_windows_is_refused_in_one_line():
     code = "import sys; sys.platform = 'win32'; import planar_pushing"
     ended = subprocess.run(

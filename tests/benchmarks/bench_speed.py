@@ -15,8 +15,8 @@ import pytest
 from scipy.special import ellipe, ellipkm1
 
 import planar_pushing as pp
-from planar_pushing.mechanics.arrays import CORES
 from planar_pushing.mechanics.force.wrench import ring_profile, ring_spin_ratios
+from planar_pushing.mechanics.kernels.arrays import CORES
 from planar_pushing.mechanics.pressure.table import moments, table_of_pieces
 
 pytestmark = pytest.mark.benchmark(timer=time.process_time)

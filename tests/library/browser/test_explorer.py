@@ -13,11 +13,11 @@ from browser.page import drag, handle, on_screen, ready, serving, settled, words
 from browser.shots import alike
 
 import planar_pushing as pp
-from planar_pushing.drawing.timeline import plotted
+from planar_pushing.drawing.timeline import path_data
 from planar_pushing.drawing.words import outcome
 from planar_pushing.explorer.address import state_in
 from planar_pushing.explorer.pictures import maps
-from planar_pushing.explorer.pictures.pictures import LONG, solved
+from planar_pushing.explorer.pictures.pictures import LONG, solve_push
 from planar_pushing.explorer.presets import preset, titles
 from planar_pushing.scenes.files import load_scene_file
 
@@ -32,7 +32,7 @@ def state(page):
 
 def expected(state):
     """What the page should say of a state."""
-    push = solved(state)
+    push = solve_push(state)
     return outcome(push.solutions, push.sketch.pusher, push.chosen)
 
 
@@ -67,7 +67,7 @@ def test_the_push_is_dragged(page):
     assert state(page).angle == pytest.approx(np.rad2deg(np.arctan2(1.2, -0.5)), abs=1.0)
     cross = page.locator("#cross path").first.bounding_box()
     middle = cross["x"] + cross["width"] / 2, cross["y"] + cross["height"] / 2
-    assert middle == pytest.approx(on_screen(page, maps.place_of(state(page)), "map"), abs=2.0)
+    assert middle == pytest.approx(on_screen(page, maps.position_of(state(page)), "map"), abs=2.0)
 
 
 def test_the_force_is_aimed_on_the_limit_curve(page):
@@ -137,7 +137,7 @@ def test_touch_drags(chromium, server):
     context.close()
 
 
-@pytest.mark.parametrize("name", ["figure_13", "figure_14b", "box", "box_side"])
+@pytest.mark.parametrize("name", ["figure_13", "pulling_lost", "box", "box_side"])
 def test_a_preset_opens(page, name):
     start_from(page, name)
     assert state(page) == preset(name)
@@ -300,7 +300,7 @@ def test_a_push_is_followed_and_a_way_taken_by_hand(page):
 
 
 @pytest.mark.parametrize(("name", "when"), [
-    ("figure_14a", "at time"), ("pulling_with_inertia", "of the push at the start"),
+    ("pulling", "at time"), ("pulling_with_inertia", "of the push at the start"),
 ])  # fmt: skip
 def test_an_address_copied_over_time_opens_the_same_page(page, context, name, when):
     start_from(page, name)
@@ -334,12 +334,12 @@ def saved(page, button, folder):
 
 
 def test_files_are_saved(page, tmp_path):
-    start_from(page, "figure_14a")
+    start_from(page, "pulling")
     here = state(page)
     assert load_scene_file(saved(page, "Scene (YAML)", tmp_path)) == here.file
     assert saved(page, "Picture (SVG)", tmp_path).read_text(encoding="utf-8").count("<path") > 5
     with xr.open_dataset(saved(page, "Log (netCDF)", tmp_path), engine="h5netcdf") as log:
-        assert "path_position" in plotted(log.load())
+        assert "path_position" in path_data(log.load())
     found = {}
     exec(saved(page, "Python", tmp_path).read_text(encoding="utf-8"), found)
     assert found["scene"] == here.scene

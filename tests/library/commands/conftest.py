@@ -10,5 +10,5 @@ from planar_pushing.commands import main
 @pytest.fixture(scope="session")
 def log(tmp_path_factory):
     path = tmp_path_factory.mktemp("log") / "log.nc"
-    assert main(["simulate", "workflow/scenes/figure_14a.yaml", "-o", str(path)]) == 0
+    assert main(["simulate", "workflow/scenes/pulling.yaml", "-o", str(path)]) == 0
     return path

@@ -23,7 +23,9 @@ def test_animate(run, log, tmp_path):
 
 WRONG = [
     (["animate", "none.nc", "-o", "motion.gif"],
-     "none.nc: no such file; give a log written by simulate"),
+     "none.nc: no such file; give a log that planar-pushing simulate has written"),
+    (["animate", "workflow/scenes/pulling.yaml", "-o", "motion.gif"],
+     "workflow/scenes/pulling.yaml: is not a netCDF4 file; give a log that planar-pushing simulate has "),
     (["animate", "LOG", "--frames", "1", "-o", "motion.gif"],
      "frames: 1 given; allowed: a whole number from 2 to 1000"),
     (["animate", "tests/golden/motion_cones.nc", "-o", "motion.gif"],

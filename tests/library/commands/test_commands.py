@@ -82,12 +82,22 @@ def test_every_command_has_an_example_that_it_takes(name):
 
 
 @pytest.mark.parametrize(("arguments", "said"), [
-    (["cone", SCENE, "--rod-length", "2"], "unrecognized arguments: --rod-length 2"),
+    (["cone", SCENE, "--rod-length", "2"], "cone: --rod-length given; allowed: --help, --json; "),
+    (["cone", SCENE, "more"], "cone: 'more' given; allowed: nothing more; remove it; see planar-pushing "),
+    (["solve", SCENE, "-10"], "solve: '-10' given; allowed: nothing more; type --pusher-angle -10; see "),
+    (["solve", SCENE, "-10:10:5"], "nothing more; type --pusher-angle -10:10:5; see "),
+    (["simulate", SCENE, "165", "-o", "log.nc"], "nothing more; type --pusher-angle 165; see "),
+    (["cone", SCENE, "10"], "cone: '10' given; allowed: nothing more; remove it; see "),
+    (["solve", SCENE, "--pusher=9"], "did you mean --pusher-angle or --pusher-magnitude?; see "),
+    (["solve", SCENE, "--pusher-angel=9"], "--pusher-magnitude; did you mean --pusher-angle?; see "),
+    (["identify", "--otput", "support.yaml"], "did you mean --output?; "),
+    (["--verson"], "--verson given; allowed: --help, --version; did you mean --version?; "),
     (["cone"], "cone: the following arguments are required: SCENE.yaml; see planar-pushing cone --help"),
     (["solve", SCENE, "--pusher-angle", "east"],
      "--pusher-angle: 'east' given; allowed: a number, or START:STOP:STEP "),
     (["animate", "log.nc", "-o", "a.gif", "--frames", "1.5"], "'1.5' given; allowed: a whole number; "),
-    (["solf"], "argument command: invalid choice: 'solf'"),
+    (["solf"], "planar-pushing: 'solf' given; allowed: solve, cone, "),
+    (["Solv"], ", run; did you mean solve?; see planar-pushing --help"),
     ([], "the following arguments are required: command; see planar-pushing --help"),
 ], ids=str)  # fmt: skip
 def test_arguments_that_are_none_are_refused_in_one_line(capsys, arguments, said):

@@ -68,5 +68,5 @@ def test_zsh_runs_the_function_of_bash(run):
 
 def test_another_shell(refused):
     refused(
-        ["completion", "csh"], "shell: 'csh' given; allowed: bash, zsh; name one of these shells"
+        ["completion", "fish"], "shell: 'fish' given; allowed: bash, zsh; name one of these shells"
     )

@@ -66,20 +66,20 @@ def test_the_force_that_is_asked_for_is_drawn(sketched, angle):
 
 
 def test_the_push_is_that_of_the_file_unless_another_is_given(sketched):
-    own = load_scene_file("workflow/scenes/figure_15.yaml").simulate.pieces[0].angle
+    own = load_scene_file("workflow/scenes/slipping.yaml").simulate.pieces[0].angle
     for arguments, angle in (((), own), (("--pusher-angle", "70"), 70.0)):
-        pusher = sketched("workflow/scenes/figure_15.yaml", *arguments).pusher
+        pusher = sketched("workflow/scenes/slipping.yaml", *arguments).pusher
         assert pusher == pytest.approx(direction(np.deg2rad(angle)))
     assert sketched(SCENE).pusher == pytest.approx([0.0, 1.0])
 
 
 def test_a_finger_is_drawn_as_one(sketched, tmp_path):
-    text = Path("workflow/scenes/figure_15.yaml").read_text(encoding="utf-8")
+    text = Path("workflow/scenes/slipping.yaml").read_text(encoding="utf-8")
     path = tmp_path / "finger.yaml"
     path.write_text(f"{text}  pusher_shape: finger\n", encoding="utf-8")
     assert sketched(str(path)).side == (-np.inf, np.inf)
     assert sketched(str(path)).finger_radius == 0
-    assert sketched("workflow/scenes/figure_15.yaml").side is None
+    assert sketched("workflow/scenes/slipping.yaml").side is None
     path.write_text(f"{text}  pusher_shape: finger\n  pusher_radius: 0.3\n", encoding="utf-8")
     assert sketched(str(path)).finger_radius == 0.3
 
@@ -103,7 +103,8 @@ def test_a_perfectly_rough_contact_transmits_every_force(run, tmp_path):
         (["draw", BOTH, "--force-angle", "90", "-o", "scene.svg"],
          "force_angle: 90.0 given; allowed: a scene with one effect"),
         (["draw", BOTH, "--limit-curve", "-o", "scene.svg"],
-         "limit_curve: 'RingFriction and Inertia' given; allowed: a scene whose forces do not depend on"),
+         "limit_curve: 'RingFriction and Inertia' given; allowed: a scene whose forces do not depend on "
+         "the magnitude of its motion; leave the limit curve out, or list one effect\n"),
         (["draw", SCENE, "-o", "scene.doc"],
          "output: 'scene.doc' given; allowed: a name ending in .svg"),
         (["draw", SCENE, "--pusher-angle", "1", "--force-angle", "2", "-o", "scene.svg"],

@@ -13,7 +13,7 @@ import xarray as xr
 
 from signals import interruptible
 
-SCENE = "workflow/scenes/figure_14a.yaml"
+SCENE = "workflow/scenes/pulling.yaml"
 COMMAND = [sys.executable, "-m", "planar_pushing"]
 #: A limit on the size of files stands for a full disk: every write beyond it fails.
 SMALL = 8192

@@ -207,7 +207,7 @@ def test_wrong_input_is_refused_before_any_work(refused, files, tmp_path, monkey
         ([str(none), *out], f"{none}: no such file; write one with save_pushes or "),
         ([str(text), *out], f"{text}: is not a netCDF4 file of pushes; "),
         ([str(files / "two.nc"), *out],
-         "object: None given; allowed: tripod, other; name one of them with --object"),
+         "object: missing; allowed: tripod, other; name one of them with --object"),
         ([forces, "--object", "tripot", *out],
          "object: 'tripot' given; allowed: tripod; did you mean tripod?"),
         ([forces, "-o", "support.nc"],

@@ -7,7 +7,7 @@ import pytest
 
 from pulling_by_pushing.study.store import read_dataset
 
-PULLING = "workflow/scenes/figure_14a.yaml"
+PULLING = "workflow/scenes/pulling.yaml"
 
 PLAIN = "workflow/scenes/figure_08.yaml"
 
@@ -16,8 +16,8 @@ def test_simulate_follows_the_section_of_the_scene(log):
     found = read_dataset(log)
     assert found.attrs["finished"] == 1
     assert found.attrs["on_ambiguity"] == "keep-contact"
-    assert found.sizes["time"] == 97
-    assert float(found.rod_angle[-1]) == pytest.approx(55.0117131650713, abs=1e-9)
+    assert found.sizes["time"] == 103
+    assert float(found.rod_angle[-1]) == pytest.approx(57.8963844332054, abs=1e-9)
 
 
 def test_an_option_takes_the_place_of_the_section(run, tmp_path):
@@ -25,15 +25,15 @@ def test_an_option_takes_the_place_of_the_section(run, tmp_path):
     options = ("--on-ambiguity", "separate", "--json")
     code, out, _ = run("simulate", PULLING, "-o", str(path), *options)
     told = json.loads(out)
-    assert (code, told["time"], told["stopped"]) == (0, 1.5, "")
+    assert (code, told["time"], told["stopped"]) == (0, 2.5, "")
     assert [(each["time"], each["mode"]) for each in told["modes"]] == [
         (0.0, "STICK"),
-        (0.5, "SEPARATE"),
-        (0.515625, "SEPARATE"),  # the contact has opened
+        (0.4, "SEPARATE"),
+        (pytest.approx(0.425, abs=1e-15), "SEPARATE"),  # the contact has opened
     ]
     assert told["modes"][2]["consistent"] == 1
     assert told["modes"][1]["consistent"] > 1
-    assert told["gap"] == pytest.approx(np.sin(np.deg2rad(10)), abs=1e-12)
+    assert told["gap"] == pytest.approx(2.1 * np.sin(np.deg2rad(20)), abs=1e-12)
 
 
 def test_a_side_is_flush_and_turns_off(run, tmp_path):
@@ -54,7 +54,7 @@ def test_the_options_alone_make_a_simulation(run, tmp_path):
     options = ("--pusher-angle", "165", "--duration", "3", "--samples", "5", "--rtol", "1e-9")
     code, out, err = run("simulate", PLAIN, "-o", str(path), *options, "--no-progress")
     assert (code, err) == (0, "")
-    assert "slip: 2.151415744" in out
+    assert "slip [length]: 2.151415744" in out
     assert "mode: SLIP_RIGHT" in out
 
 
@@ -95,6 +95,42 @@ def test_waypoints_in_the_world_until_a_distance(run, tmp_path):
     assert found.pusher[-1].values == pytest.approx([0, 0.5], abs=1e-12)
     code, out, _ = run("simulate", str(scene), "-o", str(path), "--json", "--pusher-angle", "180")
     assert json.loads(out)["position"] == pytest.approx(told["position"], abs=1e-9)
+
+
+#: The rod falls onto the fence, where the slider's center arrives before the end.
+FALLING = "slider: {rod_length: 2, rod_angle: 15}", "--pusher-angle", "90", "--duration", "9"
+
+
+def test_an_early_stop_is_called_a_stop(run, tmp_path, caplog):
+    scene, path = tmp_path / "falling.yaml", tmp_path / "log.nc"
+    slider, *options = FALLING
+    contact = "contact: {law: coulomb, friction_coefficient: 0.5}"
+    effects = "effects: [{type: ring_friction}]"
+    scene.write_text("\n".join([slider, contact, effects]), encoding="utf-8")
+    code, out, _ = run("simulate", str(scene), "-o", str(path), *options)
+    time = read_dataset(path).attrs["stopped_time"]
+    assert f"stopped at t = {time:.6g}: the slider's center comes down to the fence\n" in out
+    assert (code, out.count("stopped")) == (0, 1)
+    assert run("animate", str(path), "-o", str(tmp_path / "log.gif"), "--frames", "2")[0] == 0
+    words = f"stopped at t = {time:.6g}: the slider's center comes down to the fence"
+    assert caplog.messages == [words]
+
+
+@pytest.mark.parametrize(("scene", "units"), [
+    (PULLING, ("time", "length")), ("workflow/scenes/box_side.yaml", ("s", "m")),
+], ids=["scaled", "own units"])  # fmt: skip
+def test_numbers_have_the_units_of_the_log(run, tmp_path, scene, units):
+    out = run("simulate", scene, "-o", str(tmp_path / "log.nc"))[1]
+    names = [line.strip().partition(": ")[0] for line in out.splitlines()]
+    time, length = units
+    quantities = [f"{name} [{length}]" for name in ("position", "slip", "gap")]
+    assert names[:6] == ["written", f"time [{time}]", "rod_angle [degree]", *quantities]
+    assert names.count(f"time [{time}]") == 1 + names.count("mode")
+    assert {"consistent", "modes:"} < set(names)
+
+
+def test_a_run_to_its_end_has_no_such_line(run, tmp_path):
+    assert "stopped" not in run("simulate", PULLING, "-o", str(tmp_path / "log.nc"))[1]
 
 
 FINGER = """\
@@ -145,7 +181,7 @@ def test_the_radius_of_a_finger(run, tmp_path):
 def test_progress_is_shown_when_asked_for(run, tmp_path):
     path = tmp_path / "log.nc"
     _, out, err = run("simulate", PULLING, "-o", str(path), "--progress")
-    assert "1.5" in err
+    assert "2.5" in err
     assert out.startswith(f"written: {path}\n")
 
 
@@ -155,9 +191,11 @@ WRONG = [
     (["simulate", PULLING, "-o", "log.txt"],
      "output: 'log.txt' given; allowed: a name ending in .nc or .h5; rename the file"),
     (["simulate", PLAIN, "--pusher-angle", "1", "-o", "log.nc"],
-     "duration: None given; allowed: the option --duration, or a section simulate in"),
+     f"duration: missing; allowed: as options, or in a section simulate of {PLAIN}; type for example "
+     "--duration 3, or write simulate: {duration: 3} into the file"),
     (["simulate", PLAIN, "--duration", "1", "-o", "log.nc"],
-     "pusher_angle: None given; allowed: the option --pusher-angle, or a section simulate in"),
+     f"pusher_angle: missing; allowed: as options, or in a section simulate of {PLAIN}; type "),
+    (["simulate", PLAIN, "-o", "log.nc"], "pusher_angle, duration: missing; "),
     (["simulate", PULLING, "--on-ambiguity", "both", "-o", "log.nc"],
      "on_ambiguity: 'both' given; allowed: 'keep-contact', 'separate', 'stay-in-mode', 'stick', "
      "'slip-right' or 'slip-left'; "),

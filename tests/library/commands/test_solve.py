@@ -223,8 +223,8 @@ def test_no_range(capsys, given):
         (["solve", "none.yaml", "--pusher-angle", "1"],
          "none.yaml: no such file; give the path of a YAML file"),
         (["solve", SCENE],
-         "pusher_angle: None given; allowed: degrees, for a scene file without the section simulate; "
-         "give --pusher-angle"),
+         "pusher_angle: missing; allowed: the option --pusher-angle, or a section simulate in the scene "
+         "file; type --pusher-angle 90"),
         (["solve", SCENE, "--pusher-angle", "nan"],
          "pusher_angle: nan given; allowed: a finite number of degrees"),
         (["solve", SCENE, "--pusher-angle", "1", "--pusher-magnitude", "-1"],

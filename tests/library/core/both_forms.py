@@ -6,7 +6,7 @@ from collections import defaultdict
 
 import numpy as np
 
-from planar_pushing.mechanics import kernels
+from planar_pushing.mechanics.kernels import calls as kernels
 
 
 def same_bits(one, other):

@@ -208,8 +208,8 @@ import sys, warnings
 import numpy as np
 with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always")
-    import planar_pushing.mechanics.kernels as kernels
-    import planar_pushing.mechanics.kernels
+    import planar_pushing.mechanics.kernels.calls as kernels
+    import planar_pushing.mechanics.kernels.calls
 print([f"{one.category.__name__}: {one.message}" for one in caught])
 print("planar_pushing.core.apex" in sys.modules, kernels.COMPILED is not None)
 print(kernels.run("answer", np.arange(6), [[0.5, 2, 1], [1, 1, 2]], 28).tobytes().hex())
@@ -321,7 +321,7 @@ def test_the_wheel_is_for_one_platform_and_every_python_and_without_a_compiler_f
         archive.extractall(tmp_path / "site")
     assert f"planar_pushing/core/{hatch_build.TARGET}" in names
     assert not any("joiner" in name or name.endswith((".pyx", ".c")) for name in names)
-    load = "import planar_pushing.mechanics.kernels as kernels; print(kernels.COMPILED is not None)"
+    load = "import planar_pushing.mechanics.kernels.calls as kernels; print(kernels.COMPILED is not None)"
     ran = subprocess.run(
         [sys.executable, "-W", "error", "-c", load], capture_output=True, text=True, check=True,
         env=os.environ | {"PYTHONPATH": str(tmp_path / "site")},

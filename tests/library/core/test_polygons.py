@@ -7,7 +7,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from planar_pushing.mechanics.kernels import run
+from planar_pushing.mechanics.kernels.calls import run
 
 RANDOM = np.random.default_rng(1)
 #: Vertices on a grid, where edges often touch, fold back, or have no length; the products are exact.

@@ -13,8 +13,8 @@ from core.building import CORE
 from mechanics.builders import make_scene
 
 import planar_pushing as pp
-from planar_pushing.mechanics import kernels
 from planar_pushing.mechanics.force.limit_curve import curve_of_unit_motions
+from planar_pushing.mechanics.kernels import calls as kernels
 
 SQUARE = pp.Polygon([(-1, -1), (1, -1), (1, 1), (-1, 1)])
 FEET = pp.Points([(1, 0), (-1, 1), (-1, -1)])

@@ -10,7 +10,7 @@ import pytest
 import planar_pushing as pp
 from planar_pushing.core import elimination, rows, sensitivity
 from planar_pushing.core.numbers import zeros
-from planar_pushing.mechanics.kernels import run
+from planar_pushing.mechanics.kernels.calls import run
 
 SIDE = elimination.SIDE
 LEVERS = [0.0, 1e-3, 1.0, 1e3, 1e6]

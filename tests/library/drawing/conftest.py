@@ -6,7 +6,7 @@ from planar_pushing.scenes.files import load_scene_file
 from planar_pushing.scenes.simulate import arguments
 from planar_pushing.simulation.simulate import simulate
 
-LOGS = ("figure_14a", "figure_14b", "figure_15", "pulling_with_inertia", "impact")
+LOGS = ("pulling", "pulling_lost", "slipping", "pulling_with_inertia", "impact")
 #: Logs of sliders on other supports.
 OTHERS = ("stool", "box")
 

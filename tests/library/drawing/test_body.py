@@ -23,7 +23,7 @@ from planar_pushing.drawing.canvas.marks import Area, Dot, Hatch, Label, Line, P
 from planar_pushing.drawing.supports import (
     BAR,
     BELOW,
-    DRAWN,
+    DRAWERS,
     EVEN,
     HEAVIEST,
     HIGHEST,
@@ -48,13 +48,13 @@ def drawn(support, pose=UPRIGHT, ink=None):
 
 
 def test_every_shape_is_drawn():
-    assert set(DRAWN) == set(SHAPES.values())
+    assert set(DRAWERS) == set(SHAPES.values())
 
 
 def test_a_pose_turns_moves_and_scales_about_its_origin():
-    assert UPRIGHT.at((1.0, 0.5)) == pytest.approx([0.5, 3.0])
-    assert UPRIGHT.at([[0, 0], [0, 1]]) == pytest.approx(np.array([[1, 2], [0, 2]]))
-    assert UPRIGHT._replace(scale=0.5).at((2.0, 1.0)) == pytest.approx([0.5, 3.0])
+    assert UPRIGHT.to_plane((1.0, 0.5)) == pytest.approx([0.5, 3.0])
+    assert UPRIGHT.to_plane([[0, 0], [0, 1]]) == pytest.approx(np.array([[1, 2], [0, 2]]))
+    assert UPRIGHT._replace(scale=0.5).to_plane((2.0, 1.0)) == pytest.approx([0.5, 3.0])
 
 
 @pytest.mark.parametrize("name", SUPPORTS)
@@ -63,7 +63,7 @@ def test_the_extents_are_those_of_what_is_drawn(name):
     marks, (low, high) = drawn(support, pose), extents(support, pose)
     points = [ring for area in marks[Area] for ring in area.rings]
     points = np.vstack(
-        [*points, *(line.points for line in marks[Line]), *(d.place for d in marks[Dot])]
+        [*points, *(line.points for line in marks[Line]), *(d.position for d in marks[Dot])]
     )
     slack = 0.03 * pose.scale * support.extent  # circles are drawn as polygons
     assert (points.min(axis=0) <= low + slack).all()
@@ -93,8 +93,8 @@ def test_circles_have_their_radii_about_their_center(support, radii, center):
 def test_a_polygon_is_a_shaded_area_with_an_outline():
     marks = drawn(pp.Polygon(CORNERS), ink=Ink(width=1.5))
     ((area,), (line,)) = marks[Area], marks[Line]
-    assert area.rings[0] == pytest.approx(UPRIGHT.at(CORNERS))
-    assert line.points[1:-1] == pytest.approx(UPRIGHT.at(CORNERS))
+    assert area.rings[0] == pytest.approx(UPRIGHT.to_plane(CORNERS))
+    assert line.points[1:-1] == pytest.approx(UPRIGHT.to_plane(CORNERS))
     assert line.points[0] == pytest.approx(line.points[-1])
     assert line.width == 1.5
 
@@ -104,8 +104,8 @@ def test_a_hole_is_left_out_of_the_area_and_has_an_outline():
     marks = drawn(pp.Polygon(CORNERS, [hole]))
     ((area,), lines) = marks[Area], marks[Line]
     for ring, line, corners in zip(area.rings, lines, (CORNERS, hole), strict=True):
-        assert ring == pytest.approx(UPRIGHT.at(corners))
-        assert line.points[1:-1] == pytest.approx(UPRIGHT.at(corners))
+        assert ring == pytest.approx(UPRIGHT.to_plane(corners))
+        assert line.points[1:-1] == pytest.approx(UPRIGHT.to_plane(corners))
 
 
 @pytest.mark.parametrize("pressure", [[[1, 4]], [[0, 4]]])
@@ -126,8 +126,8 @@ def test_areas_of_dots_are_in_the_ratio_of_the_weights():
     marks = drawn(pp.Points([(1, 0), (0, 1), (-1, 0)], [1, 2, 4]))
     sizes = np.array([dot.size for dot in marks[Dot]])
     assert sizes**2 == pytest.approx(HEAVIEST**2 * np.array([0.25, 0.5, 1.0]))
-    assert marks[Dot][0].place == pytest.approx(UPRIGHT.at((1, 0)))
-    assert [leg.points[1] for leg in marks[Line]] == [pytest.approx(d.place) for d in marks[Dot]]
+    assert marks[Dot][0].position == pytest.approx(UPRIGHT.to_plane((1, 0)))
+    assert [leg.points[1] for leg in marks[Line]] == [pytest.approx(d.position) for d in marks[Dot]]
 
 
 def test_a_composite_is_its_parts():
@@ -175,11 +175,11 @@ def test_signs_rod_and_contact_are_drawn_and_the_signs_are_named():
     found, picture = body(supported(BOX), ASIDE), Picture()
     add_body(picture, found, UPRIGHT, contact=(0, 0))
     name_centers(picture, found, UPRIGHT)
-    places = {name: UPRIGHT.at(place) for name, place in found.centers}
-    signs = {mark.shape: mark.place for mark in picture.marks if isinstance(mark, Dot)}
+    places = {name: UPRIGHT.to_plane(place) for name, place in found.centers}
+    signs = {mark.shape: mark.position for mark in picture.marks if isinstance(mark, Dot)}
     assert signs.pop("o") == pytest.approx([0, 0])
     assert signs == {name: pytest.approx(place) for name, place in places.items()}
-    labels = {mark.text: mark.place for mark in picture.marks if isinstance(mark, Label)}
+    labels = {mark.text: mark.position for mark in picture.marks if isinstance(mark, Label)}
     assert labels == {NAMES[name]: pytest.approx(place) for name, place in places.items()}
     assert any(
         np.array_equal(m.points, [(0, 0), (1, 2)]) for m in picture.marks if isinstance(m, Line)
@@ -199,7 +199,7 @@ def test_a_fence_is_hatched_below_its_edge_and_a_finger_is_on_its_side():
     add_finger(picture, np.array([(-1, 0), (2, 0)]), (0.5, 0))
     side, finger = picture.marks
     assert side.points.tolist() == [[-1, 0], [2, 0]]
-    assert finger.place.tolist() == [0.5, 0]
+    assert finger.position.tolist() == [0.5, 0]
 
 
 def test_a_finger_of_finite_radius_is_a_disc_that_touches_the_side():

@@ -19,9 +19,9 @@ from PIL import Image
 
 import planar_pushing as pp
 from planar_pushing.drawing import over_time
-from planar_pushing.drawing.animate import resampled, status
+from planar_pushing.drawing.animate import resample, status
 from planar_pushing.drawing.canvas.colors import FORCE, GUIDE, IMPACT
-from planar_pushing.drawing.timeline import impacts, pivots, plotted
+from planar_pushing.drawing.timeline import impacts, path_data, pivots
 from planar_pushing.mechanics import pictures
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.terms import extras
@@ -89,7 +89,9 @@ def test_a_scene_without_a_push_has_its_cones_alone():
 def test_the_limit_curve_is_drawn_where_it_is_asked_for(angle):
     curved, plain = (pp.draw(SLIDER, angle, limit_curve=given) for given in (True, False))
     assert len(curved.lines) == len(plain.lines) + 1
-    with pytest.raises(pp.InvalidValue, match=r"limit_curve: .*leave out one effect"):
+    with pytest.raises(
+        pp.InvalidValue, match=r"limit_curve: .*leave the limit curve out, or list one effect"
+    ):
         pp.draw(scene(coulomb(2), (RING, INERTIA)), angle, limit_curve=True)
 
 
@@ -175,7 +177,7 @@ def test_an_array_of_scenes_is_refused():
 
 @pytest.mark.parametrize(
     ("name", "labels"),
-    [("figure_14a", []), ("figure_14b", ["gap"]), ("figure_15", ["slip"])],
+    [("pulling", ["gap"]), ("pulling_lost", ["gap"]), ("slipping", ["slip"]), ("plate", [])],
 )
 def test_a_log_shows_what_varies(logs, name, labels):
     figure = pp.plot_log(logs[name])
@@ -187,37 +189,43 @@ def test_a_log_shows_what_varies(logs, name, labels):
 
 def test_a_log_is_drawn_on_a_given_figure(logs):
     figure = Figure(figsize=(3.4, 5.0))
-    assert pp.plot_log(logs["figure_15"], figure) is figure
+    assert pp.plot_log(logs["slipping"], figure) is figure
     assert not plt.get_fignums()
-    assert figure.axes[0].get_position().width > 0.9  # above the series, in a narrow figure
+    frames, below = figure.axes[:3], figure.axes[3:]
+    left = {ax.get_position().x0 for ax in below}
+    assert len(left) == 1  # below each other in a narrow figure, and below the frames
+    assert min(ax.get_position().y0 for ax in frames) > max(ax.get_position().y1 for ax in below)
 
 
-def test_an_impact_is_marked_in_space_and_time(logs):
+def test_an_impact_has_its_own_frame_and_is_marked_in_time(logs):
     log = logs["impact"]
     (row,) = impacts(log)
     figure = pp.plot_log(log)
-    assert "impact" in words(figure.axes[0])
-    assert filled(figure.axes[0], IMPACT)
-    for ax in figure.axes[1:]:
+    frames, below = figure.axes[:3], figure.axes[3:]
+    assert ["impact" in words(ax) for ax in frames] == [False, True, False]
+    assert [bool(filled(ax, IMPACT)) for ax in frames] == [False, True, False]
+    titles = ["$t = 0$   approaches", "$t = 0.398$   impact", "$t = 3$   falls behind"]
+    assert [title in words(ax) for title, ax in zip(titles, frames, strict=True)] == [True] * 3
+    for ax in below:
         assert any(set(line.get_xdata()) == {float(log.time[row])} for line in ax.lines)
+    assert legend(figure) == ["impact"]
+
+
+def legend(figure):
+    """Texts of the legends of a figure."""
+    return [text.get_text() for found in figure.legends for text in found.get_texts()]
 
 
 def test_a_choice_of_modes_has_a_bar_and_a_legend(logs):
-    legends = {
-        name: pp.plot_log(logs[name]).axes[-1].get_legend() for name in ("figure_14a", "figure_15")
-    }
-    assert [text.get_text() for text in legends["figure_14a"].get_texts()] == [
-        "more than one mode possible"
-    ]
-    assert legends["figure_15"] is None
+    found = {name: legend(pp.plot_log(logs[name])) for name in ("pulling", "slipping")}
+    assert found == {"pulling": ["more than one mode possible"], "slipping": []}
 
 
 def test_pivots_are_a_bar_on_the_strip_with_a_legend(logs):
-    motion, strip = plotted(logs["stool"]), pp.plot_log(logs["stool"]).axes[-1]
-    (text,) = strip.get_legend().get_texts()
-    assert text.get_text() == "pivots about a support point"
+    motion, figure = path_data(logs["stool"]), pp.plot_log(logs["stool"])
+    assert legend(figure) == ["pivots about a support point"]
     (span,) = pivots(motion)
-    (bar,) = (each for each in strip.patches if each.get_height() == over_time.PIVOT)
+    (bar,) = (patch for patch in figure.axes[-1].patches if patch.get_height() == over_time.PIVOT)
     times = motion.time.values[[span.start, span.stop]]
     assert (bar.get_x(), bar.get_x() + bar.get_width()) == pytest.approx(tuple(times))
 
@@ -226,8 +234,8 @@ def test_pivots_are_a_bar_on_the_strip_with_a_legend(logs):
 
 
 def test_frames_lie_between_rows(logs):
-    motion = plotted(logs["figure_15"])
-    found = resampled(motion, 8)
+    motion = path_data(logs["slipping"])
+    found = resample(motion, 8)
     assert_allclose(found.time, np.linspace(0, 3, 8))
     assert_allclose(found.path_rod_angle[[0, -1]], motion.path_rod_angle[[0, -1]])
     exact = np.rad2deg(np.arcsin(np.sin(np.pi / 4) - found.time * np.sin(np.deg2rad(165)) / 5))
@@ -235,11 +243,16 @@ def test_frames_lie_between_rows(logs):
 
 
 def test_a_frame_says_what_the_contact_does(logs):
-    motion = resampled(plotted(logs["stool"]), 9)
+    motion = resample(path_data(logs["stool"]), 9)
     said = [status(motion, row) for row in range(9)]
     assert said[0] == said[-1] == "stick"
     assert "slip left, pivots" in said
-    assert status(plotted(logs["figure_14a"]), 96) == "stick (one of several)"
+    assert status(path_data(logs["pulling"]), 80) == "stick (one of several)"
+
+
+def test_the_background_of_an_animation_is_white(logs):
+    with Image.open(io.BytesIO(pp.animate(logs["box"], frames=2).gif)) as image:
+        assert image.convert("RGB").getpixel((2, image.height - 2)) == (255, 255, 255)
 
 
 @pytest.mark.parametrize("name", OTHERS)
@@ -276,7 +289,7 @@ def test_any_support_is_animated_in_a_notebook_or_a_file(logs, tmp_path, name):
 )  # fmt: skip
 def test_wrong_options_of_an_animation_are_one_line(logs, options, said):
     with pytest.raises(pp.InvalidValue) as caught:
-        pp.animate(logs["figure_15"], **options)
+        pp.animate(logs["slipping"], **options)
     assert str(caught.value).startswith(said)
     assert "\n" not in str(caught.value)
 

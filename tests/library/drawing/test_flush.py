@@ -12,7 +12,7 @@ from PIL import Image
 
 import planar_pushing as pp
 from planar_pushing.drawing import over_time
-from planar_pushing.drawing.animate import resampled, status
+from planar_pushing.drawing.animate import resample, status
 from planar_pushing.drawing.body import body_in
 from planar_pushing.drawing.canvas.colors import FORCE, MODES, MOTION, SLIDER, tint
 from planar_pushing.drawing.canvas.marks import Area, Dot, Line, Picture
@@ -20,7 +20,7 @@ from planar_pushing.drawing.canvas.svg import to_svg
 from planar_pushing.drawing.motion import add_instant, add_paths, box, fence_ends, pose
 from planar_pushing.drawing.scene import scene_picture
 from planar_pushing.drawing.sketch import Sketch, moves
-from planar_pushing.drawing.timeline import contact, plotted, runs, side_on_fence
+from planar_pushing.drawing.timeline import contact, path_data, runs, side_on_fence
 from planar_pushing.drawing.words import does, outcome, row
 from planar_pushing.mechanics.contact import ContactMode
 
@@ -58,9 +58,9 @@ def sketches(name, angle):
     own = SCENES[name]
     found = pp.solve(own, np.deg2rad(angle))
     for index in range(len(found)):
-        yield Sketch.of(own, np.deg2rad(angle), found=found, chosen=index)
+        yield Sketch.of(own, np.deg2rad(angle), solutions=found, chosen=index)
     if not len(found):
-        yield Sketch.of(own, np.deg2rad(angle), found=found)
+        yield Sketch.of(own, np.deg2rad(angle), solutions=found)
 
 
 @pytest.mark.parametrize(("name", "angle"), CASES)
@@ -113,7 +113,7 @@ def test_a_side_takes_the_place_of_the_rod_and_has_a_friction_cone_at_each_end(n
     lines = [line.points for line in marks[Line] if line.color == SLIDER]
     assert any(np.array_equal(points, ends) for points in lines)
     assert not any(np.array_equal(points, [(0.0, 0.0), found.center]) for points in lines)
-    dots = [dot.place.tolist() for dot in marks[Dot] if dot.face == SLIDER]
+    dots = [dot.position.tolist() for dot in marks[Dot] if dot.face == SLIDER]
     assert all(end in dots for end in ends.tolist())
     assert [0.0, 0.0] not in dots
     assert not [area for area in marks[Area] if area.ink == MOTION]
@@ -264,7 +264,7 @@ RUNS = {
 def data():
     """Plotted data of the runs."""
     return {
-        name: plotted(pp.simulate(own, pusher=pp.Pusher(**path), duration=duration))
+        name: path_data(pp.simulate(own, pusher=pp.Pusher(**path), duration=duration))
         for name, (own, path, duration) in RUNS.items()
     }
 
@@ -298,7 +298,7 @@ def test_an_instant_has_a_side_or_a_rod(data, name):
     motion = data[name]
     for at in range(0, motion.sizes["time"], 7):
         marks, origin = marks_at(motion, at), pose(motion, at).origin
-        dots = [mark.place for mark in marks if isinstance(mark, Dot) and mark.face == SLIDER]
+        dots = [mark.position for mark in marks if isinstance(mark, Dot) and mark.face == SLIDER]
         side = side_on_fence(motion, at)
         lines = [mark.points for mark in marks if isinstance(mark, Line)]
         rods = [line for line in lines if len(line) == 2 and np.array_equal(line[1], origin)]
@@ -331,18 +331,20 @@ def test_the_path_of_the_contact_has_no_jumps(data, name):
 def test_bars_mark_a_flush_side_on_the_strip_and_in_the_legend(data, name):
     motion = data[name]
     own, path, duration = RUNS[name]
-    axes = pp.plot_log(pp.simulate(own, pusher=pp.Pusher(**path), duration=duration)).axes[-1]
+    figure = pp.plot_log(pp.simulate(own, pusher=pp.Pusher(**path), duration=duration))
+    axes = figure.axes[-1]
     bars = [patch for patch in axes.patches if patch.get_hatch() == over_time.BARRED["hatch"]]
     time, marked = motion.time.values, [run for run in runs(motion) if run.flush]
-    assert [bar.get_x() for bar in bars] == [time[run.start] for run in marked]
-    assert [bar.get_width() for bar in bars] == [time[run.stop] - time[run.start] for run in marked]
+    shares = sum(bar.get_width() for bar in bars)
+    assert shares == pytest.approx(sum(time[run.stop] - time[run.start] for run in marked))
+    assert {bar.get_x() for bar in bars} <= {time[run.start] for run in marked}
     assert "a side flush on the fence" in [
-        text.get_text() for text in axes.get_legend().get_texts()
+        text.get_text() for legend in figure.legends for text in legend.get_texts()
     ]
 
 
 def test_frames_say_flush_and_keep_the_force_on_the_side(data):
-    motion = resampled(data["leaves"], 50)
+    motion = resample(data["leaves"], 50)
     said = [status(motion, at) for at in range(50)]
     assert said[0] == "stick, flush"
     assert "slip left, flush" in said
@@ -363,10 +365,12 @@ def test_a_log_of_a_side_is_animated(tmp_path):
 
 def test_a_log_with_an_outline_and_no_flush_side_has_its_contact_at_a_corner():
     log = pp.simulate(at_corner(), pusher=pp.Pusher(velocity=(0.4, 1.0)), duration=0.5)
-    motion = plotted(log)
+    motion = path_data(log)
     assert not motion.path_flush.values.any()
     body = body_in(motion)
-    places = [pose(motion, at).at(body.support.vertices) for at in range(motion.sizes["time"])]
+    places = [
+        pose(motion, at).to_plane(body.support.vertices) for at in range(motion.sizes["time"])
+    ]
     lowest = [each[np.argmin(each[:, 1])] for each in places]
     assert contact(motion) == pytest.approx(np.array(lowest), abs=1e-8)
     assert not side_on_fence(motion, 0)

@@ -12,7 +12,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.spines import Spine
 
-from planar_pushing.drawing.canvas.axes import Panel, panels, schematic, to_axes
+from planar_pushing.drawing.canvas.axes import schematic, to_axes
 from planar_pushing.drawing.canvas.labels import settle
 from planar_pushing.drawing.canvas.marks import (
     DASHES,
@@ -27,6 +27,7 @@ from planar_pushing.drawing.canvas.marks import (
     corners,
     unit,
 )
+from planar_pushing.drawing.canvas.panels import EDGE, GAP, TITLE, Panel, crop, panels
 from planar_pushing.drawing.canvas.svg import text, to_svg
 
 SIZE, BOX = (210.0, 150.0), np.array([(-2.0, -1.0), (3.0, 2.5)])
@@ -208,24 +209,60 @@ def test_axes_show_the_box_to_one_scale_with_points_around_it(size):
 def test_a_sheet_and_the_scene_map_to_each_other():
     sheet = Sheet.around(BOX, SIZE, pad=5.0, point=1.5)
     places = np.random.default_rng(1).uniform(-3, 3, (4, 5, 2))
-    assert sheet.place(sheet.to(places)) == pytest.approx(places)
-    assert sheet.to(sheet.box) == pytest.approx(np.array([(0, SIZE[1]), (SIZE[0], 0)]))
-    assert sheet.to(sheet.middle) == pytest.approx(np.array(SIZE) / 2)
-    low, high = sheet.to(BOX)
+    assert sheet.to_scene(sheet.to_sheet(places)) == pytest.approx(places)
+    assert sheet.to_sheet(sheet.box) == pytest.approx(np.array([(0, SIZE[1]), (SIZE[0], 0)]))
+    assert sheet.to_sheet(sheet.middle) == pytest.approx(np.array(SIZE) / 2)
+    low, high = sheet.to_sheet(BOX)
     assert min(low[0], high[1]) == pytest.approx(7.5)
-    assert np.diff(sheet.to([(0, 0), (sheet.unit, 0)]), axis=0) == pytest.approx(
+    assert np.diff(sheet.to_sheet([(0, 0), (sheet.unit, 0)]), axis=0) == pytest.approx(
         np.array([[1.5, 0]])
     )
 
 
-def test_panels_have_one_scale_and_make_the_figure_as_high_as_they_need():
+def test_a_figure_is_as_high_as_its_panels():
     figure = Figure(figsize=(5.0, 1.0), dpi=72)
-    given = [Panel(MARKS["area"], BOX, title) for title in ("one", "two", "three")]
-    found = panels(figure, given, 2, alike=True)
-    scales = [ax.transData.transform([(0, 0), (1, 1)]) for ax in found]
-    assert np.diff(scales, axis=1) == pytest.approx((180 - 24) / 5)
-    assert 72 * figure.get_figheight() == pytest.approx(2 * (16 + 24 + 156 * 3.5 / 5))
-    assert [each.get_text() for each in figure.texts] == ["one", "two", "three"]
+    square = picture("area", SQUARE, color=RED)
+    panels(figure, [Panel(square, title) for title in ("one", "two", "three")], 2)
+    side = (360 - 2 * EDGE - GAP) / 2
+    assert 72 * figure.get_figheight() == pytest.approx(2 * (EDGE + TITLE + side) + GAP)
+    assert [text.get_text() for text in figure.texts] == ["one", "two", "three"]
+
+
+def tall(low, high, wide=1.0):
+    """A picture of a rectangle."""
+    return picture("area", [(0, low), (wide, low), (wide, high), (0, high)], color=RED)
+
+
+def test_panels_of_a_row_show_the_line_of_the_fence_at_one_height():
+    figure = Figure(figsize=(5.0, 1.0), dpi=72)
+    drawn = panels(figure, [Panel(tall(-1, 2)), Panel(tall(0, 1)), Panel(tall(-3, -1))], 3)
+    levels = [float(ax.transData.transform((0, 0))[1]) for ax in drawn]
+    assert levels == pytest.approx([levels[0]] * 3)
+
+
+def test_panels_with_one_name_of_a_scale_share_it():
+    figure = Figure(figsize=(5.0, 1.0), dpi=72)
+    rows = [Panel(tall(0, 1), scale="a"), Panel(tall(0, 1, 2.0)), Panel(tall(0, 1, 4.0), scale="a")]
+    widths = [
+        np.ptp(ax.transData.transform([(0, 0), (1, 0)])[:, 0]) for ax in panels(figure, rows, 3)
+    ]
+    assert widths[0] == pytest.approx(widths[2])
+    assert widths[1] == pytest.approx(2 * widths[2])
+
+
+@pytest.mark.parametrize("offset", [(0.0, 0.0), (30.0, -12.0), (-60.0, 8.0)])
+def test_a_crop_holds_marks_and_labels_and_no_more(offset):
+    figure = Figure(figsize=(5.0, 4.0), dpi=100)
+    scene = picture("area", SQUARE, color=RED)
+    scene.label((2.0, 1.0), r"a long label, $\theta_p$", offset=offset, held=True)
+    cropped = crop(figure, scene, 200.0)
+    assert cropped.size[0] == pytest.approx(200.0)
+    ax = cropped.draw(figure, 10.0, 20.0)
+    low, high = ax.transData.transform(SQUARE[[0, 2]]) * 72 / figure.dpi
+    (text,) = ax.texts
+    box = text.get_window_extent().get_points() * 72 / figure.dpi
+    assert np.minimum(low, box[0]) == pytest.approx([10.0, 20.0])
+    assert np.maximum(high, box[1]) == pytest.approx([210.0, 20.0 + cropped.size[1]])
 
 
 # -- single marks ------------------------------------------------------------------------------------
@@ -289,7 +326,15 @@ def test_an_arc_joins_its_two_angles(start, stop):
     line, label = picture("angle", start, stop, 0.5, "a", vertex=(1, 1)).marks
     ends = [[1 + 0.5 * np.cos(each), 1 + 0.5 * np.sin(each)] for each in (start, stop)]
     assert line.points[[0, -1]] == pytest.approx(np.array(ends))
-    assert np.hypot(*(label.place - 1)) == pytest.approx(0.5)
+    assert np.hypot(*(label.position - 1)) == pytest.approx(0.5)
+
+
+def test_a_label_without_an_offset_interrupts_its_arc():
+    arc, gap, label = picture("angle", 0.0, 1.0, 0.5, "a", offset=0.0).marks
+    assert gap.face == "white"
+    assert gap.order > arc.order
+    assert label.position == pytest.approx(gap.position)
+    assert np.hypot(*(arc.points - gap.position).T).min() == pytest.approx(0, abs=0.01)
 
 
 def test_corners_hold_points_of_any_shape():
@@ -302,8 +347,14 @@ def test_corners_hold_points_of_any_shape():
 
 def taken(label):
     """Corners of the place of a label, points."""
-    middle = SHEET.to(label.place) + np.array(label.offset) * [1, -1]
+    middle = SHEET.to_sheet(label.position) + np.array(label.offset) * [1, -1]
     return middle - np.array(label.extent) / 2, middle + np.array(label.extent) / 2
+
+
+@pytest.mark.parametrize("symbol", [r"\theta", r"\mathbf{v}", r"\infty"])
+def test_a_symbol_is_as_wide_as_a_letter(symbol):
+    label = Label(np.zeros(2), rf"${symbol}_p = 1$")
+    assert label.extent == Label(np.zeros(2), "xp = 1").extent
 
 
 def test_labels_part_stay_in_the_frame_and_settle_alike_twice():
@@ -319,7 +370,13 @@ def test_labels_part_stay_in_the_frame_and_settle_alike_twice():
 
 
 @pytest.mark.parametrize(
-    "mark", [Arrow(SQUARE[:2], RED, True), Line(SQUARE[:2], RED), Area((SQUARE,), RED, "/")]
+    "mark",
+    [
+        Arrow(SQUARE[:2], RED, True),
+        Line(SQUARE[:2], RED),
+        Area((SQUARE,), RED, "/"),
+        Hatch(np.array([[(x, 0.0), (x - 0.1, -0.1)] for x in np.linspace(0, 2, 20)]), RED),
+    ],
 )
 def test_a_label_moves_off_lines_unless_it_is_held_or_has_no_offset(mark):
     def settle_label(**options):
@@ -327,7 +384,7 @@ def test_a_label_moves_off_lines_unless_it_is_held_or_has_no_offset(mark):
         return settle(found, SHEET)[0]
 
     low, high = taken(settle_label(offset=(0.0, 6.0)))
-    line = SHEET.to((1.0, 0.0))[1]
+    line = SHEET.to_sheet((1.0, 0.0))[1]
     assert high[1] < line or low[1] > line
     assert settle_label(offset=(0.0, 6.0), held=True).offset == (0.0, 6.0)
     assert settle_label().offset == (0.0, 0.0)

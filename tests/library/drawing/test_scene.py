@@ -183,7 +183,7 @@ def test_a_near_center_is_marked_and_a_far_one_pointed_to(angle, near):
     found = sketch(coulomb(2), angle)
     one, marks = found.solution, drawn(found)
     assert found.is_near(one) == near == (found.distance(one) < FAR * found.span)
-    marked = [dot.place for dot in marks[Dot] if CENTER.lower() in (dot.edge, dot.face)]
+    marked = [dot.position for dot in marks[Dot] if CENTER.lower() in (dot.edge, dot.face)]
     assert all(place == pytest.approx(one.center) for place in marked)
     assert bool(marked) == near
     (guide,) = (line.points for line in marks[Line] if line.color == CENTER.lower())
@@ -205,7 +205,7 @@ def test_a_finger_takes_the_place_of_the_fence():
     assert side[0].tolist() == [-0.5, 0]
     assert side[1, 0] == pytest.approx(1.5 * found.reach)
     assert [
-        mark.place.tolist() for mark in marks if isinstance(mark, Dot) and mark.edge == PUSHER
+        mark.position.tolist() for mark in marks if isinstance(mark, Dot) and mark.edge == PUSHER
     ] == [[0, 0]]
 
 
@@ -323,5 +323,7 @@ def test_a_foot_about_which_the_tripod_pivots_has_a_flat_for_either_sense():
 
 def test_friction_and_inertia_have_no_one_curve():
     both = scene(coulomb(1.0), (RING, INERTIA))
-    with pytest.raises(pp.InvalidValue, match=r"limit_curve: .*leave out one effect, or the curve"):
+    with pytest.raises(
+        pp.InvalidValue, match=r"limit_curve: .*leave the limit curve out, or list one"
+    ):
         with_curve(Sketch.of(both), both)

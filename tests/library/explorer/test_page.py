@@ -2,13 +2,14 @@
 
 import threading
 import time
+from dataclasses import replace
 
 import numpy as np
 import panel as pn
 import pytest
 
 from planar_pushing.explorer import page as module
-from planar_pushing.explorer.pictures.handles import places
+from planar_pushing.explorer.pictures.handles import handle_positions
 from planar_pushing.explorer.presets import preset
 from planar_pushing.explorer.state import Handle
 from planar_pushing.explorer.view import sheet_of
@@ -71,7 +72,7 @@ def rest(page):
 
 
 def pointer(page, kind, place, number):
-    x, y = sheet_of(page.sizes["scene"], page.box).to(place)
+    x, y = sheet_of(page.sizes["scene"], page.box).to_sheet(place)
     page._hear({"kind": kind, "picture": "scene", "x": x, "y": y, "number": number})
 
 
@@ -92,7 +93,7 @@ def test_moves_that_come_while_a_picture_is_made_are_one_move(page, slow):
     page.draw()
     rest(page)
     slow.may.clear()
-    pointer(page, "grab", places(page.state, page.force)[Handle.PUSHER], 1)
+    pointer(page, "grab", handle_positions(page.state, page.force)[Handle.PUSHER], 1)
     for number, angle in enumerate((10.0, 20.0, 30.0)):
         turn = np.deg2rad(angle)
         pointer(page, "drag", (np.cos(turn), np.sin(turn)), 2 + number)
@@ -108,11 +109,43 @@ def test_widgets_follow_a_drag_once_it_rests(page, slow):
     rest(page)
     angle = page.fields["angle"].widget
     before = angle.value
-    pointer(page, "grab", places(page.state, page.force)[Handle.PUSHER], 1)
+    pointer(page, "grab", handle_positions(page.state, page.force)[Handle.PUSHER], 1)
     pointer(page, "drag", (0.0, 1.0), 2)
     assert (page.state.angle, angle.value) == (pytest.approx(90.0), before)
     page._rest()
     assert angle.value == pytest.approx(90.0)
+
+
+def test_an_early_end_of_a_run_is_called_a_stop(page, slow):
+    slow.may.set()
+    page.put(replace(preset("figure_02"), time=0.0))
+    rest(page)
+    page._look()
+    end = page.view.motion.times[-1]
+    assert end < page.state.duration
+    reason = "the slider&#x27;s center comes down to the fence"
+    assert page.told["note"] == f"Stopped at t = {end:.6g}: {reason}"
+    page.put(preset("figure_02"))
+    rest(page)
+    page._look()
+    assert page.told["note"] == ""
+
+
+def test_another_preset_stops_the_player(page, slow):
+    slow.may.set()
+    player = page.fields["time"].widget
+    page.fields["follow"].widget.value = True
+    rest(page)
+    assert (player.direction, page.state.time) == (1, 0.0)
+    page.preset.value = "figure_08"
+    rest(page)
+    assert player.direction == 0
+    assert page.state == preset("figure_08")
+    player.value += 1  # on its way when the player stopped
+    assert page.state == preset("figure_08")
+    page.fields["follow"].widget.value = True
+    rest(page)
+    assert player.direction == 1
 
 
 @pytest.mark.parametrize(("name", "value", "said"), [

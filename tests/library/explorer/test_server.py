@@ -72,7 +72,7 @@ def test_a_hostile_address_gives_a_page(explorer, query, caplog):
 
 def test_bytes_that_are_no_text_are_replaced():
     given = {"title": [b"\xff\xfe"], "angle": [b"90"], "bokeh-session-id": [b"x"]}
-    assert module._decoded(given) == {"title": "\ufffd\ufffd", "angle": "90"}
+    assert module._decode(given) == {"title": "\ufffd\ufffd", "angle": "90"}
 
 
 def test_pages_name_nothing_outside_of_this_machine():

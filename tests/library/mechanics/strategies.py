@@ -20,7 +20,6 @@ rod_angles = st.floats(0.05, np.pi - 0.05)
 coefficients = st.one_of(st.just(0.0), st.just(np.inf), powers(-1.5, 2))
 force_angles = st.floats(-np.pi, np.pi)
 pusher_angles = st.floats(-np.pi, np.pi)
-spin_ratios = powers(-6, 6)
 magnitudes = powers(-2, 2)
 rings = st.builds(pp.RingFriction, weight=powers(-1, 1))
 masses = st.builds(pp.Inertia, mass=powers(-1, 1), gyration_radius=powers(-0.5, 0.5))
@@ -30,7 +29,6 @@ inertia = st.tuples(masses)
 both = st.tuples(rings, masses)
 one_effect = st.one_of(friction, inertia)
 effect_sets = st.one_of(friction, inertia, both)
-twists = st.lists(st.floats(-10, 10), min_size=3, max_size=3).map(np.array)
 
 
 @st.composite

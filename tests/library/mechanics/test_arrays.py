@@ -11,8 +11,8 @@ import xarray as xr
 from mechanics.builders import BOTH, make_scene
 
 import planar_pushing as pp
-from planar_pushing.mechanics import arrays
-from planar_pushing.mechanics.arrays import BLOCK, Output, elementwise, mapped
+from planar_pushing.mechanics.kernels import arrays
+from planar_pushing.mechanics.kernels.arrays import BLOCK, Output, elementwise, map_kernel
 
 OUTPUTS = (Output("sum"), Output("parts", (("part", 2),), "f4"))
 
@@ -43,7 +43,7 @@ def kernel(monkeypatch):
 @pytest.mark.usefixtures("kernel")
 def test_blocks_cover_every_row_once(size, cores):
     column = np.arange(size, dtype=float)
-    sums, parts = on_cores(cores, mapped, "kernel", np.array([0.5]), [column, 1.0], OUTPUTS)
+    sums, parts = on_cores(cores, map_kernel, "kernel", np.array([0.5]), [column, 1.0], OUTPUTS)
     assert np.array_equal(sums, column + 1.5)
     assert parts.shape == (size, 2)
     assert parts.dtype == np.float32
@@ -59,7 +59,7 @@ def test_a_call_uses_the_cores_that_its_caller_gives_it(cores, monkeypatch):
         return rows
 
     monkeypatch.setattr(arrays, "run", run)
-    on_cores(cores, mapped, "kernel", np.zeros(0), [np.arange(8.0 * BLOCK)], OUTPUTS[:1])
+    on_cores(cores, map_kernel, "kernel", np.zeros(0), [np.arange(8.0 * BLOCK)], OUTPUTS[:1])
     assert (threads == {threading.get_ident()}) == (cores == 1)
     assert len(threads) <= cores
 
@@ -67,7 +67,7 @@ def test_a_call_uses_the_cores_that_its_caller_gives_it(cores, monkeypatch):
 @pytest.mark.usefixtures("kernel")
 def test_rows_of_broadcast_columns():
     columns = np.arange(3.0)[:, None], np.arange(4.0) * 10
-    sums, parts = mapped("kernel", np.zeros(1), columns, OUTPUTS)
+    sums, parts = map_kernel("kernel", np.zeros(1), columns, OUTPUTS)
     assert np.array_equal(sums, np.add.outer(*map(np.ravel, columns)))
     assert parts.shape == (3, 4, 2)
 
@@ -80,7 +80,7 @@ def test_outputs_are_decoded_from_the_results_and_the_columns_of_each_block(monk
     def decode(results, columns, outputs):
         outputs[0][:] = results[:, 2] - columns[0] + np.ndim(columns[1])
 
-    (found,) = mapped("kernel", np.zeros(1), [np.arange(11.0), 7.0], OUTPUTS[:1], 3, decode)
+    (found,) = map_kernel("kernel", np.zeros(1), [np.arange(11.0), 7.0], OUTPUTS[:1], 3, decode)
     assert np.array_equal(found, 14.0 - np.arange(11.0))
 
 
@@ -93,7 +93,9 @@ def test_an_error_in_a_block_is_raised(monkeypatch):
     monkeypatch.setattr(arrays, "run", broken)
     for cores in (1, 2):
         with pytest.raises(OSError, match="no room"):
-            on_cores(cores, mapped, "kernel", np.zeros(0), [np.arange(3.0 * BLOCK)], OUTPUTS[:1])
+            on_cores(
+                cores, map_kernel, "kernel", np.zeros(0), [np.arange(3.0 * BLOCK)], OUTPUTS[:1]
+            )
 
 
 def test_elementwise_gives_what_it_is_given():

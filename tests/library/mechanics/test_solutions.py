@@ -9,7 +9,7 @@ import xarray as xr
 from mechanics.builders import make_scene
 
 import planar_pushing as pp
-from planar_pushing.mechanics.solutions import printed
+from planar_pushing.mechanics.solutions import printed_numbers
 
 PULL = np.deg2rad(-10)
 
@@ -120,7 +120,7 @@ def test_printed_numbers_are_relative_to_the_scene(unit):
     assert next(row for row in rows if row.startswith("motion x")).split()[-1] == "0"
     small = replace(stick, contact_motion=stick.contact_motion + np.array([7e-11 * unit, 0.0]))
     assert "motion x" in repr(pp.Solutions((small,)))
-    (values,) = printed(pp.Solutions((small,), problem=(scene, np.pi / 2, unit)))
+    (values,) = printed_numbers(pp.Solutions((small,), problem=(scene, np.pi / 2, unit)))
     assert values["contact_motion"] == pytest.approx(small.contact_motion, rel=1e-15, abs=0)
     for name in ("force", "twist", "center"):
         assert values[name] == pytest.approx(getattr(stick, name), rel=1e-11, abs=1e-11 * unit)
@@ -131,9 +131,11 @@ def test_a_rotation_is_small_beside_the_motion_over_the_reach():
     (stick,) = pp.solve(scene, np.deg2rad(90))
     turning = [replace(stick, twist=np.array([0.0, 1.0, spin])) for spin in (1e-13, 1e-11)]
     problem = (scene, np.pi / 2, 1.0)
-    found = [printed(pp.Solutions((each,), problem=problem))[0]["twist"][2] for each in turning]
+    found = [
+        printed_numbers(pp.Solutions((each,), problem=problem))[0]["twist"][2] for each in turning
+    ]
     assert found == [0.0, 1e-11]
-    assert printed(pp.Solutions((turning[0],)))[0]["twist"][2] == 1e-13
+    assert printed_numbers(pp.Solutions((turning[0],)))[0]["twist"][2] == 1e-13
 
 
 @pytest.fixture

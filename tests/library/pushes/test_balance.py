@@ -10,13 +10,15 @@ from scipy.optimize import minimize, nnls
 import planar_pushing as pp
 from planar_pushing.pushes.fit.balance import _violation, balance, fit_balance, ridge, solve_balance
 from planar_pushing.pushes.fit.candidates import Family, points, uniform_and_corners
-from planar_pushing.pushes.logs.measured import measured
+from planar_pushing.pushes.logs.measured import measurements_of
 
 NOISE = (0.5, 0.3, 0.05)
 
 
 def pushed(count=20, **options):
-    return measured(pp.simulate_pushes(feet(), TRIANGLE, count, **{"noise": NOISE} | options))
+    return measurements_of(
+        pp.simulate_pushes(feet(), TRIANGLE, count, **{"noise": NOISE} | options)
+    )
 
 
 def weighed(problem, amounts, forces):
@@ -127,7 +129,7 @@ def about(foot, angles, force):
         finger_start=[(120.0, 0.0)] * count, finger_end=[(120.0, 120.0 * a) for a in angles],
         finger_radius=0.0, force=[force] * count, units=("mm", "N"), noise=NOISE,
     )  # fmt: skip
-    return measured(pushes)
+    return measurements_of(pushes)
 
 
 def test_a_push_exactly_about_a_foot():

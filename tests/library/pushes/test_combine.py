@@ -7,7 +7,7 @@ from pushes.written import SQUARE, small
 
 import planar_pushing as pp
 from planar_pushing.pushes.logs.combine import of_object
-from planar_pushing.pushes.logs.schema import required_pushes
+from planar_pushing.pushes.logs.schema import require_pushes
 
 
 def house():
@@ -40,7 +40,7 @@ def test_two_objects_and_each_again():
     }  # fmt: skip
     assert np.isnan(found["feet"].sel(object="square")).all()
     again = of_object(found, "house")
-    expected = required_pushes(house())
+    expected = require_pushes(house())
     assert again.drop_attrs(deep=False).identical(expected.drop_attrs(deep=False))
     square_again = of_object(found, "square")
     assert (square_again.sizes["corner"], "foot" in square_again.dims) == (4, False)
@@ -77,7 +77,7 @@ def test_an_object_that_is_not_there():
     with pytest.raises(
         pp.InvalidValue, match="object: 'squares' given; allowed: square; did you mean square"
     ):
-        of_object(required_pushes(small()), "squares")
+        of_object(require_pushes(small()), "squares")
     both = pp.concat_pushes([square(), house()]).isel(push=slice(3))
     with pytest.raises(
         pp.InvalidValue, match="object: 'house' given; allowed: an object that is pushed"

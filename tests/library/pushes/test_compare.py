@@ -13,7 +13,7 @@ from planar_pushing.pushes.compare import MODELS, Half, errors_of, feet_of
 from planar_pushing.pushes.fit.fitted import fitted_ellipsoid
 from planar_pushing.pushes.fit.statistics import angles
 from planar_pushing.pushes.fit.supported import OnSupport
-from planar_pushing.pushes.logs.measured import measured
+from planar_pushing.pushes.logs.measured import measurements_of
 
 NOISE = (0.5, 0.3, 0.05)
 FEET = feet()[0].support
@@ -91,7 +91,7 @@ def test_halves_are_disjoint_and_every_push_is_scored(pushes, monkeypatch):
     assert other == [rows[2], rows[3], rows[0], rows[1]]
     assert fits[0].dataset["contact"].values.tolist() == contacts[0].tolist()
     # Every push has the error of this model, in its own place.
-    expected = errors_of(OnSupport(FEET), 0.25, measured(odd))
+    expected = errors_of(OnSupport(FEET), 0.25, measurements_of(odd))
     assert found["error"].sel(model="known_feet").values == pytest.approx(expected)
     fits.clear()
     pp.compare(odd, names, seed=4, resamples=2)
@@ -100,7 +100,7 @@ def test_halves_are_disjoint_and_every_push_is_scored(pushes, monkeypatch):
 
 def test_errors_against_a_transcription():
     """Of exact mechanics on short pushes of three feet: the angle between vectors, and the final pose."""
-    own = measured(pushed(10, distance=3.0))
+    own = measurements_of(pushed(10, distance=3.0))
     model = OnSupport(pp.Points([(20, 10), (120, 20), (10, 110)], [1, 1, 2]))
     wrench, motion, pose = errors_of(model, 0.25, own)
     friction = pp.SupportFriction(support=model.support)
@@ -198,7 +198,7 @@ def test_two_objects_are_fitted_apart(pushes):
 def test_the_fitted_ellipsoid_is_found_again():
     """Of pushes whose twists are those of an ellipsoid under the measured wrenches."""
     random = np.random.default_rng(0)
-    own = measured(pushed(40, noise=None, distance=1.0))
+    own = measurements_of(pushed(40, noise=None, distance=1.0))
     low = np.array([[1, 0, 0], [0.3, 0.8, 0], [0.01, -0.005, 0.015]])
     matrix = low @ low.T
     twists = own.centered_wrenches @ matrix * random.uniform(1e-3, 2e-3, size=(40, 1))

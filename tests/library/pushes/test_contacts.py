@@ -7,8 +7,8 @@ from pushes.written import SQUARE, turn
 import planar_pushing as pp
 from planar_pushing.pushes.fit.ellipsoid import Ellipsoid
 from planar_pushing.pushes.fit.supported import OnSupport
-from planar_pushing.pushes.logs.contacts import Ends, chosen, contacts_of, final_poses
-from planar_pushing.pushes.logs.measured import measured
+from planar_pushing.pushes.logs.contacts import Ends, choose, contacts_of, final_poses
+from planar_pushing.pushes.logs.measured import measurements_of
 
 FEET = pp.Points(SQUARE, [1, 1, 1, 1])
 TRIANGLE = [(0, 0), (3, 0), (0, 3)]
@@ -19,7 +19,7 @@ MODELS = {"support": OnSupport(FEET), "ellipsoid": Ellipsoid(np.diag([1.0, 1.0, 
 def at(places, ways, radius=0.0, outline=SQUARE):
     """Pushes of the square whose finger touches these places; where the object ends does not matter."""
     count = len(places)
-    return measured(pp.pushes_from_poses(
+    return measurements_of(pp.pushes_from_poses(
         outline=outline, poses_before=np.zeros((count, 3)), poses_after=np.zeros((count, 3)),
         finger_start=np.array(places), finger_end=np.array(places) + ways, finger_radius=radius,
         units=("mm", "N"),
@@ -50,7 +50,7 @@ def test_a_corner_that_sticks_is_a_point():
     pushes = at([(1.25, 0)], [(-0.5, 0)], radius=0.25)
     side = contacts_of(pushes)
     assert side.radius.tolist() == [0.25]
-    corner = measured(pp.pushes_from_poses(
+    corner = measurements_of(pp.pushes_from_poses(
         outline=SQUARE, poses_before=np.zeros((1, 3)), poses_after=np.zeros((1, 3)),
         finger_start=[(1.5, 1.5)], finger_end=[(1.0, 1.0)], finger_radius=0.25, units=("mm", "N"),
     ))  # fmt: skip
@@ -163,7 +163,7 @@ def some(lasted, aligned, sticks):
 ])  # fmt: skip
 def test_the_side_that_lasts_longest_is_chosen(lasted, aligned, number):
     contacts, ends = some(lasted, aligned, [False, False, True])
-    assert chosen(contacts, ends).tolist() == [[number] * 3]
+    assert choose(contacts, ends).tolist() == [[number] * 3]
 
 
 def test_pushes_stay_in_order():

@@ -6,15 +6,15 @@ from pushes.written import TRIANGLE, feet, small, turn
 from scipy.integrate import solve_ivp
 
 import planar_pushing as pp
-from planar_pushing.pushes.logs.measured import PARTS, measured, twists_at, wrenches_about
-from planar_pushing.pushes.logs.schema import required_pushes
+from planar_pushing.pushes.logs.measured import PARTS, measurements_of, twists_at, wrenches_about
+from planar_pushing.pushes.logs.schema import require_pushes
 
 
 def moved(displacements, rotations):
     """Pushes of the square from below with these final poses; degrees."""
     count = len(rotations)
     units = {"units": "mm"}
-    return measured(required_pushes(small(
+    return measurements_of(require_pushes(small(
         pushed=("push", ["square"] * count),
         contact=(("push", "xy"), [(0.0, -1.0)] * count, units),
         normal=(("push", "xy"), [(0.0, 1.0)] * count),
@@ -53,7 +53,7 @@ def test_twists_and_wrenches_of_another_point_have_the_same_power():
 def test_contacts_and_wrenches_of_simulated_pushes(radius):
     """The finger ends at its radius from the last contact; the wrench is that of a force midway."""
     given = pp.simulate_pushes(feet(), TRIANGLE, 12, seed=3, finger_radius=radius)
-    pushes = measured(given)
+    pushes = measurements_of(given)
     for k in range(12):
         center = pushes.contact[k] - radius * pushes.normal[k] + pushes.finger[k]
         after = turn(-pushes.rotation[k]) @ (center - pushes.displacement[k])
@@ -74,7 +74,7 @@ def test_contacts_and_wrenches_of_simulated_pushes(radius):
 
 def test_short_pushes_load_the_support_as_their_wrench():
     plate = pp.SupportFriction(support=pp.Polygon(TRIANGLE), weight=5.0)
-    pushes = measured(pp.simulate_pushes((plate,), TRIANGLE, 8, seed=1, distance=0.1))
+    pushes = measurements_of(pp.simulate_pushes((plate,), TRIANGLE, 8, seed=1, distance=0.1))
     loads = pp.wrench(plate, pushes.twists)
     assert pushes.wrenches / [1, 1, 75] == pytest.approx(loads / [1, 1, 75], abs=0.02)
 
@@ -88,7 +88,7 @@ def test_a_path_is_divided_into_equal_parts():
         finger_path=(("push", "sample", "xy"), path),
         path_time=(("push", "sample"), [[0, 1, 9], [0, 1, nan], [nan] * 3]),
     )
-    found = measured(required_pushes(pushes)).path
+    found = measurements_of(require_pushes(pushes)).path
     assert found.shape == (3, PARTS, 2)
     assert np.linalg.norm(found[0], axis=1) == pytest.approx(np.full(PARTS, 0.2 / PARTS))
     assert found[0, 0] == pytest.approx([0.0, 0.2 / PARTS])
@@ -106,23 +106,23 @@ def test_a_path_that_goes_back_ends_where_the_finger_does():
         finger_path=(("push", "sample", "xy"), path),
         path_time=(("push", "sample"), [[0, 1, 2]] * 3),
     )
-    found = measured(required_pushes(pushes)).path
+    found = measurements_of(require_pushes(pushes)).path
     assert found.sum(axis=1) == pytest.approx(np.array([(0.0, 0.2)] * 3))
     assert found[0, -1] == pytest.approx([0.0, -0.4 / PARTS])
 
 
 def test_noise_is_named_or_usual():
-    pushes = required_pushes(small())
-    assert measured(pushes).noise == pytest.approx((0.006, np.deg2rad(0.3), 0.0))
+    pushes = require_pushes(small())
+    assert measurements_of(pushes).noise == pytest.approx((0.006, np.deg2rad(0.3), 0.0))
     named = pushes.assign_attrs(position_noise=0.1, angle_noise=2.0, force_noise=0.3)
-    assert measured(named).noise == pytest.approx((0.1, np.deg2rad(2.0), 0.3))
+    assert measurements_of(named).noise == pytest.approx((0.1, np.deg2rad(2.0), 0.3))
     forced = pushes.assign(force=(("push", "xy"), [(3, 4), (0, 5), (np.nan, np.nan)]))
-    assert measured(forced).noise[2] == pytest.approx(0.1)
-    assert measured(forced).has_force.tolist() == [True, True, False]
+    assert measurements_of(forced).noise[2] == pytest.approx(0.1)
+    assert measurements_of(forced).has_force.tolist() == [True, True, False]
 
 
 def test_some_of_the_pushes():
-    pushes = measured(required_pushes(small()))
+    pushes = measurements_of(require_pushes(small()))
     part = pushes.part([2, 0])
     assert len(part) == 2
     assert part.contact.tolist() == [[1.0, 0.5], [-0.5, -1.0]]
@@ -135,4 +135,4 @@ def test_pushes_of_several_objects_are_refused():
     with pytest.raises(
         pp.InvalidValue, match=r"^pushes: 'pushes of square, other' given; allowed:"
     ):
-        measured(pp.concat_pushes([small(), other]))
+        measurements_of(pp.concat_pushes([small(), other]))

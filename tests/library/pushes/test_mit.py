@@ -6,7 +6,7 @@ import scipy.io
 from pushes.written import write_mat
 
 import planar_pushing as pp
-from planar_pushing.pushes.logs.mit import OUTLINES
+from planar_pushing.pushes.formats.mit import OUTLINES
 
 SAME = ("contact", "normal", "finger_displacement", "finger_radius", "displacement", "rotation")
 

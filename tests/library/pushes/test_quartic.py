@@ -13,7 +13,7 @@ from planar_pushing.pushes.fit.ellipsoid import Ellipsoid
 from planar_pushing.pushes.fit.quartic import FEWEST, Quartic, fitted_quartic, quartic_tensor
 from planar_pushing.pushes.fit.statistics import angles
 from planar_pushing.pushes.logs.contacts import Contacts
-from planar_pushing.pushes.logs.measured import measured
+from planar_pushing.pushes.logs.measured import measurements_of
 
 NOISE = (0.5, 0.3, 0.05)
 SQUARE = pp.Polygon([(-1, -1), (1, -1), (1, 1), (-1, 1)])
@@ -38,7 +38,9 @@ def random_pairs(count, seed):
 
 
 def pushed(count, noise=NOISE, **options):
-    return measured(pp.simulate_pushes(feet(), TRIANGLE, count, noise=noise, seed=6, **options))
+    return measurements_of(
+        pp.simulate_pushes(feet(), TRIANGLE, count, noise=noise, seed=6, **options)
+    )
 
 
 #: Convex quartics: round, of an ellipsoid, any, nearly flat, stretched, and about another point in mm.

@@ -7,7 +7,7 @@ from pushes.written import TRIANGLE
 import planar_pushing as pp
 from planar_pushing.pushes.compare import errors_of
 from planar_pushing.pushes.fit.supported import OnSupport
-from planar_pushing.pushes.logs.measured import measured
+from planar_pushing.pushes.logs.measured import measurements_of
 
 #: Of motion capture and a force sensor: mm, degrees, N.
 NOISE = (0.5, 0.3, 0.05)
@@ -54,7 +54,7 @@ def test_predictions_are_as_good_as_those_of_the_true_support(name):
     every = pushed(support, outline, FITTED + HELD_OUT, seed=11)
     fit, score = (every.isel(push=part) for part in (slice(FITTED), slice(FITTED, None)))
     found = pp.identify(fit, resamples=1)
-    held_out = measured(score)
+    held_out = measurements_of(score)
     floor = medians(support, 0.25, held_out)
     own = medians(found.support, found.contact_friction, held_out)
     assert (own <= BAR * floor).all(), (own, floor)

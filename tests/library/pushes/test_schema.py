@@ -5,14 +5,14 @@ import pytest
 from pushes.written import SQUARE, small
 
 import planar_pushing as pp
-from planar_pushing.pushes.logs.schema import corners_of, padded, required_pushes
+from planar_pushing.pushes.logs.schema import corners_of, pad, require_pushes
 
 MM = {"units": "mm"}
 
 
 def test_the_copy_has_units_names_and_doubles():
     given = small(rotation=("push", np.array([-4, 0, 6], dtype="i2")))
-    found = required_pushes(given)
+    found = require_pushes(given)
     assert found["rotation"].dtype == found["contact"].dtype == np.float64
     assert found["rotation"].attrs == {
         "units": "degree", "long_name": "rotation of the object, counterclockwise",
@@ -23,7 +23,7 @@ def test_the_copy_has_units_names_and_doubles():
     assert given["rotation"].dtype == np.int16
     found["contact"][0, 0] = 7.0
     assert given["contact"].values[0, 0] == -0.5
-    assert required_pushes(small()).identical(required_pushes(required_pushes(small())))
+    assert require_pushes(small()).identical(require_pushes(require_pushes(small())))
 
 
 def test_dimensions_in_another_order_and_a_clockwise_outline():
@@ -31,8 +31,8 @@ def test_dimensions_in_another_order_and_a_clockwise_outline():
         contact=(("xy", "push"), np.transpose([(-0.5, -1.0), (0.0, -1.0), (1.0, 0.5)]), MM),
         outline=(("xy", "object", "corner"), np.transpose([SQUARE[::-1]], (2, 0, 1)), MM),
     )
-    found = required_pushes(given)
-    assert found["contact"].equals(required_pushes(small())["contact"])
+    found = require_pushes(given)
+    assert found["contact"].equals(require_pushes(small())["contact"])
     x, y = corners_of(found, "square").T
     assert np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)) == pytest.approx(8.0)
 
@@ -40,18 +40,18 @@ def test_dimensions_in_another_order_and_a_clockwise_outline():
 def test_other_variables_over_pushes_and_the_attributes_are_kept():
     given = small(predicted=("push", [1.0, 2.0, 3.0]))
     given.attrs |= {"source": "here", "position_noise": 0.5, "history": "long"}
-    found = required_pushes(given)
+    found = require_pushes(given)
     assert found["predicted"].values.tolist() == [1.0, 2.0, 3.0]
     assert found.attrs == {"source": "here", "position_noise": 0.5}
 
 
 def test_padding():
     assert np.array_equal(
-        padded([np.ones((1, 2)), np.zeros((2, 2))]), [[[1, 1], [np.nan] * 2], np.zeros((2, 2))],
+        pad([np.ones((1, 2)), np.zeros((2, 2))]), [[[1, 1], [np.nan] * 2], np.zeros((2, 2))],
         equal_nan=True,
     )  # fmt: skip
     given = small(outline=(("object", "corner", "xy"), [[*SQUARE, (np.nan, np.nan)]], MM))
-    assert corners_of(required_pushes(given), "square").tolist() == [list(each) for each in SQUARE]
+    assert corners_of(require_pushes(given), "square").tolist() == [list(each) for each in SQUARE]
 
 
 def rows(*values, dims=("push", "xy"), units=MM):
@@ -130,7 +130,7 @@ TIMES = "times that increase; put the samples in order"
 ])  # fmt: skip
 def test_what_is_wrong_is_said_in_a_line(changes, given, allowed):
     with pytest.raises(pp.InvalidValue) as error:
-        required_pushes(small(**changes))
+        require_pushes(small(**changes))
     assert str(error.value).startswith(f"{given} given; allowed: {allowed}"), str(error.value)
     assert "\n" not in str(error.value)
 
@@ -143,5 +143,5 @@ def test_what_is_wrong_is_said_in_a_line(changes, given, allowed):
 ])  # fmt: skip
 def test_other_things_than_pushes(given, said):
     with pytest.raises(pp.InvalidValue) as error:
-        required_pushes(given)
+        require_pushes(given)
     assert str(error.value).startswith(said), str(error.value)

@@ -10,7 +10,7 @@ from simulation.runs import pose_at_the_end
 import planar_pushing as pp
 from planar_pushing.pushes.fit.supported import OnSupport, body_frames
 from planar_pushing.pushes.logs.contacts import contacts_of, final_poses
-from planar_pushing.pushes.logs.measured import measured
+from planar_pushing.pushes.logs.measured import measurements_of
 
 #: Feet that do not coincide with the frame's origin, a plate, and both.
 SUPPORTS = {
@@ -29,7 +29,7 @@ def pushed(support, count, radius=0.0, **options):
 @pytest.mark.parametrize("kind", SUPPORTS)
 def test_final_poses_are_those_of_single_simulations(kind, radius):
     """`simulate_pushes` runs `simulate` of `scene_at` one by one; its poses have no noise."""
-    pushes = measured(pushed(SUPPORTS[kind], 8, radius, seed=3))
+    pushes = measurements_of(pushed(SUPPORTS[kind], 8, radius, seed=3))
     found = final_poses(OnSupport(SUPPORTS[kind]), pushes, 0.25)
     assert found[:, :2] == pytest.approx(pushes.displacement, abs=2e-3)
     assert found[:, 2] == pytest.approx(pushes.rotation, abs=2e-5)
@@ -41,17 +41,17 @@ def test_final_poses_are_those_of_single_simulations(kind, radius):
 def test_infinite_friction_and_none():
     """The contact that sticks goes with the finger; without friction the force is along the normal."""
     support = SUPPORTS["points"]
-    pushes = measured(pushed(support, 6, contact=pp.InfiniteFriction()))
+    pushes = measurements_of(pushed(support, 6, contact=pp.InfiniteFriction()))
     found = final_poses(OnSupport(support), pushes, 1e6)
     assert found == pytest.approx(pushes.observed, abs=2e-3)
-    smooth = measured(pushed(support, 6, contact=pp.Coulomb(0.0)))
+    smooth = measurements_of(pushed(support, 6, contact=pp.Coulomb(0.0)))
     assert final_poses(OnSupport(support), smooth, 0.0) == pytest.approx(smooth.observed, abs=2e-3)
 
 
 def test_a_push_through_the_center_of_a_symmetric_object_does_not_turn_it():
     square = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     support = pp.Points(square, [1, 1, 1, 1])
-    pushes = measured(pp.pushes_from_poses(
+    pushes = measurements_of(pp.pushes_from_poses(
         outline=square, poses_before=np.zeros((1, 3)), poses_after=[(0, 0.5, 0)],
         finger_start=[(0, -1)], finger_end=[(0, -0.5)], finger_radius=0.0, units=("mm", "N"),
     ))  # fmt: skip
@@ -63,7 +63,7 @@ def test_a_path_is_followed_part_by_part():
     """Two straight parts, along the normal and then aside."""
     support = SUPPORTS["points"]
     way = np.array([(0, 6.0), (3.0, 3.0)])
-    pushes = measured(pushed(support, 1, seed=0))
+    pushes = measurements_of(pushed(support, 1, seed=0))
     contacts = contacts_of(pushes)
     one = replace(
         contacts, point=np.array([[60.0, 0.0]]), normal=np.array([[0.0, 1.0]]), start=np.array([-60.0]),
@@ -88,7 +88,7 @@ def test_a_path_is_followed_part_by_part():
 def test_a_contact_lasts_until_the_finger_leaves_its_side(way, lasted, radius):
     """The object, pushed below its center of pressure without friction, hardly turns."""
     support = pp.Points([(0, 0), (150, 0), (0, 150)], [1, 1, 1])
-    contacts = contacts_of(measured(pushed(support, 1, seed=0)))
+    contacts = contacts_of(measurements_of(pushed(support, 1, seed=0)))
     one = replace(
         contacts, point=np.array([[50.0, 0.0]]), normal=np.array([[0.0, 1.0]]), radius=np.array([radius]),
         start=np.array([-50.0]), end=np.array([10.0]), path=np.array([way]),
@@ -139,7 +139,7 @@ def test_a_torque_without_a_force_has_no_line():
 
 def test_body_frames_have_their_origin_above_the_side():
     """A center that is not above its side is replaced by a point that is: the poses stay the same."""
-    contacts = contacts_of(measured(pushed(SUPPORTS["points"], 8, seed=5)))
+    contacts = contacts_of(measurements_of(pushed(SUPPORTS["points"], 8, seed=5)))
     for center in (np.array([50.0, 50.0]), np.array([-40.0, -40.0])):
         frames = body_frames(contacts, center, 150.0)
         assert ((frames.origin - contacts.point) * contacts.normal).sum(axis=1).min() > 0.0

@@ -10,7 +10,7 @@ from planar_pushing.scenes.entries import SupportEntry
 from planar_pushing.scenes.files import load_scene_file
 from planar_pushing.scenes.simulate import arguments, simulate_file, velocity
 from planar_pushing.scenes.simulate_model import PieceEntry, SimulateEntry
-from pulling_by_pushing.study.datasets.base import pushing
+from pulling_by_pushing.study.datasets.base import labeled_radians
 
 
 def test_pieces_are_velocities_of_the_fence():
@@ -35,9 +35,9 @@ def test_any_finite_number_of_degrees_is_a_direction(degrees):
     pose = {"x": 1, "y": 2, "angle": degrees}
     entry = SimulateEntry(pusher_angle=degrees, duration=1, object_pose=pose)
     assert np.sin(arguments(entry)["object_pose"][2]) == pytest.approx(1.0)
-    file = load_scene_file("workflow/scenes/figure_15.yaml").model_copy(update={"simulate": entry})
+    file = load_scene_file("workflow/scenes/slipping.yaml").model_copy(update={"simulate": entry})
     assert np.sin(file.build().push[0]) == pytest.approx(1.0)
-    over = pushing(xr.DataArray([degrees, 30.0], dims="pusher_angle"))
+    over = labeled_radians(xr.DataArray([degrees, 30.0], dims="pusher_angle"))
     assert np.sin(over.values) == pytest.approx([1.0, 0.5])
     entry = {"shape": "rectangle", "width": 2, "height": 1, "angle": degrees}
     support = TypeAdapter(SupportEntry).validate_python(entry).build()

@@ -47,7 +47,7 @@ simulate:
          "simulate.on_ambiguity: [] given; allowed: a list with at least one entry; change the value"),
         ("duration: 1.5", "duration: 1.5\n  on_ambiguity: [{time: 0, policy: slip}]",
          "simulate.on_ambiguity[0].policy: 'slip' given; allowed: 'keep-contact', 'separate', "
-         "'stay-in-mode', 'stick', 'slip-right' or 'slip-left'; change the value"),
+         "'stay-in-mode', 'stick', 'slip-right' or 'slip-left'; did you mean slip-right or slip-left?"),
         ("duration: 1.5", "duration: 1.5\n  on_ambiguity: [{time: 0, mode: stick}]",
          "simulate.on_ambiguity[0].mode: 'stick' given; allowed: the keys time, policy; remove the key"),
         ("duration: 1.5", "duration: 1.5\n  pusher_frame: word",
@@ -103,7 +103,7 @@ def test_contradiction(tmp_path, written, instead, said):
 def test_unknown_events_and_several_conditions(tmp_path):
     until = SCENE + "  until: {event: SLIP_END}\n"
     said = message(tmp_path, until)
-    assert said.startswith("simulate.until.event: 'SLIP_END' given; allowed: 'LEAVES_CONE' or ")
+    assert said.startswith("simulate.until.event: 'SLIP_END' given; allowed: 'LEAVES_CONE', ")
     assert said.endswith("did you mean SLIP_ENDS?")
     allowed = "allowed: an event, a mode, or some of rotation, distance and pusher_distance"
     for given in ("{}", "{event: KINK, mode: STICK}", "{mode: STICK, distance: 1}"):

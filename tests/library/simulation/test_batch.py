@@ -52,6 +52,14 @@ def run(scene, pusher, **options):
     return pp.simulate(scene, pusher=pusher, **{"duration": 0.5, "samples": 2} | options)
 
 
+@pytest.mark.parametrize("function", [pp.simulate, pp.simulate_batch])
+def test_the_pusher_is_the_second_argument_or_named(function):
+    given, pusher = scene(BOX, mu=0.5), FINGER
+    named = function(given, pusher=pusher, duration=0.5)
+    assert function(given, pusher, duration=0.5).identical(named)
+    assert function(pusher=pusher, scene=given, duration=0.5).identical(named)
+
+
 # --- Arrays, one entry a scene -------------------------------------------------------------------
 
 

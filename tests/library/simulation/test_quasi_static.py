@@ -88,7 +88,7 @@ def test_pulling_takes_the_mode_of_the_policy(policy, modes, method):
     assert (final(log, "gap") > 0.005) == (modes[-1] == 0)
 
 
-def test_a_choice_by_hand_changes_the_motion_of_figure_14():
+def test_a_choice_by_hand_changes_the_motion_of_a_pull():
     """Of the pull's three modes a slip to the left is taken for a while, then the contact sticks again."""
     scene = make_scene(2, 2.0, psi=np.deg2rad(30))
     fence, kept = [(0, heading(10)), (0.5, heading(-10))], {"samples": 151}

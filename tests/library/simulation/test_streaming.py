@@ -146,6 +146,10 @@ def stream_forever(path, timer):
         streamed(path).close()
 
 
+# Interrupted while it opens or closes a file, xarray complains when its object is destroyed.
+@pytest.mark.filterwarnings(
+    "ignore:Exception ignored in.*CachingFileManager:pytest.PytestUnraisableExceptionWarning"
+)
 def test_ctrl_c_at_any_time_leaves_a_log_or_none(tmp_path, heard):
     """It comes from a timer, also while the file is written."""
     for i in range(4):

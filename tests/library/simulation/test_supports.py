@@ -15,7 +15,7 @@ from simulation.runs import check, final, heading, run
 from simulation.scenes import HEAVY, METHODS, RING, TRIPOD, friction, scene
 
 import planar_pushing as pp
-from planar_pushing.drawing.timeline import plotted
+from planar_pushing.drawing.timeline import path_data
 
 STICK, LEFT = pp.ContactMode.STICK, pp.ContactMode.SLIP_LEFT
 
@@ -184,7 +184,7 @@ def test_it_is_simulated_and_no_file_holds_it(own, tmp_path):
     assert entry == {"shape": "Own", "pieces": {"plates": [plate.tolist()]}}
     assert pp.draw(scene_of(own), 1.4).figure
     with pytest.raises(pp.InvalidFile, match=r"support of your own class.* Composite of them"):
-        plotted(log)
+        path_data(log)
     with pytest.raises(
         pp.InvalidValue, match=r"support: .*allowed: the shapes of scene files: .*Composite"
     ):

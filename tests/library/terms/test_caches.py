@@ -2,13 +2,13 @@
 
 import pytest
 
-from planar_pushing.terms.caches import cached
+from planar_pushing.terms.caches import cache_results
 
 
 def counted(size):
     calls = []
 
-    @cached(size)
+    @cache_results(size)
     def total(*numbers):
         """Sum of lists and tuples."""
         calls.append(numbers)

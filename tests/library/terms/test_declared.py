@@ -18,7 +18,7 @@ from planar_pushing.mechanics.effects import EFFECTS
 from planar_pushing.mechanics.supports import SHAPES
 from planar_pushing.scenes.entries import entry_of
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.terms.declared import declared, positive
+from planar_pushing.terms.declared import declarations_of, positive
 
 MAKERS = [
     pp.Slider, pp.Placement, pp.Units, pp.Until, pp.Pusher, Problem, pp.Polygon.rectangle,
@@ -114,7 +114,7 @@ IDS = [f"{maker.__qualname__}.{name}" for maker, name in WRONG]
 
 
 def test_every_parameter_has_a_row():
-    assert set(WRONG) == {(maker, name) for maker in MAKERS for name in declared(maker)}
+    assert set(WRONG) == {(maker, name) for maker in MAKERS for name in declarations_of(maker)}
 
 
 @pytest.mark.parametrize("row", WRONG, ids=IDS)
@@ -134,7 +134,7 @@ def test_and_in_a_file(row):
     if maker in (Problem, pp.Pusher):  # their section of a file is `simulate`
         return
     declaration, degrees = (
-        declared(maker)[name][0],
+        declarations_of(maker)[name][0],
         {"rod_angle": 180, "rotation": 721, "angle": "up"},
     )
     forms = {"rod_angle": 45.0, "support": {"shape": "disc", "radius": 1}}
@@ -150,7 +150,7 @@ def test_and_in_a_file(row):
 @pytest.mark.parametrize("given", [*NOT_NUMBERS, -1.0, np.inf, -np.inf], ids=repr)
 def test_what_is_not_in_a_range(given):
     with pytest.raises(pp.InvalidValue) as caught:
-        positive("choose another").required("size", given)
+        positive("choose another").require("size", given)
     error = caught.value
     assert (error.name, error.allowed, error.remedy) == (
         "size",
@@ -167,7 +167,7 @@ def test_what_is_not_in_a_range(given):
      xr.DataArray([1, 2], dims="case")], ids=repr,
 )  # fmt: skip
 def test_what_is_in_a_range_becomes_double(given):
-    found = positive("").required("size", given)
+    found = positive("").require("size", given)
     assert np.asarray(found).dtype == np.float64
     assert np.array_equal(found, given)
     assert hasattr(found, "dims") is hasattr(given, "dims")
@@ -183,6 +183,6 @@ def test_a_number_in_a_file_is_single_and_plain():
 
 @pytest.mark.parametrize("degrees", [30.0, 12.5, 0.1, 179.0, 45.000000000000014])
 def test_degrees_of_a_file_come_back(degrees):
-    angle = declared(pp.Slider)["rod_angle"][0]
+    angle = declarations_of(pp.Slider)["rod_angle"][0]
     assert angle.to_file(angle.from_file(degrees)) == degrees
     assert angle.from_file(degrees) == np.deg2rad(degrees)

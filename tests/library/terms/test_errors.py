@@ -65,6 +65,37 @@ def test_sequences_of_numbers():
     assert np.isnan(errors.as_floats("12")).all()
 
 
+@pytest.mark.parametrize(("given", "near"), [
+    ("motioncone", "motion_cone"), ("Motion-Cone", "motion_cone"), ("motion cones", "motion_cone"),
+    ("limitcurve", "LimitCurve"), ("vector", None), ("", None), ("x" * 10**6, None), (3, None),
+    (None, None),
+], ids=lambda given: str(given)[:12])  # fmt: skip
+def test_a_similar_name_is_suggested_and_no_other(given, near):
+    names = ("motion_cone", "LimitCurve", "None", "3")
+    assert errors.similar_names(given, names) == ([] if near is None else [near])
+    said = errors.suggestion(given, names, "choose one")
+    assert said == ("choose one" if near is None else f"did you mean {near}?")
+
+
+@pytest.mark.parametrize(("given", "said"), [
+    ("--friction", "did you mean --friction-angle or --friction-coefficient?"),
+    ("--rod", "did you mean --rod-angle, --rod-length or --rod-width?"),
+    ("--rod-l", "did you mean --rod-length?"),
+    ("rod_angle", "did you mean --rod-angle?"),
+    ("--ro", "choose one"),
+], ids=str)  # fmt: skip
+def test_every_name_that_is_abbreviated_is_suggested(given, said):
+    names = (
+        "--friction-angle", "--friction-coefficient", "--rod-angle", "--rod-length", "--rod-width",
+    )  # fmt: skip
+    assert errors.suggestion(given, names, "choose one") == said
+
+
+def test_a_text_stands_before_every_suggestion():
+    said = errors.suggestion("pull", ("pulling", "pulling_lost"), "choose one", before="a/")
+    assert said == "did you mean a/pulling or a/pulling_lost?"
+
+
 @pytest.mark.parametrize("given", ["three", None, 1, ["one"], b"one"])
 def test_an_option_is_refused_with_all_of_them(given):
     with pytest.raises(pp.InvalidValue, match="allowed: one, other; name one"):

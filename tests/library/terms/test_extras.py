@@ -65,7 +65,7 @@ pp.save_scene(scene, sys.argv[1] + "/scene.yaml")
 for command in (
     ["solve", sys.argv[1] + "/scene.yaml", "--pusher-angle", "165", "--json"],
     ["cone", "workflow/scenes/figure_08.yaml"],
-    ["simulate", "workflow/scenes/figure_14a.yaml", "-o", sys.argv[1] + "/log.nc"],
+    ["simulate", "workflow/scenes/pulling.yaml", "-o", sys.argv[1] + "/log.nc"],
     ["query", "motion_cones", "--results", sys.argv[2], "--rod-length", "2"],
 ):
     assert main(command) == 0, command
@@ -86,7 +86,7 @@ def test_the_library_runs_without_any_extra(tmp_path, cones):
     ("manual", "furo", "from pulling_by_pushing.report.manual import build_manual as b; b('a', 'b')"),
     ("golden", "flint", "import pulling_by_pushing.oracle.support"),
     ("golden", "flint", "import pulling_by_pushing.evidence.proofs.verdicts"),
-    ("chunks", "dask", "from pulling_by_pushing.study.chunks import joined; joined('a', {}, {})"),
+    ("chunks", "dask", "from pulling_by_pushing.study.chunks import open_chunks; open_chunks('a', {}, {})"),
 ])  # fmt: skip
 def test_a_missing_extra_is_named_where_it_is_needed(extra, missing, body):
     ended = run([missing], body)

@@ -19,7 +19,7 @@ from planar_pushing.terms.numbers import (
     as_numbers,
     in_radians,
     pair_of,
-    required_array,
+    require_array,
 )
 
 LABELED = xr.DataArray([1, 2], dims="case", coords={"case": [7, 8]}, attrs={"units": "m"})
@@ -74,7 +74,7 @@ def test_everything_else_is_refused_in_one_line(given):
     assert as_array(given) is None
     assert as_numbers(given) is None
     with pytest.raises(InvalidValue, match=r"^places: .* given; allowed: numbers; ") as caught:
-        required_array("places", given, "numbers", "give floats")
+        require_array("places", given, "numbers", "give floats")
     assert "\n" not in str(caught.value)
     masked = np.ma.is_masked(given)
     assert caught.value.remedy == (

@@ -17,7 +17,7 @@ from planar_pushing.terms.options import (
     Policy,
 )
 
-PULLING = "workflow/scenes/figure_14a.yaml"
+PULLING = "workflow/scenes/pulling.yaml"
 
 
 @pytest.mark.parametrize("method", Method)

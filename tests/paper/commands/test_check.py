@@ -50,6 +50,15 @@ def test_points_of_results_of_ones_own_are_certified(run, away):
     (["empty"], "workflow/config/paper.yaml: no such file; go to the project's folder, or give the "),
     (["empty", "--study", "tiny.yaml"], "empty/studies/tiny: no such folder; name the folder of "),
     (["--study", "absent.yaml"], "absent.yaml: no such file"),
+    (["--study", "tiny"], "study: 'tiny' given; allowed: the path of a study file, or of the project's "
+     "studies the name paper or sliders; give the file from which results/studies/tiny was built"),
+    (["--study", "slider"], "study: 'slider' given; allowed: the path of a study file, or of the project's "
+     "studies the name paper or sliders; did you mean sliders?"),
+    (["--study", "sliders"], "study: 'sliders' given; allowed: the path of a study file, or of the "
+     "project's studies the name paper or sliders; go to the project's folder, which has "
+     "workflow/config/sliders.yaml, or give the path of its file"),
+    (["--study", "mine"], "study: 'mine' given; allowed: the path of a study file, or of the project's "
+     "studies the name paper or sliders; give the path of its file"),
     (["--study", "tiny.yaml"], "tiny.yaml: golden: missing; allowed: a folder of golden data; "),
 ], ids=str)  # fmt: skip
 def test_what_is_missing_is_named(refused, away, arguments, said):
@@ -63,6 +72,22 @@ def test_a_copy_of_the_papers_study_is_checked_wherever_it_is(refused, away):
     refused(
         ["check", "results/studies/tiny", "--study", str(away / "paper.yaml")],
         f"{away}/paper.yaml: golden: missing",
+    )
+
+
+def test_a_file_without_an_ending_goes_before_a_name(refused, away):
+    shutil.copy("tiny.yaml", "sliders")
+    refused(["check", "results", "--study", "sliders"], "results/studies/sliders: no such folder; ")
+
+
+@pytest.mark.parametrize(("study", "folder"), [
+    ("paper", "mine"), ("sliders", "mine/studies/sliders"),
+])  # fmt: skip
+def test_a_study_of_the_project_is_found_by_its_name(refused, tmp_path, monkeypatch, study, folder):
+    monkeypatch.chdir(tmp_path)
+    Path(folder).mkdir(parents=True)
+    refused(
+        ["check", "mine", "--study", study], f"{folder}: contains no datasets; name the folder "
     )
 
 

@@ -9,6 +9,7 @@ import xarray as xr
 from planar_pushing.commands import main
 from planar_pushing.terms.netcdf import write_dataset
 from pulling_by_pushing.study.catalog import DATASETS
+from smoke import smoke_results
 
 
 def test_query(run, results):
@@ -92,9 +93,23 @@ def test_help_lists_the_axes_of_every_dataset(capsys):
         main(["query", "--help"])
     said = capsys.readouterr().out
     for name, entry in DATASETS.items():
-        if entry.dims:
-            axes = " ".join("--" + dim.replace("_", "-") for dim in entry.dims)
+        if entry.selectors:
+            axes = " ".join("--" + axis.replace("_", "-") for axis in entry.selectors)
             assert f"{name}: {axes}\n" in said
+
+
+def test_help_lists_the_axes_that_the_option_axes_lists(run, tmp_path_factory):
+    """Of every dataset of the smoke studies, which have all but one."""
+    folder = str(smoke_results(tmp_path_factory))
+    listed = {}
+    for study in ("paper", "sliders"):
+        where = ["--results", folder, "--study", study]
+        datasets = json.loads(run("query", *where, "--json")[1])["datasets"]
+        for name in datasets.keys() & DATASETS.keys():
+            listed[name] = list(json.loads(run("query", name, *where, "--axes", "--json")[1]))
+    assert len(listed) > 8
+    for name, axes in listed.items():
+        assert axes == sorted("--" + axis.replace("_", "-") for axis in DATASETS[name].selectors)
 
 
 @pytest.mark.parametrize(
@@ -122,6 +137,49 @@ def test_a_dataset_that_is_not_built(refused, results):
         f"{results}/data/limit_curves.nc: no such dataset; build it with planar-pushing run, from a study "
         "that gives effects, rod_length, rod_angle, force_angle; make builds it for the study paper",
     )
+
+
+@pytest.fixture
+def studies(results, tmp_path):
+    """Results of the paper's study without contact modes, and of two other studies, one with them."""
+    folder = tmp_path / "results"
+    shutil.copytree(results, folder)
+    shutil.copytree(results, folder / "studies/mine")
+    (folder / "studies/mine/data/simulations").mkdir()
+    shutil.copy(folder / "data/motion_cones.nc", folder / "studies/mine/data/simulations/push.nc")
+    (folder / "data/contact_modes.nc").unlink()
+    (folder / "studies/empty/data").mkdir(parents=True)
+    return folder
+
+
+@pytest.mark.parametrize(("arguments", "file", "study"), [
+    (["contact_modes", "--contact", "coulomb_2"], "data/contact_modes.nc", "mine"),
+    (["simulations/push"], "data/simulations/push.nc", "mine"),
+    (["contact_modes", "--study", "empty"], "studies/empty/data/contact_modes.nc", "mine"),
+    (["motion_cones", "--study", "empty"], "studies/empty/data/motion_cones.nc", "paper, mine"),
+])  # fmt: skip
+def test_a_dataset_of_another_study_is_built(refused, studies, arguments, file, study):
+    noun, first = ("studies", "paper") if "," in study else ("study", study)
+    refused(
+        ["query", *arguments, "--results", str(studies)],
+        f"{studies}/{file}: no such dataset; built for the {noun} {study}: give --study {first}, or "
+        f"study='{first}' in Python\n",
+    )
+
+
+def test_a_dataset_is_built_though_the_papers_study_is_not(refused, studies):
+    shutil.rmtree(studies / "data")
+    refused(
+        ["query", "motion_cones", "--results", str(studies)],
+        f"{studies}/data/motion_cones.nc: no such dataset; built for the study mine: give --study mine",
+    )
+
+
+def test_datasets_of_another_study_are_listed_with_it(run, studies):
+    _, out, _ = run("query", "--results", str(studies))
+    remedy = "built for the study mine: give --study mine, or study='mine' in Python"
+    assert f"  contact_modes, simulations/NAME: {remedy}\n" in out
+    assert "  limit_curves: build it with planar-pushing run, from a study that " in out
 
 
 def test_without_a_name_the_datasets_are_listed(run, results):
@@ -184,7 +242,14 @@ def test_query_of_another_study(run, results, tmp_path):
         (["query", "motion_cone"],
          "name: 'motion_cone' given; allowed: limit_curves, curves, motion_cones"),
         (["query", "motion_cones", "--rod-lenght", "2"],
-         "rod_lenght: '2' given; allowed: the axes effects"),
+         "option: '--rod-lenght' given; allowed: --effects, --friction-angle, --friction-coefficient, "
+         "--rod-angle, --rod-length, --help, --json, --axes, --results, --study; did you mean "
+         "--rod-length?"),
+        (["query", "motion_cones", "--friction", "2"],
+         "option: '--friction' given; allowed: --effects, --friction-angle, --friction-coefficient, "
+         "--rod-angle, --rod-length, --help, --json, --axes, --results, --study; did you mean "
+         "--friction-angle or --friction-coefficient?"),
+        (["query", "motion_cones", "--axess"], "option: '--axess' given; "),
         (["query", "motion_cones", "--rod-length", "7"],
          "rod_length: '7' given; allowed: 0, 1, 2, 5; choose a value"),
         (["query", "motion_cones", "--rod-length", "long"],
@@ -195,3 +260,27 @@ def test_query_of_another_study(run, results, tmp_path):
 )  # fmt: skip
 def test_wrong_input(refused, results, arguments, said):
     refused([*arguments[:2], "--results", results, *arguments[2:]], said)
+
+
+@pytest.mark.parametrize(("words", "said"), [
+    (["--bound-end", "nearer"],
+     "center_regions; type for example planar-pushing query center_regions --bound-end nearer"),
+    (["--rod-length", "2"],
+     "limit_curves, curves, motion_cones, contact_modes, mode_maps, acceleration_centers, center_regions, "
+     "support_cones, support_modes, support_rods; type for example planar-pushing query limit_curves "
+     "--rod-length 2"),
+    (["--rod-length=2", "--friction-angle", "45"],
+     "motion_cones, contact_modes, mode_maps, support_cones, support_modes; type for example "
+     "planar-pushing query motion_cones --rod-length=2 --friction-angle 45"),
+    (["--rod-length"], "limit_curves, curves, motion_cones, "),
+    (["--north", "-2"], "limit_curves, "),
+], ids=str)  # fmt: skip
+def test_axes_without_a_dataset(refused, results, words, said):
+    refused(["query", *words, "--results", results], f"dataset: missing; allowed: {said}")
+
+
+def test_the_dataset_may_follow_its_axes(run, results):
+    axes = ["--rod-length", "2", "--friction-coefficient=2"]
+    said = run("query", "motion_cones", *axes, "--results", results)
+    assert said[0] == 0
+    assert run("query", *axes, "motion_cones", "--results", results) == said

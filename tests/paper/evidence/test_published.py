@@ -7,8 +7,8 @@ import pytest
 from pushes.written import STRENGTH, TRIANGLE, feet, write_log, write_mat
 
 import planar_pushing as pp
-from planar_pushing.pushes.logs.measured import measured
-from pulling_by_pushing.evidence.published import _pivots, _sets, measure
+from planar_pushing.pushes.logs.measured import measurements_of
+from pulling_by_pushing.evidence.published import _in_load_sets, _pivots, measure
 
 #: Name of a log, which says where the feet are.
 FOOTED = "10_130_10_10_10_130"
@@ -16,19 +16,19 @@ FOOTED = "10_130_10_10_10_130"
 
 def test_wrenches_about_a_foot_are_in_its_load_set():
     """Exact pushes: where the object turns about a foot the wrench is in the set, elsewhere mostly not."""
-    pushes = measured(pp.simulate_pushes(feet(), TRIANGLE, 60, distance=1.0, seed=4))
+    pushes = measurements_of(pp.simulate_pushes(feet(), TRIANGLE, 60, distance=1.0, seed=4))
     places = np.array([(10.0, 10.0), (130.0, 10.0), (10.0, 130.0)])
     near = _pivots(pushes, places) < 0.01
-    within = _sets(pushes, places, np.full(3, 1 / 3), 5.0)
+    within = _in_load_sets(pushes, places, np.full(3, 1 / 3), 5.0)
     assert near.any(axis=1).sum() >= 5
     assert within[near].all()
     assert within.mean() < 0.4
     # With a weight that is wrong by a factor most wrenches are outside.
-    assert _sets(pushes, places, np.full(3, 1 / 3), 15.0).mean() < within.mean()
+    assert _in_load_sets(pushes, places, np.full(3, 1 / 3), 15.0).mean() < within.mean()
 
 
 def test_pivots_are_distances_of_the_center_of_rotation():
-    pushes = measured(pp.simulate_pushes(feet(), TRIANGLE, 6, seed=1))
+    pushes = measurements_of(pp.simulate_pushes(feet(), TRIANGLE, 6, seed=1))
     places = np.array([(10.0, 10.0), (40.0, -20.0)])
     v_x, v_y, omega = pushes.twists.T
     centers = np.column_stack([-v_y / omega, v_x / omega])

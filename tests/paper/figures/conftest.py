@@ -14,15 +14,15 @@ from planar_pushing.drawing.canvas import axes
 from planar_pushing.drawing.canvas.style import paper_style
 from planar_pushing.scenes.files import load_scene_file
 from planar_pushing.terms.netcdf import write_dataset
-from pulling_by_pushing.figures.figure import cut, cuts_of, drawing, entry, figure_names
+from pulling_by_pushing.figures.figure import cuts_of, drawing, entry, figure_names, select_values
 from pulling_by_pushing.figures.measured import PUSHES_FILE
-from pulling_by_pushing.figures.studies import cuts, numbered
+from pulling_by_pushing.figures.studies import cuts, study_figures
 from pulling_by_pushing.study.running.build import build_dataset
 from pulling_by_pushing.study.running.simulations import study_log
 from pulling_by_pushing.study.slices import study_slice
 from pulling_by_pushing.study.study_file import load_study
 
-FIGURES, NUMBERED = figure_names(), numbered()
+FIGURES, NUMBERED = figure_names(), study_figures()
 
 
 @pytest.fixture(scope="session")
@@ -43,7 +43,7 @@ def sources(studies, logs):
     """Datasets by the names that figures read them by; times are made up."""
 
     def whole(name):
-        study = studies["figure_16" if name.startswith("support") else "figure_01"]
+        study = studies["support_limit_curves" if name.startswith("support") else "figure_01"]
         return build_dataset(name, study_slice(study, name))
 
     datasets = Made(whole)
@@ -74,7 +74,10 @@ def plotted(studies, sources):
         if figure.reads == (PUSHES_FILE,):
             return sources[PUSHES_FILE]
         values = cuts(studies[name], name) if name in NUMBERED else {}
-        return {each: cut(sources[each], cuts_of(figure, each, values)) for each in figure.reads}
+        return {
+            each: select_values(sources[each], cuts_of(figure, each, values))
+            for each in figure.reads
+        }
 
     return Made(view)
 
@@ -87,9 +90,9 @@ def pictures(plotted):
         drawn, one = [], drawing(name)
         spies = {
             kind: lambda *given, add=add: (drawn.append(given), add(*given))
-            for kind, add in axes.DRAWN.items()
+            for kind, add in axes.DRAWERS.items()
         }
-        with paper_style(), patch.dict(axes.DRAWN, spies):
+        with paper_style(), patch.dict(axes.DRAWERS, spies):
             found = Figure(figsize=one.figure.size)
             one.draw(found, plotted[name])
             found.draw_without_rendering()

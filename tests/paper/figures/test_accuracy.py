@@ -2,22 +2,17 @@
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
-from pulling_by_pushing.figures.evidence import accuracy_cone_motion, accuracy_wrench, effects
+from pulling_by_pushing.figures.evidence import accuracy, effects
 from pulling_by_pushing.figures.evidence import hard_cases as cases
 from pulling_by_pushing.figures.parts.methods import setting_text, with_times, within
 
-#: Figures of work and precision, and their panels: selection of the data, quantity and limits.
-WRENCHES = [
-    ("accuracy_wrench", panel, {"spin_ratio": k}, "wrench", accuracy_wrench.LIMITS)
-    for panel, k in enumerate(accuracy_wrench.PANELS)
-]
-MOTIONS = [
-    ("accuracy_cone_motion", 1 + panel, {"scene": scene}, "motion", accuracy_cone_motion.LIMITS)
-    for panel, scene in enumerate(accuracy_cone_motion.TITLES)
-]
-CONE = ("accuracy_cone_motion", 0, {}, "cone", accuracy_cone_motion.LIMITS)
-PANELS = [*WRENCHES, CONE, *MOTIONS]
+#: Panels of the figure in order: selection of the data, quantity and limits.
+WRENCHES = [({"spin_ratio": k}, "wrench", accuracy.RELATIVE) for k in accuracy.SPIN_RATIOS]
+MOTIONS = [({"scene": scene}, "motion", accuracy.DEGREES) for scene in accuracy.SCENES]
+PANELS = [*WRENCHES, ({}, "cone", accuracy.DEGREES), *MOTIONS]
+CONE = len(WRENCHES)
 
 
 def markers(ax):
@@ -30,34 +25,54 @@ def ordered(points):
     return points[np.lexsort(points.T)]
 
 
-@pytest.mark.parametrize(("name", "panel", "where", "quantity", "limits"), PANELS)
+@pytest.mark.parametrize(
+    ("panel", "selection", "quantity", "limits"),
+    [(panel, *rest) for panel, rest in enumerate(PANELS)],
+)
 def test_markers_are_at_the_least_times_with_hairs_to_the_medians(
-    pictures, plotted, name, panel, where, quantity, limits
+    pictures, plotted, panel, selection, quantity, limits
 ):
-    ax, part = pictures[name].axes[panel], with_times(plotted[name], quantity).sel(where)
+    ax = pictures["accuracy"].axes[panel]
+    part = with_times(plotted["accuracy"], quantity).sel(selection)
     times, errors = part[f"{quantity}_seconds"], within(part[f"{quantity}_error"].values, limits)
     drawn = markers(ax)
     assert np.array_equal(drawn, ordered(np.column_stack([times.min("repeat"), errors])))
-    hairs = np.concatenate([each.get_segments() for each in ax.collections])
+    hairs = np.concatenate([lines.get_segments() for lines in ax.collections])
     assert np.array_equal(np.sort(hairs[:, 1, 0]), np.sort(times.median("repeat")))
-    for place, (low, high) in zip(drawn.T, (ax.get_xlim(), ax.get_ylim()), strict=True):
-        assert low < place.min()
-        assert place.max() < high
+    for values, (low, high) in zip(drawn.T, (ax.get_xlim(), ax.get_ylim()), strict=True):
+        assert low < values.min()
+        assert values.max() < high
 
 
-@pytest.mark.parametrize(("panel", "k"), list(enumerate(accuracy_wrench.PANELS)))
+@pytest.mark.parametrize(("panel", "k"), list(enumerate(accuracy.SPIN_RATIOS)))
 def test_panels_are_named_by_their_spin_ratios(pictures, panel, k):
-    ax = pictures["accuracy_wrench"].axes[panel]
+    ax = pictures["accuracy"].axes[panel]
     formula = ax.get_title().strip("$").removeprefix("k = ").replace("{", "(").replace("}", ")")
     assert eval(formula.replace("^", "**").replace("10**", "10.0**")) == k
     assert any(text.get_text() == "NaN" for text in ax.texts) == (k == 1)
 
 
-@pytest.mark.parametrize("name", ["accuracy_wrench", "accuracy_cone_motion"])
-def test_the_legend_names_every_method(pictures, plotted, name):
-    (legend,) = pictures[name].legends
-    names = {method for each in plotted[name].values() for method in each.method.values}
-    assert {text.get_text() for text in legend.get_texts()} == names
+def test_an_error_of_zero_has_a_tick(plotted):
+    data = plotted["accuracy"]
+    wrench = data["accuracy/wrench"]
+    exact = {**data, "accuracy/wrench": wrench.assign(wrench_error=0 * wrench.wrench_error)}
+    for errors, ticks in ((data, []), (exact, ["0"])):
+        figure = Figure(figsize=accuracy.FIGURE.size)
+        accuracy.draw(figure, errors)
+        labels = [text.get_text() for text in figure.axes[0].get_yticklabels()]
+        assert labels[:-5] == ticks
+
+
+def test_every_method_is_named(pictures, plotted):
+    """Those of the wrench in the legend, the others in their panels."""
+    (legend,) = pictures["accuracy"].legends
+    data = plotted["accuracy"]
+    assert {text.get_text() for text in legend.get_texts()} == set(
+        data["accuracy/wrench"].method.values
+    )
+    for panel, (_, quantity, _) in list(enumerate(PANELS))[CONE:]:
+        words = " ".join(text.get_text() for text in pictures["accuracy"].axes[panel].texts)
+        assert all(name in words for name in data[f"accuracy/{quantity}"].method.values)
 
 
 @pytest.mark.parametrize(
@@ -70,47 +85,36 @@ def test_settings_are_written_in_one_way(value, text):
 @pytest.mark.parametrize(
     ("panel", "method", "words"),
     [
-        (0, "brentq on quad", "tolerance {}"),
-        (1, "event-driven", "tolerance {}"),
-        (2, "time-stepping", "{} steps"),
+        (CONE, "brentq on quad", "tolerance {}"),
+        (CONE + 1, "event-driven", "tolerance {}"),
+        (CONE + 2, "time-stepping", "{} steps"),
     ],
 )
 def test_the_ends_of_a_line_are_named_by_their_settings(pictures, plotted, panel, method, words):
-    data = plotted["accuracy_cone_motion"][f"accuracy/{'motion' if panel else 'cone'}"]
-    settings = data.setting.values[data.method.values == method]
-    texts = [text.get_text() for text in pictures["accuracy_cone_motion"].axes[panel].texts]
-    assert {words.format(setting_text(end)) for end in settings[[0, -1]]} <= set(texts)
+    data = plotted["accuracy"][f"accuracy/{PANELS[panel][1]}"]
+    first, last = data.setting.values[data.method.values == method][[0, -1]]
+    texts = [text.get_text() for text in pictures["accuracy"].axes[panel].texts]
+    assert any(text.endswith(words.format(setting_text(first))) for text in texts)
+    assert setting_text(last) in texts
 
 
-def test_evaluations_are_bars_of_what_is_listed(pictures, plotted):
-    counts = plotted["effects"]["effects"].evaluations
-    for ax, method in zip(pictures["effects"].axes, effects.PANELS, strict=False):
-        one = counts.sel(integrator=method)
-        shown = [one.sel(effects=each).values for each in effects.LISTS]
-        assert [bar.get_width() for bar in ax.patches] == np.ravel(shown).tolist()
-        numbers = [text.get_text() for text in ax.texts]
-        assert numbers == [f"{each}" for each in np.ravel(shown) if each]
-
-
-def test_times_of_the_effects_are_the_least_ones(pictures, plotted):
-    times, ax = (
-        plotted["effects"]["effects"].computation_seconds.min("repeat"),
-        pictures["effects"].axes[2],
-    )
-    for line, listed in zip(ax.lines, effects.LISTS, strict=True):
-        one = 1e3 * times.sel(effects=listed, computation=list(effects.COMPUTATIONS))
-        assert line.get_xdata().tolist() == one.values.tolist()
+def test_times_of_the_effects_are_the_shortest_ones(pictures, plotted):
+    times = plotted["effects"]["effects"].computation_seconds.min("repeat")
+    left, _ = pictures["effects"].axes
+    lines = [line for line in left.lines if line.get_marker() != "None"]
+    for line, listed in zip(lines, effects.LISTS, strict=True):
+        durations = 1e3 * times.sel(effects=listed, computation=list(effects.COMPUTATIONS))
+        assert line.get_xdata().tolist() == durations.values.tolist()
         assert np.round(line.get_ydata()).tolist() == list(range(len(effects.COMPUTATIONS)))
 
 
-def test_times_by_the_number_of_supports_are_ratios_to_one(pictures, plotted):
-    times, ax = (
-        plotted["effects"]["effects"].supports_seconds.min("repeat"),
-        pictures["effects"].axes[3],
-    )
-    proportional, drawn = (np.column_stack(line.get_data()) for line in ax.lines)
-    assert proportional.tolist() == [[number, number] for number in times.supports.values]
-    assert drawn.tolist() == np.column_stack([times.supports, times / times[0]]).tolist()
+def test_times_by_the_number_of_effects(pictures, plotted):
+    times = 1e3 * plotted["effects"]["effects"].supports_seconds.min("repeat")
+    _, right = pictures["effects"].axes
+    proportional, drawn = (np.column_stack(line.get_data()) for line in right.lines)
+    numbers = times.supports.values
+    assert drawn.tolist() == np.column_stack([numbers, times]).tolist()
+    assert proportional == pytest.approx(np.column_stack([numbers, numbers * float(times[0])]))
 
 
 def test_hard_cases_are_drawn_in_groups_from_best_to_worst_condition(pictures, plotted):

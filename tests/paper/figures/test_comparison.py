@@ -194,7 +194,7 @@ def test_areas_are_fractions_of_the_weight(pictures, plotted):
             shown = circles([m for m in marks if color in (None, getattr(m, "color", None))], kind)
             given = np.array(log[key] or []).reshape(-1, 3)
             assert shown[:, :2] == pytest.approx(given[:, :2], abs=1e-9)
-            whole = measured_pressures.WHOLE * 150.0
+            whole = measured_pressures.FULL * 150.0
             assert shown[:, 2] ** 2 == pytest.approx(whole**2 * given[:, 2], rel=1e-9)
 
 
@@ -207,7 +207,11 @@ def test_centers_and_intervals_are_enlarged_within_their_frame(pictures, plotted
         low, high = measured_pressures._window(log)
         true, found = (
             np.array(
-                [m.place for m in marks if isinstance(m, Dot) and (m.shape == "pressure") == cross]
+                [
+                    m.position
+                    for m in marks
+                    if isinstance(m, Dot) and (m.shape == "pressure") == cross
+                ]
             )
             for cross in (True, False)
         )
@@ -217,7 +221,7 @@ def test_centers_and_intervals_are_enlarged_within_their_frame(pictures, plotted
         bars = [
             m.points
             for m in marks
-            if isinstance(m, Line) and m.color == measured_pressures.FOUND and m.width > 0.8
+            if isinstance(m, Line) and m.color == measured_pressures.IDENTIFIED and m.width > 0.8
         ]
         assert len(bars) == 2
         for axis, (bar, name) in enumerate(zip(bars, "xy", strict=True)):

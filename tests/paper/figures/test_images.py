@@ -29,7 +29,7 @@ def test_a_picture_is_stored_and_then_unchanged_until_it_differs(folders, capsys
         assert capsys.readouterr().out == f"figure: {said} color levels\n"
     stored = golden / "images/figure.png"
     with Image.open(stored) as image:
-        assert image.size == (round(90 * images.SCALE), round(60 * images.SCALE))
+        assert image.size == (round(90 * images.STORED_SCALE), round(60 * images.STORED_SCALE))
     Image.fromarray(np.full((60, 90, 3), 190, np.uint8)).save(picture)
     assert images.difference(picture, stored) == pytest.approx(10)
     Image.fromarray(np.full((90, 90, 3), 200, np.uint8)).save(picture)
@@ -44,5 +44,8 @@ def test_a_missing_picture_is_one_line(tmp_path):
 def test_the_pictures_are_those_of_both_default_studies_and_of_measured_pushes(tmp_path):
     found = images.every_picture(tmp_path)
     assert found["figure_01"] == tmp_path / "figures/figure_01.png"
-    assert found["figure_17"] == tmp_path / "studies/sliders/figures/figure_17.png"
+    assert (
+        found["friction_for_pulling"]
+        == tmp_path / "studies/sliders/figures/friction_for_pulling.png"
+    )
     assert found["measured_pressures"] == tmp_path / "figures/measured_pressures.png"

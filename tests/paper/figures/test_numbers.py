@@ -10,7 +10,7 @@ from pulling_by_pushing.figures.paper import figure_05, figure_12, mappings, sch
 
 
 def test_edges_of_the_velocity_cone_are_the_published_ones(plotted):
-    forces, angles, motions = mappings.mapped(plotted["figure_06"])
+    forces, angles, motions = mappings.map_cone(plotted["figure_06"])
     half = np.rad2deg(np.arctan(2))
     assert_allclose(angles, [90 - half, 45, 90, 90 + half], rtol=1e-14)
     assert_allclose(motions[[0, -1]], [-20.038457551638, 140.16416973393], rtol=1e-12)
@@ -19,7 +19,7 @@ def test_edges_of_the_velocity_cone_are_the_published_ones(plotted):
 
 
 def test_accelerations_are_those_of_the_equations(plotted):
-    _, angles, motions = mappings.mapped(plotted["figure_10"])
+    _, angles, motions = mappings.map_cone(plotted["figure_10"])
     x, y = np.cos(in_radians(angles)), np.sin(in_radians(angles))
     # Eqs. (11) and (12) for l = 1, psi = 45 degrees
     found = np.rad2deg(np.arctan2(1.5 * y - 0.5 * x, 1.5 * x - 0.5 * y))
@@ -56,7 +56,7 @@ def test_exact_centers_lie_in_the_papers_sectors(plotted):
     angle, beyond = np.rad2deg(np.arctan2(y, x)), np.hypot(x, y) > 1
     held = [
         (angle > start - 1e-9) & (angle < stop + 1e-9) & (beyond == outside)
-        for start, stop, outside in figure_12.sectors(scene)
+        for _, start, stop, outside in figure_12.sectors(scene)
     ]
     assert np.any(held, axis=0).all()
 
@@ -64,8 +64,8 @@ def test_exact_centers_lie_in_the_papers_sectors(plotted):
 @pytest.mark.parametrize(
     ("length", "sectors"),
     [
-        (2.0, [(90, 105, False), (105, 135, True), (-45, -15, True), (-15, 90, False)]),
-        (0.5, [(90, 135, True), (-45, 90, True)]),
+        (2.0, [(1, 90, 105, False), (3, 105, 135, True), (5, -45, -15, True), (7, -15, 90, False)]),
+        (0.5, [(3, 90, 135, True), (5, -45, 90, True)]),
     ],
 )
 def test_sectors_meet_and_open_with_the_ring_seen_from_the_contact(plotted, length, sectors):

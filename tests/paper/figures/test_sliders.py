@@ -1,4 +1,4 @@
-"""What figures 16 to 19 show, from the small study of sliders."""
+"""What the figures on any slider show, from the small study of sliders."""
 
 import numpy as np
 import pytest
@@ -8,15 +8,15 @@ from mechanics.supports.cases import TRIPOD
 import planar_pushing as pp
 from pulling_by_pushing.figures.captions import words
 from pulling_by_pushing.figures.parts import gallery
-from pulling_by_pushing.figures.sliders import figure_18, figure_19
+from pulling_by_pushing.figures.sliders import pivoting_tripod, slip_of_supports
 from pulling_by_pushing.study.study_file import load_study
 
-LOG, CURVES = figure_19.FIGURE.reads
+LOG, CURVES = pivoting_tripod.FIGURE.reads
 QUADRUPED = pp.Points([(-0.8, -0.6), (0.8, -0.6), (0.8, 0.6), (-0.8, 0.6)], [1, 1, 1, 1])
 
 
 def test_flats_are_the_parts_of_a_curve_with_one_pivot(plotted):
-    one = plotted["figure_16"]["support_curves"].sel(support="tripod")
+    one = plotted["support_limit_curves"]["support_curves"].sel(support="tripod")
     parts = gallery.flat_parts(one.pivot.values)
     assert [number for number, _ in parts] == [0, 0]
     for _, part in parts:
@@ -28,11 +28,14 @@ def test_flats_are_the_parts_of_a_curve_with_one_pivot(plotted):
 
 def test_the_shapes_are_the_supports_of_the_study(plotted):
     study = load_study("workflow/config/sliders_smoke.yaml")
-    assert gallery.shapes(plotted["figure_16"]["supports"]) == study.gallery()
+    assert gallery.shapes(plotted["support_limit_curves"]["supports"]) == study.gallery()
 
 
 def test_the_jump_of_the_tripod_at_the_upright_rod_is_drawn(plotted, pictures):
-    rods, ax = plotted["figure_17"]["support_rods"], pictures["figure_17"].axes[3]
+    rods, ax = (
+        plotted["friction_for_pulling"]["support_rods"],
+        pictures["friction_for_pulling"].axes[3],
+    )
     never, limit = (line for line in ax.lines if line.get_marker() == "o")
     assert never.get_xdata() == limit.get_xdata() == [90.0]
     assert float(never.get_ydata()[0]) == pytest.approx(0)
@@ -49,25 +52,30 @@ def test_the_slipping_part_is_what_the_modes_say():
     pushes = np.deg2rad(np.arange(0.05, 180.0, 0.1))
     sticks = (pp.solve(scene, pushes).mode == pp.ContactMode.STICK).any(axis=-1)
     edges = xr.DataArray(np.rad2deg([cone.right, cone.left]), {"edge": ["right", "left"]})
-    part = figure_18.slipping_percent(edges)
+    part = slip_of_supports.slipping_percent(edges)
     assert part == pytest.approx(100 * (1 - sticks.mean()), abs=0.1)
 
 
 def test_the_grids_cones_lie_on_the_curves_of_slip_as_dots(plotted, pictures):
-    cones = plotted["figure_18"]["support_cones"]
-    for number, ax in enumerate(pictures["figure_18"].axes):
-        axis = ("rod_length", "rod_angle")[number % 2]
-        name = ["box", "tripod"][number // 2]
-        (dots,) = (line for line in ax.lines if line.get_marker() == "o")
-        (line,) = (line for line in ax.lines if line.get_label() == name)
-        assert np.array_equal(dots.get_xdata(), cones[axis])
-        for x, y in zip(*dots.get_data(), strict=True):
-            near = np.interp(x, *line.get_data())
-            assert y == pytest.approx(near, abs=0.2), (name, axis, x)
+    cones = plotted["slip_of_supports"]["support_cones"]
+    for axis, ax in zip(
+        ("rod_length", "rod_angle"), pictures["slip_of_supports"].axes, strict=True
+    ):
+        for name in ("box", "tripod"):
+            (line,) = (line for line in ax.lines if line.get_label() == name)
+            (dots,) = (
+                dots
+                for dots in ax.lines
+                if dots.get_marker() == "o" and dots.get_color() == line.get_color()
+            )
+            assert np.array_equal(dots.get_xdata(), cones[axis])
+            for x, y in zip(*dots.get_data(), strict=True):
+                near = np.interp(x, *line.get_data())
+                assert y == pytest.approx(near, abs=0.2), (name, axis, x)
 
 
 def test_the_motion_center_of_the_tripod_comes_to_its_far_foot_and_stays(plotted):
-    gap = figure_19.gaps(plotted["figure_19"][LOG])
+    gap = pivoting_tripod.gaps(plotted["pivoting_tripod"][LOG])
     assert np.argmin(gap[:, -1]) == 0
     arrived = np.flatnonzero(gap[0] < 1e-9)
     assert gap.shape[1] // 4 < len(arrived) < gap.shape[1]
@@ -76,8 +84,11 @@ def test_the_motion_center_of_the_tripod_comes_to_its_far_foot_and_stays(plotted
 
 @pytest.mark.parametrize("time", [0, -1])
 def test_the_curve_of_an_instant_is_that_of_its_scene(plotted, time):
-    log, curves = plotted["figure_19"][LOG].isel(time=time), plotted["figure_19"][CURVES]
-    shown = figure_19.instant(log, curves)
+    log, curves = (
+        plotted["pivoting_tripod"][LOG].isel(time=time),
+        plotted["pivoting_tripod"][CURVES],
+    )
+    shown = pivoting_tripod.instant(log, curves)
     slider = pp.Slider(rod_length=2.0, rod_angle=np.deg2rad(float(log.rod_angle)))
     effects = (pp.SupportFriction(support=TRIPOD),)
     scene = pp.Scene(slider=slider, contact=pp.Coulomb(0.25), effects=effects)
@@ -93,7 +104,7 @@ def test_the_curve_of_an_instant_is_that_of_its_scene(plotted, time):
 def test_a_support_has_one_color_in_both_figures(pictures):
     found = [
         {line.get_label(): line.get_color() for ax in pictures[name].axes for line in ax.lines}
-        for name in ("figure_17", "figure_18")
+        for name in ("friction_for_pulling", "slip_of_supports")
     ]
     for name in ("ring", "box", "tripod"):
         assert found[0][name] == found[1][name]

@@ -7,13 +7,14 @@ import pytest
 import xarray as xr
 
 from planar_pushing.terms.errors import InvalidFile
-from pulling_by_pushing.figures.figure import Figure, cut, cuts_of
+from pulling_by_pushing.figures.figure import Figure, cuts_of, figure_names, select_values
 from pulling_by_pushing.figures.studies import (
+    NUMBERS,
     cuts,
     load_drawn_study,
-    numbered,
     pictures,
     problems,
+    study_figures,
 )
 from pulling_by_pushing.study.model import FigureEntry
 from pulling_by_pushing.study.study_file import load_study
@@ -30,13 +31,13 @@ DEFAULT = [
 def test_the_figures_of_every_study_of_the_project_can_be_drawn(path):
     study = load_drawn_study(path)
     assert list(problems(study)) == []
-    assert set(study.figures) <= set(numbered())
+    assert set(study.figures) <= set(study_figures())
 
 
-def test_both_default_studies_draw_every_figure_with_a_number():
+def test_both_default_studies_draw_every_figure_of_a_study():
     paper, sliders = (load_study(CONFIG / f"{name}.yaml") for name in ("paper", "sliders"))
-    assert [*paper.figures, *sliders.figures] == numbered()
-    assert numbered() == [f"figure_{number:02}" for number in range(1, 20)]
+    assert sorted([*paper.figures, *sliders.figures]) == sorted(study_figures())
+    assert set(NUMBERS) == set(figure_names())
 
 
 def message(tmp_path, text):
@@ -52,16 +53,20 @@ def message(tmp_path, text):
     ("name", "old", "new", "said"),
     [
         ("smoke", "  figure_07: {", "  figure_99: {",
-         f"figures.figure_99: unknown; allowed: {', '.join(numbered())}; remove it"),
-        ("smoke", "  figure_15: {}", "  hard_cases: {}",
-         f"figures.hard_cases: unknown; allowed: {', '.join(numbered())}; remove it"),
+         f"figures.figure_99: unknown; allowed: {', '.join(study_figures())}; did you mean figure_09?"),
+        ("smoke", "  slip_over_time: {}", "  hard_cases: {}",
+         f"figures.hard_cases: unknown; allowed: {', '.join(study_figures())}; remove it"),
         ("smoke", "  figure_12: {file", "  other: {file",
          "scenes.figure_12: missing; allowed: an entry, from which figures.figure_12 is drawn; add it"),
-        ("smoke", "  figure_15: ../scenes/figure_15.yaml\n", "",
-         "simulations.figure_15: missing; allowed: an entry, from which figures.figure_15 is drawn; "
+        ("smoke", "  slipping: ../scenes/slipping.yaml\n", "",
+         "simulations.slipping: missing; allowed: an entry, from which figures.slip_over_time is drawn; "
          "add it"),
         ("sliders_smoke", "simulations:\n  tripod: ../scenes/tripod.yaml\n", "",
-         "simulations.tripod: missing; allowed: an entry, from which figures.figure_19 is drawn; add it"),
+         "simulations.tripod: missing; allowed: an entry, from which figures.pivoting_tripod is drawn; "
+         "add it"),
+        ("sliders_smoke", "friction_for_pulling: {}", "friction_for_pulling: {support: [box, cone]}",
+         "figures.friction_for_pulling.support: ('box', 'cone') given; allowed: values of supports, "
+         "('ring', 'box', 'tripod'); change it or add it there"),
         ("smoke", "  force_angle: {start: 0, stop: 360, step: 15}\n", "",
          "figures.figure_12: drawn from acceleration_centers; allowed: where the study gives "),
         ("smoke", "  curves: {force_angle: {start: 0, stop: 360, step: 3}}\n", "",
@@ -101,7 +106,7 @@ def message(tmp_path, text):
          "slider.rod_length: missing; allowed: a length > 0, for support_curves; add it"),
         ("sliders_smoke", "[0.25, 2, inf]", "[0.25, 2]",
          "grid.friction_coefficient: (0.25, 2.0) given; allowed: values that include inf, "
-         "at which figures.figure_18 is drawn; add it, or remove the figure"),
+         "at which figures.slip_of_supports is drawn; add it, or remove the figure"),
     ],
 )  # fmt: skip
 def test_a_figure_that_cannot_be_drawn_is_one_line(tmp_path, name, old, new, said):
@@ -121,9 +126,11 @@ def test_a_figure_that_is_not_listed_needs_nothing(name):
 
 def test_a_figure_takes_the_rod_of_the_study_unless_it_has_its_own():
     study = load_study(CONFIG / "sliders_smoke.yaml")
-    assert cuts(study, "figure_17") == {"rod_length": 2.0, "rod_angle": 45.0}
-    own = study.model_copy(update={"figures": {"figure_17": FigureEntry(rod_length=1.0)}})
-    assert cuts(own, "figure_17")["rod_length"] == 1.0
+    assert cuts(study, "friction_for_pulling") == {"rod_length": 2.0, "rod_angle": 45.0}
+    own = study.model_copy(
+        update={"figures": {"friction_for_pulling": FigureEntry(rod_length=1.0)}}
+    )
+    assert cuts(own, "friction_for_pulling")["rod_length"] == 1.0
     given = cuts(load_study(CONFIG / "smoke.yaml"), "figure_10")
     assert given == {"rod_length": (0.0, 1.0, 2.0, 5.0), "rod_angle": 45.0, "friction_coefficient": np.inf,
                      "motion_cones": {"rod_length": 1.0}}  # fmt: skip
@@ -134,7 +141,7 @@ def test_a_dataset_is_cut_at_one_or_several_values_or_at_its_own():
     given = {"rod_length": (1.0, 2.0), "rod_angle": 45.0, "other": {"rod_length": 1.0}}
     axes = {"rod_length": [0.0, 1.0, 2.0], "effects": ["inertia", "none"]}
     whole = xr.Dataset({"x": (("rod_length", "effects"), np.arange(6.0).reshape(3, 2))}, axes)
-    one, other = (cut(whole, cuts_of(figure, name, given)) for name in figure.reads)
+    one, other = (select_values(whole, cuts_of(figure, name, given)) for name in figure.reads)
     assert one.x.values.tolist() == [2.0, 4.0]
     assert other.x.item() == 2.0
     assert other.rod_length.item() == 1.0

@@ -59,7 +59,7 @@ def filled(tmp_path_factory):
 @pytest.fixture
 def folder(filled, tmp_path, monkeypatch):
     """A folder like the project's, in which a page writes its own files."""
-    _link(tmp_path, *BESIDE, "paper")
+    _link(tmp_path, *BESIDE, "paper", "CITATION.cff")
     (tmp_path / "results").symlink_to(filled)
     monkeypatch.chdir(tmp_path)
     return tmp_path
@@ -81,8 +81,7 @@ def pages_as_html(root):
     set_up(root)
     _link(root, *BESIDE)
     shutil.copy("results/README.md", root / "results")
-    (root / "results/paper.pdf").touch()
-    for name in ("end_of_pull", "impact", "pulling_with_inertia"):
+    for name in ("impact", "pulling_with_inertia"):
         (root / f"results/figures/simulation_{name}.svg").write_text(PICTURE, encoding="utf-8")
     for page in PAGES:
         for name in re.findall(

@@ -11,8 +11,9 @@ PAGES = sorted(FOLDER.rglob("*.md"))
 BLOCK = re.compile(r"^(`{3,})([^\n]*)\n(.*?)^\1 *$", re.MULTILINE | re.DOTALL)
 #: Directives that show no code of their own.
 SHOWN = (
-    "{command-reference}", "{figure}", "{figure-gallery}", "{image}", "{include}", "{list-table}",
-    "{literalinclude}", "{math}", "{note}", "{results-table}", "{table}", "{toctree}", "{warning}",
+    "{command-reference}", "{figure}", "{figure-gallery}", "{image}", "{include}", "{ledger-proofs}",
+    "{list-table}", "{literalinclude}", "{math}", "{note}", "{results-table}", "{table}", "{toctree}",
+    "{warning}",
 )  # fmt: skip
 #: Cells of a notebook, which runs when the manual is built.
 CELLS = "{code-cell}"

@@ -13,6 +13,7 @@ from manual.pages import PAGES, blocks, name
 from ruamel.yaml import YAML
 
 from planar_pushing.commands import main
+from planar_pushing.mechanics.outline import require_outline
 from planar_pushing.scenes.files import load_scene
 from pulling_by_pushing.study.study_file import load_study
 from shown import FLAGS, Checker, agrees
@@ -78,7 +79,9 @@ def read_yaml(text, names, capsys):
     before = path.read_text(encoding="utf-8") if added else ""
     path.write_text(before + text, encoding="utf-8")
     content = YAML(typ="safe", pure=True).load(path)
-    if "jobs" in content:
+    if isinstance(content, list):
+        require_outline(content)
+    elif "jobs" in content:
         check_schema(path)
     else:
         (load_scene if "contact" in content else load_study)(path)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from pulling_by_pushing.figures.figure import entry, module_name
-from pulling_by_pushing.figures.studies import OURS, numbered
+from pulling_by_pushing.figures.studies import OURS, study_figures
 from pulling_by_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
 from pulling_by_pushing.study.study_file import load_study
 
@@ -31,7 +31,7 @@ def section(gallery, name):
     return gallery.partition(f'<section id="{name}">')[2].partition("</section>")[0]
 
 
-@pytest.mark.parametrize("name", [*numbered(), *OURS])
+@pytest.mark.parametrize("name", [*study_figures(), *OURS])
 def test_every_figure_has_its_picture_caption_command_and_code(gallery, name):
     found = section(gallery, name.replace("_", "-"))
     assert f'src="_images/{name}.svg"' in found
@@ -54,4 +54,4 @@ def test_every_other_simulation_has_its_picture_and_its_scene(gallery):
 
 def test_no_figure_is_shown_twice(gallery):
     pictures = re.findall(r'src="(_images/[^"]*)"', gallery)
-    assert len(pictures) == len(set(pictures)) == len([*numbered(), *OURS, *undrawn()])
+    assert len(pictures) == len(set(pictures)) == len([*study_figures(), *OURS, *undrawn()])

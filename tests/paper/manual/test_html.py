@@ -112,13 +112,7 @@ def test_what_is_missing_stops_the_build(tmp_path, text, said):
     assert not (tmp_path / "html").exists()
 
 
-NOTEBOOK = """---
-file_format: mystnb
-kernelspec:
-  name: python3
----
-
-# Title
+NOTEBOOK = """# Title
 
 ```{code-cell} ipython3
 import json, sys

@@ -12,13 +12,20 @@ from pulling_by_pushing.oracle.balls import (
     Undecided,
     at_degrees,
     cone_edge,
-    place,
     precise,
     rational,
+    rational_pair,
 )
 from pulling_by_pushing.oracle.body import Body
 from pulling_by_pushing.oracle.modes import SLIPS, Law, Mode
-from pulling_by_pushing.oracle.prove import Slider, along, krawczyk, moves, torque, with_roundings
+from pulling_by_pushing.oracle.prove import (
+    Slider,
+    force_along,
+    krawczyk,
+    moves,
+    torque,
+    with_roundings,
+)
 from pulling_by_pushing.oracle.shapes import support, together
 
 
@@ -42,7 +49,7 @@ def slider_of(scene):
     middle = (ZERO, ZERO)
     if masses:  # one body of all masses
         sizes = [rational(effect["mass"]) for effect in masses]
-        centers = [place(effect.get("center") or (0, 0)) for effect in masses]
+        centers = [rational_pair(effect.get("center") or (0, 0)) for effect in masses]
         mass = sum(sizes, ZERO)
         middle = tuple(
             sum((m * c[i] for m, c in zip(sizes, centers, strict=True)), ZERO) / mass
@@ -64,7 +71,7 @@ def slider_of(scene):
     for load in loads:
         x, y = map(rational, load["force"])
         f_x, f_y = x * cosine + y * sine, y * cosine - x * sine
-        at = middle if load.get("center") is None else place(load["center"])
+        at = middle if load.get("center") is None else rational_pair(load["center"])
         moment = (at[0] + length) * f_y - at[1] * f_x
         total = [a + b for a, b in zip(total, (f_x, f_y, moment), strict=True)]
     return Slider(Body(length=length, load=tuple(total), **parts), psi)
@@ -104,12 +111,12 @@ def differences(scene, angle, magnitude, solution):
         edge = cone_edge(law.friction_coefficient, SLIPS[mode]).about(slider.rod_angle)
         equations = [
             torque,
-            along(edge.ball, edge.roundings),
+            force_along(edge.ball, edge.roundings),
             moves((s, c, 0), w[1], degrees.roundings),
         ]
     motion = with_roundings(slider.body, equations, *krawczyk(slider.body, equations, guess))
     numbers = motion.numbers(
-        slider, lambda p: [*p.turned(p.u_x, p.u_y), p.omega, *p.turned(p.f_x, p.f_y)]
+        slider, lambda p: [*p.to_fence(p.u_x, p.u_y), p.omega, *p.to_fence(p.f_x, p.f_y)]
     )
     computed = (*solution.contact_motion, solution.twist[2], *solution.force)
     return [_ratio(number, float(value)) for number, value in zip(numbers, computed, strict=True)]
@@ -117,4 +124,4 @@ def differences(scene, angle, magnitude, solution):
 
 def _ratio(number: Number, value: float) -> float:
     off = abs(number.ball.mid() - value)
-    return float(off / (number.allowed + abs(arb(value)) * arb(2) ** -52 + arb(2) ** -100))
+    return float(off / (number.allowance + abs(arb(value)) * arb(2) ** -52 + arb(2) ** -100))

@@ -27,7 +27,7 @@ def test_the_cone_is_that_of_the_library(length, rod_angle):
     )
     edges = conservative_cone(slider(length, rod_angle, BOTH), fmpq(1))
     for number, edge in zip(edges, (cone.right, cone.left), strict=True):
-        assert abs(number.ball - math.degrees(edge)) < number.allowed + arb(edge) * 1e-14 + 1e-13
+        assert abs(number.ball - math.degrees(edge)) < number.allowance + arb(edge) * 1e-14 + 1e-13
 
 
 def test_a_tangent_along_the_fence_has_one_side():

@@ -51,7 +51,7 @@ def test_infinite_friction_slips_by_its_first_definition_only(effects):
     assert modes(one, INFINITE_NONE, 165) == []
     (rough,) = solve(one, PERFECTLY_ROUGH, 165)
     assert rough.mode is STICK
-    state = rough.motion.numbers(one, lambda s: [s.turned(s.f_x, s.f_y)[1]])
+    state = rough.motion.numbers(one, lambda s: [s.to_fence(s.f_x, s.f_y)[1]])
     assert state[0].ball < 0
 
 
@@ -76,7 +76,7 @@ def test_two_slips_past_the_minimum_of_the_normal_motion():
     sizes = [math.hypot(*map(float, s.motion.force)) for s in (slow, fast)]
     assert sizes[0] < 1.40897 < sizes[1] < 2.22518
     motions = path(one, cone_edge(1.4, 1))
-    assert [part.rise for part in motions.parts] == [-1, 0, 1]
+    assert [part.slope_sign for part in motions.parts] == [-1, 0, 1]
     assert len(motions.spins(arb(LEAST * (1 - 1e-6)))) == 2
     assert motions.spins(arb(LEAST * (1 + 1e-6))) == []
 
@@ -107,7 +107,7 @@ def test_a_rim_inside_the_interval(gyration_radius):
         < 1
         < max(motions.friction, motions.inertia, key=float)
     )
-    assert any(part.rise for part in motions.parts)
+    assert any(part.slope_sign for part in motions.parts)
 
 
 def test_the_normal_motion_stays_finite_where_the_edge_of_inertia_is_along_the_fence():
@@ -207,7 +207,7 @@ def test_a_sticking_pivot_has_forces_in_the_cone(law, side):
             continue
         assert solution.motion.pivot == solution.end.pivot == 0
         for end in (solution.motion, solution.end):
-            x, y = (number.ball for number in end.numbers(one, lambda s: s.turned(s.f_x, s.f_y)))
+            x, y = (number.ball for number in end.numbers(one, lambda s: s.to_fence(s.f_x, s.f_y)))
             width = (
                 law.friction_coefficient * y if math.isfinite(law.friction_coefficient) else arb(10)
             )

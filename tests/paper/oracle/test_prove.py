@@ -16,7 +16,7 @@ from pulling_by_pushing.oracle.balls import (
     cone_edge,
 )
 from pulling_by_pushing.oracle.motions import limit_point, ray, stick, unit_motion
-from pulling_by_pushing.oracle.prove import Row3, along, krawczyk, moves, torque
+from pulling_by_pushing.oracle.prove import Row3, force_along, krawczyk, moves, torque
 from pulling_by_pushing.oracle.shapes import support
 
 
@@ -28,7 +28,7 @@ def _precision():
 
 def system(one, force):
     e = force.about(one.rod_angle)
-    return [torque, along(e.ball), moves((*e.ball, 0), 1)]
+    return [torque, force_along(e.ball), moves((*e.ball, 0), 1)]
 
 
 def overlap(one, other):
@@ -63,7 +63,7 @@ def test_no_root_is_no_proof():
     """No motion has a power of one under a force across it."""
     one, force = slider(2), cone_edge(2.0, 1)
     x, y = force.about(one.rod_angle).ball
-    equations = [torque, along((x, y)), moves((-y, x, 0), 100)]
+    equations = [torque, force_along((x, y)), moves((-y, x, 0), 100)]
     with pytest.raises(Undecided):
         krawczyk(one.body, equations, [x, y, arb("0.1")])
 
@@ -93,7 +93,7 @@ def test_motions_satisfy_their_equations(effects, angle):
     motions += [limit_point(one, force)] if effects != "friction" else [ray(one, force)]
     for motion in motions:
         wrench = one.body.wrench(motion.q)
-        for equation in (torque, along(e.ball)):
+        for equation in (torque, force_along(e.ball)):
             value = equation(motion.q, wrench).value
             assert value.contains(0)
             assert value.rad() < 1e-30
@@ -108,7 +108,7 @@ def test_roundings_bound_what_a_change_of_the_inputs_changes(name):
     one = slider(2.0, 40.0, name=name)
 
     def direction(state):
-        return [arb.atan2(*state.turned(state.u_x, state.u_y)[::-1])]
+        return [arb.atan2(*state.to_fence(state.u_x, state.u_y)[::-1])]
 
     number = ray(one, force).numbers(one, direction)[0]
     allowed = number.rounding * UNIT * ROUNDINGS

@@ -11,9 +11,11 @@ from pathlib import Path
 
 from report.pushes import measured_pushes
 
+from pulling_by_pushing.evidence.claims.ledger import load_ledger
 from pulling_by_pushing.evidence.claims.table import COLUMNS
 from pulling_by_pushing.figures.figure import entry, full_caption, view
-from pulling_by_pushing.figures.studies import OURS, PUSHES, cuts, numbered
+from pulling_by_pushing.figures.studies import NUMBERS as FIGURE_NUMBERS
+from pulling_by_pushing.figures.studies import OURS, PUSHES, cuts
 from pulling_by_pushing.report.parts.evidence import VERDICTS
 from pulling_by_pushing.report.quantities import Numbers
 from pulling_by_pushing.report.tables import NUMBERS
@@ -33,6 +35,7 @@ PICTURE = (
 #: Studies of the figures.
 STUDIES = (PAPER_FILE, SLIDERS_FILE)
 NOTHING = dict.fromkeys(COLUMNS)
+PROVENANCE = 'what,value\nplanar-pushing,9.8.7\ncommit,"0a1b2c of 2026-01-02"\nlicense,MIT\n'
 CONES = "rod length," + ",".join(f"{side} {i}" for i in range(4) for side in "rl") + "\n"
 
 
@@ -54,12 +57,29 @@ class Setting:
         found: Entries = json.loads((self.tables / file).read_text())
         return found
 
+    def write_ledger(self) -> None:
+        """Write the ledger of the paper, each entry with the verdict that it expects."""
+        ledger = load_ledger(PAPER / "claims.yaml")
+        rows = [
+            entry.model_dump(exclude={"expect", "checks"})
+            | {"verdict": entry.expect}
+            | {
+                "checks": [
+                    check(each.title, statement=each.statement, how=ledger.arguments[each.argument])
+                    for each in entry.checks
+                ]
+            }
+            for entry in ledger.claims
+        ]
+        content = json.dumps({"counts": {}, "claims": rows})
+        (self.tables / "claims.json").write_text(content, encoding="utf-8")
+
     def write_numbers(self, numbers: Entries, file: str = REPORT) -> None:
         (self.tables / file).write_text(json.dumps(numbers), encoding="utf-8")
 
 
-#: Golden numbers of the figures, and the figures of the study of sliders.
-GOLDEN, SLIDERS = Path("tests/golden"), ("_16", "_17", "_18", "_19")
+#: Golden numbers of the figures.
+GOLDEN = Path("tests/golden")
 
 
 def zeros(numbers: Numbers) -> Entries:
@@ -73,8 +93,9 @@ def zeros(numbers: Numbers) -> Entries:
 def claim(name: str, *checks: dict[str, object], **values: object) -> dict[str, object]:
     """A claim of the ledger as claims.json has it."""
     place = {"section": "3", "equations": [], "figures": []}
-    given = {"id": name, "origin": "paper", "statement": "A statement.", "verdict": "proved"}
-    return place | given | {"reason": None, "checks": list(checks)} | values
+    text = {"short": f"Short for {name}", "statement": "A statement."}
+    given = {"id": name, "origin": "paper", "verdict": "proved"}
+    return place | text | given | {"reason": None, "checks": list(checks)} | values
 
 
 def check(name: str, **values: object) -> dict[str, object]:
@@ -85,13 +106,13 @@ def check(name: str, **values: object) -> dict[str, object]:
 def cited() -> list[str]:
     """Entries of the ledger to which the sections refer."""
     text = "".join(path.read_text(encoding="utf-8") for path in PAPER.glob("sections/*.typ"))
-    return sorted(set(re.findall(r"#(?:claim|proposition)\(\"([\w-]+)\"", text)))
+    return sorted(set(re.findall(r"#(?:claim|theorem)\(\"([\w-]+)\"", text)))
 
 
 def claims() -> list[dict[str, object]]:
     """One claim of each verdict, one of ours, and those that the report cites."""
     marked = [
-        claim(f"claim-{i}", verdict=verdict, statement=f"Statement number {i} on $mu$ and $f_x$.")
+        claim(f"claim-{i}", verdict=verdict, short=f"Number {i} on $mu$ and $f_x$")
         for i, verdict in enumerate(VERDICTS)
     ]
     edge = {"verdict": "enclosed", "how": "A change of sign."}
@@ -129,31 +150,32 @@ def load_golden(file: str) -> tuple[StudyFile, Path]:
 def set_up(root: Path) -> Setting:
     setting = Setting(root)
     shutil.copytree(PAPER, root / "paper")
+    shutil.copy(PAPER.parent / "CITATION.cff", root)
     pictures = root / "results" / "figures"
     pictures.mkdir(parents=True)
     setting.tables.mkdir()
-    for name in [*numbered(), *OURS]:
+    for name in FIGURE_NUMBERS:
         (pictures / f"{name}.svg").write_text(PICTURE, encoding="utf-8")
     figures = {
         name: {
+            "number": number,
             "caption": captioned(name, root),
             "promise": entry(name).promise,
             "section": entry(name).section,
             "file": f"figures/{name}",
         }
-        for name in [*numbered(), *OURS]
+        for name, number in FIGURE_NUMBERS.items()
     }
-    for number, name in enumerate(OURS, len(numbered()) + 1):
-        figures[name]["number"] = str(number)
     setting.write_numbers(zeros(NUMBERS))
     tables = {
         "figures.json": json.dumps(figures),
         "claims.json": json.dumps({"counts": {}, "claims": claims()}),
         "infinite_friction_cones.csv": CONES + "0.5" + ",-1.25,178.75" * 4 + "\n",
-        "ellipsoids.csv": "a,b,c,d,e,f\nsome support,0.4725,1.1,2.2,3.3,4.4\n",
-        "golden_summary.csv": "a,b,c,d,e\nmotion cones,7,65432,1.5e-15,2e-14\n",
         "golden_failures.csv": "compared,differ,worst difference,allowed there\n",
-        "provenance.csv": "what,value\nnumpy,9.8.7\n",
+        "provenance.csv": PROVENANCE,
+        # The other tables are those of the manual.
+        "golden_summary.csv": "a,b,c,d,e\nmotion cones,7,65432,1.5e-15,2e-14\n",
+        "ellipsoids.csv": "a,b,c,d,e,f\nsome support,0.4725,1.1,2.2,3.3,4.4\n",
         "accuracy.csv": "of,method,setting,calls,error,time\nwrench,some rule,64,4711,3.5e-09,0.25 ns\n",
         "hard_places.csv": "place,cases,ill,over,largest\nsome place,41,2,3,4713\n",
         "hard_ill.csv": "case,condition,digits,error\nsome case at phi = 4.5,3.7e+08,7,3.8e+06\n",

@@ -4,17 +4,22 @@ import io
 import re
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
+from PIL import Image
 from pypdf import PdfReader
-from report.setting import REPORT, set_up
+from report.setting import PICTURE, set_up
 
 from planar_pushing.terms.errors import InvalidFile
-from pulling_by_pushing.figures.figure import entry
-from pulling_by_pushing.figures.studies import OURS, numbered
+from pulling_by_pushing.evidence.claims.ledger import load_ledger
+from pulling_by_pushing.figures.figure import drawing, entry
+from pulling_by_pushing.figures.studies import NUMBERS as FIGURE_NUMBERS
+from pulling_by_pushing.figures.studies import study_figures
+from pulling_by_pushing.report.parts.evidence import VERDICTS
 from pulling_by_pushing.report.tables import NUMBERS
-from pulling_by_pushing.report.typeset import compiled, typeset
+from pulling_by_pushing.report.typeset import typeset, typeset_pdf
 
 pytestmark = pytest.mark.slow
 
@@ -31,7 +36,7 @@ def text_of(pdf):
 
 @pytest.fixture(scope="module")
 def pdf(shared):
-    return compiled(shared.source, shared.root)
+    return typeset_pdf(shared.source, shared.root)
 
 
 @pytest.fixture(scope="module")
@@ -39,40 +44,37 @@ def text(pdf):
     return text_of(pdf)
 
 
-def marked(setting, file, source):
-    """Names of the numbers of a file whose marks the PDF does not show, once they are written."""
-    before = text_of(compiled(source, setting.root))
-    numbers = setting.numbers(file)
+#: A number of the prose in digits, by its key.
+PRINTED = re.compile(r"#n\(\"([\w-]+)\"\)|#equal\(\$\w+\$, \"([\w-]+)\"\)")
+
+
+def marked(setting, source):
+    """Keys of the numbers of the prose whose marks the PDF does not show, once they are written."""
+    before = text_of(typeset_pdf(source, setting.root))
+    numbers = setting.numbers()
     sections = [path.read_text(encoding="utf-8") for path in source.parent.glob("sections/*.typ")]
-    words = re.findall(r"#word\(\"([\w-]+)\"\)", "".join(sections))  # counts, which show no digits
-    marks = {key: f"-{1000 + 7 * i}.{100 + i}" for i, key in enumerate(numbers) if key not in words}
+    keys = [first or second for first, second in PRINTED.findall("".join(sections))]
+    marks = {key: f"-{1000 + 7 * i}.{100 + i}" for i, key in enumerate(dict.fromkeys(keys))}
     for key, mark in marks.items():
         assert mark not in before
         numbers[key]["text"] = mark
-    setting.write_numbers(numbers, file)
-    after = text_of(compiled(source, setting.root))
+    setting.write_numbers(numbers)
+    after = text_of(typeset_pdf(source, setting.root))
     return [key for key, mark in marks.items() if mark not in after]
 
 
 def test_each_number_of_the_prose_is_that_of_the_results(setting):
     assert set(setting.numbers()) == set(NUMBERS)
-    assert marked(setting, REPORT, setting.source) == []
-
-
-def test_the_tables_of_costs_are_in_the_text(text):
-    assert "wrench some rule 64 4711 3.5x10-9 0.25 ns" in text
-    assert "some place 41 2 3 4713" in text
-    assert "some support 0.4725 1.1 2.2 3.3 4.4" in text
-    assert "3.7x108 7 3.8x106" in text
+    assert marked(setting, setting.source) == []
 
 
 def test_a_failed_golden_check_is_on_the_first_page_and_has_a_table(setting, text):
     assert "golden check of this build failed" not in text
     file = setting.tables / "golden_failures.csv"
     file.write_text(f"{file.read_text()}motion_cones: left,3 of 4719,1.5e-09,5.0e-13\n", "utf-8")
-    pages = PdfReader(io.BytesIO(compiled(setting.source, setting.root))).pages
+    pages = PdfReader(io.BytesIO(typeset_pdf(setting.source, setting.root))).pages
     assert "golden check of this build failed" in re.sub(r"\s+", " ", pages[0].extract_text())
-    said = text_of(compiled(setting.source, setting.root))
+    said = text_of(typeset_pdf(setting.source, setting.root))
     assert "motion_cones: left 3 of 4719 1.5e-09 5.0e-13" in said
 
 
@@ -81,7 +83,7 @@ def test_a_power_of_ten_is_set_as_one(setting):
     numbers["trapezoid-error"]["text"] = "-7.3e-11"
     numbers["hard-limit"]["text"] = "1e+09"
     setting.write_numbers(numbers)
-    text = text_of(compiled(setting.source, setting.root))
+    text = text_of(typeset_pdf(setting.source, setting.root))
     assert "-7.3x10-11" in text
     assert "below 109" in text
 
@@ -90,25 +92,22 @@ def test_units_and_thousands(setting):
     numbers = setting.numbers()
     numbers["rod-angle"]["text"] = "77"
     numbers["slip-share"]["text"] = "61"
-    numbers["pushes"]["text"] = "1234567"
+    numbers["sticking-pulls"]["text"] = "1234567"
     setting.write_numbers(numbers)
-    text = text_of(compiled(setting.source, setting.root))
+    text = text_of(typeset_pdf(setting.source, setting.root))
     assert "77°" in text
     assert re.search("61 ?%", text)
     assert re.search("1 ?234 ?567", text)
 
 
-def test_every_figure_has_our_caption(text):
-    for number in range(1, len(numbered()) + len(OURS) + 1):
-        assert f"Figure {number}." in text
-    ours = [name for name in numbered() if not entry(name).promise]
+def test_every_figure_has_its_number_and_caption(text):
+    for name, number in FIGURE_NUMBERS.items():
+        assert f"Figure {number}." in text, name
+    ours = [
+        name for name in study_figures() if not entry(name).promise and name.startswith("figure")
+    ]
     assert text.count("Not in the paper.") == len(ours)
     assert "Limit curves for several rod lengths" in text
-
-
-def test_what_the_captions_of_the_paper_promise_is_said_once(text):
-    assert text.count("limit curves for rods of different lengths") == 1
-    assert "promises:" not in text
 
 
 def test_text_and_pictures_have_one_family(pdf):
@@ -123,41 +122,126 @@ def test_text_and_pictures_have_one_family(pdf):
     assert all("Math" in name or "Mono" in name for name in fonts - letters), fonts
 
 
-def test_a_value_of_a_claim_has_no_more_than_eight_decimals(setting):
-    ledger = setting.root / "results/tables/claims.json"
-    content = ledger.read_text(encoding="utf-8")
-    assert '"-20.125"' in content
-    long = content.replace('"-20.125"', '"-20.12500000123456789012"')
-    ledger.write_text(long, encoding="utf-8")
-    found = text_of(compiled(setting.source, setting.root))
-    assert "-20.125°" in found
-    assert "123456" not in found
-
-
 def test_the_title_is_not_that_of_the_paper(pdf):
     title = PdfReader(io.BytesIO(pdf)).metadata.title
     bibliography = Path("paper/references.bib").read_text(encoding="utf-8")
     assert title not in bibliography
 
 
-def test_claims_tables_and_deviations_are_in_the_text(text):
+def test_entries_of_the_ledger_are_listed_in_short_with_their_verdicts(text):
+    assert "3.1 1 Number 0 on" in text  # numbered in the order of the ledger
+    for number, verdict in enumerate(VERDICTS):
+        assert re.search(rf"{number + 1} Number {number} on \S+ and \S+ ?\S? {verdict}", text), (
+            verdict
+        )
+    assert "P1 Short for claim-ours proved" in text
+    assert "An argument" not in text  # the manual has the proofs
+
+
+def test_cones_deviations_and_what_identifies_the_code_are_in_the_text(text):
+    for part in ("178.75", "54 degrees", "equal shares", "Closed forms."):
+        assert part in text
+    assert "Version 9.8.7, commit 0a1b2c of 2026-01-02. License: MIT." in text
+    cited = re.search(r"How to cite. (.*?) The file", text)[1]
     for part in (
-        "claim-0",
-        "Some edge: -20.125°",
-        "other edge: 1.5",
-        "Sec. 3.1: friction cones",
-        "Eqs. (12), (13), Fig. 5",
+        "The planar-pushing developers",
+        "[Re] Pulling by Pushing",
+        "version 9.8.7",
+        "commit 0a1b2c,",
     ):
-        assert part in text
-    for part in ("claim-3 open", "claim-4 refuted", "The sign is the other one.", "Own: 1.375"):
-        assert part in text
-    assert text.count("A change of sign.") == 1  # of two checks that argue alike
-    assert "0.875" not in text  # the margin of a proof is no number of its statement
-    for part in ("A part of it. An argument with", "Another argument.", "4321 points"):
-        assert part in text
-    assert re.search("65 ?432", text)
-    for part in ("178.75", "9.8.7", "54 degrees", "equal shares", "Closed forms."):
-        assert part in text
+        assert part in cited
+
+
+#: Ends of the report and of its supplement, pages.
+REPORT_PAGES, SUPPLEMENT_PAGES = 10, 3
+
+
+#: Golden images of figures, which have their printed size, and their pixels per point.
+IMAGES, PIXELS = Path("tests/golden/images"), 108 / 72
+
+
+def printed_size(name):
+    """Width and height of a figure, points."""
+    image = IMAGES / f"{name}.png"
+    if not image.exists():
+        return [72 * length for length in drawing(name).figure.size]
+    with Image.open(image) as picture:
+        return [pixels / PIXELS for pixels in picture.size]
+
+
+#: Lowest baseline of the text on a page, points: the bottom margin of 16 mm less room for a subscript.
+BOTTOM = 40.0
+
+
+def lowest_baseline(page):
+    """Height of the lowest text of a page without its page number, points from the lower edge."""
+    heights = []
+
+    def add(text, cm, tm, *_):
+        if text.strip() and text.strip() != "1":
+            heights.append(cm[1] * tm[4] + cm[3] * tm[5] + cm[5])
+
+    page.extract_text(visitor_text=add)
+    return min(heights)
+
+
+@pytest.fixture(scope="module")
+def printed(tmp_path_factory):
+    """Pages of the report with the ledger of the paper and pictures of their own sizes."""
+    setting = set_up(tmp_path_factory.mktemp("printed"))
+    for name in FIGURE_NUMBERS:
+        width, height = printed_size(name)
+        size = f'width="{width}pt" height="{height}pt" viewBox="0 0 {width} {height}"'
+        picture = re.sub(r'width=.*?viewBox="[^"]*"', size, PICTURE)
+        (setting.root / f"results/figures/{name}.svg").write_text(picture, encoding="utf-8")
+    setting.write_ledger()
+    return PdfReader(io.BytesIO(typeset_pdf(setting.source, setting.root))).pages
+
+
+@pytest.fixture(scope="module")
+def texts(printed):
+    """Text of each of these pages."""
+    return [re.sub(r"\s+", " ", page.extract_text()) for page in printed]
+
+
+def test_the_report_has_ten_pages_and_its_supplement_three(texts):
+    (first,) = (number for number, text in enumerate(texts) if "S1 Statements" in text)
+    assert first <= REPORT_PAGES
+    assert len(texts) - first <= SUPPLEMENT_PAGES
+    assert "References [1]" in texts[first - 1] + texts[first - 2]
+
+
+def test_nothing_stands_below_the_bottom_margin(printed):
+    """Typst lets a figure of a column run over if it does not fit below the figures of the page."""
+    assert min(map(lowest_baseline, printed)) > BOTTOM
+
+
+def test_no_identifier_is_printed(texts):
+    text = " ".join(texts)
+    ids = [claim.id for claim in load_ledger("paper/claims.yaml").claims]
+    assert [name for name in ids if name.count("-") > 1 and name in text] == []
+    assert [name for name in FIGURE_NUMBERS if "_" in name and name in text] == []
+
+
+def test_no_type_is_smaller_than_eight_points(pdf):
+    """Subscripts, exponents and code in a line are parts of larger type."""
+    sizes = Counter()
+
+    def visit(text, _, matrix, __, size):
+        sizes[round(abs(size * matrix[3]), 1)] += len(text.strip())
+
+    for page in PdfReader(io.BytesIO(pdf)).pages:
+        page.extract_text(visitor_text=visit)
+    small = sum(count for size, count in sizes.items() if size < 7.9)
+    assert small < 0.05 * sizes.total(), sizes
+
+
+def test_no_address_is_hyphenated(pdf):
+    text = "".join(page.extract_text() for page in PdfReader(io.BytesIO(pdf)).pages)
+    text = re.sub(r"\s", "", text)
+    bibliography = Path("paper/references.bib").read_text(encoding="utf-8")
+    for address in re.findall(r"doi *= \{(.*)\}", bibliography):
+        assert address in text
 
 
 def test_two_builds_in_different_folders_are_identical(pdf, setting, tmp_path):
@@ -166,7 +250,7 @@ def test_two_builds_in_different_folders_are_identical(pdf, setting, tmp_path):
         typeset(setting.source, setting.root, path)
     assert first.read_bytes() == second.read_bytes() == pdf
     deeper = set_up(tmp_path / "another" / "folder")
-    assert compiled(deeper.source, deeper.root) == pdf
+    assert typeset_pdf(deeper.source, deeper.root) == pdf
     build = (
         "import sys; from pulling_by_pushing.report.typeset import typeset; typeset(*sys.argv[1:])"
     )
@@ -185,10 +269,10 @@ def test_pdf_holds_no_date(pdf):
 
 def test_an_unknown_number_stops_the_report(setting):
     numbers = setting.numbers()
-    del numbers["pushes"]
+    del numbers["slip-share"]
     setting.write_numbers(numbers)
     with pytest.raises(
-        InvalidFile, match=r"numbers\.json: pushes: no such number; allowed: the keys"
+        InvalidFile, match=r"numbers\.json: slip-share: no such number; allowed: the keys"
     ):
         typeset(setting.source, setting.root, setting.root / "report.pdf")
     assert not (setting.root / "report.pdf").exists()
@@ -206,10 +290,23 @@ def test_a_fault_in_the_source_is_one_message(setting, line, said):
     with setting.source.open("a", encoding="utf-8") as stream:
         stream.write(f"\n{line}\n")
     with pytest.raises(InvalidFile, match=said) as raised:
-        compiled(setting.source, setting.root)
+        typeset_pdf(setting.source, setting.root)
     assert "\n" not in str(raised.value)
 
 
 def test_a_missing_source_is_named(tmp_path):
     with pytest.raises(InvalidFile, match=r"none\.typ: no such file"):
-        compiled(tmp_path / "none.typ", tmp_path)
+        typeset_pdf(tmp_path / "none.typ", tmp_path)
+
+
+def test_the_built_report_has_ten_pages_and_a_supplement_of_three():
+    path = Path("results/paper.pdf")
+    if not path.exists():
+        pytest.skip("there is no report; make builds it")
+    pages = PdfReader(path).pages
+    supplement = next(
+        i for i, page in enumerate(pages) if "Supplement" in page.extract_text().split()
+    )
+    assert supplement <= 10
+    assert len(pages) - supplement <= 3
+    assert min(map(lowest_baseline, pages)) > BOTTOM

@@ -109,7 +109,7 @@ def chunked(tmp_path_factory):
             build.dataset(files[-1], name=name, study=chunk_slice(study, name, part))
         path = folder / f"data/{name}.nc"
         build.index(
-            path, chunks=list(map(str, files)), name=name, whole=gathering(name), marks=marks
+            path, chunks=list(map(str, files)), name=name, chunking=gathering(name), marks=marks
         )
     return folder
 
@@ -131,7 +131,7 @@ def test_gathered_chunks_are_the_whole_file(chunked, sliders, tmp_path, name):
     _, marks = of(name)
     files = sorted(map(str, (chunked / f"chunks/{name}").iterdir()))
     path = tmp_path / f"{name}.nc"
-    build.gather(path, chunks=files, name=name, whole=gathering(name), marks=marks)
+    build.gather(path, chunks=files, name=name, chunking=gathering(name), marks=marks)
     assert_same_content(path, whole_file(sliders, name))
 
 

@@ -12,11 +12,11 @@ from planar_pushing.terms.quantities import DATASET, SLIDERS
 from pulling_by_pushing.study.catalog import (
     CONTACT_LAWS,
     DATASETS,
-    building,
+    build_command,
     contact_labels,
     dataset_file,
+    dataset_names,
     number_label,
-    opened,
 )
 from pulling_by_pushing.study.model import Grid
 
@@ -44,7 +44,7 @@ def test_contact_laws_are_labeled_by_their_coefficients():
 
 def test_scenes_share_a_file_and_simulations_have_one_each():
     assert dataset_file("scenes/figure_08") == "data/scenes.nc"
-    assert dataset_file("simulations/figure_15") == "data/simulations/figure_15.nc"
+    assert dataset_file("simulations/slipping") == "data/simulations/slipping.nc"
 
 
 @pytest.mark.parametrize(
@@ -69,13 +69,13 @@ def test_a_name_that_is_none_is_answered_with_the_closest(name, said):
      "make builds it for the study paper"),
 ])  # fmt: skip
 def test_what_is_not_there_is_built_by_a_command(name, said):
-    assert building(name) == said
+    assert build_command(name) == said
 
 
 def test_every_name_that_is_listed_is_taken():
-    for name in opened():
+    for name in dataset_names():
         assert dataset_file(name)
-    assert {"scenes", "accuracy", "accuracy_time"}.isdisjoint(opened())
+    assert {"scenes", "accuracy", "accuracy_time"}.isdisjoint(dataset_names())
 
 
 @pytest.mark.parametrize(

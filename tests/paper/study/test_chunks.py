@@ -16,7 +16,7 @@ from pulling_by_pushing.study.chunks import (
     chunk_slice,
     chunk_steps,
 )
-from pulling_by_pushing.study.slices import cuts, study_slice
+from pulling_by_pushing.study.slices import split_ranges, study_slice
 from pulling_by_pushing.study.study_file import load_study
 
 LENGTHS = st.lists(st.integers(1, 12), min_size=1, max_size=4)
@@ -91,7 +91,9 @@ def test_only_the_chunk_of_a_changed_value_changes():
 def test_borders_do_not_depend_on_the_number_of_chunks():
     short, long = ({"a": n, "b": 7} for n in (20, 33))
     steps = {"a": 8, "b": 5}
-    before, after = ({chunk_name(part): part for part in cuts(n, steps)} for n in (short, long))
+    before, after = (
+        {chunk_name(part): part for part in split_ranges(n, steps)} for n in (short, long)
+    )
     same = [name for name in before if before[name] == after[name]]
     assert same == [f"a_{i}.b_{j}" for i, j in itertools.product((0, 8), (0, 5))]
     assert list(after)[-1] == "a_32.b_5"

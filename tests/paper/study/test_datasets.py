@@ -96,7 +96,7 @@ def test_places_behind_the_last_solution_have_no_values(results):
 @pytest.mark.parametrize(
     ("name", "variable"),
     [("motion_cones", "pulls"), ("motion_cones", "slips_while_pushing"), ("scenes/figure_08", "adhesive"),
-     ("simulations/figure_15", "adhesive")],
+     ("simulations/slipping", "adhesive")],
 )  # fmt: skip
 def test_truth_values_are_bool(results, name, variable):
     found = pp.open_dataset(name, results)[variable]

@@ -11,7 +11,7 @@ from planar_pushing.terms import quantities
 from planar_pushing.terms.netcdf import read_attributes
 from planar_pushing.terms.quantities import DATASET, unit_of
 from pulling_by_pushing.study.catalog import DATASETS
-from pulling_by_pushing.study.describe import of_study
+from pulling_by_pushing.study.describe import add_study_attributes
 from pulling_by_pushing.study.study_file import load_study
 
 
@@ -44,7 +44,7 @@ def test_a_study_of_sliders_names_itself_its_supports_and_the_paper(sliders):
 
 
 def test_conventions_paper_licence_and_study(results, every):
-    simulation = pp.open_dataset("simulations/figure_15", results)
+    simulation = pp.open_dataset("simulations/slipping", results)
     whole = read_attributes(results / "data/scenes.nc")
     for attrs in (*(each.attrs for _, each in every), simulation.attrs, whole):
         assert attrs["Conventions"] == "CF-1.11"
@@ -71,7 +71,7 @@ def test_angles_past_a_turn_say_that_they_are_unwrapped(every):
 
 
 def test_groups_are_named_below_a_whole():
-    built = of_study(
+    built = add_study_attributes(
         {"one": xr.Dataset(), "two": xr.Dataset(attrs={"title": "own"})}, "x", {"study": "s"}
     )
     assert [built[name].attrs["title"] for name in ("/", "one", "two")] == ["x", "x: one", "own"]

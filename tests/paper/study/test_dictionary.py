@@ -10,9 +10,16 @@ from planar_pushing.terms.netcdf import write_dataset
 from pulling_by_pushing.evidence.costs.effects import effects
 from pulling_by_pushing.evidence.costs.measure import accuracy, accuracy_time
 from pulling_by_pushing.evidence.hard_cases.dataset import build as hard_cases
-from pulling_by_pushing.study.catalog import DATASETS, EVIDENCE, TABLES
-from pulling_by_pushing.study.dictionary import dictionary_text
+from pulling_by_pushing.study.catalog import (
+    DATASETS,
+    EVIDENCE,
+    SIMULATIONS,
+    TABLES,
+    number_label,
+)
+from pulling_by_pushing.study.dictionary import QUESTIONS, dictionary_text
 from pulling_by_pushing.study.running.simulations import study_log
+from pulling_by_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
 from pulling_by_pushing.study.study_file import load_study
 
 SMOKE = "workflow/config/smoke.yaml"
@@ -22,8 +29,8 @@ SMOKE = "workflow/config/smoke.yaml"
 def whole(results, sliders):
     """Results with a file of every kind."""
     study = load_study(SMOKE)
-    log = study_log(load_scene_file(study.simulations["figure_14a"]))
-    write_dataset(log, results / "data/simulations/figure_14a.nc")
+    log = study_log(load_scene_file(study.simulations["pulling"]))
+    write_dataset(log, results / "data/simulations/pulling.nc")
     log = study_log(load_scene_file("workflow/scenes/tripod.yaml"))
     write_dataset(log, sliders / "studies/sliders/data/simulations/tripod.nc")
     write_dataset(accuracy(), results / "data/accuracy.nc")
@@ -53,6 +60,24 @@ def test_every_file_is_opened_by_its_name(whole):
             parts = str(error).partition("allowed: ")[2].partition(";")[0].split(", ")
             found = pp.open_dataset(parts[0], whole, study=study)
         assert found.variables
+
+
+def test_each_dataset_has_an_example_on_its_grid():
+    assert set(QUESTIONS) == {*DATASETS, *EVIDENCE, SIMULATIONS}
+    for name, (_, query) in QUESTIONS.items():
+        asked, *words = query.split()
+        assert asked.partition("/")[0] == name
+        selected = dict(zip(words[::2], words[1::2], strict=True))
+        study = load_study(SLIDERS_FILE if selected.pop("--study", "") == "sliders" else PAPER_FILE)
+        for option, value in selected.items():
+            axis = option.removeprefix("--").replace("-", "_")
+            assert axis in DATASETS[name].dims
+            assert value in {typed(each) for each in study.values(axis, name)}, query
+
+
+def typed(value):
+    """A value of an axis as it is typed."""
+    return value if isinstance(value, str) else number_label(value)
 
 
 def test_the_dictionary_names_every_file():

@@ -29,8 +29,8 @@ def test_a_fine_grid_replaces_the_axes_that_it_gives_and_no_others():
     assert study.values("rod_length", "curves") == (2.0,)
     assert study.values("force_angle", "curves") == study.grid.force_angle
     assert study.values("rod_length", "limit_curves") == study.grid.rod_length
-    assert study.place("rod_length", "curves") == "fine_grids.curves.rod_length"
-    assert study.place("force_angle", "curves") == "grid.force_angle"
+    assert study.axis_key("rod_length", "curves") == "fine_grids.curves.rod_length"
+    assert study.axis_key("force_angle", "curves") == "grid.force_angle"
     assert computes(study, "curves")
     assert not computes(study, "mode_maps")
 

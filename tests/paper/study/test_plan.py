@@ -4,8 +4,8 @@ import pytest
 from study.conftest import OF_PAPER, OF_SLIDERS
 
 from pulling_by_pushing.study import chunks
-from pulling_by_pushing.study.running.plan import START, measured_rates, study_plan
-from pulling_by_pushing.study.slices import cut, study_slice
+from pulling_by_pushing.study.running.plan import START_SECONDS, measured_rates, study_plan
+from pulling_by_pushing.study.slices import select_ranges, study_slice
 from pulling_by_pushing.study.study_file import load_study
 
 SMOKE = load_study("workflow/config/smoke.yaml")
@@ -32,7 +32,7 @@ def test_a_study_in_one_piece(plan):
     assert (modes.points, modes.chunks, modes.jobs) == (3 * 7 * 4 * 25, 1, 1)
     assert modes.memory == chunks.MEMORY < 1000
     assert modes.disk == modes.points
-    assert modes.cpu_hours == pytest.approx((modes.points * 3.6 + START) / 3600)
+    assert modes.cpu_hours == pytest.approx((modes.points * 3.6 + START_SECONDS) / 3600)
 
 
 def test_a_study_with_supports_has_a_plan_too(plan):
@@ -61,7 +61,7 @@ def test_a_dataset_that_is_not_computed_has_no_plan(plan):
 @pytest.mark.parametrize(("study", "name"), [(SMOKE, "contact_modes"), (SLIDERS, "support_cones")])
 def test_rates_are_measured(study, name):
     values = study_slice(study, name)
-    few = cut(values, {next(iter(chunks.sizes(name, values))): slice(0, 1)})
+    few = select_ranges(values, {next(iter(chunks.sizes(name, values))): slice(0, 1)})
     seconds, stored = measured_rates(name, few)
     assert 0 < seconds < 1
     assert 0 < stored < 10**5

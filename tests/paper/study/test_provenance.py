@@ -12,7 +12,7 @@ from pulling_by_pushing.study.study_file import load_study
 CONFIG = "workflow/config"
 COSTS = {"effects"}
 FIGURES = load_study(f"{CONFIG}/smoke.yaml").figures
-RESULTS = [*OF_PAPER, "scenes", "simulations/figure_15", *FIGURES, *COSTS, "hard_cases"]
+RESULTS = [*OF_PAPER, "scenes", "simulations/slipping", *FIGURES, *COSTS, "hard_cases"]
 
 
 @pytest.fixture
@@ -37,14 +37,14 @@ def digests(tmp_path):
     [
         ("config/smoke.yaml", "title:", "# a comment\ntitle:", set()),
         ("config/smoke.yaml", "[0, 1.5, 2, inf]", "\n    - 0\n    - 1.50\n    - 2\n    - .inf", set()),
-        ("scenes/figure_15.yaml", "title:", "# a comment\ntitle:", set()),
+        ("scenes/slipping.yaml", "title:", "# a comment\ntitle:", set()),
         ("config/smoke.yaml", "step: 0.5}", "step: 0.25}", {"acceleration_centers", *COSTS}),
         ("config/smoke.yaml", "[0, 1.5, 2, inf]", "[0, 1.5, 2, 3, inf]", {"motion_cones", *COSTS}),
         ("config/smoke.yaml", "figure_12: {rod_length: 5}", "figure_12: {rod_length: 2}", set()),
         ("config/smoke.yaml", "stop: 360, step: 3}", "stop: 360, step: 5}", {"curves", *COSTS}),
         ("config/smoke.yaml", "force_angle: 54", "force_angle: 55", {"scenes"}),
         ("scenes/figure_02.yaml", "rod_length: 3", "rod_length: 4", {"scenes"}),
-        ("scenes/figure_15.yaml", "samples: 97", "samples: 11", {"simulations/figure_15"}),
+        ("scenes/slipping.yaml", "samples: 97", "samples: 11", {"simulations/slipping"}),
     ],
 )  # fmt: skip
 def test_a_change_is_in_the_digests_of_what_reads_it(digests, file, old, new, stale):
@@ -55,7 +55,7 @@ def test_a_change_is_in_the_digests_of_what_reads_it(digests, file, old, new, st
 
 def test_a_study_of_sliders_too(tmp_path):
     file = Path(shutil.copytree("workflow", tmp_path / "workflow")) / "config/sliders_smoke.yaml"
-    names = ("supports", "support_cones", "simulations/tripod", "figure_17")
+    names = ("supports", "support_cones", "simulations/tripod", "friction_for_pulling")
 
     def digests():
         marks = provenance(load_study(file), file)

@@ -5,7 +5,14 @@ from study.conftest import OF_PAPER, OF_SLIDERS
 
 from pulling_by_pushing.study.catalog import CONTACT_LAWS, DATASETS
 from pulling_by_pushing.study.running.build import build_dataset
-from pulling_by_pushing.study.slices import computes, cut, part_of, points, sizes, study_slice
+from pulling_by_pushing.study.slices import (
+    computes,
+    part_of,
+    points,
+    select_ranges,
+    sizes,
+    study_slice,
+)
 from pulling_by_pushing.study.store import open_dataset
 from pulling_by_pushing.study.study_file import load_study
 
@@ -49,24 +56,24 @@ def test_datasets_of_pushes_hold_the_forces_of_a_fence():
 
 def test_a_part_has_the_values_of_its_ranges_alone():
     values = study_slice(STUDY, "contact_modes")
-    found = cut(values, {"contact": slice(3, 6), "pusher_angle": slice(1, 3)})
+    found = select_ranges(values, {"contact": slice(3, 6), "pusher_angle": slice(1, 3)})
     assert found["grid"]["pusher_angle"] == values["grid"]["pusher_angle"][1:3]
     assert found["grid"]["contact"] == ["coulomb_2", *CONTACT_LAWS[:2]]
     assert sizes("contact_modes", found)["contact"] == 3
-    again = cut(found, {"contact": slice(1, 2)})
+    again = select_ranges(found, {"contact": slice(1, 2)})
     assert again["grid"]["contact"] == [CONTACT_LAWS[0]]
     assert points("contact_modes", again) == points("contact_modes", found) / 3
 
 
 def test_a_part_has_the_supports_of_its_range_alone():
-    found = cut(study_slice(SLIDERS, "support_modes"), {"support": slice(1, 2)})
+    found = select_ranges(study_slice(SLIDERS, "support_modes"), {"support": slice(1, 2)})
     assert list(found["supports"]) == found["grid"]["support"] == ["box"]
     assert list(part_of(found).gallery()) == ["box"]
 
 
 def test_the_whole_is_no_part():
     values = study_slice(STUDY, "motion_cones")
-    assert cut(values, {}) == values
+    assert select_ranges(values, {}) == values
     assert sizes("scenes", study_slice(STUDY, "scenes")) == {}
 
 

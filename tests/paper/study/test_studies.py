@@ -90,14 +90,19 @@ def test_a_dataset_of_another_study_is_opened_by_the_studys_name(results, tmp_pa
     ours = pp.open_dataset("motion_cones", results)
     write_dataset(ours, tmp_path / "studies/mine/data/motion_cones.nc")
     assert pp.open_dataset("motion_cones", tmp_path, study="mine").identical(ours)
-    with pytest.raises(pp.InvalidFile, match="holds no folder data; name the folder"):
+    with pytest.raises(pp.InvalidFile, match="no such dataset; built for the study mine: give "):
         pp.open_dataset("motion_cones", tmp_path)
+    with pytest.raises(pp.InvalidFile, match="holds no folder data; name the folder"):
+        pp.open_dataset("contact_modes", tmp_path)
 
 
-@pytest.mark.parametrize("study", ["../mine", "a/b", "", 5])
-def test_a_study_outside_of_the_results_is_refused(tmp_path, study):
+@pytest.mark.parametrize(("study", "remedy"), [
+    ("../mine", r"did you mean mine\?"), ("a/b", "name a study that was built"),
+    ("", "name a study that was built"), (5, "name a study that was built"),
+])  # fmt: skip
+def test_a_study_outside_of_the_results_is_refused(tmp_path, study, remedy):
     (tmp_path / "studies/mine").mkdir(parents=True)
-    with pytest.raises(pp.InvalidValue, match="allowed: paper, mine; name a study that was built"):
+    with pytest.raises(pp.InvalidValue, match=f"allowed: paper, mine; {remedy}$"):
         pp.open_dataset("motion_cones", tmp_path, study=study)
 
 
@@ -107,7 +112,7 @@ def test_paths_in_a_study_are_relative_to_its_file(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     found = load_study("config/smoke.yaml")
     assert found.scenes["figure_02"].file == "scenes/figure_02.yaml"
-    assert found.simulations["figure_15"] == "scenes/figure_15.yaml"
+    assert found.simulations["slipping"] == "scenes/slipping.yaml"
     monkeypatch.chdir(tmp_path / "scenes")
     assert load_study("../config/smoke.yaml").scenes["figure_02"].file == "../scenes/figure_02.yaml"
 

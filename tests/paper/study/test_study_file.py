@@ -68,13 +68,13 @@ def message(tmp_path, text):
          "grid.effects: [] given; allowed: a list with at least one entry; change the value"),
         ("effects: [support_friction, inertia", "effects: [friction, inertia",
          "grid.effects[0]: 'friction' given; allowed: 'support_friction', 'inertia' or "
-         "'support_friction+inertia'; change the value"),
-        ("figure_15: ../scenes/figure_15", "figure_15: nowhere",
-         "simulations.figure_15: nowhere.yaml: no such file; give the path of a YAML file"),
-        ("figure_15: ../scenes/figure_15", "figure_15: ../scenes/figure_08",
-         "simulations.figure_15: ../scenes/figure_08.yaml given; allowed: scene files with the "
+         "'support_friction+inertia'; did you mean support_friction?"),
+        ("slipping: ../scenes/slipping", "slipping: nowhere",
+         "simulations.slipping: nowhere.yaml: no such file; give the path of a YAML file"),
+        ("slipping: ../scenes/slipping", "slipping: ../scenes/figure_08",
+         "simulations.slipping: ../scenes/figure_08.yaml given; allowed: scene files with the "
          "section simulate; add it to the file"),
-        ("  figure_15: .", "  a/b: .",
+        ("  slipping: .", "  a/b: .",
          "simulations.a/b.[key]: 'a/b' given; allowed: a name of letters, digits and underscores, "
          "which becomes a file's name; change the value"),
         ("figures:\n", "chunks: {cones: {rod_length: 3}}\nfigures:\n",

@@ -17,6 +17,7 @@ from smoke import build_once
 
 PROJECT = Path(__file__).parents[3]
 PARTS = (
+    "CITATION.cff",
     "Snakefile",
     "profiles",
     "workflow",
@@ -117,7 +118,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Copy:
 FEW_FILES = (
     "data/limit_curves.nc",
     "data/motion_cones.nc",
-    "data/simulations/figure_15.nc",
+    "data/simulations/slipping.nc",
     "figures/figure_06.svg",
 )
 

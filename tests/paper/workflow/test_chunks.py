@@ -9,7 +9,7 @@ import xarray as xr
 from workflow.chunked import ENVIRONMENT, RESULTS, STUDY, copy_workflow, files, snakemake
 
 import planar_pushing as pp
-from pulling_by_pushing.study.describe import of_study
+from pulling_by_pushing.study.describe import add_study_attributes
 from pulling_by_pushing.study.provenance import provenance
 from pulling_by_pushing.study.running.build import build_dataset
 from pulling_by_pushing.study.slices import study_slice
@@ -59,7 +59,9 @@ def test_the_datasets_are_those_in_one_piece(root):
     for name in ("motion_cones", "acceleration_centers"):
         found = pp.open_dataset(name, root / "results", study="split")
         whole = build_dataset(name, study_slice(load_study(SMOKE), name))
-        expected = of_study(whole, name, provenance(load_study(root / STUDY), root / STUDY)(name))
+        expected = add_study_attributes(
+            whole, name, provenance(load_study(root / STUDY), root / STUDY)(name)
+        )
         xr.testing.assert_identical(found.compute(), expected)
     assert found.chunks
 

@@ -4,7 +4,7 @@ import pytest
 from workflow.conftest import Copy, copy_project
 from workflow.test_workflow import CODE, edited, jobs, outputs, targets
 
-from pulling_by_pushing.figures.studies import numbered
+from pulling_by_pushing.figures.studies import study_figures
 from pulling_by_pushing.study.catalog import DATASETS
 from pulling_by_pushing.study.study_file import load_study
 
@@ -41,7 +41,7 @@ def test_every_output_is_a_target(sliders):
 @pytest.mark.parametrize(
     ("module", "stale"),
     [
-        ("pulling_by_pushing/figures/sliders/figure_17.py", {"figure": 1}),
+        ("pulling_by_pushing/figures/sliders/friction_for_pulling.py", {"figure": 1}),
         ("pulling_by_pushing/study/datasets/supports.py", {"supports": 1, "figure": 3}),
         ("planar_pushing/simulation/pusher.py", {"simulations_sliders_smoke": 1, "figure": 1}),
     ],
@@ -62,5 +62,5 @@ def test_both_studies_are_built_and_nothing_twice(fresh):
     assert alone == dict.fromkeys(OF_SUPPORTS, 1) | others
     both = jobs(fresh.dry())
     assert DATASETS.keys() <= both.keys()
-    assert both["figure"] == len(numbered())
+    assert both["figure"] == len(study_figures())
     assert jobs(fresh.dry("--config", "study=workflow/config/paper.yaml")) == both

@@ -70,7 +70,7 @@ CODE = ("", "\nEDITED = True\n")
 #: Edits that change nothing that a job of `FEW_FILES` reads or runs.
 WITHOUT_EFFECT = [
     (CONFIG, "rod_angle: [45, 90]", "rod_angle:  # degrees\n    - 45.0\n    - 90"),
-    ("workflow/scenes/figure_15.yaml",),
+    ("workflow/scenes/slipping.yaml",),
     ("src/planar_pushing/mechanics/solve.py",),  # with a comment
     ("src/pulling_by_pushing/study/datasets/contact_modes.py", *CODE),
     ("src/pulling_by_pushing/figures/paper/figure_05.py", *CODE),
@@ -106,9 +106,9 @@ AXIS = {"motion_cones": 1, "figure": 5}
     [
         (CONFIG, (), {}),
         (CONFIG, ("rod_angle: [45, 90]", "rod_angle:\n    - 45.0\n    - 90"), {}),
-        ("workflow/scenes/figure_15.yaml", (), {}),
+        ("workflow/scenes/slipping.yaml", (), {}),
         (CONFIG, ADDED, AXIS),
-        ("workflow/scenes/figure_15.yaml", ("samples: 97", "samples: 9"),
+        ("workflow/scenes/slipping.yaml", ("samples: 97", "samples: 9"),
          {"simulations_smoke": 1, "figure": 2}),
         ("src/planar_pushing/mechanics/solve.py", (), {}),
         (f"{PAPER}/figures/paper/figure_05.py", CODE, {"figure": 1}),
@@ -123,7 +123,7 @@ def test_only_what_depends_on_a_change_reruns(built, file, change, stale):
         assert jobs(built.snakemake("--dry-run")) == stale | {"all": 1}
 
 
-#: Entries of the smoke study that show an effect, and those that simulate.
+#: Entries of the smoke study that show an effect.
 SHOW = {
     "inertia": ("inertia:", *(f"figure_{n}:" for n in ("09", "09a", "09b", "10", "11", "12"))),
     "support_friction": (
@@ -131,7 +131,6 @@ SHOW = {
         *(f"figure_{n}:" for n in ("01", "02", "03", "04", "05", "06", "07", "08", "11", "12")),
     ),
 }
-SIMULATE = ("simulations:", "figure_14a:", "figure_14b:", "figure_15:")
 
 
 def with_one_effect(smoke, kept, dropped):

@@ -13,7 +13,11 @@ from planar_pushing.core.ring import ring_wrench
 from planar_pushing.mechanics.effects import RingFriction
 from planar_pushing.mechanics.pressure.table import table_of
 from planar_pushing.mechanics.supports.disc import Disc
-from planar_pushing.mechanics.supports.ellipsoid import _spread, ellipsoid_errors, fit_ellipsoid
+from planar_pushing.mechanics.supports.ellipsoid import (
+    ellipsoid_errors,
+    fit_ellipsoid,
+    spread_motions,
+)
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.mechanics.supports.points import Points
 from planar_pushing.mechanics.supports.polygon import Polygon
@@ -119,7 +123,9 @@ def test_the_worst_error_of_a_tripod_is_that_of_full_friction_at_a_foot():
 @pytest.mark.parametrize("name", SUPPORTS)
 def test_no_motion_errs_by_more_than_the_worst(name):
     support, found = SUPPORTS[name][0], fit_of(name)
-    errors = ellipsoid_errors(table_of([support]), found.integration_constant, _spread(100_000))
+    errors = ellipsoid_errors(
+        table_of([support]), found.integration_constant, spread_motions(100_000)
+    )
     worst = found.worst_force_error, found.worst_motion_error
     for sampled, error in zip(errors.max(axis=1), worst, strict=True):
         assert sampled <= error + 1e-12

@@ -62,7 +62,7 @@ def test_it_is_drawn_like_its_pressure(name):
             rings, others = [one.points], [other.points]
         else:
             assert isinstance(one, Dot)
-            rings, others = [one.place], [other.place]
+            rings, others = [one.position], [other.position]
         for ring, wanted_ring in zip(
             rings, others, strict=True
         ):  # from any vertex, either way around
@@ -79,7 +79,7 @@ def test_edges_that_are_no_polygon_are_drawn_as_lines():
     lines = [mark.points for mark in marks if isinstance(mark, Line)]
     assert len(lines) == len(marks) == len(edges)
     for line, (a, b, c, d, _) in zip(lines, edges, strict=True):
-        assert line == pytest.approx(POSE.at([(a, b), (c, d)]))
+        assert line == pytest.approx(POSE.to_plane([(a, b), (c, d)]))
 
 
 def test_a_class_that_extends_one_of_the_package_is_ones_own(tmp_path):

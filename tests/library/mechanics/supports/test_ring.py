@@ -15,8 +15,8 @@ from planar_pushing.core.ring import (
     ring_response,
     ring_spin_ratio,
 )
-from planar_pushing.mechanics.arrays import BLOCK
 from planar_pushing.mechanics.force.wrench import ring_profile, ring_spin_ratios
+from planar_pushing.mechanics.kernels.arrays import BLOCK
 
 LONG = np.longdouble
 HALF_PI = LONG("1.57079632679489661923132169163975144")

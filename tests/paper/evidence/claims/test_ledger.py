@@ -15,10 +15,10 @@ from planar_pushing.terms.errors import InvalidFile
 from pulling_by_pushing.evidence.claims.ledger import load_ledger
 from pulling_by_pushing.evidence.claims.table import (
     COLUMNS,
-    below,
     complaint,
     csv_text,
     digits,
+    double_below,
     json_text,
     rows,
 )
@@ -39,7 +39,7 @@ def test_every_formula_section_and_figure_has_an_entry():
     assert {claim.section for claim in of_paper()} == {"1", "2", "3", "3.1", "3.2", "4", "5"}
     drawn = {number for claim in of_paper() for number in claim.figures}
     assert drawn == set(range(1, 13)) - {1, 4}  # the setting, and the coordinates
-    assert len(of_paper()) == 41
+    assert len(of_paper()) == 40
 
 
 def test_every_check_number_argument_and_support_is_used():
@@ -160,4 +160,4 @@ def test_what_is_printed_encloses(ball):
         printed = Fraction(text)
         found = arb(fmpq(printed.numerator, printed.denominator))
         assert arb(found, radius).contains(ball)
-        assert not arb(below(ball)) > ball
+        assert not arb(double_below(ball)) > ball

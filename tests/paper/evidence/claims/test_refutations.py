@@ -134,7 +134,7 @@ PREMISES = {
         ("power-of-any-support", "motion-never-turns-back", "opposite-edges", "symmetric-about-rod",
          "normal-push-sticks", "aligned-where-symmetric", "pull-has-a-slip", "pulls-where-it-slips"),
     ),
-    "the angle of two slides": (ids, "LEAN", ids.ONE, ("largest-through-center-of-pressure",)),
+    "the angle of two slides": (ids, "ROD_COSINE", ids.ONE, ("largest-through-center-of-pressure",)),
     "a slide about a center": (
         any_support, "_slide", lambda place, center: place, ("corner-of-a-line",),
     ),

@@ -10,7 +10,7 @@ import pytest
 
 from planar_pushing.core import rows
 from planar_pushing.core.ring import ring_response
-from planar_pushing.mechanics import kernels
+from planar_pushing.mechanics.kernels import calls as kernels
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.terms.options import EffectSet, Method
 from pulling_by_pushing.evidence.costs import effects
@@ -52,7 +52,7 @@ def test_logs_hold_what_is_listed_and_nothing_else(found):
 
 def test_a_step_evaluates_the_motion_once(found):
     steps = found.evaluations.sel(integrator="time-stepping").values
-    assert np.array_equal(steps, effects.STEPS * listed(found))
+    assert np.array_equal(steps, effects.RUN_STEPS * listed(found))
 
 
 @pytest.mark.parametrize("names", [*EffectSet])
@@ -80,7 +80,7 @@ def test_the_core_evaluates_what_is_listed_and_nothing_else(monkeypatch, run, na
 
 @pytest.mark.parametrize("number", [2, 5])
 def test_friction_divided_among_supports_is_that_of_one(number):
-    one, several = (solve(effects.divided(STUDY, each), 0.4) for each in (1, number))
+    one, several = (solve(effects.divided_slider(STUDY, each), 0.4) for each in (1, number))
     for each, other in zip(one, several, strict=True):
         assert other.force == pytest.approx(each.force, rel=1e-12)
         assert other.twist == pytest.approx(each.twist, rel=1e-12)

@@ -50,12 +50,12 @@ def found(wanted):
 
 
 def failed(found, wanted):
-    return [each for each in compare("one", found, wanted, TOLERANCES) if not each.passed]
+    return [each for each in compare("one", found, wanted, TOLERANCES) if not each.passes]
 
 
 def test_what_agrees_passes(found, wanted):
     checks = compare("one", found, wanted, TOLERANCES)
-    assert all(each.passed for each in checks)
+    assert all(each.passes for each in checks)
     (force,) = (each for each in checks if each.variable == "force")
     assert (force.count, force.labels, force.kind) == (2, 2, Kind.ENCLOSED)
 
@@ -73,7 +73,7 @@ def test_numbers_may_differ_by_their_radius(found, wanted):
 def test_what_has_no_radius_has_a_tolerance_and_is_not_enclosed(found, wanted):
     found["time"].values[1] += 0.9e-9
     checks = compare("one", found, wanted, TOLERANCES)
-    assert [(each.passed, each.kind) for each in checks if each.variable == "time"] == [
+    assert [(each.passes, each.kind) for each in checks if each.variable == "time"] == [
         (True, Kind.PLAIN)
     ]
     found["time"].values[1] += 0.2e-9
@@ -170,7 +170,7 @@ def test_versions_of_packages_may_differ(found, wanted):
 def test_a_variable_without_a_tolerance_must_be_exact(found, wanted):
     later = found.assign(time=found["time"] + 1e-14)
     assert [
-        each.variable for each in compare("two", later, wanted, TOLERANCES) if not each.passed
+        each.variable for each in compare("two", later, wanted, TOLERANCES) if not each.passes
     ] == ["time"]
 
 

@@ -7,7 +7,7 @@ import pytest
 from flint import arb, ctx
 
 from pulling_by_pushing.evidence.golden.enclosures import EXACT, radii
-from pulling_by_pushing.evidence.golden.grid import MOST, store
+from pulling_by_pushing.evidence.golden.grid import LARGEST_EXPONENT, store
 from pulling_by_pushing.oracle.balls import ROUNDINGS, UNIT, Number, Undecided, precise
 
 NOTHING = arb(0)
@@ -26,8 +26,8 @@ def test_the_stored_radius_is_what_roundings_allow(size, rounding):
     ball = arb(size) / 3 * arb.pi() + arb(0, size * 1e-40)
     number = Number(ball, rounding * arb(size))
     radius = enclosure(number)
-    assert radius.contains(ball + number.allowed)
-    assert radius.contains(ball - number.allowed)
+    assert radius.contains(ball + number.allowance)
+    assert radius.contains(ball - number.allowance)
     allowed = float(ROUNDINGS * UNIT) * rounding * size
     assert radius.rad() <= max(2 * (2.0**-52 * size + allowed), 2.0**-126)
 
@@ -51,7 +51,7 @@ def test_an_infinite_number_has_the_size_from_which_on_others_are_infinite_too()
 
 
 def test_a_number_that_roundings_do_not_determine_may_be_any():
-    assert store(Number(arb(1), arb.pos_inf())) == (1.0, MOST)
+    assert store(Number(arb(1), arb.pos_inf())) == (1.0, LARGEST_EXPONENT)
 
 
 def test_a_wide_ball_is_refused():

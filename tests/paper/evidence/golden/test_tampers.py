@@ -22,13 +22,13 @@ def pairs():
 
 def is_seen(pair, changed):
     name, _, wanted, tolerances = pair
-    return not all(each.passed for each in compare(name, changed, wanted, tolerances))
+    return not all(each.passes for each in compare(name, changed, wanted, tolerances))
 
 
 def test_what_is_unchanged_passes(pairs):
     for name, found, wanted, tolerances in pairs:
         checks = compare(name, found, wanted, tolerances)
-        assert all(each.passed for each in checks), [each for each in checks if not each.passed]
+        assert all(each.passes for each in checks), [each for each in checks if not each.passes]
 
 
 def test_changes_of_numbers_are_seen(pairs):
@@ -86,4 +86,4 @@ def test_a_missing_mode_and_an_extra_one_are_seen(file, change):
     variables = wanted[["mode", *(name for name in wanted.coords)]]
     changed = result(variables).assign(mode=(wanted["mode"].dims, modes, wanted["mode"].attrs))
     checks = compare(dataset_name(file), changed, variables, tolerances)
-    assert [(check.variable, check.failed) for check in checks if not check.passed] == [("mode", 1)]
+    assert [(check.variable, check.failed) for check in checks if not check.passes] == [("mode", 1)]

@@ -7,7 +7,7 @@ import planar_pushing as pp
 from planar_pushing.core.multipole import ROWS
 from planar_pushing.core.pieces import ATOMS, COLUMNS, EDGES, END, HEAD, SERIES
 from planar_pushing.core.rows import ENTRY, LAST
-from planar_pushing.mechanics.kernels import run
+from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.mechanics.pressure.table import (
     FEW,
     joined_data,
