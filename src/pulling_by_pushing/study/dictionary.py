@@ -194,13 +194,11 @@ def _lines(title: str, about: str, *lines: str) -> str:
 
 
 def _simulations(results: str) -> str:
-    """Section of the simulation logs, which share their variables; their scenes differ in parameters."""
-    paths = sorted((Path(results) / "data" / SIMULATIONS).glob("*.nc"))
-    dataset, *others = (open_dataset(f"{SIMULATIONS}/{path.stem}", results) for path in paths)
-    parameters = [log.drop_vars(list(log.data_vars)) for log in others]
+    """Section of the simulation logs, which share their variables, from that of a pull."""
+    dataset = open_dataset(f"{SIMULATIONS}/pulling", results)
     about = "motion over time, one log for each simulation"
     finger = "The log of a finger differs in these variables:"
-    rows = [*_table([dataset, *parameters]), "", finger, "", *_finger_table()]
+    rows = [*_table([dataset]), "", finger, "", *_finger_table()]
     for log, names in MORE_OF_LOGS.items():
         rows += ["", f"{log} also holds:", "", *_added_table(names)]
     return _lines(_title(SIMULATIONS), about, *_source(dataset), *rows)
