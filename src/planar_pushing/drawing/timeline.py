@@ -142,7 +142,7 @@ def pusher_heading(data: xr.Dataset, row: int) -> int:
 
 
 def pusher_action(data: xr.Dataset, row: int) -> str:
-    """What the pusher does at a row, in words, and what a retreat does to the slider."""
+    """Words for the motion of the pusher at a row, and for the effect of a retreat on the slider."""
     mode, gap = int(data["path_mode"].values[row]), data["path_gap"].values
     if mode < 0:
         return "no consistent motion"

@@ -377,7 +377,7 @@ def unit_of(attrs: Mapping[str, Any]) -> str:
 
 
 def stop_text(log: Any) -> str:
-    """When and why the run of a log stopped early, in the words of commands and pictures; else empty."""
+    """Sentence on the time and reason of an early stop; empty for a run that ended as planned."""
     if not (reason := log.attrs.get("stopped")):
         return ""
     unit = unit_of(log["time"].attrs)

@@ -65,7 +65,7 @@ class Load(NamedTuple):
 
 
 def part(motion: Motion, load: Load, x: arb_series, y: arb_series) -> arb_series:
-    """What a unit of pressure at (x, y) adds to a load; NaN where its speed may be zero."""
+    """Contribution of unit pressure at (x, y) to a load; NaN where its speed may be zero."""
     x, y = x - motion.point[0], y - motion.point[1]
     (u_x, u_y), omega, (d_x, d_y), k = motion.velocity, motion.rotation, load.along, load.torque
     v_x, v_y = u_x - omega * y, u_y + omega * x
