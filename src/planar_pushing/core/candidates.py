@@ -6,6 +6,7 @@ from math import fabs, sqrt
 
 from planar_pushing.core.drag import (
     depends_on_speed,
+    friction_effects,
     problem_effects,
     put_loads_at,
     scale_films,
@@ -15,12 +16,12 @@ from planar_pushing.core.fence import Span
 from planar_pushing.core.flush_force import FLUSH_SOLUTION, FlatSide
 from planar_pushing.core.flush_solutions import MOST_ON_SIDE, SIDE_SOLUTION, side_modes
 from planar_pushing.core.free import free_twist
-from planar_pushing.core.inertia import slowest_foot_at
+from planar_pushing.core.inertia import arrival_speed, slowest_foot_at
 from planar_pushing.core.instant import Instant
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.path import is_flat, sample_path
 from planar_pushing.core.posing import modes_of_push, pose_at_start, prepare_start, pusher_along
-from planar_pushing.core.rows import NO_POINT, Vector
+from planar_pushing.core.rows import NO_POINT, Vector, foot_position
 from planar_pushing.core.run import (
     IN_MASS,
     IN_SLIPS,
@@ -31,6 +32,7 @@ from planar_pushing.core.run import (
     RUN_SPEED,
 )
 from planar_pushing.core.shapes import (
+    Pose,
     center_motion,
     clearance_of,
     pose_of,
@@ -76,9 +78,16 @@ from planar_pushing.core.system import (
     vector_of,
     write_candidate,
 )
-from planar_pushing.core.tolerances import AT_REST, PUSHER_AT_REST, SLACK, STOPPED
+from planar_pushing.core.tolerances import (
+    AT_REST,
+    NEAR_ZERO,
+    NO_DIRECTION,
+    PASSES,
+    PUSHER_AT_REST,
+    SLACK,
+    STOPPED,
+)
 from planar_pushing.core.touch import (
-    count_points,
     hold_contact,
     is_flush,
     leave_side,
@@ -283,9 +292,8 @@ def _write_with_inertia(system: System, during: Span, time: float, state: Number
     v_x, v_y = center_motion(
         pose, fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED], state[SPIN]
     )
-    # A side leaves a fence that comes to rest, and is then about to stop itself.
-    slowest = STOPPED if count_points(system) > 0 else AT_REST
-    rests: bool = size_of_twist(v_x, v_y, state[SPIN]) <= slowest * speed
+    # A slider this slow is about to stop; above it, its guard is positive.
+    rests: bool = size_of_twist(v_x, v_y, state[SPIN]) <= (STOPPED + 2.0 * SLACK) * speed
     rests = rests and system.scene[IN_WEIGHT] > 0.0
     clear: bool = clearance_of(system, state) > SLACK or fabs(state[NORMAL_SPEED]) > SLACK * speed
     if clear:
@@ -308,7 +316,8 @@ def _write_in_motion(
     fence_x, fence_y = pusher_velocity(system, during, time, state)
     v_x, v_y = center_motion(pose, fence_x + slip, fence_y + state[NORMAL_SPEED], state[SPIN])
     foot = slowest_foot_at(system, pose, v_x, v_y, state[SPIN])
-    near = foot.number if foot.speed <= AT_REST else NO_POINT
+    slowest = 10.0 * arrival_speed(system, size_of_twist(v_x, v_y, state[SPIN]))
+    near = foot.number if foot.speed <= slowest else NO_POINT
     for contact in range(first, last + 1):
         mode = Mode(contact, near, True, False, 0.0, 0.0, 0.0, 0.0, during)
         hinged: bool = near >= 0 and contact != STICK
@@ -320,7 +329,7 @@ def _write_in_motion(
             fits = last == SEPARATE
             if not fits:
                 lift = motion_in_mode(system, mode, time, state).lift
-                fits = lift >= -SLACK * system.run[RUN_FORCE] / system.scene[IN_MASS]
+                fits = lift >= -NEAR_ZERO * system.run[RUN_FORCE] / system.scene[IN_MASS]
         elif contact == STICK:
             fits = fabs(slip) <= slack
         if fits:
@@ -338,10 +347,9 @@ def _write_clear(system: System, state: Numbers) -> int:
     start = free_twist(problem_effects(system), Vector(0.0, 0.0, 0.0))
     _write_rest(system, 0, False, SEPARATE, 0.0, 0.0)
     if start.x != 0.0 or start.y != 0.0 or start.spin != 0.0:
-        x, y = to_contact(pose_of(system, state).rod, size * start.x, size * start.y)
-        write_candidate(
-            system, 0, SEPARATE, NO_POINT, False, False, x, y, size * start.spin
-        )  # fmt: skip
+        pose = pose_of(system, state)
+        x, y = to_contact(pose.rod, size * start.x, size * start.y)
+        _write_start(system, pose, 0, SEPARATE, NO_POINT, x, y, size * start.spin)
     return 1
 
 
@@ -408,14 +416,36 @@ def _write_starts_at_contact(
                 numbers = system.candidates[count * CANDIDATE :]
                 numbers[9] = offset_in_solution(solution, length)
         else:
-            write_candidate(
-                system, count, contact, point, point >= 0 and contact != STICK, False,
+            _write_start(
+                system, pose, count, contact, point,
                 unit * solution[TWIST], unit * solution[TWIST + 1], unit * solution[TWIST + 2],
             )  # fmt: skip
             if contact == SEPARATE:
                 leave_side(system, count)
         count += 1
     return count
+
+
+def _write_start(
+    system: System,
+    pose: Pose,
+    index: int,
+    contact: int,
+    point: int,
+    x: float,
+    y: float,
+    spin: float,
+) -> None:
+    """Store the start of a slider with an acceleration; one about a support point begins about it."""
+    foot = slowest_foot_at(system, pose, x, y, spin)
+    if contact != STICK and not is_flush(system) and foot.number >= 0:
+        size = foot.speed * max(size_of_twist(x, y, spin), NO_DIRECTION * system.run[RUN_SPEED])
+        if size <= PASSES * size_of_twist(x, y, spin):
+            position = foot_position(friction_effects(system), foot.number)
+            f_x, f_y = to_contact(pose.rod, position.x, position.y)
+            x, y, point = spin * f_y, -spin * f_x, foot.number
+    hinged: bool = point >= 0 and contact != STICK
+    write_candidate(system, index, contact, point, hinged, False, x, y, spin)
 
 
 def _pusher_at_start(

@@ -5,12 +5,15 @@ from __future__ import annotations
 from math import fabs, sqrt
 
 from planar_pushing.core.candidates import write_starts
+from planar_pushing.core.drag import friction_effects
 from planar_pushing.core.equations import motion_in_mode, write_rates
 from planar_pushing.core.fence import Span, fence_velocity, span_at
 from planar_pushing.core.impact import collide
+from planar_pushing.core.inertia import slowest_foot_at, stop_slowest_foot
 from planar_pushing.core.instant import load_power
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.posing import pose_at_start
+from planar_pushing.core.rows import foot_position
 from planar_pushing.core.run import IN_MASS, RUN_SPEED
 from planar_pushing.core.shapes import (
     center_motion,
@@ -22,13 +25,16 @@ from planar_pushing.core.shapes import (
     pose_of,
     pusher_acceleration,
     pusher_velocity,
+    to_contact,
 )
 from planar_pushing.core.solution import SEPARATE, STICK
 from planar_pushing.core.system import (
     ALONG,
     ANGLE,
+    CENTER_AT_POINT,
     GAP,
     GOES_ON,
+    LEAVES_CONE,
     LOST,
     MOVING,
     NO_MODE,
@@ -191,6 +197,48 @@ def settle(
     return reason
 
 
+def close_contact(system: System, during: Span, time: float, state: Numbers, policy: int) -> bool:
+    """Close a contact that opens so slowly that its gap is zero; return whether there is one."""
+    run = system.run
+    if not is_massive(system) or count_points(system) > 0 or clearance_of(system, state) > SLACK:
+        return False
+    speed = fabs(state[NORMAL_SPEED])
+    if speed > RATTLES * run[RUN_SPEED] or speed <= SLACK * run[RUN_SPEED]:
+        return False
+    state[GAP], state[NORMAL_SPEED] = 0.0, -speed
+    return collide(system, during, time, state, SEPARATE, policy) == GOES_ON
+
+
+def close_on_foot(system: System, during: Span, time: float, state: Numbers) -> bool:
+    """Stop a support point and close the contact where both rattle; return whether they do.
+
+    While a support point comes to rest, the contact can open and close, faster and faster, until the slider
+    rotates about the point.
+    """
+    run = system.run
+    if not is_massive(system) or count_points(system) > 0 or clearance_of(system, state) > SLACK:
+        return False
+    slowest, pose = RATTLES * run[RUN_SPEED], pose_of(system, state)
+    fence_x, fence_y = pusher_velocity(system, during, time, state)
+    v_x, v_y = center_motion(
+        pose, fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED], state[SPIN]
+    )
+    foot = slowest_foot_at(system, pose, v_x, v_y, state[SPIN])
+    if fabs(state[NORMAL_SPEED]) > slowest or foot.number < 0 or foot.speed > RATTLES:
+        return False
+    point = foot_position(friction_effects(system), foot.number)
+    f_x, f_y = to_contact(pose.rod, point.x, point.y)
+    d_x, d_y = pose.x + f_x, pose.y + f_y
+    spin = -fence_y / d_x if fabs(d_x) > SLACK else state[SPIN]
+    slip = spin * d_y - fence_x
+    if fabs(spin - state[SPIN]) > slowest or fabs(slip - state[SLIP_SPEED]) > slowest:
+        return False
+    before = kinetic_energy_of(system, pose, v_x, v_y, state[SPIN])
+    state[GAP], state[SLIP_SPEED], state[NORMAL_SPEED], state[SPIN] = 0.0, slip, 0.0, spin
+    state[LOST] += before - kinetic_energy_of(system, pose, spin * f_y, -spin * f_x, spin)
+    return True
+
+
 def change_state(
     system: System, cause: int, mode: Mode, time: float, state: Numbers, policy: int
 ) -> tuple[float, int]:
@@ -205,6 +253,10 @@ def change_state(
     if mode.hinged:
         instant = motion_in_mode(system, mode, time, state)
         state[SLIP_SPEED], state[NORMAL_SPEED] = instant.slip, instant.normal_speed
+    passes: bool = cause == CENTER_AT_POINT
+    passes = passes or cause == LEAVES_CONE
+    if passes and contact == STICK and not is_flush(system):
+        stop_slowest_foot(system, mode, time, state)
     if cause == TOUCHES:
         land_on_fence(system, state)
     meets: bool = cause == PENETRATES and not has_finger(system)

@@ -12,7 +12,13 @@ from planar_pushing.core.directions import Rod, direction_at
 from planar_pushing.core.drag import depends_on_speed, problem_effects, put_loads_at, write_powers
 from planar_pushing.core.force import ContactMotion, motion_at_root, motion_under_force
 from planar_pushing.core.impact import cone_margin, edge_angle, edge_of_slip
-from planar_pushing.core.inertia import motion_with_inertia, slowest_foot_at
+from planar_pushing.core.inertia import (
+    arrival_speed,
+    leaving_speed,
+    motion_with_inertia,
+    slowest_foot_at,
+    speed_of_passing,
+)
 from planar_pushing.core.instant import Instant, instant_at_rest, load_power, support_of_side
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers
 from planar_pushing.core.path import Path, find_root, first_sample, sample_at_infinity
@@ -81,7 +87,7 @@ from planar_pushing.core.system import (
     is_massive,
     slip_side,
 )
-from planar_pushing.core.tolerances import ARRIVED, HAS_LEFT, NO_FORCE, PUSHES, SLACK, STOPPED
+from planar_pushing.core.tolerances import NO_FORCE, PUSHES, SLACK, STOPPED
 from planar_pushing.core.touch import is_flush, side_length
 
 
@@ -263,6 +269,10 @@ def _write_guards(
     # A pusher that retreats from a slider at rest opens the contact without an event.
     rests_on_pusher: bool = mode.touches and clearance_of(system, state) <= SLACK
     is_open: bool = mode.contact == SEPARATE or (rests and not rests_on_pusher)
+    if mode.touches:
+        # It leaves the slider, and returns, within the mode.
+        guards[TOUCHES] = state[GAP] if fabs(state[GAP]) > SLACK else 0.0
+        guards[PUSH_STARTS] = 1.0
     if rests_on_pusher:
         guards[PUSH_STARTS] = PUSHES - instant.fence_y / system.run[RUN_SPEED]
     elif is_open and system.run[RUN_PARTED] == 0.0:
@@ -304,13 +314,16 @@ def _guard_moving_contact(
         guards[SLIDER_STOPS] = size / speed - STOPPED
         if mode.hinged:
             guards[PIVOT_YIELDS] = instant.hold
+        elif mode.contact == STICK and not is_flush(system):
+            guards[CENTER_AT_POINT] = speed_of_passing(
+                system, pose_of(system, state), instant.v_x, instant.v_y, instant.spin
+            )
         elif mode.contact != STICK and size > STOPPED * speed:
             foot = slowest_foot_at(
                 system, pose_of(system, state), instant.v_x, instant.v_y, instant.spin
             )
-            guards[CENTER_AT_POINT] = min(foot.speed, 1.0) - (
-                HAS_LEFT if mode.foot >= 0 else ARRIVED
-            )
+            limit = leaving_speed(system, size) if mode.foot >= 0 else arrival_speed(system, size)
+            guards[CENTER_AT_POINT] = min(foot.speed, 1.0) - limit
 
 
 def _guard_quasi_static_contact(

@@ -10,7 +10,13 @@ from __future__ import annotations
 from math import sqrt
 
 from planar_pushing.core.candidates import note_slip
-from planar_pushing.core.changes import change_state, enter_span, settle
+from planar_pushing.core.changes import (
+    change_state,
+    close_contact,
+    close_on_foot,
+    enter_span,
+    settle,
+)
 from planar_pushing.core.choice import choose_mode, count_modes, current_mode, current_policy
 from planar_pushing.core.equations import motion_in_mode, write_guards, write_rates
 from planar_pushing.core.explicit import (
@@ -59,6 +65,7 @@ from planar_pushing.core.run import (
     RUN_UNTIL,
 )
 from planar_pushing.core.shapes import (
+    center_height,
     confine_finger,
     has_finger,
     has_outline,
@@ -83,6 +90,7 @@ from planar_pushing.core.system import (
     NO_PROGRESS,
     PASSING,
     PENETRATES,
+    PUSH_STARTS,
     REACHED,
     SIDE_ENDED,
     SIGNS,
@@ -257,12 +265,21 @@ def _begin_mode(system: System, excluded: int) -> None:
     """Choose a mode and begin it, or stop if none is consistent."""
     run = system.run
     run[RUN_PHASE] = float(LOGS)
+    state, policy = vector_of(system, STATE), current_policy(system)
+    during = span_at(system.fence, int(run[RUN_PIECE]))
     point, other_end = int(run[RUN_POINT]), int(run[RUN_OTHER_END])
     confine_finger(system, vector_of(system, STATE))
     reason = _settle_and_choose(system, SLACK, excluded, point, other_end)
     if reason == INCONSISTENT and count_points(system) > 0:
         # The ends of a side can meet the fence in turn, faster and faster, until it lies there.
         reason = _settle_and_choose(system, RATTLES, NO_MODE, point, other_end)
+    if reason == INCONSISTENT and close_on_foot(system, during, run[RUN_TIME], state):
+        reason = _settle_and_choose(system, SLACK, NO_MODE, point, other_end)
+    if reason == INCONSISTENT and close_contact(system, during, run[RUN_TIME], state, policy):
+        # A contact can open and close, faster and faster, while a support point comes to rest.
+        reason = _settle_and_choose(system, SLACK, NO_MODE, point, other_end)
+    if reason == INCONSISTENT and center_height(system, state) < -SLACK:
+        reason = LAID_DOWN  # a fence has passed over the center of a slider at rest
     if reason != GOES_ON:
         run[RUN_STOPPED] = float(reason)
         return
@@ -362,6 +379,9 @@ def _go_to_event(system: System) -> None:
     interpolate_state(system, mode, run[RUN_EVENT], vector_of(system, PASSING))
     copy_numbers(state, vector_of(system, PASSING), system.entries)
     run[RUN_TIME] = run[RUN_EVENT]
+    if cause == PUSH_STARTS and guards_of(system, SIGNS)[TOUCHES] > 0.0:
+        cause = TOUCHES  # the pusher has left the slider at rest before
+        run[RUN_CAUSE] = float(cause)
     # A finger leaves its side, or passes beside it.
     passes: bool = cause == TOUCHES and room_on_side(system, state[ALONG]) < 0.0
     if cause == END_OF_SIDE or passes:

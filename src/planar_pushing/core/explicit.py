@@ -46,10 +46,8 @@ from planar_pushing.core.tableau import (
     STEP_STAGES,
     THIRD_ERROR,
 )
+from planar_pushing.core.tolerances import FINEST, PART_OF_STEP
 
-#: Fraction of the tolerance allowed for one step, and its minimum.
-PART_OF_STEP = 0.02
-FINEST = 2.3e-14
 #: Order of the error of a step.
 STEP_ORDER = 8.0
 #: Stage near the middle of a step, with a state close to the motion, and its fraction of the step.

@@ -23,12 +23,18 @@ from planar_pushing.core.roots import (
     section_of,
 )
 from planar_pushing.core.run import RUN_EVENT, RUN_KINK, RUN_SIDE, RUN_TIME, RUN_UNTIL
+from planar_pushing.core.solution import SEPARATE
 from planar_pushing.core.system import (
     CAUSES,
+    CENTER_AT_POINT,
     END_VALUES,
+    FIRST_RATES,
+    GAP,
     KINK,
     MIDDLE_VALUES,
+    NORMAL_SPEED,
     SIGNS,
+    TOUCHES,
     TRIAL,
     TRIAL_GUARDS,
     VALUES,
@@ -37,9 +43,10 @@ from planar_pushing.core.system import (
     System,
     copy_numbers,
     guards_of,
+    is_massive,
     vector_of,
 )
-from planar_pushing.core.tolerances import RESOLVED, SLACK
+from planar_pushing.core.tolerances import HAS_LEFT, RESOLVED, SLACK
 
 #: Number of nodes of a step, at equal distances, at which the guards are evaluated if it may contain an
 #: event.
@@ -169,13 +176,42 @@ def _event_of_cause(system: System, mode: Mode, cause: int) -> float:
         before = guards_of(system, VALUES + j - 1)[cause]
         value = guards_of(system, VALUES + j)[cause]
         if sign * value < -SLACK:
-            return _crossing(system, mode, cause, low, high, sign * before, sign * value)
+            time = _crossing(system, mode, cause, low, high, sign * before, sign * value)
+            if cause != CENTER_AT_POINT or fabs(_guard_at(system, mode, cause, time)) <= HAS_LEFT:
+                return time
+            signs[cause] = -sign  # another point is the slowest, or the center is far from it
         if sign == 0.0:
             signs[cause] = sign_of_guard(cause, value)
             if value < -SLACK and not watched:
                 start = _time_of_rise(system, mode, cause, low, high)
+                if start < 0.0 and mode.touches:
+                    return INFINITY  # the pusher has not left the slider at rest
+                if start < 0.0 and cause == TOUCHES and _opens(system, mode):
+                    return _time_of_touch(system, mode, high)
                 return start if start < 0.0 else _crossing_within(system, mode, cause, start, high)
     return INFINITY if watched else _time_of_dip(system, mode, cause)
+
+
+def _opens(system: System, mode: Mode) -> bool:
+    """Whether the contact opens at the start of a step."""
+    rates = vector_of(system, FIRST_RATES)
+    if mode.contact != SEPARATE or not is_massive(system):
+        return False
+    return rates[GAP] > 0.0 or (rates[GAP] == 0.0 and rates[NORMAL_SPEED] > 0.0)
+
+
+def _time_of_touch(system: System, mode: Mode, end: float) -> float:
+    """A time at which a contact that opens by less than the tolerance has closed again."""
+    low, high = system.run[RUN_TIME], end
+    for _ in range(ITERATIONS):
+        time = (low + high) / 2.0
+        if not low < time < high:
+            break
+        if _guard_at(system, mode, TOUCHES, time) < -SLACK:
+            high = time
+        else:
+            low = time
+    return high
 
 
 def _time_of_rise(system: System, mode: Mode, cause: int, start: float, end: float) -> float:

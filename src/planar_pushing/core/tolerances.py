@@ -96,6 +96,14 @@ PUSHER_AT_REST = 0.1 * AT_REST
 #: one faster than the second number has left it.
 ARRIVED = 0.1 * AT_REST
 HAS_LEFT = 1e-5
+#: A support point slower than this, in units of the slider's speed, is at the center of rotation when a
+#: stick ends.
+PASSES = 1e-6
+#: Fraction of the tolerance allowed for one step, and its minimum. Motions about a support point are
+#: resolved to some of these errors.
+PART_OF_STEP = 0.02
+FINEST = 2.3e-14
+ERRORS = 30.0
 #: A starting slider slower than this has the impending direction of motion: its own is rounding error.
 NO_DIRECTION = 1e-13
 #: The direction of a force below this fraction of the typical force is undefined.
