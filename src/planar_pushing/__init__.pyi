@@ -81,10 +81,12 @@ from .stability.stable import stable
 from .stability.stable_centers import StableCenters, StableCurve, stable_centers
 from .stability.stable_for_any_pressure import stable_for_any_pressure
 from .terms.errors import (
+    EarlyEndWarning,
     InvalidFile,
     InvalidValue,
     PlainCoreWarning,
     PlanarPushingError,
+    SceneWarning,
 )
 from .terms.options import Event, Sense, StableBound
 from .terms.units import Units
@@ -100,6 +102,7 @@ __all__ = [
     "Coulomb",
     "Derivatives",
     "Disc",
+    "EarlyEndWarning",
     "EllipsoidFit",
     "Event",
     "ForceDerivatives",
@@ -124,6 +127,7 @@ __all__ = [
     "Ring",
     "RingFriction",
     "Scene",
+    "SceneWarning",
     "Segment",
     "Sense",
     "Slider",

@@ -72,6 +72,14 @@ class PlainCoreWarning(UserWarning):
     """The mechanics run as plain Python, about 100 times slower; the message says why, and what to do."""
 
 
+class SceneWarning(UserWarning):
+    """An object, a push or a run that is probably not meant as given; the message says why, and what to do."""
+
+
+class EarlyEndWarning(UserWarning):
+    """A run over time that ends before its duration; the message says when and why."""
+
+
 def format_value(value: object) -> str:
     """A value as one line of a message, truncated if too long."""
     try:
