@@ -16,7 +16,13 @@ from planar_pushing.core.fence import Span
 from planar_pushing.core.flush_force import FLUSH_SOLUTION, FlatSide
 from planar_pushing.core.flush_solutions import MOST_ON_SIDE, SIDE_SOLUTION, side_modes
 from planar_pushing.core.free import free_twist
-from planar_pushing.core.inertia import arrival_speed, slowest_foot_at
+from planar_pushing.core.inertia import (
+    arrival_speed,
+    motion_beside_push,
+    push_in_mode,
+    slowest_foot_at,
+    slowest_motion,
+)
 from planar_pushing.core.instant import Instant
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.path import is_flat, sample_path
@@ -85,7 +91,6 @@ from planar_pushing.core.tolerances import (
     PASSES,
     PUSHER_AT_REST,
     SLACK,
-    STOPPED,
 )
 from planar_pushing.core.touch import (
     hold_contact,
@@ -292,10 +297,13 @@ def _write_with_inertia(system: System, during: Span, time: float, state: Number
     v_x, v_y = center_motion(
         pose, fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED], state[SPIN]
     )
-    # A slider this slow is about to stop; above it, its guard is positive.
-    rests: bool = size_of_twist(v_x, v_y, state[SPIN]) <= (STOPPED + 2.0 * SLACK) * speed
-    rests = rests and system.scene[IN_WEIGHT] > 0.0
     clear: bool = clearance_of(system, state) > SLACK or fabs(state[NORMAL_SPEED]) > SLACK * speed
+    contact = SLIP_LEFT if fabs(state[SLIP_SPEED]) > SLACK * speed else STICK
+    pushed = push_in_mode(SEPARATE if clear else contact, fence_x, fence_y)
+    size = motion_beside_push(system, size_of_twist(v_x, v_y, state[SPIN]), pushed)
+    # A slider this slow is about to stop; above it, its guard is positive.
+    rests: bool = size <= (slowest_motion(system) + 2.0 * SLACK) * speed
+    rests = rests and system.scene[IN_WEIGHT] > 0.0
     if clear:
         if rests:
             return _write_clear(system, state)

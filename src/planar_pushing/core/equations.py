@@ -15,8 +15,11 @@ from planar_pushing.core.impact import cone_margin, edge_angle, edge_of_slip
 from planar_pushing.core.inertia import (
     arrival_speed,
     leaving_speed,
+    motion_beside_push,
     motion_with_inertia,
+    push_in_mode,
     slowest_foot_at,
+    slowest_motion,
     speed_of_passing,
 )
 from planar_pushing.core.instant import Instant, instant_at_rest, load_power, support_of_side
@@ -87,7 +90,7 @@ from planar_pushing.core.system import (
     is_massive,
     slip_side,
 )
-from planar_pushing.core.tolerances import NO_FORCE, PUSHES, SLACK, STOPPED
+from planar_pushing.core.tolerances import NO_FORCE, PUSHES, SLACK
 from planar_pushing.core.touch import is_flush, side_length
 
 
@@ -310,15 +313,16 @@ def _guard_moving_contact(
     if mode.contact != SEPARATE:
         guards[SEPARATION_CHANGES] = instant.lift * system.scene[IN_MASS] / force
     if system.scene[IN_WEIGHT] > 0.0:
-        size = instant.speed + fabs(instant.spin)
-        guards[SLIDER_STOPS] = size / speed - STOPPED
+        size, slowest = instant.speed + fabs(instant.spin), slowest_motion(system)
+        pushed = push_in_mode(mode.contact, instant.fence_x, instant.fence_y)
+        guards[SLIDER_STOPS] = motion_beside_push(system, size, pushed) / speed - slowest
         if mode.hinged:
             guards[PIVOT_YIELDS] = instant.hold
         elif mode.contact == STICK and not is_flush(system):
             guards[CENTER_AT_POINT] = speed_of_passing(
                 system, pose_of(system, state), instant.v_x, instant.v_y, instant.spin
             )
-        elif mode.contact != STICK and size > STOPPED * speed:
+        elif mode.contact != STICK and size > slowest * speed:
             foot = slowest_foot_at(
                 system, pose_of(system, state), instant.v_x, instant.v_y, instant.spin
             )

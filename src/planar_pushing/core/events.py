@@ -41,6 +41,7 @@ from planar_pushing.core.run import (
     RUN_CHECKED,
     RUN_CHOSEN,
     RUN_ENDED,
+    RUN_EVALUATIONS,
     RUN_EVENT,
     RUN_EVENTS,
     RUN_FRESH,
@@ -97,6 +98,7 @@ from planar_pushing.core.system import (
     SINGULAR_MOTION,
     STATE,
     TOO_MANY_EVENTS,
+    TOO_MUCH_WORK,
     TOUCHES,
     VALUES,
     Mode,
@@ -124,6 +126,8 @@ NO_TIME = 1e-12
 #: Number of steps in which a run must advance by at least this fraction of the duration.
 PATIENCE = 5000
 SMALLEST_PROGRESS = 1e-6
+#: Maximum number of evaluations of the motion in a run: about a minute with inertia.
+MOST_EVALUATIONS = 5e7
 #: Above this error, in units of the tolerance, a trial step gives no information.
 WILD = 1e5
 
@@ -297,6 +301,8 @@ def _take_step(system: System) -> None:
     run, mode = system.run, current_mode(system)
     if not _makes_progress(system):
         _stop(run, NO_PROGRESS)
+    elif run[RUN_EVALUATIONS] > MOST_EVALUATIONS:
+        _stop(run, TOO_MUCH_WORK)
     elif _advance(system, mode):
         cause = first_event(system, mode)
         run[RUN_CAUSE] = float(cause)

@@ -75,7 +75,7 @@ def sign_of_guard(cause: int, value: float) -> float:
     """Sign of a watch that is not near zero; for a margin, 1 if it is positive; 0 otherwise."""
     if value > SLACK:
         return 1.0
-    return -1.0 if WATCHES[cause] != 0.0 and value < -SLACK else 0.0
+    return -1.0 if WATCHES[cause] == 1.0 and value < -SLACK else 0.0
 
 
 def first_event(system: System, mode: Mode) -> int:

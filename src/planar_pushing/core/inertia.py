@@ -63,6 +63,7 @@ from planar_pushing.core.tolerances import (
     PASSES,
     ROUNDING,
     SLACK,
+    STOPPED,
 )
 from planar_pushing.core.touch import is_flush, side_length
 
@@ -345,6 +346,29 @@ def stop_slowest_foot(system: System, mode: Mode, time: float, state: Numbers) -
     square = d_x * d_x + d_y * d_y
     if square > 0.0:
         state[SPIN] = (u_x * d_y - u_y * d_x) / square
+
+
+def slowest_motion(system: System) -> float:
+    """Speed, relative to the typical one, below which a motion that stops is completed in closed form.
+
+    It is well above the integrator's error, so that no step passes the slider's rest.
+    """
+    return max(STOPPED, PART_OF_STEP * system.scene[IN_TOLERANCE])
+
+
+def push_in_mode(contact: int, fence_x: float, fence_y: float) -> float:
+    """Speed that the pusher imposes on the contact."""
+    if contact == SEPARATE:
+        return 0.0
+    return fabs(fence_y) if contact != STICK else sqrt(fence_x * fence_x + fence_y * fence_y)
+
+
+def motion_beside_push(system: System, size: float, pushed: float) -> float:
+    """Size of a motion, to be compared with `slowest_motion`.
+
+    At a loose tolerance, a slider that a slow pusher moves is slower than that, but does not stop.
+    """
+    return size + (slowest_motion(system) / STOPPED - 1.0) * pushed
 
 
 def arrival_speed(system: System, size: float) -> float:

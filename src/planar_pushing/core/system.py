@@ -96,15 +96,16 @@ LEAVES_CONE, SLIP_ENDS, FORCE_ENDS, TOUCHES, PUSH_STARTS, SEPARATION_CHANGES = r
 PIVOT_YIELDS, CENTER_DOWN, SLIDER_STOPS, CENTER_AT_POINT, KINK = range(6, 11)
 NORMAL_REVERSES, TANGENTIAL_REVERSES, END_OF_SIDE, PENETRATES = range(11, 15)
 CAUSES = 15
-#: Whether any change of the sign of a guard is an event. The others are positive while a mode lasts.
-WATCHES = (0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0)
+#: Whether any change of the sign of a guard is an event. Those with 2 are watched once they are positive; the
+#: others are positive while a mode lasts.
+WATCHES = (0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0)
 #: Sets of guards of a run: their signs; their values at the start of a step, which those at its nodes and
 #: at its end follow; near its middle; and two for trials.
 SIGNS, VALUES = 0, 1
 END_VALUES, MIDDLE_VALUES, TRIAL_GUARDS, LATER_GUARDS, GUARD_SETS = range(5, 10)
 #: Reasons of an early end (`Stop`).
 GOES_ON, INCONSISTENT, LAID_DOWN, NO_IMPULSE, SINGULAR_MOTION = range(5)
-TOO_MANY_EVENTS, NO_PROGRESS, MET_OUTLINE, SIDE_ENDED = range(5, 9)
+TOO_MANY_EVENTS, NO_PROGRESS, MET_OUTLINE, SIDE_ENDED, TOO_MUCH_WORK = range(5, 10)
 #: Policies (`Policy`).
 KEEP_CONTACT, PREFER_SEPARATE, STAY_IN_MODE, PREFER_STICK, PREFER_RIGHT, PREFER_LEFT = range(6)
 

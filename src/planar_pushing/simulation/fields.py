@@ -45,6 +45,7 @@ from planar_pushing.core.system import (
     SIDE_ENDED,
     SINGULAR_MOTION,
     TOO_MANY_EVENTS,
+    TOO_MUCH_WORK,
 )
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import Outcome
@@ -69,6 +70,7 @@ class Stop(IntEnum):
     PROGRESS = NO_PROGRESS
     PENETRATES = MET_OUTLINE
     END_OF_SIDE = SIDE_ENDED
+    EVALUATIONS = TOO_MUCH_WORK
 
 
 def _is_finger(problem: Problem) -> bool:

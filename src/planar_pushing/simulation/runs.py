@@ -58,6 +58,7 @@ REASONS = {
     Stop.PROGRESS: "thousands of steps make no progress",
     Stop.PENETRATES: "another point of the outline meets the {shape}",
     Stop.END_OF_SIDE: "the finger comes to the end of the side",
+    Stop.EVALUATIONS: "millions of steps are not enough",
 }
 
 
