@@ -324,7 +324,7 @@ def _write_in_motion(
     fence_x, fence_y = pusher_velocity(system, during, time, state)
     v_x, v_y = center_motion(pose, fence_x + slip, fence_y + state[NORMAL_SPEED], state[SPIN])
     foot = slowest_foot_at(system, pose, v_x, v_y, state[SPIN])
-    slowest = 10.0 * arrival_speed(system, size_of_twist(v_x, v_y, state[SPIN]))
+    slowest = 3.0 * arrival_speed(system, size_of_twist(v_x, v_y, state[SPIN]))
     near = foot.number if foot.speed <= slowest else NO_POINT
     for contact in range(first, last + 1):
         mode = Mode(contact, near, True, False, 0.0, 0.0, 0.0, 0.0, during)

@@ -9,6 +9,7 @@ from math import fabs
 
 from planar_pushing.core.equations import write_guards
 from planar_pushing.core.explicit import MIDDLE_PART, interpolate_state
+from planar_pushing.core.inertia import leaving_speed
 from planar_pushing.core.numbers import INFINITY, Numbers
 from planar_pushing.core.roots import (
     ITERATIONS,
@@ -22,7 +23,7 @@ from planar_pushing.core.roots import (
     open_bracket,
     section_of,
 )
-from planar_pushing.core.run import RUN_EVENT, RUN_KINK, RUN_SIDE, RUN_TIME, RUN_UNTIL
+from planar_pushing.core.run import RUN_EVENT, RUN_KINK, RUN_SIDE, RUN_SPEED, RUN_TIME, RUN_UNTIL
 from planar_pushing.core.solution import SEPARATE
 from planar_pushing.core.system import (
     CAUSES,
@@ -46,7 +47,7 @@ from planar_pushing.core.system import (
     is_massive,
     vector_of,
 )
-from planar_pushing.core.tolerances import HAS_LEFT, RESOLVED, SLACK
+from planar_pushing.core.tolerances import RESOLVED, SLACK
 
 #: Number of nodes of a step, at equal distances, at which the guards are evaluated if it may contain an
 #: event.
@@ -177,7 +178,8 @@ def _event_of_cause(system: System, mode: Mode, cause: int) -> float:
         value = guards_of(system, VALUES + j)[cause]
         if sign * value < -SLACK:
             time = _crossing(system, mode, cause, low, high, sign * before, sign * value)
-            if cause != CENTER_AT_POINT or fabs(_guard_at(system, mode, cause, time)) <= HAS_LEFT:
+            farthest = leaving_speed(system, run[RUN_SPEED])
+            if cause != CENTER_AT_POINT or fabs(_guard_at(system, mode, cause, time)) <= farthest:
                 return time
             signs[cause] = -sign  # another point is the slowest, or the center is far from it
         if sign == 0.0:

@@ -155,6 +155,7 @@ def _rates_about_hinge(
 def _passing_friction(
     system: System, pose: Pose, q_x: float, q_y: float, a_x: float, a_y: float, turn: float,
     b_x: float, b_y: float, w_x: float, w_y: float, spin: float, share: float, leaves: bool,
+    speed: float,
 ) -> tuple[float, float]:  # fmt: skip
     """Friction at a support point when the center of rotation passes it while the contact sticks.
 
@@ -181,6 +182,9 @@ def _passing_friction(
         Maximum friction force at the point.
     leaves : bool
         Whether the point has been at the center.
+    speed : float
+        Velocity of the point along the line, away from the contact, at the start of the step. A step can go
+        past the instant at which the point is at the center; the friction does not jump within it.
     """
     mass, moment = system.scene[IN_MASS], system.run[RUN_MOMENT]
     d_x, d_y = pose.arm_x + q_x, pose.arm_y + q_y
@@ -196,7 +200,7 @@ def _passing_friction(
         ahead, across = (w_x * d_x + w_y * d_y) * along, UNKNOWN
         if leaves and (ahead >= 0.0 or size <= AT_REST * system.run[RUN_SPEED]):
             across = _rate_after(along, free, most)
-        elif ahead < 0.0:
+        elif speed * along < 0.0:
             across, sense = _rate_before(fabs(along), free, most), 1.0
         rate = sqrt(along * along + across * across)
         if across == across and rate > 0.0:
@@ -204,6 +208,19 @@ def _passing_friction(
             return part * (along * d_x - across * d_y), part * (along * d_y + across * d_x)
     part = -share / size if size > 0.0 else 0.0
     return part * w_x, part * w_y
+
+
+def _speed_of_foot(system: System, mode: Mode, x: float, y: float) -> float:
+    """Velocity of a support point along the line from the contact, at the start of the step."""
+    state = vector_of(system, STATE)
+    pose, spin = pose_of(system, state), state[SPIN]
+    fence_x, fence_y = pusher_velocity(system, mode.during, system.run[RUN_TIME], state)
+    v_x, v_y = center_motion(pose, fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED], spin)
+    f_x, f_y = to_contact(pose.rod, x, y)
+    d_x, d_y = pose.x + f_x, pose.y + f_y
+    reach = sqrt(d_x * d_x + d_y * d_y)
+    along = (v_x - spin * f_y) * d_x + (v_y + spin * f_x) * d_y
+    return along / reach if reach > 0.0 else 0.0
 
 
 def _rate_after(along: float, free: float, most: float) -> float:
@@ -338,7 +355,8 @@ def stop_slowest_foot(system: System, mode: Mode, time: float, state: Numbers) -
     u_x, u_y = fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED]
     v_x, v_y = center_motion(pose, u_x, u_y, spin)
     foot = slowest_foot_at(system, pose, v_x, v_y, spin)
-    if foot.number < 0 or foot.speed > PASSES:
+    size = size_of_twist(v_x, v_y, spin)
+    if foot.number < 0 or foot.speed > max(PASSES, 10.0 * arrival_speed(system, size)):
         return
     point = foot_position(friction_effects(system), foot.number)
     f_x, f_y = to_contact(pose.rod, point.x, point.y)
@@ -411,7 +429,8 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
         number = NO_POINT
     elif sticks:
         foot = slowest_foot_at(system, pose, v_x, v_y, spin)
-        number = foot.number if foot.speed < HAS_LEFT else NO_POINT
+        passes: bool = foot.speed < leaving_speed(system, size_of_twist(v_x, v_y, spin))
+        number = foot.number if passes else NO_POINT
     t_x, t_y = v_x, v_y
     turns: bool = number >= 0
     if turns:
@@ -441,7 +460,7 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
         s_x, s_y = sticking_acceleration(system, spin, b_x, b_y)
         p_x, p_y = _passing_friction(
             system, pose, q_x, q_y, a_x, a_y, turn, s_x, s_y, w_x, w_y, spin, total.limit,
-            mode.foot == number,
+            mode.foot == number, _speed_of_foot(system, mode, point.x, point.y),
         )  # fmt: skip
         a_x, a_y = a_x + p_x / mass, a_y + p_y / mass
         turn += (q_x * p_y - q_y * p_x) / moment
