@@ -17,11 +17,11 @@ from planar_pushing.core.flush_force import FLUSH_SOLUTION, FlatSide
 from planar_pushing.core.flush_solutions import MOST_ON_SIDE, SIDE_SOLUTION, side_modes
 from planar_pushing.core.free import free_twist
 from planar_pushing.core.inertia import (
-    arrival_speed,
     motion_beside_push,
     push_in_mode,
     slowest_foot_at,
     slowest_motion,
+    speed_at_center,
 )
 from planar_pushing.core.instant import Instant
 from planar_pushing.core.numbers import Numbers, zeros
@@ -324,7 +324,7 @@ def _write_in_motion(
     fence_x, fence_y = pusher_velocity(system, during, time, state)
     v_x, v_y = center_motion(pose, fence_x + slip, fence_y + state[NORMAL_SPEED], state[SPIN])
     foot = slowest_foot_at(system, pose, v_x, v_y, state[SPIN])
-    slowest = 3.0 * arrival_speed(system, size_of_twist(v_x, v_y, state[SPIN]))
+    slowest = speed_at_center(system, size_of_twist(v_x, v_y, state[SPIN]))
     near = foot.number if foot.speed <= slowest else NO_POINT
     for contact in range(first, last + 1):
         mode = Mode(contact, near, True, False, 0.0, 0.0, 0.0, 0.0, during)

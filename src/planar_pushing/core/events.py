@@ -125,7 +125,7 @@ MOST_AT_ONCE = 25.0
 NO_TIME = 1e-12
 #: Number of steps in which a run must advance by at least this fraction of the duration.
 PATIENCE = 5000
-SMALLEST_PROGRESS = 1e-6
+SMALLEST_PROGRESS = 1e-12
 #: Maximum number of evaluations of the motion in a run: about a minute with inertia.
 MOST_EVALUATIONS = 5e7
 #: Above this error, in units of the tolerance, a trial step gives no information.

@@ -155,7 +155,7 @@ def _rates_about_hinge(
 def _passing_friction(
     system: System, pose: Pose, q_x: float, q_y: float, a_x: float, a_y: float, turn: float,
     b_x: float, b_y: float, w_x: float, w_y: float, spin: float, share: float, leaves: bool,
-    speed: float,
+    is_at_center: bool, speed: float,
 ) -> tuple[float, float]:  # fmt: skip
     """Friction at a support point when the center of rotation passes it while the contact sticks.
 
@@ -180,8 +180,8 @@ def _passing_friction(
         Angular velocity.
     share : float
         Maximum friction force at the point.
-    leaves : bool
-        Whether the point has been at the center.
+    leaves, is_at_center : bool
+        Whether the point has been at the center, and whether it is there.
     speed : float
         Velocity of the point along the line, away from the contact, at the start of the step. A step can go
         past the instant at which the point is at the center; the friction does not jump within it.
@@ -198,7 +198,7 @@ def _passing_friction(
         free = b_y * d_x - b_x * d_y + torque * reach / total
         most, sense = share * reach * reach / total, -1.0
         ahead, across = (w_x * d_x + w_y * d_y) * along, UNKNOWN
-        if leaves and (ahead >= 0.0 or size <= AT_REST * system.run[RUN_SPEED]):
+        if leaves and (ahead >= 0.0 or is_at_center):
             across = _rate_after(along, free, most)
         elif speed * along < 0.0:
             across, sense = _rate_before(fabs(along), free, most), 1.0
@@ -356,7 +356,7 @@ def stop_slowest_foot(system: System, mode: Mode, time: float, state: Numbers) -
     v_x, v_y = center_motion(pose, u_x, u_y, spin)
     foot = slowest_foot_at(system, pose, v_x, v_y, spin)
     size = size_of_twist(v_x, v_y, spin)
-    if foot.number < 0 or foot.speed > max(PASSES, 10.0 * arrival_speed(system, size)):
+    if foot.number < 0 or foot.speed > max(PASSES, speed_at_center(system, size)):
         return
     point = foot_position(friction_effects(system), foot.number)
     f_x, f_y = to_contact(pose.rod, point.x, point.y)
@@ -397,6 +397,11 @@ def arrival_speed(system: System, size: float) -> float:
     part = system.run[RUN_SPEED] / size if size > 0.0 else 0.0
     error = ERRORS * max(PART_OF_STEP * system.scene[IN_TOLERANCE], FINEST)
     return min(max(ARRIVED, max(error * (1.0 + 0.01 * part), SLACK * part)), 100.0 * HAS_LEFT)
+
+
+def speed_at_center(system: System, size: float) -> float:
+    """Maximum speed of a support point at the center of rotation, relative to the slider's."""
+    return 3.0 * arrival_speed(system, size)
 
 
 def leaving_speed(system: System, size: float) -> float:
@@ -458,9 +463,12 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
     if turns and sticks:
         w_x, w_y = v_x - t_x, v_y - t_y
         s_x, s_y = sticking_acceleration(system, spin, b_x, b_y)
+        size, typical = size_of_twist(v_x, v_y, spin), system.run[RUN_SPEED]
+        slowest = max(AT_REST * typical, speed_at_center(system, size) * size)
+        is_at_center: bool = w_x * w_x + w_y * w_y <= slowest * slowest
         p_x, p_y = _passing_friction(
             system, pose, q_x, q_y, a_x, a_y, turn, s_x, s_y, w_x, w_y, spin, total.limit,
-            mode.foot == number, _speed_of_foot(system, mode, point.x, point.y),
+            mode.foot == number, is_at_center, _speed_of_foot(system, mode, point.x, point.y),
         )  # fmt: skip
         a_x, a_y = a_x + p_x / mass, a_y + p_y / mass
         turn += (q_x * p_y - q_y * p_x) / moment

@@ -96,8 +96,8 @@ LEAVES_CONE, SLIP_ENDS, FORCE_ENDS, TOUCHES, PUSH_STARTS, SEPARATION_CHANGES = r
 PIVOT_YIELDS, CENTER_DOWN, SLIDER_STOPS, CENTER_AT_POINT, KINK = range(6, 11)
 NORMAL_REVERSES, TANGENTIAL_REVERSES, END_OF_SIDE, PENETRATES = range(11, 15)
 CAUSES = 15
-#: Whether any change of the sign of a guard is an event. Those with 2 are watched once they are positive; the
-#: others are positive while a mode lasts.
+#: Whether any change of the sign of a guard is an event. Those with 2 are watched once they are positive;
+#: the others are positive while a mode lasts.
 WATCHES = (0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0)
 #: Sets of guards of a run: their signs; their values at the start of a step, which those at its nodes and
 #: at its end follow; near its middle; and two for trials.

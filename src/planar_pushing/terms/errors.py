@@ -73,7 +73,7 @@ class PlainCoreWarning(UserWarning):
 
 
 class SceneWarning(UserWarning):
-    """An object, a push or a run that is probably not meant as given; the message says why, and what to do."""
+    """An object or a push that is probably not meant as given; the message says why, and what to do."""
 
 
 class EarlyEndWarning(UserWarning):
