@@ -282,8 +282,8 @@ def _begin_mode(system: System, excluded: int) -> None:
     if reason == INCONSISTENT and close_contact(system, during, run[RUN_TIME], state, policy):
         # A contact can open and close, faster and faster, while a support point comes to rest.
         reason = _settle_and_choose(system, SLACK, NO_MODE, point, other_end)
-    if reason == INCONSISTENT and center_height(system, state) < -SLACK:
-        reason = LAID_DOWN  # a fence has passed over the center of a slider at rest
+    if reason == INCONSISTENT and center_height(system, state) <= SLACK:
+        reason = LAID_DOWN  # another event comes first, or a fence has passed over a slider at rest
     if reason != GOES_ON:
         run[RUN_STOPPED] = float(reason)
         return

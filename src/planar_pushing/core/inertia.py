@@ -401,7 +401,7 @@ def arrival_speed(system: System, size: float) -> float:
 
 def speed_at_center(system: System, size: float) -> float:
     """Maximum speed of a support point at the center of rotation, relative to the slider's."""
-    return 3.0 * arrival_speed(system, size)
+    return max(AT_REST, 3.0 * arrival_speed(system, size))
 
 
 def leaving_speed(system: System, size: float) -> float:
