@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import fabs, sqrt
+from math import copysign, fabs, sqrt
 
 from planar_pushing.core.drag import (
     depends_on_speed,
@@ -104,6 +104,8 @@ from planar_pushing.core.touch import (
 #: Tangential acceleration, in units of the normal one, that represents a fence already slipping at a
 #: contact.
 ALREADY_SLIPS = 1e6
+#: The same, in units of the fastest slip that this fence causes.
+FASTER = 4.0
 
 
 def write_candidates(system: System, during: Span, time: float, state: Numbers) -> int:
@@ -403,14 +405,17 @@ def _write_starts_at_contact(
     """Store, after other candidates, the modes in which a slider at rest can start at the contact."""
     slip, pose = state[SLIP_SPEED], pose_at_start(system, state)
     x, y, unit = _push_at_start(system, during, time, state)
-    prepare_start(system, state, unit)
     solutions = zeros(MOST_OF_SIDE * FLUSH_SOLUTION)
-    width, length, number = SOLUTION, 0.0, 0
-    if is_flush(system):
-        width, length = FLUSH_SOLUTION, side_length(system, state)
-        number = flush_or_free_modes(system, pose, length, x / unit, y / unit, 0.0, solutions)
-    else:
-        number, _ = modes_of_push(system, pose, x, y, sqrt(x * x + y * y) / unit, solutions)
+    width = FLUSH_SOLUTION if is_flush(system) else SOLUTION
+    length = side_length(system, state) if is_flush(system) else 0.0
+    number = _solve_start(system, state, pose, x, y, unit, solutions)
+    if _slides(system, slip):
+        # In units of a pusher this fast the slips have lost digits. A slower one has the same slips.
+        slowest = unit / ALREADY_SLIPS
+        fastest = unit * _fastest_slip(slip, number, width, solutions)
+        x = -copysign(FASTER * (fastest if fastest > 0.0 else slowest), slip)
+        unit = max(sqrt(x * x + y * y), slowest)
+        number = _solve_start(system, state, pose, x, y, unit, solutions)
     for i in range(number):
         solution = solutions[i * width :]
         contact, point = int(solution[MODE]), int(solution[PIVOT])
@@ -432,6 +437,30 @@ def _write_starts_at_contact(
                 leave_side(system, count)
         count += 1
     return count
+
+
+def _solve_start(
+    system: System, state: Numbers, pose: Pose, x: float, y: float, unit: float, solutions: Numbers
+) -> int:
+    """Store the contact modes of a slider at rest, for an acceleration of the pusher, in a unit."""
+    prepare_start(system, state, unit)
+    if is_flush(system):
+        return flush_or_free_modes(
+            system, pose, side_length(system, state), x / unit, y / unit, 0.0, solutions
+        )
+    number, _ = modes_of_push(system, pose, x, y, sqrt(x * x + y * y) / unit, solutions)
+    return number
+
+
+def _fastest_slip(slip: float, number: int, width: int, solutions: Numbers) -> float:
+    """Largest component of the contact's motion in those solutions that slip in the direction of `slip`."""
+    fastest = 0.0
+    for i in range(number):
+        solution = solutions[i * width :]
+        contact = int(solution[MODE])
+        if contact != SEPARATE and slip_side(contact) * slip > 0.0:
+            fastest = max(fastest, max(fabs(solution[MOTION]), fabs(solution[MOTION + 1])))
+    return fastest
 
 
 def _write_start(

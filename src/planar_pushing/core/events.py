@@ -96,6 +96,7 @@ from planar_pushing.core.system import (
     SIDE_ENDED,
     SIGNS,
     SINGULAR_MOTION,
+    SLIDER_STOPS,
     STATE,
     TOO_MANY_EVENTS,
     TOO_MUCH_WORK,
@@ -128,6 +129,10 @@ PATIENCE = 5000
 SMALLEST_PROGRESS = 1e-12
 #: Maximum number of evaluations of the motion in a run: about a minute with inertia.
 MOST_EVALUATIONS = 5e7
+#: A slider slower than this, in units of the typical speed, can be completed to rest in closed form with an
+#: error of the pose of the order of its square: where a support point stays near the center of rotation,
+#: friction can make the last part of the motion singular.
+NEARLY_STOPPED = 1e-6
 #: Above this error, in units of the tolerance, a trial step gives no information.
 WILD = 1e5
 
@@ -299,16 +304,28 @@ def _begin_mode(system: System, excluded: int) -> None:
 def _take_step(system: System) -> None:
     """Take one step, and search it for an event."""
     run, mode = system.run, current_mode(system)
-    if not _makes_progress(system):
-        _stop(run, NO_PROGRESS)
-    elif run[RUN_EVALUATIONS] > MOST_EVALUATIONS:
+    progresses: bool = _makes_progress(system)
+    if run[RUN_EVALUATIONS] > MOST_EVALUATIONS:
         _stop(run, TOO_MUCH_WORK)
-    elif _advance(system, mode):
+    elif progresses and _advance(system, mode):
         cause = first_event(system, mode)
         run[RUN_CAUSE] = float(cause)
         run[RUN_PHASE] = float(CHANGES if cause == MISJUDGED else SAMPLES)
+    elif guards_of(system, VALUES)[SLIDER_STOPS] < NEARLY_STOPPED:
+        _stop_slider(system, mode)
     else:
-        _stop(run, SINGULAR_MOTION)
+        _stop(run, SINGULAR_MOTION if progresses else NO_PROGRESS)
+
+
+def _stop_slider(system: System, mode: Mode) -> None:
+    """Complete a motion that comes to rest, from where the integrator does not resolve it."""
+    run, state = system.run, vector_of(system, STATE)
+    run[RUN_TIME], reason = change_state(
+        system, SLIDER_STOPS, mode, run[RUN_TIME], state, current_policy(system)
+    )
+    run[RUN_CAUSE], run[RUN_PHASE] = float(SLIDER_STOPS), float(CHANGES)
+    if reason != GOES_ON:
+        _stop(run, reason)
 
 
 def _makes_progress(system: System) -> bool:

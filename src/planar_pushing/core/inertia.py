@@ -524,9 +524,12 @@ def _opposed_twist(
     step.
     """
     x, y = to_body(pose.rod, v_x, v_y)
-    if size_of_twist(v_x, v_y, spin) > NO_DIRECTION * system.run[RUN_SPEED]:
+    starts: bool = mode.x != 0.0 or mode.y != 0.0 or mode.spin != 0.0
+    # The velocity of a start is the difference of those of contact and pusher, and loses digits.
+    slowest = AT_REST if starts else NO_DIRECTION
+    if size_of_twist(v_x, v_y, spin) > slowest * system.run[RUN_SPEED]:
         return x, y, spin
-    if mode.x != 0.0 or mode.y != 0.0 or mode.spin != 0.0:
+    if starts:
         x, y = to_body(pose.rod, mode.x, mode.y)
         return x, y, mode.spin
     state = vector_of(system, STATE)
