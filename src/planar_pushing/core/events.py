@@ -29,6 +29,7 @@ from planar_pushing.core.explicit import (
 )
 from planar_pushing.core.fence import end_of_fence, fence_displacement, span_at
 from planar_pushing.core.guards import MISJUDGED, NOTHING, first_event, look_for_kink, sign_of_guard
+from planar_pushing.core.inertia import keeps_energy
 from planar_pushing.core.log import end_log, has_room_for_rows, next_log_row, write_instant
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.run import (
@@ -360,14 +361,17 @@ def _advance(system: System, mode: Mode) -> bool:
         run[RUN_UNTIL], run[RUN_PREPARED] = min(run[RUN_TIME] + size, bound), 0.0
         size = run[RUN_UNTIL] - run[RUN_TIME]
         error = attempt_step(system, mode)
-        if error < 1.0:
+        balances: bool = error >= 1.0 or keeps_energy(system, mode)
+        if error < 1.0 and balances:
             planned = next_size(run, size, error)
             run[RUN_PLANNED] = min(planned, size) if last_size > 0.0 else planned
             run[RUN_LAST_SIZE], run[RUN_LAST_ERROR] = size, error
             return True
-        if run[RUN_SIDE] >= 0.0 and error < WILD:
+        if run[RUN_SIDE] >= 0.0 and error < WILD and balances:
             look_for_kink(system, mode)
-        smaller = smaller_size(size, error, last_size, last_error)
+        smaller = size / 2.0
+        if balances:
+            smaller = smaller_size(size, error, last_size, last_error)
         last_size, last_error, size = size, error, smaller
     return False
 

@@ -11,7 +11,8 @@ from __future__ import annotations
 from math import copysign, exp, fabs, log, sqrt
 from typing import NamedTuple
 
-from planar_pushing.core.drag import Foot, drag, friction_effects, load_at, slowest_foot
+from planar_pushing.core.drag import Foot, drag, friction_effects, load_at, load_work, slowest_foot
+from planar_pushing.core.fence import fence_displacement
 from planar_pushing.core.impact import answer_of, answer_of_side, edge_of_slip, moment_of
 from planar_pushing.core.instant import Instant, Support, instant_at_rest, support_of_side
 from planar_pushing.core.numbers import UNKNOWN, Numbers
@@ -26,11 +27,14 @@ from planar_pushing.core.run import (
     RUN_MOMENT,
     RUN_SPEED,
     RUN_TIME,
+    RUN_UNTIL,
 )
 from planar_pushing.core.shapes import (
     Pose,
     center_motion,
+    center_position,
     contact_motion,
+    kinetic_energy_of,
     pose_of,
     pusher_acceleration,
     pusher_velocity,
@@ -43,13 +47,20 @@ from planar_pushing.core.shapes import (
 from planar_pushing.core.solution import SEPARATE, STICK
 from planar_pushing.core.system import (
     ANGLE,
+    LOST,
+    MOVING,
     NORMAL_SPEED,
+    REACHED,
     REST,
+    SCALES,
     SLIP_SPEED,
     SPIN,
     STATE,
+    WORK,
     Mode,
     System,
+    is_loaded,
+    is_massive,
     vector_of,
 )
 from planar_pushing.core.tolerances import (
@@ -60,7 +71,6 @@ from planar_pushing.core.tolerances import (
     HAS_LEFT,
     NO_DIRECTION,
     PART_OF_STEP,
-    PASSES,
     ROUNDING,
     SLACK,
     STOPPED,
@@ -70,6 +80,8 @@ from planar_pushing.core.touch import is_flush, side_length
 #: Rate at which friction drives the center to a support point, in units of that at which the point comes to
 #: rest, from which on the direction of the point's velocity has settled.
 STEADY = 3.0
+#: Largest error of the balance of energy in one step, in units of the tolerance.
+UNBALANCED = 1.0
 
 
 class Hinge(NamedTuple):
@@ -356,14 +368,17 @@ def stop_slowest_foot(system: System, mode: Mode, time: float, state: Numbers) -
     v_x, v_y = center_motion(pose, u_x, u_y, spin)
     foot = slowest_foot_at(system, pose, v_x, v_y, spin)
     size = size_of_twist(v_x, v_y, spin)
-    if foot.number < 0 or foot.speed > max(PASSES, speed_at_center(system, size)):
+    if foot.number < 0 or foot.speed > speed_at_center(system, size):
         return
     point = foot_position(friction_effects(system), foot.number)
     f_x, f_y = to_contact(pose.rod, point.x, point.y)
     d_x, d_y = pose.x + f_x, pose.y + f_y
     square = d_x * d_x + d_y * d_y
     if square > 0.0:
+        before = kinetic_energy_of(system, pose, v_x, v_y, spin)
         state[SPIN] = (u_x * d_y - u_y * d_x) / square
+        v_x, v_y = center_motion(pose, u_x, u_y, state[SPIN])
+        state[LOST] += before - kinetic_energy_of(system, pose, v_x, v_y, state[SPIN])
 
 
 def slowest_motion(system: System) -> float:
@@ -415,6 +430,38 @@ def slowest_foot_at(system: System, pose: Pose, v_x: float, v_y: float, spin: fl
     foot = slowest_foot(system, x, y, spin)
     scale = max(size_of_twist(v_x, v_y, spin), NO_DIRECTION * system.run[RUN_SPEED])
     return Foot(foot.number, foot.speed / scale)
+
+
+def _energy_given(system: System, mode: Mode, time: float, state: Numbers) -> float:
+    """Energy that pusher and loads have given to the slider, less what it has stored and dissipated."""
+    pose = pose_of(system, state)
+    fence_x, fence_y = pusher_velocity(system, mode.during, time, state)
+    v_x, v_y = center_motion(
+        pose, fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED], state[SPIN]
+    )
+    total = state[WORK] - state[LOST] - kinetic_energy_of(system, pose, v_x, v_y, state[SPIN])
+    for i in range(MOVING, system.entries):
+        total -= state[i]
+    if is_loaded(system):
+        x, y = fence_displacement(system.fence, mode.during, time)
+        x, y = center_position(system, pose, state, x, y)
+        total += load_work(system, state[ANGLE], x, y)
+    return total
+
+
+def keeps_energy(system: System, mode: Mode) -> bool:
+    """Whether the energies at the ends of the last step balance within the tolerance.
+
+    The integrator's estimate can miss that the friction of a support point turns within a step, where the
+    center of rotation passes the point closely, and is by chance small in a long step of a stiff motion.
+    """
+    run, state, reached = system.run, vector_of(system, STATE), vector_of(system, REACHED)
+    if not is_massive(system) or mode.contact == REST or mode.hinged:
+        return True
+    lost = _energy_given(system, mode, run[RUN_UNTIL], reached)
+    lost -= _energy_given(system, mode, run[RUN_TIME], state)
+    scale = vector_of(system, SCALES)[WORK] + fabs(reached[WORK])
+    return fabs(lost) <= UNBALANCED * max(system.scene[IN_TOLERANCE], FINEST) * scale
 
 
 def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers) -> Instant:
