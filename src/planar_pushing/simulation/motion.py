@@ -7,8 +7,10 @@ interpolated to rounding error.
 
 from __future__ import annotations
 
+import heapq
 import itertools
 import math
+import warnings
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple, TypeVar
 
@@ -29,7 +31,7 @@ from planar_pushing.core.run import (
     PIECE_START,
     SERIES_OF_PIECE,
 )
-from planar_pushing.terms.errors import InvalidValue, require_number, require_option
+from planar_pushing.terms.errors import InvalidValue, SceneWarning, require_number, require_option
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Policy
 
@@ -52,6 +54,10 @@ CHECKS = np.array([-0.97, 0.021, 0.53])
 #: Smallest length of a piece as a fraction of the span, and maximum number of pieces, which end the
 #: subdivision for a function that is not smooth.
 SHORTEST, MOST_PIECES = 2.0**-30, 4096
+#: Points at which the largest values of a function are looked for.
+SPREAD = np.linspace(-0.99, 0.99, 64)
+#: Error relative to the largest values above which a function counts as not resolved.
+UNRESOLVED = 1e-6
 
 
 def values_over_time(
@@ -201,30 +207,60 @@ class Interpolant(NamedTuple):
 
 
 def interpolants(velocity: Velocity, start: float, end: float) -> list[Interpolant]:
-    """Interpolants of a velocity between two times, which is halved until they match to rounding error."""
-    pieces: list[Interpolant] = []
-    intervals = [(start, end)]
+    """Interpolants of a velocity between two times, matching to rounding error of its largest values.
+
+    The worst interval is halved first.
+
+    Warns
+    -----
+    SceneWarning
+        If the function is not resolved, because it jumps or has kinks at many places.
+    """
+    times = (start + end) / 2 + (end - start) / 2 * SPREAD
+    size = np.abs([velocity(time) for time in times]).max(axis=0)
+    first, error = _interpolate(velocity, start, end, size)
+    intervals = [(-error, start, end, first)]
+    done: list[tuple[float, Interpolant]] = []
     while intervals:
-        low, high = intervals.pop()
-        piece, resolved = _interpolate(velocity, low, high)
+        error, low, high, piece = heapq.heappop(intervals)
         short = high - low <= SHORTEST * (end - start)
-        if resolved or short or len(pieces) + len(intervals) >= MOST_PIECES:
-            pieces.append(piece)
-        else:
-            middle = (low + high) / 2
-            intervals += [(middle, high), (low, middle)]
-    return pieces
+        if error == 0.0 or short or len(done) + len(intervals) >= MOST_PIECES:
+            done.append((low, piece))
+            if not short and -error > UNRESOLVED:
+                _warn_unresolved(low, high)
+                done += [(low, piece) for _, low, _, piece in intervals]
+                break
+            continue
+        middle = (low + high) / 2
+        for ends in ((low, middle), (middle, high)):
+            half, half_error = _interpolate(velocity, *ends, size)
+            heapq.heappush(intervals, (-half_error, *ends, half))
+    return [piece for _, piece in sorted(done, key=lambda pair: pair[0])]
 
 
-def _interpolate(velocity: Velocity, low: float, high: float) -> tuple[Interpolant, bool]:
-    """Interpolant between two times, and whether it matches the function to rounding error."""
+def _warn_unresolved(low: float, high: float) -> None:
+    message = (
+        f"velocity: a function that is not smooth between the times {low:.6g} and {high:.6g} given; "
+        "its motion is wrong there; list the times at which it jumps or has kinks in breakpoints"
+    )
+    warnings.warn(SceneWarning(message), stacklevel=2)
+
+
+def _interpolate(
+    velocity: Velocity, low: float, high: float, size: Array
+) -> tuple[Interpolant, float]:
+    """Interpolant between two times, and its error relative to a size, 0 if it is rounding error."""
     middle, half = (low + high) / 2, (high - low) / 2
     values = np.array([velocity(middle + half * node) for node in NODES])
     coefficients = TO_COEFFICIENTS @ values
-    size = np.abs(values).max(axis=0)
+    size = np.maximum(size, np.abs(values).max(axis=0))
     coefficients[np.abs(coefficients) <= ROUNDING * size] = 0.0
     checks = np.array([velocity(middle + half * node) for node in CHECKS])
     errors = np.abs(chebyshev.chebval(CHECKS, coefficients).T - checks)
     resolved = not coefficients[-2:].any() and bool((errors <= POINTS * ROUNDING * size).all())
     noise = 0.0 if resolved and not coefficients[1:].any() else ROUNDING
-    return Interpolant(high, coefficients, noise * size), resolved
+    error = 0.0
+    if not resolved:
+        worst = np.maximum(np.abs(coefficients[-2:]).max(axis=0), errors.max(axis=0))
+        error = max(float(worst.max() / size.max()), ROUNDING)
+    return Interpolant(high, coefficients, noise * size), error
