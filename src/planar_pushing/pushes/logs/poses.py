@@ -198,16 +198,23 @@ def _refuse_degrees(before: Array, after: Array) -> None:
         if len(beyond):
             beyond_turns = f"the angle {angles[beyond[0]]:.6g}, in pushes {push_numbers(beyond)}"
             raise InvalidValue(name, beyond_turns, f"angles in {RADIANS}", TO_RADIANS)
-    every, turn = np.concatenate([before, after]), after - before
-    low, high = every.min(), every.max()
-    half = np.pi + ROUNDING
-    signed, positive = -half <= low and high <= half, low >= -ROUNDING and high <= half + np.pi
-    far = np.flatnonzero(np.abs(turn) > half)
-    if len(far) and not (signed or positive):
+    far = ambiguous_turns(before, after)
+    if len(far):
+        turn = after[far[0]] - before[far[0]]
         raise InvalidValue(
-            "poses_after", f"a rotation by {turn[far[0]]:.6g} radians, in pushes {push_numbers(far)}",
+            "poses_after", f"a rotation by {turn:.6g} radians, in pushes {push_numbers(far)}",
             "pushes that rotate the object by less than pi", f"give radians: {TO_RADIANS}",
         )  # fmt: skip
+
+
+def ambiguous_turns(before: Array, after: Array) -> npt.NDArray[np.intp]:
+    """Numbers of the pushes whose angles in radians differ by more than pi, unless all are wrapped alike."""
+    every = np.concatenate([before, after])
+    low, high = every.min(), every.max()
+    half = np.pi + ROUNDING
+    if (-half <= low and high <= half) or (low >= -ROUNDING and high <= half + np.pi):
+        return np.zeros(0, dtype=np.intp)
+    return np.flatnonzero(np.abs(after - before) > half)
 
 
 def _require_one_unit(corners: Corners, starts: Array) -> None:
