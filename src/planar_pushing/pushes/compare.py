@@ -143,7 +143,7 @@ def compare(
     Warns
     -----
     SceneWarning
-        If in more than 5 percent of the pushes of an object the finger goes around a corner, as in `identify`.
+        If in more than 5 percent of the pushes of an object the finger goes around a corner, see `identify`.
 
     Notes
     -----

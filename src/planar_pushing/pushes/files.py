@@ -38,8 +38,8 @@ def refuse_raw(file: Path) -> None:
         return
     if is_raw:
         raise InvalidFile(
-            f"{file}: is a raw log of one push in HDF5, with {', '.join(RAW)}; allowed: a dataset of pushes; "
-            f"{RAW_REMEDY}"
+            f"{file}: is a raw log of one push in HDF5, with {', '.join(RAW)}; "
+            f"allowed: a dataset of pushes; {RAW_REMEDY}"
         )
 
 

@@ -22,9 +22,9 @@ def ellipse(corners):
 
 
 def pushed(start, direction, distance, steps=400):
-    """Pose of the ellipse after a smooth point finger has moved a distance, and where it touches last.
+    """Pose of the ellipse after a smooth point finger has moved a distance.
 
-    The limit surface is an ellipsoid about the middle. The finger stays on the ellipse, whose normal it has.
+    The limit surface is an ellipsoid about the middle. The finger stays on the ellipse and pushes normal to it.
     """
     pose, finger = np.zeros(3), AXES * (np.cos(start), np.sin(start))
     step = direction * distance / steps
@@ -107,7 +107,7 @@ def test_long_sides_do_not_warn():
 
 
 def test_a_finger_that_passes_a_corner_and_pushes_on():
-    """It touches the lower side and ends at (1, -0.8) of the object, on the right one, or before the end."""
+    """It touches the lower side and ends at (1, -0.8) of the object, on the right side, or not."""
     end = np.array([1.05, -0.5])
     for place, expected in (((1.0, -0.8), True), ((0.9, -1.0), False), ((1.1, -0.8), False)):
         pushes = pp.pushes_from_poses(

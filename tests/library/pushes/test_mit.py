@@ -87,7 +87,9 @@ def test_a_raw_log_in_hdf5_is_named_with_its_remedy(tmp_path, shape):
         for read in (pp.read_mit, pp.load_pushes):
             with pytest.raises(pp.InvalidFile) as error:
                 read(file)
-            assert str(error.value).startswith(f"{file}: is a raw log of one push in HDF5, with tip_pose")
+            assert str(error.value).startswith(
+                f"{file}: is a raw log of one push in HDF5, with tip_pose"
+            )
             assert "make the dataset with pushes_from_poses, a row for each log" in str(error.value)
             assert "\n" not in str(error.value)
     other = tmp_path / "rect2.mat"

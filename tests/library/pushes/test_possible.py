@@ -14,13 +14,15 @@ GIVEN = {
     "finger_end": [(10, -35)], "finger_radius": 4.75,
 }  # fmt: skip
 DEEP = "a finger that ends {} deep in the object, in pushes 0"
-AWAY = "an object that ends {} away from the finger's path, in pushes 0"
-TURNED = "points of the object that move by {} on average, and a finger that ends at another side, in pushes 0"
+TURNED = (
+    "points of the object that move by {} on average, and a finger that ends at another side, "
+    "in pushes 0"
+)
 QUARTER, HALF = 0.05 + np.pi / 2, 0.05 + np.pi
 
 
 def cases():
-    """Poses after, and what is said of them; the mean displacements are sums over 400 x 400 points."""
+    """Poses after, and what is said of them."""
     return {
         "a quarter turn": ((0, 14.5, QUARTER), TURNED.format(f"{mean(QUARTER):.4g}")),
         "a quarter turn back": ((0, 14.5, 0.05 - np.pi / 2), "points of the object that move by "),
@@ -42,6 +44,7 @@ def mean(angle):
 
 def scaled(factor, pose, move=(0.0, 0.0, 0.0)):
     """The push in other units, with the object's frame elsewhere in the world."""
+
     def place(points):
         return np.array(points) * factor @ turn(move[2]).T + move[:2]
 
@@ -112,7 +115,9 @@ def test_the_given_noise_widens_what_is_accepted():
     at_rest = GIVEN | {"poses_after": [(0, 0, 0)]}
     for noise, accepted in (((2.0, 0, 0), False), ((2.1, 0, 0), True), ((0, 2.7, 0), True)):
         if accepted:
-            assert pp.pushes_from_poses(**at_rest, noise=noise)["displacement"].values.tolist() == [[0, 0]]
+            assert pp.pushes_from_poses(**at_rest, noise=noise)["displacement"].values.tolist() == [
+                [0, 0]
+            ]
             continue
         with pytest.raises(pp.InvalidValue, match=r"at most 14.5, for errors of measurement"):
             pp.pushes_from_poses(**at_rest, noise=noise)
@@ -128,9 +133,13 @@ def test_known_feet_give_the_exact_work():
     pose = (0.0, 10.0, np.deg2rad(40.0))
     feet = [(0, 0), (40, 40), (-40, 40), (40, -40), (-40, -40)]
     loads = np.array([1.0, 0, 0, 0, 0])
-    after = [np.linalg.norm(turn(pose[2]) @ foot + pose[:2] - foot) for foot in np.array(feet, float)]
+    after = [
+        np.linalg.norm(turn(pose[2]) @ foot + pose[:2] - foot) for foot in np.array(feet, float)
+    ]
     assert np.mean(after) > 25.0 + 4.5 > after[0]
-    assert pp.pushes_from_poses(**spin, poses_after=[pose], feet=feet, foot_weights=loads).sizes["push"]
+    assert pp.pushes_from_poses(**spin, poses_after=[pose], feet=feet, foot_weights=loads).sizes[
+        "push"
+    ]
     assert pp.pushes_from_poses(**spin, poses_after=[pose], feet=feet).sizes["push"]
     assert pp.pushes_from_poses(**spin, poses_after=[pose]).sizes["push"]
     said = f"an object that moves by {np.mean(after):.4g}, in pushes 0"

@@ -148,8 +148,8 @@ def _records(file: Path) -> list[Any]:
     with file.open("rb") as stream:
         if stream.read(len(HDF5)) == HDF5:
             raise InvalidFile(
-                f"{file}: is an HDF5 file; allowed: MATLAB files of version 5; a dataset of pushes needs no "
-                "conversion"
+                f"{file}: is an HDF5 file; allowed: MATLAB files of version 5; a dataset of pushes needs "
+                "no conversion"
             )
     try:
         # Damaged files make scipy raise many kinds of errors.

@@ -225,13 +225,13 @@ def _require_unit(file: Path, table: Table, angles: str, sides: Sides, radius: f
                 f"{file}: line {table.lines[row]}: {name}: {value} given; allowed: {angles} of at most two "
                 f"turns; {remedy}"
             )
-    _require_alike(file, table, angles, remedy)
     gap, instead = (_gap(table, unit, sides, radius) for unit in (angles, other))
     if gap > max(NEARER * instead, ON_OUTLINE * sides.scale):
         raise InvalidFile(
             f"{file}: angles seem to be in {other}: after the pushes, the finger is {instead:.4g} away "
             f"from the object, but {gap:.4g} with {angles} (medians); {remedy}"
         )
+    _require_alike(file, table, angles, remedy)
 
 
 def _require_alike(file: Path, table: Table, angles: str, remedy: str) -> None:

@@ -148,7 +148,11 @@ def _require_paths(pushes: xr.Dataset, labels: Any) -> None:
     gaps = known != (np.arange(known.shape[1]) < count[:, None])
     limit = "at least two samples with NaN only after the last, or only NaN for a straight path"
     _refuse(
-        "finger_path", gaps.any(axis=1) | (count == 1), path, limit, "leave out missing samples",
+        "finger_path",
+        gaps.any(axis=1) | (count == 1),
+        path,
+        limit,
+        "leave out missing samples",
         labels,
     )
     last = path[np.arange(len(path)), count - 1]

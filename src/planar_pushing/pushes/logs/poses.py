@@ -122,8 +122,8 @@ def pushes_from_poses(
     ------
     InvalidValue
         If shapes differ, a value is missing, lengths are in different units, angles are in degrees, a push
-        does not touch the object or begins deeper in it than the tolerance and is not omitted, a pose jumps,
-        or no push can cause a final pose: the finger ends in the object or never reaches it, or the object
+        does not touch the object or begins deeper in it than the tolerance and is not omitted, a pose
+        jumps, or no push can cause a final pose: the finger ends in the object or never reaches it, or the object
         moves farther than the finger's work permits, as after a confusion of symmetric poses. The message
         counts pushes from 0.
     """
@@ -208,7 +208,7 @@ def _refuse_degrees(before: Array, after: Array) -> None:
 
 
 def ambiguous_turns(before: Array, after: Array) -> npt.NDArray[np.intp]:
-    """Numbers of the pushes whose angles in radians differ by more than pi, unless all are wrapped alike."""
+    """Numbers of pushes whose angles in radians differ by more than pi, unless all are wrapped alike."""
     every = np.concatenate([before, after])
     low, high = every.min(), every.max()
     half = np.pi + ROUNDING

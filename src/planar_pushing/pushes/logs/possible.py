@@ -155,7 +155,7 @@ def _noise(pushes: xr.Dataset, size: float) -> float:
     position, angle = (
         float(pushes.attrs.get(name, 0.0)) for name in ("position_noise", "angle_noise")
     )
-    return position + np.deg2rad(angle) * size / 2.0
+    return position + float(np.deg2rad(angle)) * size / 2.0
 
 
 def _carriers(pushes: xr.Dataset) -> tuple[Array | None, Array | None]:
@@ -167,7 +167,9 @@ def _carriers(pushes: xr.Dataset) -> tuple[Array | None, Array | None]:
     known = np.isfinite(feet).all(axis=1)
     if not known.any():
         return None, None
-    shares = pushes["foot_weight"].sel(object=name).values[known] if "foot_weight" in pushes else None
+    shares = (
+        pushes["foot_weight"].sel(object=name).values[known] if "foot_weight" in pushes else None
+    )
     return feet[known], shares if shares is not None and np.isfinite(shares).all() else None
 
 
