@@ -143,7 +143,8 @@ def compare(
     Warns
     -----
     SceneWarning
-        If in more than 5 percent of the pushes of an object the finger goes around a corner, see `identify`.
+        If the finger goes around a corner in more than 10 percent of the pushes of an object; see
+        `identify`.
 
     Notes
     -----

@@ -83,7 +83,7 @@ def identify(
     Warns
     -----
     SceneWarning
-        If in more than 5 percent of the pushes the finger goes around a corner. A push is taken to end
+        If the finger goes around a corner in more than 10 percent of the pushes. A push is taken to end
         where the finger leaves the side that it touched first, so estimates for round objects are biased.
 
     Notes

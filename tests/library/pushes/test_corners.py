@@ -24,7 +24,7 @@ def ellipse(corners):
 def pushed(start, direction, distance, steps=400):
     """Pose of the ellipse after a smooth point finger has moved a distance.
 
-    The limit surface is an ellipsoid about the middle. The finger stays on the ellipse and pushes normal to it.
+    The limit surface is an ellipsoid about the middle. The finger stays on the ellipse, normal to it.
     """
     pose, finger = np.zeros(3), AXES * (np.cos(start), np.sin(start))
     step = direction * distance / steps

@@ -27,7 +27,7 @@ AT_ONCE = 1e-3
 SURE, CLOSE = 3.0, 1e-3
 #: Fraction of an object's pushes of which estimates are biased; fits discount fewer as outliers. In the
 #: published pushes of polygons it is at most 0.005.
-BIASED = 0.05
+BIASED = 0.1
 #: Smallest distance of a contact from the end of a side, as a fraction of the object's size.
 INSIDE = 1e-9
 
@@ -158,9 +158,9 @@ def warn_of_corners(objects: Mapping[str, Measured], stacklevel: int = 3) -> Non
             biased[name] = f"{count} of {len(pushes)} pushes of {name}"
     if biased:
         message = (
-            f"pushes: in {', '.join(biased.values())}, the finger leaves the side that it touched first "
-            "and pushes the next one; the models take such a push to end at the corner, so estimates may be "
-            "biased; use an object with long sides, an outline with few corners, or shorter pushes"
+            f"pushes: in {', '.join(biased.values())}, the finger leaves the side that it touched "
+            "first and pushes the next one; the models take such a push to end at the corner, so "
+            "estimates may be biased; use an object with long sides, an outline with few corners, or shorter pushes"
         )
         warnings.warn(SceneWarning(message), stacklevel=stacklevel)
 

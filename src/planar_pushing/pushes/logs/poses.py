@@ -123,9 +123,9 @@ def pushes_from_poses(
     InvalidValue
         If shapes differ, a value is missing, lengths are in different units, angles are in degrees, a push
         does not touch the object or begins deeper in it than the tolerance and is not omitted, a pose
-        jumps, or no push can cause a final pose: the finger ends in the object or never reaches it, or the object
-        moves farther than the finger's work permits, as after a confusion of symmetric poses. The message
-        counts pushes from 0.
+        jumps, or no push can cause a final pose: the finger ends in the object or never reaches it, or the
+        object moves farther than the finger's work permits, as after a confusion of symmetric poses. The
+        message counts pushes from 0.
     """
     corners, names = require_outline(outline), require_units(units)
     frames = _frames(
