@@ -160,7 +160,8 @@ def warn_of_corners(objects: Mapping[str, Measured], stacklevel: int = 3) -> Non
         message = (
             f"pushes: in {', '.join(biased.values())}, the finger leaves the side that it touched "
             "first and pushes the next one; the models take such a push to end at the corner, so "
-            "estimates may be biased; use an object with long sides, an outline with few corners, or shorter pushes"
+            "estimates may be biased; use an object with long sides, an outline with few corners, "
+            "or shorter pushes"
         )
         warnings.warn(SceneWarning(message), stacklevel=stacklevel)
 
