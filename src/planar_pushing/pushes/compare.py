@@ -18,10 +18,10 @@ from planar_pushing.pushes.fit.friction import contact_friction
 from planar_pushing.pushes.fit.quartic import fitted_quartic
 from planar_pushing.pushes.fit.statistics import QUANTITIES, REFERENCE, angles, statistics
 from planar_pushing.pushes.fit.supported import OnSupport
-from planar_pushing.pushes.identify import identify
+from planar_pushing.pushes.identify import identify_measured
 from planar_pushing.pushes.logs.arguments import MOST, whole_number
 from planar_pushing.pushes.logs.combine import of_object
-from planar_pushing.pushes.logs.contacts import Model, final_poses
+from planar_pushing.pushes.logs.contacts import Model, final_poses, warn_of_corners
 from planar_pushing.pushes.logs.measured import (
     Mask,
     Measured,
@@ -65,7 +65,7 @@ def _uniform(half: Half) -> tuple[Model, float]:
 
 
 def _identify(half: Half) -> tuple[Model, float]:
-    result = identify(half.dataset, resamples=1, **half.options)
+    result = identify_measured(measurements_of(half.dataset), resamples=1, **half.options)
     return OnSupport(result.support), result.contact_friction
 
 
@@ -140,6 +140,12 @@ def compare(
     InvalidValue
         If a model is unknown or an object has too few pushes for two halves.
 
+    Warns
+    -----
+    SceneWarning
+        If the finger goes around a corner in more than 10 percent of the pushes of an object; see
+        `identify`.
+
     Notes
     -----
     The pushes of each object are divided into halves at random. All fits, including that of the contact
@@ -161,11 +167,13 @@ def compare(
     errors = np.full((len(QUANTITIES), len(fits), count), np.nan)
     corner = np.zeros(count, dtype=bool)
     objects = {name: of_object(checked, name) for name in map(str, checked["object"].values)}
-    for name, names in objects.items():
-        _require_halves(name, measurements_of(names))
+    measured = {name: measurements_of(one) for name, one in objects.items()}
+    for name, every in measured.items():
+        _require_halves(name, every)
+    warn_of_corners(measured)
     for name, names in objects.items():
         rows = np.flatnonzero(checked["pushed"].values == name)
-        every = measurements_of(names)
+        every = measured[name]
         lengths.append(every.length)
         corner[rows] = every.at_corner
         generator = np.random.default_rng(seed)

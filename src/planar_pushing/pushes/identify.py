@@ -14,6 +14,7 @@ from planar_pushing.pushes.fit.estimate import Estimate, from_forces, from_motio
 from planar_pushing.pushes.identified import Identified, moments_of, summary
 from planar_pushing.pushes.logs.arguments import MOST, whole_number
 from planar_pushing.pushes.logs.combine import with_outline
+from planar_pushing.pushes.logs.contacts import warn_of_corners
 from planar_pushing.pushes.logs.measured import Index, Mask, Measured, measurements_of
 from planar_pushing.pushes.logs.schema import require_pushes
 from planar_pushing.terms.errors import (
@@ -79,6 +80,12 @@ def identify(
     InvalidValue
         If the pushes are of several objects or too few for the candidates, or a value is not allowed.
 
+    Warns
+    -----
+    SceneWarning
+        If the finger goes around a corner in more than 10 percent of the pushes. A push is taken to end
+        where the finger leaves the side that it touched first, so estimates for round objects are biased.
+
     Notes
     -----
     At a measured twist t, each load is linear in the weights, ``w = sum_j p_j l(r_j, t)``. With forces, the
@@ -91,6 +98,24 @@ def identify(
     """
     checked = require_pushes(pushes)
     every = measurements_of(checked if outline is None else with_outline(checked, outline))
+    warn_of_corners({str(checked["object"].values[0]): every})
+    return identify_measured(
+        every, spacing=spacing, known=known, family=family, resamples=resamples, seed=seed,
+        progress=progress,
+    )  # fmt: skip
+
+
+def identify_measured(
+    every: Measured,
+    *,
+    spacing: float | None = None,
+    known: Any = None,
+    family: str = "points",
+    resamples: int = 200,
+    seed: int = 0,
+    progress: bool = False,
+) -> Identified:
+    """The support of an object from its pushes as arrays; options and errors as in `identify`."""
     count = whole_number("resamples", resamples, 1, MOST)
     require_flag("progress", progress)
     generator = np.random.default_rng(whole_number("seed", seed, 0))

@@ -30,7 +30,7 @@ class AnyPressure:
 
     Bounds are proved: what happens under any pressure lies between them. Some pressure attains the numbers
     whose names begin with `attained`, so that no bounds can be tighter than these. Forces are computed when
-    they are first used, which takes about half a second.
+    they are first used, which takes half a second to ten seconds.
 
     Attributes
     ----------

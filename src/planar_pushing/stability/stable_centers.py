@@ -52,7 +52,7 @@ class StableCurve:
     twists : ndarray, shape (n, 3)
         (v_x, v_y, omega) about the origin of the object's frame, in order along the curve; omega in radians
         per unit of time. Their sizes have no meaning. A curve that goes to infinity ends at a translation.
-        A pivot is one twist.
+        A pivot is one twist, which is itself not stable.
     """
 
     bound: StableBound

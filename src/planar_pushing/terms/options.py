@@ -74,7 +74,8 @@ class StableBound(StrEnum):
     """What ends a set of stable pushes: the load is at the edge of what the two ends of a side can exert.
 
     The force is on the right or left edge of the contact law's cone; its line of action passes through the
-    start or the end of the side; or the object turns about a foot, whose friction can leave the cone.
+    start or the end of the side; or the object turns about a foot, whose friction can leave the cone. The
+    pivot itself, a single point, does not belong to the set.
     """
 
     RIGHT_EDGE = "right-edge"

@@ -17,10 +17,11 @@ MODELS = {"support": OnSupport(FEET), "ellipsoid": Ellipsoid(np.diag([1.0, 1.0, 
 
 
 def at(places, ways, radius=0.0, outline=SQUARE):
-    """Pushes of the square whose finger touches these places; where the object ends does not matter."""
+    """Pushes of the square whose finger touches these places, which it carries along."""
     count = len(places)
+    after = np.column_stack([np.broadcast_to(ways, (count, 2)), np.zeros(count)])
     return measurements_of(pp.pushes_from_poses(
-        outline=outline, poses_before=np.zeros((count, 3)), poses_after=np.zeros((count, 3)),
+        outline=outline, poses_before=np.zeros((count, 3)), poses_after=after,
         finger_start=np.array(places), finger_end=np.array(places) + ways, finger_radius=radius,
         units=("mm", "N"),
     ))  # fmt: skip
@@ -51,7 +52,7 @@ def test_a_corner_that_sticks_is_a_point():
     side = contacts_of(pushes)
     assert side.radius.tolist() == [0.25]
     corner = measurements_of(pp.pushes_from_poses(
-        outline=SQUARE, poses_before=np.zeros((1, 3)), poses_after=np.zeros((1, 3)),
+        outline=SQUARE, poses_before=np.zeros((1, 3)), poses_after=[(-0.18, -0.18, 0)],
         finger_start=[(1.5, 1.5)], finger_end=[(1.0, 1.0)], finger_radius=0.25, units=("mm", "N"),
     ))  # fmt: skip
     assert corner.at_corner.tolist() == [True]

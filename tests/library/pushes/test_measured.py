@@ -1,5 +1,7 @@
 """Quantities that follow from measured pushes: mean twists, last contacts, wrenches."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from pushes.written import TRIANGLE, feet, small, turn
@@ -11,18 +13,11 @@ from planar_pushing.pushes.logs.schema import require_pushes
 
 
 def moved(displacements, rotations):
-    """Pushes of the square from below with these final poses; degrees."""
-    count = len(rotations)
-    units = {"units": "mm"}
-    return measurements_of(require_pushes(small(
-        pushed=("push", ["square"] * count),
-        contact=(("push", "xy"), [(0.0, -1.0)] * count, units),
-        normal=(("push", "xy"), [(0.0, 1.0)] * count),
-        finger_displacement=(("push", "xy"), [(0.0, 0.2)] * count, units),
-        finger_radius=("push", [0.0] * count, units),
-        displacement=(("push", "xy"), displacements, units),
-        rotation=("push", rotations, {"units": "degree"}),
-    )))  # fmt: skip
+    """Pushes of the square with these final poses, whether possible or not; degrees."""
+    some = measurements_of(require_pushes(small())).part([0] * len(rotations))
+    return replace(
+        some, displacement=np.array(displacements), rotation=np.deg2rad(np.array(rotations))
+    )
 
 
 @pytest.mark.parametrize("rotation", [0.0, -1e-5, 10.0, 179.9, -180.0])
@@ -103,6 +98,7 @@ def test_a_path_that_goes_back_ends_where_the_finger_does():
         finger_displacement=(("push", "xy"), [(0, 0.2)] * 3, {"units": "mm"}),
         normal=(("push", "xy"), [(0, 1)] * 3),
         contact=(("push", "xy"), [(0, -1)] * 3, {"units": "mm"}),
+        displacement=(("push", "xy"), [(0, 0.3)] * 3, {"units": "mm"}),
         finger_path=(("push", "sample", "xy"), path),
         path_time=(("push", "sample"), [[0, 1, 2]] * 3),
     )

@@ -1,5 +1,6 @@
 """MATLAB files of pushed polygons, which the tests write in the published format."""
 
+import h5py
 import numpy as np
 import pytest
 import scipy.io
@@ -70,6 +71,35 @@ def test_a_push_that_begins_deep_in_the_object_is_counted_too(squares, tmp_path)
     scipy.io.savemat(file, {"record_all": records})
     with pytest.raises(pp.InvalidFile, match=r"in the object, in pushes 0, 1, 2, 3, 4, 5"):
         pp.read_mit(file)
+
+
+RAW = "motion_surface=abs_shape={}_a=0_v=20_i=0.000_s=0.100_t=0.000.h5"
+
+
+@pytest.mark.parametrize("shape", ["rect1", "ellip1"])
+def test_a_raw_log_in_hdf5_is_named_with_its_remedy(tmp_path, shape):
+    """By its content, under any name; a file that only begins as one is not."""
+    rows = np.array([(0.0, 0.1, 0.2, 0.3), (1.0, 0.1, 0.21, 0.3)])
+    for file in (tmp_path / RAW.format(shape), tmp_path / "rect1.mat"):
+        with h5py.File(file, "w") as log:
+            for name in ("tip_pose", "object_pose", "ft_wrench"):
+                log[name] = rows
+        for read in (pp.read_mit, pp.load_pushes):
+            with pytest.raises(pp.InvalidFile) as error:
+                read(file)
+            assert str(error.value).startswith(
+                f"{file}: is a raw log of one push in HDF5, with tip_pose"
+            )
+            assert "make the dataset with pushes_from_poses, a row for each log" in str(error.value)
+            assert "\n" not in str(error.value)
+    other = tmp_path / "rect2.mat"
+    with h5py.File(other, "w") as log:
+        log["tip_pose"] = rows
+    with pytest.raises(pp.InvalidFile, match=r"rect2.mat: is an HDF5 file; allowed: MATLAB files"):
+        pp.read_mit(other)
+    other.write_bytes(file.read_bytes()[:100])
+    with pytest.raises(pp.InvalidFile, match=r"rect2.mat: is an HDF5 file; allowed: MATLAB files"):
+        pp.read_mit(other)
 
 
 @pytest.mark.parametrize(("name", "extents", "area"), [

@@ -30,6 +30,7 @@ def test_the_contact_is_in_the_middle_of_the_side_of_the_first_push(found, conta
     pushes = small(
         contact=(("push", "xy"), [contact] * 3, units), normal=(("push", "xy"), [normal] * 3),
         finger_displacement=(("push", "xy"), [np.array(normal) / 5] * 3, units),
+        displacement=(("push", "xy"), [np.array(normal) / 5] * 3, units),
     )  # fmt: skip
     place = object_entry(found, pp.concat_pushes([pushes]))["object"]["contact"]
     assert place == {"point": list(middle)}

@@ -107,6 +107,26 @@ def test_angles_within_two_turns_are_told_by_the_place_of_the_finger(tmp_path, m
         read_table(file, angles=unit, **OPTIONS)
 
 
+@pytest.mark.parametrize(("unit", "before", "after", "said"), [
+    ("degrees", 350.0, -8.0, "angle_after: -8 given, which differs from angle_before by -358 degrees; "
+     "allowed: at most half a turn; write 352, or wrap all angles to -180 to 180 or 0 to 360; "),
+    ("degrees", -200.0, 155.0, "angle_after: 155 given, which differs from angle_before by 355 degrees; "
+     "allowed: at most half a turn; write -205, "),
+    ("radians", 6.25, -0.125, "angle_after: -0.125 given, which differs from angle_before by -6.375 "
+     "radians; allowed: at most half a turn; write 6.15819, or wrap all angles to -3.14159 to 3.14159 or "),
+])  # fmt: skip
+def test_angles_that_are_not_wrapped_alike_are_named(tmp_path, measured, unit, before, after, said):
+    rows = measured[1][unit].copy()
+    rows[:, [2, 5]] = np.array([0.1, 0.12])
+    rows[3, [2, 5]] = before, after
+    (other,) = set(ANGLES) - {unit}
+    with pytest.raises(pp.InvalidFile) as error:
+        read_table(written(tmp_path / "box.csv", rows), angles=unit, **OPTIONS)
+    assert str(error.value).startswith(f"{tmp_path / 'box.csv'}: line 5: {said}"), str(error.value)
+    assert str(error.value).endswith(f"if they are in the other unit, give --angles {other}")
+    assert "np.deg2rad" not in str(error.value)
+
+
 ROW = "0,0,0,0,12,0,0,-60,0,-33,0,1"
 BAD = {
     "": "is empty; allowed: the columns x_before, ",

@@ -16,6 +16,7 @@ import scipy.io
 import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.pushes.files import HDF5, refuse_raw
 from planar_pushing.pushes.logs.combine import concat_pushes, require_file_names
 from planar_pushing.pushes.logs.poses import pushes_from_poses
 from planar_pushing.terms.errors import InvalidFile, InvalidValue, suggestion
@@ -87,6 +88,8 @@ def read_mit(*files: PathLike) -> xr.Dataset:
 
 
 def _read(file: Path) -> xr.Dataset:
+    if file.is_file():
+        refuse_raw(file)  # The names of raw logs have no shape.
     outline, fields = OUTLINES[_shape(file)], _fields(file)
     before, after = (fields[key] * (MILLIMETER, MILLIMETER, 1.0) for key in FIELDS if "pose" in key)
     start, end = (fields[key] * MILLIMETER for key in FIELDS if "tip" in key)
@@ -142,6 +145,12 @@ def _records(file: Path) -> list[Any]:
     """Return the pushes of a file, or raise `InvalidFile`."""
     if not file.is_file():
         raise InvalidFile(f"{file}: no such file; name a MATLAB file")
+    with file.open("rb") as stream:
+        if stream.read(len(HDF5)) == HDF5:
+            raise InvalidFile(
+                f"{file}: is an HDF5 file; allowed: MATLAB files of version 5; a dataset of pushes needs "
+                "no conversion"
+            )
     try:
         # Damaged files make scipy raise many kinds of errors.
         content = scipy.io.loadmat(

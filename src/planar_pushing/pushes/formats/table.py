@@ -19,7 +19,7 @@ from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.pushes.logs.arguments import not_negative
 from planar_pushing.pushes.logs.checks import ON_OUTLINE
 from planar_pushing.pushes.logs.combine import concat_pushes, require_file_names
-from planar_pushing.pushes.logs.poses import pushes_from_poses, rotate
+from planar_pushing.pushes.logs.poses import ambiguous_turns, pushes_from_poses, rotate
 from planar_pushing.terms.domain import TURNS
 from planar_pushing.terms.errors import (
     InvalidFile,
@@ -230,6 +230,22 @@ def _require_unit(file: Path, table: Table, angles: str, sides: Sides, radius: f
         raise InvalidFile(
             f"{file}: angles seem to be in {other}: after the pushes, the finger is {instead:.4g} away "
             f"from the object, but {gap:.4g} with {angles} (medians); {remedy}"
+        )
+    _require_alike(file, table, angles, remedy)
+
+
+def _require_alike(file: Path, table: Table, angles: str, remedy: str) -> None:
+    """Refuse two angles of a push that are more than half a turn apart, because only one is wrapped."""
+    before, after = (table.columns[name] for name in ("angle_before", "angle_after"))
+    far = ambiguous_turns(before * ANGLES[angles], after * ANGLES[angles])
+    if len(far):
+        row, turn = int(far[0]), 2.0 * math.pi / ANGLES[angles]
+        likely = before[row] + math.remainder(after[row] - before[row], turn)
+        ranges = " or ".join(f"{low:.6g} to {low + turn:.6g}" for low in (-turn / 2.0, 0.0))
+        raise InvalidFile(
+            f"{file}: line {table.lines[row]}: angle_after: {after[row]:.6g} given, which differs from "
+            f"angle_before by {after[row] - before[row]:.6g} {angles}; allowed: at most half a turn; write "
+            f"{likely:.6g}, or wrap all angles to {ranges}; if they are in the other unit, {remedy}"
         )
 
 

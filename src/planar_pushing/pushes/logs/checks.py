@@ -10,6 +10,7 @@ import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import Sides, nearest, sides_of
+from planar_pushing.pushes.logs.possible import require_possible
 from planar_pushing.terms.errors import InvalidValue
 
 #: Largest distance of a contact from the outline, relative to the outline's size.
@@ -24,31 +25,44 @@ ROUNDING = 1e-6
 THOUSAND = (300.0, 30000.0)
 
 
-def require_consistent(pushes: xr.Dataset) -> None:
+def require_consistent(pushes: xr.Dataset, rows: Any = None) -> None:
     """Refuse impossible pushes; the error names the first of them.
+
+    Parameters
+    ----------
+    pushes : xarray.Dataset
+    rows : array_like of int, shape (n,), optional
+        Numbers of the pushes in messages; by default counted from 0.
 
     Raises
     ------
     InvalidValue
         If lengths are in different units, a contact is not on the outline, a normal is not a unit vector or
         points out of the object, a pose jumps, a finger moves away from the object, a path does not match
-        its displacement, or load fractions do not add up to 1.
+        its displacement, load fractions do not add up to 1, or no push can cause a final pose
+        (`planar_pushing.pushes.logs.possible`).
     """
+    labels = np.arange(pushes.sizes["push"]) if rows is None else np.asarray(rows)
+    objects: dict[str, tuple[Any, Sides]] = {}
     for name in dict.fromkeys(pushes["pushed"].values):
         numbers = np.flatnonzero(pushes["pushed"].values == name)
         outline = pushes["outline"].sel(object=name).values
         sides = sides_of(outline[np.isfinite(outline).all(axis=1)])
-        _require_object(pushes.isel(push=numbers), numbers, sides, str(name))
+        objects[str(name)] = numbers, sides
+        _require_object(pushes.isel(push=numbers), labels[numbers], sides, str(name))
     radii = pushes["finger_radius"].values
-    _refuse("finger_radius", radii < 0.0, radii, "numbers >= 0", "give 0 for a point")
+    _refuse("finger_radius", radii < 0.0, radii, "numbers >= 0", "give 0 for a point", labels)
     if "finger_path" in pushes:
-        _require_paths(pushes)
+        _require_paths(pushes, labels)
     if "foot_weight" in pushes:
         _require_shares(pushes)
     if "force" in pushes:
         force = pushes["force"].values
         half = np.isnan(force).sum(axis=1) == 1
-        _refuse("force", half, force, "both components, or NaN for both", "give both or neither")
+        limit = "both components, or NaN for both"
+        _refuse("force", half, force, limit, "give both or neither", labels)
+    for numbers, sides in objects.values():
+        require_possible(pushes.isel(push=numbers), sides, labels[numbers])
 
 
 def _require_object(pushes: xr.Dataset, numbers: Any, sides: Sides, name: str) -> None:
@@ -126,7 +140,7 @@ def _inward(sides: Sides, contact: Array, normal: Array) -> npt.NDArray[np.bool_
     return np.asarray((near & (normal @ sides.normal.T > 0.0)).any(axis=1))
 
 
-def _require_paths(pushes: xr.Dataset) -> None:
+def _require_paths(pushes: xr.Dataset, labels: Any) -> None:
     """Refuse paths that do not start at zero, end at the finger's displacement, and take time."""
     path, times = pushes["finger_path"].values, pushes["path_time"].values
     known = np.isfinite(path).all(axis=2) & np.isfinite(times)
@@ -134,7 +148,12 @@ def _require_paths(pushes: xr.Dataset) -> None:
     gaps = known != (np.arange(known.shape[1]) < count[:, None])
     limit = "at least two samples with NaN only after the last, or only NaN for a straight path"
     _refuse(
-        "finger_path", gaps.any(axis=1) | (count == 1), path, limit, "leave out missing samples"
+        "finger_path",
+        gaps.any(axis=1) | (count == 1),
+        path,
+        limit,
+        "leave out missing samples",
+        labels,
     )
     last = path[np.arange(len(path)), count - 1]
     finger = pushes["finger_displacement"].values
@@ -142,9 +161,10 @@ def _require_paths(pushes: xr.Dataset) -> None:
     _refuse(
         "finger_path", error > ROUNDING * np.hypot(*finger.T), path,
         "displacements since the first touch, from 0 to finger_displacement", "subtract the first",
+        labels,
     )  # fmt: skip
     falls = (np.diff(times, axis=1) <= 0.0).any(axis=1)
-    _refuse("path_time", falls, times, "times that increase", "put the samples in order")
+    _refuse("path_time", falls, times, "times that increase", "put the samples in order", labels)
 
 
 def _require_shares(pushes: xr.Dataset) -> None:

@@ -12,7 +12,7 @@ import xarray as xr
 from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports.polygon import Polygon
-from planar_pushing.objects.boundary import nearest, sides_of
+from planar_pushing.objects.boundary import Nearest, nearest, sides_of
 from planar_pushing.pushes.logs.schema import NOISE, corners_of
 from planar_pushing.terms.errors import InvalidValue
 
@@ -110,11 +110,21 @@ class Measured:
     @property
     def last_contacts(self) -> Array:
         """Point of the outline nearest the finger after each push, in the object's frame at that time."""
+        return self._last.point
+
+    @property
+    def last_gaps(self) -> Array:
+        """Gap between finger and object after each push, negative if they overlap."""
+        return self._last.gap - self.radius
+
+    @property
+    def _last(self) -> Nearest:
+        """The finger's center after each push, relative to the outline."""
         center = self.contact - self.radius[:, None] * self.normal + self.finger
         x, y = (center - self.displacement).T
         c, s = np.cos(self.rotation), np.sin(self.rotation)
         after = np.column_stack([c * x + s * y, c * y - s * x])
-        return nearest(sides_of(self.outline), after).point
+        return nearest(sides_of(self.outline), after)
 
     @property
     def points(self) -> Array:

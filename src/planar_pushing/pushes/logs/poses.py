@@ -20,8 +20,9 @@ from planar_pushing.pushes.logs.arguments import (
 )
 from planar_pushing.pushes.logs.checks import JUMP, ON_OUTLINE, middle_displacement
 from planar_pushing.pushes.logs.path import Path, require_path
+from planar_pushing.pushes.logs.possible import push_numbers
 from planar_pushing.pushes.logs.schema import VARIABLES, XY, pad, require_pushes
-from planar_pushing.pushes.logs.touching import push_numbers, touching
+from planar_pushing.pushes.logs.touching import touching
 from planar_pushing.terms.domain import RADIANS, TO_RADIANS, TURNS
 from planar_pushing.terms.errors import InvalidValue, number_of, require_flag
 
@@ -121,8 +122,10 @@ def pushes_from_poses(
     ------
     InvalidValue
         If shapes differ, a value is missing, lengths are in different units, angles are in degrees, a push
-        does not touch the object or begins deeper in it than the tolerance and is not omitted, or a pose
-        jumps.
+        does not touch the object or begins deeper in it than the tolerance and is not omitted, a pose
+        jumps, or no push can cause a final pose: the finger ends in the object or never reaches it, or the
+        object moves farther than the finger's work permits, as after a confusion of symmetric poses. The
+        message counts pushes from 0.
     """
     corners, names = require_outline(outline), require_units(units)
     frames = _frames(
@@ -160,7 +163,8 @@ def pushes_from_poses(
     attributes = {"source": source, **noise_attributes(noise)} | (
         {"left_out": count - len(rows)} if skip_missed else {}
     )
-    return require_pushes(xr.Dataset(pushed | variables, {"object": [name], "xy": XY}, attributes))
+    dataset = xr.Dataset(pushed | variables, {"object": [name], "xy": XY}, attributes)
+    return require_pushes(dataset, rows)
 
 
 def rotate(vectors: Array, angle: Array) -> Array:
@@ -194,16 +198,23 @@ def _refuse_degrees(before: Array, after: Array) -> None:
         if len(beyond):
             beyond_turns = f"the angle {angles[beyond[0]]:.6g}, in pushes {push_numbers(beyond)}"
             raise InvalidValue(name, beyond_turns, f"angles in {RADIANS}", TO_RADIANS)
-    every, turn = np.concatenate([before, after]), after - before
-    low, high = every.min(), every.max()
-    half = np.pi + ROUNDING
-    signed, positive = -half <= low and high <= half, low >= -ROUNDING and high <= half + np.pi
-    far = np.flatnonzero(np.abs(turn) > half)
-    if len(far) and not (signed or positive):
+    far = ambiguous_turns(before, after)
+    if len(far):
+        turn = after[far[0]] - before[far[0]]
         raise InvalidValue(
-            "poses_after", f"a rotation by {turn[far[0]]:.6g} radians, in pushes {push_numbers(far)}",
+            "poses_after", f"a rotation by {turn:.6g} radians, in pushes {push_numbers(far)}",
             "pushes that rotate the object by less than pi", f"give radians: {TO_RADIANS}",
         )  # fmt: skip
+
+
+def ambiguous_turns(before: Array, after: Array) -> npt.NDArray[np.intp]:
+    """Numbers of pushes whose angles in radians differ by more than pi, unless all are wrapped alike."""
+    every = np.concatenate([before, after])
+    low, high = every.min(), every.max()
+    half = np.pi + ROUNDING
+    if (-half <= low and high <= half) or (low >= -ROUNDING and high <= half + np.pi):
+        return np.zeros(0, dtype=np.intp)
+    return np.flatnonzero(np.abs(after - before) > half)
 
 
 def _require_one_unit(corners: Corners, starts: Array) -> None:

@@ -69,7 +69,7 @@ VARIABLES: dict[str, Variable] = {
 }  # fmt: skip
 
 
-def require_pushes(dataset: Any) -> xr.Dataset:
+def require_pushes(dataset: Any, rows: Any = None) -> xr.Dataset:
     """Return a canonical copy of a dataset of pushes, or raise a one-line error.
 
     Parameters
@@ -77,6 +77,8 @@ def require_pushes(dataset: Any) -> xr.Dataset:
     dataset : xarray.Dataset
         Dataset with the variables of the schema; all vectors of a push are in the object's frame before
         the push.
+    rows : array_like of int, shape (n,), optional
+        Numbers of the pushes in messages; by default counted from 0.
 
     Returns
     -------
@@ -122,7 +124,7 @@ def require_pushes(dataset: Any) -> xr.Dataset:
     }
     kept = {key: dataset.attrs[key] for key in ATTRIBUTES if key in dataset.attrs}
     pushes = xr.Dataset(variables | others, coords, {"source": ""} | kept)
-    checks.require_consistent(pushes)
+    checks.require_consistent(pushes, rows)
     return pushes
 
 

@@ -8,12 +8,11 @@ import numpy.typing as npt
 from planar_pushing.mechanics.outline import Corners, size
 from planar_pushing.objects.first_touch import Touch, first_touch
 from planar_pushing.pushes.logs.path import Path, after_touch
+from planar_pushing.pushes.logs.possible import push_numbers
 from planar_pushing.terms.errors import InvalidValue
 
 #: Overlap attributed to rounding, in sizes of the outline.
 ROUNDING = 1e-9
-#: Most push numbers listed in a message.
-LISTED = 8
 
 
 def touching(
@@ -69,9 +68,3 @@ def _first(
         contact=every.contact[rows, leg], normal=every.normal[rows, leg], side=every.side[rows, leg],
         corner=every.corner[rows, leg], fraction=every.fraction[rows, leg], overlap=every.overlap[:, 0],
     ), leg  # fmt: skip
-
-
-def push_numbers(rows: npt.NDArray[np.intp]) -> str:
-    """List of push numbers for a message, counted from 0."""
-    first = ", ".join(str(int(row)) for row in rows[:LISTED])
-    return first + (f" and {len(rows) - LISTED} more" if len(rows) > LISTED else "")
