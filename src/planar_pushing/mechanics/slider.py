@@ -9,7 +9,12 @@ from typing import Annotated, Any
 import numpy as np
 
 from planar_pushing.mechanics.kernels.arrays import same
-from planar_pushing.mechanics.outline import require_outline
+from planar_pushing.mechanics.outline import (
+    Corners,
+    is_at_inner_corner,
+    put_on_line,
+    require_outline,
+)
 from planar_pushing.terms.declared import (
     NUMBER,
     PAIR,
@@ -36,10 +41,10 @@ ROD_ANGLE = Degrees(
     ),
 )  # fmt: skip
 ENDS = (
-    "(start, end) with start < 0 < end, infinite for a side without an end",
+    "(start, end) with start <= 0 <= end, infinite for a side without an end",
     "measure both ends along the side from the contact, which is between them, the one toward -x first",
 )
-START, END = Within(lambda x: x < 0, *ENDS), Within(lambda x: x > 0, *ENDS)
+START, END = Within(lambda x: x <= 0, *ENDS), Within(lambda x: x >= 0, *ENDS)
 
 
 class Side(Declaration):
@@ -75,6 +80,16 @@ OUTLINE = Read(
     lambda name, value: require_outline(value, name), "the corners of a simple polygon, in order",
     {"type": "array", "minItems": 3, "items": PAIR},
 )  # fmt: skip
+
+
+def _is_long(side: tuple[Number, Number]) -> bool:
+    """Whether the ends of a side are finite and apart."""
+    if not all(bool(np.all(np.isfinite(end))) for end in side):
+        return False
+    start, end = map(np.asarray, side)
+    # Other shapes are refused where all parameters are known.
+    is_comparable = start.shape == end.shape or not (start.ndim and end.ndim)
+    return not is_comparable or bool((end > start).all())
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -119,16 +134,33 @@ class Slider:
 
     def __post_init__(self) -> None:
         require_declared(self)
-        if self.flush and not all(bool(np.all(np.isfinite(end))) for end in self.side):
+        if self.flush and not _is_long(self.side):
             raise InvalidValue(
-                "side", self.side, "finite ends (start, end) of a side that lies on the fence",
+                "side", self.side, "two finite ends (start, end) of a side that lies on the fence",
                 "measure both ends along the fence, or leave flush out",
             )  # fmt: skip
+        if self.outline is not None:
+            object.__setattr__(self, "outline", self._outline_on_fence())
         if self.radius is not None:
             _ = self.length_ratio
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)
+
+    def _outline_on_fence(self) -> Corners:
+        """The outline with the corners on the line of the fence that are drawn on it.
+
+        At an inner corner a contact is refused, because a pusher would touch two sides there.
+        """
+        if not self.flush and is_at_inner_corner(self.outline, np.ravel(self.rod_length)):
+            raise InvalidValue(
+                "outline", "an inner corner at the contact", "one whose inner corners are elsewhere",
+                "a pusher there touches two sides; move the contact off the corner",
+            )  # fmt: skip
+        if np.ndim(self.rod_length) or np.ndim(self.rod_angle):
+            return self.outline
+        normal = np.array([math.sin(self.rod_angle), math.cos(self.rod_angle)])
+        return put_on_line(self.outline, np.array([-self.rod_length, 0.0]), normal)
 
     @property
     def length_ratio(self) -> Number:

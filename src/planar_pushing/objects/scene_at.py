@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactLaw
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
-from planar_pushing.mechanics.outline import require_outline
+from planar_pushing.mechanics.outline import Corners, require_outline
 from planar_pushing.mechanics.plane import Array, Frame, Placement
 from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.scene import Scene
@@ -107,7 +107,7 @@ def scene_at(
         radius=extent if many or not any(hasattr(effect, "support") for effect in acting) else None,
         side=ends,
         flush=flush,
-        outline=None if many or corners is None else body.point_in(corners) + 0.0,
+        outline=None if many or corners is None else Corners.of(body.point_in(corners) + 0.0),
     )
     loaded = [_with_center(effect, center, acting) for effect in acting]
     moved = tuple(effect.moved(body, placement.fence) for effect in loaded)
