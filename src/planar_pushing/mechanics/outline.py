@@ -94,10 +94,10 @@ def size(corners: Array) -> float:
 def corners_of_drawing(vertices: Array) -> npt.NDArray[np.intp]:
     """Numbers of the vertices of a closed drawing that are corners, in order.
 
-    Every vertex is within the tolerance of the polygon of the corners. A chain of vertices is divided at the
-    one farthest from its chord until all are that close (Douglas and Peucker). Then each corner is left out
-    whose absence moves no vertex out of the tolerance: the first two can be inside a straight side, and the
-    farthest from a chord parallel to a side, too.
+    Every vertex is within the tolerance of the polygon of the corners. A chain of vertices is divided at
+    the one farthest from its chord until all are that close (Douglas and Peucker). Then each corner is left
+    out whose absence moves no vertex out of the tolerance: the first two can be inside a straight side,
+    and the farthest from a chord parallel to a side, too.
     """
     tolerance, count = DRAWN * size(vertices), len(vertices)
     before, behind = np.roll(vertices, 1, axis=0), np.roll(vertices, -1, axis=0)

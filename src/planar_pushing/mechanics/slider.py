@@ -107,12 +107,13 @@ class Slider:
         its support from the center of pressure, or to 1 for a ring.
     side : (start, end), of floats or arrays
         Ends of the flat side that a finger pushes, measured from the contact along the side, which at time
-        0 is along the fence. They have no effect on a fence, unless the side lies on it.
+        0 is along the fence; 0 at a corner. They have no effect on a fence, unless the side lies on it.
     flush : bool
         Whether the side lies on the fence: the contact is the whole side, between its ends, which must be
         finite. Its place, from which the rod goes, is then only the origin of the ends.
     outline : sequence of pairs, optional
-        Corners of the slider in the body frame, in order; by default the outline is unknown. In a
+        Corners of the slider in the body frame, in order, exact to a millionth of the outline's size: those
+        that close to the fence are put on it. By default the outline is unknown. In a
         simulation a fence touches every corner and side of the outline. Under a finger, the simulation ends
         when another point of the outline meets the finger, or when this reaches the end of its side.
 
@@ -120,7 +121,7 @@ class Slider:
     ------
     InvalidValue
         If a parameter is out of range, the side does not contain the contact, the ends of a flush side are
-        not finite, or the outline is not a simple polygon.
+        not finite or not apart, the outline is not a simple polygon, or the contact is at an inner corner.
     """
 
     rod_length: Annotated[

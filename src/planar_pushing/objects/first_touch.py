@@ -212,7 +212,7 @@ def _contact(
 
 
 def _normal(sides: Sides, offset: Array, side: Any, vertex: Any, corner: Any) -> Array:
-    """Normals of the side; at a corner, along the offset from the disc's center, without it the bisector."""
+    """Normals of the side; at a corner, along the offset from the disc's center, else the bisector."""
     after, before = sides.normal[vertex], sides.normal[vertex - 1]
     middle = after + before
     outside = (offset * middle).sum(axis=1) > 0.0

@@ -22,8 +22,8 @@ def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[N
     """The placements of contacts, and the ends of their sides relative to them.
 
     A point is moved onto the outline, and onto a corner that is within the tolerance of drawings. Away from
-    corners, the normal is replaced by that of the side. At a corner it is replaced if with it a side lies on
-    the fence, which then ends at the contact; otherwise the side has no length.
+    corners, the normal is replaced by that of the side. At a corner it is replaced if with it a side lies
+    on the fence, which then ends at the contact; otherwise the side has no length.
 
     Raises
     ------

@@ -70,7 +70,13 @@ def simulate_batch(
     Raises
     ------
     InvalidValue
-        If a value is not allowed, or shapes do not match.
+        If a value is not allowed, shapes do not match, or a fence would lie on sides of an outline that an
+        array of contacts does not keep.
+
+    Warns
+    -----
+    SceneWarning
+        If such an outline could meet the pusher. A finger stops at the end of its side.
     """
     require_kind("pusher", pusher, Pusher)
     require_flag("progress", progress)

@@ -240,7 +240,12 @@ class TestOutline:
             (2, (2, 0), (0, 0), r"normal: \(0.0, 0.0\) given; allowed: a nonzero vector"),
             (5, (2, 0), (1, 1), r"normal: array\(\[1., 1.\]\) given; .* side, \(0, 1\); with"),
             (7, (0, 0), (-1, 0), r"normal: \(-1.0, 0.0\) given; .* those of the corner's sides"),
-            (6, (3, 1), (1, 0), r"point: array\(\[3., 1.\]\) given; .* move the contact off the corner"),
+            (
+                6,
+                (3, 1),
+                (1, 0),
+                r"point: array\(\[3., 1.\]\) given; .* move the contact off the corner",
+            ),
         ],
     )
     def test_the_contact_that_is_refused_is_named(self, number, point, normal, said):
