@@ -153,15 +153,16 @@ class Slider:
 
         At an inner corner a contact is refused, because a pusher would touch two sides there.
         """
-        if not self.flush and is_at_inner_corner(self.outline, np.ravel(self.rod_length)):
+        corners: Corners = self.outline
+        if not self.flush and is_at_inner_corner(corners, np.ravel(self.rod_length)):
             raise InvalidValue(
                 "outline", "an inner corner at the contact", "one whose inner corners are elsewhere",
                 "a pusher there touches two sides; move the contact off the corner",
             )  # fmt: skip
         if np.ndim(self.rod_length) or np.ndim(self.rod_angle):
-            return self.outline
+            return corners
         normal = np.array([math.sin(self.rod_angle), math.cos(self.rod_angle)])
-        return put_on_line(self.outline, np.array([-self.rod_length, 0.0]), normal)
+        return put_on_line(corners, np.array([-self.rod_length, 0.0]), normal)
 
     @property
     def length_ratio(self) -> Number:

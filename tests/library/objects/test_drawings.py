@@ -59,9 +59,8 @@ def test_the_stable_rotations_are_those_of_the_exact_box(digits):
     assert 11.0 < largest < 13.0
     for angle in ANGLES[:4]:
         outline = np.round(turned(BOX, angle), digits)
-        scene = pp.scene_at(
-            side=0, effects=friction(pp.Polygon(turned(BOX, angle))), contact=pp.Coulomb(0.5), outline=outline
-        )  # fmt: skip
+        effects = friction(pp.Polygon(turned(BOX, angle)))
+        scene = pp.scene_at(side=0, effects=effects, contact=pp.Coulomb(0.5), outline=outline)
         along_normal = scene.to_object(twists, "twist")
         assert rates[pp.stable(scene, along_normal)].max() == largest
 
