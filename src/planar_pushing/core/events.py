@@ -70,7 +70,7 @@ from planar_pushing.core.shapes import (
     center_height,
     confine_finger,
     has_finger,
-    has_outline,
+    is_outlined,
     longest_step,
     put_initial_state,
     room_on_side,
@@ -410,10 +410,10 @@ def _go_to_event(system: System) -> None:
         cause = TOUCHES  # the pusher has left the slider at rest before
         run[RUN_CAUSE] = float(cause)
     # A finger leaves its side, or passes beside it.
-    passes: bool = cause == TOUCHES and room_on_side(system, state[ALONG]) < 0.0
+    passes: bool = cause == TOUCHES and room_on_side(system, state[ALONG]) < -SLACK
     if cause == END_OF_SIDE or passes:
-        run[RUN_PARTED] = 0.0 if has_outline(system) else 1.0
-        reason = SIDE_ENDED if has_outline(system) else GOES_ON
+        run[RUN_PARTED] = 0.0 if is_outlined(system) else 1.0
+        reason = SIDE_ENDED if is_outlined(system) else GOES_ON
     else:
         time, reason = change_state(
             system, cause, mode, run[RUN_EVENT], state, current_policy(system)

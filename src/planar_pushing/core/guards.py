@@ -28,6 +28,7 @@ from planar_pushing.core.solution import SEPARATE
 from planar_pushing.core.system import (
     CAUSES,
     CENTER_AT_POINT,
+    END_OF_SIDE,
     END_VALUES,
     FIRST_RATES,
     GAP,
@@ -183,6 +184,8 @@ def _event_of_cause(system: System, mode: Mode, cause: int) -> float:
                 return time
             signs[cause] = -sign  # another point is the slowest, or the center is far from it
         if sign == 0.0:
+            if cause == END_OF_SIDE and value < -SLACK:
+                return _end_of_side_within(system, mode, low, high)
             signs[cause] = sign_of_guard(cause, value)
             if value < -SLACK and not watched:
                 start = _time_of_rise(system, mode, cause, low, high)
@@ -192,6 +195,12 @@ def _event_of_cause(system: System, mode: Mode, cause: int) -> float:
                     return _time_of_touch(system, mode, high)
                 return start if start < 0.0 else _crossing_within(system, mode, cause, start, high)
     return INFINITY if watched else _time_of_dip(system, mode, cause)
+
+
+def _end_of_side_within(system: System, mode: Mode, low: float, high: float) -> float:
+    """When a finger that is at an end of its side leaves it: at once, or after it has moved inward."""
+    start = _time_of_rise(system, mode, END_OF_SIDE, low, high)
+    return low if start < 0.0 else _crossing_within(system, mode, END_OF_SIDE, start, high)
 
 
 def _opens(system: System, mode: Mode) -> bool:

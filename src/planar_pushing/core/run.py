@@ -20,7 +20,7 @@ IN_TWIST, IN_GAP = 16, 19
 #: Whether the pusher is a finger; its radius; ends of its side, relative to the contact.
 IN_FINGER, IN_RADIUS, IN_SIDE_START, IN_SIDE_END = range(20, 24)
 #: Slider's radius in tolerances of its outline, zero without an outline; number of the outline's corners,
-#: and their place in the data, in units of its tolerance.
+#: zero if they are not given, and their place in the data, in units of its tolerance.
 IN_FINE, IN_CORNERS, IN_CORNERS_PLACE = range(24, 27)
 #: Numbers of the effects that are friction, and of those that resist: friction and viscous friction.
 IN_FRICTIONS, IN_RESISTING = range(27, 29)

@@ -292,6 +292,11 @@ def has_outline(system: System) -> bool:
     return system.scene[IN_CORNERS] > 0.0
 
 
+def is_outlined(system: System) -> bool:
+    """Whether the slider is known to have an outline, even if its corners are not given."""
+    return system.scene[IN_FINE] > 0.0
+
+
 def confine_finger(system: System, state: Numbers) -> None:
     """Store the stretch of the side on which a finger meets no other point of the outline."""
     scene, run = system.scene, system.run

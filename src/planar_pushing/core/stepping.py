@@ -77,7 +77,7 @@ from planar_pushing.core.shapes import (
     contact_motion,
     from_world,
     has_finger,
-    has_outline,
+    is_outlined,
     kinetic_energy_of,
     outline_height,
     pose_of,
@@ -293,8 +293,8 @@ def _add_load_work(system: System) -> None:
 def _end_contact(system: System) -> None:
     """End the contact at the end of a finger's side; with an outline, stop there or at a fence."""
     run, state = system.run, vector_of(system, STATE)
-    if state[GAP] <= SLACK and room_on_side(system, state[ALONG]) < 0.0:
-        if has_outline(system):
+    if state[GAP] <= SLACK and room_on_side(system, state[ALONG]) < -SLACK:
+        if is_outlined(system):
             run[RUN_STOPPED] = float(SIDE_ENDED)
         else:
             run[RUN_PARTED] = 1.0

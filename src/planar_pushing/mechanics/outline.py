@@ -1,32 +1,180 @@
-"""The outline of an object: its corners in order, and its sides."""
+"""The outline of an object: the corners and sides of a drawing, exact to a millionth of its size.
+
+A drawing has vertices that are no corners: doubled ones, those on a straight side, and those of a curve
+that is finer than the drawing is exact. `corners_of_drawing` leaves them out, so that every vertex is
+within the tolerance of the outline that remains.
+"""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.supports.polygon import counterclockwise, simple_ring
+from planar_pushing.mechanics.supports.polygon import counterclockwise, require_simple, ring_of
+from planar_pushing.terms.errors import InvalidValue
 
-Corners = tuple[tuple[float, float], ...]
+#: Exactness of a drawing relative to its size: what is closer than this is at one place. It holds for
+#: doubled vertices, for vertices on a straight side, for corners on the line of a fence, and for contacts
+#: on the outline.
+DRAWN = 1e-6
+#: A direction in which the extreme vertices of a drawing are corners, unless a side is perpendicular to it.
+SLANTED = np.array([0.5403023058681398, 0.8414709848078965])
+#: Rounding error of a height above a line, relative to the coordinates.
+ROUNDING = 64.0 * float(np.finfo(float).eps)
+
+
+class Corners(tuple[tuple[float, float], ...]):
+    """Corners of an outline, counterclockwise, as `require_outline` returns them and leaves them."""
+
+    __slots__ = ()
+
+    @classmethod
+    def of(cls, vertices: Array) -> Corners:
+        """Corners from an array of shape (n, 2)."""
+        return cls((x, y) for x, y in vertices.tolist())
+
+
+class Drawing(NamedTuple):
+    """A drawing of an outline.
+
+    Attributes
+    ----------
+    vertices : ndarray, shape (n, 2)
+        As drawn.
+    corners : Corners
+    side : ndarray of int, shape (n,)
+        For each edge of the drawing, from the vertex with its number to the next one, the side of the
+        outline that it is a part of. Side k goes from corner k to the next one.
+    """
+
+    vertices: Array
+    corners: Corners
+    side: npt.NDArray[np.intp]
 
 
 def require_outline(value: Any, name: str = "outline") -> Corners:
-    """Corners of a simple polygon, counterclockwise, without those inside a straight side.
+    """Corners of a simple polygon, counterclockwise, without vertices that are no corners.
 
     Raises
     ------
     InvalidValue
         If the outline is not a simple polygon.
     """
-    corners = counterclockwise(simple_ring(name, value))
-    before, behind = corners - np.roll(corners, 1, axis=0), np.roll(corners, -1, axis=0) - corners
-    cross = before[:, 0] * behind[:, 1] - before[:, 1] * behind[:, 0]
-    turns = np.abs(cross) > 1e-12 * np.hypot(*before.T) * np.hypot(*behind.T)
-    return tuple((float(a), float(b)) for a, b in corners[turns])
+    return value if isinstance(value, Corners) else read_drawing(value, name).corners
+
+
+def read_drawing(value: Any, name: str = "outline") -> Drawing:
+    """The drawing of an outline; errors as in `require_outline`."""
+    vertices = ring_of(name, value)
+    kept = np.arange(len(vertices))
+    if not isinstance(value, Corners):
+        kept = corners_of_drawing(vertices)
+        if len(kept) < 3:
+            raise InvalidValue(
+                name, vertices.tolist(), "a polygon whose area is not zero",
+                "an outline is exact to a millionth of its size; draw one that is wider than that",
+            )  # fmt: skip
+        require_simple(name, vertices[kept], kept)
+    edges = np.arange(len(vertices))
+    side = (np.searchsorted(kept, edges, side="right") - 1) % len(kept)
+    corners = counterclockwise(vertices[kept])
+    if (corners[0] != vertices[kept[0]]).any():  # clockwise: corner k is the last but k
+        side = (len(kept) - 2 - side) % len(kept)
+    return Drawing(vertices, Corners.of(corners), side)
 
 
 def size(corners: Array) -> float:
     """Largest extent of an outline along x or y."""
     return float(np.ptp(corners, axis=0).max())
+
+
+def corners_of_drawing(vertices: Array) -> npt.NDArray[np.intp]:
+    """Numbers of the vertices of a closed drawing that are corners, in order.
+
+    Every vertex is within the tolerance of the polygon of the corners. A chain of vertices is divided at
+    the one farthest from its chord until all are that close (Douglas and Peucker). Then each corner is left
+    out whose absence moves no vertex out of the tolerance: the first two can be inside a straight side,
+    and the farthest from a chord parallel to a side, too.
+    """
+    tolerance, count = DRAWN * size(vertices), len(vertices)
+    before, behind = np.roll(vertices, 1, axis=0), np.roll(vertices, -1, axis=0)
+    # Where every vertex is far from the chord of its neighbors, none is near a longer chord.
+    if (_distances(vertices, before, behind) > 2.0 * tolerance).all():
+        return np.arange(count)
+    heights = vertices @ SLANTED
+    first, opposite = int(heights.argmin()), int(heights.argmax())
+    ring = np.roll(vertices, -first, axis=0)
+    ring = np.concatenate([ring, ring[:1]])
+    middle = (opposite - first) % count
+    kept, chains = [0, middle], [(0, middle), (middle, count)]
+    while chains:
+        start, end = chains.pop()
+        if end - start < 2:
+            continue
+        distances = _distances(ring[start + 1 : end], ring[start], ring[end])
+        farthest = int(distances.argmax())
+        if distances[farthest] > tolerance:
+            corner = start + 1 + farthest
+            kept.append(corner)
+            chains += [(start, corner), (corner, end)]
+    kept = _without_needless(ring[:-1], sorted(kept), tolerance)
+    return np.sort((np.array(kept) + first) % count)
+
+
+def _without_needless(ring: Array, kept: list[int], tolerance: float) -> list[int]:
+    """Numbers of the corners without those whose absence moves no vertex out of the tolerance."""
+    corners = ring[kept]
+    chords = np.roll(corners, 1, axis=0), np.roll(corners, -1, axis=0)
+    doubtful = np.flatnonzero(_distances(corners, *chords) <= tolerance)
+    remaining = list(kept)
+    for corner in (kept[i] for i in doubtful):
+        i, count = remaining.index(corner), len(remaining)
+        if count <= 2:
+            break
+        start, end = remaining[i - 1], remaining[(i + 1) % count]
+        between = ring[np.arange(start + 1, end + (len(ring) if end <= start else 0)) % len(ring)]
+        if (_distances(between, ring[start], ring[end]) <= tolerance).all():
+            del remaining[i]
+    return remaining
+
+
+def _distances(points: Array, starts: Array, ends: Array) -> Array:
+    """Distances of points from line segments, shape (n,)."""
+    along, away = ends - starts, points - starts
+    square = (along * along).sum(axis=-1)
+    part = (away * along).sum(axis=-1) / np.where(square > 0.0, square, 1.0)
+    apart = away - np.clip(part, 0.0, 1.0)[..., None] * along
+    return np.asarray(np.hypot(apart[..., 0], apart[..., 1]))
+
+
+def is_at_inner_corner(corners: Corners, rod_lengths: Array) -> bool:
+    """Whether the end of a rod, at x = -length in the frame of the outline, is at an inner corner."""
+    vertices = np.array(corners)
+    before, behind = (
+        vertices - np.roll(vertices, 1, axis=0),
+        np.roll(vertices, -1, axis=0) - vertices,
+    )
+    inner = vertices[before[:, 0] * behind[:, 1] < before[:, 1] * behind[:, 0]]
+    if not len(inner):
+        return False
+    away = np.hypot(inner[:, 0] + np.asarray(rod_lengths)[:, None], inner[:, 1])
+    return bool((away <= DRAWN * size(vertices)).any())
+
+
+def put_on_line(corners: Corners, point: Array, normal: Array) -> Corners:
+    """Corners, of which those within the tolerance of the line through a point are moved onto it.
+
+    The core takes corners for exact, and a run ends where one is below the fence.
+    """
+    vertices = np.array(corners)
+    heights = (vertices - point) @ normal
+    rounding = ROUNDING * float(np.abs(vertices).max() + np.abs(point).max())
+    is_off = (np.abs(heights) > rounding) & (np.abs(heights) <= DRAWN * size(vertices))
+    if not is_off.any():
+        return corners
+    moved = vertices - np.where(is_off, heights, 0.0)[:, None] * normal
+    # Corners that are now doubled, or on a straight side, are none.
+    return Corners.of(moved[corners_of_drawing(moved)])

@@ -9,7 +9,12 @@ from typing import Annotated, Any
 import numpy as np
 
 from planar_pushing.mechanics.kernels.arrays import same
-from planar_pushing.mechanics.outline import require_outline
+from planar_pushing.mechanics.outline import (
+    Corners,
+    is_at_inner_corner,
+    put_on_line,
+    require_outline,
+)
 from planar_pushing.terms.declared import (
     NUMBER,
     PAIR,
@@ -36,10 +41,10 @@ ROD_ANGLE = Degrees(
     ),
 )  # fmt: skip
 ENDS = (
-    "(start, end) with start < 0 < end, infinite for a side without an end",
+    "(start, end) with start <= 0 <= end, infinite for a side without an end",
     "measure both ends along the side from the contact, which is between them, the one toward -x first",
 )
-START, END = Within(lambda x: x < 0, *ENDS), Within(lambda x: x > 0, *ENDS)
+START, END = Within(lambda x: x <= 0, *ENDS), Within(lambda x: x >= 0, *ENDS)
 
 
 class Side(Declaration):
@@ -77,6 +82,16 @@ OUTLINE = Read(
 )  # fmt: skip
 
 
+def _is_long(side: tuple[Number, Number]) -> bool:
+    """Whether the ends of a side are finite and apart."""
+    if not all(bool(np.all(np.isfinite(end))) for end in side):
+        return False
+    start, end = map(np.asarray, side)
+    # Other shapes are refused where all parameters are known.
+    is_comparable = start.shape == end.shape or not (start.ndim and end.ndim)
+    return not is_comparable or bool((end > start).all())
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Slider:
     """A body with a massless rod, pushed at the rod's free end (Fig. 1).
@@ -92,12 +107,13 @@ class Slider:
         its support from the center of pressure, or to 1 for a ring.
     side : (start, end), of floats or arrays
         Ends of the flat side that a finger pushes, measured from the contact along the side, which at time
-        0 is along the fence. They have no effect on a fence, unless the side lies on it.
+        0 is along the fence; 0 at a corner. They have no effect on a fence, unless the side lies on it.
     flush : bool
         Whether the side lies on the fence: the contact is the whole side, between its ends, which must be
         finite. Its place, from which the rod goes, is then only the origin of the ends.
     outline : sequence of pairs, optional
-        Corners of the slider in the body frame, in order; by default the outline is unknown. In a
+        Corners of the slider in the body frame, in order, exact to a millionth of the outline's size: those
+        that close to the fence are put on it. By default the outline is unknown. In a
         simulation a fence touches every corner and side of the outline. Under a finger, the simulation ends
         when another point of the outline meets the finger, or when this reaches the end of its side.
 
@@ -105,7 +121,7 @@ class Slider:
     ------
     InvalidValue
         If a parameter is out of range, the side does not contain the contact, the ends of a flush side are
-        not finite, or the outline is not a simple polygon.
+        not finite or not apart, the outline is not a simple polygon, or the contact is at an inner corner.
     """
 
     rod_length: Annotated[
@@ -119,16 +135,34 @@ class Slider:
 
     def __post_init__(self) -> None:
         require_declared(self)
-        if self.flush and not all(bool(np.all(np.isfinite(end))) for end in self.side):
+        if self.flush and not _is_long(self.side):
             raise InvalidValue(
-                "side", self.side, "finite ends (start, end) of a side that lies on the fence",
+                "side", self.side, "two finite ends (start, end) of a side that lies on the fence",
                 "measure both ends along the fence, or leave flush out",
             )  # fmt: skip
+        if self.outline is not None:
+            object.__setattr__(self, "outline", self._outline_on_fence())
         if self.radius is not None:
             _ = self.length_ratio
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)
+
+    def _outline_on_fence(self) -> Corners:
+        """The outline with the corners on the line of the fence that are drawn on it.
+
+        At an inner corner a contact is refused, because a pusher would touch two sides there.
+        """
+        corners: Corners = self.outline
+        if not self.flush and is_at_inner_corner(corners, np.ravel(self.rod_length)):
+            raise InvalidValue(
+                "outline", "an inner corner at the contact", "one whose inner corners are elsewhere",
+                "a pusher there touches two sides; move the contact off the corner",
+            )  # fmt: skip
+        if np.ndim(self.rod_length) or np.ndim(self.rod_angle):
+            return corners
+        normal = np.array([math.sin(self.rod_angle), math.cos(self.rod_angle)])
+        return put_on_line(corners, np.array([-self.rod_length, 0.0]), normal)
 
     @property
     def length_ratio(self) -> Number:

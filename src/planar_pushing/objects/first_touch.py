@@ -10,13 +10,14 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.kernels.arrays import same
+from planar_pushing.mechanics.outline import DRAWN
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.terms.errors import InvalidValue, require_number
 from planar_pushing.terms.numbers import require_array
 
 #: Rounding error of positions, relative to the numbers from which they are computed.
-ROUNDING = 1e-12
+ROUNDING = 64.0 * float(np.finfo(float).eps)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,7 +92,9 @@ def first_touch(
     -----
     At the touch, the center reaches the boundary of the object grown by the radius: sides moved outward by
     the radius, and circles about the convex corners. At a reflex corner the disc reaches one of the two
-    sides first.
+    sides first. As a drawing is, it is exact to a millionth of the outline's size: a disc that close to the
+    object touches it, a contact that close to a convex corner is at the corner, and a disc no larger is a
+    point.
     """
     sides = sides_of(outline)
     start, motion = _vectors("position", position), _vectors("displacement", displacement)
@@ -119,20 +122,18 @@ def _touch(
     sides: Sides, start: Array, motion: Array, radius: Array, slack: float
 ) -> dict[str, Any]:
     """Attributes of `Touch` for pushes of shape (n, 2)."""
-    error = ROUNDING * (
-        sides.scale + np.abs(sides.start).max() + np.abs(start).max(axis=1, initial=0.0)
-    )
+    error = DRAWN * sides.scale + ROUNDING * np.abs(start).max(axis=1, initial=0.0)
     near = nearest(sides, start)
     gap = near.gap - radius
     side, position, fraction = _first_meeting(sides, start, motion, radius, error)
     # A disc that starts in contact, or within the tolerance, and moves into the object touches at once.
-    normal = _contact(sides, start, near.side, near.position, error)["normal"]
+    normal = _contact(sides, start, near.side, near.position, radius, error)["normal"]
     into = (normal * motion).sum(axis=1) > 0.0
     at_once = into & (gap <= error) & (gap >= -slack - error)
     side, position = np.where(at_once, near.side, side), np.where(at_once, near.position, position)
     fraction = np.where(at_once, 0.0, np.where(gap < -slack - error, np.nan, fraction))
     contact = _contact(
-        sides, start + np.nan_to_num(fraction)[:, None] * motion, side, position, error
+        sides, start + np.nan_to_num(fraction)[:, None] * motion, side, position, radius, error
     )
     missed = np.isnan(fraction) | ((contact["normal"] * motion).sum(axis=1) <= 0.0)
     return {
@@ -191,32 +192,30 @@ def _fractions_to_corners(sides: Sides, start: Array, motion: Array, radius: Arr
 
 
 def _contact(
-    sides: Sides, center: Array, side: npt.NDArray[np.intp], position: Array, error: Array
-) -> dict[str, Any]:
+    sides: Sides, center: Array, side: npt.NDArray[np.intp], position: Array, radius: Array,
+    error: Array,
+) -> dict[str, Any]:  # fmt: skip
     """Contact and normal of a disc that touches a side at a given place."""
     after = (side + 1) % len(sides.length)
     at_start, at_end = position <= error, position >= sides.length[side] - error
     vertex = np.where(at_end, after, side)
     corner = (at_start | at_end) & sides.convex[vertex]
     point = sides.start[side] + position[:, None] * sides.tangent[side]
-    point = np.where(corner[:, None], sides.start[vertex], point)
+    # A disc that meets a side near its end has the normal of the side, to the digits of its position.
+    offset = np.where((radius > error)[:, None], point - center, 0.0)
     return {
-        "contact": point,
-        "normal": _normal(sides, center, point, side, vertex, corner, error),
+        "contact": np.where(corner[:, None], sides.start[vertex], point),
+        "normal": _normal(sides, offset, side, vertex, corner),
         "side": np.where(corner, (vertex - 1) % len(sides.length), side),
         "corner": corner,
     }
 
 
-def _normal(
-    sides: Sides, center: Array, point: Array, side: Any, vertex: Any, corner: Any, error: Array
-) -> Array:
-    """Normals of the side; at a corner, from the disc's center to it, or for a point the bisector."""
+def _normal(sides: Sides, offset: Array, side: Any, vertex: Any, corner: Any) -> Array:
+    """Normals of the side; at a corner, along the offset from the disc's center, else the bisector."""
     after, before = sides.normal[vertex], sides.normal[vertex - 1]
     middle = after + before
-    offset = point - center
-    length = np.hypot(*offset.T)
-    outside = (length > 1e3 * error) & ((offset * middle).sum(axis=1) > 0.0)
+    outside = (offset * middle).sum(axis=1) > 0.0
     from_center = np.where(outside[:, None], offset, middle)
     normals = np.where(corner[:, None], from_center, sides.normal[side])
     return np.asarray(normals / np.hypot(*normals.T)[:, None])

@@ -7,53 +7,50 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.outline import Corners, require_outline
+from planar_pushing.mechanics.outline import DRAWN, Corners, read_drawing
 from planar_pushing.mechanics.plane import Array, Placement
-from planar_pushing.mechanics.supports.polygon import simple_ring
-from planar_pushing.objects.boundary import nearest, sides_between
+from planar_pushing.objects.boundary import Sides, nearest, sides_between
 from planar_pushing.objects.many import Contacts
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
 
-#: A point closer to a side than this, relative to the outline's size, counts as on it: drawings are no more
-#: precise.
-ON = 1e-6
-#: A distance below this is rounding. A point farther away is moved onto the side, because a corner below
-#: the fence ends a simulation.
-EXACT = 1e-12
 #: Largest angle, in radians, between a given normal and that of its side.
 ALIGNED = 1e-3
 
 
 def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[Number, Number]]:
-    """The placements of contacts, and the ends of their sides relative to them; infinite at a corner.
+    """The placements of contacts, and the ends of their sides relative to them.
 
-    A normal within a thousandth of a radian of that of the side is replaced by it. A point closer to the
-    side than a millionth of the outline's size is moved onto it.
+    A point is moved onto the outline, and onto a corner that is within the tolerance of drawings. Away from
+    corners, the normal is replaced by that of the side. At a corner it is replaced if with it a side lies
+    on the fence, which then ends at the contact; otherwise the side has no length.
 
     Raises
     ------
     InvalidValue
-        If a point is not on the outline, or a fence with its normal would pass through the object. The
-        error names the first contact that the failing check refuses.
+        If a point is not on the outline or is at an inner corner, or a fence with its normal would pass
+        through the object. The error names the first contact that the failing check refuses.
     """
     points, sides = contacts.points, sides_between(np.array(corners))
     spot = nearest(sides, points)
     along, inward = spot.position, sides.normal[spot.side]
-    target = sides.start[spot.side] + along[:, None] * sides.tangent[spot.side]
-    _require_on(contacts, np.abs(spot.gap) <= ON * sides.scale, target)
+    _require_on(contacts, np.abs(spot.gap) <= DRAWN * sides.scale, spot.point)
     away = points[:, None] - sides.start
-    near = np.asarray(np.hypot(away[..., 0], away[..., 1]) <= ON * sides.scale)
-    at_corner, corner = np.any(near, axis=1), near.argmax(axis=1)
-    _require_between(contacts, at_corner, sides.start, corner)
+    distance = np.hypot(away[..., 0], away[..., 1])
+    is_near = np.asarray(distance <= DRAWN * sides.scale)
+    _require_outer(contacts, is_near, sides)
+    at_corner = np.any(is_near, axis=1)
     _require_aligned(contacts, ~at_corner, inward)
-    target = np.where(at_corner[:, None], sides.start[corner], target)
-    is_exact = np.hypot(*(target - points).T) <= EXACT * sides.scale
+    height = ((points - sides.start[spot.side]) * inward).sum(axis=1)
+    points = points - height[:, None] * inward
     ends = np.column_stack([-along, sides.length[spot.side] - along])
-    ends[at_corner] = -np.inf, np.inf
-    # Without normals, no contact is at a corner.
-    normals = np.where(at_corner[:, None], contacts.normals, inward)
-    points = np.where(is_exact[:, None], points, target)
+    normals = inward
+    if at_corner.any():
+        # Without normals, no contact is at a corner.
+        normals = np.where(at_corner[:, None], contacts.normals, inward)
+        pushed, corner = np.flatnonzero(at_corner), _corners(contacts, sides, distance, is_near)
+        points[pushed] = sides.start[corner]
+        normals[pushed], ends[pushed] = _at_corner(sides, corner, normals[pushed])
     return Placement(contacts.pair(points), contacts.pair(normals)), contacts.pair(ends)
 
 
@@ -82,35 +79,43 @@ def side_on_fence(side: Any, outline: Any) -> tuple[Placement, tuple[float, floa
     InvalidValue
         If there is no such side, or the fence would pass through the object.
     """
-    corners = require_outline(outline)
-    vertices = simple_ring("outline", outline)
-    if (
-        isinstance(side, bool)
-        or not isinstance(side, (int, np.integer))
-        or not 0 <= side < len(vertices)
-    ):
+    drawing = read_drawing(outline)
+    count, sides = len(drawing.vertices), sides_between(np.array(drawing.corners))
+    if isinstance(side, bool) or not isinstance(side, (int, np.integer)) or not 0 <= side < count:
         raise InvalidValue(
-            "side", side, f"a whole number from 0 to {len(vertices) - 1}",
+            "side", side, f"a whole number from 0 to {count - 1}",
             "give the number of the corner at which the side begins, in the order of the outline",
         )  # fmt: skip
-    sides = sides_between(np.array(corners))
-    middle = (vertices[side] + vertices[(int(side) + 1) % len(vertices)]) / 2.0
-    number = int(nearest(sides, middle[None]).side[0])
+    tolerance = DRAWN * sides.scale
+    _require_long(int(side), drawing.vertices, sides.start, tolerance)
+    number = int(drawing.side[side])
     tangent, normal = sides.tangent[number], sides.normal[number]
     origin = sides.start[number] + sides.length[number] / 2.0 * tangent
     heights = (sides.start - origin) @ normal
-    if heights.min() < -EXACT * sides.scale:
+    if heights.min() < -tolerance:
         raise InvalidValue(
             "side", side, "a side with the whole object on one side of its line",
             "the fence would pass through the object; push the side at a point, with a finger",
         )  # fmt: skip
     # The fence's +x is along the side, because the object is to the left of it.
-    along = ((sides.start - origin) @ tangent)[heights <= EXACT * sides.scale]
+    along = ((sides.start - origin) @ tangent)[heights <= tolerance]
     start, end = float(along.min()), float(along.max())
     placement = Placement(
         (float(origin[0]), float(origin[1])), (float(normal[0]), float(normal[1]))
     )
-    return placement, (start, end), corners
+    return placement, (start, end), drawing.corners
+
+
+def _require_long(side: int, vertices: Array, corners: Array, tolerance: float) -> None:
+    """Refuse a side between two vertices that are drawn for one corner."""
+    start, end = vertices[side], vertices[(side + 1) % len(vertices)]
+    if np.hypot(*(end - start)) > tolerance:
+        return
+    if (np.hypot(*(corners - (start + end) / 2.0).T) <= 2.0 * tolerance).any():
+        raise InvalidValue(
+            "side", side, "a side longer than a millionth of the size of the outline",
+            "its ends are one corner; give the number of the side before it or behind it",
+        )  # fmt: skip
 
 
 def _require_on(contacts: Contacts, touches: npt.NDArray[np.bool_], nearest: Array) -> None:
@@ -138,33 +143,62 @@ def _require_aligned(contacts: Contacts, beside: npt.NDArray[np.bool_], inward: 
         )  # fmt: skip
 
 
-def _require_between(
-    contacts: Contacts,
-    at_corner: npt.NDArray[np.bool_],
-    starts: Array,
-    corner: npt.NDArray[np.intp],
-) -> None:
-    """Refuse a normal at a corner that would leave a side of the object beyond the fence."""
-    numbers = np.flatnonzero(at_corner)
-    if not len(numbers):
-        return
-    if contacts.normal is None:
+def _require_outer(contacts: Contacts, is_near: npt.NDArray[np.bool_], sides: Sides) -> None:
+    """Refuse a contact at an inner corner, and one at an outer corner without a normal."""
+    is_inner = (is_near & ~sides.convex).any(axis=1)
+    if is_inner.any():
+        raise InvalidValue(
+            "point", contacts.original("point", int(is_inner.argmax())),
+            "a point that is not at an inner corner",
+            "a pusher there touches two sides; move the contact off the corner",
+        )  # fmt: skip
+    if contacts.normal is None and is_near.any():
         raise InvalidValue(
             "normal", None, "the normal of the fence at a corner",
             "give it: a corner touches a fence at any angle between those of its sides",
         )  # fmt: skip
-    corner, normals = corner[numbers], contacts.normals[numbers]
-    before = starts[corner - 1] - starts[corner]
-    behind = starts[(corner + 1) % len(starts)] - starts[corner]
-    (a, b), (c, d) = (edge.T / np.hypot(*edge.T) for edge in (before, behind))
-    x, y = normals.T
-    # At a reflex corner a finger can push one of the sides.
-    aligned = np.maximum(b * x - a * y, c * y - d * x)
-    reflex = (a * d - b * c > 0.0) & (aligned > 1.0 - ALIGNED**2)
-    refused = (np.minimum(a * x + b * y, c * x + d * y) < -ALIGNED) & ~reflex
-    if refused.any():
-        i = int(refused.argmax())
+
+
+def _corners(
+    contacts: Contacts, sides: Sides, distance: Array, is_near: npt.NDArray[np.bool_]
+) -> npt.NDArray[np.intp]:
+    """The corners at which contacts are: the nearest with its normal between those of its sides.
+
+    A normal that would leave a side of the object beyond the fence is refused.
+    """
+    number, corner = np.nonzero(is_near)
+    leans = np.minimum(*_leans(sides, corner, contacts.normals[number]))
+    is_refused = leans < -ALIGNED
+    order = np.lexsort([distance[number, corner], is_refused, number])
+    contact, first = np.unique(number[order], return_index=True)
+    chosen = order[first]
+    if is_refused[chosen].any():
+        i = int(contact[is_refused[chosen].argmax()])
         raise InvalidValue(
-            "normal", tuple(normals[i].tolist()), "a normal between those of the corner's sides",
+            "normal", tuple(contacts.normals[i].tolist()),
+            "a normal between those of the corner's sides",
             "with this one the fence would pass through the object",
         )  # fmt: skip
+    return corner[chosen]
+
+
+def _at_corner(sides: Sides, corner: npt.NDArray[np.intp], normals: Array) -> tuple[Array, Array]:
+    """Normals of contacts at corners, and ends of their sides, which are points at tilted normals."""
+    ends = np.zeros((len(corner), 2))
+    leans = _leans(sides, corner, normals)
+    # Of both sides, the one closer to the fence; the second one begins at the corner.
+    for lean, other, side, end, sign in (
+        (leans[0], leans[1], corner - 1, 0, -1.0), (leans[1], leans[0], corner, 1, 1.0),
+    ):  # fmt: skip
+        length = sides.length[side]
+        lies = (lean < ALIGNED) & (length * lean <= DRAWN * sides.scale)
+        lies &= (lean < other) if end else (lean <= other)
+        normals = np.where(lies[:, None], sides.normal[side], normals)
+        ends[lies, end] = sign * length[lies]
+    return normals, ends
+
+
+def _leans(sides: Sides, corner: npt.NDArray[np.intp], normals: Array) -> tuple[Array, Array]:
+    """Sines of the angles between fences at corners and the sides that end there and that begin there."""
+    before, behind = -sides.tangent[corner - 1], sides.tangent[corner]
+    return (before * normals).sum(axis=1), (behind * normals).sum(axis=1)

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactLaw
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
-from planar_pushing.mechanics.outline import require_outline
+from planar_pushing.mechanics.outline import Corners, require_outline
 from planar_pushing.mechanics.plane import Array, Frame, Placement
 from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.scene import Scene
@@ -47,7 +47,8 @@ def scene_at(
         the scenes extend over the others.
     normal : (n_x, n_y), or array of shape S + (2,), optional
         Normal of the fence or of the finger's side, into the object, of any length. It can be omitted if
-        the object has an outline and the contact is not at a corner.
+        the object has an outline and the contact is not at a corner. At a corner, a finger pushes the side
+        with this normal, which ends there; with a normal between both, it leaves the corner by slipping.
     side : int, optional
         Instead of a point: the number of a side of the outline that lies on the fence, from the corner with
         this number to the next one, counted from 0 in the order given. A part of a longer straight side
@@ -58,6 +59,9 @@ def scene_at(
     contact : ContactLaw
     outline : sequence of pairs, or an object with `coords` or `exterior`, optional
         Corners of the object in order. The contact must be on the outline, and the normal that of its side.
+        The outline is exact to a millionth of its size: a vertex that close to the one before, or to a
+        straight side, is no corner, and a contact that close to a corner is there. At an inner corner a
+        pusher would touch two sides.
     units : Units, optional
         Names of the units, for results.
 
@@ -67,14 +71,15 @@ def scene_at(
         In the fence frame: origin at the contact, +y along the normal, +x the normal rotated by -90
         degrees. A side on the fence has its origin at its midpoint; the scene's slider is then flush, and
         its side ends where the outline leaves the fence's line. Use `Scene.to_object` to transform results
-        back. An array of scenes has no outline, because the outline differs between body frames.
+        back. An array of scenes has no outline, because the outline differs between body frames; it has the
+        ends of the sides.
 
     Raises
     ------
     InvalidValue
-        If the normal is zero or points out of the object, the point is not on the outline, there is no such
-        side, a fence along the side would pass through the object, or an effect cannot be placed in an
-        object's frame.
+        If the normal is zero or points out of the object, the point is not on the outline or is at an inner
+        corner, there is no such side, a fence along the side would pass through the object, or an effect
+        cannot be placed in an object's frame.
 
     Notes
     -----
@@ -107,7 +112,7 @@ def scene_at(
         radius=extent if many or not any(hasattr(effect, "support") for effect in acting) else None,
         side=ends,
         flush=flush,
-        outline=None if many or corners is None else body.point_in(corners) + 0.0,
+        outline=None if many or corners is None else Corners.of(body.point_in(corners) + 0.0),
     )
     loaded = [_with_center(effect, center, acting) for effect in acting]
     moved = tuple(effect.moved(body, placement.fence) for effect in loaded)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
@@ -21,7 +22,7 @@ from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.runs import run_scenes
 from planar_pushing.terms import quantities
 from planar_pushing.terms.domain import SAMPLE_COUNT
-from planar_pushing.terms.errors import InvalidValue, require_flag, require_kind
+from planar_pushing.terms.errors import InvalidValue, SceneWarning, require_flag, require_kind
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Policy, PolicyName, Shape
 
@@ -69,7 +70,13 @@ def simulate_batch(
     Raises
     ------
     InvalidValue
-        If a value is not allowed, or shapes do not match.
+        If a value is not allowed, shapes do not match, or a fence would lie on sides of an outline that an
+        array of contacts does not keep.
+
+    Warns
+    -----
+    SceneWarning
+        If such an outline could meet the pusher. A finger stops at the end of its side.
     """
     require_kind("pusher", pusher, Pusher)
     require_flag("progress", progress)
@@ -77,6 +84,7 @@ def simulate_batch(
         scene=require_scene(scene), pusher=pusher, duration=duration, twist=twist, gap=gap,
         rtol=rtol, on_ambiguity=on_ambiguity,
     )  # fmt: skip
+    _require_same_without_outline(problem)
     data, numbers = numbers_of(problem)
     columns, over = _broadcast(numbers)
     _require_free_names(over)
@@ -102,6 +110,31 @@ def simulate_batch(
             attributes = variable_attributes(table, str(label), problem.scene.units)
             variable.attrs = attributes or variable.attrs
     return without_fill_values(dataset)
+
+
+def _require_same_without_outline(problem: Problem) -> None:
+    """Refuse contacts whose outline is not kept if a fence would lie on their sides, and warn of others."""
+    if not problem.has_lost_outline:
+        return
+    remedy = "simulate the scenes one by one"
+    if problem.shape == Shape.FINGER:
+        _warn(f"the finger stops at the end of its side, but meets no other side; {remedy}")
+        return
+    start, end = map(np.asarray, problem.scene.slider.side)
+    if bool(np.any(end > start)):
+        raise InvalidValue(
+            "pusher", "a fence on the side of an outline, for an array of contacts",
+            'a finger, or contacts at corners with normals between those of their sides',
+            f"the array has no outline, which would lie on the fence; {remedy}, or give shape=\"finger\"",
+        )  # fmt: skip
+    _warn(f"the fence meets no other corner; {remedy}")
+
+
+def _warn(consequence: str) -> None:
+    """Warn that an array of contacts has no outline."""
+    warnings.warn(
+        f"an array of contacts does not keep its outline: {consequence}", SceneWarning, stacklevel=4
+    )
 
 
 class Over(NamedTuple):

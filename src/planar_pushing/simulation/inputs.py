@@ -142,7 +142,7 @@ def numbers_of(
         mass * radius if scene.stores_energy else 0.0,
         gyration, *scene.mass_center, *_load_of(scene), slider.length_ratio, slider.rod_angle,
         *scene.law, v_x / radius, v_y / radius, omega, problem.gap / radius, is_finger,
-        finger_radius / radius, *(end / radius for end in slider.side), _fineness(slider),
+        finger_radius / radius, *(end / radius for end in slider.side), _fineness(problem),
         len(corners), len(data), sum(entry.degree == 1 for entry in entries), len(entries),
         problem.rtol, 0.0, 0.0, 0.0, 0.0, slider.flush, radius, problem.duration,
     ]  # fmt: skip
@@ -198,9 +198,12 @@ def _corners_of(slider: Slider) -> Array:
     return np.array(slider.outline) / depth_tolerance(slider.outline)
 
 
-def _fineness(slider: Slider) -> Number:
-    """Radius in units of the outline's tolerance, 0 without an outline."""
-    return 0.0 if slider.outline is None else slider.radius / depth_tolerance(slider.outline)
+def _fineness(problem: Problem) -> Number:
+    """Radius in units of the outline's tolerance; 0 without an outline, 1 for one that is not kept."""
+    slider = problem.scene.slider
+    if slider.outline is None:
+        return float(problem.has_lost_outline)
+    return slider.radius / depth_tolerance(slider.outline)
 
 
 def _load_of(scene: Scene) -> list[Number]:

@@ -131,6 +131,17 @@ class Problem:
         return Shape(self.pusher.shape)
 
     @property
+    def has_lost_outline(self) -> bool:
+        """Whether the contacts are on an outline, which `scene_at` does not keep for an array of scenes.
+
+        Without an outline it gives sides without ends.
+        """
+        slider, placement = self.scene.slider, self.scene.placement
+        if slider.outline is not None or placement is None or not np.ndim(placement.point[0]):
+            return False
+        return all(bool(np.isfinite(end).all()) for end in map(np.asarray, slider.side))
+
+    @property
     def follows_function(self) -> bool:
         """Whether the pusher's velocity is a function of time."""
         return not self.pusher.velocities

@@ -194,10 +194,12 @@ def test_rings_about_their_centers_are_the_papers():
 
 class TestOutline:
     HOOK = ((0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (0, 1))
-    #: On sides, a little beside them, at convex corners and at the reflex one.
-    POINTS = np.array([(2, 0), (0, 0.3), (1, 1 + 1e-7), (3, 2), (3.5, 3), (0, 0), (4, 3), (3, 1)])
+    #: On sides, a little beside them, and at outer corners, with normals between and of their sides.
+    POINTS = np.array(
+        [(2, 0), (0, 0.3), (1, 1 + 1e-7), (3, 2), (3.5, 3), (0, 0), (4, 3), (4, 3 - 1e-6)]
+    )
     NORMALS = np.array(
-        [(0, 1), (1, 1e-4), (0, -1), (1, 0), (0, -2), (1, 2), (-1, -1), (1, 0)], dtype=float
+        [(0, 1), (1, 1e-4), (0, -1), (1, 0), (0, -2), (1, 2), (-1, -1), (-1, 0)], dtype=float
     )
 
     def given(self):
@@ -215,7 +217,7 @@ class TestOutline:
         assert flat(many.slider.side) == [list(one.slider.side) for one in ones]
         assert many.slider.rod_angle.tolist() == [one.slider.rod_angle for one in ones]
         assert many.slider.outline is None
-        sides = [(-2, 2), (-0.7, 0.3), (-2, 1), (-1, 1), (-0.5, 0.5), *[(-np.inf, np.inf)] * 3]
+        sides = [(-2, 2), (-0.7, 0.3), (-2, 1), (-1, 1), (-0.5, 0.5), (0, 0), (0, 0), (-3, 0)]
         assert np.column_stack(many.slider.side) == pytest.approx(np.array(sides))
         assert flat(many.placement.point)[:4] == [[2.0, 0.0], [0.0, 0.3], [1.0, 1.0], [3.0, 2.0]]
         assert flat(many.placement.normal)[:4] == [[0.0, 1.0], [1.0, 0.0], [0.0, -1.0], [1.0, 0.0]]
@@ -238,7 +240,12 @@ class TestOutline:
             (2, (2, 0), (0, 0), r"normal: \(0.0, 0.0\) given; allowed: a nonzero vector"),
             (5, (2, 0), (1, 1), r"normal: array\(\[1., 1.\]\) given; .* side, \(0, 1\); with"),
             (7, (0, 0), (-1, 0), r"normal: \(-1.0, 0.0\) given; .* those of the corner's sides"),
-            (6, (3, 1), (1, -1), r"normal: \(0.707.*, -0.707.*\) given; .* the corner's sides"),
+            (
+                6,
+                (3, 1),
+                (1, 0),
+                r"point: array\(\[3., 1.\]\) given; .* move the contact off the corner",
+            ),
         ],
     )
     def test_the_contact_that_is_refused_is_named(self, number, point, normal, said):

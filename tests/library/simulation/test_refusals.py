@@ -113,7 +113,7 @@ def test_a_pusher_has_a_motion_and_a_fence_a_radius_of_zero():
 
 
 SIDE = (
-    "allowed: (start, end) with start < 0 < end, infinite for a side without an end; measure both ends "
+    "allowed: (start, end) with start <= 0 <= end, infinite for a side without an end; measure both ends "
     "along the side from the contact, which is between them, the one toward -x first"
 )
 SIDES = [

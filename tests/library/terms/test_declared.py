@@ -46,7 +46,7 @@ WRONG = {
         ROD, 0.0, "radians in the open interval (0, pi); keep the slider above the fence; convert degrees",
     ),
     (pp.Slider, "radius"): (ROD, 0.0, "a finite number > 0; give it in the unit of the rod length"),
-    (pp.Slider, "side"): (ROD, (1, 2), "(start, end) with start < 0 < end, infinite for a side without"),
+    (pp.Slider, "side"): (ROD, (1, 2), "(start, end) with start <= 0 <= end, infinite for a side without"),
     (pp.Slider, "flush"): (ROD | {"side": (-1, 1)}, "yes", "True or False; give one of them"),
     (pp.Slider, "outline"): (ROD, [(0, 0), (1, 1)], "at least three vertices; give x and y of each"),
     (pp.Placement, "point"): (AT, "here", "two finite numbers; give x and y in the object's frame"),

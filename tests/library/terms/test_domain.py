@@ -199,7 +199,7 @@ def test_masked_entries_are_refused(call):
 
 @pytest.mark.parametrize("side", [(-1.0, []), ([], 1.0), (-1.0, np.empty((2, 0)))], ids=repr)
 def test_a_side_has_ends(side):
-    with pytest.raises(pp.InvalidValue, match=r"^side: .* start < 0 < end"):
+    with pytest.raises(pp.InvalidValue, match=r"^side: .* start <= 0 <= end"):
         pp.Slider(rod_length=1.0, rod_angle=PSI, side=side)
 
 

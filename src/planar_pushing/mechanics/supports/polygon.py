@@ -153,6 +153,13 @@ def simple_ring(name: str, value: Any) -> Array:
         Under this name, if there are fewer than three vertices, a number is not finite, edges cross or
         touch, the area is zero, or the object has several parts.
     """
+    vertices = ring_of(name, value)
+    require_simple(name, vertices)
+    return vertices
+
+
+def ring_of(name: str, value: Any) -> Array:
+    """Vertices of a closed chain of edges, shape (n, 2); errors as in `simple_ring`, but edges may meet."""
     remedy = "give x and y of each vertex in order"
     value = getattr(value, "exterior", value)
     if hasattr(value, "geoms"):
@@ -169,7 +176,6 @@ def simple_ring(name: str, value: Any) -> Array:
         vertices = vertices[:-1]
     if len(vertices) < 3:
         raise InvalidValue(name, value, "at least three vertices", remedy)
-    _require_simple(name, vertices)
     return vertices
 
 
@@ -214,25 +220,25 @@ def _size(vertices: Array) -> float:
     return float((vertices.max(axis=0) - vertices.min(axis=0)).max())
 
 
-def _require_simple(name: str, vertices: Array) -> None:
-    """Refuse a polygon without area, or with edges that meet anywhere but at common vertices."""
+def require_simple(name: str, vertices: Array, numbers: Any = None) -> None:
+    """Refuse a polygon without area, or with edges that meet anywhere but at common vertices.
+
+    The vertices have these numbers in messages, by default 0, 1, 2 and so on.
+    """
     i, j = _crossing(vertices)
     if i >= 0:
+        named = (i, j) if numbers is None else (int(numbers[i]), int(numbers[j]))
         raise InvalidValue(
-            name, _edges(vertices, i, j),
+            name,
+            f"edges {named[0]} and {named[1]}, {_edge(vertices, i)} and {_edge(vertices, j)}",
             "a simple polygon, whose edges do not cross or touch",
             "order the vertices along the boundary, each once",
-        )  # fmt: skip
+        )
     if abs(_area(vertices)) <= THINNEST * _size(vertices) ** 2:
         raise InvalidValue(
             name, vertices.tolist(), "a polygon whose area is not zero",
             "use Segment for a support on a line",
         )  # fmt: skip
-
-
-def _edges(vertices: Array, i: int, j: int) -> str:
-    """Text for two edges, their numbers first because a long message is cut."""
-    return f"edges {i} and {j}, {_edge(vertices, i)} and {_edge(vertices, j)}"
 
 
 def _edge(vertices: Array, i: int) -> str:

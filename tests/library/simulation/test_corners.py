@@ -1,0 +1,206 @@
+"""Fingers at corners: the end of a side at an outer corner, a refusal at an inner one."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from simulation.scenes import METHODS as BOTH
+from simulation.scenes import SIDE_ENDS
+
+import planar_pushing as pp
+
+BOX = [(-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1)]
+TEE = [(-60, 0), (-60, 30), (60, 30), (60, 0), (15, 0), (15, -90), (-15, -90), (-15, 0)]
+FRICTION = (pp.SupportFriction(support=pp.Polygon(BOX)),)
+INERTIA = (*FRICTION, pp.Inertia(mass=1e-3, gyration_radius=0.08))
+METHODS = pytest.mark.parametrize("method", BOTH)
+SETS = pytest.mark.parametrize("effects", [FRICTION, INERTIA])
+BISECTOR = (-np.sqrt(0.5), np.sqrt(0.5))
+
+
+def box_at(x, normal=(0, 1), law=0.1, effects=FRICTION):
+    return pp.scene_at((x, -0.1), normal, effects=effects, contact=pp.Coulomb(law), outline=BOX)
+
+
+def pushed(scene, velocity, radius=0.0, **options):
+    finger = pp.Pusher(velocity=velocity, shape="finger", radius=radius, frame="world")
+    return pp.simulate(scene, finger, duration=0.8, object_pose=(0, 0, 0), **options)
+
+
+#: Contacts, radii, and times and angles at the end of the contact: from the corner by an own integration of
+#: the full pose and, for the disc, the limit of contacts beside the corner.
+ENDS = [
+    (0.1, 0.0, 0.2481737, 8.14054, 1e-6),
+    (0.1 - 1e-7, 0.0, 0.2481737, 8.14054, 1e-6),
+    (0.0999, 0.0, 0.2707415, 8.8669822, 1e-4),
+    (0.1, 0.01, 0.4750, 15.16, 2e-3),
+]
+
+
+@pytest.mark.parametrize(("x", "radius", "time", "angle", "slack"), ENDS)
+@METHODS
+def test_a_finger_that_starts_at_a_corner_stops_at_it(method, x, radius, time, angle, slack):
+    log = pushed(box_at(x), (0.05, 0.1), radius, method=method)
+    assert log.attrs["stopped"] == SIDE_ENDS
+    slack = slack if method == "event-driven" else 2e-3
+    assert log.time[-1].item() == pytest.approx(time, abs=slack)
+    assert log.object_angle[-1].item() == pytest.approx(angle, abs=30 * slack)
+
+
+def test_a_stream_and_an_array_stop_there_too(tmp_path):
+    log = pushed(box_at(0.1), (0.05, 0.1), path=tmp_path / "log.nc")
+    assert log.attrs["stopped"] == SIDE_ENDS
+    assert log.time[-1].item() == pytest.approx(0.2481737, abs=1e-6)
+
+
+@METHODS
+@SETS
+@pytest.mark.parametrize(
+    ("normal", "velocity", "law"),
+    [((0, 1), (0.3, 0.1), 0.1), ((-1, 0), (-0.1, -0.3), 0.1), (BISECTOR, (0.03, 0.1), 0.3)],
+)
+@pytest.mark.parametrize("radius", [0.0, 0.01])
+def test_a_finger_that_slips_off_a_corner_leaves_the_object_at_rest(
+    method, effects, normal, velocity, law, radius
+):
+    log = pushed(box_at(0.1, normal, law, effects), velocity, radius, method=method)
+    assert log.attrs["stopped"] == SIDE_ENDS
+    steps = 0 if method == "event-driven" else 1
+    assert log.time[-1].item() <= steps * 8e-4
+    assert abs(log.object_angle[-1].item()) <= steps * 0.05
+
+
+@METHODS
+@SETS
+@pytest.mark.parametrize(
+    ("normal", "velocity", "law", "angle"),
+    [
+        (BISECTOR, (-0.1, 0.1), 0.9, 0.0),
+        ((0, 1), (0, 0.1), 2.0, 22.0),
+        ((0, 1), (-0.03, 0.1), 5.0, 17.07),
+    ],
+)
+def test_a_finger_that_sticks_to_a_corner_stays_there(
+    method, effects, normal, velocity, law, angle
+):
+    log = pushed(box_at(0.1, normal, law, effects), velocity, method=method)
+    assert log.attrs["stopped"] == ""
+    assert log.object_angle[-1].item() == pytest.approx(angle, abs=5e-3)
+    turn = np.deg2rad(log.object_angle.values) * 1j
+    corner = log.object_position.values @ (1, 1j) + np.exp(turn) * (0.1 - 0.1j)
+    finger = log.pusher_position.values @ (1, 1j)
+    assert np.abs(corner - finger).max() < 1e-9
+
+
+def test_a_finger_arrives_at_a_corner():
+    log = pushed(box_at(0.1, law=0.5), (0, 0.1), gap=0.01)
+    assert log.attrs["stopped"] == ""
+    wanted = pushed(box_at(0.1, law=0.5), (0, 0.1))
+    at = np.interp(0.7, wanted.time.values, wanted.object_angle.values)
+    assert log.object_angle[-1].item() == pytest.approx(at, abs=1e-3)
+    away = pushed(box_at(0.1, BISECTOR, 0.5), (-0.1, 0.3), gap=0.01)
+    assert away.attrs["stopped"] == SIDE_ENDS
+    assert away.object_angle[-1].item() == 0.0
+
+
+@pytest.mark.parametrize("normal", [(0, 1), (1, 0), (0.6, 0.8), None])
+@pytest.mark.parametrize("point", [(15, 0), (15, -1e-4), [(30, 0), (15, 1e-5)]])
+def test_a_contact_at_an_inner_corner_is_refused(point, normal):
+    tee = {"effects": (pp.SupportFriction(support=pp.Polygon(TEE)),), "contact": pp.Coulomb(0.2)}
+    with pytest.raises(pp.InvalidValue, match="two sides; move the contact off the corner"):
+        pp.scene_at(point, normal, outline=TEE, **tee)
+
+
+def test_a_slider_with_an_inner_corner_at_its_contact_is_refused():
+    corners = [(-1, 0), (-0.8, 0.2), (-0.8, 1), (1, 1), (1, -1), (-0.8, -1), (-0.8, -0.2)]
+    outer = pp.Slider(rod_length=1.0, rod_angle=np.pi / 2, outline=corners)
+    assert len(outer.outline) == 7
+    dented = [(0.5, 0) if corner == (-1, 0) else corner for corner in corners]
+    for length in (-0.5 + 1e-7, np.array([0.1, -0.5])):
+        slider = {"rod_angle": np.pi / 2, "outline": [(x - 2, y) for x, y in dented]}
+        with pytest.raises(pp.InvalidValue, match="two sides; move the contact off the corner"):
+            pp.Slider(rod_length=length + 2.0, **slider)
+
+
+@METHODS
+def test_a_point_that_slides_into_an_inner_corner_stops_there(method):
+    tee = {"effects": (pp.SupportFriction(support=pp.Polygon(TEE)),), "contact": pp.Coulomb(0.0)}
+    scene = pp.scene_at((30, 0), outline=TEE, **tee)
+    finger = pp.Pusher(velocity=(-10, 1), frame="world", shape="finger")
+    log = pp.simulate(scene, finger, duration=3.0, object_pose=(0, 0, 0), method=method)
+    assert log.attrs["stopped"] == SIDE_ENDS
+    assert abs(log.contact_position[-1].item()) == pytest.approx(15.0, abs=0.05)
+
+
+def test_proposed_pushes_at_corners_can_be_simulated():
+    """The motion of a push that sticks at a corner is proposed there, with the normal of each side."""
+    count = 0
+    for corner in (0, 3):
+        for normal in (1, -1):
+            away = np.array(BOX[corner]) / 0.1
+            inward = (0.0, -away[1]) if normal == 1 else (-away[0], 0.0)
+            given = {"effects": FRICTION, "contact": pp.Coulomb(3.0), "outline": BOX}
+            scene = pp.scene_at(BOX[corner], inward, **given)
+            (solution,) = pp.solve(scene, np.deg2rad(85.0), 0.1)
+            twist = scene.to_object(solution.twist, "twist")
+            for push in pp.pushes_for(FRICTION, twist, BOX):
+                near = np.abs(push.point - BOX[corner]).max() < 1e-9
+                if not near or push.friction_coefficient > 2.9:
+                    continue
+                again = pp.scene_at(push.point, push.normal, **given)
+                x, y = again.to_fence(push.velocity, "vector")
+                ones = pp.solve(again, np.arctan2(y, x), np.hypot(x, y))
+                errors = [abs(again.to_object(one.twist, "twist") - twist).max() for one in ones]
+                assert min(errors) < 1e-9
+                finger = pp.Pusher(velocity=(x, y), shape="finger")
+                assert pp.simulate(again, finger, duration=0.1).attrs["stopped"] == ""
+                count += 1
+    assert count >= 4
+
+
+class TestArraysOfContacts:
+    POINTS = np.array([(0.1, -0.1), (0.0999, -0.1), (0.1 - 1e-7, -0.1), (0.03, -0.1)])
+
+    def scenes(self, points, normals=(0, 1)):
+        return pp.scene_at(points, normals, effects=FRICTION, contact=pp.Coulomb(0.1), outline=BOX)
+
+    @pytest.mark.parametrize("radius", [0.0, 0.01])
+    def test_a_finger_stops_at_the_end_of_its_side_as_in_a_single_run(self, radius):
+        finger = pp.Pusher(velocity=(0.05, 0.1), shape="finger", radius=radius)
+        with pytest.warns(pp.SceneWarning, match="meets no other side; simulate the scenes one"):
+            batch = pp.simulate_batch(self.scenes(self.POINTS), finger, duration=0.8)
+        for i, point in enumerate(self.POINTS):
+            log = pp.simulate(self.scenes(tuple(point)), finger, duration=0.8)
+            assert batch.time[i].item() == pytest.approx(log.time[-1].item(), rel=1e-12)
+            turn = np.deg2rad((log.rod_angle[-1] - log.rod_angle[0]).item())
+            assert np.deg2rad(
+                (batch.rod_angle - batch.initial_rod_angle)[i].item()
+            ) == pytest.approx(turn, abs=1e-12)
+            assert (batch.stopped[i].item() != 0) == (log.attrs["stopped"] == SIDE_ENDS)
+            assert not batch.parted[i].item()
+
+    @pytest.mark.parametrize("points", [POINTS, POINTS[:1], POINTS[None]])
+    def test_a_fence_on_a_side_is_refused(self, points):
+        with pytest.raises(pp.InvalidValue, match="a fence on the side of an outline"):
+            pp.simulate_batch(self.scenes(points), pp.Pusher(velocity=(0, 0.05)), duration=1)
+
+    def test_a_fence_at_corners_meets_no_other_corner(self):
+        points, fence = np.array([BOX[1], BOX[1]]), pp.Pusher(velocity=(0, 0.05))
+        with pytest.warns(pp.SceneWarning, match="the fence meets no other corner"):
+            batch = pp.simulate_batch(self.scenes(points, BISECTOR), fence, duration=0.2)
+        log = pp.simulate(self.scenes(BOX[1], BISECTOR), fence, duration=0.2)
+        assert batch.rod_angle.values == pytest.approx(log.rod_angle[-1].item(), abs=1e-9)
+
+    def test_sides_of_ones_own_and_arrays_of_laws_are_as_they_were(self):
+        slider = pp.Slider(
+            rod_length=0.1, rod_angle=np.array([1.2, 1.5]), side=(-0.1, 0.02), radius=0.1
+        )
+        scene = pp.Scene(slider=slider, contact=pp.Coulomb(0.0), effects=(pp.RingFriction(),))
+        finger = pp.Pusher(velocity=(0.1, 0.02), shape="finger")
+        assert pp.simulate_batch(scene, finger, duration=1.0).parted.all()
+        laws = pp.scene_at(
+            (0.03, -0.1), effects=FRICTION, contact=pp.Coulomb(np.array([0.1, 0.2])), outline=BOX
+        )
+        assert len(laws.slider.outline) == 4
+        fence = pp.simulate_batch(laws, pp.Pusher(velocity=(0, 0.05)), duration=1.0)
+        assert (fence.rod_angle == fence.initial_rod_angle).all()
