@@ -61,6 +61,11 @@ class Contacts(NamedTuple):
         """As `number`, for both components of vectors of shape (n, 2)."""
         return self.number(vectors[:, 0]), self.number(vectors[:, 1])
 
+    def repeat(self, *numbers: Number) -> tuple[Contacts, list[Number]]:
+        """The contacts and numbers, broadcast against one another, labeled arrays by name."""
+        x, y, n_x, n_y, *values = _broadcast(*self.placement.point, *self.placement.normal, *numbers)
+        return Contacts(Placement((x, y), (n_x, n_y)), self.point, self.normal), values
+
 
 def require_contacts(point: Any, normal: Any) -> Contacts:
     """Contacts at points of shape S + (2,), with one normal or normals of this shape.
@@ -126,6 +131,16 @@ def _label_components(vectors: Array, points: Any) -> tuple[Number, Number]:
         if last not in coordinate.dims
     }
     return xr.DataArray(x, coords, dims), xr.DataArray(y, coords, dims)
+
+
+def _broadcast(*numbers: Number) -> list[Number]:
+    """Numbers and arrays, repeated to their common shape, or to all of their dimensions."""
+    if not any(map(is_labeled, numbers)):
+        return [np.array(array) for array in np.broadcast_arrays(*numbers)]
+    import xarray as xr
+
+    labeled = [number if is_labeled(number) else xr.DataArray(number) for number in numbers]
+    return [array.copy() for array in xr.broadcast(*labeled)]
 
 
 def _flat(pair: tuple[Number, Number]) -> Array:

@@ -13,6 +13,7 @@ from planar_pushing.core.run import LOG_EVALUATIONS
 from planar_pushing.mechanics.contact import friction_coefficient
 from planar_pushing.mechanics.kernels.arrays import is_labeled
 from planar_pushing.mechanics.scene import Scene, require_scene
+from planar_pushing.simulation.doubts import warn_of_doubts
 from planar_pushing.simulation.fields import FIELDS, arrays, sampled_fields
 from planar_pushing.simulation.inputs import Scenes, numbers_of
 from planar_pushing.simulation.log import variable_attributes, without_fill_values
@@ -66,6 +67,13 @@ def simulate_batch(
         `samples` is given; angles are in degrees. The numbers are equal to those of `simulate`; `force` is
         the force at the instant.
 
+    Warns
+    -----
+    SceneWarning
+        If a fence pushes at an inner point of a side, which then lies on it as a whole; if a finger pushes an
+        object that `scene_at` made without an outline, whose wall is then straight and without ends; or if the
+        finger's radius is larger than the object.
+
     Raises
     ------
     InvalidValue
@@ -77,6 +85,7 @@ def simulate_batch(
         scene=require_scene(scene), pusher=pusher, duration=duration, twist=twist, gap=gap,
         rtol=rtol, on_ambiguity=on_ambiguity,
     )  # fmt: skip
+    warn_of_doubts(problem)
     data, numbers = numbers_of(problem)
     columns, over = _broadcast(numbers)
     _require_free_names(over)

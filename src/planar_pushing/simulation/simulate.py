@@ -13,6 +13,7 @@ import xarray as xr
 from planar_pushing.core.run import LOG_TIME
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.scene import Scene, require_scene, require_single
+from planar_pushing.simulation.doubts import warn_of_doubts
 from planar_pushing.simulation.log import dataset, without_fill_values
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
@@ -113,6 +114,13 @@ def simulate(
         ends permanently, and `parted` is true from then on; with an outline the run ends there, and also
         when another point of the outline meets the finger.
 
+    Warns
+    -----
+    SceneWarning
+        If a fence pushes at an inner point of a side, which then lies on it as a whole; if a finger pushes an
+        object that `scene_at` made without an outline, whose wall is then straight and without ends; or if the
+        finger's radius is larger than the object.
+
     Raises
     ------
     InvalidValue
@@ -133,6 +141,7 @@ def simulate(
         scene=scene, pusher=pusher, duration=duration, twist=twist, gap=gap,
         on_ambiguity=on_ambiguity, rtol=rtol, object_pose=object_pose,
     )  # fmt: skip
+    warn_of_doubts(problem)
     if path is not None:
         require_path("path", path)
     require_flag("progress", progress)

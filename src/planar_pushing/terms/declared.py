@@ -28,6 +28,9 @@ Schema = Mapping[str, Any]
 NUMBER: dict[str, Any] = {"type": "number"}
 PAIR: dict[str, Any] = {"type": "array", "minItems": 2, "maxItems": 2, "items": NUMBER}
 
+#: Remedy for NaN, which no conversion of units mends.
+FINITE = "give finite numbers: NaN is the result of a missing or an impossible one"
+
 
 class Declaration:
     """Base of the declarations, each of which states the allowed values of a parameter.
@@ -116,8 +119,9 @@ class Within(Declaration):
         wrong = array[~np.asarray(self.allows(array), dtype=bool)]
         if wrong.size:
             one_number = array.ndim == 0 and not isinstance(value, np.number)
+            remedy = FINITE if np.isnan(wrong.flat[0]) else self.remedy
             raise InvalidValue(
-                name, value if one_number else float(wrong.flat[0]), self.allowed, self.remedy
+                name, value if one_number else float(wrong.flat[0]), self.allowed, remedy
             )
         return numbers
 
@@ -143,7 +147,8 @@ class Single(Within):
     """One number in a range, also in Python."""
 
     def require(self, name: str, value: Any) -> float:
-        return require_number(name, value, self.allows, self.allowed, self.remedy)
+        remedy = FINITE if isinstance(value, float) and math.isnan(value) else self.remedy
+        return require_number(name, value, self.allows, self.allowed, remedy)
 
 
 @dataclass(frozen=True, eq=False)

@@ -156,7 +156,7 @@ def elementwise(
     outputs : sequence of Output
     """
     if not any(map(is_labeled, arguments)):
-        _require_shapes(arguments)
+        require_alike(arguments)
         results = function(*arguments)
         return [result.item() if result.ndim == 0 else result for result in results]
     import xarray as xr
@@ -174,17 +174,27 @@ def elementwise(
     return [label_result(output.name, array) for array, output in zip(arrays, outputs, strict=True)]
 
 
-def _require_shapes(arguments: Sequence[Any]) -> None:
-    """Refuse arrays that do not broadcast together."""
-    shapes = list(map(np.shape, arguments))
-    try:
-        np.broadcast_shapes(*shapes)
-    except ValueError:
-        text = " and ".join(map(str, dict.fromkeys(shape for shape in shapes if shape)))
-        raise InvalidValue(
-            "shapes", text, "arrays that broadcast against one another",
-            "give each its own axis, as in x[:, None], or label the axes with xarray.DataArray",
-        ) from None  # fmt: skip
+def require_alike(arguments: Sequence[Any]) -> None:
+    """Refuse arrays that do not broadcast together, and labeled ones with different sizes of a dimension."""
+    labeled = [argument for argument in arguments if is_labeled(argument)]
+    if labeled:
+        pairs = {(name, size) for array in labeled for name, size in array.sizes.items()}
+        names = [name for name, _ in pairs]
+        text = ", ".join(
+            sorted(f"{name}: {size}" for name, size in pairs if names.count(name) > 1)
+        )
+        allowed, remedy = "dimensions of one size", "rename one of the dimensions"
+    else:
+        shapes = list(map(np.shape, arguments))
+        try:
+            np.broadcast_shapes(*shapes)
+            text = ""
+        except ValueError:
+            text = " and ".join(map(str, dict.fromkeys(shape for shape in shapes if shape)))
+        allowed = "arrays that broadcast against one another"
+        remedy = "give each its own axis, as in x[:, None], or label the axes with xarray.DataArray"
+    if text:
+        raise InvalidValue("shapes", text, allowed, remedy)
 
 
 def evaluate_kernel(
