@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.kernels.arrays import is_labeled
+from planar_pushing.mechanics.kernels.arrays import broadcast_numbers, is_labeled
 from planar_pushing.mechanics.plane import Array, Placement, labeled_like
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
@@ -63,7 +63,7 @@ class Contacts(NamedTuple):
 
     def repeat(self, *numbers: Number) -> tuple[Contacts, list[Number]]:
         """The contacts and numbers, broadcast against one another, labeled arrays by name."""
-        x, y, n_x, n_y, *values = _broadcast(*self.placement.point, *self.placement.normal, *numbers)
+        x, y, n_x, n_y, *values = broadcast_numbers(*self.placement.point, *self.placement.normal, *numbers)
         return Contacts(Placement((x, y), (n_x, n_y)), self.point, self.normal), values
 
 
@@ -131,16 +131,6 @@ def _label_components(vectors: Array, points: Any) -> tuple[Number, Number]:
         if last not in coordinate.dims
     }
     return xr.DataArray(x, coords, dims), xr.DataArray(y, coords, dims)
-
-
-def _broadcast(*numbers: Number) -> list[Number]:
-    """Numbers and arrays, repeated to their common shape, or to all of their dimensions."""
-    if not any(map(is_labeled, numbers)):
-        return [np.array(array) for array in np.broadcast_arrays(*numbers)]
-    import xarray as xr
-
-    labeled = [number if is_labeled(number) else xr.DataArray(number) for number in numbers]
-    return [array.copy() for array in xr.broadcast(*labeled)]
 
 
 def _flat(pair: tuple[Number, Number]) -> Array:

@@ -64,7 +64,9 @@ def warn_of_doubts(effects: Sequence[Effect], contact: Any, corners: Corners | N
 
 def _doubts(effects: Sequence[Effect], contact: Any, corners: Corners | None) -> Iterator[str]:
     """What is doubtful in an object, each with its remedy."""
-    supports = [effect.support for effect in effects if isinstance(effect, SupportFriction | Viscous)]
+    kinds = SupportFriction | Viscous
+    supports = [effect.support for effect in effects if isinstance(effect, kinds)]
+    supports = [support for support in supports if not _is_unknown(support)]
     if corners is not None:
         yield from _outside(supports, corners)
     yield from _masses(effects, supports, corners)
@@ -108,7 +110,7 @@ def _masses(
     masses = [effect for effect in effects if isinstance(effect, Inertia)]
     if not masses:
         return
-    sizes = [spread_of(support) for support in supports if not _is_unknown(support)]
+    sizes = [spread_of(support) for support in supports]
     sizes += [] if corners is None else [spread_of(Polygon(corners))]
     radius = max(sizes, default=0.0)
     if not radius:

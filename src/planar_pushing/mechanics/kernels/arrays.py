@@ -175,26 +175,47 @@ def elementwise(
 
 
 def require_alike(arguments: Sequence[Any]) -> None:
-    """Refuse arrays that do not broadcast together, and labeled ones with different sizes of a dimension."""
+    """Refuse arrays that do not broadcast together, and labeled ones beside others or of different sizes."""
     labeled = [argument for argument in arguments if is_labeled(argument)]
     if labeled:
-        pairs = {(name, size) for array in labeled for name, size in array.sizes.items()}
-        names = [name for name, _ in pairs]
-        text = ", ".join(
-            sorted(f"{name}: {size}" for name, size in pairs if names.count(name) > 1)
+        _require_labels(labeled, [np.shape(a) for a in arguments if not is_labeled(a)])
+        return
+    shapes = list(map(np.shape, arguments))
+    try:
+        np.broadcast_shapes(*shapes)
+    except ValueError:
+        text = " and ".join(map(str, dict.fromkeys(shape for shape in shapes if shape)))
+        raise InvalidValue(
+            "shapes", text, "arrays that broadcast against one another",
+            "give each its own axis, as in x[:, None], or label the axes with xarray.DataArray",
+        ) from None  # fmt: skip
+
+
+def _require_labels(labeled: Sequence[Any], shapes: Sequence[tuple[int, ...]]) -> None:
+    """Refuse a dimension of several sizes, and the shape of an array without labels."""
+    sizes = {(str(name), size) for array in labeled for name, size in array.sizes.items()}
+    names = [name for name, _ in sizes]
+    several = sorted(f"{name}: {size}" for name, size in sizes if names.count(name) > 1)
+    if several:
+        raise InvalidValue(
+            "shapes", ", ".join(several), "one size of each dimension", "rename one of the dimensions"
         )
-        allowed, remedy = "dimensions of one size", "rename one of the dimensions"
-    else:
-        shapes = list(map(np.shape, arguments))
-        try:
-            np.broadcast_shapes(*shapes)
-            text = ""
-        except ValueError:
-            text = " and ".join(map(str, dict.fromkeys(shape for shape in shapes if shape)))
-        allowed = "arrays that broadcast against one another"
-        remedy = "give each its own axis, as in x[:, None], or label the axes with xarray.DataArray"
-    if text:
-        raise InvalidValue("shapes", text, allowed, remedy)
+    unlabeled = [shape for shape in shapes if shape]
+    if unlabeled:
+        raise InvalidValue(
+            "shapes", unlabeled[0], "labeled arrays, beside one with labels",
+            "also give this array as an xarray.DataArray",
+        )  # fmt: skip
+
+
+def broadcast_numbers(*numbers: Any) -> list[Any]:
+    """Numbers and arrays, repeated to their common shape; labeled ones over all of their dimensions."""
+    if not any(map(is_labeled, numbers)):
+        return [np.array(array) for array in np.broadcast_arrays(*numbers)]
+    import xarray as xr
+
+    labeled = [number if is_labeled(number) else xr.DataArray(number) for number in numbers]
+    return [array.copy() for array in xr.broadcast(*labeled)]
 
 
 def evaluate_kernel(
