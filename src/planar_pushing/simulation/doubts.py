@@ -7,12 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from planar_pushing.mechanics.outline import size
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import SceneWarning, warn_user
-from planar_pushing.terms.numbers import is_lazy
+from planar_pushing.terms.numbers import Array, is_lazy
 from planar_pushing.terms.options import Shape
 
 
@@ -52,7 +51,7 @@ def _of_finger(scene: Scene, radius: Number) -> Iterator[str]:
             "outline: none given, so the finger moves along a straight wall without ends; give scene_at the "
             "outline of the object, or Scene a Slider with the ends of its side"
         )
-    extent = 2.0 * slider.radius if slider.outline is None else size(np.array(slider.outline))
+    extent = 2.0 * slider.radius if slider.outline is None else _diameter(np.array(slider.outline))
     if is_lazy(radius) or is_lazy(extent):
         return
     larger = np.ravel(radius > extent)
@@ -62,6 +61,12 @@ def _of_finger(scene: Scene, radius: Number) -> Iterator[str]:
             f"radius: {widest:.6g} of the finger, more than the size {np.min(extent):.6g} of the object; "
             "give both in one unit of length"
         )
+
+
+def _diameter(corners: Array) -> float:
+    """Largest distance between two corners, which does not depend on the frame."""
+    x, y = corners.T
+    return float(np.hypot(x[:, None] - x, y[:, None] - y).max())
 
 
 def _is_infinite(end: Any) -> bool:

@@ -103,7 +103,8 @@ def simulate(
     Returns
     -------
     xarray.Dataset
-        Log with one entry of each variable for each instant; angles are in degrees. If the motion ended
+        Log with one entry of each variable for each instant; angles are in degrees. Its attributes describe the
+        run, with the center of mass in the object's frame if the scene has inertia. If the motion ended
         early, the attribute `stopped` gives the reason: the motion could not continue, or `until` holds
         ("until: ..."). Otherwise it is empty. A fence touches every corner of an outline, within a
         billionth of the outline's extent: a side that arrives on it continues in a consistent mode, with
