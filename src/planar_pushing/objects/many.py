@@ -63,7 +63,9 @@ class Contacts(NamedTuple):
 
     def repeat(self, *numbers: Number) -> tuple[Contacts, list[Number]]:
         """The contacts and numbers, broadcast against one another, labeled arrays by name."""
-        x, y, n_x, n_y, *values = broadcast_numbers(*self.placement.point, *self.placement.normal, *numbers)
+        x, y, n_x, n_y, *values = broadcast_numbers(
+            *self.placement.point, *self.placement.normal, *numbers
+        )
         return Contacts(Placement((x, y), (n_x, n_y)), self.point, self.normal), values
 
 

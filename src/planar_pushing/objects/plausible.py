@@ -1,7 +1,7 @@
 """Warnings about objects that are probably not meant as given: a support beside its outline, for instance.
 
-A doubtful object has an answer, so it is not refused. Each check is a comparison of numbers, except that of the
-support with the outline, whose result is kept for the next contact of the object.
+A doubtful object has an answer, so it is not refused. Each check is a comparison of numbers, except that of
+the support with the outline, whose result is kept for the next contact of the object.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.effects import Effect, Inertia, SupportFriction, Viscous
-from planar_pushing.mechanics.outline import Corners, size
+from planar_pushing.mechanics.outline import Corners
 from planar_pushing.mechanics.pressure.assembly import gather_pieces
 from planar_pushing.mechanics.pressure.pieces import Array, Pieces
 from planar_pushing.mechanics.supports import Polygon, Ring
@@ -23,17 +23,16 @@ from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.errors import SceneWarning, warn_user
 from planar_pushing.terms.numbers import is_lazy
 
-#: Largest share of the pressure that can lie outside the outline, and the distance, in sizes of the outline,
-#: from which pressure counts as outside.
+#: Largest share of the pressure that can lie outside the outline, and the distance from which it counts as
+#: outside, in sizes of the outline.
 OUTSIDE, BESIDE = 0.01, 0.01
-#: Range of a radius of gyration in those of the support and of the outline. A disc of iron with a rim of lead
-#: has 0.8 times its radius, and the support of a mug is a ring with 1 times its radius.
+#: Range of a radius of gyration in those of the support and of the outline, of which the larger one counts.
 GYRATION = 0.05, 2.0
 #: Largest plausible coefficient of friction: rubber on rubber has less than 2.
 ROUGH = 10.0
 #: Number of points at which the pressure of a support is sampled, and the fewest for one piece.
 SAMPLES, FEWEST = 4096, 16
-#: Steps between the points of a sequence that fills a square evenly, the inverse powers of the plastic number.
+#: Steps between the points of a sequence that fills a square evenly: inverse powers of the plastic number.
 STEPS = 0.7548776662466927, 0.5698402909980532
 #: Angle between successive points of a disc, the golden angle.
 GOLDEN = pi * (3.0 - sqrt(5.0))
@@ -55,8 +54,8 @@ def warn_of_doubts(effects: Sequence[Effect], contact: Any, corners: Corners | N
     Warns
     -----
     SceneWarning
-        If more than a hundredth of a support's pressure lies outside the outline, a radius of gyration is far
-        from those of support and outline, two effects are equal, or a coefficient of friction exceeds 10.
+        If more than a hundredth of a support's pressure lies outside the outline, a radius of gyration is
+        far from those of support and outline, two effects are equal, or a friction coefficient exceeds 10.
     """
     for message in _doubts(effects, contact, corners):
         warn_user(SceneWarning(message))
@@ -85,8 +84,8 @@ def _outside(supports: Sequence[Any], corners: Corners) -> Iterator[str]:
         share = share_outside(support.value, corners)
         if share:
             yield (
-                f"support: {100.0 * share:.0f} % of the pressure lies outside the outline; give both in one "
-                "unit of length and in one frame (Polygon.rectangle is centered at the origin)"
+                f"support: {100.0 * share:.0f} % of the pressure lies outside the outline; give both in "
+                "one unit of length and in one frame (Polygon.rectangle is centered at the origin)"
             )
 
 
@@ -122,8 +121,8 @@ def _masses(
         doubtful = ratios[(ratios < GYRATION[0]) | (ratios > GYRATION[1])]
         if doubtful.size:
             yield (
-                f"gyration_radius: {doubtful[0] * radius:.6g} beside a support and an outline with a radius "
-                f"of gyration of {radius:.6g}; give both in one unit of length"
+                f"gyration_radius: {doubtful[0] * radius:.6g} beside a support and an outline with a "
+                f"radius of gyration of {radius:.6g}; give both in one unit of length"
             )
 
 
@@ -158,8 +157,8 @@ def spread_of(support: Any) -> float:
 def share_outside(support: Any, corners: Corners) -> float:
     """Share of a support's pressure outside an outline; 0 if it is small or no farther outside than drawn.
 
-    The pressure is sampled at points that fill each piece evenly, unless the whole support is inside a convex
-    outline. The share of thousands of points is within about a thousandth of the exact one.
+    The pressure is sampled at points that fill each piece evenly, unless the whole support is inside a
+    convex outline. The share of thousands of points is within about a thousandth of the exact one.
     """
     pieces, sides = support.pieces(), sides_between(np.array(corners))
     if _is_inside(pieces, sides):
@@ -188,9 +187,9 @@ def _is_inside(pieces: Pieces, sides: Sides) -> bool:
 
 
 def sample_pressure(pieces: Pieces) -> tuple[Array, Array]:
-    """Points that fill a support evenly, shape (n, 2), and the share of the pressure of each, shape (n,)."""
+    """Points that fill a support evenly, shape (n, 2), and their shares of the pressure, shape (n,)."""
     parts = [(pieces.atoms[:, :2], pieces.atoms[:, 2])]
-    count = sum(map(len, pieces[1:]))
+    count = sum(len(kind) for kind in pieces[1:])
     number = max(FEWEST, SAMPLES // max(count, 1))
     middle = (np.arange(number) + 0.5) / number
     for start_x, start_y, end_x, end_y, share in pieces.segments:

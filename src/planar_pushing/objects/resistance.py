@@ -203,7 +203,7 @@ def mass_center(effects: Sequence[Any]) -> tuple[Number, Number]:
 def with_mass_centers(
     effects: Sequence[Any], otherwise: tuple[float, float] = (0.0, 0.0)
 ) -> tuple[Any, ...]:
-    """Effects in which a mass without a center is at the center of pressure, or without friction at a point."""
+    """Effects in which a mass without a center is at the center of pressure, or without one at a point."""
     if not any(isinstance(effect, Inertia) and effect.center is None for effect in effects):
         return tuple(effects)
     center = center_of_pressure(effects) or otherwise
@@ -215,7 +215,9 @@ def with_mass_centers(
     )
 
 
-def _mean_position(loads: list[Number], points: list[tuple[Number, Number]]) -> tuple[Number, Number]:
+def _mean_position(
+    loads: list[Number], points: list[tuple[Number, Number]]
+) -> tuple[Number, Number]:
     """Mean of points, weighted by loads; numbers, or arrays that are broadcast against one another."""
     are_arrays = any(np.ndim(coordinate) for point in points for coordinate in point)
     if are_arrays or any(map(np.ndim, loads)):

@@ -78,9 +78,9 @@ def scene_at(
     Warns
     -----
     SceneWarning
-        If more than a hundredth of a support's pressure lies outside the outline, farther than a hundredth of
-        its size; a radius of gyration is less than 0.05 or more than 2 times that of the support and of the
-        outline; two effects are equal; or a coefficient of friction is larger than 10.
+        If more than a hundredth of a support's pressure lies outside the outline, by more than a hundredth
+        of its size; a radius of gyration is less than 0.05 or more than 2 times that of the support and of
+        the outline; two effects are equal; or a coefficient of friction is larger than 10.
 
     Raises
     ------
@@ -127,7 +127,8 @@ def place_object(
     contacts = contacts._replace(placement=placement)
     center, extent = _middle(acting)
     if any(map(np.ndim, (*center, extent))):
-        contacts, (*center, extent) = contacts.repeat(*center, extent)
+        contacts, (x, y, extent) = contacts.repeat(*center, extent)
+        center = x, y
     placement, many = contacts.placement, bool(contacts.shape)
     _require_no_films(acting, many)
     rods = _rods(placement.fence, center, extent)
@@ -228,7 +229,7 @@ def _required_effects(value: Any, corners: Corners | None) -> tuple[Any, ...]:
 
 
 def _require_one_support(effect: Any, corners: Corners | None) -> None:
-    """Refuse an array of supports, and a ring whose radius nothing tells: a slider without a handle has none."""
+    """Refuse an array of supports, and a ring whose radius nothing tells."""
     support = getattr(effect, "support", None)
     if np.ndim(np.array(support, dtype=object)):
         raise InvalidValue("support", support, "one support", "make the scenes one by one")
@@ -270,7 +271,7 @@ def _with_center(effect: Any, center: tuple[Number, Number], effects: tuple[Any,
         return effect
     if any(isinstance(other, Inertia) for other in effects):
         return effect
-    return replace(effect, center=tuple(center))
+    return replace(effect, center=center)
 
 
 def _middle(effects: tuple[Any, ...]) -> tuple[tuple[Number, Number], Number]:

@@ -70,8 +70,8 @@ def simulate_batch(
     Warns
     -----
     SceneWarning
-        If a fence pushes at an inner point of a side, which then lies on it as a whole; if a finger pushes an
-        object that `scene_at` made without an outline, whose wall is then straight and without ends; or if the
+        If a fence pushes at an inner point of a side, all of which lies on it; if a finger pushes an object
+        that `scene_at` made without an outline, whose wall is then straight and without ends; or if the
         finger's radius is larger than the object.
 
     Raises

@@ -21,7 +21,7 @@ def warn_of_doubts(problem: Problem) -> None:
     Warns
     -----
     SceneWarning
-        If a fence pushes at an inner point of a side, which lies on it as a whole; if a finger pushes an object
+        If a fence pushes at an inner point of a side, all of which lies on it; if a finger pushes an object
         that `scene_at` made without an outline; or if the finger's radius is larger than the object.
     """
     scene = problem.scene
@@ -48,8 +48,8 @@ def _of_finger(scene: Scene, radius: Number) -> Iterator[str]:
     unknown = slider.outline is None and all(map(_is_infinite, slider.side))
     if scene.placement is not None and unknown:
         yield (
-            "outline: none given, so the finger moves along a straight wall without ends; give scene_at the "
-            "outline of the object, or Scene a Slider with the ends of its side"
+            "outline: none given, so the finger moves along a straight wall without ends; give scene_at "
+            "the outline of the object, or Scene a Slider with the ends of its side"
         )
     extent = 2.0 * slider.radius if slider.outline is None else _diameter(np.array(slider.outline))
     if is_lazy(radius) or is_lazy(extent):

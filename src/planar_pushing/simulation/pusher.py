@@ -64,7 +64,7 @@ class Pusher:
         the next at constant velocity and rests after the last. Only their differences matter, since the
         pusher starts at the contact, or a gap below it.
     acceleration
-        Refused: the acceleration is the derivative of a callable velocity, which is approximated by polynomials.
+        Refused: the velocity determines it. A callable velocity is approximated by polynomials.
     breakpoints : sequence of float
         Times at which a callable velocity is not smooth.
     shape : {"fence", "finger"}

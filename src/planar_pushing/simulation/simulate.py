@@ -103,8 +103,8 @@ def simulate(
     Returns
     -------
     xarray.Dataset
-        Log with one entry of each variable for each instant; angles are in degrees. Its attributes describe the
-        run, with the center of mass in the object's frame if the scene has inertia. If the motion ended
+        Log with one entry of each variable for each instant; angles are in degrees. Its attributes describe
+        the run, with the center of mass in the object's frame if the scene has inertia. If the motion ended
         early, the attribute `stopped` gives the reason: the motion could not continue, or `until` holds
         ("until: ..."). Otherwise it is empty. A fence touches every corner of an outline, within a
         billionth of the outline's extent: a side that arrives on it continues in a consistent mode, with
@@ -118,8 +118,8 @@ def simulate(
     Warns
     -----
     SceneWarning
-        If a fence pushes at an inner point of a side, which then lies on it as a whole; if a finger pushes an
-        object that `scene_at` made without an outline, whose wall is then straight and without ends; or if the
+        If a fence pushes at an inner point of a side, all of which lies on it; if a finger pushes an object
+        that `scene_at` made without an outline, whose wall is then straight and without ends; or if the
         finger's radius is larger than the object.
 
     Raises

@@ -74,7 +74,7 @@ class PlainCoreWarning(UserWarning):
 
 
 class SceneWarning(UserWarning):
-    """An object, a push or a run that is probably not meant as given; the message says why, and what to do."""
+    """An object, a push or a run that is probably not meant as given; the message says what to do."""
 
 
 class EarlyEndWarning(UserWarning):

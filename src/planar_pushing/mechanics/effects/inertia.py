@@ -40,7 +40,7 @@ class Inertia:
     mass: Annotated[Number, positive(NONE)] = 1.0
     gyration_radius: Annotated[Number, positive(NONE)] = 1.0
     center: Annotated[
-        tuple[Number, Number] | None,
+        Any,
         Pair(finite("give x and y of the center of mass, or leave it out")),
     ] = None
 

@@ -175,7 +175,7 @@ def elementwise(
 
 
 def require_alike(arguments: Sequence[Any]) -> None:
-    """Refuse arrays that do not broadcast together, and labeled ones beside others or of different sizes."""
+    """Refuse arrays that do not broadcast together, or labeled ones beside others or of several sizes."""
     labeled = [argument for argument in arguments if is_labeled(argument)]
     if labeled:
         _require_labels(labeled, [np.shape(a) for a in arguments if not is_labeled(a)])
@@ -198,7 +198,10 @@ def _require_labels(labeled: Sequence[Any], shapes: Sequence[tuple[int, ...]]) -
     several = sorted(f"{name}: {size}" for name, size in sizes if names.count(name) > 1)
     if several:
         raise InvalidValue(
-            "shapes", ", ".join(several), "one size of each dimension", "rename one of the dimensions"
+            "shapes",
+            ", ".join(several),
+            "one size of each dimension",
+            "rename one of the dimensions",
         )
     unlabeled = [shape for shape in shapes if shape]
     if unlabeled:
