@@ -110,7 +110,7 @@ def _masses(
     if not masses:
         return
     sizes = [spread_of(support) for support in supports]
-    sizes += [] if corners is None else [spread_of(Polygon(corners))]
+    sizes += [] if corners is None else [_spread_of_outline(corners)]
     radius = max(sizes, default=0.0)
     if not radius:
         return
@@ -151,6 +151,12 @@ def spread_of(support: Any) -> float:
     """Radius of gyration of a support's pressure about its center."""
     xx, _, yy = gather_pieces([support.pieces()]).spreads[0]
     return sqrt(max(xx + yy, 0.0))
+
+
+@cache_results(KEPT)
+def _spread_of_outline(corners: Corners) -> float:
+    """Radius of gyration of the area of an outline."""
+    return spread_of(Polygon(corners))
 
 
 @cache_results(KEPT)

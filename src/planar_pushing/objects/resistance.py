@@ -13,13 +13,14 @@ from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.force.wrench import wrench
+from planar_pushing.mechanics.outline import Corners
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.pressure.assembly import center, extent, scale_shares
 from planar_pushing.mechanics.pressure.pieces import ATOMS, Pieces
 from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
-from planar_pushing.mechanics.supports import Ring
+from planar_pushing.mechanics.supports import Polygon, Ring
 from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import Number
@@ -200,13 +201,16 @@ def mass_center(effects: Sequence[Any]) -> tuple[Number, Number]:
     return _mean_position([effect.mass for effect in masses], [effect.center for effect in masses])
 
 
-def with_mass_centers(
-    effects: Sequence[Any], otherwise: tuple[float, float] = (0.0, 0.0)
-) -> tuple[Any, ...]:
-    """Effects in which a mass without a center is at the center of pressure, or without one at a point."""
+def with_mass_centers(effects: Sequence[Any], corners: Corners | None = None) -> tuple[Any, ...]:
+    """Effects in which a mass without a center is at the center of pressure.
+
+    Without friction, it is at the centroid of the outline, or without one at the origin.
+    """
     if not any(isinstance(effect, Inertia) and effect.center is None for effect in effects):
         return tuple(effects)
-    center = center_of_pressure(effects) or otherwise
+    center = center_of_pressure(effects)
+    if center is None:
+        center = (0.0, 0.0) if corners is None else Polygon(corners).center_of_pressure
     return tuple(
         replace(effect, center=center)
         if isinstance(effect, Inertia) and effect.center is None

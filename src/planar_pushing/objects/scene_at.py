@@ -17,7 +17,7 @@ from planar_pushing.mechanics.plane import Array, Frame, Placement
 from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
-from planar_pushing.mechanics.supports import Polygon, Ring
+from planar_pushing.mechanics.supports import Ring
 from planar_pushing.objects.many import Contacts, require_contacts
 from planar_pushing.objects.on_outline import on_outline, side_on_fence
 from planar_pushing.objects.plausible import warn_of_doubts
@@ -223,9 +223,7 @@ def _required_effects(value: Any, corners: Corners | None) -> tuple[Any, ...]:
         )  # fmt: skip
     for effect in effects:
         _require_one_support(effect, corners)
-    # Without friction nothing else tells where the middle of the object is.
-    otherwise = (0.0, 0.0) if corners is None else Polygon(corners).center_of_pressure
-    return with_mass_centers(effects, otherwise)
+    return with_mass_centers(effects, corners)
 
 
 def _require_one_support(effect: Any, corners: Corners | None) -> None:
