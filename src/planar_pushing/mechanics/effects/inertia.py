@@ -41,7 +41,7 @@ class Inertia:
     gyration_radius: Annotated[Number, positive(NONE)] = 1.0
     center: Annotated[
         Any,
-        Pair(finite("give x and y of the center of mass, or leave it out")),
+        Pair(finite("give x and y of the center of mass in the object's frame, or leave it out")),
     ] = None
 
     def __post_init__(self) -> None:
