@@ -8,9 +8,12 @@ import os
 import signal
 import sys
 import threading
+import warnings
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from functools import partial
 from importlib.metadata import entry_points
+from typing import Any
 
 from planar_pushing import __version__
 from planar_pushing.commands import (
@@ -27,7 +30,14 @@ from planar_pushing.commands import (
     solve,
 )
 from planar_pushing.commands.words import Parser, check_push, text
-from planar_pushing.terms.errors import InvalidValue, PlanarPushingError, suggestion
+from planar_pushing.terms.errors import (
+    EarlyEndWarning,
+    InvalidValue,
+    PlainCoreWarning,
+    PlanarPushingError,
+    SceneWarning,
+    suggestion,
+)
 
 #: Group of the entry points of other packages' commands, each a module with a function `add`. Help, version
 #: and completion import all of these modules, so none imports numpy before its command runs.
@@ -45,6 +55,8 @@ COMMANDS = (
     schema,
     completion,
 )
+#: How Python prints a warning: with file and line, which are not those of a user of the command line.
+SHOW = warnings.showwarning
 #: Exit codes other than 0, by shell convention: invalid input, Ctrl-C, and a closed output pipe.
 INVALID, INTERRUPTED, UNREAD = 2, 130, 141
 
@@ -98,12 +110,30 @@ def _run(arguments: Sequence[str] | None) -> int:
         commands[args.command].require_no_more(rest)
     args.where, args.status = [*others, *rest], 0  # a command can set the status
     try:
-        check_push(args)
-        _check_output(args)
-        _print(args.action(args), args.json)
+        with warnings.catch_warnings():
+            warnings.showwarning = partial(_show_warning, args.command)
+            return _answer(args)
     except PlanarPushingError as error:
         print(f"planar-pushing {args.command}: {error}", file=sys.stderr)
         return INVALID
+
+
+def _show_warning(
+    command: str, message: Warning | str, category: type[Warning], *where: Any, **options: Any
+) -> None:
+    """Print a warning of the package as one line, and any other one as Python does."""
+    if issubclass(category, (EarlyEndWarning, PlainCoreWarning, SceneWarning)):
+        text = " ".join(str(message).splitlines())
+        print(f"planar-pushing {command}: {category.__name__}: {text}", file=sys.stderr)
+    else:
+        SHOW(message, category, *where, **options)
+
+
+def _answer(args: argparse.Namespace) -> int:
+    """Run a command, print its result, and return its status."""
+    check_push(args)
+    _check_output(args)
+    _print(args.action(args), args.json)
     return int(args.status)
 
 

@@ -7,6 +7,7 @@ import gc
 import logging
 import re
 import socket
+import warnings
 import webbrowser
 from collections.abc import Mapping
 from pathlib import Path
@@ -21,7 +22,12 @@ from planar_pushing.explorer.page import Page
 from planar_pushing.explorer.presets import FIRST, preset
 from planar_pushing.explorer.state import State, state_of
 from planar_pushing.scenes.scene_model import SceneFile
-from planar_pushing.terms.errors import InvalidValue, PlanarPushingError
+from planar_pushing.terms.errors import (
+    EarlyEndWarning,
+    InvalidValue,
+    PlanarPushingError,
+    SceneWarning,
+)
 
 HOST = "127.0.0.1"
 #: Names of this machine by which the page can be requested.
@@ -60,7 +66,11 @@ class Explorer:
         if open_browser:
             self.server.io_loop.add_callback(webbrowser.open, self.url)
         try:
-            self.server.io_loop.start()
+            with warnings.catch_warnings():
+                # A dragged object passes through many doubtful scenes, and its page shows what happens.
+                for category in (SceneWarning, EarlyEndWarning):
+                    warnings.simplefilter("ignore", category)
+                self.server.io_loop.start()
         except KeyboardInterrupt:
             pass
         finally:

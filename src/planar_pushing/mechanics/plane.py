@@ -107,19 +107,19 @@ def _vectors(x: Number, y: Number) -> Array:
     return vectors
 
 
-def position_in_frame(position: tuple[float, float], frame: Frame) -> tuple[Number, Number]:
-    """A position expressed in another frame, or in each of an array of frames."""
-    x, y = components(frame.point_in(position), frame)
-    return x + 0.0, y + 0.0
+def position_in_frame(position: tuple[Number, Number], frame: Frame) -> tuple[Number, Number]:
+    """A position expressed in another frame; numbers and arrays as in `vector_in_frame`."""
+    (x, y), (origin_x, origin_y) = position, frame.origin
+    return vector_in_frame((x - origin_x, y - origin_y), frame)
 
 
-def components(vectors: Array, frame: Frame) -> tuple[Number, Number]:
-    """Components of a vector in a frame, or of one in each frame, labeled if the frames are."""
-    if not frame.shape:
-        x, y = vectors.tolist()
-        return x, y
-    other = frame.axis[0]
-    return labeled_like(other, vectors[..., 0]), labeled_like(other, vectors[..., 1])
+def vector_in_frame(vector: tuple[Number, Number], frame: Frame) -> tuple[Number, Number]:
+    """The components of a vector in another frame.
+
+    Components and frame can be arrays, which are broadcast against one another, labeled arrays by name.
+    """
+    (x, y), (a, b) = vector, frame.axis
+    return _plain(x * a + y * b), _plain(y * a - x * b)
 
 
 def labeled_like(other: Number, numbers: npt.NDArray[Any]) -> Number:

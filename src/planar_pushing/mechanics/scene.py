@@ -86,7 +86,7 @@ class Scene:
                 "a tuple of SupportFriction, RingFriction, Inertia, Viscous and Load",
                 "list what resists the motion, for instance (RingFriction(),)",
             )  # fmt: skip
-        object.__setattr__(self, "effects", effects)
+        object.__setattr__(self, "effects", tuple(map(_with_center, effects)))
         if self.slider.radius is None:
             supports = [effect.support for effect in self.effects if hasattr(effect, "support")]
             radius = extents(supports[0]) if supports else 1.0
@@ -240,6 +240,13 @@ class Scene:
     def law(self) -> Any:
         """The contact law in numbers."""
         return as_numbers(self.contact)
+
+
+def _with_center(effect: Effect) -> Effect:
+    """A mass without a center has it at the slider's center, the origin of the body frame."""
+    if isinstance(effect, Inertia) and effect.center is None:
+        return replace(effect, center=(0.0, 0.0))
+    return effect
 
 
 def _is_off(coordinate: Number) -> bool:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.mechanics.kernels.arrays import is_labeled
+from planar_pushing.mechanics.kernels.arrays import broadcast_numbers, is_labeled
 from planar_pushing.mechanics.plane import Array, Placement, labeled_like
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
@@ -60,6 +60,13 @@ class Contacts(NamedTuple):
     def pair(self, vectors: Array) -> tuple[Number, Number]:
         """As `number`, for both components of vectors of shape (n, 2)."""
         return self.number(vectors[:, 0]), self.number(vectors[:, 1])
+
+    def repeat(self, *numbers: Number) -> tuple[Contacts, list[Number]]:
+        """The contacts and numbers, broadcast against one another, labeled arrays by name."""
+        x, y, n_x, n_y, *values = broadcast_numbers(
+            *self.placement.point, *self.placement.normal, *numbers
+        )
+        return Contacts(Placement((x, y), (n_x, n_y)), self.point, self.normal), values
 
 
 def require_contacts(point: Any, normal: Any) -> Contacts:

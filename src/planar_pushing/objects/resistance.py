@@ -13,15 +13,17 @@ from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.force.wrench import wrench
+from planar_pushing.mechanics.outline import Corners
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.pressure.assembly import center, extent, scale_shares
 from planar_pushing.mechanics.pressure.pieces import ATOMS, Pieces
 from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
-from planar_pushing.mechanics.supports import Ring
+from planar_pushing.mechanics.supports import Polygon, Ring
 from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.numbers import Number
 
 #: Number of supports that are cached without their feet.
 KEPT = 16
@@ -83,6 +85,7 @@ def require_effects(value: Any) -> tuple[Any, ...]:
         )  # fmt: skip
     for effect in effects:
         _require_plain(effect)
+    effects = with_mass_centers(effects)
     moving = any(isinstance(effect, Inertia) for effect in effects)
     return tuple(effect for effect in effects if not (moving and isinstance(effect, Viscous)))
 
@@ -178,11 +181,58 @@ def _load_center(load: Load, effects: Sequence[Effect]) -> Any:
     """Point at which a load acts: by default the center of mass, or of pressure without inertia."""
     if load.center is not None:
         return load.center
-    masses = [(effect.mass, effect.center) for effect in effects if isinstance(effect, Inertia)]
-    pressed = [
-        (effect.weight if isinstance(effect, SupportFriction) else effect.coefficient,
-         effect.support.center_of_pressure)
-        for effect in effects if isinstance(effect, SupportFriction | Viscous)
-    ]  # fmt: skip
-    sizes, places = zip(*(masses or pressed), strict=True)
-    return np.average(np.array(places, dtype=float), axis=0, weights=np.array(sizes, dtype=float))
+    if any(isinstance(effect, Inertia) for effect in effects):
+        return mass_center(effects)
+    return center_of_pressure(effects)
+
+
+def center_of_pressure(effects: Sequence[Any]) -> tuple[Number, Number] | None:
+    """Center of pressure of Coulomb friction, or else of viscous friction; None without friction."""
+    friction = [effect for effect in effects if isinstance(effect, SupportFriction)]
+    films = [effect for effect in effects if isinstance(effect, Viscous)]
+    loads = [effect.weight for effect in friction] or [effect.coefficient for effect in films]
+    points = [effect.support.center_of_pressure for effect in friction or films]
+    return _mean_position(loads, points) if loads else None
+
+
+def mass_center(effects: Sequence[Any]) -> tuple[Number, Number]:
+    """Center of mass of effects with inertia, whose centers are known."""
+    masses = [effect for effect in effects if isinstance(effect, Inertia)]
+    return _mean_position([effect.mass for effect in masses], [effect.center for effect in masses])
+
+
+def with_mass_centers(effects: Sequence[Any], corners: Corners | None = None) -> tuple[Any, ...]:
+    """Effects in which a mass without a center is at the center of pressure.
+
+    Without friction, it is at the centroid of the outline, or without one at the origin.
+    """
+    if not any(isinstance(effect, Inertia) and effect.center is None for effect in effects):
+        return tuple(effects)
+    center = center_of_pressure(effects)
+    if center is None:
+        center = (0.0, 0.0) if corners is None else Polygon(corners).center_of_pressure
+    return tuple(
+        replace(effect, center=center)
+        if isinstance(effect, Inertia) and effect.center is None
+        else effect
+        for effect in effects
+    )
+
+
+def _mean_position(
+    loads: list[Number], points: list[tuple[Number, Number]]
+) -> tuple[Number, Number]:
+    """Mean of points, weighted by loads; numbers, or arrays that are broadcast against one another."""
+    are_arrays = any(np.ndim(coordinate) for point in points for coordinate in point)
+    if are_arrays or any(map(np.ndim, loads)):
+        if not are_arrays and len(set(points)) == 1:
+            return points[0]
+        total = sum(loads)
+        x, y = (
+            sum(load * point[i] for load, point in zip(loads, points, strict=True)) / total
+            for i in (0, 1)
+        )
+        return x, y
+    sizes = np.array(loads, dtype=float)
+    x, y = (sizes @ np.array(points, dtype=float) / sizes.sum()).tolist()
+    return x, y

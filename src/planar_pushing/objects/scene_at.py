@@ -11,13 +11,17 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactLaw
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
+from planar_pushing.mechanics.kernels.arrays import require_alike
 from planar_pushing.mechanics.outline import Corners, require_outline
 from planar_pushing.mechanics.plane import Array, Frame, Placement
 from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
+from planar_pushing.mechanics.supports import Ring
 from planar_pushing.objects.many import Contacts, require_contacts
 from planar_pushing.objects.on_outline import on_outline, side_on_fence
+from planar_pushing.objects.plausible import warn_of_doubts
+from planar_pushing.objects.resistance import center_of_pressure, mass_center, with_mass_centers
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.units import Units
@@ -55,7 +59,9 @@ def scene_at(
         stands for all of it.
     effects : sequence of effects
         `SupportFriction`, `Viscous`, `Inertia` and `Load`, with supports, centers and forces in the
-        object's frame.
+        object's frame. A mass without a center is at the center of pressure; without friction, it is at the
+        centroid of the outline, or without one at the origin. Parameters can be arrays that broadcast
+        against the points.
     contact : ContactLaw
     outline : sequence of pairs, or an object with `coords` or `exterior`, optional
         Corners of the object in order. The contact must be on the outline, and the normal that of its side.
@@ -74,12 +80,19 @@ def scene_at(
         back. An array of scenes has no outline, because the outline differs between body frames; it has the
         ends of the sides.
 
+    Warns
+    -----
+    SceneWarning
+        If more than a hundredth of a support's pressure lies outside the outline, by more than a hundredth
+        of its size; a radius of gyration is less than 0.05 or more than 2 times that of the support and of
+        the outline; two effects are equal; or a coefficient of friction is larger than 10.
+
     Raises
     ------
     InvalidValue
         If the normal is zero or points out of the object, the point is not on the outline or is at an inner
-        corner, there is no such side, a fence along the side would pass through the object, or an effect
-        cannot be placed in an object's frame.
+        corner, there is no such side, a fence along the side would pass through the object, an effect
+        cannot be placed in an object's frame, or shapes do not match.
 
     Notes
     -----
@@ -87,6 +100,21 @@ def scene_at(
     it is not above the fence, as for a hook, c is instead the point above the contact at the height of the
     support's extent. The rod goes from the contact to c.
     """
+    scene, corners = place_object(point, normal, side, effects, contact, outline, units)
+    warn_of_doubts(effects, contact, corners)
+    return scene
+
+
+def place_object(
+    point: Any,
+    normal: Any,
+    side: Any,
+    effects: Any,
+    contact: Any,
+    outline: Any,
+    units: Any = None,
+) -> tuple[Scene, Corners | None]:
+    """The scene of `scene_at`, and the corners of the outline in the object's frame; without warnings."""
     flush, corners = side is not None, None
     if flush:
         _require_side_alone(point, normal, outline)
@@ -99,9 +127,15 @@ def scene_at(
         else:
             corners = require_outline(outline)
             placement, ends = on_outline(contacts, corners)
-    many = bool(contacts.shape)
-    acting = _required_effects(effects, many)
+    acting = _required_effects(effects, corners)
+    require_alike([placement.point[0], *_numbers_of(acting), *_numbers_of_law(contact)])
+    contacts = contacts._replace(placement=placement)
     center, extent = _middle(acting)
+    if any(map(np.ndim, (*center, extent))):
+        contacts, (x, y, extent) = contacts.repeat(*center, extent)
+        center = x, y
+    placement, many = contacts.placement, bool(contacts.shape)
+    _require_no_films(acting, many)
     rods = _rods(placement.fence, center, extent)
     _require_one_unit(rods.length, extent)
     body = Frame(contacts.pair(rods.origin), contacts.pair(rods.axis))
@@ -116,7 +150,8 @@ def scene_at(
     )
     loaded = [_with_center(effect, center, acting) for effect in acting]
     moved = tuple(effect.moved(body, placement.fence) for effect in loaded)
-    return Scene(slider=slider, contact=contact, effects=moved, placement=placement, units=units)
+    scene = Scene(slider=slider, contact=contact, effects=moved, placement=placement, units=units)
+    return scene, corners
 
 
 class Rods(NamedTuple):
@@ -159,13 +194,14 @@ def _require_side_alone(point: Any, normal: Any, outline: Any) -> None:
         )
 
 
-def _require_one_unit(lengths: Array, extent: float) -> None:
+def _require_one_unit(lengths: Array, extent: Number) -> None:
     """Refuse a contact so far from the support that the units of length must differ."""
-    far = ~(lengths <= FARTHEST * extent)
+    sizes = np.broadcast_to(np.ravel(extent), lengths.shape)
+    far = ~(lengths <= FARTHEST * sizes)
     if far.any():
         raise InvalidValue(
             "point",
-            f"a contact {lengths[far][0]:.6g} from the center of a support of size {extent:.6g}",
+            f"a contact {lengths[far][0]:.6g} from the center of a support of size {sizes[far][0]:.6g}",
             f"at most {FARTHEST:g} times its size", "give all lengths in one unit",
         )  # fmt: skip
 
@@ -182,60 +218,87 @@ def _free(contacts: Contacts) -> tuple[Placement, tuple[Number, Number]]:
     return contacts.placement, contacts.pair(np.full(contacts.points.shape, (-np.inf, np.inf)))
 
 
-def _required_effects(value: Any, many: bool) -> tuple[Any, ...]:
-    """Effects that can be moved, to one or many contacts, or `InvalidValue`."""
+def _required_effects(value: Any, corners: Corners | None) -> tuple[Any, ...]:
+    """Effects that can be moved, all with supports and centers, or `InvalidValue`."""
     effects = tuple(value) if isinstance(value, (list, tuple)) else ()
     if not effects or not all(hasattr(effect, "moved") for effect in effects):
         raise InvalidValue(
             "effects", value, "a sequence of SupportFriction, Viscous, Inertia and Load",
             "list what resists the motion; for a ring give the radius: SupportFriction(support=Ring(1.0))",
         )  # fmt: skip
+    for effect in effects:
+        _require_one_support(effect, corners)
+    return with_mass_centers(effects, corners)
+
+
+def _require_one_support(effect: Any, corners: Corners | None) -> None:
+    """Refuse an array of supports, and a ring whose radius nothing tells."""
+    support = getattr(effect, "support", None)
+    if np.ndim(np.array(support, dtype=object)):
+        raise InvalidValue("support", support, "one support", "make the scenes one by one")
+    if isinstance(support, Ring) and support.radius is None:
+        whole = "" if corners is None else ", or support=Polygon(outline) for the whole outline"
+        raise InvalidValue(
+            "support", support, "the object's support, which has no default",
+            f"give it: a ring with its radius, as in support=Ring(1.0){whole}",
+        )  # fmt: skip
+
+
+def _require_no_films(effects: tuple[Any, ...], many: bool) -> None:
+    """Refuse viscous friction of an array of scenes."""
     films = [effect for effect in effects if isinstance(effect, Viscous)]
     if many and films:
         raise InvalidValue(
             "effects", films[0], "effects without viscous friction for an array of contacts",
             "make the scenes one by one",
         )  # fmt: skip
-    return effects
 
 
-def _with_center(effect: Any, center: Array, effects: tuple[Any, ...]) -> Any:
+def _numbers_of(effects: Sequence[Any]) -> list[Number]:
+    """All numbers of effects, which can be arrays."""
+    names = ("weight", "coefficient", "mass", "gyration_radius", "center", "force")
+    values = [getattr(effect, name, None) for effect in effects for name in names]
+    pairs = [value if isinstance(value, tuple) else (value,) for value in values]
+    return [number for pair in pairs for number in pair if number is not None]
+
+
+def _numbers_of_law(contact: Any) -> list[Any]:
+    """The coefficients of a law, and an array of the shape of an array of laws."""
+    laws = contact if hasattr(contact, "dims") else np.asarray(contact, dtype=object)
+    return [laws if np.ndim(laws) else getattr(contact, "friction_coefficient", 0.0)]
+
+
+def _with_center(effect: Any, center: tuple[Number, Number], effects: tuple[Any, ...]) -> Any:
     """A load with the object's center as default point: the slider's center differs for a hook."""
     if not isinstance(effect, Load) or effect.center is not None:
         return effect
     if any(isinstance(other, Inertia) for other in effects):
         return effect
-    return replace(effect, center=(float(center[0]), float(center[1])))
+    return replace(effect, center=center)
 
 
-def _middle(effects: tuple[Any, ...]) -> tuple[Array, float]:
+def _middle(effects: tuple[Any, ...]) -> tuple[tuple[Number, Number], Number]:
     """Center and extent of an object in its frame: of friction, else of viscous friction, else of mass."""
-    friction = [effect for effect in effects if isinstance(effect, SupportFriction)]
-    films = [effect for effect in effects if isinstance(effect, Viscous)]
+    center = center_of_pressure(effects)
+    if center is not None:
+        kinds = (SupportFriction, Viscous)
+        resting = [effect for kind in kinds for effect in effects if isinstance(effect, kind)]
+        return center, float(extents(resting[0].support))
     masses = [effect for effect in effects if isinstance(effect, Inertia)]
-    if friction or films:
-        resting = friction or films
-        loads = np.array(
-            [effect.weight for effect in friction] or [effect.coefficient for effect in films]
-        )
-        centers = np.array([effect.support.center_of_pressure for effect in resting])
-        return loads @ centers / loads.sum(), float(extents(resting[0].support))
     if not masses:
         raise InvalidValue(
             "effects", effects, "friction or inertia among them", "list what resists the motion"
         )
-    loads = np.array([effect.mass for effect in masses])
-    centers = np.array([effect.center for effect in masses])
-    return loads @ centers / loads.sum(), masses[0].gyration_radius
+    return mass_center(effects), masses[0].gyration_radius
 
 
-def _rods(fences: Frame, center: Array, extent: float) -> Rods:
+def _rods(fences: Frame, center: tuple[Number, Number], extent: Number) -> Rods:
     """The rods from contacts to the object's center."""
     origin, axis = (tuple(map(np.ravel, pair)) for pair in fences)
-    fence = Frame((origin[0], origin[1]), (axis[0], axis[1]))
-    along, height = fence.point_in(center).T
-    low = height <= MINIMUM_HEIGHT * extent
-    rod = np.column_stack([np.where(low, 0.0, along), np.where(low, extent, height)])
+    fence, sizes = Frame((origin[0], origin[1]), (axis[0], axis[1])), np.ravel(extent)
+    along, height = fence.point_in(np.column_stack([np.ravel(part) for part in center])).T
+    low = height <= MINIMUM_HEIGHT * sizes
+    rod = np.column_stack([np.where(low, 0.0, along), np.where(low, sizes, height)])
     length = np.hypot(rod[:, 0], rod[:, 1])
     angle = np.arctan2(rod[:, 1], rod[:, 0])
     return Rods(fence.point_out(rod), fence.vector_out(rod / length[:, None]), length, angle)

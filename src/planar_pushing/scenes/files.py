@@ -13,6 +13,7 @@ from ruamel.yaml import YAML
 from planar_pushing.mechanics.entries import TAGS, scene_entry
 from planar_pushing.mechanics.scene import Scene, require_scene, require_single
 from planar_pushing.mechanics.supports import SHAPES, Composite
+from planar_pushing.objects.plausible import warn_of_doubts
 from planar_pushing.scenes.fields import FileModel
 from planar_pushing.scenes.object_model import ObjectFile
 from planar_pushing.scenes.scene_model import SceneFile
@@ -29,6 +30,11 @@ KINDS = {"contact": "a scene file", "grid": "a study file"}
 def load_scene(path: PathLike) -> Scene:
     """Read a scene file.
 
+    Warns
+    -----
+    SceneWarning
+        If the scene is doubtful, as in `scene_at`.
+
     Raises
     ------
     InvalidFile
@@ -38,11 +44,15 @@ def load_scene(path: PathLike) -> Scene:
 
 
 def load_scene_file(path: PathLike) -> SceneFile:
-    """Read a scene file or an object file as a scene file; errors as in `load_scene`."""
+    """Read a scene file or an object file as a scene file; errors and warnings as in `load_scene`."""
     content = read_yaml(Path(require_path("path", path)))
     if isinstance(content, dict) and "object" in content:
-        return load_model(path, ObjectFile).scene_file()
-    return load_model(path, SceneFile)
+        file = load_model(path, ObjectFile).scene_file()
+    else:
+        file = load_model(path, SceneFile)
+    scene = file.build()
+    warn_of_doubts(scene.effects, scene.contact, scene.slider.outline)
+    return file
 
 
 def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:

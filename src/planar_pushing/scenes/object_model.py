@@ -10,7 +10,7 @@ from pydantic_core import PydanticCustomError
 from planar_pushing.mechanics.entries import scene_entry
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports.base import POSITION, POSITIONS
-from planar_pushing.objects.scene_at import scene_at
+from planar_pushing.objects.scene_at import place_object
 from planar_pushing.scenes.entries import ContactEntry, EffectEntry, UnitsEntry
 from planar_pushing.scenes.fields import FileModel, NotEmpty, Positive, Text
 from planar_pushing.scenes.scene_model import SceneFile, require_inertia
@@ -106,15 +106,16 @@ class ObjectFile(FileModel):
 
     def build(self) -> Scene:
         contact = self.object.contact
-        return scene_at(
+        scene, _ = place_object(
             contact.point,
             contact.normal,
-            side=contact.side,
+            contact.side,
             effects=[effect.build() for effect in self.effects],
             contact=self.contact.build(),
             outline=self.object.outline,
             units=None if self.units is None else self.units.build(),
         )
+        return scene
 
     def scene_file(self) -> SceneFile:
         """The same scene in its body frame."""

@@ -14,6 +14,7 @@ from planar_pushing.core.run import LOG_EVALUATIONS
 from planar_pushing.mechanics.contact import friction_coefficient
 from planar_pushing.mechanics.kernels.arrays import is_labeled
 from planar_pushing.mechanics.scene import Scene, require_scene
+from planar_pushing.simulation.doubts import warn_of_doubts
 from planar_pushing.simulation.fields import FIELDS, arrays, sampled_fields
 from planar_pushing.simulation.inputs import Scenes, numbers_of
 from planar_pushing.simulation.log import variable_attributes, without_fill_values
@@ -67,6 +68,13 @@ def simulate_batch(
         `samples` is given; angles are in degrees. The numbers are equal to those of `simulate`; `force` is
         the force at the instant.
 
+    Warns
+    -----
+    SceneWarning
+        If a fence pushes at an inner point of a side, all of which lies on it; if a finger pushes an object
+        that `scene_at` made without an outline, whose wall is then straight and without ends; or if the
+        finger's radius is larger than the object.
+
     Raises
     ------
     InvalidValue
@@ -85,6 +93,7 @@ def simulate_batch(
         rtol=rtol, on_ambiguity=on_ambiguity,
     )  # fmt: skip
     _require_same_without_outline(problem)
+    warn_of_doubts(problem)
     data, numbers = numbers_of(problem)
     columns, over = _broadcast(numbers)
     _require_free_names(over)

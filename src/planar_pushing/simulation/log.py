@@ -14,6 +14,7 @@ from planar_pushing.core.run import LOG_TIME
 from planar_pushing.core.system import NO_MODE
 from planar_pushing.mechanics.entries import scene_entry, to_json, versions
 from planar_pushing.mechanics.kernels.arrays import flag_attributes
+from planar_pushing.mechanics.plane import direction
 from planar_pushing.simulation.fields import Stop, arrays, logged_fields
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms import quantities
@@ -75,6 +76,7 @@ def global_attributes(problem: Problem, method: str) -> dict[str, Any]:
     radius: Any = pusher.radius
     disc = {"pusher_radius": float(radius)} if radius else {}
     placed = {} if problem.object_pose is None else _pose_attributes(problem)
+    masses = _mass_attributes(problem) if problem.scene.masses else {}
     return {
         "title": "motion of the pushed slider",
         "source": f"{quantities.PAPER}, Secs. 2-5, over time",
@@ -88,6 +90,7 @@ def global_attributes(problem: Problem, method: str) -> dict[str, Any]:
         "initial_twist_units": ", ".join(unit_names(LOG_TWIST_UNITS, problem.scene.units)),
         "initial_gap": float(problem.gap),
         **placed,
+        **masses,
         "method": str(method),
         "on_ambiguity": policies[0][1].value if len(policies) == 1 else to_json(policies),
         "rtol": float(problem.rtol),
@@ -103,6 +106,16 @@ def _pose_attributes(problem: Problem) -> dict[str, Any]:
         "object_pose": np.array(problem.object_pose, float),
         "object_pose_units": ", ".join(units),
     }
+
+
+def _mass_attributes(problem: Problem) -> dict[str, Any]:
+    """The center of mass in the object's frame, which a user can leave to its default."""
+    scene, psi = problem.scene, problem.scene.slider.rod_angle
+    x, y = (scene.slider.radius * coordinate for coordinate in scene.mass_center)
+    along = scene.slider.rod_length + x
+    (c, s), unit = direction(psi), unit_names(("length",), scene.units)[0]
+    center = scene.to_object((along * c - y * s, along * s + y * c), "point")
+    return {"center_of_mass": center, "center_of_mass_units": unit}
 
 
 def attributes_at_start(problem: Problem, method: str) -> dict[str, Any]:

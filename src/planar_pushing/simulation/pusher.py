@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import InitVar, dataclass, field
 from enum import StrEnum
 from typing import Annotated, Any, Literal, TypeVar
 
@@ -63,9 +63,8 @@ class Pusher:
         Positions of the pusher with their times, the first at time 0. The pusher moves straight from one to
         the next at constant velocity and rests after the last. Only their differences matter, since the
         pusher starts at the contact, or a gap below it.
-    acceleration : callable, optional
-        Derivative of a callable velocity. It is not needed, since a callable velocity is approximated by
-        polynomials with known derivatives.
+    acceleration
+        Refused: the velocity determines it. A callable velocity is approximated by polynomials.
     breakpoints : sequence of float
         Times at which a callable velocity is not smooth.
     shape : {"fence", "finger"}
@@ -90,7 +89,7 @@ class Pusher:
 
     velocity: Vectors | Sequence[tuple[float, Vectors]] | Motion | None = None
     waypoints: Sequence[tuple[float, Vector]] | None = None
-    acceleration: Motion | None = None
+    acceleration: InitVar[Any] = None
     breakpoints: Sequence[float] = ()
     shape: Shape | Literal["fence", "finger"] = Shape.FENCE
     radius: Annotated[npt.ArrayLike, FINGER_RADIUS] = 0.0
@@ -98,7 +97,12 @@ class Pusher:
     pieces: tuple[tuple[float, Vector], ...] = field(init=False, default=(), repr=False)
     arrays: tuple[tuple[float, tuple[Any, Any]], ...] = field(init=False, default=(), repr=False)
 
-    def __post_init__(self) -> None:
+    def __post_init__(self, acceleration: Any) -> None:
+        if acceleration is not None:
+            raise InvalidValue(
+                "acceleration", acceleration, "none, since the velocity determines it",
+                "give a velocity that changes, for instance velocity=lambda t: (0.0, 1.0 - 0.5 * t)",
+            )  # fmt: skip
         if self.waypoints is not None:
             _require_no_velocity(self.velocity)
             self._set("pieces", _legs(self.waypoints))

@@ -13,6 +13,7 @@ import xarray as xr
 from planar_pushing.core.run import LOG_TIME
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.scene import Scene, require_scene, require_single
+from planar_pushing.simulation.doubts import warn_of_doubts
 from planar_pushing.simulation.log import dataset, without_fill_values
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
@@ -102,7 +103,8 @@ def simulate(
     Returns
     -------
     xarray.Dataset
-        Log with one entry of each variable for each instant; angles are in degrees. If the motion ended
+        Log with one entry of each variable for each instant; angles are in degrees. Its attributes describe
+        the run, with the center of mass in the object's frame if the scene has inertia. If the motion ended
         early, the attribute `stopped` gives the reason: the motion could not continue, or `until` holds
         ("until: ..."). Otherwise it is empty. A fence touches every corner of an outline, within a
         billionth of the outline's extent: a side that arrives on it continues in a consistent mode, with
@@ -112,6 +114,13 @@ def simulate(
         run ends when the slider's center reaches it. When a finger leaves the side at its end, the contact
         ends permanently, and `parted` is true from then on; with an outline the run ends there, and also
         when another point of the outline meets the finger.
+
+    Warns
+    -----
+    SceneWarning
+        If a fence pushes at an inner point of a side, all of which lies on it; if a finger pushes an object
+        that `scene_at` made without an outline, whose wall is then straight and without ends; or if the
+        finger's radius is larger than the object.
 
     Raises
     ------
@@ -133,6 +142,7 @@ def simulate(
         scene=scene, pusher=pusher, duration=duration, twist=twist, gap=gap,
         on_ambiguity=on_ambiguity, rtol=rtol, object_pose=object_pose,
     )  # fmt: skip
+    warn_of_doubts(problem)
     if path is not None:
         require_path("path", path)
     require_flag("progress", progress)

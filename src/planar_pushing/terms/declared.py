@@ -28,6 +28,9 @@ Schema = Mapping[str, Any]
 NUMBER: dict[str, Any] = {"type": "number"}
 PAIR: dict[str, Any] = {"type": "array", "minItems": 2, "maxItems": 2, "items": NUMBER}
 
+#: Remedy for an angle of NaN.
+FINITE = "give finite numbers: NaN is the result of a missing or an impossible one"
+
 
 class Declaration:
     """Base of the declarations, each of which states the allowed values of a parameter.
@@ -116,10 +119,14 @@ class Within(Declaration):
         wrong = array[~np.asarray(self.allows(array), dtype=bool)]
         if wrong.size:
             one_number = array.ndim == 0 and not isinstance(value, np.number)
-            raise InvalidValue(
-                name, value if one_number else float(wrong.flat[0]), self.allowed, self.remedy
-            )
+            number = value if one_number else float(wrong.flat[0])
+            raise InvalidValue(name, number, self.allowed, self.remedy_for(number))
         return numbers
+
+    def remedy_for(self, value: Any) -> str:
+        """Remedy for a value: no conversion from degrees makes an angle of NaN."""
+        is_nan = isinstance(value, float) and math.isnan(value)
+        return FINITE if is_nan and "deg2rad" in self.remedy else self.remedy
 
     def _block(self, name: str, block: Any) -> Any:
         """A block of a lazy array; a block of one number stays an array."""
@@ -143,7 +150,7 @@ class Single(Within):
     """One number in a range, also in Python."""
 
     def require(self, name: str, value: Any) -> float:
-        return require_number(name, value, self.allows, self.allowed, self.remedy)
+        return require_number(name, value, self.allows, self.allowed, self.remedy_for(value))
 
 
 @dataclass(frozen=True, eq=False)

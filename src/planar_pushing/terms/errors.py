@@ -10,6 +10,7 @@ import math
 import os
 import reprlib
 import sys
+import warnings
 from collections.abc import Callable, Iterable, Mapping, Set
 from enum import StrEnum
 from typing import Any, TypeVar
@@ -78,6 +79,19 @@ class SceneWarning(UserWarning):
 
 class EarlyEndWarning(UserWarning):
     """A run over time that ends before its duration; the message says when and why."""
+
+
+def warn_user(warning: Warning) -> None:
+    """Issue a warning that points at the line of the user's code that called the package."""
+    frame, level = sys._getframe(1), 2
+    while frame.f_back is not None and _is_of_package(frame.f_globals.get("__name__", "")):
+        frame, level = frame.f_back, level + 1
+    warnings.warn(warning, stacklevel=level)
+
+
+def _is_of_package(module: str) -> bool:
+    """Whether a module belongs to this package."""
+    return module.partition(".")[0] == __name__.partition(".")[0]
 
 
 def format_value(value: object) -> str:

@@ -59,7 +59,7 @@ def other(name, at):
     return {
         "friction": (),
         "viscous": (pp.Viscous(support=pp.Disc(0.5, tuple(at)), coefficient=0.4),),
-        "inertia": (pp.Inertia(mass=0.7, gyration_radius=0.6, center=(at[0] + 0.2, at[1])),),
+        "inertia": (pp.Inertia(mass=0.7, gyration_radius=0.5, center=(at[0] + 0.2, at[1])),),
         "load": (pp.Load(force=(0.1, -0.2), center=(at[0] + 0.1, at[1])),),
     }[name]
 

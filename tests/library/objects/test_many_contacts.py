@@ -55,7 +55,7 @@ def own_kind(support, hash_of=object.__hash__, moves_as=None):
 def effects_of(support):
     return [
         pp.SupportFriction(support=support, weight=2.0),
-        pp.Inertia(mass=3.0, gyration_radius=0.8, center=(0.2, 0.1)),
+        pp.Inertia(mass=3.0, gyration_radius=0.15, center=(0.2, 0.1)),
         pp.Load(force=(0.1, 0.2)),
     ]
 
@@ -151,7 +151,7 @@ def test_supports_that_cannot_be_moved_are_one_line():
     for support, said in (
         (Fixed(), "a method moved"),
         (pp.Composite([(1.0, Fixed())]), "a method moved"),
-        (pp.Ring(), "a ring with a radius"),
+        (pp.Ring(), "a ring with its radius"),
     ):
         with pytest.raises(pp.InvalidValue, match=said):
             pp.scene_at(POINTS, NORMALS, effects=[pp.SupportFriction(support=support)], **given)

@@ -71,7 +71,10 @@ def test_sides_join_the_corners_of_the_outline(tree):
 
 def test_a_light_slider_of_small_gyration_keeps_a_positive_moment():
     effects = (pp.SupportFriction(support=FEET), pp.Inertia(gyration_radius=1e-3))
-    scene = pp.scene_at((-0.05, -0.1), effects=effects, contact=pp.Coulomb(0.5), outline=CORNERS)
+    with pytest.warns(pp.SceneWarning, match="gyration_radius: 0.001 beside"):
+        scene = pp.scene_at(
+            (-0.05, -0.1), effects=effects, contact=pp.Coulomb(0.5), outline=CORNERS
+        )
     own = ElementTree.fromstring(pp.to_mjcf(scene)).find("worldbody/body/inertial")
     assert 0 < numbers(own, "diaginertia")[2] < 1e-6
 

@@ -391,8 +391,9 @@ class TestUnits:
     def scene(self, *more):
         effects = [pp.SupportFriction(support=SQUARE), *more]
         return pp.scene_at(
-            (0.5, -1), (0, 1), effects=effects, contact=pp.Coulomb(1.0), units=pp.Units(length="mm")
-        )
+            (0.5, -1), effects=effects, contact=pp.Coulomb(1.0), outline=SQUARE,
+            units=pp.Units(length="mm"),
+        )  # fmt: skip
 
     def test_labeled_results_have_the_units_of_the_scene(self):
         xr = pytest.importorskip("xarray")

@@ -104,7 +104,11 @@ def test_a_center_near_a_foot_counts_within_a_distance():
 
 def test_feet_of_several_effects_at_one_place_add():
     two = pp.Composite([(1, pp.Disc(0.5)), (3, pp.Points([(1, 1), (0, 0), (1, 1)], [1, 1, 1]))])
-    effects = (*FEET, pp.SupportFriction(support=two, weight=8.0), pp.Inertia(mass=2.0))
+    effects = (
+        *FEET,
+        pp.SupportFriction(support=two, weight=8.0),
+        pp.Inertia(mass=2.0, center=(0, 0)),
+    )
     found = pp.wrench_set(effects, ABOUT)
     assert found.radius == pytest.approx(1.5 + 8.0 * 0.75 * 2 / 3)
     # The foot at the center, the disc, and the mass.

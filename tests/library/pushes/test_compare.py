@@ -98,6 +98,7 @@ def test_halves_are_disjoint_and_every_push_is_scored(pushes, monkeypatch):
     assert set(map(tuple, fits[0].pushes.contact.tolist())) not in (rows[0], rows[2])
 
 
+@pytest.mark.filterwarnings("ignore:outline:planar_pushing.SceneWarning")
 def test_errors_against_a_transcription():
     """Of exact mechanics on short pushes of three feet: the angle between vectors, and the final pose."""
     own = measurements_of(pushed(10, distance=3.0))

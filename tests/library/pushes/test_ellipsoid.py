@@ -39,6 +39,7 @@ def turned(contacts, angle):
     )  # fmt: skip
 
 
+@pytest.mark.filterwarnings("ignore:outline:planar_pushing.SceneWarning")
 @pytest.mark.parametrize("radius", [0.0, 0.2])
 @pytest.mark.parametrize(("place", "way", "mu"), [
     (0.0, (0.0, 0.5), 0.3), (0.0, (0.4, 0.2), 0.1), (0.3, (0.0, 0.5), 0.1), (0.3, (0.1, 0.5), 0.3),

@@ -59,6 +59,7 @@ def test_a_push_through_the_center_of_a_symmetric_object_does_not_turn_it():
     assert found[0] == pytest.approx([0, 0.5, 0], abs=1e-6)
 
 
+@pytest.mark.filterwarnings("ignore:outline:planar_pushing.SceneWarning")
 def test_a_path_is_followed_part_by_part():
     """Two straight parts, along the normal and then aside."""
     support = SUPPORTS["points"]

@@ -46,6 +46,7 @@ effects:
 """
 
 
+@pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning")  # of random numbers
 @given(SLIDERS, LAWS, st.lists(EFFECTS, min_size=1, max_size=3))
 def test_scene_round_trip(tmp_path_factory, slider, law, effects):
     scene = pp.Scene(slider=slider, contact=law, effects=tuple(effects))

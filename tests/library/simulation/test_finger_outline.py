@@ -14,6 +14,9 @@ from simulation.scenes import SIDE_ENDS
 
 import planar_pushing as pp
 
+#: The scenes are plain or random numbers, not real objects.
+pytestmark = pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning")
+
 ELL = [(0, 0), (0.3, 0), (0.3, 0.1), (0.1, 0.1), (0.1, 0.3), (0, 0.3)]
 TEE = [(-0.15, 0), (0.15, 0), (0.15, 0.1), (0.05, 0.1), (0.05, 0.3), (-0.05, 0.3), (-0.05, 0.1),
        (-0.15, 0.1)]  # fmt: skip

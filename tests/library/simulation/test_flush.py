@@ -26,6 +26,9 @@ from simulation.runs import check, final, imbalance, run
 import planar_pushing as pp
 from planar_pushing.simulation.runs import Run
 
+#: The scenes are plain or random numbers, not real objects.
+pytestmark = pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning")
+
 METHODS = pytest.mark.parametrize("method", ["event-driven", "time-stepping"])
 PLATE = pp.SupportFriction(support=pp.Polygon(SQUARE))
 MASS = pp.Inertia(mass=1.0)

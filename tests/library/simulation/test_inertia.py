@@ -33,7 +33,7 @@ def flight(twist, duration, effects=BOTH, **options):
 def test_first_acceleration_from_rest_is_that_of_solve(effects, angle, length):
     """A fence that starts with a steady acceleration; the log's second instant is 1e-4 later."""
     scene, (a_x, a_y) = make_scene(length, 0.5, effects), heading(angle, 2.0)
-    pusher = pp.Pusher(velocity=lambda t: (a_x * t, a_y * t), acceleration=lambda _: (a_x, a_y))
+    pusher = pp.Pusher(velocity=lambda t: (a_x * t, a_y * t))
     log = check(run(scene, pusher, 1e-4, samples=3))
     (solution,) = pp.solve(scene, np.deg2rad(angle), 2.0)
     assert log.mode[0] == solution.mode
@@ -165,16 +165,6 @@ def test_smooth_start_and_reversal():
     assert final(log, "kinetic_energy") < 1e-20
 
 
-def test_differences_stand_in_for_the_acceleration_of_the_fence():
-    def velocity(t):
-        return 0.2 * t, math.sin(t)
-
-    scene = make_scene(2, 2.0, BOTH)
-    given_one = pp.Pusher(velocity=velocity, acceleration=lambda t: (0.2, math.cos(t)))
-    logs = [run(scene, pusher, 1) for pusher in (given_one, pp.Pusher(velocity=velocity))]
-    assert final(logs[0], "rod_angle") == pytest.approx(final(logs[1], "rod_angle"), abs=1e-8)
-
-
 def test_painleve_configuration_without_a_solution_stops_the_run():
     """Sliding to the left on a steep rod: any force on the edge drives the contact into the fence."""
     pusher = pp.Pusher(velocity=lambda t: (0, max(0.0, t - 0.5)), breakpoints=(0.5,))
@@ -207,7 +197,7 @@ def test_no_impulse_under_the_second_definition_stops_the_run():
 
 def test_grazing_contact():
     """The fence rises by 0.5 and falls back: just below the slider, and just into it."""
-    pusher = pp.Pusher(velocity=lambda t: (0, 1 - t), acceleration=lambda _: (0, -1))
+    pusher = pp.Pusher(velocity=lambda t: (0, 1 - t))
     scene = make_scene(2, 0.3, INERTIA)
     clear, hit = (check(run(scene, pusher, 2, gap=gap)) for gap in (0.5 + 1e-7, 0.5 - 1e-7))
     assert final(clear, "kinetic_energy") < 1e-20

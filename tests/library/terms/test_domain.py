@@ -49,7 +49,7 @@ DEGREES = (
     "convert degrees with np.deg2rad, and wrap unwrapped radians with np.mod(angle, 2 * np.pi)"
 )
 NO_ANGLES = [
-    *(given for given in NOT_NUMBERS if given is not None),
+    *(given for given in NOT_NUMBERS if given is not None and given == given),
     *(np.inf, -np.inf, 90, -90, 12.6, 10**400, (0.1, 1.0), (1.0,)),
     *(
         np.float64(90.0),
@@ -62,6 +62,16 @@ NO_ANGLES = [
     *(np.array([0.0, 90.0]), np.arange(0, 181, 45), [0.0, 90.0], [[0.0], [-12.6]]),
     *(xr.DataArray(90.0), xr.DataArray([0, 90], dims="case"), pd.Series([0.0, 90.0], index=[1, 0])),
 ]
+
+
+def test_an_angle_of_nan_is_not_taken_for_degrees():
+    for given in (np.nan, np.array([1.0, np.nan]), [np.nan, 1.0]):
+        with pytest.raises(pp.InvalidValue, match=r"nan given; .*; give finite numbers: NaN"):
+            pp.solve(make_scene(1.0), given)
+    with pytest.raises(pp.InvalidValue, match="give finite numbers: NaN"):
+        pp.Slider(rod_length=1.0, rod_angle=np.nan)
+    with pytest.raises(pp.InvalidValue, match="give finite numbers: NaN"):
+        pp.Until(rotation=np.nan)
 
 
 @pytest.mark.parametrize("given", NO_ANGLES, ids=lambda given: repr(given)[:20])

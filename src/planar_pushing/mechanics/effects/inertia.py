@@ -24,9 +24,11 @@ class Inertia:
         m > 0.
     gyration_radius : float or array
         rho > 0 about the center of mass, in the unit of the slider's lengths.
-    center : (x, y), of floats or arrays
-        Center of mass in the body frame: origin at the slider's center, x along the rod and away from the
-        contact.
+    center : (x, y), of floats or arrays, optional
+        Center of mass, in the object's frame for `scene_at` and in the body frame for `Scene`. By default,
+        in the object's frame, the center of pressure, above which the center of mass of a slow object is;
+        without friction, the centroid of the outline, or without one the origin. In the body frame, by
+        default the slider's center, which is the origin; x is along the rod and away from the contact.
 
     Raises
     ------
@@ -38,9 +40,9 @@ class Inertia:
     mass: Annotated[Number, positive(NONE)] = 1.0
     gyration_radius: Annotated[Number, positive(NONE)] = 1.0
     center: Annotated[
-        tuple[Number, Number],
-        Pair(finite("give x and y of the center of mass in the body frame")),
-    ] = (0.0, 0.0)
+        Any,
+        Pair(finite("give x and y of the center of mass in the object's frame, or leave it out")),
+    ] = None
 
     def __post_init__(self) -> None:
         require_declared(self)
@@ -50,7 +52,8 @@ class Inertia:
 
     def moved(self, body: Frame, fence: Frame) -> Inertia:
         """The same effect expressed in the body frame instead of the object's frame."""
-        return replace(self, center=position_in_frame(self.center, body))
+        center = None if self.center is None else position_in_frame(self.center, body)
+        return replace(self, center=center)
 
     @property
     def degree(self) -> int:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar
 
 from planar_pushing.mechanics.kernels.arrays import same
-from planar_pushing.mechanics.plane import Frame, components, position_in_frame
+from planar_pushing.mechanics.plane import Frame, position_in_frame, vector_in_frame
 from planar_pushing.terms.declared import Pair, finite, require_declared
 from planar_pushing.terms.numbers import Number
 from planar_pushing.terms.options import EffectKind
@@ -43,7 +43,7 @@ class Load:
 
     def moved(self, body: Frame, fence: Frame) -> Load:
         """The same effect, with force in the fence frame and center in the body frame."""
-        force = components(fence.vector_in(self.force), fence)
+        force = vector_in_frame(self.force, fence)
         center = None if self.center is None else position_in_frame(self.center, body)
         return replace(self, force=force, center=center)
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.effects import Load, RingFriction, SupportFriction
-from planar_pushing.mechanics.kernels.arrays import Output, map_kernel
+from planar_pushing.mechanics.kernels.arrays import Output, broadcast_numbers, map_kernel
 from planar_pushing.mechanics.rows import data_of, entries_of
 from planar_pushing.terms.errors import InvalidValue
 
@@ -29,7 +29,8 @@ def require_held(scene: Any) -> None:
     if friction:
         columns = [column for entry in friction for column in entry.columns]
         data = data_of(friction)
-        ratio = map_kernel("load_ratios", data, [*columns, *total], [Output("ratio")])[0]
+        columns = broadcast_numbers(*columns, *total)
+        ratio = map_kernel("load_ratios", data, columns, [Output("ratio")])[0]
     if np.any(~(ratio < 1.0)):
         raise InvalidValue(
             "force", f"{float(np.max(ratio)):.6g} times what friction can hold",

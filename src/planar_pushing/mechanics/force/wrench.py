@@ -52,7 +52,7 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
     # Scaled to about 1 so that squares neither overflow nor underflow; a power of two is exact.
     _, size = np.frexp(np.abs(twists).max(axis=-1, keepdims=True))
     v_x, v_y, omega = np.moveaxis(np.ldexp(twists, -size), -1, 0)
-    entries = entries_of([(0, effect)], scene)
+    entries = entries_of(enumerate(scene.effects), scene)
     columns = [*entries[0].columns, v_x, v_y, radius * omega]
     wrenches = map_kernel("wrenches", data_of(entries), columns, WRENCH)[0]
     wrenches[..., 2] *= radius

@@ -156,7 +156,7 @@ def elementwise(
     outputs : sequence of Output
     """
     if not any(map(is_labeled, arguments)):
-        _require_shapes(arguments)
+        require_alike(arguments)
         results = function(*arguments)
         return [result.item() if result.ndim == 0 else result for result in results]
     import xarray as xr
@@ -174,8 +174,12 @@ def elementwise(
     return [label_result(output.name, array) for array, output in zip(arrays, outputs, strict=True)]
 
 
-def _require_shapes(arguments: Sequence[Any]) -> None:
-    """Refuse arrays that do not broadcast together."""
+def require_alike(arguments: Sequence[Any]) -> None:
+    """Refuse arrays that do not broadcast together, or labeled ones beside others or of several sizes."""
+    labeled = [argument for argument in arguments if is_labeled(argument)]
+    if labeled:
+        _require_labels(labeled, [np.shape(a) for a in arguments if not is_labeled(a)])
+        return
     shapes = list(map(np.shape, arguments))
     try:
         np.broadcast_shapes(*shapes)
@@ -185,6 +189,36 @@ def _require_shapes(arguments: Sequence[Any]) -> None:
             "shapes", text, "arrays that broadcast against one another",
             "give each its own axis, as in x[:, None], or label the axes with xarray.DataArray",
         ) from None  # fmt: skip
+
+
+def _require_labels(labeled: Sequence[Any], shapes: Sequence[tuple[int, ...]]) -> None:
+    """Refuse a dimension of several sizes, and the shape of an array without labels."""
+    sizes = {(str(name), size) for array in labeled for name, size in array.sizes.items()}
+    names = [name for name, _ in sizes]
+    several = sorted(f"{name}: {size}" for name, size in sizes if names.count(name) > 1)
+    if several:
+        raise InvalidValue(
+            "shapes",
+            ", ".join(several),
+            "one size of each dimension",
+            "rename one of the dimensions",
+        )
+    unlabeled = [shape for shape in shapes if shape]
+    if unlabeled:
+        raise InvalidValue(
+            "shapes", unlabeled[0], "labeled arrays, beside one with labels",
+            "also give this array as an xarray.DataArray",
+        )  # fmt: skip
+
+
+def broadcast_numbers(*numbers: Any) -> list[Any]:
+    """Numbers and arrays, repeated to their common shape; labeled ones over all of their dimensions."""
+    if not any(map(is_labeled, numbers)):
+        return [np.array(array) for array in np.broadcast_arrays(*numbers)]
+    import xarray as xr
+
+    labeled = [number if is_labeled(number) else xr.DataArray(number) for number in numbers]
+    return [array.copy() for array in xr.broadcast(*labeled)]
 
 
 def evaluate_kernel(

@@ -228,7 +228,7 @@ def _slider(scene: File) -> Slider:
         body = Body(length=length, support=support(shape), weight=weight)
     if body is not None and not inertia:
         return Sliding(length=length, edges=edges, body=body)
-    mass, (x, y) = rational(inertia[0]["mass"]), rational_pair(inertia[0]["center"])
+    mass, (x, y) = rational(inertia[0]["mass"]), rational_pair(inertia[0]["center"] or (0, 0))
     return Massive(
         length=length, edges=edges, body=body, mass=mass, center=(length + x, y),
         moment=mass * rational(inertia[0]["gyration_radius"]) ** 2,
