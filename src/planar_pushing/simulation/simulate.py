@@ -163,7 +163,7 @@ def _run(
     run = start(times)
     if until is None:
         return run
-    return UntilRun(start, times, require_condition(until, problem, method), problem)
+    return UntilRun(start, times, require_condition(until, problem, method), problem, method)
 
 
 def _rows(run: Run | UntilRun, progress: bool) -> Iterator[Array]:

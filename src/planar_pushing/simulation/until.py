@@ -141,10 +141,11 @@ class UntilRun:
     """
 
     def __init__(
-        self, start: Callable[[Array], Run], times: Array, condition: Condition, problem: Problem
-    ) -> None:
+        self, start: Callable[[Array], Run], times: Array, condition: Condition, problem: Problem,
+        method: str,
+    ) -> None:  # fmt: skip
         self.start, self.times, self.condition, self.problem = start, times, condition, problem
-        self.fields, self.stopped = logged_fields(problem), ""
+        self.fields, self.stopped = logged_fields(problem, method), ""
 
     def __iter__(self) -> Iterator[Array]:
         end = self._end()
