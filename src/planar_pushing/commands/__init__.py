@@ -8,9 +8,11 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Mapping, Sequence
-from contextlib import suppress
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from importlib.metadata import entry_points
+from typing import Any
 
 from planar_pushing import __version__
 from planar_pushing.commands import (
@@ -27,7 +29,14 @@ from planar_pushing.commands import (
     solve,
 )
 from planar_pushing.commands.words import Parser, check_push, text
-from planar_pushing.terms.errors import InvalidValue, PlanarPushingError, suggestion
+from planar_pushing.terms.errors import (
+    EarlyEndWarning,
+    InvalidValue,
+    PlainCoreWarning,
+    PlanarPushingError,
+    SceneWarning,
+    suggestion,
+)
 
 #: Group of the entry points of other packages' commands, each a module with a function `add`. Help, version
 #: and completion import all of these modules, so none imports numpy before its command runs.
@@ -100,7 +109,9 @@ def _run(arguments: Sequence[str] | None) -> int:
     try:
         check_push(args)
         _check_output(args)
-        _print(args.action(args), args.json)
+        with _warnings_in_one_line(args.command):
+            result = args.action(args)
+        _print(result, args.json)
     except PlanarPushingError as error:
         print(f"planar-pushing {args.command}: {error}", file=sys.stderr)
         return INVALID
@@ -134,6 +145,25 @@ def _print(result: dict[str, object], as_json: bool) -> None:
         print(json.dumps(plain(result), indent=2))
     else:
         print(text(result))
+
+
+@contextmanager
+def _warnings_in_one_line(command: str) -> Iterator[None]:
+    """Write the package's warnings like its errors, in one line, without the place in its source."""
+    before = warnings.formatwarning
+
+    def in_one_line(
+        message: Warning | str, category: type[Warning], *place: Any, **line: Any
+    ) -> str:
+        if issubclass(category, (EarlyEndWarning, PlainCoreWarning, SceneWarning)):
+            return f"planar-pushing {command}: warning: {message}\n"
+        return before(message, category, *place, **line)
+
+    warnings.formatwarning = in_one_line
+    try:
+        yield
+    finally:
+        warnings.formatwarning = before
 
 
 def _repeat_interrupt(dropped: sys.UnraisableHookArgs) -> None:

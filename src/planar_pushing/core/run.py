@@ -47,8 +47,8 @@ RUN_ENDED, RUN_ROWS, RUN_CHANGES, RUN_EVENTS, RUN_AT_ONCE, RUN_MODE = range(6)
 
 #: A row of the log. Position is that of the slider's center, the angle is that of the rod in radians, and
 #: the displacement is that of the pusher. The position of the contact is where its force acts along the
-#: pusher. The impulse is the sum of those since the row before. The last entries are the energies dissipated
-#: by each effect.
+#: pusher. The impulse is the sum of those since the row before. The last entries are the energies
+#: dissipated by each effect.
 LOG_TIME, LOG_POSITION, LOG_ANGLE, LOG_TWIST, LOG_PUSHER = 0, 1, 3, 4, 7
 LOG_SLIP, LOG_GAP, LOG_FORCE, LOG_MODE, LOG_SOLUTIONS = 9, 10, 11, 13, 14
 LOG_PIVOT, LOG_EVENT, LOG_RATIO, LOG_CONTACT_DISSIPATED, LOG_WORK = range(15, 20)

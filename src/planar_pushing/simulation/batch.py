@@ -13,6 +13,7 @@ from planar_pushing.core.run import LOG_EVALUATIONS
 from planar_pushing.mechanics.contact import friction_coefficient
 from planar_pushing.mechanics.kernels.arrays import is_labeled
 from planar_pushing.mechanics.scene import Scene, require_scene
+from planar_pushing.simulation.early_end import warn_of_early_end
 from planar_pushing.simulation.fields import FIELDS, arrays, sampled_fields
 from planar_pushing.simulation.inputs import Scenes, numbers_of
 from planar_pushing.simulation.log import variable_attributes, without_fill_values
@@ -26,6 +27,7 @@ from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Policy, PolicyName, Shape
 
 
+@warn_of_early_end
 def simulate_batch(
     scene: Scene,
     pusher: Pusher,
@@ -64,12 +66,19 @@ def simulate_batch(
     xarray.Dataset
         Dataset over `scene`, or the dimensions of the labeled arrays, and over `part` of the duration if
         `samples` is given; angles are in degrees. The numbers are equal to those of `simulate`; `force` is
-        the force at the instant.
+        the force at the instant, and `impulse` the sum of those since the instant before, or since the
+        start. For a run whose motion could not continue, `stopped` and `time` say why and when; its other
+        numbers are the last ones.
 
     Raises
     ------
     InvalidValue
         If a value is not allowed, or shapes do not match.
+
+    Warns
+    -----
+    EarlyEndWarning
+        Once, if the motion of some scenes could not continue.
     """
     require_kind("pusher", pusher, Pusher)
     require_flag("progress", progress)

@@ -13,6 +13,7 @@ import xarray as xr
 from planar_pushing.core.run import LOG_TIME
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.scene import Scene, require_scene, require_single
+from planar_pushing.simulation.early_end import warn_of_early_end
 from planar_pushing.simulation.log import dataset, without_fill_values
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
@@ -32,6 +33,7 @@ from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Event, Method, MethodName, Policy, PolicyName
 
 
+@warn_of_early_end
 def simulate(
     scene: Scene,
     pusher: Pusher,
@@ -119,6 +121,11 @@ def simulate(
         If a value is not allowed.
     InvalidFile
         If `path` cannot be written, or another process is writing it.
+
+    Warns
+    -----
+    EarlyEndWarning
+        If the motion could not continue until the end of the duration, or until `until` holds.
     """
     require_single(require_scene(scene))
     require_kind("pusher", pusher, Pusher)

@@ -11,6 +11,7 @@ import numpy as np
 
 from planar_pushing.core.run import LOG_TIME
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.simulation.early_end import UNTIL
 from planar_pushing.simulation.fields import arrays, logged_fields
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.runs import Run
@@ -153,7 +154,7 @@ class UntilRun:
         for rows in run:
             holds = self._holds(rows)
             if holds.any():
-                self.stopped = f"until: {self.condition.reason}"
+                self.stopped = f"{UNTIL}{self.condition.reason}"
                 yield rows[: holds.argmax() + 1]
                 return
             yield rows
