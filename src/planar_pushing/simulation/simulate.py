@@ -110,8 +110,11 @@ def simulate(
         billionth of the outline's extent: a side that arrives on it continues in a consistent mode, with
         inertia after an impact at both ends or at one of them. `flush` is true while a side lies on the
         fence, and `contact_position` is the place of the force along the fence, or of the contact's point
-        without a force. Without an outline only the contact, or the given side, touches a fence, and the
-        run ends when the slider's center reaches it. When a finger leaves the side at its end, the contact
+        without a force. With inertia, `impulse` is that of the impacts at the instant, along the axes of
+        `force`, and zero elsewhere: where the pusher meets the slider, a side arrives, or the pusher's
+        velocity jumps, also at the start; the force of a step of time-stepping includes it. Without an
+        outline only the contact, or the given side, touches a fence, and the run ends when the slider's
+        center reaches it. When a finger leaves the side at its end, the contact
         ends permanently, and `parted` is true from then on; with an outline the run ends there, and also
         when another point of the outline meets the finger.
 
