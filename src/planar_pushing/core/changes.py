@@ -8,7 +8,7 @@ from planar_pushing.core.candidates import write_starts
 from planar_pushing.core.drag import friction_effects
 from planar_pushing.core.equations import motion_in_mode, write_rates
 from planar_pushing.core.fence import Span, fence_velocity, span_at
-from planar_pushing.core.impact import collide
+from planar_pushing.core.impact import add_impulse, collide
 from planar_pushing.core.inertia import slowest_foot_at, stop_slowest_foot
 from planar_pushing.core.instant import load_power
 from planar_pushing.core.numbers import Numbers
@@ -190,7 +190,10 @@ def settle(
             state[SLIP_SPEED] = c_x - fence_x  # without an impulse along the fence
         x, y = fence_x + state[SLIP_SPEED], fence_y
         mass, pose = system.scene[IN_MASS], pose_of(system, state)
-        work = mass * ((x - c_x) * fence_x + (y - c_y) * fence_y)
+        d_x, d_y = x - c_x, y - c_y
+        if fabs(d_x) + fabs(d_y) > SLACK * system.run[RUN_SPEED]:
+            add_impulse(system, state, mass * d_x, mass * d_y)
+        work = mass * (d_x * fence_x + d_y * fence_y)
         state[WORK] += work
         state[LOST] += work - (kinetic_energy_of(system, pose, x, y, 0.0) - energy)
         return GOES_ON

@@ -22,14 +22,16 @@ from planar_pushing.core.run import (
     IN_ROUGH,
     IN_SLIPS,
     RUN_FORCE,
+    RUN_IMPULSE,
     RUN_LEFT,
     RUN_MOMENT,
     RUN_RIGHT,
     RUN_SPEED,
 )
-from planar_pushing.core.shapes import Pose, pose_of, pusher_velocity
+from planar_pushing.core.shapes import Pose, pose_of, pusher_velocity, to_world
 from planar_pushing.core.solution import SEPARATE, SLIP_LEFT, SLIP_RIGHT, STICK
 from planar_pushing.core.system import (
+    ANGLE,
     GOES_ON,
     LOST,
     NO_IMPULSE,
@@ -155,6 +157,13 @@ def answer_of_side(system: System, contact: int, x: float, y: float) -> Answer:
     return Answer(size * e_x, size * e_y, x + size * e_x / mass, 0.0)
 
 
+def add_impulse(system: System, state: Numbers, p_x: float, p_y: float) -> None:
+    """Add an impulse at the contact to those that the next row of the log contains."""
+    x, y = to_world(system, state[ANGLE], p_x, p_y)
+    system.run[RUN_IMPULSE] += x
+    system.run[RUN_IMPULSE + 1] += y
+
+
 def collide(
     system: System, during: Span, time: float, state: Numbers, current: int, policy: int
 ) -> int:
@@ -196,6 +205,7 @@ def _strike_point(system: System, during: Span, time: float, state: Numbers, con
     x, y, pose = state[SLIP_SPEED], state[NORMAL_SPEED], pose_of(system, state)
     impulse = answer_of(system, pose, contact, x, y)
     p_x, p_y = impulse.f_x, impulse.f_y
+    add_impulse(system, state, p_x, p_y)
     state[SLIP_SPEED], state[NORMAL_SPEED] = impulse.x, impulse.y
     state[SPIN] += moment_of(pose, p_x, p_y) / system.run[RUN_MOMENT]
     fence_x, fence_y = pusher_velocity(system, during, time, state)
@@ -273,6 +283,7 @@ def _strike_side(
     v_x, v_y = _motion_of_mass(state, pose)
     impulse = answer_of_side(system, contact, v_x, v_y)
     p_x, p_y = impulse.f_x, impulse.f_y
+    add_impulse(system, state, p_x, p_y)
     at_last = _torque_on_side(system, pose, p_x, p_y, spin) / length
     state[SLIP_SPEED], state[NORMAL_SPEED], state[SPIN] = impulse.x, 0.0, 0.0
     fence_x, fence_y = pusher_velocity(system, during, time, state)

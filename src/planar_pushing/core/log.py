@@ -18,6 +18,7 @@ from planar_pushing.core.run import (
     LOG_FLUSH,
     LOG_FORCE,
     LOG_GAP,
+    LOG_IMPULSE,
     LOG_KINETIC,
     LOG_LOAD_WORK,
     LOG_MODE,
@@ -33,6 +34,7 @@ from planar_pushing.core.run import (
     LOG_TWIST,
     LOG_WORK,
     RUN_EVALUATIONS,
+    RUN_IMPULSE,
     RUN_PARTED,
     RUN_ROWS,
     RUN_SLOT,
@@ -112,7 +114,9 @@ def end_log(system: System) -> None:
         row = log_of(system)[slot * width :]
         first = slot if row[LOG_TIME] < system.times[slot] else slot + 1
         for i in range(max(first, slot + 1), int(system.scene[IN_TIMES])):
-            copy_numbers(log_of(system)[i * width :], row, width)
+            later = log_of(system)[i * width :]
+            copy_numbers(later, row, width)
+            later[LOG_IMPULSE], later[LOG_IMPULSE + 1] = 0.0, 0.0
 
 
 def write_state(
@@ -147,6 +151,17 @@ def write_place_of_force(system: System, state: Numbers, offset: float, row: Num
         row[LOG_FLUSH] = 1.0 if lies else 0.0
 
 
+def write_impulse(system: System, row: Numbers) -> None:
+    """Store the impulses since the row before.
+
+    If only the times are logged, a row is stored several times, and the impulses add up in it.
+    """
+    for k in range(2):
+        before = 0.0 if logs_events(system) else row[LOG_IMPULSE + k]
+        row[LOG_IMPULSE + k] = before + system.run[RUN_IMPULSE + k]
+        system.run[RUN_IMPULSE + k] = 0.0
+
+
 def write_instant(
     system: System, instant: Instant, contact: int, time: float, state: Numbers,
     x: float, y: float, solutions: int, row: Numbers,
@@ -159,4 +174,5 @@ def write_instant(
     row[LOG_PIVOT] = float(instant.pivot)
     f_x, f_y = to_world(system, state[ANGLE], instant.f_x, instant.f_y)
     row[LOG_FORCE], row[LOG_FORCE + 1] = f_x, f_y
+    write_impulse(system, row)
     write_place_of_force(system, state, instant.offset, row)

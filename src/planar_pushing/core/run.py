@@ -47,12 +47,14 @@ RUN_ENDED, RUN_ROWS, RUN_CHANGES, RUN_EVENTS, RUN_AT_ONCE, RUN_MODE = range(6)
 
 #: A row of the log. Position is that of the slider's center, the angle is that of the rod in radians, and
 #: the displacement is that of the pusher. The position of the contact is where its force acts along the
-#: pusher. The last entries are the energies dissipated by each effect.
+#: pusher. The impulse is the sum of those since the row before. The last entries are the energies
+#: dissipated by each effect.
 LOG_TIME, LOG_POSITION, LOG_ANGLE, LOG_TWIST, LOG_PUSHER = 0, 1, 3, 4, 7
 LOG_SLIP, LOG_GAP, LOG_FORCE, LOG_MODE, LOG_SOLUTIONS = 9, 10, 11, 13, 14
 LOG_PIVOT, LOG_EVENT, LOG_RATIO, LOG_CONTACT_DISSIPATED, LOG_WORK = range(15, 20)
 LOG_LOAD_WORK, LOG_KINETIC, LOG_EVALUATIONS, LOG_STOPPED = range(20, 24)
-LOG_CONTACT_POSITION, LOG_PARTED, LOG_FLUSH, LOG_DISSIPATED = range(24, 28)
+LOG_CONTACT_POSITION, LOG_PARTED, LOG_FLUSH = range(24, 27)
+LOG_IMPULSE, LOG_DISSIPATED = 27, 29
 
 #: The rest of the memory. Times: that of the state, the end of the current step, an event in it, the choice
 #: of the mode, a kink of the motion, and the last check for progress.
@@ -88,6 +90,8 @@ RUN_SLOT = 66
 #: start of the mode, if it is below the fence within the tolerance. For steps: place of the force from the
 #: contact.
 RUN_CONTACT, RUN_POINT, RUN_OTHER_END, RUN_FLOOR, RUN_OFFSET = 67, 69, 70, 71, 72
+#: Sum of the impulses at the contact since the last row of the log, along the axes of the world.
+RUN_IMPULSE = 73
 #: Number of these numbers. Work arrays follow: the effects' numbers for the problem at hand, candidate
 #: modes, vectors of the state, and guards.
-MEMORY = 73
+MEMORY = 75

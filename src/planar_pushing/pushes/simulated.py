@@ -17,6 +17,7 @@ from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.objects.scene_at import scene_at
 from planar_pushing.pushes.logs.arguments import MOST, noise_attributes, not_negative, whole_number
 from planar_pushing.pushes.logs.poses import pushes_from_poses, rotate
+from planar_pushing.simulation.early_end import quietly
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.terms.errors import InvalidValue, require_positive
@@ -161,7 +162,7 @@ def _push(
     round_tip: dict[str, Any] = {"radius": radius} if radius > 0.0 else {}
     velocity = (float(drawn.direction[0]), float(drawn.direction[1]))
     pusher = Pusher(velocity=velocity, shape="finger", frame="world", **round_tip)
-    log = simulate(
+    log = quietly(simulate)(
         scene, pusher=pusher, duration=distance, samples=SAMPLES, object_pose=(0.0, 0.0, 0.0)
     )
     if log.attrs["stopped"] or bool(log["parted"].any()):

@@ -9,6 +9,7 @@ import xarray as xr
 
 from planar_pushing.scenes.scene_model import SceneFile
 from planar_pushing.scenes.simulate_model import PieceEntry, SimulateEntry
+from planar_pushing.simulation.early_end import quietly, warn_of_early_end
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.simulation.until import Until
@@ -17,6 +18,7 @@ from planar_pushing.terms.numbers import in_radians
 from planar_pushing.terms.replacing import PathLike
 
 
+@warn_of_early_end
 def simulate_file(
     file: SceneFile, *, path: PathLike | None = None, progress: bool = False
 ) -> xr.Dataset:
@@ -30,7 +32,7 @@ def simulate_file(
     if file.simulate is None:
         raise InvalidValue("simulate", None, "a section of the scene file", "add it to the file")
     scene, settings = file.build(), arguments(file.simulate)
-    return simulate(scene, **settings, path=path, progress=progress)
+    return quietly(simulate)(scene, **settings, path=path, progress=progress)
 
 
 def arguments(entry: SimulateEntry) -> dict[str, Any]:

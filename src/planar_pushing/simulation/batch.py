@@ -15,6 +15,7 @@ from planar_pushing.mechanics.contact import friction_coefficient
 from planar_pushing.mechanics.kernels.arrays import is_labeled
 from planar_pushing.mechanics.scene import Scene, require_scene
 from planar_pushing.simulation.doubts import warn_of_doubts
+from planar_pushing.simulation.early_end import warn_of_early_end
 from planar_pushing.simulation.fields import FIELDS, arrays, sampled_fields
 from planar_pushing.simulation.inputs import Scenes, numbers_of
 from planar_pushing.simulation.log import variable_attributes, without_fill_values
@@ -28,6 +29,7 @@ from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Policy, PolicyName, Shape
 
 
+@warn_of_early_end
 def simulate_batch(
     scene: Scene,
     pusher: Pusher,
@@ -66,25 +68,25 @@ def simulate_batch(
     xarray.Dataset
         Dataset over `scene`, or the dimensions of the labeled arrays, and over `part` of the duration if
         `samples` is given; angles are in degrees. The numbers are equal to those of `simulate`; `force` is
-        the force at the instant.
+        the force at the instant, and `impulse` the sum of those since the instant before, or since the
+        start. For a run whose motion could not continue, `stopped` and `time` say why and when; its other
+        numbers are the last ones.
 
     Warns
     -----
     SceneWarning
         If a fence pushes at an inner point of a side, all of which lies on it; if a finger pushes an object
-        that `scene_at` made without an outline, whose wall is then straight and without ends; or if the
-        finger's radius is larger than the object.
+        that `scene_at` made without an outline, whose wall is then straight and without ends; if the
+        finger's radius is larger than the object; or if an array of contacts does not keep an outline that
+        could meet the finger, which stops at the end of its side.
+    EarlyEndWarning
+        Once, if the motion of some scenes could not continue.
 
     Raises
     ------
     InvalidValue
         If a value is not allowed, shapes do not match, or a fence would lie on sides of an outline that an
         array of contacts does not keep.
-
-    Warns
-    -----
-    SceneWarning
-        If such an outline could meet the pusher. A finger stops at the end of its side.
     """
     require_kind("pusher", pusher, Pusher)
     require_flag("progress", progress)

@@ -20,6 +20,7 @@ from planar_pushing.core.run import (
     LOG_FLUSH,
     LOG_FORCE,
     LOG_GAP,
+    LOG_IMPULSE,
     LOG_KINETIC,
     LOG_LOAD_WORK,
     LOG_MODE,
@@ -52,7 +53,7 @@ from planar_pushing.mechanics.contact import Outcome
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms import quantities
 from planar_pushing.terms.numbers import Array
-from planar_pushing.terms.options import Shape
+from planar_pushing.terms.options import Method, Shape
 from planar_pushing.terms.quantities import COMPONENT_UNITS, LOG_TWIST_UNITS
 
 Arrays = dict[str, npt.NDArray[Any]]
@@ -87,6 +88,10 @@ def _has_position(problem: Problem) -> bool:
     return _is_finger(problem) or _can_lie(problem)
 
 
+def _has_impacts(problem: Problem) -> bool:
+    return problem.scene.stores_energy
+
+
 def _has_loads(problem: Problem) -> bool:
     return bool(problem.scene.loads)
 
@@ -111,6 +116,8 @@ class Field(NamedTuple):
         Whether the log of a problem contains it.
     sampled : bool
         Whether the dataset of a batch contains it, if a log does or if it is `stopped`.
+    stepped : bool
+        Whether a log of time-stepping contains it: the force of a step includes its impulse.
     """
 
     name: str
@@ -119,6 +126,7 @@ class Field(NamedTuple):
     dtype: str = "f8"
     logged: Callable[[Problem], bool] = lambda problem: True
     sampled: bool = False
+    stepped: bool = True
 
 
 XY, EFFECT = ("xy",), ("effect",)
@@ -147,6 +155,7 @@ FIELDS = (
     Field("contact_position", LOG_CONTACT_POSITION, logged=_has_position, sampled=True),
     Field("flush", LOG_FLUSH, (), "?", _can_lie, sampled=True),
     Field("parted", LOG_PARTED, (), "?", _is_finger, sampled=True),
+    Field("impulse", LOG_IMPULSE, XY, logged=_has_impacts, sampled=True, stepped=False),
     Field("load_work", LOG_LOAD_WORK, logged=_has_loads),
     Field("object_position", LOG_POSITION, XY, logged=_is_placed),
     Field("object_angle", LOG_ANGLE, logged=_is_placed),
@@ -156,9 +165,10 @@ FIELDS = (
 COMPONENTS = {"xy": 2, "twist_component": 3}
 
 
-def logged_fields(problem: Problem) -> list[Field]:
+def logged_fields(problem: Problem, method: str) -> list[Field]:
     """The fields of a log."""
-    return [field for field in FIELDS if field.logged(problem)]
+    steps = method == Method.TIME_STEPPING
+    return [field for field in FIELDS if field.logged(problem) and (field.stepped or not steps)]
 
 
 def sampled_fields(problem: Problem) -> list[Field]:

@@ -130,7 +130,7 @@ def attributes_at_end(stopped: str, time: float) -> dict[str, Any]:
 
 def dataset(problem: Problem, method: str, rows: Array, stopped: str) -> xr.Dataset:
     """The log in memory of a run that has ended, with the reason for an early end."""
-    time, *fields = logged_fields(problem)
+    time, *fields = logged_fields(problem, method)
     values = arrays(rows, problem, [time, *fields])
     variables = {
         name: xr.Variable(("time", *dims), values[name], field_attributes(problem, name))

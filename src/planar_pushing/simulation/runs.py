@@ -32,6 +32,7 @@ from planar_pushing.core.system import memory_size
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.kernels.arrays import in_threads
 from planar_pushing.mechanics.kernels.calls import run_into
+from planar_pushing.simulation.early_end import REASONS
 from planar_pushing.simulation.fields import Stop, scales_of
 from planar_pushing.simulation.inputs import Scenes, numbers_of
 from planar_pushing.simulation.problem import Problem
@@ -48,18 +49,6 @@ APART = 1e-12
 #: Number of equal parts into which the time between two instants is divided to narrow a bracket.
 PARTS = 65
 KERNELS = {Method.EVENT_DRIVEN: "run_events", Method.TIME_STEPPING: "run_steps"}
-REASONS = {
-    Stop.NO: "",
-    Stop.INCONSISTENT: "no contact mode is consistent",
-    Stop.SLIDER_CENTER_REACHES_FENCE: "the slider's center comes down to the fence",
-    Stop.NO_IMPULSE: "no impulse at the contact is consistent",
-    Stop.SINGULAR: "the motion is singular in the mode",
-    Stop.EVENTS: "without any time between them",
-    Stop.PROGRESS: "thousands of steps make no progress",
-    Stop.PENETRATES: "another point of the outline meets the {shape}",
-    Stop.END_OF_SIDE: "the finger comes to the end of the side",
-    Stop.EVALUATIONS: "millions of steps are not enough",
-}
 
 
 class Runs:
@@ -163,8 +152,9 @@ class Run:
     @property
     def stopped(self) -> str:
         """Reason why the run ended early; empty otherwise."""
-        text = REASONS[self.stop].format(shape=self.problem.shape)
-        numbers = self.runs.results[0]
+        if self.stop == Stop.NO:
+            return ""
+        text, numbers = REASONS[self.stop].text, self.runs.results[0]
         match self.stop:
             case Stop.SINGULAR:
                 return f"{text} {ContactMode(int(numbers[RUN_MODE])).name}"

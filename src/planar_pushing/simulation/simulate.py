@@ -14,6 +14,7 @@ from planar_pushing.core.run import LOG_TIME
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.scene import Scene, require_scene, require_single
 from planar_pushing.simulation.doubts import warn_of_doubts
+from planar_pushing.simulation.early_end import warn_of_early_end
 from planar_pushing.simulation.log import dataset, without_fill_values
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.pusher import Pusher
@@ -33,6 +34,7 @@ from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Event, Method, MethodName, Policy, PolicyName
 
 
+@warn_of_early_end
 def simulate(
     scene: Scene,
     pusher: Pusher,
@@ -110,8 +112,11 @@ def simulate(
         billionth of the outline's extent: a side that arrives on it continues in a consistent mode, with
         inertia after an impact at both ends or at one of them. `flush` is true while a side lies on the
         fence, and `contact_position` is the place of the force along the fence, or of the contact's point
-        without a force. Without an outline only the contact, or the given side, touches a fence, and the
-        run ends when the slider's center reaches it. When a finger leaves the side at its end, the contact
+        without a force. With inertia, `impulse` is that of the impacts at the instant, along the axes of
+        `force`, and zero elsewhere: where the pusher meets the slider, a side arrives, or the pusher's
+        velocity jumps, also at the start; the force of a step of time-stepping includes it. Without an
+        outline only the contact, or the given side, touches a fence, and the run ends when the slider's
+        center reaches it. When a finger leaves the side at its end, the contact
         ends permanently, and `parted` is true from then on; with an outline the run ends there, and also
         when another point of the outline meets the finger.
 
@@ -128,6 +133,11 @@ def simulate(
         If a value is not allowed.
     InvalidFile
         If `path` cannot be written, or another process is writing it.
+
+    Warns
+    -----
+    EarlyEndWarning
+        If the motion could not continue until the end of the duration, or until `until` holds.
     """
     require_single(require_scene(scene))
     require_kind("pusher", pusher, Pusher)
@@ -173,7 +183,7 @@ def _run(
     run = start(times)
     if until is None:
         return run
-    return UntilRun(start, times, require_condition(until, problem, method), problem)
+    return UntilRun(start, times, require_condition(until, problem, method), problem, method)
 
 
 def _rows(run: Run | UntilRun, progress: bool) -> Iterator[Array]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from planar_pushing.core.run import LOG_TIME
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.simulation.early_end import UNTIL
 from planar_pushing.simulation.fields import arrays, logged_fields
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.runs import Run
@@ -141,10 +142,11 @@ class UntilRun:
     """
 
     def __init__(
-        self, start: Callable[[Array], Run], times: Array, condition: Condition, problem: Problem
-    ) -> None:
+        self, start: Callable[[Array], Run], times: Array, condition: Condition, problem: Problem,
+        method: str,
+    ) -> None:  # fmt: skip
         self.start, self.times, self.condition, self.problem = start, times, condition, problem
-        self.fields, self.stopped = logged_fields(problem), ""
+        self.fields, self.stopped = logged_fields(problem, method), ""
 
     def __iter__(self) -> Iterator[Array]:
         end = self._end()
@@ -152,7 +154,7 @@ class UntilRun:
         for rows in run:
             holds = self._holds(rows)
             if holds.any():
-                self.stopped = f"until: {self.condition.reason}"
+                self.stopped = f"{UNTIL}{self.condition.reason}"
                 yield rows[: holds.argmax() + 1]
                 return
             yield rows

@@ -159,6 +159,10 @@ LOG: Quantities = {
     "pusher": ("length", "displacement of the fence"),
     "force": ("force", "force of the fence on the slider"),
     "gap": ("length", "height of the contact point above the fence"),
+    "impulse": (
+        "force time",
+        "impulse of the fence on the slider in impacts since the instant before",
+    ),
     "kinetic_energy": ("force length", "kinetic energy of the slider"),
     "load_work": ("force length", "work of the loads on the slider, accumulated"),
     "object_angle": ("degree", "angle of the object's frame in the world, unwrapped"),
@@ -185,6 +189,10 @@ FINGER: Quantities = {
     "pusher": ("length", "displacement of the finger"),
     "force": ("force", "force of the finger on the slider"),
     "gap": ("length", "height of the side above the finger, normal to the side"),
+    "impulse": (
+        "force time",
+        "impulse of the finger on the slider in impacts since the instant before",
+    ),
     "parted": (
         "1",
         "whether the finger has left the side at its end, which ends the contact permanently",
@@ -349,7 +357,7 @@ LOG_NOTES = {
 READABLE = {
     "force/radian": "radian-1",
     **dict.fromkeys(("length", "force", "mass", "motion", "time"), "1"),
-    **dict.fromkeys(("force length", "length/time"), "1"),
+    **dict.fromkeys(("force length", "force time", "length/time"), "1"),
 }
 
 

@@ -52,6 +52,7 @@ class Units:
             "force": self.force,
             "time": self.time,
             "motion": motion,
+            "force time": f"{self.force} {self.time}",
             "force length": f"{self.force} {self.length}",
             "length/time": f"{self.length} {self.time}-1",
             "force/radian": f"{self.force} radian-1",

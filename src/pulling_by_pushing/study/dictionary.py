@@ -26,6 +26,7 @@ STUDY = study_name(SLIDERS_FILE)
 #: Variables that only some logs have.
 MORE_OF_LOGS = {
     "A log of a fence and a slider with an outline or a side on the fence": ("flush", "contact_position"),
+    "A log of a slider with inertia, integrated from event to event,": ("impulse",),
     "A log with the object's pose in the world": (
         "object_position", "object_angle", "pusher_position",
     ),

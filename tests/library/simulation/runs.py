@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import planar_pushing as pp
+from planar_pushing.simulation.early_end import quietly
 
 #: l, mu, fence angle, psi0, T of a ring; published rod angle in degrees at the end, and slip.
 REFERENCES = [
@@ -22,9 +23,9 @@ def heading(degrees, speed=1.0):
 
 
 def run(scene, velocity, duration, **options):
-    """The log of a simulation; `velocity` is what `Pusher` takes, or a pusher."""
+    """The log of a simulation, also if it ends early; `velocity` is what `Pusher` takes, or a pusher."""
     pusher = velocity if isinstance(velocity, pp.Pusher) else pp.Pusher(velocity=velocity)
-    return pp.simulate(scene, pusher=pusher, duration=duration, **options)
+    return quietly(pp.simulate)(scene, pusher=pusher, duration=duration, **options)
 
 
 def final(log, name):

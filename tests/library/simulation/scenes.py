@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 import planar_pushing as pp
+from planar_pushing.simulation.early_end import quietly
 
 METHODS = ("event-driven", "time-stepping")
 #: Steps of the time-stepping method in a run of the table.
@@ -56,7 +57,7 @@ class Case:
         """The log of the run by a method; its steps may be so many times finer."""
         steps = {"step": self.duration / STEPS / finer} if method == METHODS[1] else {}
         given = {"gap": self.gap, "twist": self.twist, "on_ambiguity": self.policy}
-        return pp.simulate(
+        return quietly(pp.simulate)(
             self.scene, pusher=self.pusher, duration=self.duration, method=method, samples=samples,
             **given | steps | options,
         )  # fmt: skip
@@ -447,7 +448,8 @@ class Image:
         speed, energy = self.length / self.time, self.force * self.length
         turn = np.array([self.flip, 1.0])
         units = {
-            "time": self.time, "position": self.length * turn, "pusher": self.length * turn,
+            "time": self.time, "impulse": self.force * self.time * turn,
+            "position": self.length * turn, "pusher": self.length * turn,
             "slip": self.flip * self.length, "gap": self.length, "force": self.force * turn,
             "twist": np.array([self.flip * speed, speed, self.flip / self.time]),
             "contact_position": self.flip * self.length,

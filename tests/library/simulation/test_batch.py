@@ -16,10 +16,11 @@ from simulation.scenes import BOX, NO_EDGE, RING, SIDE_ENDS, STOPS, TILTED, box,
 
 import planar_pushing as pp
 from planar_pushing.mechanics.plane import direction
+from planar_pushing.simulation.early_end import quietly
 from signals import interruptible
 
 #: Variables that are not those of a log: what is given, and a number that a log has for each effect.
-OTHERS = {"rod_length", "friction_coefficient", "duration", "velocity", "evaluations"}
+OTHERS = {"rod_length", "friction_coefficient", "duration", "velocity", "evaluations", "impulse"}
 AHEAD, MASS = pp.Pusher(velocity=(0.2, 1.0)), pp.Inertia(mass=1.3, gyration_radius=0.8)
 FINGER = pp.Pusher(velocity=(0.4, 1.0), shape="finger")
 LAWS = np.array([pp.Coulomb(0.4), pp.InfiniteFriction(), NO_EDGE, pp.PerfectlyRough()])
@@ -49,7 +50,7 @@ def same_run(row, log, parts=None):
 
 
 def run(scene, pusher, **options):
-    return pp.simulate(scene, pusher=pusher, **{"duration": 0.5, "samples": 2} | options)
+    return quietly(pp.simulate)(scene, pusher=pusher, **{"duration": 0.5, "samples": 2} | options)
 
 
 @pytest.mark.parametrize("function", [pp.simulate, pp.simulate_batch])
@@ -150,7 +151,7 @@ BATCHES = {
 @pytest.mark.parametrize("name", BATCHES)
 def test_a_batch_is_its_runs(name):
     whole, *runs = ({"pusher": AHEAD, "duration": 0.5} | case for case in BATCHES[name])
-    last, path = (pp.simulate_batch(**whole, **more) for more in ({}, {"samples": 5}))
+    last, path = (quietly(pp.simulate_batch)(**whole, **more) for more in ({}, {"samples": 5}))
     assert last.sizes["scene"] == len(runs)
     for i, case in enumerate(runs):
         same_run(last.isel(scene=i), run(**case))
@@ -160,15 +161,15 @@ def test_a_batch_is_its_runs(name):
 
 
 def test_what_is_given_is_in_the_dataset():
-    found = pp.simulate_batch(**BATCHES["pieces of a fence"][0])
+    found = quietly(pp.simulate_batch)(**BATCHES["pieces of a fence"][0])
     assert found.piece.values.tolist() == [0.0, 0.3, 0.7]
     assert found.velocity.dims == ("scene", "piece", "xy")
     assert found.velocity[1, 2].values.tolist() == [np.cos(TURNS[2, 1]), np.sin(TURNS[2, 1])]
-    found = pp.simulate_batch(**BATCHES["laws and gaps, separate"][0], samples=2)
+    found = quietly(pp.simulate_batch)(**BATCHES["laws and gaps, separate"][0], samples=2)
     assert found.friction_coefficient.values.tolist() == [0.4, np.inf, np.inf, np.inf]
     assert all({"units", "long_name"} <= set(v.attrs) for v in found.variables.values())
     assert "contact_position" not in found
-    found = pp.simulate_batch(**BATCHES["radii of both"][0], duration=0.1)
+    found = quietly(pp.simulate_batch)(**BATCHES["radii of both"][0], duration=0.1)
     assert found.pusher_radius.values.tolist() == [0.0, 0.1, 0.8]
 
 
@@ -178,7 +179,7 @@ def test_the_references():
         [pp.InfiniteFriction() if np.isinf(x) else pp.Coulomb(x) for x in mu], dtype=object
     )
     pusher = pp.Pusher(velocity=tuple(direction(np.deg2rad(fence)).T))
-    found = pp.simulate_batch(
+    found = quietly(pp.simulate_batch)(
         make_scene(length, laws, psi=np.deg2rad(psi)), pusher, duration=duration
     )
     assert found.rod_angle.values == pytest.approx(angles, abs=1e-8)
@@ -190,7 +191,8 @@ def test_the_references():
 
 def test_a_tighter_tolerance_agrees_to_1e_8():
     rough, fine = (
-        pp.simulate_batch(**random_scenes(4)[0], rtol=rtol, samples=3) for rtol in (1e-10, 1e-12)
+        quietly(pp.simulate_batch)(**random_scenes(4)[0], rtol=rtol, samples=3)
+        for rtol in (1e-10, 1e-12)
     )
     assert np.abs(np.deg2rad(rough.rod_angle - fine.rod_angle)).max() < 1e-8
     assert np.abs(rough.slip - fine.slip).max() < 1e-8
@@ -208,7 +210,7 @@ def test_hard_scenes_give_numbers_without_warnings():
     )
     velocity = speed[:, None] * direction(angle)
     scenes, pusher = make_scene(length, laws, psi=psi), pp.Pusher(velocity=tuple(velocity.T))
-    found = pp.simulate_batch(scenes, pusher, duration=1.0)
+    found = quietly(pp.simulate_batch)(scenes, pusher, duration=1.0)
     for name, variable in found.data_vars.items():
         assert np.isfinite(variable).all(), name
     assert (found.slip.values[speed == 0] == 0).all()
@@ -223,7 +225,7 @@ def test_results_do_not_depend_on_the_other_scenes():
 
     def batch(rows):
         pusher = pp.Pusher(velocity=tuple(velocities[:, rows]))
-        return pp.simulate_batch(
+        return quietly(pp.simulate_batch)(
             make_scene(lengths[rows], pp.Coulomb(mu[rows])), pusher, duration=1.0
         )
 
@@ -268,7 +270,7 @@ def test_labeled_arrays_are_broadcast_by_name(dims):
     """Also where some pieces of a velocity are arrays, and others one velocity for all."""
     first, second, case = LABELED[dims]
     options = {"pusher": AHEAD, "duration": 0.5, "samples": 3}
-    found = pp.simulate_batch(**options | case(*first, *second))
+    found = quietly(pp.simulate_batch)(**options | case(*first, *second))
     assert found.rod_angle.dims == (*dims, "part")
     for i, j in np.ndindex(len(first[0]), len(second[0])):
         numbers = [*(each[i].item() for each in first), *(each[j].item() for each in second)]
@@ -276,7 +278,7 @@ def test_labeled_arrays_are_broadcast_by_name(dims):
 
 
 def test_labels_are_kept():
-    found = pp.simulate_batch(**LABELED["length", "law"][2](LENGTH, ALONG, MU, DURATION))
+    found = quietly(pp.simulate_batch)(**LABELED["length", "law"][2](LENGTH, ALONG, MU, DURATION))
     assert found.velocity.dims == ("length", "law", "xy")
     assert found.length.equals(LENGTH.length)
     assert found.law.values.tolist() == list("abc")
@@ -301,7 +303,7 @@ def test_ctrl_c_ends_a_batch():
     start = time.perf_counter()
     try:
         with pytest.raises(KeyboardInterrupt):
-            pp.simulate_batch(scenes, AHEAD, duration=2.0)
+            quietly(pp.simulate_batch)(scenes, AHEAD, duration=2.0)
     finally:
         timer.cancel()
         signal.signal(signal.SIGINT, before)
@@ -310,7 +312,7 @@ def test_ctrl_c_ends_a_batch():
 
 def test_a_batch_shows_progress_on_demand(capsys):
     scenes = make_scene(np.array([2.0, 3.0]), 1.0)
-    pp.simulate_batch(scenes, AHEAD, duration=0.1, progress=True)
+    quietly(pp.simulate_batch)(scenes, AHEAD, duration=0.1, progress=True)
     assert "scene" in capsys.readouterr().err
-    pp.simulate_batch(scenes, AHEAD, duration=0.1)
+    quietly(pp.simulate_batch)(scenes, AHEAD, duration=0.1)
     assert capsys.readouterr().err == ""

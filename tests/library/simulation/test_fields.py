@@ -51,7 +51,7 @@ def test_energies_are_those_of_the_effects_in_their_order(effects):
     problem = Problem(scene=scene, pusher=pp.Pusher(velocity=(0.0, 1.0)), duration=1.0)
     rows = np.zeros((1, LOG_DISSIPATED + 2))
     rows[0, LOG_DISSIPATED:] = 5.0, 7.0
-    found = arrays(rows, problem, logged_fields(problem))["dissipated"][0]
+    found = arrays(rows, problem, logged_fields(problem, "event-driven"))["dissipated"][0]
     resists = [not isinstance(effect, pp.Inertia) for effect in effects]
     assert found[resists].tolist() == [5.0, 7.0]
     assert not found[np.logical_not(resists)].any()

@@ -32,6 +32,7 @@ from planar_pushing.explorer.state import (
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.solutions import Solution
+from planar_pushing.simulation.early_end import quietly
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.terms.options import Shape
@@ -87,7 +88,7 @@ def push_to_follow(state: State) -> State:
 
 @lru_cache(maxsize=4)
 def _simulate_push(state: State) -> Motion:
-    log = simulate(state.scene, **_options(state))
+    log = quietly(simulate)(state.scene, **_options(state))
     data = path_data(log)
     return Motion(log, data, data["time"].values, tuple(runs(data)), box(data))
 
@@ -208,7 +209,7 @@ def _is_consistent(state: State, policy: str) -> bool:
     """Whether the motion continues in a mode that is preferred from the state's time onward."""
     options = _options(with_choice(state, policy))
     shortly = (state.time or 0.0) + SHORTLY * options["duration"]
-    log = simulate(state.scene, **options | {"duration": shortly, "samples": 2})
+    log = quietly(simulate)(state.scene, **options | {"duration": shortly, "samples": 2})
     mode = ContactMode(log["mode"].values[-1])
     return str(mode.name) == policy.replace("-", "_").upper()
 

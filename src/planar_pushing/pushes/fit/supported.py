@@ -17,6 +17,7 @@ from planar_pushing.mechanics.slider import Slider
 from planar_pushing.objects.scene_at import scene_at
 from planar_pushing.pushes.logs.contacts import Contacts, Ends
 from planar_pushing.simulation.batch import simulate_batch
+from planar_pushing.simulation.early_end import quietly
 from planar_pushing.simulation.pusher import Pusher
 
 #: Tolerance of the motions: a thousandth of the error of the best measurement.
@@ -109,7 +110,7 @@ def simulate_contacts(
         ),
         contact=_objects(laws), effects=(SupportFriction(weight=1.0, support=_objects(supports)),),
     )  # fmt: skip
-    log = simulate_batch(scene, _pusher(contacts, repeat), duration=1.0, rtol=TOLERANCE)
+    log = quietly(simulate_batch)(scene, _pusher(contacts, repeat), duration=1.0, rtol=TOLERANCE)
     tangent, normal = repeat(contacts.tangent), repeat(contacts.normal)
     position = log["position"].values
     center = repeat(contacts.point) + position[:, :1] * tangent + position[:, 1:] * normal

@@ -26,9 +26,11 @@ CHUNK = 256
 class Stream:
     """An open log; `append` writes a batch of rows and flushes it."""
 
-    def __init__(self, file: h5netcdf.File, hdf: h5py.File, disk: Disk, problem: Problem) -> None:
+    def __init__(
+        self, file: h5netcdf.File, hdf: h5py.File, disk: Disk, problem: Problem, method: str
+    ) -> None:
         self.file, self.hdf, self.disk, self.length, self.problem = file, hdf, disk, 0, problem
-        self.fields = logged_fields(problem)
+        self.fields = logged_fields(problem, method)
 
     def append(self, rows: Array) -> None:
         """Write rows, in the units of the scene, to the end of the log."""
@@ -66,7 +68,7 @@ def streaming(path: PathLike, problem: Problem, method: str) -> Iterator[Stream]
             file = files.enter_context(h5netcdf.File(hdf, "r+"))
             _define(file, problem, method)
         try:
-            yield Stream(file, hdf, disk, problem)
+            yield Stream(file, hdf, disk, problem, method)
         finally:
             with block_interrupts():
                 files.close()
@@ -77,7 +79,7 @@ def _define(file: h5netcdf.File, problem: Problem, method: str) -> None:
     sizes = {dim: len(labels) for dim, labels in coordinates.values()}
     file.dimensions = {"time": None} | sizes
     file.attrs.update(log.attributes_at_start(problem, method))
-    time, *fields = logged_fields(problem)
+    time, *fields = logged_fields(problem, method)
     created = file.create_variable(time.name, ("time",), time.dtype, chunks=(CHUNK,))
     created.attrs.update(log.field_attributes(problem, time.name))
     for name, (dim, labels) in coordinates.items():

@@ -21,6 +21,7 @@ from planar_pushing.mechanics.plane import direction
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.mechanics.supports import Polygon
+from planar_pushing.simulation.early_end import quietly
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.terms.options import STUDIED, EffectSet, Method
@@ -63,7 +64,7 @@ def run(scene: Scene, method: Method, steps: int = RUN_STEPS) -> xr.Dataset:
     """Log of a scene that the fence moves from rest."""
     step = DURATION / steps if method is Method.TIME_STEPPING else None
     fence = Pusher(velocity=tuple(direction(PUSHER_ANGLE)))
-    return simulate(scene, pusher=fence, duration=DURATION, method=method, step=step)
+    return quietly(simulate)(scene, pusher=fence, duration=DURATION, method=method, step=step)
 
 
 #: Timed computations: the cone, a curve of 361 points, every mode of one push, and a run by each method.

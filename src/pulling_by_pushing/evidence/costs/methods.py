@@ -21,6 +21,7 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
 from planar_pushing.scenes.files import load_scene_file
 from planar_pushing.scenes.simulate import arguments
+from planar_pushing.simulation.early_end import quietly
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.terms.errors import InvalidFile
 from planar_pushing.terms.options import Method as Integrator
@@ -261,7 +262,7 @@ def _time_stepping(scene: str, steps: float) -> tuple[float, float]:
 
 def _simulate(scene: str, **options: Any) -> tuple[float, float]:
     slider_scene, settings = _problem(scene)
-    log = simulate(slider_scene, **{**settings, **options})
+    log = quietly(simulate)(slider_scene, **{**settings, **options})
     return float(log.rod_angle[-1]), float(log.evaluations[-1].sum())
 
 

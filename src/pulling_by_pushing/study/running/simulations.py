@@ -9,6 +9,7 @@ import xarray as xr
 from planar_pushing.scenes.files import load_scene_file
 from planar_pushing.scenes.scene_model import SceneFile
 from planar_pushing.scenes.simulate import simulate_file
+from planar_pushing.simulation.early_end import quietly
 from planar_pushing.terms.quantities import LOG, attributes
 from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.study.describe import scene_scalars
@@ -35,7 +36,7 @@ def simulations(
 
 def study_log(file: SceneFile) -> xr.Dataset:
     """Log of a scene file, with the parameters of the scene as scalar coordinates."""
-    log = simulate_file(file)
+    log = quietly(simulate_file)(file)
     scalars = scene_scalars(file.build())
     coords = {name: ((), value, attributes(LOG, name)) for name, value in scalars.items()}
     return log.assign_coords(coords)
