@@ -118,6 +118,10 @@ def starts(t):
     return 0.3 * t, t * (1.0 + t)
 
 
+def returns(t):
+    return 0.3 * math.sin(2 * t), 0.1 + 0.5 * math.cos(3 * t)
+
+
 def jumps(t):
     return (0.3, 1.0) if t < 0.4 else (-0.2, 0.7)
 
@@ -319,6 +323,24 @@ FINGERS = {
         order=False,
     ),
 }  # fmt: skip
+#: Pushers that leave the slider, which comes to rest, and meet it again where they left it, or elsewhere.
+RETURNING = {
+    f"pusher returns to {name}": Case(
+        scene=scene(*effects, length=1.0, psi=1.3), velocity=returns, duration=3.0, order=False, **shape
+    )
+    for name, effects, shape in (
+        ("a ring", (RING,), {}),
+        ("a heavy ring", (RING, HEAVY), {}),
+        ("a square", (BOX,), {}),
+        ("a heavy square", (BOX, HEAVY), {}),
+        ("feet", (UNEVEN,), {}),
+        ("heavy feet", (UNEVEN, HEAVY), {}),
+        ("a heavy tripod aside", (TRIPOD, ASIDE), {}),
+        ("a pulled tripod", (TRIPOD, PULL, HEAVY), {}),
+        ("heavy feet, as a disc", (UNEVEN, HEAVY), {"shape": "finger", "radius": 0.4}),
+        ("a ring, as a point", (RING,), {"shape": "finger"}),
+    )
+}  # fmt: skip
 TILTED = turned(SQUARE, 0.3)
 OUTLINED = {
     "flush side": Case(
@@ -337,7 +359,7 @@ OUTLINED = {
         stopped=FINGER_MEETS,
     ),
 }  # fmt: skip
-SCENES = DEGENERATE | MOVING | INERTIAL | FINGERS | OUTLINED
+SCENES = DEGENERATE | MOVING | INERTIAL | FINGERS | RETURNING | OUTLINED
 
 
 # --- Images of a scene ---------------------------------------------------------------------------
