@@ -91,6 +91,7 @@ TRIPOD = feet((1.0, 0.0), (-0.5, math.sqrt(0.75)), (-0.5, -math.sqrt(0.75)))
 UNEVEN = feet((1.0, 0.0), (-0.5, 0.9), (-0.4, -0.8), loads=(0.2, 0.5, 0.3))
 RING, HEAVY = pp.RingFriction(), pp.Inertia(mass=0.7, gyration_radius=0.9)
 ASIDE = pp.Inertia(mass=0.7, gyration_radius=0.9, center=(0.2, 0.1))
+LIGHT = pp.Inertia(mass=0.3, gyration_radius=0.7)
 FILM = pp.Viscous(support=pp.Disc(0.8, (0.1, 0.2)), coefficient=0.6)
 PULL = pp.Load(force=(0.2, -0.1), center=(0.3, 0.2))
 FREE, ROUGH = pp.InfiniteFriction(), pp.PerfectlyRough()
@@ -330,14 +331,15 @@ RETURNING = {
     )
     for name, effects, shape in (
         ("a ring", (RING,), {}),
-        ("a heavy ring", (RING, HEAVY), {}),
+        ("a light ring", (RING, LIGHT), {}),
         ("a square", (BOX,), {}),
-        ("a heavy square", (BOX, HEAVY), {}),
+        ("a light square", (BOX, LIGHT), {}),
         ("feet", (UNEVEN,), {}),
-        ("heavy feet", (UNEVEN, HEAVY), {}),
+        ("light feet", (UNEVEN, LIGHT), {}),
+        ("a very light tripod", (TRIPOD, pp.Inertia(mass=0.1, gyration_radius=0.7)), {}),
         ("a heavy tripod aside", (TRIPOD, ASIDE), {}),
-        ("a pulled tripod", (TRIPOD, PULL, HEAVY), {}),
-        ("heavy feet, as a disc", (UNEVEN, HEAVY), {"shape": "finger", "radius": 0.4}),
+        ("a pulled tripod", (TRIPOD, PULL, LIGHT), {}),
+        ("light feet, as a disc", (UNEVEN, LIGHT), {"shape": "finger", "radius": 0.4}),
         ("a ring, as a point", (RING,), {"shape": "finger"}),
     )
 }  # fmt: skip
