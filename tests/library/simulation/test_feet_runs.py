@@ -86,8 +86,8 @@ def angles_by_steps(run, end, finer=1):
 def agrees(run, log):
     """Whether both methods have the same rod angle at the end, within the error of the steps.
 
-    The angles by steps are extrapolated. After an impact, which a step can be late for by any part of its
-    length, their error does not fall evenly, and is that of all of them together.
+    The angles by steps are extrapolated. After an impact, for which a step is late by any part of its
+    length, their error does not fall evenly, and the scatter of four of them stands for it.
     """
     end, angle = unique_part(run, log)
     if angle is None:
@@ -95,8 +95,8 @@ def agrees(run, log):
     rough, fine = stepped = angles_by_steps(run, end)
     if abs(angle - 2 * fine + rough) <= max(AGREE, 2 * abs(fine - rough)):
         return True
-    rough, fine = finer = angles_by_steps(run, end, FINER)
-    return abs(angle - 2 * fine + rough) <= max(AGREE, np.ptp([*stepped, *finer]))
+    finer = angles_by_steps(run, end, FINER)
+    return abs(angle - finer[-1]) <= max(AGREE, np.ptp([*stepped, *finer]))
 
 
 def check_runs(layouts, motion, seeds, stepped=lambda seed: True):
