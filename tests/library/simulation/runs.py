@@ -46,6 +46,13 @@ def imbalance(log):
     return np.abs((work - work[0] - gained - (lost - lost[0])).values)
 
 
+def largest_energy(log):
+    """The largest of the energies of a log that balance."""
+    loads = float(np.abs(log.load_work).max()) if "load_work" in log else 0.0
+    lost = float((log.dissipated.sum("effect") + log.contact_dissipated).max())
+    return max(float(np.abs(log.work).max()), float(log.kinetic_energy.max()), lost, loads)
+
+
 def check(log, tolerance=1e-9):
     """What holds of every log: finite numbers, no penetration, energy, and an end that is explained."""
     for name, variable in log.data_vars.items():

@@ -92,6 +92,7 @@ TRIPOD = feet((1.0, 0.0), (-0.5, math.sqrt(0.75)), (-0.5, -math.sqrt(0.75)))
 UNEVEN = feet((1.0, 0.0), (-0.5, 0.9), (-0.4, -0.8), loads=(0.2, 0.5, 0.3))
 RING, HEAVY = pp.RingFriction(), pp.Inertia(mass=0.7, gyration_radius=0.9)
 ASIDE = pp.Inertia(mass=0.7, gyration_radius=0.9, center=(0.2, 0.1))
+LIGHT = pp.Inertia(mass=0.3, gyration_radius=0.7)
 FILM = pp.Viscous(support=pp.Disc(0.8, (0.1, 0.2)), coefficient=0.6)
 PULL = pp.Load(force=(0.2, -0.1), center=(0.3, 0.2))
 FREE, ROUGH = pp.InfiniteFriction(), pp.PerfectlyRough()
@@ -117,6 +118,10 @@ def smooth(t):
 
 def starts(t):
     return 0.3 * t, t * (1.0 + t)
+
+
+def returns(t):
+    return 0.3 * math.sin(2 * t), 0.1 + 0.5 * math.cos(3 * t)
 
 
 def jumps(t):
@@ -320,6 +325,25 @@ FINGERS = {
         order=False,
     ),
 }  # fmt: skip
+#: Pushers that leave the slider, which comes to rest, and meet it again where they left it, or elsewhere.
+RETURNING = {
+    f"pusher returns to {name}": Case(
+        scene=scene(*effects, length=1.0, psi=1.3), velocity=returns, duration=3.0, order=False, **shape
+    )
+    for name, effects, shape in (
+        ("a ring", (RING,), {}),
+        ("a light ring", (RING, LIGHT), {}),
+        ("a square", (BOX,), {}),
+        ("a light square", (BOX, LIGHT), {}),
+        ("feet", (UNEVEN,), {}),
+        ("light feet", (UNEVEN, LIGHT), {}),
+        ("a very light tripod", (TRIPOD, pp.Inertia(mass=0.1, gyration_radius=0.7)), {}),
+        ("a heavy tripod aside", (TRIPOD, ASIDE), {}),
+        ("a pulled tripod", (TRIPOD, PULL, LIGHT), {}),
+        ("light feet, as a disc", (UNEVEN, LIGHT), {"shape": "finger", "radius": 0.4}),
+        ("a ring, as a point", (RING,), {"shape": "finger"}),
+    )
+}  # fmt: skip
 TILTED = turned(SQUARE, 0.3)
 OUTLINED = {
     "flush side": Case(
@@ -338,7 +362,7 @@ OUTLINED = {
         stopped=FINGER_MEETS,
     ),
 }  # fmt: skip
-SCENES = DEGENERATE | MOVING | INERTIAL | FINGERS | OUTLINED
+SCENES = DEGENERATE | MOVING | INERTIAL | FINGERS | RETURNING | OUTLINED
 
 
 # --- Images of a scene ---------------------------------------------------------------------------

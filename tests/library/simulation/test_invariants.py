@@ -13,7 +13,7 @@ from itertools import cycle
 import numpy as np
 import pytest
 import xarray as xr
-from simulation.runs import check
+from simulation.runs import check, imbalance, largest_energy
 from simulation.scenes import METHODS, OUTLINED, SCENES, STEPS, Image
 
 import planar_pushing as pp
@@ -36,6 +36,19 @@ def log_of(name, method=EVENTS):
 
 def modes(log):
     return log["mode"].values
+
+
+def events(log):
+    """Events, where a contact that opens has one name.
+
+    The force ends where the contact would separate, and without inertia where the pusher turns back:
+    rounding decides which of these comes first.
+    """
+    openings = (
+        pp.Event.FORCE_ENDS, pp.Event.SEPARATION_CHANGES, pp.Event.NORMAL_VELOCITY_REVERSES
+    )  # fmt: skip
+    opens = np.isin(log.event.values, openings) & (modes(log) == SEPARATE)
+    return np.where(opens, pp.Event.FORCE_ENDS, log.event.values)
 
 
 def turn(log):
@@ -78,7 +91,7 @@ def test_the_image_of_a_scene_has_the_image_of_its_motion(name, method, image):
     other = IMAGES[image].of(case).log(method)
     assert other.attrs["stopped"] == log.attrs["stopped"]
     assert len(other.time) == len(log.time)
-    np.testing.assert_array_equal(other.event, log.event)
+    np.testing.assert_array_equal(events(other), events(log))
     for each, wanted in IMAGES[image].log(log).items():
         if case.limit and each in COUNTED:
             continue
@@ -254,7 +267,7 @@ def test_steps_converge_to_the_motion_between_events(name):
 # --- Laws ----------------------------------------------------------------------------------------
 
 
-def log_is_in_order_and_work_becomes_kinetic_energy_and_heat(case, log, method):
+def log_is_in_order(case, log, method):
     check(log, 1e-11)
     assert log.attrs["stopped"] == case.stopped
     assert set(log.pivot.values) <= {-1, *range(feet_of(case.scene))}
@@ -268,6 +281,17 @@ def feet_of(scene):
     return sum(len(each.positions) for each in points) + 9 * any(
         isinstance(each, pp.Composite) for each in supports
     )
+
+
+def work_becomes_kinetic_energy_and_heat(case, log, method):
+    assert imbalance(log).max() <= 1e-11 * largest_energy(log)
+
+
+def slider_does_not_enter_the_pusher(case, log, method):
+    """Its contact is in the air, or on the pusher to rounding, also between the few instants of the log."""
+    often = case.log(method, samples=301) if method == EVENTS else log
+    gap = often.gap.where(~often.parted, 0.0) if "parted" in often else often.gap
+    assert gap.min() >= -1e-12
 
 
 def nothing_gives_energy_back(case, log, method):
@@ -372,7 +396,8 @@ def modes_change_at_events_and_where_pusher_or_policy_do(case, log, method):
 
 
 LAWS = (
-    log_is_in_order_and_work_becomes_kinetic_energy_and_heat, nothing_gives_energy_back,
+    log_is_in_order, work_becomes_kinetic_energy_and_heat, slider_does_not_enter_the_pusher,
+    nothing_gives_energy_back,
     closed_contact_is_closed_and_an_open_one_exerts_no_force, contact_is_where_slider_and_pusher_are,
     parted_slider_rests_or_flies_on, force_is_in_the_cone_and_on_its_edge_where_the_contact_slips,
     contact_slips_in_the_sense_of_its_mode, modes_change_at_events_and_where_pusher_or_policy_do,

@@ -1,0 +1,40 @@
+"""Pushes with inertia at every tolerance: each ends, and a loose tolerance costs no more."""
+
+from __future__ import annotations
+
+import pytest
+from simulation.feet_runs import SUPPORTS, cost, results_apart
+from simulation.scenes import FINGER_MEETS, SIDE_ENDS, STOPS
+
+DEFAULT = 1e-10
+#: Each with the largest ratio of evaluations to those at the default; an order of 8 needs 1.8 times as many
+#: for a hundredth of the error, and more where the motion is not smooth.
+TOLERANCES = {1e-2: 1.5, 1e-3: 1.5, 1e-4: 1.5, 1e-6: 1.5, 1e-8: 1.5, 1e-12: 8.0}
+#: Ends of a motion of an object with an outline.
+ENDS = ("", STOPS, FINGER_MEETS, SIDE_ENDS)
+
+
+def check_pushes(support, seeds):
+    """Every push ends in few evaluations at every tolerance; the failures are listed."""
+    pushes = [(support, seed, rtol) for seed in seeds for rtol in (DEFAULT, *TOLERANCES)]
+    results = dict(zip(pushes, results_apart(cost, pushes), strict=False))
+    assert len(results) == len(pushes), f"{pushes[len(results)]} does not end"
+    failures = []
+    for (_, seed, rtol), (stopped, evaluations) in results.items():
+        limit = TOLERANCES.get(rtol, 1.0) * results[support, seed, DEFAULT][1]
+        if stopped not in ENDS or evaluations > limit:
+            failures.append((seed, rtol, stopped, evaluations, limit))
+    assert not failures
+
+
+@pytest.mark.parametrize("support", SUPPORTS)
+def test_a_push_ends_at_every_tolerance(support):
+    check_pushes(support, range(10))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("block", range(1, 5))
+@pytest.mark.parametrize("support", SUPPORTS)
+def test_hundreds_of_pushes_end_at_every_tolerance(support, block):
+    """With those above five hundred."""
+    check_pushes(support, range(10 + 29 * (block - 1), 10 + 29 * block))
