@@ -12,17 +12,12 @@ from planar_pushing.core.drag import (
     scale_films,
 )
 from planar_pushing.core.equations import motion_in_mode, path_along_fence
+from planar_pushing.core.feet import slowest_foot_at, speed_at_center
 from planar_pushing.core.fence import Span
 from planar_pushing.core.flush_force import FLUSH_SOLUTION, FlatSide
 from planar_pushing.core.flush_solutions import MOST_ON_SIDE, SIDE_SOLUTION, side_modes
 from planar_pushing.core.free import free_twist
-from planar_pushing.core.inertia import (
-    motion_beside_push,
-    push_in_mode,
-    slowest_foot_at,
-    slowest_motion,
-    speed_at_center,
-)
+from planar_pushing.core.inertia import motion_beside_push, push_in_mode, slowest_motion
 from planar_pushing.core.instant import Instant
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.path import is_flat, sample_path

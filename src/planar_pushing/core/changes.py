@@ -7,9 +7,9 @@ from math import fabs, sqrt
 from planar_pushing.core.candidates import write_starts
 from planar_pushing.core.drag import friction_effects
 from planar_pushing.core.equations import motion_in_mode, write_rates
+from planar_pushing.core.feet import slowest_foot_at, stop_slowest_foot
 from planar_pushing.core.fence import Span, fence_velocity, span_at
 from planar_pushing.core.impact import add_impulse, collide
-from planar_pushing.core.inertia import slowest_foot_at, stop_slowest_foot
 from planar_pushing.core.instant import load_power
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.posing import pose_at_start

@@ -10,17 +10,14 @@ from math import copysign, cos, fabs, log, sin, sqrt
 
 from planar_pushing.core.directions import Rod, direction_at
 from planar_pushing.core.drag import depends_on_speed, problem_effects, put_loads_at, write_powers
+from planar_pushing.core.feet import arrival_speed, leaving_speed, slowest_foot_at, speed_of_passing
 from planar_pushing.core.force import ContactMotion, motion_at_root, motion_under_force
 from planar_pushing.core.impact import cone_margin, edge_angle, edge_of_slip
 from planar_pushing.core.inertia import (
-    arrival_speed,
-    leaving_speed,
     motion_beside_push,
     motion_with_inertia,
     push_in_mode,
-    slowest_foot_at,
     slowest_motion,
-    speed_of_passing,
 )
 from planar_pushing.core.instant import Instant, instant_at_rest, load_power, support_of_side
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers

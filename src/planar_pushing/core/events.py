@@ -23,13 +23,13 @@ from planar_pushing.core.explicit import (
     attempt_step,
     first_size,
     interpolate_state,
+    keeps_energy,
     next_size,
     smaller_size,
     smallest_size,
 )
 from planar_pushing.core.fence import end_of_fence, fence_displacement, span_at
 from planar_pushing.core.guards import MISJUDGED, NOTHING, first_event, look_for_kink, sign_of_guard
-from planar_pushing.core.inertia import keeps_energy
 from planar_pushing.core.log import end_log, has_room_for_rows, next_log_row, write_instant
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.run import (

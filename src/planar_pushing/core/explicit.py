@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from math import exp, fabs, log, sqrt
 
+from planar_pushing.core.drag import load_work
 from planar_pushing.core.equations import write_rates, write_rates_and_guards
+from planar_pushing.core.fence import fence_displacement
 from planar_pushing.core.numbers import EPSILON, INFINITY, Coefficients, Numbers
 from planar_pushing.core.run import (
     IN_TOLERANCE,
@@ -20,22 +22,39 @@ from planar_pushing.core.run import (
     RUN_TIME,
     RUN_UNTIL,
 )
+from planar_pushing.core.shapes import (
+    center_motion,
+    center_position,
+    kinetic_energy_of,
+    pose_of,
+    pusher_velocity,
+)
 from planar_pushing.core.system import (
+    ANGLE,
     DENSE,
     END_VALUES,
     FIRST_RATES,
     LAST_RATES,
+    LOST,
     MIDDLE_VALUES,
+    MOVING,
+    NORMAL_SPEED,
     PASSING,
     REACHED,
+    REST,
     SCALES,
+    SLIP_SPEED,
+    SPIN,
     STAGE_RATES,
     STAGES,
     STATE,
     TRIAL,
+    WORK,
     Mode,
     System,
     guards_of,
+    is_loaded,
+    is_massive,
     vector_of,
 )
 from planar_pushing.core.tableau import (
@@ -46,8 +65,13 @@ from planar_pushing.core.tableau import (
     STEP_STAGES,
     THIRD_ERROR,
 )
-from planar_pushing.core.tolerances import FINEST, PART_OF_STEP
+from planar_pushing.core.tolerances import (
+    FINEST,
+    PART_OF_STEP,
+)
 
+#: Largest error of the balance of energy in one step, in units of the tolerance.
+UNBALANCED = 1.0
 #: Order of the error of a step.
 STEP_ORDER = 8.0
 #: Stage near the middle of a step, with a state close to the motion, and its fraction of the step.
@@ -219,6 +243,38 @@ def _norm(system: System, vector: Numbers, start: Numbers, end: Numbers) -> floa
         part = vector[i] / (tolerance * (scales[i] + max(fabs(start[i]), fabs(end[i]))))
         total += part * part
     return sqrt(total / float(system.entries))
+
+
+def _energy_given(system: System, mode: Mode, time: float, state: Numbers) -> float:
+    """Energy that pusher and loads have given to the slider, less what it has stored and dissipated."""
+    pose = pose_of(system, state)
+    fence_x, fence_y = pusher_velocity(system, mode.during, time, state)
+    v_x, v_y = center_motion(
+        pose, fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED], state[SPIN]
+    )
+    total = state[WORK] - state[LOST] - kinetic_energy_of(system, pose, v_x, v_y, state[SPIN])
+    for i in range(MOVING, system.entries):
+        total -= state[i]
+    if is_loaded(system):
+        x, y = fence_displacement(system.fence, mode.during, time)
+        x, y = center_position(system, pose, state, x, y)
+        total += load_work(system, state[ANGLE], x, y)
+    return total
+
+
+def keeps_energy(system: System, mode: Mode) -> bool:
+    """Whether the energies at the ends of the last step balance within the tolerance.
+
+    The integrator's estimate can miss that the friction of a support point turns within a step, where the
+    center of rotation passes the point closely, and is by chance small in a long step of a stiff motion.
+    """
+    run, state, reached = system.run, vector_of(system, STATE), vector_of(system, REACHED)
+    if not is_massive(system) or mode.contact == REST or mode.hinged:
+        return True
+    lost = _energy_given(system, mode, run[RUN_UNTIL], reached)
+    lost -= _energy_given(system, mode, run[RUN_TIME], state)
+    scale = vector_of(system, SCALES)[WORK] + fabs(reached[WORK])
+    return fabs(lost) <= UNBALANCED * max(system.scene[IN_TOLERANCE], FINEST) * scale
 
 
 def smallest_size(time: float) -> float:

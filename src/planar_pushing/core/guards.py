@@ -9,7 +9,7 @@ from math import fabs
 
 from planar_pushing.core.equations import write_guards
 from planar_pushing.core.explicit import MIDDLE_PART, interpolate_state
-from planar_pushing.core.inertia import leaving_speed
+from planar_pushing.core.feet import leaving_speed
 from planar_pushing.core.numbers import INFINITY, Numbers
 from planar_pushing.core.roots import (
     ITERATIONS,
