@@ -76,7 +76,7 @@ def series(ax: Axes, data: xr.Dataset, name: str, text: str, **style: Any) -> No
     ax.plot(data["time"], data[name], **{"color": DARK} | style)
     ax.set_ylabel(text)
     ax.set_xlabel("time")
-    ax.set_xlim(float(data["time"][0]), float(data["time"][-1]))
+    ax.set_xlim(_span(data["time"].values))
 
 
 def strip(ax: Axes, data: xr.Dataset, bottom: float = 0.0) -> None:
@@ -100,7 +100,7 @@ def strip(ax: Axes, data: xr.Dataset, bottom: float = 0.0) -> None:
         _bar(ax, time[run.start], time[run.stop], bottom + 0.9 - CHOICE, CHOICE, DARK)
     for run in pivots(data):
         _bar(ax, time[run.start], time[run.stop], bottom, PIVOT, CENTER)
-    ax.set(xlim=(time[0], time[-1]), ylim=(0, max(ax.get_ylim()[1], bottom + 0.9)), yticks=[])
+    ax.set(xlim=_span(time), ylim=(0, max(ax.get_ylim()[1], bottom + 0.9)), yticks=[])
     ax.spines["left"].set_visible(False)
     ax.set_xlabel("time")
     for run in _areas(data):
@@ -170,3 +170,9 @@ def mark_time(ax: Axes, data: xr.Dataset, row: int) -> None:
 def varying_names(data: xr.Dataset, names: Any) -> list[str]:
     """Names of the given variables that change over time."""
     return [name for name in names if np.ptp(data[name].values) > 0]
+
+
+def _span(times: Any) -> tuple[float, float]:
+    """First and last of some times; a run that ends at once has an axis of length 1."""
+    first, last = float(times[0]), float(times[-1])
+    return first, last if last > first else first + 1.0

@@ -190,6 +190,8 @@ def side_of(log: xr.Dataset, slider: dict[str, Any]) -> xr.DataArray:
     beyond = BEYOND * (slider["rod_length"] + slider["radius"])
     first, last = map(float, slider.get("side", (-np.inf, np.inf)))
     ends = np.array([max(first, along.min() - beyond), min(last, along.max() + beyond)])
+    if ends[0] == ends[1]:  # a corner, with the direction of the finger's tangent
+        ends = ends + LEVEL * (slider["rod_length"] + slider["radius"]) * np.array([-1.0, 1.0])
     angle = np.deg2rad(log["rod_angle"].values)
     touched = log["position"].values - slider["rod_length"] * _unit(angle)
     tangent = _unit(angle - np.deg2rad(slider["rod_angle"]))

@@ -204,3 +204,15 @@ class TestArraysOfContacts:
         assert len(laws.slider.outline) == 4
         fence = pp.simulate_batch(laws, pp.Pusher(velocity=(0, 0.05)), duration=1.0)
         assert (fence.rod_angle == fence.initial_rod_angle).all()
+
+
+def test_runs_at_corners_are_drawn_and_stored(tmp_path):
+    for normal, velocity in (
+        ((0, 1), (0.05, 0.1)),
+        (BISECTOR, (0.03, 0.1)),
+        (BISECTOR, (-0.1, 0.1)),
+    ):
+        scene = box_at(0.1, normal, 0.3)
+        pp.save_scene(scene, tmp_path / "scene.yaml")
+        assert pp.load_scene(tmp_path / "scene.yaml") == scene
+        assert len(pp.plot_log(pushed(scene, velocity)).axes) > 1
