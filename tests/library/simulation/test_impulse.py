@@ -11,6 +11,8 @@ from simulation.runs import heading, run
 from simulation.scenes import SCENES, Case, friction, scene
 
 import planar_pushing as pp
+from planar_pushing.scenes.files import load_scene_file
+from planar_pushing.scenes.simulate import simulate_file
 from planar_pushing.simulation.early_end import quietly
 
 MASS, GYRATION = 2.0, 0.104
@@ -110,6 +112,19 @@ def test_impulses_have_the_unit_of_force_times_time():
     )  # fmt: skip
     assert batch.impulse.attrs["quantity"] == "force time"
     assert batch.impulse.values == pytest.approx(np.array([[0, 2], [0, 4]]), abs=1e-12)
+
+
+def test_impulses_are_those_of_the_certified_twists():
+    """A mass from rest under friction, and in flight without it; their golden logs have no impulse."""
+    for name, row in (("pulling_with_inertia", 0), ("impact", 14)):
+        file = load_scene_file(f"workflow/scenes/{name}.yaml")
+        twist = xr.open_dataset(f"tests/golden/simulations/{name}.nc").twist
+        log = quietly(simulate_file)(file)
+        given = file.simulate.initial_twist
+        before = np.array([given.v_x, given.v_y] if given else [0.0, 0.0])
+        (mass,) = (e.mass for e in file.build().effects if isinstance(e, pp.Inertia))
+        wanted = mass * (twist.values[row, :2] - before)
+        assert log.impulse.values[row] == pytest.approx(wanted, rel=1e-12)
 
 
 # --- Balances ------------------------------------------------------------------------------------
