@@ -9,7 +9,7 @@ from importlib.metadata import version
 from typing import Any
 
 from planar_pushing.mechanics.contact import LAWS
-from planar_pushing.mechanics.effects import EFFECTS
+from planar_pushing.mechanics.effects import EFFECTS, Inertia
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import SHAPES
 from planar_pushing.mechanics.supports.base import SUPPORT, SUPPORTS
@@ -64,9 +64,17 @@ def scene_entry(scene: Scene, title: str = "") -> dict[str, Any]:
         )  # fmt: skip
     parts = {"slider": scene.slider, "placement": scene.placement, "contact": scene.contact}
     content = {name: entry(part) for name, part in parts.items() if part is not None}
-    effects = {"effects": [entry(effect) for effect in scene.effects]}
+    effects = {"effects": [_effect_entry(effect) for effect in scene.effects]}
     units = {} if scene.units is None else {"units": entry(scene.units)}
     return {"title": title} | content | effects | units
+
+
+def _effect_entry(effect: Any) -> dict[str, Any]:
+    """An effect in the body frame, where a mass without a center is at the origin."""
+    content = entry(effect)
+    if content.get("center") == [0.0, 0.0] and isinstance(effect, Inertia):
+        del content["center"]
+    return content
 
 
 def entry(value: Any) -> dict[str, Any]:

@@ -216,6 +216,7 @@ def test_frames_and_their_box_hold_the_side(pushed_side):
     assert np.array_equal(finger.position, contact(data)[3])
 
 
+@pytest.mark.filterwarnings("ignore:radius:planar_pushing.SceneWarning")
 def test_a_disc_is_drawn_where_it_is_tangent_to_the_side():
     slider = pp.Slider(rod_length=2.0, rod_angle=1.2)
     scene = pp.Scene(slider=slider, contact=pp.PerfectlyRough(), effects=(pp.RingFriction(),))
