@@ -279,7 +279,7 @@ def arrival_speed(system: System, size: float) -> float:
     """
     part = system.run[RUN_SPEED] / size if size > 0.0 else 0.0
     error = ERRORS * max(PART_OF_STEP * system.scene[IN_TOLERANCE], FINEST)
-    return min(max(ARRIVED, max(error * (1.0 + 0.01 * part), SLACK * part)), 100.0 * HAS_LEFT)
+    return min(max(ARRIVED, max(error * (1.0 + 0.01 * part), SLACK * part)), 1000.0 * HAS_LEFT)
 
 
 def speed_at_center(system: System, size: float) -> float:

@@ -15,11 +15,11 @@ from planar_pushing.core.flush_force import (
     START_FORCE,
     FlatSide,
 )
-from planar_pushing.core.free import free_twist
+from planar_pushing.core.free import foot_at_center, free_twist
 from planar_pushing.core.kernels import RESULT, pushing_problem, write_results
 from planar_pushing.core.modes import contact_modes
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers, zeros
-from planar_pushing.core.rows import NO_POINT, Vector, count_columns, read_effects
+from planar_pushing.core.rows import Vector, count_columns, read_effects
 from planar_pushing.core.solution import (
     CONTINUUM,
     FORCE,
@@ -164,7 +164,8 @@ def _write_separate(
         return 0, scale
     for k in range(SIDE_SOLUTION):
         solutions[k] = 0.0
-    solutions[MODE], solutions[PIVOT] = float(SEPARATE), float(NO_POINT)
+    solutions[MODE] = float(SEPARATE)
+    solutions[PIVOT] = float(foot_at_center(push.effects, rest))
     solutions[TWIST] = t_x * rest.x + t_y * rest.y
     solutions[TWIST + 1] = t_x * rest.y - t_y * rest.x
     solutions[TWIST + 2] = rest.spin

@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 from planar_pushing.core.numbers import EPSILON, INFINITY
 from planar_pushing.core.rows import (
+    NO_POINT,
     Effects,
     Resistance,
     Vector,
@@ -27,7 +28,7 @@ from planar_pushing.core.rows import (
     rough_mass,
     scale_effects,
 )
-from planar_pushing.core.tolerances import RESOLUTION, SHARE, SLIGHTEST_LOAD
+from planar_pushing.core.tolerances import RESOLUTION, ROUNDING, SHARE, SLIGHTEST_LOAD
 
 #: Maximum number of Newton steps, and of trials along one.
 DESCENTS = 60
@@ -74,6 +75,14 @@ def free_twist(effects: Effects, more: Vector) -> Vector:
         start = _lowest_start(effects, loads, fall, True).twist
         level = _minimum_on_ray(effects, loads, _descend(effects, loads, start, True), False)
     return _descend(effects, loads, level.twist, False) if level.value < 0.0 else rest
+
+
+def foot_at_center(effects: Effects, twist: Vector) -> int:
+    """Number of the support point about which the slider rotates, `NO_POINT` without one."""
+    if twist.spin == 0.0:
+        return NO_POINT
+    slack = ROUNDING * (fabs(twist.x) + fabs(twist.y))
+    return resistance(effects, twist.x, twist.y, twist.spin, slack).point
 
 
 def friction_share(effects: Effects, more: Vector) -> Level:

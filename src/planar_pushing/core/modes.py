@@ -30,7 +30,7 @@ from planar_pushing.core.force import (
     replace_force,
     sticking_motion,
 )
-from planar_pushing.core.free import free_twist
+from planar_pushing.core.free import foot_at_center, free_twist
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.path import Path, Sample, first_sample, sample_of
 from planar_pushing.core.psi import guess_spin, psi
@@ -125,8 +125,9 @@ def _write_separation(push: Push, solution: Numbers) -> None:
     rest, contact = free_twist(push.effects, Vector(0.0, 0.0, 0.0)), push.contact
     u_x, u_y = rest.x - rest.spin * contact.y, rest.y + rest.spin * contact.x
     motion = ContactMotion(
-        u_x, u_y, rest.x, rest.y, rest.spin, 0.0, 0.0, 0.0, 0.0, NO_POINT, False, 0.0, 0.0, True
-    )
+        u_x, u_y, rest.x, rest.y, rest.spin, 0.0, 0.0, 0.0, 0.0, foot_at_center(push.effects, rest),
+        False, 0.0, 0.0, True,
+    )  # fmt: skip
     write_solution(push, SEPARATE, motion, solution)
 
 

@@ -13,10 +13,10 @@ from planar_pushing.core.flush_force import (
     START_FORCE,
     FlatSide,
 )
-from planar_pushing.core.free import free_twist
+from planar_pushing.core.free import foot_at_center, free_twist
 from planar_pushing.core.impact import edge_of_slip
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers
-from planar_pushing.core.rows import NO_POINT, Effects, Vector, resistance
+from planar_pushing.core.rows import Effects, Vector, resistance
 from planar_pushing.core.shapes import Pose, to_body, to_contact
 from planar_pushing.core.solution import (
     FORCE,
@@ -114,7 +114,8 @@ def _add_free_motion(
         return 0, scale
     for k in range(SOLUTION):
         solution[k] = 0.0
-    solution[MODE], solution[PIVOT] = float(SEPARATE), float(NO_POINT)
+    solution[MODE] = float(SEPARATE)
+    solution[PIVOT] = float(foot_at_center(push.effects, rest))
     solution[TWIST], solution[TWIST + 1], solution[TWIST + 2] = v_x, v_y, rest.spin
     solution[MOTION], solution[MOTION + 1] = u_x, u_y
     return 1, scale
