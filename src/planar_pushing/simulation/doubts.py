@@ -35,7 +35,8 @@ def _of_fence(scene: Scene) -> Iterator[str]:
     slider = scene.slider
     if scene.placement is None or slider.outline is None or slider.flush:
         return
-    if not all(map(_is_infinite, slider.side)):
+    start, end = slider.side
+    if -np.inf < start < 0.0 < end < np.inf:
         yield (
             "pusher: a fence at an inner point of a side, while the whole side lies on it; push the point "
             'with Pusher(shape="finger"), or make the scene with scene_at(side=...)'

@@ -100,7 +100,8 @@ def test_values_are_frozen():
 def test_scene_turns_a_list_of_effects_into_a_tuple():
     slider = pp.Slider(rod_length=1.0, rod_angle=PSI)
     scene = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=list(BOTH))
-    assert scene.effects == BOTH
+    friction, inertia = BOTH
+    assert scene.effects == (friction, dataclasses.replace(inertia, center=(0.0, 0.0)))
     assert slider.radius is None
     assert (scene.slider.radius, scene.slider.length_ratio) == (1.0, 1.0)
 

@@ -8,6 +8,11 @@ import pytest
 import planar_pushing as pp
 from planar_pushing.mechanics.outline import DRAWN, require_outline, size
 
+pytestmark = [
+    pytest.mark.filterwarnings("ignore::planar_pushing.EarlyEndWarning"),
+    pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning"),
+]
+
 #: A box with one more vertex on its lower side, and feet whose center of pressure is near an end of it.
 BOX = np.array([(-0.15, -0.1), (0, -0.1), (0.15, -0.1), (0.15, 0.1), (-0.15, 0.1)])
 FEET = np.array([(-0.02, 0), (0.14, -0.05), (0.14, 0.05)])

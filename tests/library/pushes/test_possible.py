@@ -155,6 +155,7 @@ SHAPES = {
 }  # fmt: skip
 
 
+@pytest.mark.filterwarnings("ignore:support:planar_pushing.SceneWarning")  # any support
 @pytest.mark.parametrize("name", SHAPES)
 @pytest.mark.parametrize("spot", [0.02, 0.1, 0.3])
 def test_pushes_on_any_support_are_accepted(name, spot):

@@ -9,6 +9,11 @@ from simulation.scenes import SIDE_ENDS
 
 import planar_pushing as pp
 
+pytestmark = [
+    pytest.mark.filterwarnings("ignore::planar_pushing.EarlyEndWarning"),
+    pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning"),
+]
+
 BOX = [(-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1)]
 TEE = [(-60, 0), (-60, 30), (60, 30), (60, 0), (15, 0), (15, -90), (-15, -90), (-15, 0)]
 FRICTION = (pp.SupportFriction(support=pp.Polygon(BOX)),)

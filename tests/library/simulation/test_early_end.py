@@ -117,6 +117,6 @@ def test_the_command_writes_one_line_and_succeeds(tmp_path):
     ended = subprocess.run(command, capture_output=True, text=True, check=True)
     assert ended.stderr.count("\n") == 1
     assert ended.stderr.startswith(
-        "planar-pushing simulate: warning: the run ended at time 0.928833 s of 8 s: "
+        "planar-pushing simulate: EarlyEndWarning: the run ended at time 0.928833 s of 8 s: "
     )
     assert "stopped at t = 0.928833 s" in ended.stdout

@@ -13,6 +13,11 @@ from simulation.scenes import STOPS
 
 import planar_pushing as pp
 
+pytestmark = [
+    pytest.mark.filterwarnings("ignore::planar_pushing.EarlyEndWarning"),
+    pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning"),
+]
+
 #: A run takes at most so many evaluations.
 EVALUATIONS = 300_000
 #: Steps of the time-stepping method, whose results are extrapolated, and how many times more where these

@@ -28,7 +28,8 @@ def folder(tmp_path):
     pushes = pp.simulate_pushes(feet(), TRIANGLE, 3, noise=None, seed=1)
     write_log(tmp_path / "data/three_feet/10_130_10_10_10_130.txt", pushes, random)
     square = 45.0 * np.array(SQUARE)
-    sides = pp.simulate_pushes(feet(), square, 3, noise=None, finger_radius=4.75, seed=2)
+    uniform = (pp.SupportFriction(support=pp.Polygon(square), weight=5.0),)
+    sides = pp.simulate_pushes(uniform, square, 3, noise=None, finger_radius=4.75, seed=2)
     write_mat(tmp_path / "data/polygons/abs_rect1.mat", sides, random)
     return tmp_path / "data"
 
