@@ -54,7 +54,7 @@ from planar_pushing.core.tolerances import (
 STEADY = 3.0
 #: Maximum speed of a support point, relative to the slider's, that counts as at the center of rotation,
 #: however loose the tolerance.
-FARTHEST_CENTER = 3e-3
+FASTEST_AT_CENTER = 3e-3
 
 
 def passing_friction(
@@ -282,7 +282,7 @@ def arrival_speed(system: System, size: float) -> float:
     """
     part = system.run[RUN_SPEED] / size if size > 0.0 else 0.0
     error = ERRORS * max(PART_OF_STEP * system.scene[IN_TOLERANCE], FINEST)
-    return min(max(ARRIVED, max(error * (1.0 + 0.01 * part), SLACK * part)), FARTHEST_CENTER)
+    return min(max(ARRIVED, max(error * (1.0 + 0.01 * part), SLACK * part)), FASTEST_AT_CENTER)
 
 
 def speed_at_center(system: System, size: float) -> float:
