@@ -76,7 +76,8 @@ def global_attributes(problem: Problem, method: str) -> dict[str, Any]:
     radius: Any = pusher.radius
     disc = {"pusher_radius": float(radius)} if radius else {}
     placed = {} if problem.object_pose is None else _pose_attributes(problem)
-    masses = _mass_attributes(problem) if problem.scene.masses else {}
+    is_object = problem.scene.placement is not None
+    masses = _mass_attributes(problem) if problem.scene.masses and is_object else {}
     return {
         "title": "motion of the pushed slider",
         "source": f"{quantities.PAPER}, Secs. 2-5, over time",

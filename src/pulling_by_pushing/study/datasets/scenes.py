@@ -133,10 +133,18 @@ def scene_dataset(file: SceneFile, push: PushEntry) -> xr.Dataset:
         title=file.title,
         source="Secs. 3 and 4",
         parameters={
-            "scene": file.model_dump(exclude_none=True),
+            "scene": _with_centers(file.model_dump(exclude_none=True)),
             "push": push.model_dump(exclude={"file"}, exclude_none=True),
         },
     )
+
+
+def _with_centers(content: dict[str, Any]) -> dict[str, Any]:
+    """A scene file with the center of a mass, by default that of the slider."""
+    for effect in content["effects"]:
+        if effect["type"] == EffectKind.INERTIA:
+            effect.setdefault("center", [0.0, 0.0])
+    return content
 
 
 def scenes(pushes: Mapping[str, PushEntry]) -> dict[str, xr.Dataset]:
