@@ -19,6 +19,8 @@ from simulation.scenes import METHODS, OUTLINED, SCENES, STEPS, Image
 import planar_pushing as pp
 from planar_pushing.simulation.early_end import quietly
 
+pytestmark = pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning")
+
 EVENTS, TIME_STEPS = METHODS
 CASES = [(name, method) for name, case in SCENES.items() for method in case.methods]
 by_both = pytest.mark.parametrize(("name", "method"), CASES, ids=map("-".join, CASES))
