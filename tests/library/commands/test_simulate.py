@@ -101,6 +101,7 @@ def test_waypoints_in_the_world_until_a_distance(run, tmp_path):
 FALLING = "slider: {rod_length: 2, rod_angle: 15}", "--pusher-angle", "90", "--duration", "9"
 
 
+@pytest.mark.filterwarnings("always::planar_pushing.EarlyEndWarning")
 def test_an_early_stop_is_called_a_stop(run, tmp_path, caplog):
     scene, path = tmp_path / "falling.yaml", tmp_path / "log.nc"
     slider, *options = FALLING
