@@ -62,7 +62,7 @@ def warn_of_doubts(effects: Sequence[Effect], contact: Any, corners: Corners | N
 
 
 def _doubts(effects: Sequence[Effect], contact: Any, corners: Corners | None) -> Iterator[str]:
-    """What is doubtful in an object, each with its remedy."""
+    """The doubts about an object, each with its remedy."""
     kinds = SupportFriction | Viscous
     supports = [effect.support for effect in effects if isinstance(effect, kinds)]
     supports = [support for support in supports if not _is_unknown(support)]

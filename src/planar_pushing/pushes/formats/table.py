@@ -235,7 +235,7 @@ def _require_unit(file: Path, table: Table, angles: str, sides: Sides, radius: f
 
 
 def _require_alike(file: Path, table: Table, angles: str, remedy: str) -> None:
-    """Refuse two angles of a push that are more than half a turn apart, because only one is wrapped."""
+    """Refuse two angles of a push that are more than 180 degrees apart, because only one is wrapped."""
     before, after = (table.columns[name] for name in ("angle_before", "angle_after"))
     far = ambiguous_turns(before * ANGLES[angles], after * ANGLES[angles])
     if len(far):
