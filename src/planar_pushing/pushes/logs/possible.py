@@ -17,8 +17,8 @@ for the displacements d_j of the points and the fractions p_j of the load that t
 unknown, at least one point moves by no more than L: one of the feet, or one within the outline. This bound
 holds for every pressure.
 
-Symmetric objects have poses that a tracker confuses, for example rotated by 180 degrees about the middle. A pressure
-at a single point may permit them. A fourth condition, if no feet are known, is therefore not a theorem: if
+Symmetric objects have poses that a tracker confuses, such as rotated by 180 degrees. A pressure at a single
+point may permit them. A fourth condition, if no feet are known, is therefore not a theorem: if
 the finger ends at a side that faces elsewhere than the side that it touched first, the mean displacement of
 the points of the object exceeds L by no more than `CONCENTRATED` sizes. In 2079 published pushes of
 polygons on their faces the excess is at most 0.03 sizes, except for one of 0.22 sizes, a turn by 131
