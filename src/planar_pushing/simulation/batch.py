@@ -14,12 +14,11 @@ from planar_pushing.core.run import LOG_EVALUATIONS
 from planar_pushing.mechanics.contact import friction_coefficient
 from planar_pushing.mechanics.kernels.arrays import is_labeled
 from planar_pushing.mechanics.scene import Scene, require_scene
-from planar_pushing.simulation.doubts import warn_of_doubts
 from planar_pushing.simulation.early_end import warn_of_early_end
 from planar_pushing.simulation.fields import FIELDS, arrays, sampled_fields
 from planar_pushing.simulation.inputs import Scenes, numbers_of
 from planar_pushing.simulation.log import variable_attributes, without_fill_values
-from planar_pushing.simulation.problem import Problem
+from planar_pushing.simulation.problem import Problem, warn_of_doubts
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.runs import run_scenes
 from planar_pushing.terms import quantities

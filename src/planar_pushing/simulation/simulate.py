@@ -13,10 +13,9 @@ import xarray as xr
 from planar_pushing.core.run import LOG_TIME
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.scene import Scene, require_scene, require_single
-from planar_pushing.simulation.doubts import warn_of_doubts
 from planar_pushing.simulation.early_end import warn_of_early_end
 from planar_pushing.simulation.log import dataset, without_fill_values
-from planar_pushing.simulation.problem import Problem
+from planar_pushing.simulation.problem import Problem, warn_of_doubts
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.runs import Run, progress_bar
 from planar_pushing.simulation.until import Until, UntilRun, require_condition
@@ -126,6 +125,8 @@ def simulate(
         If a fence pushes at an inner point of a side, all of which lies on it; if a finger pushes an object
         that `scene_at` made without an outline, whose wall is then straight and without ends; or if the
         finger's radius is larger than the object.
+    EarlyEndWarning
+        If the motion could not continue until the end of the duration, or until `until` holds.
 
     Raises
     ------
@@ -133,11 +134,6 @@ def simulate(
         If a value is not allowed.
     InvalidFile
         If `path` cannot be written, or another process is writing it.
-
-    Warns
-    -----
-    EarlyEndWarning
-        If the motion could not continue until the end of the duration, or until `until` holds.
     """
     require_single(require_scene(scene))
     require_kind("pusher", pusher, Pusher)

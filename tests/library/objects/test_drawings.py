@@ -10,7 +10,7 @@ from planar_pushing.mechanics.outline import DRAWN, require_outline, size
 
 pytestmark = [
     pytest.mark.filterwarnings("ignore::planar_pushing.EarlyEndWarning"),
-    pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning"),
+    pytest.mark.filterwarnings("ignore:pusher:planar_pushing.SceneWarning"),
 ]
 
 #: A box with one more vertex on its lower side, and feet whose center of pressure is near an end of it.

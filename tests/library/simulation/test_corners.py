@@ -11,7 +11,7 @@ import planar_pushing as pp
 
 pytestmark = [
     pytest.mark.filterwarnings("ignore::planar_pushing.EarlyEndWarning"),
-    pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning"),
+    pytest.mark.filterwarnings("ignore:pusher:planar_pushing.SceneWarning"),
 ]
 
 BOX = [(-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1)]

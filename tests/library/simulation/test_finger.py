@@ -12,7 +12,7 @@ from simulation.straight import Pushed
 import planar_pushing as pp
 
 #: The scenes are plain or random numbers, not real objects.
-pytestmark = pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning")
+pytestmark = pytest.mark.filterwarnings("ignore:(outline|radius):planar_pushing.SceneWarning")
 
 by_both = pytest.mark.parametrize("method", METHODS)
 POINTS, SHARES = [(1, 0), (-0.5, np.sqrt(0.75)), (-0.4, -np.sqrt(0.75))], [0.2, 0.5, 0.3]

@@ -15,7 +15,7 @@ from simulation.scenes import SIDE_ENDS
 import planar_pushing as pp
 
 #: The scenes are plain or random numbers, not real objects.
-pytestmark = pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning")
+pytestmark = pytest.mark.filterwarnings("ignore:(support|radius):planar_pushing.SceneWarning")
 
 ELL = [(0, 0), (0.3, 0), (0.3, 0.1), (0.1, 0.1), (0.1, 0.3), (0, 0.3)]
 TEE = [(-0.15, 0), (0.15, 0), (0.15, 0.1), (0.05, 0.1), (0.05, 0.3), (-0.05, 0.3), (-0.05, 0.1),

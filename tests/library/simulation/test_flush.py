@@ -27,7 +27,9 @@ import planar_pushing as pp
 from planar_pushing.simulation.runs import Run
 
 #: The scenes are plain or random numbers, not real objects.
-pytestmark = pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning")
+pytestmark = pytest.mark.filterwarnings(
+    "ignore:(support|pusher|gyration_radius):planar_pushing.SceneWarning"
+)
 
 METHODS = pytest.mark.parametrize("method", ["event-driven", "time-stepping"])
 PLATE = pp.SupportFriction(support=pp.Polygon(SQUARE))

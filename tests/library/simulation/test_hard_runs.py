@@ -33,7 +33,7 @@ from simulation.test_invariants import distance
 import planar_pushing as pp
 from planar_pushing.simulation.early_end import quietly
 
-pytestmark = pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning")
+pytestmark = pytest.mark.filterwarnings("ignore:radius:planar_pushing.SceneWarning")
 
 EVENTS, TIME_STEPS = METHODS
 by_both = pytest.mark.parametrize("method", METHODS)

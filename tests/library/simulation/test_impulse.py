@@ -15,7 +15,7 @@ from planar_pushing.scenes.files import load_scene_file
 from planar_pushing.scenes.simulate import simulate_file
 from planar_pushing.simulation.early_end import quietly
 
-pytestmark = pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning")
+pytestmark = pytest.mark.filterwarnings("ignore:(outline|pusher):planar_pushing.SceneWarning")
 
 MASS, GYRATION = 2.0, 0.104
 BOX = ((-0.15, -0.1), (0.15, -0.1), (0.15, 0.1), (-0.15, 0.1))

@@ -19,7 +19,7 @@ from simulation.scenes import METHODS, OUTLINED, SCENES, STEPS, Image
 import planar_pushing as pp
 from planar_pushing.simulation.early_end import quietly
 
-pytestmark = pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning")
+pytestmark = pytest.mark.filterwarnings("ignore:(radius|pusher):planar_pushing.SceneWarning")
 
 EVENTS, TIME_STEPS = METHODS
 CASES = [(name, method) for name, case in SCENES.items() for method in case.methods]

@@ -14,7 +14,7 @@ from simulation.scenes import SQUARE as CORNERS
 import planar_pushing as pp
 
 #: The scenes are plain or random numbers, not real objects.
-pytestmark = pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning")
+pytestmark = pytest.mark.filterwarnings("ignore:pusher:planar_pushing.SceneWarning")
 
 SQUARE = np.array(CORNERS)
 #: A table with two legs, and its slot between them.

@@ -11,7 +11,7 @@ from simulation.runs import check
 
 import planar_pushing as pp
 
-pytestmark = pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning")
+pytestmark = pytest.mark.filterwarnings("ignore:radius:planar_pushing.SceneWarning")
 
 #: Degrees of rod angle by which the integrators may differ, of which one is of first order.
 AGREE = 0.2

@@ -8,7 +8,7 @@ from simulation.runs import final, heading, run
 import planar_pushing as pp
 
 #: The scenes are plain or random numbers, not real objects.
-pytestmark = pytest.mark.filterwarnings("ignore::planar_pushing.SceneWarning")
+pytestmark = pytest.mark.filterwarnings("ignore:outline:planar_pushing.SceneWarning")
 
 ROUGH = pp.Coulomb(1.0)
 BOX = [(-0.15, -0.1), (0.15, -0.1), (0.15, 0.1), (-0.15, 0.1)]
