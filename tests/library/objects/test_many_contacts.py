@@ -128,6 +128,46 @@ def test_motions_are_those_of_the_contacts(name):
             assert found.twist[:, *there] == pytest.approx(own.twist, abs=near, nan_ok=True)
 
 
+#: Shapes of numbers of an effect that broadcast against the shape (2, 5) of the contacts.
+SHAPES = [(), (1,), (5,), (2, 1), (1, 5), (2, 5)]
+
+
+@pytest.mark.parametrize("shape", SHAPES, ids=str)
+@pytest.mark.parametrize("outline", [None, SQUARE], ids=["free", "outline"])
+def test_arrays_of_loads_and_masses_are_those_of_the_contacts(shape, outline):
+    """Each component is turned with the frame of its own contact."""
+    random = np.random.default_rng(len(shape) * 7 + 3)
+    numbers = random.uniform(-0.4, 0.4, (5, *shape))
+    numbers[4] += 1.0  # the mass
+
+    def effects(fx, fy, x, y, mass):
+        return [
+            pp.SupportFriction(support=SQUARE, weight=2.0),
+            pp.Inertia(mass=mass, gyration_radius=0.5, center=(x, y)),
+            pp.Load(force=(fx, fy), center=(0.2, -0.1)),
+        ]
+
+    given = {"contact": pp.Coulomb(0.5), "outline": outline}
+    points, normals = POINTS, NORMALS
+    if outline is not None:
+        x, side = random.uniform(-0.9, 0.9, (2, 5)), random.integers(0, 2, (2, 5)) * 2.0 - 1.0
+        points, normals = np.stack([x, side], axis=-1), np.stack([0.0 * x, -side], axis=-1)
+    found = pp.solve(pp.scene_at(points, normals, effects=effects(*numbers), **given), ANGLES)
+    each = np.stack([np.broadcast_to(component, points.shape[:-1]) for component in numbers])
+    for there in np.ndindex(*points.shape[:-1]):
+        one = pp.scene_at(
+            points[there], normals[there], effects=effects(*each[:, *there].tolist()), **given
+        )
+        own = pp.solve(one, ANGLES[:, 0, 0])
+        assert np.array_equal(found.mode[:, *there], own.mode)
+        for field in ("twist", "force"):
+            own_field = getattr(own, field)
+            near = 1e-12 * max(1.0, one.slider.rod_length)
+            assert getattr(found, field)[:, *there] == pytest.approx(
+                own_field, rel=1e-12, abs=near, nan_ok=True
+            )
+
+
 def test_a_support_of_a_user_is_moved_to_each_contact():
     otherwise = own_kind(SQUARE, moves_as=pp.Disc(1.0))
     for own in (own_kind(SQUARE), otherwise, pp.Composite([(1.0, SQUARE), (2.0, otherwise)])):
