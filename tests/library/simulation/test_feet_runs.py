@@ -21,7 +21,7 @@ pytestmark = [
 #: A run takes at most so many evaluations; a foot that begins to move slowly makes some motions stiff.
 EVALUATIONS = 10_000_000
 #: Known defects by layout, motion and seed: steps part from the finger, which slips on without end.
-KNOWN = {("collinear", "constant", 20): ["differs from the time-stepping method"]}
+DEFECTS = {("collinear", "constant", 20): ["differs from the time-stepping method"]}
 #: Steps of the time-stepping method, whose results are extrapolated, and how many times more where these
 #: differ from the motion between events.
 STEPS, FINER = (2000, 4000), 8
@@ -118,7 +118,7 @@ def check_runs(layouts, motion, seeds, stepped=lambda seed: True):
             if wrong:
                 failures[layout, motion, seed] = wrong
     drawn_runs = {(layout, motion, seed) for layout in layouts for seed in seeds}
-    assert failures == {name: wrong for name, wrong in KNOWN.items() if name in drawn_runs}
+    assert failures == {name: wrong for name, wrong in DEFECTS.items() if name in drawn_runs}
 
 
 KINDS = (*LAYOUTS, "flush")

@@ -15,6 +15,8 @@ from simulation.scenes import METHODS, SCENES
 
 import planar_pushing as pp
 
+pytestmark = pytest.mark.filterwarnings("ignore:radius:planar_pushing.SceneWarning")
+
 #: A few of every group of scenes; the slow tests run all.
 NAMES = [
     "ring through its center", "feet with a pivot", "tilted bar on its own line end", "zero friction",
