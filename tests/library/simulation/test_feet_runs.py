@@ -15,7 +15,7 @@ import planar_pushing as pp
 
 pytestmark = [
     pytest.mark.filterwarnings("ignore::planar_pushing.EarlyEndWarning"),
-    pytest.mark.filterwarnings("ignore:radius:planar_pushing.SceneWarning"),
+    pytest.mark.filterwarnings("ignore:(radius|gyration_radius):planar_pushing.SceneWarning"),
 ]
 
 #: A run takes at most so many evaluations; a foot that begins to move slowly makes some motions stiff.
