@@ -14,7 +14,8 @@ class Contact(NamedTuple):
     """Position of the contact in the body frame.
 
     `reach` is its distance from the origin, and (a_x, a_y) the direction in which the origin moves in a
-    rotation about the contact.
+    rotation about the contact. `spin` is the rotation of a side that stays on the fence, NaN if the slider
+    can rotate about the contact.
     """
 
     x: float
@@ -22,6 +23,7 @@ class Contact(NamedTuple):
     reach: float
     a_x: float
     a_y: float
+    spin: float
 
 
 class Psi(NamedTuple):
@@ -71,8 +73,31 @@ def contact_at(x: float, y: float) -> Contact:
     """The contact at a position in the body frame."""
     reach = sqrt(x * x + y * y)
     if reach > 0.0:
-        return Contact(x, y, reach, y / reach, -x / reach)
-    return Contact(x, y, 0.0, 1.0, 0.0)
+        return Contact(x, y, reach, y / reach, -x / reach, UNKNOWN)
+    return Contact(x, y, 0.0, 1.0, 0.0, UNKNOWN)
+
+
+def hold_rotation(contact: Contact, spin: float) -> Contact:
+    """A contact about which the slider cannot rotate freely: a side that stays on the fence."""
+    return Contact(contact.x, contact.y, contact.reach, contact.a_x, contact.a_y, spin)
+
+
+def is_held(contact: Contact) -> bool:
+    """Whether the rotation of the slider is given."""
+    return contact.spin == contact.spin
+
+
+def held_potential(effects: Effects, contact: Contact, x: float, y: float) -> Psi:
+    """Psi at a motion of a contact with a given rotation."""
+    spin = contact.spin
+    v_x, v_y = x + spin * contact.y, y - spin * contact.x
+    total = resistance_about(effects, contact, v_x, v_y, spin, 0.0)
+    # Without a resistance to rotation, `potential_at` eliminates none.
+    total = Resistance(
+        total.f_x, total.f_y, total.torque, total.xx, total.xy, total.yy, 0.0, 0.0, 0.0,
+        0.0, NO_POINT, total.terms,
+    )  # fmt: skip
+    return potential_at(total, contact, v_x, v_y, spin, 0.0, x, y, 0.0, True)
 
 
 def resistance_about(

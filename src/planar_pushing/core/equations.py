@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from math import copysign, cos, fabs, log, sin, sqrt
 
+from planar_pushing.core.about import resistance_about
 from planar_pushing.core.directions import Rod, direction_at
 from planar_pushing.core.drag import depends_on_speed, problem_effects, put_loads_at, write_powers
 from planar_pushing.core.feet import arrival_speed, leaving_speed, slowest_foot_at, speed_of_passing
@@ -19,11 +20,17 @@ from planar_pushing.core.inertia import (
     push_in_mode,
     slowest_motion,
 )
-from planar_pushing.core.instant import Instant, instant_at_rest, load_power, support_of_side
+from planar_pushing.core.instant import (
+    Instant,
+    Support,
+    instant_at_rest,
+    load_power,
+    support_of_side,
+)
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers
 from planar_pushing.core.path import Path, find_root, first_sample, sample_at_infinity
 from planar_pushing.core.psi import guess_spin, psi
-from planar_pushing.core.rows import NO_POINT, Effects, resistance
+from planar_pushing.core.rows import NO_POINT, Effects
 from planar_pushing.core.run import (
     IN_LENGTH,
     IN_MASS,
@@ -41,6 +48,7 @@ from planar_pushing.core.shapes import (
     center_height,
     clearance_of,
     frame_angle,
+    hold_pose,
     is_steady_pusher,
     outline_height,
     pose_of,
@@ -50,7 +58,6 @@ from planar_pushing.core.shapes import (
     to_contact,
     travel_rate,
 )
-from planar_pushing.core.side import slip_of_side
 from planar_pushing.core.solution import SEPARATE, STICK
 from planar_pushing.core.system import (
     ALONG,
@@ -83,7 +90,6 @@ from planar_pushing.core.system import (
     System,
     contact_mode_of,
     energies_of,
-    is_loaded,
     is_massive,
     slip_side,
 )
@@ -107,7 +113,7 @@ def _quasi_static_motion(system: System, mode: Mode, time: float, state: Numbers
     put_loads_at(system, state[ANGLE])
     pose, effects = pose_of(system, state), problem_effects(system)
     if is_flush(system):
-        return _translation(system, effects, pose, mode, state, fence_x, fence_y)
+        pose = hold_pose(pose)
     slip, lift = 0.0, 0.0
     if mode.contact == STICK:
         u_x, u_y = to_body(pose.rod, fence_x, fence_y)
@@ -124,47 +130,16 @@ def _quasi_static_motion(system: System, mode: Mode, time: float, state: Numbers
         spin, slip, pivot = size * motion.spin, size * u_x - fence_x, motion.point
     power = f_x * (fence_x + slip) + f_y * fence_y
     power += load_power(system, pose, state, v_x, v_y, spin)
+    support = Support(0.0, UNKNOWN)
+    if is_flush(system):
+        x, y = to_body(pose.rod, v_x, v_y)
+        torque = resistance_about(effects, pose.contact, x, y, 0.0, 0.0).torque
+        support = support_of_side(side_length(system, state), f_y, torque)
+        if mode.contact != STICK and not lift > 0.0:
+            support = Support(support.offset, -fabs(support.press))
     return Instant(
         slip, 0.0, fence_x, fence_y, v_x, v_y, spin, sqrt(v_x * v_x + v_y * v_y), f_x, f_y,
-        power, 0.0, 0.0, 0.0, lift, pivot, 1.0, 0.0, UNKNOWN,
-    )  # fmt: skip
-
-
-def _translation(
-    system: System, effects: Effects, pose: Pose, mode: Mode, state: Numbers,
-    fence_x: float, fence_y: float,
-) -> Instant:  # fmt: skip
-    """The motion of a slider with a side on the fence."""
-    along, ahead = fence_x, 1.0
-    if mode.contact != STICK:
-        along = slip_of_side(system, effects, pose, mode, fence_y, is_loaded(system))
-        if along != along:
-            # The slip has ended. Until its end is located, it continues backwards.
-            ahead = -1.0
-            along = slip_of_side(system, effects, pose, mode, -fence_y, is_loaded(system))
-    if along != along or (along == 0.0 and fence_y == 0.0):
-        return _mark_unknown(instant_at_rest(fence_x, fence_y, 0.0, 0.0, 0.0, 0.0, 0.0), along)
-    x, y = to_body(pose.rod, along, ahead * fence_y)
-    total = resistance(effects, x, y, 0.0, 0.0)
-    f_x, f_y = to_contact(pose.rod, total.f_x, total.f_y)
-    torque = total.torque + (pose.x * f_y - pose.y * f_x)
-    support = support_of_side(side_length(system, state), f_y, torque)
-    press = support.press if ahead > 0.0 else -fabs(support.press)
-    along *= ahead
-    power = f_x * along + f_y * fence_y + load_power(system, pose, state, along, fence_y, 0.0)
-    return Instant(
-        along - fence_x, 0.0, fence_x, fence_y, along, fence_y, 0.0,
-        sqrt(along * along + fence_y * fence_y), f_x, f_y, power, 0.0, 0.0, 0.0, 0.0, NO_POINT, 1.0,
-        support.offset, press,
-    )  # fmt: skip
-
-
-def _mark_unknown(rest: Instant, along: float) -> Instant:
-    """A slider at rest, or a motion that is not found, if its component along the fence is NaN."""
-    return Instant(
-        rest.slip + along, rest.normal_speed, rest.fence_x, rest.fence_y, along, rest.v_y,
-        0.0 if along == along else UNKNOWN, rest.speed, rest.f_x, rest.f_y, rest.dissipated,
-        0.0, 0.0, 0.0, 0.0, NO_POINT, 1.0, 0.0, UNKNOWN,
+        power, 0.0, 0.0, 0.0, lift, pivot, 1.0, support.offset, support.press,
     )  # fmt: skip
 
 

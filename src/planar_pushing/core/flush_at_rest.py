@@ -80,7 +80,7 @@ def write_side_at_rest(
         held = hold.share <= 1.0 + SHARE
     if not held:
         return count
-    force = SideForce(0.0, hold.f_x + 0.0, hold.f_y + 0.0, hold.torque, 0.0, 0.0, size)
+    force = SideForce(0.0, hold.f_x + 0.0, hold.f_y + 0.0, hold.torque, size)
     return write_flush(flush, mode, force, False, solutions, count)
 
 
@@ -98,7 +98,7 @@ def _hold_on_verge(flush: FlushPush, mode: int, edge: Direction, size: float) ->
         f_x = f_y * (edge.x / edge.y)
     rest = load.x + f_x  # friction is opposite to it
     torque = -load.spin - rest * (still.weight_y / still.weight)
-    force = SideForce(0.0, f_x, f_y, torque, 0.0, 0.0, size)
+    force = SideForce(0.0, f_x, f_y, torque, size)
     bears: bool = f_y > 0.0 and is_between_ends(flush, force)
     share = fabs(rest) / still.weight if bears else INFINITY
     return Hold(f_x, f_y, torque, share, 0.0, Vector(0.0, 0.0, 0.0))
@@ -117,7 +117,7 @@ def _transmits(flush: FlushPush, mode: int, slip: Direction, hold: Hold, size: f
         or slip.x * hold.f_x + slip.y * hold.f_y <= 0.0
     ):
         return False
-    force = SideForce(0.0, hold.f_x, hold.f_y, hold.torque, 0.0, 0.0, size)
+    force = SideForce(0.0, hold.f_x, hold.f_y, hold.torque, size)
     return is_between_ends(flush, force)
 
 

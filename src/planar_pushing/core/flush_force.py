@@ -10,9 +10,7 @@ from __future__ import annotations
 from math import fabs
 from typing import NamedTuple
 
-from planar_pushing.core.about import resistance_about
 from planar_pushing.core.cone import Law
-from planar_pushing.core.directions import Direction, length_of
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.rows import NO_POINT, Mass, Vector, load_wrench, rough_mass, scale_effects
 from planar_pushing.core.solution import (
@@ -79,8 +77,6 @@ class SideForce(NamedTuple):
         Motion along the fence of the origin of the side.
     f_x, f_y, torque : float
         Force, and torque about the origin.
-    across, slope : float
-        The force across an edge, and its derivative with respect to s.
     size : float
         Magnitude of the terms of the force.
     """
@@ -89,8 +85,6 @@ class SideForce(NamedTuple):
     f_x: float
     f_y: float
     torque: float
-    across: float
-    slope: float
     size: float
 
 
@@ -140,35 +134,6 @@ def resist_translation(push: Push) -> Still:
 def _arm_of(mass: Mass) -> float:
     """Distance of the center of a mass, or of a pressure, from the point to which its moments refer."""
     return (fabs(mass.x) + fabs(mass.y)) / mass.mass if mass.mass > 0.0 else 0.0
-
-
-def force_on_side(flush: FlushPush, edge: Direction, s: float) -> SideForce:
-    """The force that sustains the motion whose component along the fence is s, which is not at rest."""
-    push, still, y, spin = flush.push, flush.still, flush.w_y, flush.spin
-    load = still.load
-    if spin == 0.0:
-        speed = length_of(s, y)
-        e_x, e_y = s / speed, y / speed
-        f_x = still.weight * e_x + still.mass * s - load.x
-        f_y = still.weight * e_y + still.mass * y - load.y
-        torque = (still.weight_x * e_y - still.weight_y * e_x) - load.spin
-        torque += still.mass_x * y - still.mass_y * s
-        # d e / d s is e_y / speed times the direction across e.
-        bend_x = still.weight * e_y * (e_y / speed) + still.mass
-        bend_y = -still.weight * e_x * (e_y / speed)
-    else:
-        t_x, t_y, contact = push.t_x, push.t_y, push.contact
-        u_x, u_y = t_x * s - t_y * y, t_x * y + t_y * s
-        v_x, v_y = u_x + spin * contact.y, u_y - spin * contact.x
-        total = resistance_about(push.effects, contact, v_x, v_y, spin, 0.0)
-        f_x, f_y = t_x * total.f_x + t_y * total.f_y, t_x * total.f_y - t_y * total.f_x
-        row_x, row_y = total.xx * t_x + total.xy * t_y, total.xy * t_x + total.yy * t_y
-        bend_x, bend_y = t_x * row_x + t_y * row_y, t_x * row_y - t_y * row_x
-        torque = total.torque
-    moved = fabs(s) + fabs(y) + fabs(spin) * still.lever
-    size = still.weight + still.mass * moved + fabs(load.x) + fabs(load.y)
-    across, slope = edge.x * f_y - edge.y * f_x, edge.x * bend_y - edge.y * bend_x
-    return SideForce(s, f_x, f_y, torque, across, slope, size)
 
 
 def noise_at_ends(flush: FlushPush, force: SideForce) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import fabs
+from math import fabs, sqrt
 
 from planar_pushing.core.about import contact_at
 from planar_pushing.core.cone import Law
@@ -14,6 +14,12 @@ from planar_pushing.core.flush_force import (
     MOST_FLUSH,
     START_FORCE,
     FlatSide,
+    FlushPush,
+    SideForce,
+    force_at_end,
+    force_at_start,
+    noise_at_ends,
+    resist_translation,
 )
 from planar_pushing.core.free import foot_at_center, free_twist
 from planar_pushing.core.kernels import RESULT, pushing_problem, write_results
@@ -102,9 +108,14 @@ def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solution
     count, scale = _write_separate(push, side, pusher, solutions)
     if scale == 0.0:
         return count  # as for one point, a slider and a fence at rest count as separate
-    flush_count = flush_modes(push, side, law, pusher.x, pusher.y, 0.0, scale, flush)
-    starts, _ = contact_modes(_push_at(push, side.start), law, pusher, at_start)
-    ends, _ = contact_modes(_push_at(push, side.end), law, pusher, at_end)
+    still = FlushPush(
+        push, side, law, pusher.x, pusher.y, 0.0, scale, resist_translation(push)
+    )  # fmt: skip
+    flush_count, starts, ends = flush_modes(still, flush), 0, 0
+    if _can_lift(still, SIDE_START):
+        starts, _ = contact_modes(_push_at(push, side.start), law, pusher, at_start)
+    if _can_lift(still, SIDE_END):
+        ends, _ = contact_modes(_push_at(push, side.end), law, pusher, at_end)
     if flush_count < 0 or starts < 0 or ends < 0:
         return UNSOLVED
     flush_count = _keep_lifting(push, side, SIDE_START, at_start, starts, flush, flush_count)
@@ -126,6 +137,47 @@ def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solution
                 _copy_columns(solutions[count * SIDE_SOLUTION :], solution, SOLUTION)
                 count = _mark_solution(solutions, count, 0.0, SIDE_END)
     return count
+
+
+def _can_lift(flush: FlushPush, touches: int) -> bool:
+    """Whether a contact at one end of the side can lift the other end off the fence.
+
+    Psi is convex. Its gradient is therefore monotone between a motion under a force f at the end and a
+    translation, and the rotation has the sign of the torque about the end that the translation lacks. For a
+    stick, this is the translation with the fence; for a slip without loads, the one along f in which the
+    contact is as fast along f, whose force is along f, too.
+    """
+    side, still, law = flush.side, flush.still, flush.law
+    load, w_x, w_y = still.load, flush.w_x, flush.w_y
+    speed = sqrt(w_x * w_x + w_y * w_y)
+    if speed == 0.0:
+        return True
+    part = still.weight / speed + still.mass
+    size = still.weight + still.mass * speed + fabs(load.x) + fabs(load.y)
+    one_x, one_y = still.weight_x / speed + still.mass_x, still.weight_y / speed + still.mass_y
+    torque = one_x * w_y - one_y * w_x - load.spin
+    force = SideForce(w_x, part * w_x - load.x, part * w_y - load.y, torque, size)
+    other = force_at_end(side, force) if touches == SIDE_START else force_at_start(side, force)
+    if not other > noise_at_ends(flush, force):
+        return True
+    if not law.slips:
+        return False
+    if load.x != 0.0 or load.y != 0.0 or load.spin != 0.0:
+        return True
+    place, sense = side.start, 1.0
+    if touches == SIDE_END:
+        place, sense = side.end, -1.0
+    return _can_turn(flush, law.left, place, sense) or _can_turn(flush, law.right, place, sense)
+
+
+def _can_turn(flush: FlushPush, edge: Direction, place: float, sense: float) -> bool:
+    """Whether a force along an edge of the cone at a place on the fence can turn the slider in a sense."""
+    still, lever = flush.still, fabs(place) + flush.still.lever
+    one = sense * ((still.weight_x - place * still.weight) * edge.y - still.weight_y * edge.x)
+    two = sense * ((still.mass_x - place * still.mass) * edge.y - still.mass_y * edge.x)
+    holds_one: bool = still.weight == 0.0 or one > COINCIDENT * still.weight * lever
+    holds_two: bool = still.mass == 0.0 or two > COINCIDENT * still.mass * lever
+    return not (holds_one and holds_two)
 
 
 def _copy_columns(target: Numbers, source: Numbers, count: int) -> None:

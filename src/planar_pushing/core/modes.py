@@ -11,7 +11,7 @@ from __future__ import annotations
 from math import copysign, fabs, sqrt
 from typing import NamedTuple
 
-from planar_pushing.core.about import Psi
+from planar_pushing.core.about import Psi, is_held
 from planar_pushing.core.cone import (
     BEYOND,
     JUST_WITHIN,
@@ -34,7 +34,7 @@ from planar_pushing.core.free import foot_at_center, free_twist
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.path import Path, Sample, first_sample, sample_of
 from planar_pushing.core.psi import guess_spin, psi
-from planar_pushing.core.rows import NO_POINT, Vector
+from planar_pushing.core.rows import NO_POINT, Vector, load_wrench, rough_mass, scale_effects
 from planar_pushing.core.slips import SLIP, SLIPS, find_slips
 from planar_pushing.core.solution import (
     CONTINUUM,
@@ -69,6 +69,8 @@ STEP_OF_NORMAL = 1152921504606846976.0
 #: Unit of the cells of a path without normal motion, relative to the motion without a pusher: friction
 #: changes direction where the contact is this slow relative to a rotation.
 FINE = 1e-4
+#: Farthest slip of a side that rotates, if no mass limits it.
+FARTHEST_SLIP = 1e12
 
 
 class Search(NamedTuple):
@@ -120,9 +122,35 @@ class Count(NamedTuple):
     flat: bool
 
 
+def _free_motion(push: Push) -> Vector:
+    """The twist without a contact force; of a side that stays on the fence, a translation."""
+    effects, load = push.effects, load_wrench(push.effects)
+    if not is_held(push.contact):
+        return free_twist(effects, Vector(0.0, 0.0, 0.0))
+    weight = rough_mass(scale_effects(effects, 1.0, 0.0), 1.0, 0.0, 0.0).mass
+    mass, size = (
+        rough_mass(scale_effects(effects, 0.0, 1.0), 1.0, 0.0, 0.0).mass,
+        sqrt(load.x * load.x + load.y * load.y),
+    )
+    part = (size - weight) / (mass * size) if mass > 0.0 and size > weight else 0.0
+    return Vector(part * load.x, part * load.y, 0.0)
+
+
+def _farthest_slip(push: Push) -> float:
+    """A motion along the fence beyond which the force of a side that rotates has the sign of the slip."""
+    effects, contact, load = push.effects, push.contact, load_wrench(push.effects)
+    spin, reach = fabs(contact.spin), 1.0 + contact.reach
+    weight = rough_mass(scale_effects(effects, 1.0, 0.0), 1.0, contact.x, contact.y).mass
+    mass = rough_mass(scale_effects(effects, 0.0, 1.0), 1.0, contact.x, contact.y)
+    if mass.mass == 0.0:
+        return FARTHEST_SLIP * (1.0 + spin * reach)
+    size = fabs(load.x) + fabs(load.y) + weight + spin * (fabs(mass.x) + fabs(mass.y))
+    return 2.0 * (size / mass.mass + 1.0 + spin * reach)
+
+
 def _write_separation(push: Push, solution: Numbers) -> None:
     """Write the motion without a contact force."""
-    rest, contact = free_twist(push.effects, Vector(0.0, 0.0, 0.0)), push.contact
+    rest, contact = _free_motion(push), push.contact
     u_x, u_y = rest.x - rest.spin * contact.y, rest.y + rest.spin * contact.x
     motion = ContactMotion(
         u_x, u_y, rest.x, rest.y, rest.spin, 0.0, 0.0, 0.0, 0.0, foot_at_center(push.effects, rest),
@@ -214,7 +242,8 @@ def _write_slips(
     force = push.t_x * search.f_x + push.t_y * search.f_y
     size = sqrt(search.f_x * search.f_x + search.f_y * search.f_y)
     rests: bool = pusher.x == 0.0 and pusher.y == 0.0
-    if slips.number < 0 or part <= 0.0:
+    turns: bool = is_held(push.contact) and push.contact.spin != 0.0
+    if slips.number < 0 or (part <= 0.0 and not turns):
         return slips
     # The force of a contact at rest is only one of a set, so it does not rule out slips.
     if side * force > COINCIDENT * size and not rests:
@@ -239,7 +268,9 @@ def _write_slips(
         first = slowest
     elif first == sense * search.rest_x and normal == rest_y:
         first += SLOW * search.scale  # the motion without a pusher has no force
-    if rests:
+    if turns:
+        first = sense * pusher.x - _farthest_slip(push)
+    if rests and not turns:
         # Nor is it the limit of the forces of slow slips, so the search ends before rest.
         end = first_sample(path, sense * side * SLOW * search.scale)
     else:

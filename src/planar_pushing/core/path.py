@@ -15,11 +15,11 @@ from __future__ import annotations
 from math import copysign, fabs, sqrt
 from typing import NamedTuple
 
-from planar_pushing.core.about import Contact, Psi
+from planar_pushing.core.about import Contact, Psi, is_held
 from planar_pushing.core.numbers import EPSILON, INFINITY, UNKNOWN
 from planar_pushing.core.psi import guess_spin, psi
 from planar_pushing.core.roots import is_last
-from planar_pushing.core.rows import NO_POINT, Effects, Position, foot_position
+from planar_pushing.core.rows import NO_POINT, Effects, Position, foot_position, is_steady
 from planar_pushing.core.tolerances import ALIGNED, FLAT, UNDERFLOW
 
 #: Maximum number of steps to a root.
@@ -84,6 +84,12 @@ def motion_at(path: Path, s: float) -> Position:
     return Position(path.p_x + s * path.d_x, path.p_y + s * path.d_y)
 
 
+def keeps_direction(path: Path) -> bool:
+    """Whether the direction of the force does not depend on the magnitude of the motion."""
+    turns: bool = is_held(path.contact) and path.contact.spin != 0.0
+    return is_steady(path.effects) and not turns
+
+
 def sample_path(path: Path, s: float, spin: float, point: int) -> Sample:
     """The motion at s, from a guess of its rotation and, at a kink, the number of its point."""
     u = motion_at(path, s)
@@ -129,7 +135,7 @@ def first_sample(path: Path, s: float) -> Sample:
 def nearest_kink(path: Path, low: float, high: float, s: float) -> Kink:
     """The kink nearest to s between two positions; NaN if there is none."""
     kink, distance = Kink(UNKNOWN, UNKNOWN, NO_POINT), INFINITY
-    for i in range(path.effects.feet):
+    for i in range(0 if is_held(path.contact) else path.effects.feet):
         foot = foot_position(path.effects, i)
         r_x, r_y = foot.x - path.contact.x, foot.y - path.contact.y
         ahead = path.d_x * r_x + path.d_y * r_y

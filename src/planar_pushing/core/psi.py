@@ -15,6 +15,8 @@ from math import copysign, fabs, sqrt
 from planar_pushing.core.about import (
     Contact,
     Psi,
+    held_potential,
+    is_held,
     potential_at,
     resistance_about,
 )
@@ -46,6 +48,8 @@ GROWTH = 8.0
 
 def guess_spin(effects: Effects, contact: Contact, x: float, y: float) -> float:
     """A first guess of the rotation of a contact that moves by (x, y), exact for a mass."""
+    if is_held(contact):
+        return contact.spin
     if x == 0.0 and y == 0.0:
         return 0.0
     rough = rough_mass(effects, sqrt(x * x + y * y), contact.x, contact.y)
@@ -77,7 +81,9 @@ def _psi_at_rest(effects: Effects, contact: Contact) -> Psi:
     If the slider is at rest, it is the opposite of the loads if friction holds the couple that then
     remains, and `_middle_force` otherwise.
     """
-    spin, load = spin_at_rest(effects, contact), load_wrench(effects)
+    spin, load = 0.0, load_wrench(effects)
+    if not is_held(contact):
+        spin = spin_at_rest(effects, contact)
     if spin == 0.0:
         force = Vector(-load.x, -load.y, 0.0)
         if not _holds_couple(effects, contact, load):
@@ -150,6 +156,8 @@ def psi(
     `point`, to within `tolerance` relative to the motion. If all rotations of an interval are solutions,
     that of `rotation_on_line` is chosen.
     """
+    if is_held(contact) and (x != 0.0 or y != 0.0 or contact.spin != 0.0):
+        return held_potential(effects, contact, x, y)
     if x == 0.0 and y == 0.0:
         return _psi_at_rest(effects, contact)
     return _psi_of_motion(effects, contact, x, y, guess, point, tolerance)

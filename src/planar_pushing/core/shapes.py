@@ -20,7 +20,7 @@ from __future__ import annotations
 from math import cos, fabs, sin, sqrt
 from typing import NamedTuple
 
-from planar_pushing.core.about import Contact, contact_at
+from planar_pushing.core.about import Contact, contact_at, hold_rotation
 from planar_pushing.core.directions import Rod
 from planar_pushing.core.fence import Span, fence_acceleration, fence_velocity
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers
@@ -96,6 +96,11 @@ class Pose(NamedTuple):
     y: float
     arm_x: float
     arm_y: float
+
+
+def hold_pose(pose: Pose) -> Pose:
+    """The pose of a slider with a side that stays on the fence."""
+    return Pose(pose.rod, hold_rotation(pose.contact, 0.0), pose.x, pose.y, pose.arm_x, pose.arm_y)
 
 
 def has_finger(system: System) -> bool:

@@ -12,12 +12,13 @@ from planar_pushing.core.flush_force import (
     MOST_FLUSH,
     START_FORCE,
     FlatSide,
+    FlushPush,
+    resist_translation,
 )
 from planar_pushing.core.free import foot_at_center, free_twist
-from planar_pushing.core.impact import edge_of_slip
-from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers
-from planar_pushing.core.rows import Effects, Vector, resistance
-from planar_pushing.core.shapes import Pose, to_body, to_contact
+from planar_pushing.core.numbers import Numbers
+from planar_pushing.core.rows import Vector
+from planar_pushing.core.shapes import Pose, to_contact
 from planar_pushing.core.solution import (
     FORCE,
     MODE,
@@ -29,13 +30,11 @@ from planar_pushing.core.solution import (
     UNSOLVED,
     Push,
 )
-from planar_pushing.core.system import Mode, System, law_of
-from planar_pushing.core.tolerances import COINCIDENT, ROUNDING, SLACK
+from planar_pushing.core.system import System, law_of
+from planar_pushing.core.tolerances import COINCIDENT
 
 #: Maximum number of solutions of a side on the fence.
 MOST_OF_SIDE = 1 + MOST_FLUSH
-#: Maximum number of Newton steps to a slip.
-SLIP_STEPS = 50
 
 
 def flush_or_free_modes(
@@ -72,10 +71,11 @@ def flush_or_free_modes(
     count, scale = _add_free_motion(push, pose, length, x, y, spin, 0.0, solutions)
     if scale == 0.0:
         return count
-    number = flush_modes(
+    flush = FlushPush(
         push, FlatSide(min(length, 0.0), max(length, 0.0)), law_of(system, pose.rod), x, y, spin, scale,
-        solutions[count * FLUSH_SOLUTION :],
+        resist_translation(push),
     )  # fmt: skip
+    number = flush_modes(flush, solutions[count * FLUSH_SOLUTION :])
     if number < 0:
         return UNSOLVED
     if count + number == 0:
@@ -131,46 +131,3 @@ def offset_in_solution(solution: Numbers, length: float) -> float:
         return 0.0
     at_other_end = solution[END_FORCE] if length > 0.0 else solution[START_FORCE]
     return at_other_end * length / normal if normal != 0.0 else 0.0
-
-
-def slip_of_side(
-    system: System, effects: Effects, pose: Pose, mode: Mode, normal: float, loaded: bool
-) -> float:
-    """Motion along the fence of a slipping side without inertia, NaN without one.
-
-    With loads it is the slip nearest to the one at the start of the mode or of its last step, or to one
-    that is proportional to the normal motion.
-    """
-    e_x, e_y = edge_of_slip(system, mode.contact)
-    if not e_y > SLACK:
-        return UNKNOWN
-    if not loaded:
-        return normal * e_x / e_y
-    along = _nearest_slip_of_side(effects, pose, e_x, e_y, mode.x, normal)
-    if along == along or mode.y == 0.0:
-        return along
-    return _nearest_slip_of_side(effects, pose, e_x, e_y, mode.x * (normal / mode.y), normal)
-
-
-def _nearest_slip_of_side(
-    effects: Effects, pose: Pose, e_x: float, e_y: float, along: float, normal: float
-) -> float:
-    """The slip whose force is along an edge, by Newton's method from a motion along the fence, or NaN."""
-    t_x, t_y = to_body(pose.rod, 1.0, 0.0)
-    b_x, b_y = to_body(pose.rod, e_x, e_y)
-    step = INFINITY
-    for _ in range(SLIP_STEPS):
-        x, y = to_body(pose.rod, along, normal)
-        if x == 0.0 and y == 0.0:
-            return UNKNOWN
-        total = resistance(effects, x, y, 0.0, 0.0)
-        across = b_x * total.f_y - b_y * total.f_x
-        row_x, row_y = total.xx * t_x + total.xy * t_y, total.xy * t_x + total.yy * t_y
-        slope = b_x * row_y - b_y * row_x
-        if slope == 0.0:
-            return UNKNOWN
-        step = across / slope
-        along -= step
-        if fabs(step) <= ROUNDING * (fabs(along) + fabs(normal)):
-            return along
-    return along if fabs(step) <= COINCIDENT * (fabs(along) + fabs(normal)) else UNKNOWN

@@ -18,12 +18,12 @@ from planar_pushing.core.path import (
     find_root,
     first_sample,
     is_flat,
+    keeps_direction,
     motion_at,
     nearest_kink,
     sample_near,
     sample_path,
 )
-from planar_pushing.core.rows import is_steady
 from planar_pushing.core.tolerances import COINCIDENT, FLAT, SLOWEST, TURN
 
 #: Width of a cell in asinh(s / normal component), and minimum number of cells.
@@ -41,7 +41,7 @@ SLIP = 4
 
 def _count_cells(path: Path, unit: float, first: float, last: float) -> int:
     """Number of cells between two positions on a path: one if the force across the edge is monotone."""
-    if is_steady(path.effects):
+    if keeps_direction(path):
         return 1
     return max(ceil((asinh(last / unit) - asinh(first / unit)) / CELL_WIDTH), FEWEST_CELLS)
 
@@ -156,7 +156,7 @@ def _can_be_flat(path: Path, straight: bool, position: int) -> bool:
     With effects of one degree any stretch can be. Otherwise only a stretch along the fence that begins at
     rest can be: elsewhere inertia adds a force across the edge that is proportional to the motion.
     """
-    return is_steady(path.effects) or (straight and position != OUTSIDE)
+    return keeps_direction(path) or (straight and position != OUTSIDE)
 
 
 def _flat_end_near(path: Path, straight: bool, sample: Sample, other: Sample) -> Sample:
@@ -229,7 +229,7 @@ def _write_root(
     """Write the slip between two motions of opposite signs, or both ends of a continuum."""
     s = low.s + min(max(_part_of_bracket(low, high), 0.05), 0.95) * (high.s - low.s)
     root = find_root(path, low, high, sample_near(path, low, s))
-    if is_steady(path.effects) and is_flat(path, root, fabs(root.s) + unit):
+    if keeps_direction(path) and is_flat(path, root, fabs(root.s) + unit):
         first = _flat_end_near(path, False, root, low)
         last = _flat_end_near(path, False, root, high)
         if first.s != root.s or last.s != root.s:
