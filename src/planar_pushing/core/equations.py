@@ -13,7 +13,6 @@ from planar_pushing.core.directions import Rod, direction_at
 from planar_pushing.core.drag import depends_on_speed, problem_effects, put_loads_at, write_powers
 from planar_pushing.core.feet import arrival_speed, leaving_speed, slowest_foot_at, speed_of_passing
 from planar_pushing.core.force import ContactMotion, motion_at_root, motion_under_force
-from planar_pushing.core.impact import cone_margin, edge_angle, edge_of_slip
 from planar_pushing.core.inertia import (
     motion_beside_push,
     motion_with_inertia,
@@ -30,6 +29,7 @@ from planar_pushing.core.instant import (
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers
 from planar_pushing.core.path import Path, find_root, first_sample, sample_at_infinity
 from planar_pushing.core.psi import guess_spin, psi
+from planar_pushing.core.reaction import cone_margin, edge_angle, edge_of_slip
 from planar_pushing.core.rows import NO_POINT, Effects
 from planar_pushing.core.run import (
     IN_LENGTH,

@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import copysign, exp, fabs, log, sqrt
 
 from planar_pushing.core.drag import Foot, friction_effects, slowest_foot
-from planar_pushing.core.impact import edge_of_slip
 from planar_pushing.core.numbers import UNKNOWN, Numbers
+from planar_pushing.core.reaction import edge_of_slip
 from planar_pushing.core.roots import ITERATIONS
 from planar_pushing.core.rows import foot_position
 from planar_pushing.core.run import (

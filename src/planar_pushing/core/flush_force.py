@@ -17,6 +17,7 @@ from planar_pushing.core.solution import (
     CONTINUUM,
     FORCE,
     MODE,
+    MOST_SOLUTIONS,
     MOTION,
     PIVOT,
     SOLUTION,
@@ -31,9 +32,8 @@ from planar_pushing.core.tolerances import SHARE
 START_FORCE = SOLUTION
 END_FORCE = SOLUTION + 1
 FLUSH_SOLUTION = SOLUTION + 2
-#: Maximum number of slips under one edge, and of flush solutions: the stick and the slips under both edges.
-FLUSH_SLIPS = 8
-MOST_FLUSH = 1 + 2 * FLUSH_SLIPS
+#: Maximum number of flush solutions: those that move, and one at rest in each mode.
+MOST_FLUSH = MOST_SOLUTIONS + 3
 
 
 class FlatSide(NamedTuple):
@@ -101,8 +101,6 @@ class FlushPush(NamedTuple):
         Motion of the fence along itself, and motion of the origin across the fence.
     spin : float
         Rotation of the slider.
-    scale : float
-        Magnitude of the motions of fence and slider: slips slower than the rounding error of this stick.
     still : Still
     """
 
@@ -112,7 +110,6 @@ class FlushPush(NamedTuple):
     w_x: float
     w_y: float
     spin: float
-    scale: float
     still: Still
 
 

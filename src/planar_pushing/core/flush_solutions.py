@@ -108,13 +108,11 @@ def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solution
     count, scale = _write_separate(push, side, pusher, solutions)
     if scale == 0.0:
         return count  # as for one point, a slider and a fence at rest count as separate
-    still = FlushPush(
-        push, side, law, pusher.x, pusher.y, 0.0, scale, resist_translation(push)
-    )  # fmt: skip
-    flush_count, starts, ends = flush_modes(still, flush), 0, 0
-    if _can_lift(still, SIDE_START):
+    held = FlushPush(push, side, law, pusher.x, pusher.y, 0.0, resist_translation(push))
+    flush_count, starts, ends = flush_modes(held, flush), 0, 0
+    if _can_lift(held, SIDE_START):
         starts, _ = contact_modes(_push_at(push, side.start), law, pusher, at_start)
-    if _can_lift(still, SIDE_END):
+    if _can_lift(held, SIDE_END):
         ends, _ = contact_modes(_push_at(push, side.end), law, pusher, at_end)
     if flush_count < 0 or starts < 0 or ends < 0:
         return UNSOLVED

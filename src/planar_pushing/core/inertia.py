@@ -20,9 +20,9 @@ from planar_pushing.core.feet import (
     speed_at_center,
     speed_of_foot,
 )
-from planar_pushing.core.impact import answer_of, answer_of_side, edge_of_slip, moment_of
 from planar_pushing.core.instant import Instant, Support, instant_at_rest, support_of_side
 from planar_pushing.core.numbers import UNKNOWN, Numbers
+from planar_pushing.core.reaction import edge_of_slip, moment_of, reaction_of, reaction_of_side
 from planar_pushing.core.rows import NO_POINT, foot_position
 from planar_pushing.core.run import (
     IN_MASS,
@@ -248,8 +248,8 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
     elif is_flush(system):
         length = side_length(system, state)
         lift = min(a_y - turn * pose.arm_x, a_y + turn * (length - pose.arm_x)) - b_y
-        answer = answer_of_side(system, mode.contact, a_x - b_x, a_y - b_y)
-        f_x, f_y, rate_x = answer.f_x, answer.f_y, answer.x
+        reaction = reaction_of_side(system, mode.contact, a_x - b_x, a_y - b_y)
+        f_x, f_y, rate_x = reaction.f_x, reaction.f_y, reaction.x
         torque = -(moment * turn + moment_of(pose, f_x, f_y))
         support, turn = support_of_side(length, f_y, torque), 0.0
     else:
@@ -257,8 +257,8 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
         free_x, lift = rates_of_contact(
             system, spin, slip, normal_speed, free_x - b_x, free_y - b_y
         )
-        answer = answer_of(system, pose, mode.contact, free_x, lift)
-        f_x, f_y, rate_x, rate_y = answer.f_x, answer.f_y, answer.x, answer.y
+        reaction = reaction_of(system, pose, mode.contact, free_x, lift)
+        f_x, f_y, rate_x, rate_y = reaction.f_x, reaction.f_y, reaction.x, reaction.y
         turn += moment_of(pose, f_x, f_y) / moment
     return Instant(
         slip, normal_speed, fence_x, fence_y, v_x, v_y, spin, sqrt(v_x * v_x + v_y * v_y),

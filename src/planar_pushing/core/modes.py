@@ -128,10 +128,8 @@ def _free_motion(push: Push) -> Vector:
     if not is_held(push.contact):
         return free_twist(effects, Vector(0.0, 0.0, 0.0))
     weight = rough_mass(scale_effects(effects, 1.0, 0.0), 1.0, 0.0, 0.0).mass
-    mass, size = (
-        rough_mass(scale_effects(effects, 0.0, 1.0), 1.0, 0.0, 0.0).mass,
-        sqrt(load.x * load.x + load.y * load.y),
-    )
+    mass = rough_mass(scale_effects(effects, 0.0, 1.0), 1.0, 0.0, 0.0).mass
+    size = sqrt(load.x * load.x + load.y * load.y)
     part = (size - weight) / (mass * size) if mass > 0.0 and size > weight else 0.0
     return Vector(part * load.x, part * load.y, 0.0)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import atan2
 
-from planar_pushing.core.directions import Direction, direction_at, rod_at
+from planar_pushing.core.directions import Direction, Rod, direction_at, rod_at
 from planar_pushing.core.drag import (
     problem_effects,
     put_loads_at,
@@ -13,13 +13,18 @@ from planar_pushing.core.drag import (
 )
 from planar_pushing.core.modes import contact_modes
 from planar_pushing.core.numbers import Numbers
+from planar_pushing.core.rows import Vector
 from planar_pushing.core.run import (
     IN_MASS,
+    IN_MASS_X,
+    IN_MASS_Y,
+    RUN_MOMENT,
 )
 from planar_pushing.core.shapes import (
     Pose,
     frame_angle,
     pose_with_rod,
+    to_body,
 )
 from planar_pushing.core.solution import (
     Push,
@@ -41,6 +46,17 @@ def prepare_start(system: System, state: Numbers, size: float) -> None:
     scale_films(system, 0.0)
     put_mass(system, size * system.scene[IN_MASS])
     put_loads_at(system, state[ANGLE])
+
+
+def momentum_over(
+    system: System, rod: Rod, v_x: float, v_y: float, spin: float, time: float
+) -> Vector:
+    """Momentum of a slider whose center has the velocity (v_x, v_y), in the body frame, over a time."""
+    scene = system.scene
+    x, y = to_body(rod, v_x, v_y)
+    mass, c_x, c_y = scene[IN_MASS], scene[IN_MASS_X], scene[IN_MASS_Y]
+    p_x, p_y = mass * (x - spin * c_y) / time, mass * (y + spin * c_x) / time
+    return Vector(p_x, p_y, system.run[RUN_MOMENT] * spin / time + (c_x * p_y - c_y * p_x))
 
 
 def pusher_along(pose: Pose, x: float, y: float, part: float) -> Direction:

@@ -72,7 +72,7 @@ def flush_or_free_modes(
     if scale == 0.0:
         return count
     flush = FlushPush(
-        push, FlatSide(min(length, 0.0), max(length, 0.0)), law_of(system, pose.rod), x, y, spin, scale,
+        push, FlatSide(min(length, 0.0), max(length, 0.0)), law_of(system, pose.rod), x, y, spin,
         resist_translation(push),
     )  # fmt: skip
     number = flush_modes(flush, solutions[count * FLUSH_SOLUTION :])

@@ -15,14 +15,11 @@ from typing import NamedTuple
 from planar_pushing.core.drag import load_at, put_load, put_loads_at, put_mass, scale_films
 from planar_pushing.core.flush_force import FLUSH_SOLUTION
 from planar_pushing.core.numbers import INFINITY, Numbers, zeros
-from planar_pushing.core.posing import modes_of_push
+from planar_pushing.core.posing import modes_of_push, momentum_over
 from planar_pushing.core.rows import NO_POINT, Vector
 from planar_pushing.core.run import (
     IN_MASS,
-    IN_MASS_X,
-    IN_MASS_Y,
     RUN_EVALUATIONS,
-    RUN_MOMENT,
     RUN_OTHER_END,
     RUN_PARTED,
     RUN_PATH,
@@ -39,7 +36,6 @@ from planar_pushing.core.shapes import (
     from_world,
     pose_of,
     size_of_twist,
-    to_body,
 )
 from planar_pushing.core.side import (
     MOST_OF_SIDE,
@@ -330,14 +326,12 @@ def _prepare_step(system: System, pose: Pose, h: float, size: float, before: flo
         return size
     load = load_at(system, angle)
     v_x, v_y = from_world(system, angle, run[RUN_TWIST], run[RUN_TWIST + 1])
-    x, y = to_body(pose.rod, v_x, v_y)
-    spin, mass, c_x, c_y = run[RUN_TWIST + 2], scene[IN_MASS], scene[IN_MASS_X], scene[IN_MASS_Y]
-    # Momentum of the center of mass, and about the slider's center, divided by the length of the step.
-    p_x, p_y = mass * (x - spin * c_y) / h, mass * (y + spin * c_x) / h
-    turn = run[RUN_MOMENT] * spin / h + (c_x * p_y - c_y * p_x)
-    push = h * sqrt(load.x * load.x + load.y * load.y) / mass
+    momentum = momentum_over(system, pose.rod, v_x, v_y, run[RUN_TWIST + 2], h)
+    push = h * sqrt(load.x * load.x + load.y * load.y) / scene[IN_MASS]
     unit = max(max(size, before), push)
     scale_films(system, unit)
-    put_mass(system, unit * mass / h)
-    put_load(system, Vector(load.x + p_x, load.y + p_y, load.spin + turn))
+    put_mass(system, unit * scene[IN_MASS] / h)
+    put_load(
+        system, Vector(load.x + momentum.x, load.y + momentum.y, load.spin + momentum.spin)
+    )  # fmt: skip
     return unit
