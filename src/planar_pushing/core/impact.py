@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import fabs, sqrt
 
 from planar_pushing.core.fence import Span
-from planar_pushing.core.flush_force import END_FORCE, FlatSide
+from planar_pushing.core.flush_force import FlatSide
 from planar_pushing.core.flush_solutions import (
     MOST_ON_SIDE,
     SIDE_END,
@@ -21,6 +21,7 @@ from planar_pushing.core.flush_solutions import (
 from planar_pushing.core.modes import contact_modes
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.posing import momentum_over, pusher_along
+from planar_pushing.core.reaction import moment_of, reaction_of, reaction_of_side
 from planar_pushing.core.rows import ENTRY, LAST, LOAD, MASS, NO_POINT, Vector, read_effects
 from planar_pushing.core.run import (
     IN_MASS,
@@ -32,13 +33,9 @@ from planar_pushing.core.run import (
 )
 from planar_pushing.core.shapes import center_motion, pose_of, pusher_velocity, to_world
 from planar_pushing.core.solution import (
-    FORCE,
     MODE,
-    MOTION,
     SEPARATE,
     SOLUTION,
-    STICK,
-    TWIST,
     Push,
 )
 from planar_pushing.core.system import (
@@ -89,46 +86,57 @@ def collide(
         if left >= 0:
             state[SPIN] = 0.0
         return GOES_ON
+    # Without an approach, to rounding, the contact can open.
+    other = SEPARATE if min(first, last) >= -slack else NO_MODE
+    fence_x, fence_y = pusher_velocity(system, during, time, state)
+    contact, touches = _choose_blow(
+        system, state, length, fence_x, fence_y, current, policy, other
+    )  # fmt: skip
+    if contact == NO_MODE:
+        return NO_IMPULSE
+    if contact != SEPARATE:
+        if touches == SIDE_END:
+            hold_contact(system, state, right, NO_POINT)
+        flush: bool = length != 0.0 and touches == WHOLE_SIDE
+        _strike(system, state, contact, flush, fence_x, fence_y)
+    return GOES_ON
+
+
+def _choose_blow(
+    system: System, state: Numbers, length: float, fence_x: float, fence_y: float,
+    current: int, policy: int, other: int,
+) -> tuple[int, int]:  # fmt: skip
+    """The preferred mode of an impact, or another one, and where it touches a side of a length."""
     data, row = zeros(3 * ENTRY), zeros(MASS_COLUMNS + LOAD_COLUMNS)
     solutions = zeros(MOST_ON_SIDE * SIDE_SOLUTION)
-    fence_x, fence_y = pusher_velocity(system, during, time, state)
-    pose, size = pose_of(system, state), sqrt(fence_x * fence_x + fence_y * fence_y)
-    u_x, u_y = fence_x + state[SLIP_SPEED], fence_y + first
-    unit = max(max(size, sqrt(u_x * u_x + u_y * u_y)), fabs(state[SPIN]))
-    v_x, v_y = center_motion(pose, u_x, u_y, state[SPIN])
-    momentum = momentum_over(system, pose.rod, v_x, v_y, state[SPIN], unit)
-    _write_inertia(system, momentum, data, row)
+    pose, spin, size = (
+        pose_of(system, state),
+        state[SPIN],
+        sqrt(fence_x * fence_x + fence_y * fence_y),
+    )
+    u_x, u_y = fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED]
+    unit = max(max(size, sqrt(u_x * u_x + u_y * u_y)), fabs(spin))
+    v_x, v_y = center_motion(pose, u_x, u_y, spin)
+    _write_inertia(system, momentum_over(system, pose.rod, v_x, v_y, spin, unit), data, row)
     push = Push(read_effects(data, row), pose.contact, pose.rod.x, -pose.rod.y)
     law, pusher = law_of(system, pose.rod), pusher_along(pose, fence_x, fence_y, size / unit)
-    width = SIDE_SOLUTION
-    if left >= 0:
-        number = side_modes(push, FlatSide(0.0, length), law, pusher, solutions)
-    else:
-        width = SOLUTION
+    if length == 0.0:
         number, _ = contact_modes(push, law, pusher, solutions)
-    # Without an approach, to rounding, the contact can open.
-    best, chosen = -1, SEPARATE if min(first, last) >= -slack else NO_MODE
-    faster = SIDE_START if first <= last else SIDE_END
-    for rank in range(3 if left >= 0 else 1):
-        touches = (
-            WHOLE_SIDE if rank == 0 else faster if rank == 1 else SIDE_START + SIDE_END - faster
-        )
         for i in range(number):
-            solution = solutions[i * width :]
-            contact = int(solution[MODE])
-            there: bool = left < 0 or int(solution[TOUCHES_AT]) == touches
-            if there and is_preferred(policy, current, contact, chosen):
-                best, chosen = i, contact
-    if chosen == NO_MODE:
-        return NO_IMPULSE
-    if chosen != SEPARATE:
-        solution, torque = solutions[best * width :], 0.0
-        if left >= 0 and int(solution[TOUCHES_AT]) == SIDE_END:
-            hold_contact(system, state, right, NO_POINT)
-        elif left >= 0 and int(solution[TOUCHES_AT]) == WHOLE_SIDE:
-            torque = unit * solution[END_FORCE] * length
-        _strike(system, state, solution, unit, torque, fence_x, fence_y)
-    return GOES_ON
+            contact = int(solutions[i * SOLUTION + MODE])
+            if is_preferred(policy, current, contact, other):
+                other = contact
+        return other, WHOLE_SIDE
+    number = side_modes(push, FlatSide(0.0, length), law, pusher, solutions)
+    chosen, first = WHOLE_SIDE, SIDE_START if spin >= 0.0 else SIDE_END
+    for k in range(3):
+        touches = WHOLE_SIDE if k == 0 else first if k == 1 else SIDE_START + SIDE_END - first
+        for i in range(number):
+            contact = int(solutions[i * SIDE_SOLUTION + MODE])
+            there: bool = int(solutions[i * SIDE_SOLUTION + TOUCHES_AT]) == touches
+            if there and is_preferred(policy, current, contact, other):
+                other, chosen = contact, touches
+    return other, chosen
 
 
 def _write_inertia(system: System, momentum: Vector, data: Numbers, row: Numbers) -> None:
@@ -143,16 +151,25 @@ def _write_inertia(system: System, momentum: Vector, data: Numbers, row: Numbers
 
 
 def _strike(
-    system: System, state: Numbers, solution: Numbers, unit: float, torque: float,
-    fence_x: float, fence_y: float,
-) -> None:  # fmt: skip
-    """Change the twist to that of a solution, by its impulse and a torque about the contact."""
-    p_x, p_y = unit * solution[FORCE], unit * solution[FORCE + 1]
+    system: System, state: Numbers, contact: int, flush: bool, fence_x: float, fence_y: float
+) -> None:
+    """Change the twist by the impulse of a mode at the contact, or along a side, which stops rotating.
+
+    The closed form has more digits than the solution, whose noise grows with the length of the rod.
+    """
+    pose, moment = pose_of(system, state), system.run[RUN_MOMENT]
     x, y, spin = state[SLIP_SPEED], state[NORMAL_SPEED], state[SPIN]
+    if flush:
+        impulse = reaction_of_side(system, contact, x - spin * pose.arm_y, y + spin * pose.arm_x)
+    else:
+        impulse = reaction_of(system, pose, contact, x, y)
+    p_x, p_y = impulse.f_x, impulse.f_y
+    turn = moment_of(pose, p_x, p_y)
     add_impulse(system, state, p_x, p_y)
-    sticks: bool = int(solution[MODE]) == STICK
-    state[SLIP_SPEED] = 0.0 if sticks else unit * solution[MOTION] - fence_x
-    state[NORMAL_SPEED], state[SPIN] = 0.0, unit * solution[TWIST + 2]
+    state[SLIP_SPEED], state[NORMAL_SPEED] = impulse.x, 0.0
+    state[SPIN] = 0.0 if flush else spin + turn / moment
     state[WORK] += p_x * fence_x + p_y * fence_y
-    twice = p_x * (x + state[SLIP_SPEED]) + p_y * y + torque * (spin + state[SPIN])
+    twice = p_x * (x + impulse.x) + p_y * y
+    if flush:
+        twice -= (moment * spin + turn) * spin
     state[LOST] -= twice / 2.0
