@@ -65,8 +65,10 @@ class State(NamedTuple):
         Twist of the origin.
     blur : float
         Speed below which a support point is at rest.
-    lever : float
-        Length of the rod, from the contact at (-lever, 0) to the origin.
+    contact : Position
+        Position of the contact.
+    held : bool
+        Whether a side stays on the fence, so that the slider does not rotate and any couple is in balance.
     t_x, t_y : float
         The pusher's tangent.
     f_x, f_y, e_x, e_y : float
@@ -87,7 +89,8 @@ class State(NamedTuple):
     y: float
     spin: float
     blur: float
-    lever: float
+    contact: Position
+    held: bool
     t_x: float
     t_y: float
     f_x: float
@@ -107,7 +110,8 @@ def responses(
     """Derivatives of each solution with respect to each parameter.
 
     After the effects, a row holds: length and angle of the rod; twist and force; angle of the edge;
-    condition, `STICK_CASE` to `FREE_CASE`; number of the pivot; whether the mode changes. A row of results
+    condition, `STICK_CASE` to `FREE_CASE`; number of the pivot; whether the mode changes; the place of the
+    contact along the fence, from the end of the rod; whether a side stays on the fence. A row of results
     holds: status, `SMOOTH` to `CHANGE`; for each component of the twist, then for each of the force, its
     derivatives with respect to the motion of the pusher along and across the fence (for a given force: its
     magnitude, and nothing), the position of the contact likewise, the angle of the force, a factor of each
@@ -138,6 +142,7 @@ def responses(
 def _state_at(effects: Effects, rod: Rod, solution: Numbers) -> State:
     """The solution in the columns after the effects."""
     t_x, t_y, condition = rod.x, -rod.y, int(solution[8])
+    contact = Position(solution[11] * t_x - rod.length, solution[11] * t_y)
     x, y = t_x * solution[2] - t_y * solution[3], t_y * solution[2] + t_x * solution[3]
     spin = solution[4]
     pivots: bool = solution[9] >= 0.0
@@ -148,11 +153,11 @@ def _state_at(effects: Effects, rod: Rod, solution: Numbers) -> State:
     edge = direction_at(rod, solution[7])
     m_x, m_y = -t_y, t_x
     if condition == LINE_CASE:
-        m_x, m_y = x, y - spin * rod.length
+        m_x, m_y = x - spin * contact.y, y + spin * contact.x
     blur = SLOW * (sqrt(x * x + y * y) + fabs(spin))
     total = _sharp_resistance(effects, x, y, spin, blur)
     return State(
-        effects, total, condition, x, y, spin, blur, rod.length, t_x, t_y,
+        effects, total, condition, x, y, spin, blur, contact, solution[12] != 0.0, t_x, t_y,
         t_x * solution[5] - t_y * solution[6], t_y * solution[5] + t_x * solution[6],
         edge.along, -edge.across, m_x, m_y,
         fabs(total.xx) + fabs(total.xy) + fabs(total.yy), pivots, pivot,
@@ -216,8 +221,9 @@ def _is_changing(state: State) -> bool:
     friction = sqrt(g_x * g_x + g_y * g_y)
     if state.condition == STICK_CASE:
         # The balance determines only the friction across the line to the contact.
-        r_x, r_y = state.pivot.x + state.lever, state.pivot.y
-        friction = fabs(total.torque + state.lever * total.f_y)
+        c_x, c_y = state.contact.x, state.contact.y
+        r_x, r_y = state.pivot.x - c_x, state.pivot.y - c_y
+        friction = fabs(total.torque - cross(c_x, c_y, total.f_x, total.f_y))
         limit *= sqrt(r_x * r_x + r_y * r_y)
     return not friction <= limit
 
@@ -275,6 +281,8 @@ def _write_change(state: State, k: int, right: Numbers) -> None:
         _write_motion_change(state, x, y, right)
     elif condition == FORCE_CASE and k == 0:
         right[3], right[4] = state.e_x / state.unit, state.e_y / state.unit
+    if state.held:
+        right[0] = 0.0
 
 
 def _write_motion_change(state: State, x: float, y: float, right: Numbers) -> None:
@@ -287,7 +295,7 @@ def _write_motion_change(state: State, x: float, y: float, right: Numbers) -> No
 
 def _makes_point_slide(state: State, x: float, y: float) -> bool:
     """Whether a change of a sticking contact's motion moves the pivot along its line to the contact."""
-    r_x, r_y = state.pivot.x + state.lever, state.pivot.y
+    r_x, r_y = state.pivot.x - state.contact.x, state.pivot.y - state.contact.y
     ahead, size = x * r_x + y * r_y, fabs(x) + fabs(y)
     return fabs(ahead) > SINGULAR * sqrt(r_x * r_x + r_y * r_y) * size
 
@@ -314,12 +322,14 @@ def _write_system(state: State, matrix: Numbers) -> None:
     """Write the matrix: balance of torques; balance of forces, or a pivot at rest; the condition."""
     total, unit = state.total, state.unit
     p_x, p_y = state.pivot.x, state.pivot.y
-    r_x, r_y = p_x + state.lever, p_y
+    r_x, r_y = p_x - state.contact.x, p_y - state.contact.y
     torque, one, other = matrix, matrix[SIDE:], matrix[2 * SIDE :]
     torque[0] = total.xs - (p_x * total.xy - p_y * total.xx)
     torque[1] = total.ys - (p_x * total.yy - p_y * total.xy)
     torque[2] = total.ss - (p_x * total.ys - p_y * total.xs)
     torque[3], torque[4] = -unit * r_y, unit * r_x
+    if state.held:
+        torque[0], torque[1], torque[2], torque[3], torque[4] = 0.0, 0.0, 1.0, 0.0, 0.0
     if not state.pivots:
         one[0], one[1], one[2], one[3] = total.xx, total.xy, total.xs, -unit
         other[0], other[1], other[2], other[4] = total.xy, total.yy, total.ys, -unit
@@ -336,10 +346,11 @@ def _write_system(state: State, matrix: Numbers) -> None:
 
 def _write_condition(state: State, one: Numbers, other: Numbers) -> None:
     """Write the two equations of the contact."""
+    c_x, c_y = state.contact.x, state.contact.y
     if state.condition == STICK_CASE:
-        one[0], other[1], other[2] = 1.0, 1.0, -state.lever
+        one[0], one[2], other[1], other[2] = 1.0, -c_y, 1.0, c_x
     elif state.condition <= LINE_CASE:
-        one[0], one[1], one[2] = state.m_x, state.m_y, -state.m_y * state.lever
+        one[0], one[1], one[2] = state.m_x, state.m_y, state.m_y * c_x - state.m_x * c_y
         other[3], other[4] = -state.e_y, state.e_x
     else:
         one[3], other[4] = 1.0, 1.0

@@ -34,7 +34,7 @@ from planar_pushing.mechanics.kernels.arrays import Output, elementwise, is_labe
 from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of
-from planar_pushing.mechanics.scene import Scene, require_one_point, require_scene
+from planar_pushing.mechanics.scene import Scene, require_scene
 from planar_pushing.mechanics.solution_arrays import SolutionArrays, as_dataset, solutions_from
 from planar_pushing.mechanics.solutions import Solution, Solutions
 from planar_pushing.terms.domain import Number, Numbers, Scalar, require_in_range, require_ratio
@@ -267,8 +267,8 @@ def solve(
     ------
     InvalidValue
         If a value, or m a / W with friction and inertia, is out of its range, or derivatives are requested
-        with a DataArray or for a flush side. An angle beyond 4 pi is refused because it is most likely in
-        degrees, and a tuple because it is most likely a velocity.
+        with a DataArray. An angle beyond 4 pi is refused because it is most likely in degrees, and a tuple
+        because it is most likely a velocity.
 
     Notes
     -----
@@ -292,7 +292,6 @@ def solve(
     columns = [*rows.columns, *rows.body, *rows.ends, *rows.law, *push]
     results = outputs(rows.is_steady, bool(rows.ends))
     if derivatives:
-        require_one_point(scene, "derivatives", "leave derivatives out")
         require_unlabeled(columns)
     answer = functools.partial(solve_arrays, rows)
     arrays = answer(*columns) if single else elementwise(answer, columns, results)

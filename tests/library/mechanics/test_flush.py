@@ -672,7 +672,6 @@ REFUSED = {
     "motion_centers": lambda scene: pp.motion_centers(scene, 1.0),
     "motion_angle": lambda scene: pp.motion_angle(scene, 1.0),
     "spin_ratio": lambda scene: pp.spin_ratio(scene, 1.0),
-    "derivatives": lambda scene: pp.solve(scene, 1.0, derivatives=True),
     "pusher": lambda scene: pp.to_mjcf(
         replace(
             scene, effects=(*scene.effects, pp.Inertia()),
@@ -691,3 +690,100 @@ def test_functions_about_one_point_refuse_a_side(name):
         pp.InvalidValue, match="a side that lies on the fence' given; allowed: a scene with"
     ):
         REFUSED[name](scene)
+
+
+def changed(scene, number, factor):
+    """The scene with the strength of an effect, or the coefficient of friction for -1, times a factor."""
+    if number < 0:
+        return replace(scene, contact=pp.Coulomb(factor * scene.contact.friction_coefficient))
+    effects = list(scene.effects)
+    effect = effects[number]
+    if isinstance(effect, pp.Load):
+        effects[number] = replace(effect, force=tuple(factor * part for part in effect.force))
+    else:
+        name = next(
+            name
+            for name in ("weight", "mass", "coefficient")
+            if getattr(effect, name, None) is not None
+        )
+        effects[number] = replace(effect, **{name: factor * getattr(effect, name)})
+    return replace(scene, effects=tuple(effects))
+
+
+def strength_of(effect):
+    return next(
+        getattr(effect, name)
+        for name in ("weight", "mass", "coefficient")
+        if getattr(effect, name, None) is not None
+    )
+
+
+def difference(scenes, angles, sizes, solution, step):
+    """Half the change of twist and force between two problems, per step; None where the mode is another."""
+    values = []
+    for scene, angle, size in zip(scenes, angles, sizes, strict=True):
+        near = [
+            each for each in pp.solve(scene, angle, size)
+            if (each.mode, each.flush) == (solution.mode, solution.flush)
+            and np.abs(each.twist - solution.twist).max() < 1e-3
+        ]  # fmt: skip
+        if len(near) != 1:
+            return None
+        values.append(np.concatenate([near[0].twist, near[0].force]))
+    return (values[1] - values[0]) / (2 * step)
+
+
+def test_derivatives_are_differences():
+    """Of every smooth solution of random sides, on the fence and about an end."""
+    step, compared = 1e-6, {True: 0, False: 0}
+    for seed in range(400):
+        scene, angle, size = random_scene(seed, feet=seed % 2 == 0)
+        if (seed // 8) % 9 == 8:
+            continue  # friction cannot hold its load
+        motion = size * np.array([np.cos(angle), np.sin(angle)])
+        for solution in pp.solve(scene, angle, size, derivatives=True):
+            by = solution.derivatives
+            if by.status not in (pp.Smoothness.SMOOTH, pp.Smoothness.PIVOT):
+                continue
+            columns = []
+            for k in range(2):
+                pushes = [motion + sign * step * np.eye(2)[k] for sign in (-1, 1)]
+                angles, sizes = (
+                    [np.arctan2(*push[::-1]) for push in pushes],
+                    map(np.hypot, *zip(*pushes, strict=True)),
+                )
+                expected = difference([scene] * 2, angles, list(sizes), solution, step)
+                columns.append((expected, by.twist_by_motion[:, k], by.force_by_motion[:, k]))
+            for number, effect in enumerate(scene.effects):
+                scenes = [changed(scene, number, 1 + sign * step) for sign in (-1, 1)]
+                expected = difference(scenes, [angle] * 2, [size] * 2, solution, step)
+                unit = 1.0 if isinstance(effect, pp.Load) else strength_of(effect)
+                columns.append(
+                    (
+                        expected,
+                        unit * by.twist_by_strength[:, number],
+                        unit * by.force_by_strength[:, number],
+                    )
+                )
+            if isinstance(scene.contact, pp.Coulomb) and scene.contact.friction_coefficient > 0:
+                scenes = [changed(scene, -1, 1 + sign * step) for sign in (-1, 1)]
+                expected = difference(scenes, [angle] * 2, [size] * 2, solution, step)
+                mu = scene.contact.friction_coefficient
+                columns.append((expected, mu * by.twist_by_mu, mu * by.force_by_mu))
+            for expected, twist, force in columns:
+                if expected is not None:
+                    compared[solution.flush] += 1
+                    largest = 1 + np.abs(expected).max()
+                    assert np.concatenate([twist, force]) == pytest.approx(
+                        expected, abs=1e-5 * largest
+                    ), seed
+    assert min(compared.values()) > 400
+
+
+def test_a_side_without_a_force_at_one_end_changes_its_mode():
+    """Pushed through its end, the table turns about it or not, whichever way the push turns."""
+    scene = side((pp.SupportFriction(support=SQUARE),), pp.Coulomb(1.0), ends=(0.0, 1.0))
+    (stick,) = pp.solve(scene, np.pi / 2, derivatives=True)
+    assert stick.flush
+    assert stick.end_forces[1, 0, 1] == 0.0
+    assert stick.derivatives.status is pp.Smoothness.CHANGE

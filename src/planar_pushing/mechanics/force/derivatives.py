@@ -25,6 +25,8 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.options import format_member, name_of
 
+#: Results of a side that say where it touches the fence.
+ON_SIDE = "flush", "force_position", "end_forces"
 #: The mode changes if a force is this close to an edge of the friction cone, relative to its magnitude, or
 #: a free motion this close to the pusher's: a little more than `solve` resolves.
 EDGE = 2e-12
@@ -40,7 +42,8 @@ class Smoothness(IntEnum):
     sticks and pivots, so the force is undetermined within an interval and its derivatives are NaN, as are
     those of the twist with respect to parameters whose change makes the point slide. `CHANGE`: the mode
     changes, and all derivatives are NaN: a sticking force on an edge of the friction cone, an end of a
-    continuum, a grazing fence, a pusher at rest, or a support point about to start or stop being a pivot.
+    continuum, a grazing fence, a pusher at rest, a support point about to start or stop being a pivot, or a
+    side on the fence without a force at one end.
     """
 
     NONE = 0
@@ -92,7 +95,8 @@ class Derivatives(_Common):
         With respect to the pusher's motion (u_x, u_y).
     twist_by_point : ndarray, shape S + (3, 2)
         With respect to the position of the contact on the slider, along x and y of the fence. Supports,
-        masses and the reference center of the twist stay fixed on the slider.
+        masses and the reference center of the twist stay fixed on the slider. Zero for a side that stays on
+        the fence.
     twist_by_mu : ndarray, shape S + (3,)
         With respect to the coefficient of contact friction; zero for laws without one.
     twist_by_strength : ndarray, shape S + (3, effects)
@@ -174,7 +178,10 @@ def solution_derivatives(
     count = len(rows.columns) + 3
     columns = [at_places(places, column) for column in inputs]
     names = "mode", "twist", "force", "contact_motion", "pivot", "continuum"
-    motions, by_mu = _motions(columns[count:], *(solutions[name][places] for name in names))
+    push = columns[count + len(rows.ends) :]
+    motions, by_mu = _motions(push, *(solutions[name][places] for name in names))
+    if rows.ends:
+        motions = _on_side(motions, *(solutions[name][places] for name in ON_SIDE))
     spread = [
         from_places(places, array) for array in (*responses(rows, columns[:count], motions), by_mu)
     ]
@@ -203,6 +210,19 @@ def _motions(
     sense = np.where(is_right, 1.0, np.where(rests | sticks, 0.0, -1.0))
     rate = sense * np.sin(right) ** 2
     return Motions(twist, force, np.where(is_right, left, right), condition, pivot, changes), rate
+
+
+def _on_side(motions: Motions, flush: Any, position: Array, forces: Array) -> Motions:
+    """Motions of a side that stays on the fence, or that turns about the end at a position.
+
+    The mode changes if no force acts at an end that is on the fence.
+    """
+    rests = motions.condition == FREE_CASE
+    tilts = (forces[..., 1] == 0.0).all(axis=2).any(axis=1)
+    return motions._replace(
+        changes=motions.changes | (flush & ~rests & tilts), held=flush & ~rests,
+        place=np.where(flush | rests, 0.0, position),
+    )  # fmt: skip
 
 
 def _cross(one: Array, other: Array) -> Array:

@@ -27,7 +27,11 @@ class Motions(NamedTuple):
     edge : float or ndarray
         Angle of the force.
     condition, pivot, changes : ndarray of int, shape (n,)
-        As in `respond`.
+        As in `responses` of the core.
+    place : float or ndarray
+        Position of the contact along the fence, from the end of the rod.
+    held : bool or ndarray
+        Whether a side stays on the fence.
     """
 
     twist: Array
@@ -36,10 +40,12 @@ class Motions(NamedTuple):
     condition: Any
     pivot: Any
     changes: Any
+    place: Any = 0.0
+    held: Any = False
 
 
 class Response(NamedTuple):
-    """Status, and derivatives of twists and forces with respect to the parameters of `respond`."""
+    """Status, and derivatives of twists and forces with respect to the parameters of `responses`."""
 
     status: npt.NDArray[Any]
     twist: Array
@@ -81,6 +87,7 @@ def responses(rows: Rows, columns: Sequence[Any], motions: Motions) -> Response:
     motion, force = np.column_stack([size, size, size / radius]), np.column_stack([unit, unit])
     scaled += [
         length, angle, *(motions.twist / motion).T, *(motions.force / force).T, *motions[2:5], changes,
+        motions.place / radius, np.asarray(motions.held, dtype=float),
     ]  # fmt: skip
     count = (("parameter", FIRST + len(rows.entries) + _count_feet(rows.entries)),)
     outputs = (
