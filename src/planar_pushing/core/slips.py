@@ -24,7 +24,7 @@ from planar_pushing.core.path import (
     sample_near,
     sample_path,
 )
-from planar_pushing.core.tolerances import COINCIDENT, FLAT, SLOWEST, TURN
+from planar_pushing.core.tolerances import COINCIDENT, FLAT, SLOW, SLOWEST, TURN
 
 #: Width of a cell in asinh(s / normal component), and minimum number of cells.
 CELL_WIDTH = 0.5
@@ -144,6 +144,8 @@ def _write_slips_between(
     if (low.after > 0.0) != (high.before > 0.0):
         return _write_root(path, unit, low, high, slips, count), OUTSIDE
     bottom = _bottom_of_dip(path, low, high)
+    if _is_zero(bottom, bottom.after):
+        return _write_slip(unit, bottom, False, slips, count), OUTSIDE
     if (bottom.after > 0.0) != (low.after > 0.0):
         count = _write_root(path, unit, low, bottom, slips, count)
         count = _write_root(path, unit, bottom, high, slips, count)
@@ -184,13 +186,16 @@ def _write_touching_slips(
     last = _flat_end_near(path, straight, high, low)
     starts: bool = first.s > low.s
     ends: bool = last.s < high.s
-    if _is_zero(low, low.after) and position != INSIDE and not (starts and position == AT_START):
+    # A path along the fence begins at rest, where a force along the edge is no slip.
+    rests: bool = straight and fabs(first.s) <= SLOW
+    begins: bool = rests or (starts and position == AT_START)
+    if _is_zero(low, low.after) and position != INSIDE and not begins:
         count = _write_slip(unit, low, starts, slips, count)
     if starts and ends:
         return count, INSIDE
-    if starts:
+    if starts and not rests:
         count = _write_slip(unit, first, True, slips, count)
-    elif position == INSIDE:
+    elif position == INSIDE and not rests:
         count = _write_slip(unit, low, True, slips, count)
     if ends:
         return _write_slip(unit, last, True, slips, count), INSIDE
@@ -202,9 +207,10 @@ def _write_touching_slips(
 def _bottom_of_dip(path: Path, low: Sample, high: Sample) -> Sample:
     """A motion between two at which the force has the opposite sign, or the lower motion if there is none.
 
-    The dip is halved while both slopes point into it and the tangents at its sides meet beyond zero.
+    The dip is halved while both slopes point into it and the tangents at its sides meet beyond zero. If the
+    force at its bottom is zero to rounding, the bottom is a double root.
     """
-    first, sign = low, 1.0 if low.after > 0.0 else -1.0
+    bottom, sign = low, 1.0 if low.after > 0.0 else -1.0
     at_low, at_high = fabs(low.after), fabs(high.before)
     for i in range(HALVINGS):
         width, low_slope, high_slope = high.s - low.s, sign * low.slope, sign * high.slope
@@ -214,13 +220,15 @@ def _bottom_of_dip(path: Path, low: Sample, high: Sample) -> Sample:
         if i > 0 and at_low + part * low_slope > 0.0:
             break
         middle = sample_near(path, low, low.s + width / 2.0)
-        if sign * middle.after < 0.0:
+        if _is_zero(middle, middle.after):
+            bottom = middle
+        elif sign * middle.after < 0.0:
             return middle
         if sign * middle.slope < 0.0:
             low, at_low = middle, fabs(middle.after)
         else:
             high, at_high = middle, fabs(middle.before)
-    return first
+    return bottom
 
 
 def _write_root(
