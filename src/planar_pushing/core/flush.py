@@ -15,6 +15,7 @@ from planar_pushing.core.flush_force import (
     FlushPush,
     SideForce,
     is_between_ends,
+    translation_force,
     write_flush,
 )
 from planar_pushing.core.free import free_twist
@@ -98,12 +99,16 @@ def _keep_between_ends(
 ) -> int:
     """Write a motion if its force crosses the side between its ends; return the number of solutions."""
     push, still, law = flush.push, flush.still, flush.law
-    v_x = push.t_x * point[TWIST] - push.t_y * point[TWIST + 1]
-    v_y = push.t_x * point[TWIST + 1] + push.t_y * point[TWIST]
-    total = resistance_about(push.effects, push.contact, v_x, v_y, flush.spin, 0.0)
-    moved = fabs(point[MOTION]) + fabs(point[MOTION + 1]) + fabs(flush.spin) * still.lever
+    x, y = point[MOTION], point[MOTION + 1]
+    if flush.spin == 0.0:
+        torque = translation_force(still, x, y).torque
+    else:
+        v_x = push.t_x * point[TWIST] - push.t_y * point[TWIST + 1]
+        v_y = push.t_x * point[TWIST + 1] + push.t_y * point[TWIST]
+        torque = resistance_about(push.effects, push.contact, v_x, v_y, flush.spin, 0.0).torque
+    moved = fabs(x) + fabs(y) + fabs(flush.spin) * still.lever
     size = still.weight + still.mass * moved + fabs(still.load.x) + fabs(still.load.y)
-    force = SideForce(point[MOTION], point[FORCE], point[FORCE + 1], total.torque, size)
+    force = SideForce(x, point[FORCE], point[FORCE + 1], torque, size)
     if not (law.rough and mode == STICK) and not is_between_ends(flush, force):
         return count
     return write_flush(flush, mode, force, point[CONTINUUM] != 0.0, solutions, count)

@@ -7,7 +7,7 @@ all points of the slider move alike, and the force has a closed form.
 
 from __future__ import annotations
 
-from math import fabs
+from math import fabs, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.cone import Law
@@ -131,6 +131,20 @@ def resist_translation(push: Push) -> Still:
 def _arm_of(mass: Mass) -> float:
     """Distance of the center of a mass, or of a pressure, from the point to which its moments refer."""
     return (fabs(mass.x) + fabs(mass.y)) / mass.mass if mass.mass > 0.0 else 0.0
+
+
+def translation_force(still: Still, x: float, y: float) -> SideForce:
+    """The force that sustains a translation of the slider, which is not zero."""
+    most, load = max(fabs(x), fabs(y)), still.load
+    e_x, e_y = x / most, y / most  # the squares of the slowest motions underflow
+    length = sqrt(e_x * e_x + e_y * e_y)
+    e_x, e_y = e_x / length, e_y / length
+    f_x = still.weight * e_x + still.mass * x - load.x
+    f_y = still.weight * e_y + still.mass * y - load.y
+    torque = still.weight_x * e_y - still.weight_y * e_x - load.spin
+    torque += still.mass_x * y - still.mass_y * x
+    size = still.weight + still.mass * most * length + fabs(load.x) + fabs(load.y)
+    return SideForce(x, f_x, f_y, torque, size)
 
 
 def noise_at_ends(flush: FlushPush, force: SideForce) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import fabs, sqrt
+from math import fabs
 
 from planar_pushing.core.about import contact_at
 from planar_pushing.core.cone import Law
@@ -15,11 +15,11 @@ from planar_pushing.core.flush_force import (
     START_FORCE,
     FlatSide,
     FlushPush,
-    SideForce,
     force_at_end,
     force_at_start,
     noise_at_ends,
     resist_translation,
+    translation_force,
 )
 from planar_pushing.core.free import foot_at_center, free_twist
 from planar_pushing.core.kernels import RESULT, pushing_problem, write_results
@@ -145,16 +145,10 @@ def _can_lift(flush: FlushPush, touches: int) -> bool:
     stick, this is the translation with the fence; for a slip without loads, the one along f in which the
     contact is as fast along f, whose force is along f, too.
     """
-    side, still, law = flush.side, flush.still, flush.law
-    load, w_x, w_y = still.load, flush.w_x, flush.w_y
-    speed = sqrt(w_x * w_x + w_y * w_y)
-    if speed == 0.0:
+    side, load, law = flush.side, flush.still.load, flush.law
+    if flush.w_x == 0.0 and flush.w_y == 0.0:
         return True
-    part = still.weight / speed + still.mass
-    size = still.weight + still.mass * speed + fabs(load.x) + fabs(load.y)
-    one_x, one_y = still.weight_x / speed + still.mass_x, still.weight_y / speed + still.mass_y
-    torque = one_x * w_y - one_y * w_x - load.spin
-    force = SideForce(w_x, part * w_x - load.x, part * w_y - load.y, torque, size)
+    force = translation_force(flush.still, flush.w_x, flush.w_y)
     other = force_at_end(side, force) if touches == SIDE_START else force_at_start(side, force)
     if not other > noise_at_ends(flush, force):
         return True

@@ -21,7 +21,7 @@ MASS = [rows.MASS, 0, 0, 0, rows.LAST, 4, 0, 0], [2.0, GYRATION, 0.0, 0.0]
 
 def derivatives(condition, lever, twist, force, edge):
     """Status, and derivatives of the twist and the force of a mass whose rod is along the fence."""
-    solution = [lever, 0.0, *twist, *force, edge, condition, -1, 0]
+    solution = [lever, 0.0, *twist, *force, edge, condition, -1, 0, 0.0, 0]
     (result,) = run("responses", MASS[0], [[*MASS[1], *solution]], 1 + 5 * 6)
     return int(result[0]), result[1:].reshape(5, 6)
 
@@ -70,7 +70,7 @@ def test_a_slip_whose_contact_moves_along_the_fence_has_no_derivatives():
     """Along the edge nothing determines the motion: the force is along the motion of the ring's center."""
     data, twist = [rows.RING, 0, 0, 0, rows.LAST, 1, 0, 0], [1.0, 0.0, 0.0]
     for condition, status in ((sensitivity.SLIP_CASE, 4), (sensitivity.STICK_CASE, 1)):
-        row = [1.0, 2.0, 0.0, *twist, 1.0, 0.0, 0.0, condition, -1, 0]
+        row = [1.0, 2.0, 0.0, *twist, 1.0, 0.0, 0.0, condition, -1, 0, 0.0, 0]
         (result,) = run("responses", data, [row], 31)
         assert result[0] == status
         assert np.isnan(result[1:]).all() == (status == sensitivity.CHANGE)

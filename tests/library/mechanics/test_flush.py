@@ -787,3 +787,15 @@ def test_a_side_without_a_force_at_one_end_changes_its_mode():
     assert stick.flush
     assert stick.end_forces[1, 0, 1] == 0.0
     assert stick.derivatives.status is pp.Smoothness.CHANGE
+
+
+@pytest.mark.parametrize("magnitude", [0.01, 0.3, 1.0, 3.0])
+def test_a_force_along_the_fence_that_rubs_at_rest_is_no_slip(magnitude):
+    """Feet on the fence's line under infinite friction, and a mass above, which no slip could turn."""
+    feet = pp.SupportFriction(support=pp.Points([(-1, 0), (0, 0), (1, 0)]))
+    scene = pp.scene_at(
+        side=0, effects=(feet, pp.Inertia(center=(0, 1))), contact=pp.InfiniteFriction(),
+        outline=[(-1, 0), (1, 0), (1, 2), (-1, 2)],
+    )  # fmt: skip
+    solutions = pp.solve(scene, 0.0, magnitude)
+    assert [(each.mode, each.flush) for each in solutions] == [(SEPARATE, False), (STICK, False)]

@@ -79,3 +79,23 @@ def test_definition_2_at_the_edge_of_its_open_cone(effects):
     assert not pp.motion_cone(scene).closed
     assert names(pp.solve(scene, left)) == []
     assert names(pp.solve(scene, left - 0.2)) == ["STICK"]
+
+
+@pytest.mark.parametrize("angle", [0.0, np.pi])
+def test_a_tangent_root_is_one_slip(angle):
+    """Between the centers of pressure and mass the normal force touches zero and does not cross it.
+
+    The motion of the contact was computed with more digits; the other one is its mirror image.
+    """
+    feet = pp.Points([(-1.0, 0.0), (1.0, 1.0), (1.0, -1.0)])
+    mass = pp.Inertia(gyration_radius=2.0, center=(-0.5, 0.0))
+    scene = pp.Scene(
+        slider=pp.Slider(rod_length=0.0, rod_angle=np.pi / 4), contact=pp.InfiniteFriction(),
+        effects=(pp.SupportFriction(support=feet, weight=0.59268763), mass),
+    )  # fmt: skip
+    sense = np.cos(angle)
+    slips = [each for each in pp.solve(scene, angle) if each.mode.name.startswith("SLIP")]
+    assert [each.mode.name for each in slips] == ["SLIP_LEFT" if sense > 0 else "SLIP_RIGHT"]
+    # The weight has eight digits, and a double root half of them.
+    assert slips[0].contact_motion == pytest.approx([0.3951250816 * sense, 0.0], abs=1e-7)
+    assert slips[0].force == pytest.approx([0.98781 * sense, 0.0], abs=1e-5)
