@@ -131,7 +131,8 @@ def _quasi_static_motion(system: System, mode: Mode, time: float, state: Numbers
     power = f_x * (fence_x + slip) + f_y * fence_y
     power += load_power(system, pose, state, v_x, v_y, spin)
     support = Support(0.0, UNKNOWN)
-    if is_flush(system):
+    moves: bool = v_x * v_x + v_y * v_y > 0.0
+    if moves and is_flush(system):
         x, y = to_body(pose.rod, v_x, v_y)
         torque = resistance_about(effects, pose.contact, x, y, 0.0, 0.0).torque
         support = support_of_side(side_length(system, state), f_y, torque)
