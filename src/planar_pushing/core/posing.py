@@ -49,14 +49,14 @@ def prepare_start(system: System, state: Numbers, size: float) -> None:
 
 
 def momentum_over(
-    system: System, rod: Rod, v_x: float, v_y: float, spin: float, time: float
+    system: System, rod: Rod, v_x: float, v_y: float, spin: float, divisor: float
 ) -> Vector:
-    """Momentum of a slider whose center has the velocity (v_x, v_y), in the body frame, over a time."""
+    """Momentum of a slider whose center has the velocity (v_x, v_y), in the body frame, over a divisor."""
     scene = system.scene
     x, y = to_body(rod, v_x, v_y)
     mass, c_x, c_y = scene[IN_MASS], scene[IN_MASS_X], scene[IN_MASS_Y]
-    p_x, p_y = mass * (x - spin * c_y) / time, mass * (y + spin * c_x) / time
-    return Vector(p_x, p_y, system.run[RUN_MOMENT] * spin / time + (c_x * p_y - c_y * p_x))
+    p_x, p_y = mass * (x - spin * c_y) / divisor, mass * (y + spin * c_x) / divisor
+    return Vector(p_x, p_y, system.run[RUN_MOMENT] * spin / divisor + (c_x * p_y - c_y * p_x))
 
 
 def pusher_along(pose: Pose, x: float, y: float, part: float) -> Direction:
