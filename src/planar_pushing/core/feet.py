@@ -181,11 +181,12 @@ def _rate_before(along: float, free: float, most: float) -> float:
 def leaving_friction(
     system: System, pose: Pose, contact: int, q_x: float, q_y: float, p_x: float, p_y: float,
     share: float,
-) -> tuple[float, float]:  # fmt: skip
-    """Friction at a support point at the center of rotation that begins to move.
+) -> tuple[float, float, bool]:  # fmt: skip
+    """Friction at a support point at the center of rotation that begins to move, and whether it can.
 
     It opposes the acceleration that it leaves: with the compliance B of the point in this mode,
-    ``a = B (f - p)`` and ``f = -share a / |a|``.
+    ``a = B (f - p)`` and ``f = -share a / |a|``. In a slip, B can have a negative determinant; the point
+    can then leave although friction could hold it.
 
     Parameters
     ----------
@@ -237,7 +238,7 @@ def leaving_friction(
     if not size > 0.0 or not carried > share:
         f_x, f_y, size = p_x, p_y, carried
     part = share / size if size > 0.0 else 0.0
-    return part * f_x, part * f_y
+    return part * f_x, part * f_y, low > 0.0 or carried > share
 
 
 def speed_of_passing(system: System, pose: Pose, v_x: float, v_y: float, spin: float) -> float:

@@ -46,7 +46,7 @@ def flush_modes(flush: FlushPush, solutions: Numbers) -> int:
     flush : FlushPush
         In a rotation a support point exactly at the center of rotation has no friction.
     solutions : Numbers
-        Room for `MOST_FLUSH` solutions of `FLUSH_SOLUTION` columns.
+        Room for `MOST_FLUSH` solutions of `SOLUTION` columns.
 
     Returns
     -------

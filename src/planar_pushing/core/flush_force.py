@@ -15,23 +15,20 @@ from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.rows import NO_POINT, Mass, Vector, load_wrench, rough_mass, scale_effects
 from planar_pushing.core.solution import (
     CONTINUUM,
+    END_FORCE,
     FORCE,
     MODE,
     MOST_SOLUTIONS,
     MOTION,
     PIVOT,
     SOLUTION,
+    START_FORCE,
     TWIST,
     UNSOLVED,
     Push,
 )
 from planar_pushing.core.tolerances import SHARE
 
-#: Columns of a flush solution after those of any solution: the normal forces at the start and the end of
-#: the side.
-START_FORCE = SOLUTION
-END_FORCE = SOLUTION + 1
-FLUSH_SOLUTION = SOLUTION + 2
 #: Maximum number of flush solutions: those that move, and one at rest in each mode.
 MOST_FLUSH = MOST_SOLUTIONS + 3
 
@@ -176,7 +173,7 @@ def write_flush(
     """Write a solution, and return the number of solutions."""
     if count < 0 or count == MOST_FLUSH:
         return UNSOLVED
-    push, spin, y, solution = flush.push, flush.spin, flush.w_y, solutions[FLUSH_SOLUTION * count :]
+    push, spin, y, solution = flush.push, flush.spin, flush.w_y, solutions[SOLUTION * count :]
     c_x = -(push.t_x * push.contact.x + push.t_y * push.contact.y)
     c_y = -(push.t_x * push.contact.y - push.t_y * push.contact.x)
     solution[MODE], solution[PIVOT] = float(mode), float(NO_POINT)

@@ -9,10 +9,7 @@ from planar_pushing.core.cone import Law
 from planar_pushing.core.directions import Direction
 from planar_pushing.core.flush import flush_modes
 from planar_pushing.core.flush_force import (
-    END_FORCE,
-    FLUSH_SOLUTION,
     MOST_FLUSH,
-    START_FORCE,
     FlatSide,
     FlushPush,
     force_at_end,
@@ -28,6 +25,7 @@ from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers, zeros
 from planar_pushing.core.rows import Vector, count_columns, read_effects
 from planar_pushing.core.solution import (
     CONTINUUM,
+    END_FORCE,
     FORCE,
     FORCE_END,
     MODE,
@@ -37,19 +35,21 @@ from planar_pushing.core.solution import (
     SEPARATE,
     SLIP_LEFT,
     SOLUTION,
+    START_FORCE,
     STICK,
     TWIST,
     UNSOLVED,
     Push,
+    copy_solution,
 )
 from planar_pushing.core.tolerances import ALMOST_FLUSH, COINCIDENT
 
 #: Where a solution touches the fence: nowhere or along the whole side, at its start, at its end.
 WHOLE_SIDE, SIDE_START, SIDE_END = range(3)
-#: Columns of a solution after those of a flush one: whether it is flush, and where it touches the fence.
-IS_FLUSH = FLUSH_SOLUTION
-TOUCHES_AT = FLUSH_SOLUTION + 1
-SIDE_SOLUTION = FLUSH_SOLUTION + 2
+#: Columns of a solution after those of any solution: whether it is flush, and where it touches the fence.
+IS_FLUSH = SOLUTION
+TOUCHES_AT = SOLUTION + 1
+SIDE_SOLUTION = SOLUTION + 2
 #: Maximum number of flush solutions, some of which come from contacts at an end, and of all solutions.
 MOST_FLUSH_WITH_ENDS = MOST_FLUSH + 2 * MOST_SOLUTIONS
 MOST_ON_SIDE = 1 + MOST_FLUSH_WITH_ENDS
@@ -103,7 +103,7 @@ def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solution
 
     These include contacts at one end; `flush_or_free_modes` has only those that a run looks for on a side.
     """
-    flush = zeros(MOST_FLUSH_WITH_ENDS * FLUSH_SOLUTION)
+    flush = zeros(MOST_FLUSH_WITH_ENDS * SOLUTION)
     at_start, at_end = zeros(MOST_SOLUTIONS * SOLUTION), zeros(MOST_SOLUTIONS * SOLUTION)
     count, scale = _write_separate(push, side, pusher, solutions)
     if scale == 0.0:
@@ -120,19 +120,19 @@ def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solution
     flush_count = _keep_lifting(push, side, SIDE_END, at_end, ends, flush, flush_count)
     for mode in range(STICK, SLIP_LEFT + 1):
         for i in range(flush_count):
-            solution = flush[i * FLUSH_SOLUTION :]
+            solution = flush[i * SOLUTION :]
             if solution[MODE] == float(mode):
-                _copy_columns(solutions[count * SIDE_SOLUTION :], solution, FLUSH_SOLUTION)
+                copy_solution(solutions[count * SIDE_SOLUTION :], solution)
                 count = _mark_solution(solutions, count, 1.0, WHOLE_SIDE)
         for i in range(starts):
             solution = at_start[i * SOLUTION :]
             if solution[MODE] == float(mode):
-                _copy_columns(solutions[count * SIDE_SOLUTION :], solution, SOLUTION)
+                copy_solution(solutions[count * SIDE_SOLUTION :], solution)
                 count = _mark_solution(solutions, count, 0.0, SIDE_START)
         for i in range(ends):
             solution = at_end[i * SOLUTION :]
             if solution[MODE] == float(mode):
-                _copy_columns(solutions[count * SIDE_SOLUTION :], solution, SOLUTION)
+                copy_solution(solutions[count * SIDE_SOLUTION :], solution)
                 count = _mark_solution(solutions, count, 0.0, SIDE_END)
     return count
 
@@ -170,11 +170,6 @@ def _can_turn(flush: FlushPush, edge: Direction, place: float, sense: float) -> 
     holds_one: bool = still.weight == 0.0 or one > COINCIDENT * still.weight * lever
     holds_two: bool = still.mass == 0.0 or two > COINCIDENT * still.mass * lever
     return not (holds_one and holds_two)
-
-
-def _copy_columns(target: Numbers, source: Numbers, count: int) -> None:
-    for k in range(count):
-        target[k] = source[k]
 
 
 def _mark_solution(solutions: Numbers, count: int, flush: float, touches: int) -> int:
@@ -244,7 +239,7 @@ def _keep_lifting(
             if is_flush and same < 0:
                 flush_count = _add_flush(touches, point, flush, flush_count)
             if same >= 0 and point[CONTINUUM] != 0.0:
-                flush[same * FLUSH_SOLUTION + CONTINUUM] = 1.0
+                flush[same * SOLUTION + CONTINUUM] = 1.0
             if is_flush or same >= 0 or turn < 0.0:
                 point[MODE] = float(SEPARATE)
     return flush_count
@@ -265,7 +260,7 @@ def _same_flush(
     a small support magnifies.
     """
     for i in range(flush_count):
-        solution = flush[i * FLUSH_SOLUTION :]
+        solution = flush[i * SOLUTION :]
         other = solution[END_FORCE] if touches == SIDE_START else solution[START_FORCE]
         nearest = ALMOST_FLUSH if other == 0.0 else COINCIDENT
         deviation = fabs(point[MOTION] - solution[MOTION]) + fabs(
@@ -279,8 +274,8 @@ def _same_flush(
 
 def _add_flush(touches: int, point: Numbers, flush: Numbers, flush_count: int) -> int:
     """Add a contact at an end as a flush solution, and return the number of flush solutions."""
-    solution = flush[flush_count * FLUSH_SOLUTION :]
-    _copy_columns(solution, point, SOLUTION)
+    solution = flush[flush_count * SOLUTION :]
+    copy_solution(solution, point)
     force = point[FORCE + 1]
     solution[START_FORCE] = force if touches == SIDE_START else 0.0
     solution[END_FORCE] = 0.0 if touches == SIDE_START else force

@@ -239,7 +239,10 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
         hold = (total.limit - carried) / (total.limit + carried)
         if not mode.hinged:
             # At a point that begins to move, friction equals its full share.
-            p_x, p_y = leaving_friction(system, pose, mode.contact, q_x, q_y, p_x, p_y, total.limit)
+            p_x, p_y, leaves = leaving_friction(
+                system, pose, mode.contact, q_x, q_y, p_x, p_y, total.limit
+            )
+            hold = 1.0 if leaves else -1.0
             a_x, a_y = a_x + p_x / mass, a_y + p_y / mass
             turn += (q_x * p_y - q_y * p_x) / moment
             dissipated -= p_x * (v_x - t_x) + p_y * (v_y - t_y)

@@ -34,7 +34,8 @@ class Instant(NamedTuple):
     pivot : int
         Number of the support point about which the slider pivots, -1 without one.
     hold : float
-        Margin of the friction force that holds a hinge, 1 without a hinge.
+        Margin of the friction force that holds a hinge; 1 without a hinge, and -1 at a support point that
+        cannot leave the center of rotation.
     offset : float
         Place of the force along the pusher, from the contact.
     press : float

@@ -1,4 +1,4 @@
-"""The modes of a side that lies on the fence, during a run."""
+"""The modes of a contact during a run: of a point, or of a side that lies on the fence."""
 
 from __future__ import annotations
 
@@ -7,25 +7,25 @@ from math import fabs, sqrt
 from planar_pushing.core.drag import problem_effects
 from planar_pushing.core.flush import flush_modes
 from planar_pushing.core.flush_force import (
-    END_FORCE,
-    FLUSH_SOLUTION,
     MOST_FLUSH,
-    START_FORCE,
     FlatSide,
     FlushPush,
     resist_translation,
 )
 from planar_pushing.core.free import foot_at_center, free_twist
 from planar_pushing.core.numbers import Numbers
+from planar_pushing.core.posing import modes_of_push
 from planar_pushing.core.rows import Vector
 from planar_pushing.core.shapes import Pose, to_contact
 from planar_pushing.core.solution import (
+    END_FORCE,
     FORCE,
     MODE,
     MOTION,
     PIVOT,
     SEPARATE,
     SOLUTION,
+    START_FORCE,
     TWIST,
     UNSOLVED,
     Push,
@@ -35,6 +35,22 @@ from planar_pushing.core.tolerances import COINCIDENT
 
 #: Maximum number of solutions of a side on the fence.
 MOST_OF_SIDE = 1 + MOST_FLUSH
+
+
+def modes_at_contact(
+    system: System, pose: Pose, length: float, x: float, y: float, spin: float, unit: float,
+    solutions: Numbers,
+) -> int:  # fmt: skip
+    """Store every solution of the problem at hand, in a unit of motion; return their number.
+
+    The contact is a point, or one end of a side; the other end is at `length` along the fence. Other
+    arguments are those of `flush_or_free_modes`, in the units of the run.
+    """
+    unit = unit if unit > 0.0 else 1.0
+    if length != 0.0:
+        return flush_or_free_modes(system, pose, length, x / unit, y / unit, spin / unit, solutions)
+    number, _ = modes_of_push(system, pose, x, y, sqrt(x * x + y * y) / unit, solutions)
+    return number
 
 
 def flush_or_free_modes(
@@ -54,7 +70,7 @@ def flush_or_free_modes(
     spin : float
         Rotation of the side, zero for one that stays on the fence.
     solutions : Numbers
-        Room for `MOST_OF_SIDE` solutions of `FLUSH_SOLUTION` columns.
+        Room for `MOST_OF_SIDE` solutions of `SOLUTION` columns.
 
     Returns
     -------
@@ -75,7 +91,7 @@ def flush_or_free_modes(
         push, FlatSide(min(length, 0.0), max(length, 0.0)), law_of(system, pose.rod), x, y, spin,
         resist_translation(push),
     )  # fmt: skip
-    number = flush_modes(flush, solutions[count * FLUSH_SOLUTION :])
+    number = flush_modes(flush, solutions[count * SOLUTION :])
     if number < 0:
         return UNSOLVED
     if count + number == 0:

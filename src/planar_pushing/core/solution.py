@@ -18,7 +18,8 @@ MOST_SOLUTIONS = 2 + 2 * SLIPS
 #: Replaces the number of solutions if an iteration has not converged or there are more slips than fit.
 UNSOLVED = -1
 #: Columns of a solution: mode, twist of the slider's origin, motion of the contact, force and the other end
-#: of its interval, number of the support point that is the pivot, and whether it is an end of a continuum.
+#: of its interval, number of the support point that is the pivot, whether it is an end of a continuum, and
+#: for a side on the fence the normal forces at its start and its end.
 MODE = 0
 TWIST = 1
 MOTION = 4
@@ -26,7 +27,9 @@ FORCE = 6
 FORCE_END = 8
 PIVOT = 10
 CONTINUUM = 11
-SOLUTION = 12
+START_FORCE = 12
+END_FORCE = 13
+SOLUTION = 14
 
 
 class Push(NamedTuple):

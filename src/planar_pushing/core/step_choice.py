@@ -13,9 +13,8 @@ from math import fabs, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.drag import load_at, put_load, put_loads_at, put_mass, scale_films
-from planar_pushing.core.flush_force import FLUSH_SOLUTION
 from planar_pushing.core.numbers import INFINITY, Numbers, zeros
-from planar_pushing.core.posing import modes_of_push, momentum_over
+from planar_pushing.core.posing import momentum_over
 from planar_pushing.core.rows import NO_POINT, Vector
 from planar_pushing.core.run import (
     IN_MASS,
@@ -40,7 +39,7 @@ from planar_pushing.core.shapes import (
 from planar_pushing.core.side import (
     MOST_OF_SIDE,
     add_motion_with_fence,
-    flush_or_free_modes,
+    modes_at_contact,
     offset_in_solution,
 )
 from planar_pushing.core.solution import (
@@ -230,7 +229,7 @@ def _add_side(
 
     `chosen` also stores which modes the side has.
     """
-    solutions = zeros(MOST_OF_SIDE * FLUSH_SOLUTION)
+    solutions = zeros(MOST_OF_SIDE * SOLUTION)
     pose, end = pose_of(system, state), offset_of(system, state, other_end)
     # The rotation that brings both ends as close to the fence.
     spin = 0.0
@@ -241,7 +240,7 @@ def _add_side(
     for k in range(3):
         chosen[SOLUTION + k] = 0.0
     for i in range(number):
-        solution = solutions[i * FLUSH_SOLUTION :]
+        solution = solutions[i * SOLUTION :]
         mode = int(solution[MODE])
         if mode == SEPARATE and not is_first:
             continue
@@ -254,7 +253,7 @@ def _add_side(
             best, contact = i, mode
     if best < 0:
         return choice
-    solution = solutions[best * FLUSH_SOLUTION :]
+    solution = solutions[best * SOLUTION :]
     for k in range(SOLUTION):
         chosen[k] = solution[k]
     if contact == SEPARATE:
@@ -301,15 +300,9 @@ def _solve_step(
     before = max(sqrt(u_x * u_x + u_y * u_y), fabs(run[RUN_TWIST + 2]))
     unit = _prepare_step(system, pose, h, size, before)
     run[RUN_EVALUATIONS] += 1.0
-    if length != 0.0:
-        scale = unit if unit > 0.0 else 1.0
-        count = flush_or_free_modes(
-            system, pose, length, x / scale, y / scale, spin / scale, solutions
-        )
-    else:
-        count, _ = modes_of_push(system, pose, x, y, size / unit if unit > 0.0 else 0.0, solutions)
-        if count == 0 and unit > 0.0:
-            count = add_motion_with_fence(system, pose, 0.0, x / unit, y / unit, 0.0, solutions)
+    count = modes_at_contact(system, pose, length, x, y, spin, unit, solutions)
+    if count == 0 and length == 0.0 and unit > 0.0:
+        count = add_motion_with_fence(system, pose, 0.0, x / unit, y / unit, 0.0, solutions)
     return count, unit
 
 

@@ -126,7 +126,9 @@ def is_flush(system: System) -> bool:
 
 
 def side_length(system: System, state: Numbers) -> float:
-    """Length of the side that is the contact."""
+    """Place of the other end of the side that is the contact, along the fence; 0 at a point."""
+    if not is_flush(system):
+        return 0.0
     return offset_of(system, state, int(system.run[RUN_OTHER_END])).x
 
 

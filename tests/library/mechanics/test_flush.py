@@ -15,7 +15,6 @@ from planar_pushing.core.cone import Law
 from planar_pushing.core.directions import direction_at, rod_at
 from planar_pushing.core.flush import flush_modes
 from planar_pushing.core.flush_force import (
-    FLUSH_SOLUTION,
     MOST_FLUSH,
     FlatSide,
     FlushPush,
@@ -23,7 +22,7 @@ from planar_pushing.core.flush_force import (
 )
 from planar_pushing.core.numbers import zeros
 from planar_pushing.core.rows import read_effects
-from planar_pushing.core.solution import FORCE, MODE, MOTION, Push
+from planar_pushing.core.solution import FORCE, MODE, MOTION, SOLUTION, Push
 
 SEPARATE, STICK, RIGHT, LEFT = pp.ContactMode
 LAWS = [
@@ -472,13 +471,13 @@ def modes_in_rotation(scene, w_x, w_y, spin):
     )
     push = Push(read_effects(*numbers), contact_at(-rod.length, 0.0), rod.x, -rod.y)
     edges = direction_at(rod, law.right), direction_at(rod, law.left)
-    out = zeros(MOST_FLUSH * FLUSH_SOLUTION)
+    out = zeros(MOST_FLUSH * SOLUTION)
     flush = FlushPush(
         push, FlatSide(*scene.slider.side), Law(*edges, law.slips, law.closed, law.rough),
         w_x, w_y, spin, resist_translation(push),
     )  # fmt: skip
     count = flush_modes(flush, out)
-    listed = [[out[i * FLUSH_SOLUTION + k] for k in range(FLUSH_SOLUTION)] for i in range(count)]
+    listed = [[out[i * SOLUTION + k] for k in range(SOLUTION)] for i in range(count)]
     return [(int(row[MODE]), row[MOTION], np.array(row[FORCE : FORCE + 2])) for row in listed]
 
 
