@@ -136,6 +136,11 @@ def test_a_thousand_runs(motion, layout):
     check_runs([layout], motion, range(2, 21))
 
 
+def test_a_foot_leaves_although_friction_could_hold_it():
+    # Held, the foot would end the motion: the contact neither keeps its force nor opens.
+    check_runs(["collinear"], "sines", [7_700_000], stepped=lambda _: True)
+
+
 # --- Known angles --------------------------------------------------------------------------------
 
 TRIANGLE = [(1.0, 0.0), (-0.5, 0.8), (-0.5, -0.8)]
