@@ -20,6 +20,7 @@ from planar_pushing.core.instant import Instant
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.path import is_flat, sample_path
 from planar_pushing.core.posing import pose_at_start, pusher_along
+from planar_pushing.core.roots import MOST_ROOTS
 from planar_pushing.core.rows import NO_POINT
 from planar_pushing.core.run import (
     IN_MASS,
@@ -59,6 +60,7 @@ from planar_pushing.core.system import (
     ANGLE,
     BARELY_LEAVES,
     CANDIDATE,
+    DEPARTURE,
     ELSEWHERE,
     MOST_CANDIDATES,
     NORMAL_SPEED,
@@ -314,7 +316,7 @@ def _foot_at_center(system: System, during: Span, time: float, state: Numbers) -
 def _separates(system: System, during: Span, time: float, state: Numbers, foot: int) -> bool:
     """Whether the contact opens without a contact force, or barely does not: then the trend decides."""
     hinged = _is_held(system, during, time, state, SEPARATE, foot)
-    mode = Mode(SEPARATE, foot, hinged, False, 0.0, 0.0, 0.0, 0.0, during)
+    mode = Mode(SEPARATE, foot, hinged, 1, False, 0.0, 0.0, 0.0, 0.0, during)
     lift = motion_in_mode(system, mode, time, state).lift
     return lift >= -NEAR_ZERO * system.run[RUN_FORCE] / system.scene[IN_MASS]
 
@@ -325,7 +327,7 @@ def _is_held(
     """Whether friction can hold the support point at the center of rotation in a contact mode."""
     if foot < 0 or contact == STICK:
         return False
-    mode = Mode(contact, foot, True, False, 0.0, 0.0, 0.0, 0.0, during)
+    mode = Mode(contact, foot, True, 1, False, 0.0, 0.0, 0.0, 0.0, during)
     return motion_in_mode(system, mode, time, state).hold > SLACK
 
 
@@ -336,15 +338,18 @@ def _write_in_motion(
 
     Friction holds a support point at the center of rotation, or the point leaves; in a slip both can hold.
     """
-    hinged = _is_held(system, during, time, state, contact, foot)
-    mode = Mode(contact, foot, False, False, 0.0, 0.0, 0.0, 0.0, during)
-    leaves: bool = not hinged or motion_in_mode(system, mode, time, state).hold > 0.0
-    for held in range(1, -1, -1):
-        if hinged if held == 1 else leaves:
-            write_candidate(system, count, contact, foot, held == 1, False, 0.0, 0.0, 0.0)
-            if contact == SEPARATE:
-                leave_side(system, count)
+    first = count
+    if _is_held(system, during, time, state, contact, foot):
+        write_candidate(system, count, contact, foot, True, False, 0.0, 0.0, 0.0)
+        count += 1
+    for departure in range(1, MOST_ROOTS + 1 if foot >= 0 and contact != STICK else 2):
+        mode = Mode(contact, foot, False, departure, False, 0.0, 0.0, 0.0, 0.0, during)
+        if count == first or motion_in_mode(system, mode, time, state).hold > 0.0:
+            write_candidate(system, count, contact, foot, False, False, 0.0, 0.0, 0.0)
+            system.candidates[count * CANDIDATE + DEPARTURE] = float(departure)
             count += 1
+    for i in range(first, count if contact == SEPARATE else first):
+        leave_side(system, i)
     return count
 
 

@@ -34,6 +34,7 @@ from planar_pushing.core.system import (
     CENTER_AT_POINT,
     GAP,
     GOES_ON,
+    KEEP_CONTACT,
     LEAVES_CONE,
     LOST,
     MOVING,
@@ -200,16 +201,23 @@ def settle(
     return reason
 
 
-def close_contact(system: System, during: Span, time: float, state: Numbers, policy: int) -> bool:
-    """Close a contact that opens so slowly that its gap is zero; return whether there is one."""
-    run = system.run
-    if not is_massive(system) or count_points(system) > 0 or clearance_of(system, state) > SLACK:
+def close_contact(system: System, during: Span, time: float, state: Numbers) -> bool:
+    """Close a contact by an impact although no mode is consistent; return whether there is an impulse.
+
+    Either it opens so slowly that its gap is zero; or it slips, and a force on the edge of the friction
+    cone pushes the slider into the pusher, so that no force keeps the contact closed (Painleve's paradox).
+    Then the impulse stops the slip.
+    """
+    slack, speed = SLACK * system.run[RUN_SPEED], fabs(state[NORMAL_SPEED])
+    if not is_massive(system) or clearance_of(system, state) > SLACK:
         return False
-    speed = fabs(state[NORMAL_SPEED])
-    if speed > RATTLES * run[RUN_SPEED] or speed <= SLACK * run[RUN_SPEED]:
+    slowest = RATTLES * system.run[RUN_SPEED] if count_points(system) == 0 else slack
+    if speed > slowest or max(speed, fabs(state[SLIP_SPEED])) <= slack:
         return False
+    lost = state[LOST]
     state[GAP], state[NORMAL_SPEED] = 0.0, -speed
-    return collide(system, during, time, state, SEPARATE, policy) == GOES_ON
+    reason = collide(system, during, time, state, SEPARATE, KEEP_CONTACT)
+    return reason == GOES_ON and state[LOST] != lost
 
 
 def close_on_foot(system: System, during: Span, time: float, state: Numbers) -> bool:

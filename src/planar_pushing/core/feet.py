@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from math import copysign, exp, fabs, log, sqrt
+from typing import NamedTuple
 
 from planar_pushing.core.drag import Foot, friction_effects, slowest_foot
-from planar_pushing.core.numbers import UNKNOWN, Numbers
+from planar_pushing.core.numbers import UNKNOWN, Numbers, zeros
 from planar_pushing.core.reaction import edge_of_slip
-from planar_pushing.core.roots import ITERATIONS
+from planar_pushing.core.roots import ITERATIONS, MOST_ROOTS, positive_roots
 from planar_pushing.core.rows import foot_position
 from planar_pushing.core.run import (
     IN_MASS,
@@ -180,13 +181,15 @@ def _rate_before(along: float, free: float, most: float) -> float:
 
 def leaving_friction(
     system: System, pose: Pose, contact: int, q_x: float, q_y: float, p_x: float, p_y: float,
-    share: float,
+    share: float, departure: int,
 ) -> tuple[float, float, bool]:  # fmt: skip
     """Friction at a support point at the center of rotation that begins to move, and whether it can.
 
-    It opposes the acceleration that it leaves: with the compliance B of the point in this mode,
-    ``a = B (f - p)`` and ``f = -share a / |a|``. In a slip, B can have a negative determinant; the point
-    can then leave although friction could hold it.
+    It opposes the acceleration a that it leaves: with the compliance B of the point in this mode,
+    ``a = B (f - p)`` and ``f = -share a / |a|``. The magnitude L of a is then a root of
+    ``|L a_0 - share det(B) p|^2 = det(L + share B)^2`` with ``a_0 = -B p``. There is exactly one if B is
+    positive definite and friction cannot hold the point. In a slip, B can have a negative determinant.
+    Several departures are then possible, also of a point that friction could hold.
 
     Parameters
     ----------
@@ -199,9 +202,51 @@ def leaving_friction(
     p_x, p_y : float
         Force that would hold the point.
     share : float
+    departure : int
+        Which of the departures, from 1 in the order of decreasing acceleration. Without one, the friction
+        is along the force that would hold the point.
     """
+    polynomial = zeros(MOST_ROOTS + 1)
+    rates = zeros(MOST_ROOTS)
+    b = _compliance_of_foot(system, pose, contact, q_x, q_y)
+    a_x, a_y = -(b.xx * p_x + b.xy * p_y), -(b.yx * p_x + b.yy * p_y)
+    unit = sqrt(a_x * a_x + a_y * a_y) + share * (fabs(b.xx) + fabs(b.yy))
+    part = share / unit
+    x, y, trace = a_x / unit, a_y / unit, part * (b.xx + b.yy)
+    det = part * part * (b.xx * b.yy - b.xy * b.yx)
+    h_x, h_y = det * p_x / share, det * p_y / share
+    polynomial[0] = det * det - (h_x * h_x + h_y * h_y)
+    polynomial[1] = 2.0 * (trace * det + x * h_x + y * h_y)
+    polynomial[2] = trace * trace + 2.0 * det - (x * x + y * y)
+    polynomial[3], polynomial[4] = 2.0 * trace, 1.0
+    number = positive_roots(polynomial, MOST_ROOTS, rates)
+    leaves: bool = number >= departure
+    f_x, f_y = p_x, p_y
+    if leaves:
+        rate = rates[number - departure]
+        f_x = -((rate + part * b.yy) * x - part * b.xy * y)
+        f_y = -((rate + part * b.xx) * y - part * b.yx * x)
+        if (rate + part * b.xx) * (rate + part * b.yy) < part * part * b.xy * b.yx:
+            f_x, f_y = -f_x, -f_y
+    size = sqrt(f_x * f_x + f_y * f_y)
+    part = share / size if size > 0.0 else 0.0
+    return part * f_x, part * f_y, leaves
+
+
+class Compliance(NamedTuple):
+    """Accelerations of a point by forces on it: ``a_x = xx f_x + xy f_y``, ``a_y = yx f_x + yy f_y``."""
+
+    xx: float
+    xy: float
+    yx: float
+    yy: float
+
+
+def _compliance_of_foot(
+    system: System, pose: Pose, contact: int, q_x: float, q_y: float
+) -> Compliance:
+    """Compliance of a support point in a mode whose contact force keeps the contact closed."""
     mass, moment = system.scene[IN_MASS], system.run[RUN_MOMENT]
-    # Columns: acceleration of the point by forces on it along x and y.
     xx, xy = 1.0 / mass + q_y * q_y / moment, -q_x * q_y / moment
     yx, yy = xy, 1.0 / mass + q_x * q_x / moment
     if contact != SEPARATE:
@@ -213,32 +258,7 @@ def leaving_friction(
             n_x = pose.arm_x * q_y / moment / normal
             n_y = (1.0 / mass - pose.arm_x * q_x / moment) / normal
             xx, xy, yx, yy = xx - c_x * n_x, xy - c_x * n_y, yx - c_y * n_x, yy - c_y * n_y
-    a_x, a_y = -(xx * p_x + xy * p_y), -(yx * p_x + yy * p_y)
-    # In a slip, the point can move against a force on it; its acceleration is then larger.
-    low, high, carried = 0.0, sqrt(a_x * a_x + a_y * a_y), sqrt(p_x * p_x + p_y * p_y)
-    f_x, f_y = p_x, p_y
-    found: bool = False
-    for _ in range(ITERATIONS):
-        rate = (low + high) / 2.0 if found else high
-        det = (rate + share * xx) * (rate + share * yy) - share * share * xy * yx
-        if det == 0.0:
-            break
-        f_x = -share * ((rate + share * yy) * a_x - share * xy * a_y) / det
-        f_y = -share * ((rate + share * xx) * a_y - share * yx * a_x) / det
-        if f_x * f_x + f_y * f_y > share * share:
-            low = rate
-            if not found:
-                high = 2.0 * high
-        else:
-            high = rate
-            found = True
-        if found and high - low <= ROUNDING * high:
-            break
-    size = sqrt(f_x * f_x + f_y * f_y)
-    if not size > 0.0 or not carried > share:
-        f_x, f_y, size = p_x, p_y, carried
-    part = share / size if size > 0.0 else 0.0
-    return part * f_x, part * f_y, low > 0.0 or carried > share
+    return Compliance(xx, xy, yx, yy)
 
 
 def speed_of_passing(system: System, pose: Pose, v_x: float, v_y: float, spin: float) -> float:

@@ -240,7 +240,7 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
         if not mode.hinged:
             # At a point that begins to move, friction equals its full share.
             p_x, p_y, leaves = leaving_friction(
-                system, pose, mode.contact, q_x, q_y, p_x, p_y, total.limit
+                system, pose, mode.contact, q_x, q_y, p_x, p_y, total.limit, mode.departure
             )
             hold = 1.0 if leaves else -1.0
             a_x, a_y = a_x + p_x / mass, a_y + p_y / mass

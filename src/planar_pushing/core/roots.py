@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import fabs
 from typing import NamedTuple
 
-from planar_pushing.core.numbers import EPSILON
-from planar_pushing.core.tolerances import SHARE
+from planar_pushing.core.numbers import EPSILON, Numbers, zeros
+from planar_pushing.core.tolerances import ROUNDING, SHARE
 
 #: Newton steps converge quadratically once they are below NEAR_ROOT, relative to the root, and shrink by at
 #: least QUADRATIC. The next step is then estimated as the cube of this one over the square of the last, or,
@@ -17,6 +17,8 @@ NEAR_ROOT = 0.1
 QUADRATIC = 0.02
 #: More steps than bisection needs to reach zero through all binary exponents.
 ITERATIONS = 2000
+#: Maximum degree of a polynomial.
+MOST_ROOTS = 4
 #: Golden section, and the number of sections for the minimum of a dip: they reduce its width to 1e-7, which
 #: gives the value to 1e-14 of its depth.
 SECTION = 0.3819660112501051
@@ -30,6 +32,62 @@ def is_last(size: float, before: float) -> bool:
     if before > NEAR_ROOT or size > QUADRATIC * before or size * size > EPSILON:
         return False
     return size * size * size <= EPSILON * (before * before)
+
+
+def positive_roots(coefficients: Numbers, degree: int, roots: Numbers) -> int:
+    """Store the positive roots of a polynomial in increasing order, without those of even multiplicity.
+
+    The coefficients are in the order of the powers, of which the highest is not zero. Between the roots of
+    its derivative a polynomial is monotone. Returns the number of roots.
+    """
+    derivative = zeros(MOST_ROOTS + 1)
+    walls = zeros(MOST_ROOTS + 1)
+    number = 0
+    for order in range(degree - 1, -1, -1):
+        power = degree - order
+        for k in range(power + 1):
+            derivative[k] = coefficients[k + order]
+            for j in range(order):
+                derivative[k] *= float(k + order - j)
+        farthest = 0.0
+        for k in range(power):
+            farthest = max(farthest, fabs(derivative[k] / derivative[power]))
+        walls[number] = 1.0 + farthest
+        count, low = 0, 0.0
+        for i in range(number + 1):
+            high = walls[i]
+            positive: bool = value_of_polynomial(derivative, power, high) > 0.0
+            if (value_of_polynomial(derivative, power, low) > 0.0) != positive:
+                roots[count] = _bisect_polynomial(derivative, power, low, high, positive)
+                count += 1
+            low = high
+        number = count
+        for i in range(number):
+            walls[i] = roots[i]
+    return number
+
+
+def value_of_polynomial(coefficients: Numbers, degree: int, x: float) -> float:
+    """The value of a polynomial (Horner's scheme)."""
+    value = 0.0
+    for k in range(degree, -1, -1):
+        value = value * x + coefficients[k]
+    return value
+
+
+def _bisect_polynomial(
+    coefficients: Numbers, degree: int, low: float, high: float, positive: bool
+) -> float:
+    """The root between two numbers, of a polynomial that is positive, or not, at the second one."""
+    for _ in range(ITERATIONS):
+        x = (low + high) / 2.0
+        if (value_of_polynomial(coefficients, degree, x) > 0.0) == positive:
+            high = x
+        else:
+            low = x
+        if high - low <= ROUNDING * high:
+            break
+    return (low + high) / 2.0
 
 
 class Bracket(NamedTuple):

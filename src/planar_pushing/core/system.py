@@ -78,9 +78,9 @@ NO_MODE = -1
 #: Numbers of a candidate mode: contact mode or rest, pivot, whether it is held, whether the slider touches
 #: the pusher, three numbers of the start, the contact's point, the other end of a side on the fence, the
 #: place of the force on this side, whether the contact is an end of a side that barely moves away from the
-#: fence, and whether the mode lasts.
-CANDIDATE = 12
-BARELY_LEAVES, LASTS = 10, 11
+#: fence, whether the mode lasts, and the way in which the pivot leaves.
+CANDIDATE = 13
+BARELY_LEAVES, LASTS, DEPARTURE = 10, 11, 12
 #: Maximum number of candidates: the modes of a side on the fence, and those of its two ends.
 MOST_CANDIDATES = 3 * MOST_SOLUTIONS
 #: Vectors of a run with the entries of the state: state, end of the step, two for trials, typical
@@ -153,6 +153,8 @@ class Mode(NamedTuple):
         Number of the support point at the center of rotation, -1 without one.
     hinged : bool
         Whether friction holds this point like a hinge.
+    departure : int
+        Which of the ways in which it can leave the center otherwise, from 1 (`leaving_friction`).
     touches : bool
         Whether a slider at rest touches the pusher.
     x, y, spin : float
@@ -166,6 +168,7 @@ class Mode(NamedTuple):
     contact: int
     foot: int
     hinged: bool
+    departure: int
     touches: bool
     x: float
     y: float
@@ -315,10 +318,10 @@ def candidate_at(system: System, index: int, piece: int) -> Mode:
     """A candidate mode in the span of a piece, or the mode without a contact force for a negative index."""
     during = span_at(system.fence, min(piece, system.fence.number - 1))
     if index < 0:
-        return Mode(SEPARATE, NO_POINT, False, False, 0.0, 0.0, 0.0, 0.0, during)
+        return Mode(SEPARATE, NO_POINT, False, 1, False, 0.0, 0.0, 0.0, 0.0, during)
     numbers = system.candidates[index * CANDIDATE :]
     return Mode(
-        int(numbers[0]), int(numbers[1]), numbers[2] != 0.0, numbers[3] != 0.0,
+        int(numbers[0]), int(numbers[1]), numbers[2] != 0.0, int(numbers[12]), numbers[3] != 0.0,
         numbers[4], numbers[5], numbers[6], numbers[9], during,
     )  # fmt: skip
 
@@ -333,7 +336,7 @@ def write_candidate(
     numbers[0], numbers[1] = float(contact), float(foot)
     numbers[2], numbers[3] = (1.0 if hinged else 0.0), (1.0 if touches else 0.0)
     numbers[4], numbers[5], numbers[6], numbers[9] = x, y, spin, 0.0
-    numbers[BARELY_LEAVES], numbers[LASTS] = 0.0, 0.0
+    numbers[BARELY_LEAVES], numbers[LASTS], numbers[DEPARTURE] = 0.0, 0.0, 1.0
 
 
 def contact_mode_of(mode: Mode) -> int:
