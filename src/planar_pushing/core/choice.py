@@ -6,11 +6,10 @@ from planar_pushing.core.candidates import count_quasi_static, write_candidates
 from planar_pushing.core.equations import write_guards, write_rates
 from planar_pushing.core.fence import policy_at, span_at
 from planar_pushing.core.instant import Instant
-from planar_pushing.core.numbers import INFINITY, Numbers
+from planar_pushing.core.numbers import INFINITY, Numbers, zeros
 from planar_pushing.core.run import (
     RUN_CHANGES,
     RUN_CHOSEN,
-    RUN_COUNT,
     RUN_MODE,
     RUN_OTHER_END,
     RUN_PIECE,
@@ -25,6 +24,7 @@ from planar_pushing.core.system import (
     CAUSES,
     LASTS,
     LATER_GUARDS,
+    MOST_CANDIDATES,
     NO_MODE,
     STATE,
     TRIAL,
@@ -39,6 +39,7 @@ from planar_pushing.core.system import (
     is_preferred,
     pace_of,
     vector_of,
+    with_candidates,
 )
 from planar_pushing.core.tolerances import NEAR_ZERO, NO_TREND, SLACK
 from planar_pushing.core.touch import hold_candidate, put_contact, state_at_candidate
@@ -118,10 +119,9 @@ def choose_mode(system: System, excluded: int, point: int, other_end: int) -> bo
         same: bool = numbers[7] == float(point) and numbers[8] == float(other_end)
         if same and contact_mode_of(candidate_at(system, i, piece)) == excluded:
             numbers[0] = float(NO_MODE)
-    run[RUN_COUNT] = float(count)
-    chosen, solutions = _preferred_of_lasting(system, current, time, state, False)
+    chosen, solutions = _preferred_of_lasting(system, count, current, time, state, False)
     if chosen < 0:
-        chosen, solutions = _preferred_of_lasting(system, current, time, state, True)
+        chosen, solutions = _preferred_of_lasting(system, count, current, time, state, True)
     contact = NO_MODE if chosen < 0 else contact_mode_of(candidate_at(system, chosen, piece))
     if chosen >= 0:
         hold_candidate(system, state, chosen)
@@ -136,7 +136,7 @@ def choose_mode(system: System, excluded: int, point: int, other_end: int) -> bo
 
 
 def _preferred_of_lasting(
-    system: System, current: int, time: float, state: Numbers, later: bool
+    system: System, candidates: int, current: int, time: float, state: Numbers, later: bool
 ) -> tuple[int, int]:
     """The candidate that the policy prefers among those that hold, or will hold later; their number.
 
@@ -145,7 +145,7 @@ def _preferred_of_lasting(
     run, policy = system.run, current_policy(system)
     chosen, contact, count = -1, NO_MODE, 0
     point, other_end = int(run[RUN_POINT]), int(run[RUN_OTHER_END])
-    for i in range(int(run[RUN_COUNT])):
+    for i in range(candidates):
         mode = candidate_at(system, i, int(run[RUN_PIECE]))
         lasts: bool = mode.contact != NO_MODE
         if lasts:
@@ -162,25 +162,17 @@ def _preferred_of_lasting(
 
 def count_modes(system: System, mode: Mode, instant: Instant, time: float, state: Numbers) -> int:
     """Number of consistent modes at an instant within a step; one if the contact is open."""
-    count, run = 1, system.run
     if clearance_of(system, state) > SLACK:
-        return count
+        return 1
     if not is_massive(system):
         solutions = count_quasi_static(system, mode, instant, state)
         if solutions > 0:
             return solutions
-    point, other_end = int(run[RUN_POINT]), int(run[RUN_OTHER_END])
-    for i in range(int(run[RUN_COUNT])):
-        other = candidate_at(system, i, int(run[RUN_PIECE]))
-        known: bool = i == int(run[RUN_CHOSEN]) or other.contact == NO_MODE
-        lasts: bool = i == int(run[RUN_CHOSEN])
-        if not known:
-            lasts = _holds_at(system, other, time, state_at_candidate(system, state, i))
-            put_contact(system, point, other_end)
-        system.candidates[i * CANDIDATE + LASTS] = 1.0 if lasts else 0.0
-        if lasts and not known and not _repeats(system, i):
-            count += 1
-    return count
+    candidates = zeros(MOST_CANDIDATES * CANDIDATE)
+    there = with_candidates(system, candidates)
+    count = write_candidates(there, mode.during, time, state)
+    _, number = _preferred_of_lasting(there, count, NO_MODE, time, state, False)
+    return max(number, 1)
 
 
 def _repeats(system: System, index: int) -> bool:

@@ -64,7 +64,7 @@ RUN_TIME, RUN_UNTIL, RUN_EVENT, RUN_BEFORE, RUN_KINK, RUN_CHECKED = range(6, 12)
 RUN_SIDE, RUN_PLANNED, RUN_LAST_SIZE, RUN_LAST_ERROR = range(12, 16)
 #: What is to be done next; current piece of the pusher's motion; chosen candidate and number of candidates;
 #: number of consistent modes; next time to log; cause of the next event; reason of an early end; steps.
-RUN_PHASE, RUN_PIECE, RUN_CHOSEN, RUN_COUNT, RUN_SOLUTIONS = range(16, 21)
+RUN_PHASE, RUN_PIECE, RUN_CHOSEN, RUN_SOLUTIONS = range(16, 20)
 RUN_NEXT, RUN_CAUSE, RUN_STOPPED, RUN_STEPS = range(21, 25)
 #: Whether a mode has just begun; whether the dense output of the step is known; evaluations of the motion;
 #: whether a finger has left its side for good; positions of its contact between which it meets no other

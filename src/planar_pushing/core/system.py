@@ -217,6 +217,14 @@ def memory_of(system: System) -> int:
     return memory_size(int(system.scene[IN_RESISTING]), massive)
 
 
+def with_candidates(system: System, candidates: Numbers) -> System:
+    """The same run with other room for candidates."""
+    return System(
+        system.data, system.row, system.problem, system.scene, system.times, system.fence,
+        system.run, candidates, system.vectors, system.guards, system.entries,
+    )  # fmt: skip
+
+
 def log_of(system: System) -> Numbers:
     """The rows of the log."""
     return system.run[memory_of(system) :]
