@@ -34,7 +34,6 @@ from planar_pushing.core.system import (
     CENTER_AT_POINT,
     GAP,
     GOES_ON,
-    KEEP_CONTACT,
     LEAVES_CONE,
     LOST,
     MOVING,
@@ -58,7 +57,7 @@ from planar_pushing.core.system import (
     is_preferred,
     vector_of,
 )
-from planar_pushing.core.tolerances import RATTLES, SLACK
+from planar_pushing.core.tolerances import NEAR_ZERO, RATTLES, SLACK
 from planar_pushing.core.touch import (
     approach_of,
     count_points,
@@ -201,23 +200,16 @@ def settle(
     return reason
 
 
-def close_contact(system: System, during: Span, time: float, state: Numbers) -> bool:
-    """Close a contact by an impact although no mode is consistent; return whether there is an impulse.
-
-    Either it opens so slowly that its gap is zero; or it slips, and a force on the edge of the friction
-    cone pushes the slider into the pusher, so that no force keeps the contact closed (Painleve's paradox).
-    Then the impulse stops the slip.
-    """
-    slack, speed = SLACK * system.run[RUN_SPEED], fabs(state[NORMAL_SPEED])
-    if not is_massive(system) or clearance_of(system, state) > SLACK:
+def close_contact(system: System, during: Span, time: float, state: Numbers, policy: int) -> bool:
+    """Close a contact that opens so slowly that its gap is zero; return whether there is one."""
+    run = system.run
+    if not is_massive(system) or count_points(system) > 0 or clearance_of(system, state) > SLACK:
         return False
-    slowest = RATTLES * system.run[RUN_SPEED] if count_points(system) == 0 else slack
-    if speed > slowest or max(speed, fabs(state[SLIP_SPEED])) <= slack:
+    speed = fabs(state[NORMAL_SPEED])
+    if speed > RATTLES * run[RUN_SPEED] or speed <= SLACK * run[RUN_SPEED]:
         return False
-    lost = state[LOST]
     state[GAP], state[NORMAL_SPEED] = 0.0, -speed
-    reason = collide(system, during, time, state, SEPARATE, KEEP_CONTACT)
-    return reason == GOES_ON and state[LOST] != lost
+    return collide(system, during, time, state, SEPARATE, policy) == GOES_ON
 
 
 def close_on_foot(system: System, during: Span, time: float, state: Numbers) -> bool:
@@ -242,6 +234,8 @@ def close_on_foot(system: System, during: Span, time: float, state: Numbers) -> 
     d_x, d_y = pose.x + f_x, pose.y + f_y
     spin = -fence_y / d_x if fabs(d_x) > SLACK else state[SPIN]
     slip = spin * d_y - fence_x
+    if fabs(slip) <= NEAR_ZERO * run[RUN_SPEED]:
+        slip = 0.0
     if fabs(spin - state[SPIN]) > slowest or fabs(slip - state[SLIP_SPEED]) > slowest:
         return False
     before = kinetic_energy_of(system, pose, v_x, v_y, state[SPIN])

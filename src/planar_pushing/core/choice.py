@@ -22,6 +22,7 @@ from planar_pushing.core.system import (
     BARELY_LEAVES,
     CANDIDATE,
     CAUSES,
+    KEEP_CONTACT,
     LASTS,
     LATER_GUARDS,
     MOST_CANDIDATES,
@@ -112,16 +113,16 @@ def choose_mode(system: System, excluded: int, point: int, other_end: int) -> bo
     A contact mode can be excluded at a contact.
     """
     run, state, piece = system.run, vector_of(system, STATE), int(system.run[RUN_PIECE])
-    current, time = int(run[RUN_MODE]), run[RUN_TIME]
+    current, policy, time = int(run[RUN_MODE]), current_policy(system), run[RUN_TIME]
     count = write_candidates(system, span_at(system.fence, piece), time, state)
     for i in range(count):
         numbers = system.candidates[i * CANDIDATE :]
         same: bool = numbers[7] == float(point) and numbers[8] == float(other_end)
         if same and contact_mode_of(candidate_at(system, i, piece)) == excluded:
             numbers[0] = float(NO_MODE)
-    chosen, solutions = _preferred_of_lasting(system, count, current, time, state, False)
+    chosen, solutions = _preferred_of_lasting(system, count, current, policy, time, state, False)
     if chosen < 0:
-        chosen, solutions = _preferred_of_lasting(system, count, current, time, state, True)
+        chosen, solutions = _preferred_of_lasting(system, count, current, policy, time, state, True)
     contact = NO_MODE if chosen < 0 else contact_mode_of(candidate_at(system, chosen, piece))
     if chosen >= 0:
         hold_candidate(system, state, chosen)
@@ -136,13 +137,14 @@ def choose_mode(system: System, excluded: int, point: int, other_end: int) -> bo
 
 
 def _preferred_of_lasting(
-    system: System, candidates: int, current: int, time: float, state: Numbers, later: bool
-) -> tuple[int, int]:
+    system: System, candidates: int, current: int, policy: int,
+    time: float, state: Numbers, later: bool,
+) -> tuple[int, int]:  # fmt: skip
     """The candidate that the policy prefers among those that hold, or will hold later; their number.
 
     The candidate is -1 without any.
     """
-    run, policy = system.run, current_policy(system)
+    run = system.run
     chosen, contact, count = -1, NO_MODE, 0
     point, other_end = int(run[RUN_POINT]), int(run[RUN_OTHER_END])
     for i in range(candidates):
@@ -171,7 +173,7 @@ def count_modes(system: System, mode: Mode, instant: Instant, time: float, state
     candidates = zeros(MOST_CANDIDATES * CANDIDATE)
     there = with_candidates(system, candidates)
     count = write_candidates(there, mode.during, time, state)
-    _, number = _preferred_of_lasting(there, count, NO_MODE, time, state, False)
+    _, number = _preferred_of_lasting(there, count, NO_MODE, KEEP_CONTACT, time, state, False)
     return max(number, 1)
 
 

@@ -275,7 +275,8 @@ def _begin_mode(system: System, excluded: int) -> None:
     """Choose a mode and begin it, or stop if none is consistent."""
     run = system.run
     run[RUN_PHASE] = float(LOGS)
-    state, during = vector_of(system, STATE), span_at(system.fence, int(run[RUN_PIECE]))
+    state, policy = vector_of(system, STATE), current_policy(system)
+    during = span_at(system.fence, int(run[RUN_PIECE]))
     point, other_end = int(run[RUN_POINT]), int(run[RUN_OTHER_END])
     confine_finger(system, vector_of(system, STATE))
     reason = _settle_and_choose(system, SLACK, excluded, point, other_end)
@@ -284,7 +285,8 @@ def _begin_mode(system: System, excluded: int) -> None:
         reason = _settle_and_choose(system, RATTLES, NO_MODE, point, other_end)
     if reason == INCONSISTENT and close_on_foot(system, during, run[RUN_TIME], state):
         reason = _settle_and_choose(system, SLACK, NO_MODE, point, other_end)
-    if reason == INCONSISTENT and close_contact(system, during, run[RUN_TIME], state):
+    if reason == INCONSISTENT and close_contact(system, during, run[RUN_TIME], state, policy):
+        # A contact can open and close, faster and faster, while a support point comes to rest.
         reason = _settle_and_choose(system, SLACK, NO_MODE, point, other_end)
     if reason == INCONSISTENT and center_height(system, state) <= SLACK:
         reason = LAID_DOWN  # another event comes first, or a fence has passed over a slider at rest

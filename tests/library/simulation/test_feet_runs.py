@@ -141,6 +141,10 @@ def test_a_foot_leaves_although_friction_could_hold_it():
     check_runs(["collinear"], "sines", [7_700_000], stepped=lambda _: True)
 
 
+def test_a_contact_closes_where_a_foot_stops_and_the_slip_does_too():
+    check_runs(["collinear"], "thrown", [1_100_006], stepped=lambda _: True)
+
+
 # --- Known angles --------------------------------------------------------------------------------
 
 TRIANGLE = [(1.0, 0.0), (-0.5, 0.8), (-0.5, -0.8)]
