@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import copy
+from typing import cast
 
 from .language import (
     ARITHMETIC,
@@ -83,12 +84,12 @@ class Body:
             case ast.Assign():
                 kind, node.value = self._translate_all(node.value)
                 node.targets = [self._assign(target, kind) for target in node.targets]
-            case ast.AugAssign(target=ast.Name() | ast.Subscript() as target):
+            case ast.AugAssign(target=ast.Name() | ast.Subscript() | ast.Attribute() as target):
                 before = self._infer(copy.deepcopy(target))[0]
                 kind, node.value = self._infer(node.value)
                 kind = self._arithmetic(node, node.op, before, kind)
                 self._match(node, kind, before, ast.unparse(target))
-                self._assign(target, before)
+                node.target = cast(ast.Subscript, self._assign(target, before))
             case ast.If() | ast.While():
                 node.test = self._require(node.test, "bool", "condition")
                 node.body = self._statements(node.body)
@@ -149,10 +150,18 @@ class Body:
                         self.refuse(target, f"{spell(kind)} for {len(members)} names")
                     kind = ("?",) * len(members)
                 target.elts = [*map(self._assign, members, kind)]
+            case ast.Attribute(value=record, attr=field):
+                owner, new = self._infer(record)
+                place, expected = self.names.records.get(str(owner), {}).get(field, (0, "None"))
+                if expected not in ("float", "int", "bool") and owner != "?":
+                    self.refuse(target, f"assignment to {field} of {spell(owner)}")
+                self._match(target, kind, expected, ast.unparse(target))
+                self.writes |= _origin(record) not in self.rows
+                return _entry(new, place)
             case ast.Subscript(value=array):
                 if kind not in ("?", "float", "int", "bool") or isinstance(target.slice, ast.Slice):
                     self.refuse(target, f"{spell(kind)} in an array of numbers")
-                if self._infer(copy.deepcopy(array))[0] not in ("?", "Numbers"):
+                if not self.names.is_a(self._infer(copy.deepcopy(array))[0], "Numbers"):
                     self.refuse(target, f"assignment to {ast.unparse(target)}")
                 self.writes |= _origin(target) not in self.rows
                 return self._infer(target)[1]
@@ -165,7 +174,7 @@ class Body:
     def _match(self, node: ast.AST, kind: Kind, other: Kind, what: str) -> None:
         """Refuse a kind where another is expected."""
         known = "?" not in (kind, other) and "?" not in (*kind, *other)
-        if kind != other and known and (kind, other) != ("Numbers", "Coefficients"):
+        if known and not self.names.is_a(kind, other):
             self.refuse(node, f"{what} is {spell(kind)}, not {spell(other)}")
 
     def _require(self, node: ast.expr, kind: Kind, what: str) -> ast.expr:
@@ -231,6 +240,8 @@ class Body:
                 return kind, node
             case ast.Attribute(attr=field):
                 kind, node.value = self._infer(node.value)
+                if kind in self.names.records:
+                    return self._field(node, str(kind))
                 fields = self.names.structs.get(str(kind), {})
                 if field in fields or kind == "?":
                     return fields.get(field, "?"), node
@@ -242,6 +253,23 @@ class Body:
             ):
                 return self._call(node, function)
         return self.refuse(node, name_of(node)), node
+
+    def _field(self, node: ast.Attribute, record: str) -> Typed:
+        """A field of a record, or all its numbers."""
+        if node.attr == "row":
+            return "Numbers", node.value
+        places = self.names.records[record]
+        if node.attr not in places:
+            return self.refuse(node, f"field {node.attr} of {record}"), node
+        place, kind = places[node.attr]
+        number = _entry(node.value, place)
+        if kind == "int":
+            return kind, ast.Call(ast.Name("int_"), [number], [])
+        if kind == "bool":
+            return kind, ast.Compare(number, [ast.NotEq()], [ast.Constant(0.0)])
+        if kind == "float":
+            return kind, number
+        return kind, ast.BinOp(node.value, ast.Add(), ast.Constant(place))
 
     def _comparison(self, node: ast.Compare) -> Kind:
         """The kind of a comparison; numbers are compared in any way, truth values only for equality."""
@@ -259,6 +287,8 @@ class Body:
         start: ast.expr | None = node.slice
         if isinstance(node.slice, ast.Slice):
             start = None if node.slice.upper or node.slice.step else node.slice.lower
+        if self.names.is_a(kind, "Numbers"):
+            kind = "Numbers"
         if kind not in ("?", "Numbers", "Coefficients"):
             return self.refuse(node, f"part of {spell(kind)}"), node
         if start is None or (start is not node.slice and kind == "Coefficients"):
@@ -285,6 +315,10 @@ class Body:
         if name in MATH or name in BUILTINS:
             return self._standard(node, function, kinds), node
         result: Kind = name
+        if name in names.records:
+            if len(kinds) != 1 or not names.is_a(kinds[0], "Numbers"):
+                self.refuse(node, f"{name} of anything but one row of numbers")
+            return name, node.args[0]
         if name in names.structs:
             expected = list(names.structs[name].values())
         elif name in names.signatures:
@@ -319,7 +353,7 @@ class Body:
 
     def _refers(self, kind: Kind) -> bool:
         """Whether a value of a kind refers to an array."""
-        return kind == "Numbers" or any(
+        return self.names.is_a(kind, "Numbers") or any(
             map(self._refers, self.names.structs.get(str(kind), {}).values())
         )
 
@@ -329,8 +363,13 @@ def _is_zeros(node: ast.expr) -> bool:
     return isinstance(node, ast.Call) and ast.unparse(node.func) == "zeros"
 
 
+def _entry(row: ast.expr, place: int) -> ast.Subscript:
+    """A number of a row."""
+    return ast.Subscript(row, ast.Constant(place))
+
+
 def _origin(node: ast.expr) -> str:
-    """The name at the beginning of an expression such as `row[3:][k]`."""
-    while isinstance(node, ast.Subscript):
+    """The name at the beginning of an expression such as `row[3:][k]` or `solution.force.x`."""
+    while isinstance(node, ast.Subscript | ast.Attribute):
         node = node.value
     return ast.unparse(node)

@@ -12,7 +12,7 @@ C = {
     "Numbers": "double*", "Coefficients": "double*",
 }  # fmt: skip
 #: What the module `numbers` defines for plain Python only, because Cython has it already.
-PROVIDED = {"Numbers", "Coefficients", "zeros"}
+PROVIDED = {"Numbers", "Coefficients", "Record", "size_of", "zeros"}
 #: Functions and their numbers of arguments. The C compiler evaluates those of `EXACT` as Python does.
 EXACT = {"sqrt": 1, "fabs": 1, "floor": 1, "ceil": 1, "copysign": 2}
 MATH = (

@@ -1,17 +1,19 @@
-"""The names of all modules: named tuples, constants, and functions with their signatures."""
+"""The names of all modules: named tuples, records, constants, and functions with their signatures."""
 
 from __future__ import annotations
 
 import ast
 import os
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from .language import ARITHMETIC, MATH, PROVIDED, RESERVED, C, Kind, in_c, is_docstring, name_of
 
 PACKAGE = "planar_pushing.core."
-IMPORTS = {"__future__": {"annotations"}, "math": {*MATH}, "typing": {"NamedTuple"}}
+IMPORTS = {
+    "__future__": {"annotations"}, "math": {*MATH}, "typing": {"NamedTuple"},
+    PACKAGE + "_record": {"Record", "size_of"},
+}  # fmt: skip
 CONSTANT = (
     ast.Constant, ast.Name, ast.Load, ast.Tuple, ast.Call,
     ast.UnaryOp, ast.USub, ast.BinOp, ast.Pow, *ARITHMETIC,
@@ -36,7 +38,18 @@ class Names:
                 node.path = path  # type: ignore[attr-defined]
             for statement in tree.body:
                 self._collect(statement, path)
-        self.structs = {name: self._fields(node) for name, node in self.classes.items()}
+        #: Offsets and kinds of the fields of each record, after those of its base, and its base.
+        self.records: dict[str, dict[str, tuple[int, Kind]]] = {}
+        self.bases: dict[str, str] = {}
+        while ready := [*filter(self._is_ready, self.classes.values())]:
+            for node in ready:
+                self.bases[node.name] = ast.unparse(node.bases[0])
+                self.records[node.name] = self._places(node)
+        self.structs = {
+            name: self._fields(node)
+            for name, node in self.classes.items()
+            if name not in self.records
+        }
         self._order = self._sorted_structs()
         self._evaluate()
         self.signatures = {name: self._signature(node) for name, node in self.functions.items()}
@@ -114,6 +127,46 @@ class Names:
                     self.refuse(part, f"{name_of(part)} in a NamedTuple")
         return fields
 
+    def _is_ready(self, node: ast.ClassDef) -> bool:
+        """Whether a class is a record whose base and fields are known, and is not known itself."""
+        bases = [*map(ast.unparse, node.bases)]
+        fields = {
+            ast.unparse(part.annotation) for part in node.body if isinstance(part, ast.AnnAssign)
+        }
+        known = {"Record", *self.records}
+        return node.name not in known and {*bases} <= known and not fields & {*self.classes} - known
+
+    def _places(self, node: ast.ClassDef) -> dict[str, tuple[int, Kind]]:
+        """Offsets and kinds of the fields of a record."""
+        places = dict(self.records.get(self.bases[node.name], {}))
+        for part in node.body:
+            match part:
+                case ast.AnnAssign(target=ast.Name(id=name), annotation=annotation, value=None):
+                    kind = self.kind(annotation)
+                    if kind not in ("?", "float", "int", "bool") and kind not in self.records:
+                        self.refuse(part, f"field {name} of type {ast.unparse(annotation)}")
+                    places[name] = self._size(places), kind
+                case _ if not is_docstring(part):
+                    self.refuse(part, f"{name_of(part)} in a record")
+        return places
+
+    def _size(self, places: dict[str, tuple[int, Kind]]) -> int:
+        """The number of numbers of a record with these fields."""
+        return sum(self.size_of(str(kind)) for _, kind in places.values())
+
+    def size_of(self, kind: str) -> int:
+        """The number of numbers of a record, 1 of another kind."""
+        return self._size(self.records[kind]) if kind in self.records else 1
+
+    def is_a(self, kind: Kind, other: Kind) -> bool:
+        """Whether a value of a kind is one of another kind; a record is also a row of numbers."""
+        while kind != other and kind in self.bases:
+            kind = self.bases[str(kind)]
+        return kind == other or (kind, other) in (
+            ("Record", "Numbers"),
+            ("Numbers", "Coefficients"),
+        )
+
     def kind(self, node: ast.expr) -> Kind:
         """The kind that an annotation names."""
         match node:
@@ -166,11 +219,12 @@ class Names:
         """The value of a constant: an integer, a float, or a tuple of floats."""
         nodes = [*ast.walk(node)]
         calls = {ast.unparse(part.func) for part in nodes if isinstance(part, ast.Call)}
-        if not all(isinstance(part, CONSTANT) for part in nodes) or not calls <= {"float", "len"}:
+        allowed: dict[str, Any] = {"float": float, "len": len, "size_of": self.size_of}
+        if not all(isinstance(part, CONSTANT) for part in nodes) or not calls <= {*allowed}:
             raise ValueError(f"{ast.unparse(node)} is not arithmetic")
-        allowed: dict[str, Callable[..., object]] = {"float": float, "len": len}
+        allowed |= {"__builtins__": {}} | {name: name for name in self.records}
         code = compile(ast.fix_missing_locations(ast.Expression(node)), "constant", "eval")
-        value = eval(code, {"__builtins__": {}} | allowed, self.constants)
+        value = eval(code, allowed, self.constants)
         kinds = [*map(type, value if isinstance(value, tuple) else [value])]
         if {*kinds} != {float} and kinds != [int]:
             raise ValueError("only an integer, a float, or a tuple of floats is allowed")
@@ -191,8 +245,8 @@ class Names:
         return order
 
     def structs_in_c(self) -> list[str]:
-        """Declarations of the named tuples."""
-        lines = []
+        """Declarations of the records, which are addresses of numbers, and of the named tuples."""
+        lines = [f"ctypedef double* {name}" for name in self.records]
         for name in self._order:
             lines.append(f"cdef struct {name}:")
             # A field has a different name in C, because headers define macros such as `linux`.
