@@ -47,6 +47,7 @@ from planar_pushing.core.system import (
     SLIP_ENDS,
     SLIP_SPEED,
     SPIN,
+    STILL,
     TOUCHES,
     WORK,
     Mode,
@@ -112,7 +113,7 @@ def _come_to_rest(system: System, mode: Mode, time: float, state: Numbers) -> fl
     energy = kinetic_energy_of(system, pose, v_x, v_y, state[SPIN])
     half = min(2.0 * energy / loss_rate, during.end - time) / 2.0
     for entry in range(system.entries):
-        if entry < SLIP_SPEED or entry >= MOVING:
+        if entry < STILL or entry >= MOVING:
             state[entry] += rates[entry] * half
     # The fence continues at its own speed.
     state[ALONG] -= fence_x * half

@@ -105,7 +105,7 @@ def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solution
     """
     flush = zeros(MOST_FLUSH_WITH_ENDS * SOLUTION)
     at_start, at_end = zeros(MOST_SOLUTIONS * SOLUTION), zeros(MOST_SOLUTIONS * SOLUTION)
-    count, scale = _write_separate(push, side, pusher, solutions)
+    count, scale = _write_separate(push, side, pusher, solutions[0:])
     if scale == 0.0:
         return count  # as for one point, a slider and a fence at rest count as separate
     held = FlushPush(push, side, law, pusher.x, pusher.y, 0.0, resist_translation(push))
@@ -180,7 +180,7 @@ def _mark_solution(solutions: Numbers, count: int, flush: float, touches: int) -
 
 
 def _write_separate(
-    push: Push, side: FlatSide, pusher: Direction, solutions: Numbers
+    push: Push, side: FlatSide, pusher: Direction, solution: Numbers
 ) -> tuple[int, float]:
     """Write the motion without a contact force, if both ends move away from the fence.
 
@@ -202,13 +202,13 @@ def _write_separate(
     if pusher.y > at_start or pusher.y > at_end:
         return 0, scale
     for k in range(SIDE_SOLUTION):
-        solutions[k] = 0.0
-    solutions[MODE] = float(SEPARATE)
-    solutions[PIVOT] = float(foot_at_center(push.effects, rest))
-    solutions[TWIST] = t_x * rest.x + t_y * rest.y
-    solutions[TWIST + 1] = t_x * rest.y - t_y * rest.x
-    solutions[TWIST + 2] = rest.spin
-    solutions[MOTION], solutions[MOTION + 1] = x, y
+        solution[k] = 0.0
+    solution[MODE] = float(SEPARATE)
+    solution[PIVOT] = float(foot_at_center(push.effects, rest))
+    solution[TWIST] = t_x * rest.x + t_y * rest.y
+    solution[TWIST + 1] = t_x * rest.y - t_y * rest.x
+    solution[TWIST + 2] = rest.spin
+    solution[MOTION], solution[MOTION + 1] = x, y
     return 1, scale
 
 

@@ -183,11 +183,12 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
     is the stick. If pusher and slider are both at rest, so that the force is undetermined, they count as
     separate.
     """
-    _write_separation(push, solutions)
-    rest_x, rest_y = solutions[MOTION], solutions[MOTION + 1]
+    separation = solutions[0:]
+    _write_separation(push, separation)
+    rest_x, rest_y = separation[MOTION], separation[MOTION + 1]
     speed = 1.0 if pusher.x != 0.0 or pusher.y != 0.0 else 0.0
     scale = max(speed, max(fabs(rest_x), fabs(rest_y)))
-    if scale == 0.0 and solutions[TWIST + 2] == 0.0:
+    if scale == 0.0 and separation[TWIST + 2] == 0.0:
         return 1, False
     stick_index = 1 if pusher.y <= rest_y else 0  # index of the stick, which precedes the slips
     x, y = pusher.along, -pusher.across

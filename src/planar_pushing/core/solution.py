@@ -83,7 +83,9 @@ def copy_solution(target: Numbers, source: Numbers) -> None:
 
 def shrink_solution(solution: Numbers, motion: float, force: float) -> None:
     """Scale the magnitudes of a motion and its force."""
-    for k in range(TWIST, FORCE):
-        solution[k] = motion * solution[k]
-    for k in range(FORCE, PIVOT):
-        solution[k] = force * solution[k]
+    for k in range(3):
+        solution[TWIST + k] = motion * solution[TWIST + k]
+    for k in range(2):
+        solution[MOTION + k] = motion * solution[MOTION + k]
+        solution[FORCE + k] = force * solution[FORCE + k]
+        solution[FORCE_END + k] = force * solution[FORCE_END + k]

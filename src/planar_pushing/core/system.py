@@ -300,12 +300,10 @@ def scale_state(system: System) -> None:
     scales, length = vector_of(system, SCALES), max(1.0, system.scene[IN_LENGTH])
     for k in range(system.entries):
         scales[k] = system.run[RUN_FORCE] * length
-    for k in range(LOST):
-        scales[k] = length
-    scales[ANGLE] = 1.0
+    scales[ALONG], scales[GAP], scales[ANGLE], scales[SLIPPED] = length, length, 1.0, length
     if is_massive(system):
-        for k in range(SLIP_SPEED, MOVING):
-            scales[k] = 0.01 * system.run[RUN_SPEED]
+        speed = 0.01 * system.run[RUN_SPEED]
+        scales[SLIP_SPEED], scales[NORMAL_SPEED], scales[SPIN] = speed, speed, speed
 
 
 def energies_of(system: System, state: Numbers) -> Numbers:
