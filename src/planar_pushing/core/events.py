@@ -412,7 +412,7 @@ def _go_to_event(system: System) -> None:
     # A finger leaves its side, or passes beside it.
     passes: bool = cause == TOUCHES and room_on_side(system, state[ALONG]) < -SLACK
     if cause == END_OF_SIDE or passes:
-        run[RUN_PARTED] = 0.0 if is_outlined(system) else 1.0
+        run[RUN_PARTED] = 1.0 if not is_outlined(system) else 0.0
         reason = SIDE_ENDED if is_outlined(system) else GOES_ON
     else:
         time, reason = change_state(

@@ -173,7 +173,8 @@ def write_flush(
     """Write a solution, and return the number of solutions."""
     if count < 0 or count == MOST_FLUSH:
         return UNSOLVED
-    push, spin, y, solution = flush.push, flush.spin, flush.w_y, solutions[SOLUTION * count :]
+    push, spin, y = flush.push, flush.spin, flush.w_y
+    solution = solutions[SOLUTION * count :]
     c_x = -(push.t_x * push.contact.x + push.t_y * push.contact.y)
     c_y = -(push.t_x * push.contact.y - push.t_y * push.contact.x)
     solution[MODE], solution[PIVOT] = float(mode), float(NO_POINT)

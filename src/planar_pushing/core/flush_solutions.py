@@ -123,17 +123,17 @@ def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solution
             solution = flush[i * SOLUTION :]
             if solution[MODE] == float(mode):
                 copy_solution(solutions[count * SIDE_SOLUTION :], solution)
-                count = _mark_solution(solutions, count, 1.0, WHOLE_SIDE)
+                count = _mark_solution(solutions, count, True, WHOLE_SIDE)
         for i in range(starts):
             solution = at_start[i * SOLUTION :]
             if solution[MODE] == float(mode):
                 copy_solution(solutions[count * SIDE_SOLUTION :], solution)
-                count = _mark_solution(solutions, count, 0.0, SIDE_START)
+                count = _mark_solution(solutions, count, False, SIDE_START)
         for i in range(ends):
             solution = at_end[i * SOLUTION :]
             if solution[MODE] == float(mode):
                 copy_solution(solutions[count * SIDE_SOLUTION :], solution)
-                count = _mark_solution(solutions, count, 0.0, SIDE_END)
+                count = _mark_solution(solutions, count, False, SIDE_END)
     return count
 
 
@@ -172,10 +172,10 @@ def _can_turn(flush: FlushPush, edge: Direction, place: float, sense: float) -> 
     return not (holds_one and holds_two)
 
 
-def _mark_solution(solutions: Numbers, count: int, flush: float, touches: int) -> int:
+def _mark_solution(solutions: Numbers, count: int, flush: bool, touches: int) -> int:
     """Complete a solution that is the last one, and return the number of solutions."""
     solution = solutions[count * SIDE_SOLUTION :]
-    solution[IS_FLUSH], solution[TOUCHES_AT] = flush, float(touches)
+    solution[IS_FLUSH], solution[TOUCHES_AT] = 1.0 if flush else 0.0, float(touches)
     return count + 1
 
 

@@ -194,7 +194,8 @@ def _choose(system: System) -> bool:
     piece = int(_interval_number(system, 2))
     x, y = fence_path(system.fence, span_at(system.fence, piece), run[RUN_TIME], run[RUN_UNTIL])
     run[RUN_PATH], run[RUN_PATH + 1] = x, y
-    chosen = zeros(CHOSEN)
+    room = zeros(CHOSEN)
+    chosen = room[0:]
     current, before = int(run[RUN_MODE]), int(run[RUN_SOLUTIONS])
     choice = choose_twist(system, current, policy_at(system.fence, piece), chosen)
     run[RUN_SOLUTIONS] = float(max(choice.number, 0))
