@@ -84,7 +84,7 @@ def flush_or_free_modes(
     side onto the fence. Both routines leave the flush contacts to `flush_modes`.
     """
     push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
-    count, scale = _add_free_motion(push, pose, length, x, y, spin, 0.0, solutions)
+    count, scale = _add_free_motion(push, pose, length, x, y, spin, 0.0, solutions[0:])
     if scale == 0.0:
         return count
     flush = FlushPush(
@@ -108,7 +108,9 @@ def add_motion_with_fence(
     point.
     """
     push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
-    count, _ = _add_free_motion(push, pose, length, x, y, spin, COINCIDENT, solutions)
+    count, _ = _add_free_motion(
+        push, pose, length, x, y, spin, COINCIDENT, solutions[0:]
+    )
     return count
 
 
