@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import copysign, fabs, sqrt
 
-from planar_pushing.core.about import Contact, Psi, resistance_about, unknown_psi
+from planar_pushing.core.about import Contact, Psi, is_at_contact, resistance_about, unknown_psi
 from planar_pushing.core.numbers import INFINITY
 from planar_pushing.core.rows import NO_POINT, Effects, foot_position
 from planar_pushing.core.tolerances import BALANCED, BARELY, ROUNDING, SHARE, SMALL_PART
@@ -30,7 +30,7 @@ def refine_psi(
         foot = foot_position(effects, i)
         w_x, w_y = root.v_x - root.spin * foot.y, root.v_y + root.spin * foot.x
         speed = w_x * w_x + w_y * w_y
-        if speed < square and (foot.x != contact.x or foot.y != contact.y):
+        if speed < square and not is_at_contact(contact, foot.x, foot.y):
             slowest, square, next_square = i, speed, square
         else:
             next_square = min(next_square, speed)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from math import asinh, ceil, fabs, sinh
 
+from planar_pushing.core.about import is_held
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.path import (
     Path,
@@ -17,8 +18,10 @@ from planar_pushing.core.path import (
     end_of_flat,
     find_root,
     first_sample,
+    hinge_on_edge,
     is_flat,
     keeps_direction,
+    kink_of,
     motion_at,
     nearest_kink,
     sample_near,
@@ -91,7 +94,34 @@ def find_slips(
                 if _steps_across(flat, here, sample):
                     count = _write_slip(unit, sample, False, slips, count)
                 here = sample
-    return count, position == INSIDE
+    return _insert_hinges(path, unit, first, last, slips, count), position == INSIDE
+
+
+def _insert_hinges(
+    path: Path, unit: float, first: float, last: float, slips: Numbers, count: int
+) -> int:
+    """Insert the pivots with an interval of forces on the edge, at which the force can just touch it."""
+    for i in range(0 if is_held(path.contact) else path.effects.feet):
+        kink = kink_of(path, i)
+        if count < 0 or not first < kink.s < last:
+            continue
+        u = motion_at(path, kink.s)
+        if hinge_on_edge(path, u.x, u.y, kink.spin) < 0:
+            continue
+        sample, place, listed = sample_path(path, kink.s, kink.spin, i), 0, False
+        for k in range(count):
+            s = slips[SLIP * k]
+            listed = listed or fabs(kink.s - s) <= COINCIDENT * (fabs(kink.s) + unit)
+            place = k + 1 if s < kink.s else place
+        if listed or not (sample.converged and _vanishes(sample)):
+            continue
+        if count == SLIPS:
+            return -1
+        for k in range(SLIP * count - 1, SLIP * place - 1, -1):
+            slips[k + SLIP] = slips[k]
+        _write_slip(unit, sample, False, slips, place)
+        count += 1
+    return count
 
 
 def _is_zero(sample: Sample, force: float) -> bool:
