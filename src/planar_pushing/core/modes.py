@@ -306,7 +306,7 @@ def _write_slips(
     slowest = SLOWEST * (unit if unit > 0.0 else 1.0)
     if fabs(first) < slowest:
         first = slowest
-    elif pivots or (first == sense * search.rest_x and normal == rest_y):
+    if pivots or (first == sense * search.rest_x and normal == rest_y):
         first += SLOW * search.scale  # the motion without a pusher has no force
     if turns:
         first = sense * pusher.x - _farthest_slip(push)
@@ -325,6 +325,8 @@ def _write_slips(
         s, spin, point = roots[SLIP * i], roots[SLIP * i + 1], int(roots[SLIP * i + 3])
         motion = motion_at_root(path, s, spin, roots[SLIP * i + 2] != 0.0, point)
         motion = _snap_to_rest(search, edge, normal, motion)
+        if pivots and _coincide(search, pivot, motion):
+            continue
         if half_along(edge, motion) > 0.0:
             if motion.point == hinge:
                 continue

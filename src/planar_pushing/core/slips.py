@@ -27,7 +27,7 @@ from planar_pushing.core.path import (
     sample_near,
     sample_path,
 )
-from planar_pushing.core.tolerances import COINCIDENT, FLAT, SLOW, SLOWEST, TURN
+from planar_pushing.core.tolerances import BARELY, COINCIDENT, FLAT, SLOW, SLOWEST, TURN
 
 #: Width of a cell in asinh(s / normal component), and minimum number of cells.
 CELL_WIDTH = 0.5
@@ -108,20 +108,40 @@ def _insert_hinges(
         u = motion_at(path, kink.s)
         if hinge_on_edge(path, u.x, u.y, kink.spin) < 0:
             continue
-        sample, place, listed = sample_path(path, kink.s, kink.spin, i), 0, False
+        sample, place, kept, flat = sample_path(path, kink.s, kink.spin, i), 0, 0, False
         for k in range(count):
-            s = slips[SLIP * k]
-            listed = listed or fabs(kink.s - s) <= COINCIDENT * (fabs(kink.s) + unit)
-            place = k + 1 if s < kink.s else place
-        if listed or not (sample.converged and _vanishes(sample)):
+            slip = slips[SLIP * k :]
+            flat = flat or (slip[2] != 0.0 and _is_same_root(path, unit, sample, slip[0]))
+        if flat or not (sample.converged and _vanishes(sample)):
             continue
-        if count == SLIPS:
+        for k in range(count):
+            slip = slips[SLIP * k :]
+            if _is_same_root(path, unit, sample, slip[0]):
+                continue
+            place = kept + 1 if slip[0] < kink.s else place
+            _copy_slip(slips[SLIP * kept :], slip)
+            kept += 1
+        if kept == SLIPS:
             return -1
-        for k in range(SLIP * count - 1, SLIP * place - 1, -1):
-            slips[k + SLIP] = slips[k]
+        for k in range(kept, place, -1):
+            _copy_slip(slips[SLIP * k :], slips[SLIP * (k - 1) :])
         _write_slip(unit, sample, False, slips, place)
-        count += 1
+        count = kept + 1
     return count
+
+
+def _is_same_root(path: Path, unit: float, kink: Sample, s: float) -> bool:
+    """Whether a root is that at a kink: the force between them vanishes to rounding."""
+    distance, size = fabs(kink.s - s), fabs(kink.s) + unit
+    if distance <= COINCIDENT * size:
+        return True
+    return distance <= BARELY * size and _vanishes(sample_near(path, kink, (kink.s + s) / 2.0))
+
+
+def _copy_slip(target: Numbers, source: Numbers) -> None:
+    """Overwrite a slip with another one."""
+    for k in range(SLIP):
+        target[k] = source[k]
 
 
 def _is_zero(sample: Sample, force: float) -> bool:
