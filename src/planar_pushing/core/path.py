@@ -133,7 +133,7 @@ def first_sample(path: Path, s: float) -> Sample:
 
 
 def kink_of(path: Path, point: int) -> Kink:
-    """The kink of a support point; NaN if the whole path is across its line to the contact, or nearly so."""
+    """The kink of a support point; NaN if the whole path is across its line to the contact."""
     foot = foot_position(path.effects, point)
     r_x, r_y = foot.x - path.contact.x, foot.y - path.contact.y
     ahead = path.d_x * r_x + path.d_y * r_y

@@ -20,6 +20,7 @@ from planar_pushing.core.about import (
     is_held,
     potential_at,
     resistance_about,
+    unknown_psi,
 )
 from planar_pushing.core.free import free_twist
 from planar_pushing.core.line import rotation_on_line
