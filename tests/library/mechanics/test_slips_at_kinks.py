@@ -242,3 +242,16 @@ def test_two_ends_of_a_continuum_that_are_one_motion_are_one_slip(angle):
     )  # fmt: skip
     found = pp.solve(own, angle, 1.0)
     assert names(found) == ["SLIP_LEFT" if angle < 1 else "SLIP_RIGHT"]
+
+
+@pytest.mark.parametrize("weight", [0.5, 0.5476131253435219, 0.7])
+def test_a_continuum_of_pivots_ends_where_the_friction_of_the_foot_is_at_its_share(weight):
+    """Turning by u / 3 about the far foot takes ``W / 3 + u / 12`` from it, and its share is W / 2."""
+    mass = pp.Inertia(mass=0.5, gyration_radius=0.5, center=(0, -0.5))
+    own = scene(
+        [(1, 0), (-1, 0), (0.5, 0)], [3, 1, 2], (2.0, UPRIGHT), pp.Coulomb(2.0), mass, weight=weight
+    )
+    slip = solved(own, 0.0, 2.0)[-1]
+    assert (slip.mode.name, slip.pivot, slip.continuum) == ("SLIP_LEFT", 0, True)
+    assert slip.contact_motion[0] == pytest.approx(2 * weight, rel=1e-11, abs=0)
+    assert slip.force == pytest.approx((weight / 3, weight / 6), rel=1e-11, abs=0)
