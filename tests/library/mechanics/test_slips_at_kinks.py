@@ -234,10 +234,10 @@ def test_a_batch_has_both_ends_of_the_interval():
 
 @pytest.mark.parametrize("angle", [1e-12, 1e-16, math.pi - 3e-13])
 def test_two_ends_of_a_continuum_that_are_one_motion_are_one_slip(angle):
-    """Feet in line with the contact's normal, so that the slider can turn about any point between two."""
-    support = pp.Points([(0, 0.5), (0, 1), (0, 2)], [2, 1, 2])
+    """Three feet along the fence, so that one force along the normal has an interval of motions."""
+    support = pp.Points([(0, 0), (0, -1), (0, 1)], [3, 1, 1])
     own = pp.Scene(
-        slider=pp.Slider(rod_length=2.0, rod_angle=UPRIGHT, radius=1.0), contact=pp.Coulomb(0.0),
+        slider=pp.Slider(rod_length=0.5, rod_angle=UPRIGHT, radius=1.0), contact=pp.Coulomb(0.0),
         effects=(pp.SupportFriction(support=support, weight=1.0),),
     )  # fmt: skip
     found = pp.solve(own, angle, 1.0)
