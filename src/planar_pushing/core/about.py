@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from planar_pushing.core.numbers import UNKNOWN
 from planar_pushing.core.rows import NO_POINT, Effects, Resistance, resistance
-from planar_pushing.core.tolerances import ROUNDING
+from planar_pushing.core.tolerances import ALIGNED, ROUNDING
 
 
 class Contact(NamedTuple):
@@ -85,6 +85,11 @@ def hold_rotation(contact: Contact, spin: float) -> Contact:
 def is_held(contact: Contact) -> bool:
     """Whether the rotation of the slider is given."""
     return contact.spin == contact.spin
+
+
+def is_at_contact(contact: Contact, x: float, y: float) -> bool:
+    """Whether a position is that of the contact, to the rounding of the body frame."""
+    return fabs(x - contact.x) + fabs(y - contact.y) <= ALIGNED * contact.reach
 
 
 def held_potential(effects: Effects, contact: Contact, x: float, y: float) -> Psi:

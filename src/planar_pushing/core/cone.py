@@ -10,7 +10,7 @@ from planar_pushing.core.force import ContactMotion, motion_under_force, replace
 from planar_pushing.core.psi import guess_spin, psi
 from planar_pushing.core.rows import NO_POINT, has_friction, scale_effects
 from planar_pushing.core.solution import Push, force_along
-from planar_pushing.core.tolerances import COINCIDENT, RESOLUTION, SLOWEST
+from planar_pushing.core.tolerances import ALIGNED, COINCIDENT, RESOLUTION, SLOWEST
 
 #: Maximum number of times that a step from an edge into the friction cone is halved.
 HALVES = 40
@@ -59,18 +59,24 @@ def position_in_cone(push: Push, law: Law, motion: ContactMotion) -> int:
     return position
 
 
-def settle_pivot(law: Law, stick: ContactMotion) -> ContactMotion:
+def settle_pivot(push: Push, law: Law, stick: ContactMotion) -> ContactMotion:
     """A pivot with its force in the middle of those that the law transmits, if it transmits any."""
     if stick.half_x == 0.0 and stick.half_y == 0.0:
         return stick
     low, high = -1.0, 1.0
-    for i in range(0 if law.rough else 2):
-        edge, side = law.right if i == 0 else law.left, 1.0 if i == 0 else -1.0
-        depth = side * force_across(edge, stick.f_x, stick.f_y)
-        change = side * force_across(edge, stick.half_x, stick.half_y)
-        if change > 0.0:
+    rounding = ALIGNED * (fabs(stick.half_x) + fabs(stick.half_y))
+    for i in range(0 if law.rough else 3):
+        # The third edge is along the fence: in a cone without width a force can be opposite to it.
+        e_x, e_y = push.t_x, push.t_y
+        if i < 2:
+            edge = law.right if i == 0 else law.left
+            e_x, e_y = edge.along, -edge.across
+        side = -1.0 if i == 1 else 1.0
+        depth = side * (e_x * stick.f_y - e_y * stick.f_x)
+        change = side * (e_x * stick.half_y - e_y * stick.half_x)
+        if change > rounding:
             low = max(low, -depth / change)
-        elif change < 0.0:
+        elif change < -rounding:
             high = min(high, -depth / change)
     part = min(max((low + high) / 2.0, -1.0), 1.0)
     half = max((high - low) / 2.0, 0.0)

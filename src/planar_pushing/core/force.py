@@ -18,6 +18,7 @@ from planar_pushing.core.path import (
     end_of_flat,
     find_root,
     first_sample,
+    hinge_on_edge,
     is_flat,
     motion_at,
     sample_at_infinity,
@@ -89,6 +90,15 @@ def replace_force(
     )  # fmt: skip
 
 
+def leave_continuum(motion: ContactMotion) -> ContactMotion:
+    """The same motion, marked as one of its own."""
+    return ContactMotion(
+        motion.u_x, motion.u_y, motion.v_x, motion.v_y, motion.spin, motion.f_x, motion.f_y,
+        motion.half_x, motion.half_y, motion.point, False, motion.noise_x, motion.noise_y,
+        motion.converged,
+    )  # fmt: skip
+
+
 def sticking_motion(x: float, y: float, root: Psi) -> ContactMotion:
     """The motion of a contact that moves by (x, y), from Psi there."""
     return ContactMotion(
@@ -101,7 +111,9 @@ def motion_at_root(path: Path, s: float, spin: float, continuum: bool, point: in
     """The motion at a root of a path, or at the kink of a point, with its force along the edge.
 
     The force on a long rod depends on small components of a motion that the sum ``p + s d`` rounds away.
-    The root is therefore polished by less than the rounding of its motion.
+    The root is therefore polished by less than the rounding of its motion. If the edge's line passes
+    through the point, the point's friction changes the force only along the edge, which is then an
+    interval.
     """
     u = motion_at(path, s)
     x, y = u.x, u.y
@@ -113,15 +125,20 @@ def motion_at_root(path: Path, s: float, spin: float, continuum: bool, point: in
         if sample.before != sample.after or size > COINCIDENT * (fabs(x) + fabs(y)):
             break
         x, y, spin = x + step * path.d_x, y + step * path.d_y, sample.spin + step * sample.swing
-    root = psi(path.effects, path.contact, x, y, spin, point, 0.0)
+    hinge = hinge_on_edge(path, x, y, spin)
+    root = psi(path.effects, path.contact, x, y, spin, hinge if hinge >= 0 else point, 0.0)
     part, half = 0.0, path.e_x * root.half_y - path.e_y * root.half_x
-    if half != 0.0:
+    along = 0.0
+    if hinge >= 0:
+        along = fabs(path.e_x * root.half_x + path.e_y * root.half_y)
+    elif half != 0.0:
         part = -(path.e_x * root.f_y - path.e_y * root.f_x) / half
         part = min(max(part, -1.0), 1.0)
     force = path.e_x * (root.f_x + part * root.half_x) + path.e_y * (root.f_y + part * root.half_y)
     flat: bool = continuum or root.continuum
     return ContactMotion(
-        x, y, root.v_x, root.v_y, root.spin, force * path.e_x, force * path.e_y, 0.0, 0.0,
+        x, y, root.v_x, root.v_y, root.spin, force * path.e_x, force * path.e_y,
+        along * path.e_x, along * path.e_y,
         root.point, flat, root.noise_x, root.noise_y, root.converged,
     )  # fmt: skip
 

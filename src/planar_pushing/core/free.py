@@ -33,6 +33,8 @@ from planar_pushing.core.tolerances import RESOLUTION, ROUNDING, SHARE, SLIGHTES
 #: Maximum number of Newton steps, and of trials along one.
 DESCENTS = 60
 TRIALS = 120
+#: Maximum number of Newton steps, and one, by which a twist of minimum value is polished.
+POLISHES_OF_TWIST = 5
 #: A line search ends where the slope of the potential has fallen to this fraction of its initial value, or
 #: where the position of the minimum is known to this relative error.
 SLOPE_LEFT = 0.3
@@ -236,7 +238,24 @@ def _descend(effects: Effects, loads: Loads, twist: Vector, square: bool) -> Vec
         twist = _step_from(twist, step, part)
         if -slope <= rounding or part == 0.0:
             break
-    return twist
+    return twist if square else _polish_twist(effects, loads, twist)
+
+
+def _polish_twist(effects: Effects, loads: Loads, twist: Vector) -> Vector:
+    """The twist after Newton steps that lower the net wrench, whose last digits the value does not show."""
+    best, least = twist, INFINITY
+    for _ in range(POLISHES_OF_TWIST):
+        total = _potential_gradient(effects, loads, twist, False)
+        wrench = Vector(-total.f_x, -total.f_y, -total.torque)
+        size = _size_of(wrench)
+        if total.limit > 0.0 or not size < least:
+            break
+        best, least = twist, size
+        if size <= SHARE * _size_of(loads.total):
+            break
+        step = _solve_symmetric(total.xx, total.xy, total.yy, total.xs, total.ys, total.ss, wrench)
+        twist = _step_from(twist, step, 1.0)
+    return best
 
 
 def _part_of_step(

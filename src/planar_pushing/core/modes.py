@@ -11,7 +11,7 @@ from __future__ import annotations
 from math import copysign, fabs, sqrt
 from typing import NamedTuple
 
-from planar_pushing.core.about import Psi, is_held
+from planar_pushing.core.about import Psi, is_held, unknown_psi
 from planar_pushing.core.cone import (
     BEYOND,
     JUST_WITHIN,
@@ -24,6 +24,7 @@ from planar_pushing.core.cone import (
 from planar_pushing.core.directions import Direction
 from planar_pushing.core.force import (
     ContactMotion,
+    leave_continuum,
     motion_at_root,
     motion_under_force,
     motions_under_force,
@@ -32,14 +33,15 @@ from planar_pushing.core.force import (
 )
 from planar_pushing.core.free import foot_at_center, free_twist
 from planar_pushing.core.numbers import Numbers, zeros
-from planar_pushing.core.path import Path, Sample, first_sample, sample_of
-from planar_pushing.core.psi import guess_spin, psi
+from planar_pushing.core.path import Path, Sample, first_sample, hinge_on_edge, sample_of
+from planar_pushing.core.psi import guess_spin, psi, turn_about_contact
 from planar_pushing.core.rows import NO_POINT, Vector, load_wrench, rough_mass, scale_effects
 from planar_pushing.core.slips import SLIP, SLIPS, find_slips
 from planar_pushing.core.solution import (
     CONTINUUM,
     MOST_SOLUTIONS,
     MOTION,
+    PIVOT,
     SEPARATE,
     SLIP_LEFT,
     SLIP_RIGHT,
@@ -50,11 +52,13 @@ from planar_pushing.core.solution import (
     Push,
     copy_solution,
     force_along,
+    half_along,
     shrink_solution,
     write_on_edge,
     write_solution,
 )
 from planar_pushing.core.tolerances import (
+    ALIGNED,
     COINCIDENT,
     FAINT,
     NOISE,
@@ -81,8 +85,8 @@ class Search(NamedTuple):
     push : Push
     pusher : Direction
         Motion of the pusher, of magnitude 0 or 1.
-    rest_x, rest_y : float
-        Motion of the contact without a pusher, in the frame of the contact.
+    rest_x, rest_y, rest_spin : float
+        Motion of the contact without a pusher, in the frame of the contact, and the rotation.
     scale : float
         Magnitude of the larger of the two motions.
     stick : Psi
@@ -97,6 +101,7 @@ class Search(NamedTuple):
     pusher: Direction
     rest_x: float
     rest_y: float
+    rest_spin: float
     scale: float
     stick: Psi
     f_x: float
@@ -115,11 +120,14 @@ class Count(NamedTuple):
         Whether one of the slips is the stick.
     flat : bool
         Whether a continuum of slips touches the stick.
+    open : bool
+        Whether the motion without a contact force is among them, as an end of an interval of forces.
     """
 
     number: int
     sticks: bool
     flat: bool
+    open: bool
 
 
 def _free_motion(push: Push) -> Vector:
@@ -181,7 +189,8 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
     -----
     A contact whose force is within rounding of an edge sticks unless a slip is found. A slip of zero speed
     is the stick. If pusher and slider are both at rest, so that the force is undetermined, they count as
-    separate.
+    separate. If the slider pivots, and its motion is the same with and without a force of the contact, it
+    is the slip or the stick whose interval of forces begins at zero.
     """
     separation = solutions[0:]
     _write_separation(push, separation)
@@ -190,17 +199,23 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
     scale = max(speed, max(fabs(rest_x), fabs(rest_y)))
     if scale == 0.0 and separation[TWIST + 2] == 0.0:
         return 1, False
-    stick_index = 1 if pusher.y <= rest_y else 0  # index of the stick, which precedes the slips
+    turn = fabs(solutions[TWIST + 2]) * (1.0 + push.contact.reach)
+    slack = ALIGNED * (fabs(rest_x) + fabs(rest_y) + turn) if turn > 0.0 else 0.0
+    # Index of the stick, which precedes the slips.
+    stick_index = 1 if pusher.y <= rest_y + slack else 0
     x, y = pusher.along, -pusher.across
     guess = guess_spin(push.effects, push.contact, x, y)
     root = psi(push.effects, push.contact, x, y, guess, NO_POINT, ROUNDING)
     if not root.converged:
         return UNSOLVED, False
-    stick = settle_pivot(law, sticking_motion(x, y, root))
+    stick = settle_pivot(push, law, sticking_motion(x, y, root))
     if x == 0.0 and y == 0.0 and stick.spin == 0.0:
         stick = hold_at_rest(push, law, stick, scale)
-    search = Search(push, pusher, rest_x, rest_y, scale, root, stick.f_x, stick.f_y, stick_index)
-    slips = Count(stick_index + 1, False, False)
+    search = Search(
+        push, pusher, rest_x, rest_y, solutions[TWIST + 2], scale, root, stick.f_x, stick.f_y,
+        stick_index,
+    )  # fmt: skip
+    slips = Count(stick_index + 1, False, False, False)
     if law.slips:
         slips = _write_slips(search, law.left, SLIP_RIGHT, solutions, slips)
         slips = _write_slips(search, law.right, SLIP_LEFT, solutions, slips)
@@ -213,16 +228,37 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
         sticks = True
     if law.closed and law.slips and force_position == JUST_WITHIN:
         sticks = True
+    number, opens = slips.number, slips.open
     if sticks:
-        # A slip that is the stick has its force exactly on the edge.
-        if not slips.sticks or force_position >= JUST_WITHIN:
+        # A slip that is the stick has its force exactly on the edge. That of a pivot can be on both edges.
+        pivots: bool = force_position != BEYOND and (stick.half_x != 0.0 or stick.half_y != 0.0)
+        hinged: bool = slips.sticks and solutions[stick_index * SOLUTION + PIVOT] >= 0.0
+        settles: bool = force_position >= JUST_WITHIN and not hinged
+        if not slips.sticks or settles or pivots:
             write_solution(push, STICK, stick, solutions[stick_index * SOLUTION :])
+        opens = opens or (pivots and _can_be_open(stick))
         if slips.flat:
             solutions[stick_index * SOLUTION + CONTINUUM] = 1.0
-        return slips.number, slips.flat
-    for i in range(stick_index, slips.number - 1):
+    else:
+        number = _drop_solution(solutions, stick_index, number)
+    if opens and stick_index == 1:
+        number = _drop_solution(solutions, 0, number)
+    return number, slips.flat
+
+
+def _can_be_open(pivot: ContactMotion) -> bool:
+    """Whether the interval of forces of a pivot contains zero, to rounding."""
+    f_x, f_y, half_x, half_y = pivot.f_x, pivot.f_y, pivot.half_x, pivot.half_y
+    part = -(f_x * half_x + f_y * half_y) / (half_x * half_x + half_y * half_y)
+    part = min(max(part, -1.0), 1.0)
+    return fabs(f_x + part * half_x) <= pivot.noise_x and fabs(f_y + part * half_y) <= pivot.noise_y
+
+
+def _drop_solution(solutions: Numbers, index: int, number: int) -> int:
+    """Remove one of several solutions, and return how many are left."""
+    for i in range(index, number - 1):
         copy_solution(solutions[i * SOLUTION :], solutions[(i + 1) * SOLUTION :])
-    return slips.number - 1, slips.flat
+    return number - 1
 
 
 def _write_slips(
@@ -242,6 +278,12 @@ def _write_slips(
     size = sqrt(search.f_x * search.f_x + search.f_y * search.f_y)
     rests: bool = pusher.x == 0.0 and pusher.y == 0.0
     turns: bool = is_held(push.contact) and push.contact.spin != 0.0
+    pivot = _pivot_on_edge(search, edge, rests)
+    pivots: bool = pivot.converged and slips.number >= 0
+    if pivots:
+        slips = _write_slip_of(search, edge, mode, pivot, 1.0, solutions, slips)
+        if edge.x == 0.0:
+            return slips
     if slips.number < 0 or (part <= 0.0 and not turns):
         return slips
     # The force of a contact at rest is only one of a set, so it does not rule out slips.
@@ -265,7 +307,7 @@ def _write_slips(
     slowest = SLOWEST * (unit if unit > 0.0 else 1.0)
     if fabs(first) < slowest:
         first = slowest
-    elif first == sense * search.rest_x and normal == rest_y:
+    if pivots or (first == sense * search.rest_x and normal == rest_y):
         first += SLOW * search.scale  # the motion without a pusher has no force
     if turns:
         first = sense * pusher.x - _farthest_slip(push)
@@ -278,14 +320,46 @@ def _write_slips(
     if not end.s > first:
         return slips
     roots = zeros(SLIPS * SLIP)
+    hinge = pivot.point if pivots else NO_POINT
     number, flat = find_slips(path, unit, first, end, roots)
     for i in range(number):
         s, spin, point = roots[SLIP * i], roots[SLIP * i + 1], int(roots[SLIP * i + 3])
         motion = motion_at_root(path, s, spin, roots[SLIP * i + 2] != 0.0, point)
         motion = _snap_to_rest(search, edge, normal, motion)
+        if pivots and _coincide(search, pivot, motion):
+            continue
+        if half_along(edge, motion) > 0.0:
+            if motion.point == hinge:
+                continue
+            hinge = motion.point
         slips = _write_slip_of(search, edge, mode, motion, shrink, solutions, slips)
     count = slips.number if number >= 0 else UNSOLVED
-    return Count(count, slips.sticks, slips.flat or flat)
+    return Count(count, slips.sticks, slips.flat or flat, slips.open)
+
+
+def _pivot_on_edge(search: Search, edge: Direction, rests: bool) -> ContactMotion:
+    """A pivot on the edge's line that the search along the path can miss; not converged without one.
+
+    It is the rotation about a support point at the contact, if the pusher moves along the fence, or the
+    motion without a pusher, if the pusher moves at its normal component.
+    """
+    push, x, y = search.push, search.rest_x, search.rest_y
+    e_x, e_y = edge.along, -edge.across
+    none = sticking_motion(0.0, 0.0, unknown_psi())
+    if search.pusher.y == 0.0 and not rests:
+        root = turn_about_contact(push.effects, push.contact)
+        limit, across = root.half_x, e_x * root.f_y - e_y * root.f_x
+        if root.converged and fabs(across) < limit:
+            along, half = e_x * root.f_x + e_y * root.f_y, sqrt(limit * limit - across * across)
+            motion = sticking_motion(0.0, 0.0, root)
+            return replace_force(motion, along * e_x, along * e_y, half * e_x, half * e_y)
+    rounding = ALIGNED * (search.scale + fabs(search.rest_spin) * (1.0 + push.contact.reach))
+    if search.rest_spin == 0.0 or fabs(search.pusher.y - y) > rounding:
+        return none
+    u_x, u_y = push.t_x * x - push.t_y * y, push.t_y * x + push.t_x * y
+    path = Path(push.effects, push.contact, e_x, e_y, u_x, u_y, push.t_x, push.t_y)
+    point = hinge_on_edge(path, u_x, u_y, search.rest_spin)
+    return motion_at_root(path, 0.0, search.rest_spin, False, point) if point >= 0 else none
 
 
 def _write_touching_stick(
@@ -332,13 +406,23 @@ def _write_normal_slips(
     holds: bool = push.t_x * right.u_x + push.t_y * right.u_y >= pusher.x - closest
     holds = holds and push.t_x * left.u_x + push.t_y * left.u_y <= pusher.x + closest
     # In the order from slow to fast; at equal speeds, from right to left.
-    if _speed_of(right) <= (1.0 + COINCIDENT) * _speed_of(left):
+    slower: bool = _speed_of(right) <= (1.0 + COINCIDENT) * _speed_of(left)
+    if _coincide(search, right, left):
+        end = leave_continuum(right if slower else left)
+        slips = _write_slip_of(search, edge, mode, end, shrink, solutions, slips)
+    elif slower:
         slips = _write_slip_of(search, edge, mode, right, shrink, solutions, slips)
         slips = _write_slip_of(search, edge, mode, left, shrink, solutions, slips)
     else:
         slips = _write_slip_of(search, edge, mode, left, shrink, solutions, slips)
         slips = _write_slip_of(search, edge, mode, right, shrink, solutions, slips)
-    return Count(slips.number, slips.sticks, slips.flat or holds)
+    return Count(slips.number, slips.sticks, slips.flat or holds, slips.open)
+
+
+def _coincide(search: Search, one: ContactMotion, other: ContactMotion) -> bool:
+    """Whether two ends of a continuum are the same motion."""
+    apart = fabs(one.u_x - other.u_x) + fabs(one.u_y - other.u_y) + fabs(one.spin - other.spin)
+    return apart <= COINCIDENT * search.scale
 
 
 def _snap_to_rest(
@@ -372,21 +456,25 @@ def _write_slip_of(
     closest = COINCIDENT * search.scale
     slip = _slip_of(search, motion)
     if not motion.converged or slips.number < 0:
-        return Count(UNSOLVED, slips.sticks, slips.flat)
-    if force_along(edge, motion) <= motion.noise_x + motion.noise_y:
+        return Count(UNSOLVED, slips.sticks, slips.flat, slips.open)
+    force, half, noise = (
+        force_along(edge, motion), half_along(edge, motion), motion.noise_x + motion.noise_y
+    )  # fmt: skip
+    if force + half <= noise:
         return slips
+    opens: bool = slips.open or force - half <= noise
     if fabs(slip) <= closest:
         index = search.stick_index
         write_on_edge(push, STICK, motion, edge, solutions[index * SOLUTION :])
-        return Count(slips.number, True, slips.flat)
+        return Count(slips.number, True, slips.flat, opens)
     if side * slip <= closest:
         return slips
     if slips.number == MOST_SOLUTIONS:
-        return Count(UNSOLVED, slips.sticks, slips.flat)
+        return Count(UNSOLVED, slips.sticks, slips.flat, slips.open)
     solution = solutions[slips.number * SOLUTION :]
     write_on_edge(push, mode, motion, edge, solution)
     if shrink != 1.0 and _speed_of(motion) < FAINT * search.scale:
         shrink_solution(solution, shrink, 1.0 if push.effects.frictional else shrink)
     elif shrink != 1.0:
         solution[MOTION + 1] = search.pusher.y
-    return Count(slips.number + 1, slips.sticks, slips.flat)
+    return Count(slips.number + 1, slips.sticks, slips.flat, opens)

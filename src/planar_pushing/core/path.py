@@ -15,12 +15,12 @@ from __future__ import annotations
 from math import copysign, fabs, sqrt
 from typing import NamedTuple
 
-from planar_pushing.core.about import Contact, Psi, is_held
+from planar_pushing.core.about import Contact, Psi, is_at_contact, is_held
 from planar_pushing.core.numbers import EPSILON, INFINITY, UNKNOWN
 from planar_pushing.core.psi import guess_spin, psi
 from planar_pushing.core.roots import is_last
 from planar_pushing.core.rows import NO_POINT, Effects, Position, foot_position, is_steady
-from planar_pushing.core.tolerances import ALIGNED, FLAT, UNDERFLOW
+from planar_pushing.core.tolerances import ALIGNED, COINCIDENT, FLAT, UNDERFLOW
 
 #: Maximum number of steps to a root.
 STEPS = 200
@@ -103,7 +103,7 @@ def sample_of(path: Path, s: float, root: Psi) -> Sample:
     bend_x, bend_y = root.xx * d_x + root.xy * d_y, root.xy * d_x + root.yy * d_y
     slope, swing = e_x * bend_y - e_y * bend_x, root.turn_x * d_x + root.turn_y * d_y
     half, before, after = e_x * root.half_y - e_y * root.half_x, across, across
-    if root.point >= 0:
+    if root.point >= 0 and fabs(half) > ALIGNED * (fabs(root.half_x) + fabs(root.half_y)):
         ahead = root.half_x * d_x + root.half_y * d_y
         size = (fabs(root.half_x) + fabs(root.half_y)) * (fabs(d_x) + fabs(d_y))
         if fabs(ahead) > ALIGNED * size:
@@ -132,22 +132,47 @@ def first_sample(path: Path, s: float) -> Sample:
     return sample_path(path, s, guess_spin(path.effects, path.contact, u.x, u.y), NO_POINT)
 
 
+def kink_of(path: Path, point: int) -> Kink:
+    """The kink of a support point; NaN if the whole path is across its line to the contact."""
+    foot = foot_position(path.effects, point)
+    r_x, r_y = foot.x - path.contact.x, foot.y - path.contact.y
+    ahead = path.d_x * r_x + path.d_y * r_y
+    size = (fabs(r_x) + fabs(r_y)) * (fabs(path.d_x) + fabs(path.d_y))
+    if fabs(ahead) <= ALIGNED * size or is_at_contact(path.contact, foot.x, foot.y):
+        return Kink(UNKNOWN, UNKNOWN, NO_POINT)
+    s = -(path.p_x * r_x + path.p_y * r_y) / ahead
+    u = motion_at(path, s)
+    return Kink(s, (u.x * r_y - u.y * r_x) / (r_x * r_x + r_y * r_y), point)
+
+
 def nearest_kink(path: Path, low: float, high: float, s: float) -> Kink:
     """The kink nearest to s between two positions; NaN if there is none."""
-    kink, distance = Kink(UNKNOWN, UNKNOWN, NO_POINT), INFINITY
+    nearest, distance = Kink(UNKNOWN, UNKNOWN, NO_POINT), INFINITY
     for i in range(0 if is_held(path.contact) else path.effects.feet):
+        kink = kink_of(path, i)
+        if low < kink.s < high and fabs(kink.s - s) < distance:
+            nearest, distance = kink, fabs(kink.s - s)
+    return nearest
+
+
+def hinge_on_edge(path: Path, x: float, y: float, spin: float) -> int:
+    """Number of a support point about which the slider pivots on the edge's line, -1 without one.
+
+    The contact then moves across the edge, so only loads can cause this motion.
+    """
+    e_x, e_y, speed = path.e_x, path.e_y, fabs(x) + fabs(y)
+    if is_held(path.contact) or fabs(e_x * x + e_y * y) > COINCIDENT * speed or speed == 0.0:
+        return NO_POINT
+    for i in range(path.effects.feet):
         foot = foot_position(path.effects, i)
         r_x, r_y = foot.x - path.contact.x, foot.y - path.contact.y
-        ahead = path.d_x * r_x + path.d_y * r_y
-        size = (fabs(r_x) + fabs(r_y)) * (fabs(path.d_x) + fabs(path.d_y))
-        if fabs(ahead) <= ALIGNED * size:
-            continue
-        kink_s = -(path.p_x * r_x + path.p_y * r_y) / ahead
-        if low < kink_s < high and fabs(kink_s - s) < distance:
-            u = motion_at(path, kink_s)
-            spin = (u.x * r_y - u.y * r_x) / (r_x * r_x + r_y * r_y)
-            kink, distance = Kink(kink_s, spin, i), fabs(kink_s - s)
-    return kink
+        beside = fabs(e_x * r_y - e_y * r_x)
+        moves = fabs(x - spin * r_y) + fabs(y + spin * r_x)
+        if moves <= COINCIDENT * speed and (
+            beside <= ALIGNED * (fabs(r_x) + fabs(r_y) + path.contact.reach)
+        ):
+            return i
+    return NO_POINT
 
 
 def is_flat(path: Path, sample: Sample, scale: float) -> bool:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from math import copysign, fabs, sqrt
 
-from planar_pushing.core.about import Contact, Psi, resistance_about, unknown_psi
+from planar_pushing.core.about import Contact, Psi, is_at_contact, resistance_about, unknown_psi
 from planar_pushing.core.numbers import INFINITY
 from planar_pushing.core.rows import NO_POINT, Effects, foot_position
-from planar_pushing.core.tolerances import BALANCED, BARELY, ROUNDING, SHARE, SMALL_PART
+from planar_pushing.core.tolerances import BALANCED, BARELY, LIMITED, ROUNDING, SHARE, SMALL_PART
 
 
 def pivot_spin(effects: Effects, contact: Contact, x: float, y: float, point: int) -> float:
@@ -30,7 +30,7 @@ def refine_psi(
         foot = foot_position(effects, i)
         w_x, w_y = root.v_x - root.spin * foot.y, root.v_y + root.spin * foot.x
         speed = w_x * w_x + w_y * w_y
-        if speed < square and (foot.x != contact.x or foot.y != contact.y):
+        if speed < square and not is_at_contact(contact, foot.x, foot.y):
             slowest, square, next_square = i, speed, square
         else:
             next_square = min(next_square, speed)
@@ -75,8 +75,10 @@ def pivot_psi(
     limit = rest.limit
     if limit == 0.0:
         return unknown_psi()
+    pivots: bool = ahead == 0.0 and fabs(across) <= rounding
     # The rotation is known to rounding, and so is the torque of everything else.
-    most = limit * reach * (1.0 + BALANCED) + SHARE * rest.ss * fabs(spin)
+    excess = LIMITED if pivots else BALANCED
+    most = limit * reach * (1.0 + excess) + SHARE * rest.ss * fabs(spin)
     balances: bool = rest.point == point and fabs(rest.torque) <= most
     part = min(max(-rest.torque / reach, -limit), limit)
     half = sqrt(limit * limit - part * part)
@@ -101,7 +103,8 @@ def pivot_psi(
     # A rounding error of the component across r is amplified in the component along r if that is small.
     noise = 4.0 * ROUNDING * (fabs(rest.f_x) + fabs(rest.f_y) + limit + fabs(part))
     along = noise * fabs(part) / max(half, SMALL_PART * limit)
-    pivots: bool = ahead == 0.0 and fabs(across) <= rounding
+    if ahead == 0.0 and not pivots:
+        along = 0.0  # there is none
     return Psi(
         v_x, v_y, spin, f_x, f_y,
         rest.xx + (n_x * n_x * rest.ss - turns * n_x * rest.xs) / stiff + turn_x * rest.xs,

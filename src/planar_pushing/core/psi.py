@@ -16,9 +16,11 @@ from planar_pushing.core.about import (
     Contact,
     Psi,
     held_potential,
+    is_at_contact,
     is_held,
     potential_at,
     resistance_about,
+    unknown_psi,
 )
 from planar_pushing.core.free import free_twist
 from planar_pushing.core.line import rotation_on_line
@@ -92,9 +94,33 @@ def _psi_at_rest(effects: Effects, contact: Contact) -> Psi:
             force.x, force.y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, NO_POINT, 0.0
         )  # fmt: skip
     else:
-        total = resistance_about(effects, contact, spin * contact.y, -spin * contact.x, spin, 0.0)
+        blur = ALIGNED * contact.reach * fabs(spin)
+        total = resistance_about(effects, contact, spin * contact.y, -spin * contact.x, spin, blur)
     v_x, v_y = spin * contact.y, -spin * contact.x
     return potential_at(total, contact, v_x, v_y, spin, 0.0, 0.0, 0.0, 0.0, spin == spin)
+
+
+def turn_about_contact(effects: Effects, contact: Contact) -> Psi:
+    """Psi of a contact at rest about which loads turn the slider; not converged unless on a support point.
+
+    The friction of that point adds any force up to its share, which is `half_x`, to the force.
+    """
+    spin = 0.0
+    for i in range(0 if is_held(contact) else effects.feet):
+        foot = foot_position(effects, i)
+        if is_at_contact(contact, foot.x, foot.y):
+            spin = spin_at_rest(effects, contact)
+            break
+    if spin == 0.0 or spin != spin:
+        return unknown_psi()
+    v_x, v_y = spin * contact.y, -spin * contact.x
+    blur = ALIGNED * contact.reach * fabs(spin)
+    total = resistance_about(effects, contact, v_x, v_y, spin, blur)
+    root = potential_at(total, contact, v_x, v_y, spin, 0.0, 0.0, 0.0, 0.0, total.limit > 0.0)
+    return Psi(
+        v_x, v_y, spin, root.f_x, root.f_y, 0.0, 0.0, 0.0, 0.0, 0.0, total.limit, 0.0, total.point,
+        root.noise_x, root.noise_y, False, root.converged,
+    )  # fmt: skip
 
 
 def _holds_couple(effects: Effects, contact: Contact, load: Vector) -> bool:
@@ -133,7 +159,7 @@ def _with_foot_at_contact(
     contact.
     """
     foot = foot_position(effects, total.point)
-    if foot.x != contact.x or foot.y != contact.y:
+    if not is_at_contact(contact, foot.x, foot.y):
         return total
     speed = sqrt(x * x + y * y)
     u_x, u_y, part = x / speed, y / speed, total.limit / speed
@@ -253,7 +279,7 @@ def _cut_bracket(
         foot = foot_position(effects, i)
         r_x, r_y = foot.x - contact.x, foot.y - contact.y
         square = r_x * r_x + r_y * r_y
-        if square > 0.0:
+        if not is_at_contact(contact, foot.x, foot.y):
             turn = (x * r_y - y * r_x) / square - start
             if low < turn < high and fabs(turn - middle) < nearest:
                 cut, nearest = turn, fabs(turn - middle)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from math import asinh, ceil, fabs, sinh
 
+from planar_pushing.core.about import is_held
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.path import (
     Path,
@@ -17,14 +18,16 @@ from planar_pushing.core.path import (
     end_of_flat,
     find_root,
     first_sample,
+    hinge_on_edge,
     is_flat,
     keeps_direction,
+    kink_of,
     motion_at,
     nearest_kink,
     sample_near,
     sample_path,
 )
-from planar_pushing.core.tolerances import COINCIDENT, FLAT, SLOW, SLOWEST, TURN
+from planar_pushing.core.tolerances import BARELY, COINCIDENT, FLAT, SLOW, SLOWEST, TURN
 
 #: Width of a cell in asinh(s / normal component), and minimum number of cells.
 CELL_WIDTH = 0.5
@@ -91,7 +94,54 @@ def find_slips(
                 if _steps_across(flat, here, sample):
                     count = _write_slip(unit, sample, False, slips, count)
                 here = sample
-    return count, position == INSIDE
+    return _insert_hinges(path, unit, first, last, slips, count), position == INSIDE
+
+
+def _insert_hinges(
+    path: Path, unit: float, first: float, last: float, slips: Numbers, count: int
+) -> int:
+    """Insert the pivots with an interval of forces on the edge, at which the force can just touch it."""
+    for i in range(0 if is_held(path.contact) else path.effects.feet):
+        kink = kink_of(path, i)
+        if count < 0 or not first < kink.s < last:
+            continue
+        u = motion_at(path, kink.s)
+        if hinge_on_edge(path, u.x, u.y, kink.spin) < 0:
+            continue
+        sample, place, kept, flat = sample_path(path, kink.s, kink.spin, i), 0, 0, False
+        for k in range(count):
+            slip = slips[SLIP * k :]
+            flat = flat or (slip[2] != 0.0 and _is_same_root(path, unit, sample, slip[0]))
+        if flat or not (sample.converged and _vanishes(sample)):
+            continue
+        for k in range(count):
+            slip = slips[SLIP * k :]
+            if _is_same_root(path, unit, sample, slip[0]):
+                continue
+            place = kept + 1 if slip[0] < kink.s else place
+            _copy_slip(slips[SLIP * kept :], slip)
+            kept += 1
+        if kept == SLIPS:
+            return -1
+        for k in range(kept, place, -1):
+            _copy_slip(slips[SLIP * k :], slips[SLIP * (k - 1) :])
+        _write_slip(unit, sample, False, slips, place)
+        count = kept + 1
+    return count
+
+
+def _is_same_root(path: Path, unit: float, kink: Sample, s: float) -> bool:
+    """Whether a root is that at a kink: the force between them vanishes to rounding."""
+    distance, size = fabs(kink.s - s), fabs(kink.s) + unit
+    if distance <= COINCIDENT * size:
+        return True
+    return distance <= BARELY * size and _vanishes(sample_near(path, kink, (kink.s + s) / 2.0))
+
+
+def _copy_slip(target: Numbers, source: Numbers) -> None:
+    """Overwrite a slip with another one."""
+    for k in range(SLIP):
+        target[k] = source[k]
 
 
 def _is_zero(sample: Sample, force: float) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import fabs
 from typing import NamedTuple
 
 from planar_pushing.core.about import Contact
@@ -63,16 +64,27 @@ def write_solution(push: Push, mode: int, motion: ContactMotion, solution: Numbe
 def write_on_edge(
     push: Push, mode: int, motion: ContactMotion, edge: Direction, solution: Numbers
 ) -> None:
-    """Write a motion whose force is along an edge, without the rounding errors of the body frame."""
+    """Write a motion whose force is along an edge, without the rounding errors of the body frame.
+
+    An interval of forces is written from its smaller end; forces that would pull are not in it.
+    """
     write_solution(push, mode, motion, solution)
-    force = force_along(edge, motion)
-    for k in range(0, 3, 2):
-        solution[FORCE + k], solution[FORCE + k + 1] = force * edge.x, force * edge.y
+    force, half = force_along(edge, motion), half_along(edge, motion)
+    smaller, larger = force - half, force + half
+    if smaller <= motion.noise_x + motion.noise_y:
+        smaller = 0.0
+    solution[FORCE], solution[FORCE + 1] = smaller * edge.x, smaller * edge.y
+    solution[FORCE_END], solution[FORCE_END + 1] = larger * edge.x, larger * edge.y
 
 
 def force_along(edge: Direction, motion: ContactMotion) -> float:
     """The force along an edge, negative against it."""
     return edge.along * motion.f_x - edge.across * motion.f_y
+
+
+def half_along(edge: Direction, motion: ContactMotion) -> float:
+    """Half of the interval of forces along an edge."""
+    return fabs(edge.along * motion.half_x - edge.across * motion.half_y)
 
 
 def copy_solution(target: Numbers, source: Numbers) -> None:

@@ -51,6 +51,8 @@ SMALL_PART = 1e-8
 #: Relative error of the friction of a support point that barely moves: the error of an iteration that stops
 #: at a nonsmooth root.
 BALANCED = 1e-9
+#: Relative error of the friction that a pivot needs, with a margin over `SHARE`.
+LIMITED = 10.0 * SHARE
 #: The friction of a support point slower than this is taken from the balance of torques, because the
 #: point's direction of motion is lost in the rounding of the twist.
 BARELY = 1e-5

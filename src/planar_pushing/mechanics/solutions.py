@@ -43,7 +43,9 @@ class Solution:
     force : ndarray, shape (2,)
         Force of the pusher on the slider.
     force_end : ndarray, shape (2,)
-        Other end of the range of forces if a pivot leaves the force undetermined; otherwise `force`.
+        Other end of the range of forces if a pivot leaves the force undetermined; otherwise `force`. The
+        range of a slip begins at its smaller end. If that is zero, the motion without a contact force is
+        the same, and is not listed besides.
     contact_motion : ndarray, shape (2,)
         Velocity or initial acceleration of the slider at the contact; of a side, at the end that touches
         the fence, or at its origin.

@@ -98,3 +98,32 @@ def test_a_torque_turns_a_slider_about_its_foot(loads):
     scene = pp.Scene(slider=slider, contact=pp.Coulomb(0.5), effects=effects)
     free = pp.solve(scene, -np.pi / 2, 10.0)[0]
     assert free.twist == pytest.approx([0.0, 0.0, 0.5], abs=1e-13)
+
+
+@pytest.mark.parametrize("width", [0.1, 0.01, 1e-3])
+@pytest.mark.parametrize(
+    ("force", "lever"), [((0.4, 1.7), 0.1), ((2.0, -0.3), -0.2), ((0.3, 0.2), 6.0)]
+)
+def test_the_free_motion_of_a_thin_rim_balances_the_load(width, force, lever):
+    """Friction by Gauss's rule along the radius and equal angles around the rim, off the motion center."""
+    mass, gyration, offset = 0.8, 0.5, 0.3
+    effects = (
+        pp.SupportFriction(support=pp.Annulus(1.0 - width, 1.0), weight=1.0),
+        pp.Inertia(mass=mass, gyration_radius=gyration, center=(0, offset)),
+        pp.Load(force=force, center=(lever, 0)),
+    )
+    scene = pp.scene_at((0, -1), (0, 1), effects=effects, contact=pp.Coulomb(0.5))
+    x, y, spin = pp.solve(scene, -np.pi / 2, 100.0)[0].twist
+    nodes, weights = np.polynomial.legendre.leggauss(8)
+    radius = 1.0 - width / 2 + nodes[:, None] * width / 2
+    angle = np.arange(4096) * (2 * np.pi / 4096)
+    share = weights[:, None] * radius / np.sum(weights[:, None] * radius * np.ones(4096))
+    p_x, p_y = radius * np.cos(angle), radius * np.sin(angle)
+    v_x, v_y = x - spin * p_y, y + spin * p_x
+    speed = np.hypot(v_x, v_y)
+    assert speed.min() > 0.02 * speed.max()
+    f_x, f_y = np.sum(share * v_x / speed), np.sum(share * v_y / speed)
+    torque = np.sum(share * (p_x * v_y - p_y * v_x) / speed)
+    m_x = mass * (x - spin * offset)
+    total = (f_x + m_x, f_y + mass * y, torque + mass * gyration**2 * spin - offset * m_x)
+    assert total == pytest.approx((*force, lever * force[1]), abs=2e-15 / width + 2e-14)

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from mechanics.builders import names
 from mechanics.checked import INFINITE, UPRIGHT, solved
+from mechanics.transcription import faults
 
 import planar_pushing as pp
 
@@ -113,3 +114,144 @@ def test_the_force_of_a_pivot_that_begins_is_on_the_line_of_force(ahead):
     )
     assert after.magnitude == pytest.approx(before.magnitude, abs=0.1 * ahead, rel=1e-12)
     assert after.spin_ratio == pytest.approx(before.spin_ratio, abs=0.1 * ahead, rel=1e-12)
+
+
+class Hinge(NamedTuple):
+    """A push of a table that turns by -1 about its middle foot, which lies on the line of the force.
+
+    Feet at 0 and at (+-1, 0) have friction 2 and 1; mass and radius of gyration are 1. A load with the
+    torque -3 about the middle foot therefore turns the slider by ``-(3 - 2)``, and neither the outer feet
+    nor the mass add a force: the foot holds any force f if f and the load add up to no more than 2.
+    """
+
+    law: Any
+    contact: tuple[float, float]
+    load: tuple[float, float]
+    load_at: tuple[float, float]
+    ahead: float
+    """The pusher's motion along the fence relative to that of the slider at the contact."""
+    modes: list[str]
+    ends: list[tuple[float, float]]
+
+
+EDGE = (1 / math.sqrt(5), 2 / math.sqrt(5))
+#: Ends of the forces along an edge (+-1, 2) that differ from (0, 3) by no more than 2.
+NEAR, FAR = (6 - math.sqrt(11)) / 5, (6 + math.sqrt(11)) / 5
+DOWN, ALONG, COUPLE = ((0, -3), (1, 0)), ((3, 0), (0, 1)), ((0, -1), (3, 0))
+HINGES = {
+    "without friction": Hinge(pp.Coulomb(0.0), (0, -1), *DOWN, 1.5, LEFT, [(0, 1), (0, 5)]),
+    "without friction, a slow fence": Hinge(
+        pp.Coulomb(0.0), (0, -1), *DOWN, -0.5, RIGHT, [(0, 1), (0, 5)]
+    ),
+    "without friction, a stick": Hinge(
+        pp.Coulomb(0.0), (0, -1), *DOWN, 0.0, ["STICK"], [(0, 1), (0, 5)]
+    ),
+    "without friction, beyond the foot": Hinge(
+        pp.Coulomb(0.0), (0, 2), *DOWN, -1.0, RIGHT, [(0, 1), (0, 5)]
+    ),
+    "the foot holds without the contact": Hinge(
+        pp.Coulomb(0.0), (0, -1), *COUPLE, -1.5, RIGHT, [(0, 0), (0, 3)]
+    ),
+    "a left edge": Hinge(
+        pp.Coulomb(0.5), (EDGE[0], -EDGE[1]), *DOWN, -1.0, RIGHT, [(-NEAR, 2 * NEAR), (-FAR, 2 * FAR)]
+    ),
+    "a right edge": Hinge(
+        pp.Coulomb(0.5), (-EDGE[0], -EDGE[1]), *DOWN, 1.0, LEFT, [(NEAR, 2 * NEAR), (FAR, 2 * FAR)]
+    ),
+    "infinite friction": Hinge(
+        INFINITE, (2, 0), *ALONG, -1.0, ["STICK", *RIGHT], [(-1, 0), (-5, 0)]
+    ),
+    "at the foot, without friction": Hinge(pp.Coulomb(0.0), (0, 0), *DOWN, 1.0, LEFT, [(0, 1), (0, 5)]),
+    "at the foot, with friction": Hinge(
+        pp.Coulomb(0.5), (0, 0), *DOWN, 1.0, LEFT, [(NEAR, 2 * NEAR), (FAR, 2 * FAR)]
+    ),
+    "at the foot, infinite friction": Hinge(
+        INFINITE, (0, 0), *ALONG, -1.0, ["SEPARATE", "STICK", *RIGHT], [(-1, 0), (-5, 0)]
+    ),
+}  # fmt: skip
+IMAGES = [
+    (origin, turn, mirror)
+    for origin in ((0, 0), (0.5, 0.5), (0.3, -0.7)) for turn in (0.0, 0.7) for mirror in (1, -1)
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("hinge", HINGES.values(), ids=HINGES)
+def test_a_slip_about_a_foot_on_the_line_of_its_force_has_both_ends_of_the_interval(hinge):
+    for origin, turn, mirror in IMAGES:
+        own, angle, magnitude = image_of(hinge, origin, turn, mirror)
+        found = pp.solve(own, angle, magnitude)
+        there = hinge.modes if mirror > 0 else [MIRRORED.get(mode, mode) for mode in hinge.modes]
+        assert names(found) == there
+        if any(hinge.ends[0]):
+            assert faults(own, angle, magnitude, found) == []
+        slip = found[-1]
+        assert slip.pivot == 0
+        assert not slip.continuum
+        assert slip.twist[2] == pytest.approx(-mirror, rel=1e-12, abs=0)
+        ends = [(mirror * x, y) for x, y in hinge.ends]
+        assert slip.force == pytest.approx(ends[0], abs=1e-12)
+        assert slip.force_end == pytest.approx(ends[1], abs=1e-12)
+
+
+MIRRORED = {"SLIP_LEFT": "SLIP_RIGHT", "SLIP_RIGHT": "SLIP_LEFT"}
+
+
+def image_of(hinge, origin, turn, mirror):
+    """The scene of a hinge in another body frame, and the pusher's angle and magnitude."""
+    c, s = math.cos(turn), math.sin(turn)
+
+    def vector(x, y):
+        return c * mirror * x - s * y, s * mirror * x + c * y
+
+    def position(x, y):
+        return vector(x - mirror * origin[0], y - origin[1])
+
+    feet = [position(x, 0) for x in (0, 1, -1)]
+    effects = (
+        pp.SupportFriction(support=pp.Points(feet, [2, 1, 1]), weight=4.0),
+        pp.Inertia(gyration_radius=1.0, center=position(0, 0)),
+        pp.Load(force=vector(*hinge.load), center=position(*hinge.load_at)),
+    )
+    own = pp.scene_at(position(*hinge.contact), vector(0, 1), effects=effects, contact=hinge.law)
+    w_x, w_y = mirror * (hinge.contact[1] + hinge.ahead), -hinge.contact[0]
+    angle = math.atan2(w_y, w_x) if w_y else math.pi * (w_x < 0)
+    return own, angle, math.hypot(w_x, w_y)
+
+
+def test_the_force_of_an_interval_has_no_derivatives():
+    own, angle, magnitude = image_of(HINGES["without friction"], (0.3, -0.7), 0.7, 1)
+    (slip,) = pp.solve(own, angle, magnitude, derivatives=True)
+    assert slip.derivatives.status is pp.Smoothness.CHANGE
+    assert np.isnan(slip.derivatives.force_by_motion).all()
+
+
+def test_a_batch_has_both_ends_of_the_interval():
+    own, angle, magnitude = image_of(HINGES["a right edge"], (0, 0), 0.0, 1)
+    both = pp.solve(own, np.array([angle, angle]), magnitude)
+    assert both.force[:, 0] == pytest.approx(np.tile([NEAR, 2 * NEAR], (2, 1)), abs=1e-12)
+    assert both.force_end[:, 0] == pytest.approx(np.tile([FAR, 2 * FAR], (2, 1)), abs=1e-12)
+
+
+@pytest.mark.parametrize("angle", [1e-13, 1e-16, math.pi - 1e-13])
+def test_two_ends_of_a_continuum_that_are_one_motion_are_one_slip(angle):
+    """Three feet along the fence, so that one force along the normal has an interval of motions."""
+    support = pp.Points([(0, 0), (0, -1), (0, 1)], [3, 1, 1])
+    own = pp.Scene(
+        slider=pp.Slider(rod_length=0.5, rod_angle=UPRIGHT, radius=1.0), contact=pp.Coulomb(0.0),
+        effects=(pp.SupportFriction(support=support, weight=1.0),),
+    )  # fmt: skip
+    found = pp.solve(own, angle, 1.0)
+    assert names(found) == ["SLIP_LEFT" if angle < 1 else "SLIP_RIGHT"]
+
+
+@pytest.mark.parametrize("weight", [0.5, 0.5476131253435219, 0.7])
+def test_a_continuum_of_pivots_ends_where_the_friction_of_the_foot_is_at_its_share(weight):
+    """Turning by u / 3 about the far foot takes ``W / 3 + u / 12`` from it, and its share is W / 2."""
+    mass = pp.Inertia(mass=0.5, gyration_radius=0.5, center=(0, -0.5))
+    own = scene(
+        [(1, 0), (-1, 0), (0.5, 0)], [3, 1, 2], (2.0, UPRIGHT), pp.Coulomb(2.0), mass, weight=weight
+    )
+    slip = solved(own, 0.0, 2.0)[-1]
+    assert (slip.mode.name, slip.pivot, slip.continuum) == ("SLIP_LEFT", 0, True)
+    assert slip.contact_motion[0] == pytest.approx(2 * weight, rel=1e-11, abs=0)
+    assert slip.force == pytest.approx((weight / 3, weight / 6), rel=1e-11, abs=0)
