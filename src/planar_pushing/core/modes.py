@@ -199,7 +199,7 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
     scale = max(speed, max(fabs(rest_x), fabs(rest_y)))
     if scale == 0.0 and separation[TWIST + 2] == 0.0:
         return 1, False
-    turn = fabs(solutions[TWIST + 2]) * (1.0 + push.contact.reach)
+    turn = fabs(separation[TWIST + 2]) * (1.0 + push.contact.reach)
     slack = ALIGNED * (fabs(rest_x) + fabs(rest_y) + turn) if turn > 0.0 else 0.0
     # Index of the stick, which precedes the slips.
     stick_index = 1 if pusher.y <= rest_y + slack else 0
@@ -212,7 +212,7 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
     if x == 0.0 and y == 0.0 and stick.spin == 0.0:
         stick = hold_at_rest(push, law, stick, scale)
     search = Search(
-        push, pusher, rest_x, rest_y, solutions[TWIST + 2], scale, root, stick.f_x, stick.f_y,
+        push, pusher, rest_x, rest_y, separation[TWIST + 2], scale, root, stick.f_x, stick.f_y,
         stick_index,
     )  # fmt: skip
     slips = Count(stick_index + 1, False, False, False)
