@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import sys
-from typing import Any, get_type_hints, overload
+from typing import Any, ClassVar, overload
 
 from planar_pushing.core.numbers import Numbers
+
+
+#: Fields that are one number.
+NUMBERS: dict[str, type] = {"float": float, "int": int, "bool": bool}
 
 
 class Record:
@@ -26,11 +30,14 @@ class Record:
 
     def __init_subclass__(cls) -> None:
         """Make a property of each annotated field."""
-        place = cls.size
-        hints = get_type_hints(cls, vars(sys.modules[cls.__module__]))
-        for name in cls.__annotations__:
-            setattr(cls, name, _property_of(hints[name], place))
-            place += size_of(hints[name])
+        place, cls.places = cls.size, dict(cls.places)
+        known = vars(sys.modules[cls.__module__]) | NUMBERS
+        for name, annotation in cls.__annotations__.items():
+            kind = known[annotation]
+            setattr(cls, name, _property_of(kind, place))
+            size = size_of(kind)
+            cls.places[name] = slice(place, place + size) if issubclass(kind, Record) else place
+            place += size
         cls.size = place
 
     @overload
@@ -45,8 +52,9 @@ class Record:
         """Store a number."""
         self.row[index] = number
 
-    #: Number of its numbers.
-    size = 0
+    #: Number of its numbers, and the place of each field in a row: an index, or a part for a record.
+    size: ClassVar[int] = 0
+    places: ClassVar[dict[str, Any]] = {}
 
 
 def _property_of(kind: type, place: int) -> property:

@@ -22,15 +22,6 @@ from planar_pushing.core.path import is_flat, sample_path
 from planar_pushing.core.posing import pose_at_start, pusher_along
 from planar_pushing.core.roots import MOST_ROOTS
 from planar_pushing.core.rows import NO_POINT
-from planar_pushing.core.run import (
-    IN_MASS,
-    IN_SLIPS,
-    IN_WEIGHT,
-    RUN_FORCE,
-    RUN_OTHER_END,
-    RUN_POINT,
-    RUN_SPEED,
-)
 from planar_pushing.core.shapes import (
     center_motion,
     clearance_of,
@@ -40,15 +31,14 @@ from planar_pushing.core.shapes import (
 )
 from planar_pushing.core.side import MOST_OF_SIDE, modes_at_contact
 from planar_pushing.core.solution import (
-    MODE,
     MOST_SOLUTIONS,
-    MOTION,
     SEPARATE,
     SLIP_LEFT,
     SLIP_RIGHT,
     SOLUTION,
     STICK,
     Push,
+    Solution,
 )
 from planar_pushing.core.starts import (
     push_at_start,
@@ -57,16 +47,12 @@ from planar_pushing.core.starts import (
     write_starts_at_contact,
 )
 from planar_pushing.core.system import (
-    ANGLE,
-    BARELY_LEAVES,
     CANDIDATE,
-    DEPARTURE,
     ELSEWHERE,
     MOST_CANDIDATES,
-    NORMAL_SPEED,
-    SLIP_SPEED,
-    SPIN,
+    Candidate,
     Mode,
+    RunState,
     System,
     candidate_at,
     copy_numbers,
@@ -90,7 +76,7 @@ from planar_pushing.core.touch import (
 )
 
 
-def write_candidates(system: System, during: Span, time: float, state: Numbers) -> int:
+def write_candidates(system: System, during: Span, time: float, state: RunState) -> int:
     """Store the modes that can follow an instant; return their number."""
     if is_massive(system):
         return _write_with_inertia(system, during, time, state)
@@ -102,7 +88,7 @@ def _write_contact(system: System, index: int, contact: int, x: float, y: float)
 
 
 def _write_at_contact(
-    system: System, during: Span, time: float, state: Numbers, count: int, starts: bool
+    system: System, during: Span, time: float, state: RunState, count: int, starts: bool
 ) -> int:
     """Store, after other candidates, the modes of the contact; those of a slider at rest are starts."""
     if starts:
@@ -113,7 +99,7 @@ def _write_at_contact(
 
 
 def _write_at_side(
-    system: System, during: Span, time: float, state: Numbers, count: int, starts: bool
+    system: System, during: Span, time: float, state: RunState, count: int, starts: bool
 ) -> int:
     """As `_write_at_contact`; of a side on the fence, also the modes at either end that lift the other."""
     count = _write_at_contact(system, during, time, state, count, starts)
@@ -121,8 +107,8 @@ def _write_at_side(
         return count
     run, there = system.run, vector_of(system, ELSEWHERE)
     point, other_end, length = (
-        int(run[RUN_POINT]),
-        int(run[RUN_OTHER_END]),
+        run.point,
+        run.other_end,
         side_length(system, state),
     )
     for i in range(2):
@@ -137,17 +123,23 @@ def _write_at_side(
 
 
 def _keep_leaving(
-    system: System, during: Span, time: float, state: Numbers, length: float, first: int, count: int
+    system: System,
+    during: Span,
+    time: float,
+    state: RunState,
+    length: float,
+    first: int,
+    count: int,
 ) -> int:
     """Keep those of the last candidates that lift the other end of a side of a signed length."""
-    kept, slack, massive = first, SLACK * system.run[RUN_SPEED], is_massive(system)
+    kept, slack, massive = first, SLACK * system.run.speed, is_massive(system)
     if massive:
-        slack = SLACK * system.run[RUN_FORCE] / system.scene[IN_MASS]
+        slack = SLACK * system.run.force / system.scene.mass
     for i in range(first, count):
         mode = candidate_at(system, i, during.first)
         instant = motion_in_mode(system, mode, time, state)
         lift = (instant.turn if massive else instant.spin) * length
-        system.candidates[i * CANDIDATE + BARELY_LEAVES] = 1.0 if lift <= slack else 0.0
+        Candidate(system.candidates[i * CANDIDATE :]).barely_leaves = lift <= slack
         if mode.contact != SEPARATE and lift >= -slack:
             copy_numbers(
                 system.candidates[kept * CANDIDATE :], system.candidates[i * CANDIDATE :], CANDIDATE
@@ -159,7 +151,7 @@ def _keep_leaving(
 # Without inertia
 
 
-def _write_quasi_static(system: System, during: Span, time: float, state: Numbers) -> int:
+def _write_quasi_static(system: System, during: Span, time: float, state: RunState) -> int:
     if clearance_of(system, state) > SLACK:
         write_rest(system, 0, False, SEPARATE, 0.0, 0.0)
         return 1
@@ -171,13 +163,13 @@ def _write_quasi_static(system: System, during: Span, time: float, state: Number
 
 
 def _write_quasi_static_at_contact(
-    system: System, during: Span, time: float, state: Numbers, count: int
+    system: System, during: Span, time: float, state: RunState, count: int
 ) -> int:
     """Store the stick and the slips of the contact after the candidates so far."""
     x, y = pusher_velocity(system, during, time, state)
     _write_contact(system, count, STICK, 0.0, 0.0)
     count += 1
-    if system.scene[IN_SLIPS] == 0.0:
+    if not system.scene.slips:
         return count
     if depends_on_speed(system):
         count = _write_slips_at_speed(system, state, x, y, count)
@@ -188,31 +180,31 @@ def _write_quasi_static_at_contact(
     return count
 
 
-def _write_slips_at_speed(system: System, state: Numbers, x: float, y: float, count: int) -> int:
+def _write_slips_at_speed(system: System, state: RunState, x: float, y: float, count: int) -> int:
     """Store each slip as a candidate, for forces that depend on the speed."""
     solutions = zeros(MOST_OF_SIDE * SOLUTION)
     size = sqrt(x * x + y * y)
     for i in range(_solve_at_speed(system, state, x, y, solutions)):
-        solution = solutions[i * SOLUTION :]
-        contact = int(solution[MODE])
+        solution = Solution(solutions[i * SOLUTION :])
+        contact = solution.mode
         if slip_side(contact) != 0.0 and count < MOST_CANDIDATES - 2:
-            _write_contact(system, count, contact, size * solution[MOTION], y)
+            _write_contact(system, count, contact, size * solution.motion.x, y)
             count += 1
     return count
 
 
-def _solve_at_speed(system: System, state: Numbers, x: float, y: float, solutions: Numbers) -> int:
+def _solve_at_speed(system: System, state: RunState, x: float, y: float, solutions: Numbers) -> int:
     """Store the contact modes of a pusher's motion without inertia, in its units; return their number."""
     size = sqrt(x * x + y * y)
     scale_films(system, size if size > 0.0 else 1.0)
-    put_loads_at(system, state[ANGLE])
+    put_loads_at(system, state.angle)
     pose, length = pose_at_start(system, state), side_length(system, state)
     count = modes_at_contact(system, pose, length, x, y, 0.0, size, solutions)
     scale_films(system, 1.0)
     return count
 
 
-def count_quasi_static(system: System, mode: Mode, instant: Instant, state: Numbers) -> int:
+def count_quasi_static(system: System, mode: Mode, instant: Instant, state: RunState) -> int:
     """Number of contact modes at an instant without inertia, `UNSOLVED` if it is not known.
 
     With effects of one degree the force across an edge increases along the fence. A slip of a pusher that
@@ -235,16 +227,16 @@ def count_quasi_static(system: System, mode: Mode, instant: Instant, state: Numb
 
 
 def _count_at_side(
-    system: System, state: Numbers, left: int, right: int, x: float, y: float
+    system: System, state: RunState, left: int, right: int, x: float, y: float
 ) -> int:
     """Number of contact modes of a side on the fence and of its ends; `UNSOLVED` if it is not known."""
     run, there = system.run, vector_of(system, ELSEWHERE)
-    point, other_end = int(run[RUN_POINT]), int(run[RUN_OTHER_END])
+    point, other_end = run.point, run.other_end
     copy_numbers(there, state, system.entries)
     hold_contact(system, there, left, right)
     pose, size = pose_at_start(system, there), sqrt(x * x + y * y)
     scale_films(system, size if size > 0.0 else 1.0)
-    put_loads_at(system, there[ANGLE])
+    put_loads_at(system, there.angle)
     solutions = zeros(MOST_ON_SIDE * SIDE_SOLUTION)
     push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
     count = side_modes(
@@ -256,7 +248,7 @@ def _count_at_side(
     return count
 
 
-def note_slip(system: System, time: float, state: Numbers, index: int, mode: Mode) -> None:
+def note_slip(system: System, time: float, state: RunState, index: int, mode: Mode) -> None:
     """Store the slip at the end of a step, from which the next step follows it."""
     if not is_massive(system) and depends_on_speed(system) and slip_side(mode.contact) != 0.0:
         instant = motion_in_mode(system, mode, time, state)
@@ -266,19 +258,19 @@ def note_slip(system: System, time: float, state: Numbers, index: int, mode: Mod
 # With inertia
 
 
-def _write_with_inertia(system: System, during: Span, time: float, state: Numbers) -> int:
-    pose, speed = pose_of(system, state), system.run[RUN_SPEED]
+def _write_with_inertia(system: System, during: Span, time: float, state: RunState) -> int:
+    pose, speed = pose_of(system, state), system.run.speed
     fence_x, fence_y = pusher_velocity(system, during, time, state)
     v_x, v_y = center_motion(
-        pose, fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED], state[SPIN]
+        pose, fence_x + state.slip_speed, fence_y + state.normal_speed, state.spin
     )
-    clear: bool = clearance_of(system, state) > SLACK or fabs(state[NORMAL_SPEED]) > SLACK * speed
-    contact = SLIP_LEFT if fabs(state[SLIP_SPEED]) > SLACK * speed else STICK
+    clear: bool = clearance_of(system, state) > SLACK or fabs(state.normal_speed) > SLACK * speed
+    contact = SLIP_LEFT if fabs(state.slip_speed) > SLACK * speed else STICK
     pushed = push_in_mode(SEPARATE if clear else contact, fence_x, fence_y)
-    size = motion_beside_push(system, size_of_twist(v_x, v_y, state[SPIN]), pushed)
+    size = motion_beside_push(system, size_of_twist(v_x, v_y, state.spin), pushed)
     # A slider this slow is about to stop; above it, its guard is positive.
     rests: bool = size <= (slowest_motion(system) + 2.0 * SLACK) * speed
-    rests = rests and system.scene[IN_WEIGHT] > 0.0
+    rests = rests and system.scene.weight > 0.0
     if clear:
         if rests:
             return write_free_start(system, state)
@@ -289,40 +281,40 @@ def _write_with_inertia(system: System, during: Span, time: float, state: Number
     return _write_at_side(system, during, time, state, 0, False)
 
 
-def _write_moving(system: System, during: Span, time: float, state: Numbers, count: int) -> int:
+def _write_moving(system: System, during: Span, time: float, state: RunState, count: int) -> int:
     """Store the modes of a moving slider that touches the fence after the candidates so far."""
-    slack, slip = SLACK * system.run[RUN_SPEED], state[SLIP_SPEED]
+    slack, slip = SLACK * system.run.speed, state.slip_speed
     foot = _foot_at_center(system, during, time, state)
     if count == 0 and _separates(system, during, time, state, foot):
         count = _write_in_motion(system, during, time, state, SEPARATE, foot, count)
     if fabs(slip) <= slack:
         count = _write_in_motion(system, during, time, state, STICK, foot, count)
     for contact in range(SLIP_RIGHT, SLIP_LEFT + 1):
-        if system.scene[IN_SLIPS] != 0.0 and slip_side(contact) * slip >= -slack:
+        if system.scene.slips and slip_side(contact) * slip >= -slack:
             count = _write_in_motion(system, during, time, state, contact, foot, count)
     return count
 
 
-def _foot_at_center(system: System, during: Span, time: float, state: Numbers) -> int:
+def _foot_at_center(system: System, during: Span, time: float, state: RunState) -> int:
     """Number of the support point at the center of rotation, -1 without one."""
     fence_x, fence_y = pusher_velocity(system, during, time, state)
-    pose, spin = pose_of(system, state), state[SPIN]
-    v_x, v_y = center_motion(pose, fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED], spin)
+    pose, spin = pose_of(system, state), state.spin
+    v_x, v_y = center_motion(pose, fence_x + state.slip_speed, fence_y + state.normal_speed, spin)
     foot = slowest_foot_at(system, pose, v_x, v_y, spin)
     slowest = speed_at_center(system, size_of_twist(v_x, v_y, spin))
     return foot.number if foot.speed <= slowest else NO_POINT
 
 
-def _separates(system: System, during: Span, time: float, state: Numbers, foot: int) -> bool:
+def _separates(system: System, during: Span, time: float, state: RunState, foot: int) -> bool:
     """Whether the contact opens without a contact force, or barely does not: then the trend decides."""
     hinged = _is_held(system, during, time, state, SEPARATE, foot)
     mode = Mode(SEPARATE, foot, hinged, 1, False, 0.0, 0.0, 0.0, 0.0, during)
     lift = motion_in_mode(system, mode, time, state).lift
-    return lift >= -NEAR_ZERO * system.run[RUN_FORCE] / system.scene[IN_MASS]
+    return lift >= -NEAR_ZERO * system.run.force / system.scene.mass
 
 
 def _is_held(
-    system: System, during: Span, time: float, state: Numbers, contact: int, foot: int
+    system: System, during: Span, time: float, state: RunState, contact: int, foot: int
 ) -> bool:
     """Whether friction can hold the support point at the center of rotation in a contact mode."""
     if foot < 0 or contact == STICK:
@@ -332,7 +324,7 @@ def _is_held(
 
 
 def _write_in_motion(
-    system: System, during: Span, time: float, state: Numbers, contact: int, foot: int, count: int
+    system: System, during: Span, time: float, state: RunState, contact: int, foot: int, count: int
 ) -> int:
     """Store the modes of a moving slider with a contact mode after the candidates so far.
 
@@ -346,14 +338,14 @@ def _write_in_motion(
         mode = Mode(contact, foot, False, departure, False, 0.0, 0.0, 0.0, 0.0, during)
         if count == first or motion_in_mode(system, mode, time, state).hold > 0.0:
             write_candidate(system, count, contact, foot, False, False, 0.0, 0.0, 0.0)
-            system.candidates[count * CANDIDATE + DEPARTURE] = float(departure)
+            Candidate(system.candidates[count * CANDIDATE :]).departure = departure
             count += 1
     for i in range(first, count if contact == SEPARATE else first):
         leave_side(system, i)
     return count
 
 
-def write_starts(system: System, during: Span, time: float, state: Numbers) -> int:
+def write_starts(system: System, during: Span, time: float, state: RunState) -> int:
     """Store all modes in which a slider at rest on the fence can start."""
     _, _, unit = push_at_start(system, during, time, state)
     if unit == 0.0:

@@ -11,10 +11,8 @@ from planar_pushing.core.feet import slowest_foot_at, stop_slowest_foot
 from planar_pushing.core.fence import Span, fence_velocity, span_at
 from planar_pushing.core.impact import add_impulse, collide
 from planar_pushing.core.instant import load_power
-from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.posing import pose_at_start
 from planar_pushing.core.rows import foot_position
-from planar_pushing.core.run import IN_MASS, RUN_SPEED
 from planar_pushing.core.shapes import (
     center_motion,
     clearance_of,
@@ -29,28 +27,21 @@ from planar_pushing.core.shapes import (
 )
 from planar_pushing.core.solution import SEPARATE, STICK
 from planar_pushing.core.system import (
-    ALONG,
-    ANGLE,
     CENTER_AT_POINT,
-    GAP,
     GOES_ON,
     LEAVES_CONE,
-    LOST,
     MOVING,
     NO_MODE,
-    NORMAL_SPEED,
     PENETRATES,
     PUSH_STARTS,
     RATES,
     REST,
     SLIDER_STOPS,
     SLIP_ENDS,
-    SLIP_SPEED,
-    SPIN,
     STILL,
     TOUCHES,
-    WORK,
     Mode,
+    RunState,
     System,
     candidate_at,
     contact_mode_of,
@@ -70,9 +61,9 @@ from planar_pushing.core.touch import (
 )
 
 
-def _set_off(system: System, mode: Mode, time: float, state: Numbers, policy: int) -> int:
+def _set_off(system: System, mode: Mode, time: float, state: RunState, policy: int) -> int:
     """Set a slider at rest in motion with a fence that starts to push it; return `GOES_ON` or a reason."""
-    state[GAP] = 0.0
+    state.gap = 0.0
     current, chosen, contact = contact_mode_of(mode), -1, NO_MODE
     for i in range(write_starts(system, mode.during, time, state)):
         start = candidate_at(system, i, mode.during.first)
@@ -87,12 +78,12 @@ def _set_off(system: System, mode: Mode, time: float, state: Numbers, policy: in
     part = fence_y / b_y if b_y != 0.0 else 0.0
     v_x, v_y, spin = part * start.x, part * start.y, part * start.spin
     u_x, _ = contact_motion(pose_at_start(system, state), v_x, v_y, spin)
-    state[SLIP_SPEED] = 0.0 if start.contact == STICK else u_x - fence_x
-    state[NORMAL_SPEED], state[SPIN] = 0.0, spin
+    state.slip_speed = 0.0 if start.contact == STICK else u_x - fence_x
+    state.normal_speed, state.spin = 0.0, spin
     return GOES_ON
 
 
-def _come_to_rest(system: System, mode: Mode, time: float, state: Numbers) -> float:
+def _come_to_rest(system: System, mode: Mode, time: float, state: RunState) -> float:
     """Complete a motion that comes to rest; return the time at rest.
 
     Speeds decrease in proportion to the remaining time, and the energy with its square, so that everything
@@ -103,30 +94,30 @@ def _come_to_rest(system: System, mode: Mode, time: float, state: Numbers) -> fl
     pose = pose_of(system, state)
     fence_x, fence_y = pusher_velocity(system, during, time, state)
     v_x, v_y = center_motion(
-        pose, fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED], state[SPIN]
+        pose, fence_x + state.slip_speed, fence_y + state.normal_speed, state.spin
     )
-    loss_rate = rates[LOST] - rates[WORK] - load_power(system, pose, state, v_x, v_y, state[SPIN])
+    loss_rate = rates.lost - rates.work - load_power(system, pose, state, v_x, v_y, state.spin)
     for i in range(MOVING, system.entries):
         loss_rate += rates[i]
     if loss_rate <= 0.0:
         return time
-    energy = kinetic_energy_of(system, pose, v_x, v_y, state[SPIN])
+    energy = kinetic_energy_of(system, pose, v_x, v_y, state.spin)
     half = min(2.0 * energy / loss_rate, during.end - time) / 2.0
     for entry in range(system.entries):
         if entry < STILL or entry >= MOVING:
             state[entry] += rates[entry] * half
     # The fence continues at its own speed.
-    state[ALONG] -= fence_x * half
-    state[GAP] -= fence_y * half
-    slack = SLACK * system.run[RUN_SPEED]
-    if clearance_of(system, state) <= SLACK and fabs(state[NORMAL_SPEED]) <= slack:
-        state[GAP] = 0.0
+    state.along -= fence_x * half
+    state.gap -= fence_y * half
+    slack = SLACK * system.run.speed
+    if clearance_of(system, state) <= SLACK and fabs(state.normal_speed) <= slack:
+        state.gap = 0.0
     last_x, last_y = pusher_velocity(system, during, time + 2.0 * half, state)
-    state[SLIP_SPEED], state[NORMAL_SPEED], state[SPIN] = -last_x, -last_y, 0.0
+    state.slip_speed, state.normal_speed, state.spin = -last_x, -last_y, 0.0
     return time + 2.0 * half
 
 
-def enter_span(system: System, index: int, state: Numbers, current: int, policy: int) -> int:
+def enter_span(system: System, index: int, state: RunState, current: int, policy: int) -> int:
     """Begin a span of the pusher's motion; return `GOES_ON`, or why there is no consistent state.
 
     With inertia a jump of the pusher's velocity is an impact on a slider in contact.
@@ -138,10 +129,10 @@ def enter_span(system: System, index: int, state: Numbers, current: int, policy:
     if index > 0:
         previous = span_at(system.fence, index - 1)
         before_x, before_y = fence_velocity(system.fence, previous, previous.end)
-    jump_x, jump_y = from_world(system, state[ANGLE], before_x - after_x, before_y - after_y)
-    state[SLIP_SPEED] += jump_x
-    state[NORMAL_SPEED] += jump_y
-    slack = SLACK * system.run[RUN_SPEED]
+    jump_x, jump_y = from_world(system, state.angle, before_x - after_x, before_y - after_y)
+    state.slip_speed += jump_x
+    state.normal_speed += jump_y
+    slack = SLACK * system.run.speed
     touches: bool = clearance_of(system, state) <= SLACK
     if touches:
         take_lowest_point(system, state)
@@ -157,7 +148,7 @@ def settle(
     system: System,
     during: Span,
     time: float,
-    state: Numbers,
+    state: RunState,
     slack: float,
     current: int,
     policy: int,
@@ -173,47 +164,47 @@ def settle(
     if touches:
         take_lowest_point(system, state)
     reason = GOES_ON
-    if touches and approach_of(system, state) < -SLACK * system.run[RUN_SPEED]:
+    if touches and approach_of(system, state) < -SLACK * system.run.speed:
         reason = collide(system, during, time, state, current, policy)
         # Of a slow impact, the slip is rounding error.
         slack = slack if reason == GOES_ON else RATTLES
     fence_x, fence_y = pusher_velocity(system, during, time, state)
     pose = pose_of(system, state)
     v_x, v_y = center_motion(
-        pose, fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED], state[SPIN]
+        pose, fence_x + state.slip_speed, fence_y + state.normal_speed, state.spin
     )
-    energy = kinetic_energy_of(system, pose, v_x, v_y, state[SPIN])
-    c_x = v_x - state[SPIN] * (pose.arm_y - pose.y)
-    c_y = v_y + state[SPIN] * (pose.arm_x - pose.x)
+    energy = kinetic_energy_of(system, pose, v_x, v_y, state.spin)
+    c_x = v_x - state.spin * (pose.arm_y - pose.y)
+    c_y = v_y + state.spin * (pose.arm_x - pose.x)
     settle_on_fence(system, state, slack)
     if is_flush(system):
-        if fabs(state[SLIP_SPEED]) > SLACK * system.run[RUN_SPEED]:
-            state[SLIP_SPEED] = c_x - fence_x  # without an impulse along the fence
-        x, y = fence_x + state[SLIP_SPEED], fence_y
-        mass, pose = system.scene[IN_MASS], pose_of(system, state)
+        if fabs(state.slip_speed) > SLACK * system.run.speed:
+            state.slip_speed = c_x - fence_x  # without an impulse along the fence
+        x, y = fence_x + state.slip_speed, fence_y
+        mass, pose = system.scene.mass, pose_of(system, state)
         d_x, d_y = x - c_x, y - c_y
-        if fabs(d_x) + fabs(d_y) > SLACK * system.run[RUN_SPEED]:
+        if fabs(d_x) + fabs(d_y) > SLACK * system.run.speed:
             add_impulse(system, state, mass * d_x, mass * d_y)
         work = mass * (d_x * fence_x + d_y * fence_y)
-        state[WORK] += work
-        state[LOST] += work - (kinetic_energy_of(system, pose, x, y, 0.0) - energy)
+        state.work += work
+        state.lost += work - (kinetic_energy_of(system, pose, x, y, 0.0) - energy)
         return GOES_ON
     return reason
 
 
-def close_contact(system: System, during: Span, time: float, state: Numbers, policy: int) -> bool:
+def close_contact(system: System, during: Span, time: float, state: RunState, policy: int) -> bool:
     """Close a contact that opens so slowly that its gap is zero; return whether there is one."""
     run = system.run
     if not is_massive(system) or count_points(system) > 0 or clearance_of(system, state) > SLACK:
         return False
-    speed = fabs(state[NORMAL_SPEED])
-    if speed > RATTLES * run[RUN_SPEED] or speed <= SLACK * run[RUN_SPEED]:
+    speed = fabs(state.normal_speed)
+    if speed > RATTLES * run.speed or speed <= SLACK * run.speed:
         return False
-    state[GAP], state[NORMAL_SPEED] = 0.0, -speed
+    state.gap, state.normal_speed = 0.0, -speed
     return collide(system, during, time, state, SEPARATE, policy) == GOES_ON
 
 
-def close_on_foot(system: System, during: Span, time: float, state: Numbers) -> bool:
+def close_on_foot(system: System, during: Span, time: float, state: RunState) -> bool:
     """Stop a support point and close the contact where both rattle; return whether they do.
 
     While a support point comes to rest, the contact can open and close, faster and faster, until the slider
@@ -222,43 +213,43 @@ def close_on_foot(system: System, during: Span, time: float, state: Numbers) -> 
     run = system.run
     if not is_massive(system) or count_points(system) > 0 or clearance_of(system, state) > SLACK:
         return False
-    slowest, pose = RATTLES * run[RUN_SPEED], pose_of(system, state)
+    slowest, pose = RATTLES * run.speed, pose_of(system, state)
     fence_x, fence_y = pusher_velocity(system, during, time, state)
     v_x, v_y = center_motion(
-        pose, fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED], state[SPIN]
+        pose, fence_x + state.slip_speed, fence_y + state.normal_speed, state.spin
     )
-    foot = slowest_foot_at(system, pose, v_x, v_y, state[SPIN])
-    if fabs(state[NORMAL_SPEED]) > slowest or foot.number < 0 or foot.speed > RATTLES:
+    foot = slowest_foot_at(system, pose, v_x, v_y, state.spin)
+    if fabs(state.normal_speed) > slowest or foot.number < 0 or foot.speed > RATTLES:
         return False
     point = foot_position(friction_effects(system), foot.number)
     f_x, f_y = to_contact(pose.rod, point.x, point.y)
     d_x, d_y = pose.x + f_x, pose.y + f_y
-    spin = -fence_y / d_x if fabs(d_x) > SLACK else state[SPIN]
+    spin = -fence_y / d_x if fabs(d_x) > SLACK else state.spin
     slip = spin * d_y - fence_x
-    if fabs(slip) <= NEAR_ZERO * run[RUN_SPEED]:
+    if fabs(slip) <= NEAR_ZERO * run.speed:
         slip = 0.0
-    if fabs(spin - state[SPIN]) > slowest or fabs(slip - state[SLIP_SPEED]) > slowest:
+    if fabs(spin - state.spin) > slowest or fabs(slip - state.slip_speed) > slowest:
         return False
-    before = kinetic_energy_of(system, pose, v_x, v_y, state[SPIN])
-    state[GAP], state[SLIP_SPEED], state[NORMAL_SPEED], state[SPIN] = 0.0, slip, 0.0, spin
-    state[LOST] += before - kinetic_energy_of(system, pose, spin * f_y, -spin * f_x, spin)
+    before = kinetic_energy_of(system, pose, v_x, v_y, state.spin)
+    state.gap, state.slip_speed, state.normal_speed, state.spin = 0.0, slip, 0.0, spin
+    state.lost += before - kinetic_energy_of(system, pose, spin * f_y, -spin * f_x, spin)
     return True
 
 
 def change_state(
-    system: System, cause: int, mode: Mode, time: float, state: Numbers, policy: int
+    system: System, cause: int, mode: Mode, time: float, state: RunState, policy: int
 ) -> tuple[float, int]:
     """Change the state just after an event; return the time, and `GOES_ON` or why the run ends."""
     if not is_massive(system):
         if cause == TOUCHES or (cause == PENETRATES and not has_finger(system)):
             land_on_fence(system, state)
-        elif state[GAP] <= SLACK:
-            state[GAP] = 0.0
+        elif state.gap <= SLACK:
+            state.gap = 0.0
         return time, GOES_ON
     contact = contact_mode_of(mode)
     if mode.hinged:
         instant = motion_in_mode(system, mode, time, state)
-        state[SLIP_SPEED], state[NORMAL_SPEED] = instant.slip, instant.normal_speed
+        state.slip_speed, state.normal_speed = instant.slip, instant.normal_speed
     passes: bool = cause == CENTER_AT_POINT
     passes = passes or cause == LEAVES_CONE
     if passes and contact == STICK and not is_flush(system):
@@ -271,7 +262,7 @@ def change_state(
     if cause == TOUCHES or meets:
         return time, collide(system, mode.during, time, state, contact, policy)
     if cause == SLIP_ENDS:
-        state[SLIP_SPEED] = 0.0
+        state.slip_speed = 0.0
     elif cause == SLIDER_STOPS:
         return _come_to_rest(system, mode, time, state), GOES_ON
     elif cause == PUSH_STARTS:
@@ -279,7 +270,7 @@ def change_state(
     touches: bool = mode.contact == SEPARATE and clearance_of(system, state) <= SLACK
     if touches:
         take_lowest_point(system, state)
-    if touches and state[NORMAL_SPEED] < -SLACK * system.run[RUN_SPEED]:
-        state[GAP] = 0.0
+    if touches and state.normal_speed < -SLACK * system.run.speed:
+        state.gap = 0.0
         return time, collide(system, mode.during, time, state, contact, policy)
     return time, GOES_ON

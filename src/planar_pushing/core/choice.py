@@ -6,24 +6,12 @@ from planar_pushing.core.candidates import count_quasi_static, write_candidates
 from planar_pushing.core.equations import write_guards, write_rates
 from planar_pushing.core.fence import policy_at, span_at
 from planar_pushing.core.instant import Instant
-from planar_pushing.core.numbers import INFINITY, Numbers, zeros
-from planar_pushing.core.run import (
-    RUN_CHANGES,
-    RUN_CHOSEN,
-    RUN_MODE,
-    RUN_OTHER_END,
-    RUN_PIECE,
-    RUN_POINT,
-    RUN_SOLUTIONS,
-    RUN_TIME,
-)
+from planar_pushing.core.numbers import INFINITY, zeros
 from planar_pushing.core.shapes import clearance_of
 from planar_pushing.core.system import (
-    BARELY_LEAVES,
     CANDIDATE,
     CAUSES,
     KEEP_CONTACT,
-    LASTS,
     LATER_GUARDS,
     MOST_CANDIDATES,
     NO_MODE,
@@ -31,7 +19,9 @@ from planar_pushing.core.system import (
     TRIAL,
     TRIAL_GUARDS,
     WATCHES,
+    Candidate,
     Mode,
+    RunState,
     System,
     candidate_at,
     contact_mode_of,
@@ -52,22 +42,22 @@ AHEAD = 1e-5
 
 def current_mode(system: System) -> Mode:
     """The chosen mode."""
-    return candidate_at(system, int(system.run[RUN_CHOSEN]), int(system.run[RUN_PIECE]))
+    return candidate_at(system, system.run.chosen, system.run.piece)
 
 
 def current_policy(system: System) -> int:
     """The policy in the current span of the pusher's motion."""
-    return policy_at(system.fence, int(system.run[RUN_PIECE]))
+    return policy_at(system.fence, system.run.piece)
 
 
-def _holds(system: System, mode: Mode, time: float, state: Numbers, later: bool) -> bool:
+def _holds(system: System, mode: Mode, time: float, state: RunState, later: bool) -> bool:
     """Whether a mode holds at an instant, or a moment later."""
     if later:
         return _will_hold(system, mode, time, state)
     return _holds_at(system, mode, time, state)
 
 
-def _holds_at(system: System, mode: Mode, time: float, state: Numbers) -> bool:
+def _holds_at(system: System, mode: Mode, time: float, state: RunState) -> bool:
     """Whether the margins of a mode are positive, or zero and not decreasing."""
     guards, later = guards_of(system, TRIAL_GUARDS), guards_of(system, LATER_GUARDS)
     write_guards(system, mode, time, state, guards)
@@ -87,7 +77,7 @@ def _holds_at(system: System, mode: Mode, time: float, state: Numbers) -> bool:
     return True
 
 
-def _will_hold(system: System, mode: Mode, time: float, state: Numbers) -> bool:
+def _will_hold(system: System, mode: Mode, time: float, state: RunState) -> bool:
     """Whether the margins of a mode are positive a moment later, for forces that jump at the instant."""
     later, lowest = guards_of(system, LATER_GUARDS), INFINITY
     _look_ahead(system, mode, time, state)
@@ -97,7 +87,7 @@ def _will_hold(system: System, mode: Mode, time: float, state: Numbers) -> bool:
     return lowest >= -NEAR_ZERO
 
 
-def _look_ahead(system: System, mode: Mode, time: float, state: Numbers) -> None:
+def _look_ahead(system: System, mode: Mode, time: float, state: RunState) -> None:
     """Store the guards of a mode a moment later."""
     during, trial = mode.during, vector_of(system, TRIAL)
     ahead = AHEAD * min(during.end - during.start, pace_of(system, during, time))
@@ -112,8 +102,8 @@ def choose_mode(system: System, excluded: int, point: int, other_end: int) -> bo
 
     A contact mode can be excluded at a contact.
     """
-    run, state, piece = system.run, vector_of(system, STATE), int(system.run[RUN_PIECE])
-    current, policy, time = int(run[RUN_MODE]), current_policy(system), run[RUN_TIME]
+    run, state, piece = system.run, vector_of(system, STATE), system.run.piece
+    current, policy, time = run.mode, current_policy(system), run.time
     count = write_candidates(system, span_at(system.fence, piece), time, state)
     for i in range(count):
         numbers = system.candidates[i * CANDIDATE :]
@@ -126,19 +116,19 @@ def choose_mode(system: System, excluded: int, point: int, other_end: int) -> bo
     contact = NO_MODE if chosen < 0 else contact_mode_of(candidate_at(system, chosen, piece))
     if chosen >= 0:
         hold_candidate(system, state, chosen)
-    run[RUN_CHOSEN], run[RUN_MODE], run[RUN_SOLUTIONS] = (
-        float(chosen),
-        float(contact),
-        float(solutions),
+    run.chosen, run.mode, run.solutions = (
+        chosen,
+        contact,
+        solutions,
     )
     if contact != current and current != NO_MODE:
-        run[RUN_CHANGES] += 1.0
+        run.changes += 1
     return chosen >= 0
 
 
 def _preferred_of_lasting(
     system: System, candidates: int, current: int, policy: int,
-    time: float, state: Numbers, later: bool,
+    time: float, state: RunState, later: bool,
 ) -> tuple[int, int]:  # fmt: skip
     """The candidate that the policy prefers among those that hold, or will hold later; their number.
 
@@ -146,15 +136,15 @@ def _preferred_of_lasting(
     """
     run = system.run
     chosen, contact, count = -1, NO_MODE, 0
-    point, other_end = int(run[RUN_POINT]), int(run[RUN_OTHER_END])
+    point, other_end = run.point, run.other_end
     for i in range(candidates):
-        mode = candidate_at(system, i, int(run[RUN_PIECE]))
+        mode = candidate_at(system, i, run.piece)
         lasts: bool = mode.contact != NO_MODE
         if lasts:
             there = state_at_candidate(system, state, i)
             lasts = _holds(system, mode, time, there, later)
             put_contact(system, point, other_end)
-        system.candidates[i * CANDIDATE + LASTS] = 1.0 if lasts else 0.0
+        Candidate(system.candidates[i * CANDIDATE :]).lasts = lasts
         if lasts and not _repeats(system, i):
             count += 1
             if is_preferred(policy, current, contact_mode_of(mode), contact):
@@ -162,7 +152,7 @@ def _preferred_of_lasting(
     return chosen, count
 
 
-def count_modes(system: System, mode: Mode, instant: Instant, time: float, state: Numbers) -> int:
+def count_modes(system: System, mode: Mode, instant: Instant, time: float, state: RunState) -> int:
     """Number of consistent modes at an instant within a step; one if the contact is open."""
     if clearance_of(system, state) > SLACK:
         return 1
@@ -179,10 +169,10 @@ def count_modes(system: System, mode: Mode, instant: Instant, time: float, state
 
 def _repeats(system: System, index: int) -> bool:
     """Whether a candidate at an end of a side is the motion of the side, which lasts."""
-    numbers = system.candidates[index * CANDIDATE :]
-    for i in range(index if numbers[BARELY_LEAVES] != 0.0 else 0):
-        other = system.candidates[i * CANDIDATE :]
+    numbers = Candidate(system.candidates[index * CANDIDATE :])
+    for i in range(index if numbers.barely_leaves else 0):
+        other = Candidate(system.candidates[i * CANDIDATE :])
         same: bool = other[0] == numbers[0] and other[8] >= 0.0
-        if same and other[LASTS] != 0.0:
+        if same and other.lasts:
             return True
     return False

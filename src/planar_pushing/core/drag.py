@@ -16,61 +16,41 @@ from planar_pushing.core.rows import (
     foot_position,
     resistance,
 )
-from planar_pushing.core.run import (
-    IN_ANGLE,
-    IN_CROSS,
-    IN_DOT,
-    IN_FRICTIONS,
-    IN_LENGTH,
-    IN_LOAD_X,
-    IN_LOAD_Y,
-    IN_MASS,
-    IN_MASS_X,
-    IN_MASS_Y,
-    IN_RESISTING,
-    RUN_EFFECTS,
-    RUN_FEET,
-    RUN_FRICTIONAL,
-    RUN_LINEAR,
-    RUN_MOMENT,
-    RUN_ROD,
-    RUN_SQUARE,
-)
 from planar_pushing.core.system import System, is_loaded
 from planar_pushing.core.tolerances import ROUNDING
 
 
 def resisting_effects(system: System) -> Effects:
     """Friction and viscous friction."""
-    return _effects_of(system, system.row, int(system.scene[IN_RESISTING]))
+    return _effects_of(system, system.row, system.scene.resisting)
 
 
 def friction_effects(system: System) -> Effects:
     """Friction alone."""
-    return _effects_of(system, system.row, int(system.scene[IN_FRICTIONS]))
+    return _effects_of(system, system.row, system.scene.frictions)
 
 
 def problem_effects(system: System) -> Effects:
     """All effects, with the numbers for the problem at hand."""
-    return _effects_of(system, system.problem, int(system.run[RUN_EFFECTS]))
+    return _effects_of(system, system.problem, system.run.effects)
 
 
 def depends_on_speed(system: System) -> bool:
     """Whether the direction of the motion depends on its magnitude, with viscous friction or loads."""
-    return system.run[RUN_SQUARE] != 0.0 or is_loaded(system)
+    return system.run.resists_squarely or is_loaded(system)
 
 
 def _effects_of(system: System, row: Numbers, length: int) -> Effects:
     run = system.run
     return Effects(
-        row, system.data, length, int(run[RUN_FEET]), run[RUN_FRICTIONAL] != 0.0,
-        run[RUN_SQUARE] != 0.0, run[RUN_LINEAR] != 0.0, 1.0, 1.0,
+        row, system.data, length, run.feet, run.frictional,
+        run.resists_squarely, run.linear, 1.0, 1.0,
     )  # fmt: skip
 
 
 def scale_films(system: System, factor: float) -> None:
     """Multiply the viscous friction of the problem at hand by a factor."""
-    for i in range(int(system.scene[IN_FRICTIONS]), int(system.scene[IN_RESISTING])):
+    for i in range(system.scene.frictions, system.scene.resisting):
         column = column_of(system.data, i)
         system.problem[column] = factor * system.row[column]
 
@@ -78,24 +58,24 @@ def scale_films(system: System, factor: float) -> None:
 def put_mass(system: System, factor: float) -> None:
     """Store the inertia of the problem at hand, multiplied by a factor."""
     scene, row = system.scene, system.problem
-    numbers = row[column_of(system.data, int(scene[IN_RESISTING])) :]
+    numbers = row[column_of(system.data, scene.resisting) :]
     numbers[0] = factor
-    numbers[1] = system.run[RUN_MOMENT] / scene[IN_MASS]
-    numbers[2], numbers[3] = scene[IN_MASS_X], scene[IN_MASS_Y]
+    numbers[1] = system.run.moment / scene.mass
+    numbers[2], numbers[3] = scene.center.x, scene.center.y
 
 
 def put_load(system: System, load: Vector) -> None:
     """Store the wrench of the loads of the problem at hand."""
-    numbers = system.problem[column_of(system.data, int(system.run[RUN_EFFECTS]) - 1) :]
+    numbers = system.problem[column_of(system.data, system.run.effects - 1) :]
     numbers[0], numbers[1], numbers[2] = load.x, load.y, load.spin
 
 
 def load_at(system: System, angle: float) -> Vector:
     """Wrench of the loads at a rod angle; their direction in the world is constant."""
-    scene, turn = system.scene, angle - system.scene[IN_ANGLE]
+    scene, turn = system.scene, angle - system.scene.angle
     c, s = cos(turn), sin(turn)
-    x, y = scene[IN_LOAD_X], scene[IN_LOAD_Y]
-    return Vector(x * c + y * s, y * c - x * s, scene[IN_CROSS] * c - scene[IN_DOT] * s)
+    x, y = scene.load.x, scene.load.y
+    return Vector(x * c + y * s, y * c - x * s, scene.cross * c - scene.dot * s)
 
 
 def put_loads_at(system: System, angle: float) -> None:
@@ -106,12 +86,12 @@ def put_loads_at(system: System, angle: float) -> None:
 
 def load_work(system: System, angle: float, x: float, y: float) -> float:
     """Work of the loads since time 0 if the slider's center is at (x, y) in the world."""
-    scene, run, turn = system.scene, system.run, angle - system.scene[IN_ANGLE]
-    c, s = run[RUN_ROD], run[RUN_ROD + 1]
-    d_x, d_y = x - scene[IN_LENGTH] * c, y - scene[IN_LENGTH] * s
+    scene, run, turn = system.scene, system.run, angle - system.scene.angle
+    c, s = run.rod.x, run.rod.y
+    d_x, d_y = x - scene.length * c, y - scene.length * s
     b_x, b_y = d_x * c + d_y * s, d_y * c - d_x * s
-    work = scene[IN_LOAD_X] * b_x + scene[IN_LOAD_Y] * b_y
-    return work + scene[IN_DOT] * (cos(turn) - 1.0) + scene[IN_CROSS] * sin(turn)
+    work = scene.load.x * b_x + scene.load.y * b_y
+    return work + scene.dot * (cos(turn) - 1.0) + scene.cross * sin(turn)
 
 
 def drag(system: System, x: float, y: float, spin: float) -> Resistance:

@@ -31,18 +31,6 @@ from planar_pushing.core.path import Path, find_root, first_sample, sample_at_in
 from planar_pushing.core.psi import guess_spin, psi
 from planar_pushing.core.reaction import cone_margin, edge_angle, edge_of_slip
 from planar_pushing.core.rows import NO_POINT, Effects
-from planar_pushing.core.run import (
-    IN_LENGTH,
-    IN_MASS,
-    IN_ROUGH,
-    IN_WEIGHT,
-    RUN_EVALUATIONS,
-    RUN_FEET,
-    RUN_FORCE,
-    RUN_PARTED,
-    RUN_RING,
-    RUN_SPEED,
-)
 from planar_pushing.core.shapes import (
     Pose,
     center_height,
@@ -60,19 +48,14 @@ from planar_pushing.core.shapes import (
 )
 from planar_pushing.core.solution import SEPARATE, STICK
 from planar_pushing.core.system import (
-    ALONG,
-    ANGLE,
     CAUSES,
     CENTER_AT_POINT,
     CENTER_DOWN,
     END_OF_SIDE,
     FORCE_ENDS,
-    GAP,
     KINK,
     LEAVES_CONE,
-    LOST,
     NORMAL_REVERSES,
-    NORMAL_SPEED,
     PENETRATES,
     PIVOT_YIELDS,
     PUSH_STARTS,
@@ -80,13 +63,10 @@ from planar_pushing.core.system import (
     SEPARATION_CHANGES,
     SLIDER_STOPS,
     SLIP_ENDS,
-    SLIP_SPEED,
-    SLIPPED,
-    SPIN,
     TANGENTIAL_REVERSES,
     TOUCHES,
-    WORK,
     Mode,
+    RunState,
     System,
     contact_mode_of,
     energies_of,
@@ -97,20 +77,20 @@ from planar_pushing.core.tolerances import NO_FORCE, PUSHES, SLACK
 from planar_pushing.core.touch import is_flush, side_length
 
 
-def motion_in_mode(system: System, mode: Mode, time: float, state: Numbers) -> Instant:
+def motion_in_mode(system: System, mode: Mode, time: float, state: RunState) -> Instant:
     """The motion at an instant in a mode."""
     if is_massive(system):
         return motion_with_inertia(system, mode, time, state)
     return _quasi_static_motion(system, mode, time, state)
 
 
-def _quasi_static_motion(system: System, mode: Mode, time: float, state: Numbers) -> Instant:
+def _quasi_static_motion(system: System, mode: Mode, time: float, state: RunState) -> Instant:
     fence_x, fence_y = pusher_velocity(system, mode.during, time, state)
     stays: bool = mode.contact == SEPARATE or mode.contact == REST
     if stays or (mode.contact == STICK and fence_x == 0.0 and fence_y == 0.0):
         return instant_at_rest(fence_x, fence_y, 0.0, 0.0, 0.0, 0.0, 0.0)
-    system.run[RUN_EVALUATIONS] += 1.0
-    put_loads_at(system, state[ANGLE])
+    system.run.evaluations += 1
+    put_loads_at(system, state.angle)
     pose, effects = pose_of(system, state), problem_effects(system)
     if is_flush(system):
         pose = hold_pose(pose)
@@ -198,18 +178,18 @@ def _nearest_slip(
     return motion, path.e_x * motion.f_x + path.e_y * motion.f_y, root.converged
 
 
-def write_rates(system: System, mode: Mode, time: float, state: Numbers, rates: Numbers) -> None:
+def write_rates(system: System, mode: Mode, time: float, state: RunState, rates: RunState) -> None:
     """Store the derivative of the state."""
     _write_rates(system, mode, state, motion_in_mode(system, mode, time, state), rates)
 
 
-def write_guards(system: System, mode: Mode, time: float, state: Numbers, guards: Numbers) -> None:
+def write_guards(system: System, mode: Mode, time: float, state: RunState, guards: Numbers) -> None:
     """Store margins and watches by cause, NaN for causes without one."""
     _write_guards(system, mode, state, motion_in_mode(system, mode, time, state), guards)
 
 
 def write_rates_and_guards(
-    system: System, mode: Mode, time: float, state: Numbers, rates: Numbers, guards: Numbers
+    system: System, mode: Mode, time: float, state: RunState, rates: RunState, guards: Numbers
 ) -> None:
     """Store the derivative and the guards, with one evaluation of the motion."""
     instant = motion_in_mode(system, mode, time, state)
@@ -218,23 +198,23 @@ def write_rates_and_guards(
 
 
 def _write_rates(
-    system: System, mode: Mode, state: Numbers, instant: Instant, rates: Numbers
+    system: System, mode: Mode, state: RunState, instant: Instant, rates: RunState
 ) -> None:
-    rates[ALONG] = travel_rate(system, instant.slip, instant.spin)
-    rates[GAP], rates[ANGLE] = instant.normal_speed, instant.spin
+    rates.along = travel_rate(system, instant.slip, instant.spin)
+    rates.gap, rates.angle = instant.normal_speed, instant.spin
     # The contact does not slip while the slider rests or is in flight.
-    rates[SLIPPED] = instant.slip if contact_mode_of(mode) != SEPARATE else 0.0
-    rates[LOST] = -instant.f_x * instant.slip - instant.f_y * instant.normal_speed
-    rates[WORK] = instant.f_x * instant.fence_x + instant.f_y * instant.fence_y
+    rates.slipped = instant.slip if contact_mode_of(mode) != SEPARATE else 0.0
+    rates.lost = -instant.f_x * instant.slip - instant.f_y * instant.normal_speed
+    rates.work = instant.f_x * instant.fence_x + instant.f_y * instant.fence_y
     if is_massive(system):
-        rates[SLIP_SPEED], rates[NORMAL_SPEED], rates[SPIN] = instant.a_x, instant.a_y, instant.turn
-    angle = frame_angle(system, state[ANGLE])
+        rates.slip_speed, rates.normal_speed, rates.spin = instant.a_x, instant.a_y, instant.turn
+    angle = frame_angle(system, state.angle)
     x, y = to_body(Rod(1.0, angle, cos(angle), sin(angle)), instant.v_x, instant.v_y)
     write_powers(system, x, y, instant.spin, instant.dissipated, energies_of(system, rates))
 
 
 def _write_guards(
-    system: System, mode: Mode, state: Numbers, instant: Instant, guards: Numbers
+    system: System, mode: Mode, state: RunState, instant: Instant, guards: Numbers
 ) -> None:
     for cause in range(CAUSES):
         guards[cause] = UNKNOWN
@@ -247,17 +227,17 @@ def _write_guards(
     is_open: bool = mode.contact == SEPARATE or (rests and not rests_on_pusher)
     if mode.touches:
         # It leaves the slider, and returns, within the mode.
-        guards[TOUCHES] = state[GAP] if fabs(state[GAP]) > SLACK else 0.0
+        guards[TOUCHES] = state.gap if fabs(state.gap) > SLACK else 0.0
         guards[PUSH_STARTS] = 1.0
     if rests_on_pusher:
-        guards[PUSH_STARTS] = PUSHES - instant.fence_y / system.run[RUN_SPEED]
-    elif is_open and system.run[RUN_PARTED] == 0.0:
-        guards[TOUCHES] = state[GAP]
+        guards[PUSH_STARTS] = PUSHES - instant.fence_y / system.run.speed
+    elif is_open and not system.run.parted:
+        guards[TOUCHES] = state.gap
     if not rests:
         guards[CENTER_DOWN] = center_height(system, state)
-    is_open = is_open or state[GAP] > SLACK
+    is_open = is_open or state.gap > SLACK
     if not is_open:
-        guards[END_OF_SIDE] = room_on_side(system, state[ALONG])
+        guards[END_OF_SIDE] = room_on_side(system, state.along)
     guards[PENETRATES] = outline_height(system, state, not is_open)
     if is_massive(system):
         _guard_moving_contact(system, mode, state, instant, guards)
@@ -266,10 +246,10 @@ def _write_guards(
 
 
 def _guard_moving_contact(
-    system: System, mode: Mode, state: Numbers, instant: Instant, guards: Numbers
+    system: System, mode: Mode, state: RunState, instant: Instant, guards: Numbers
 ) -> None:
     """Store the margins and watches that end a contact of a slider with inertia."""
-    speed, force = system.run[RUN_SPEED], system.run[RUN_FORCE]
+    speed, force = system.run.speed, system.run.force
     side = slip_side(contact_mode_of(mode))
     if side != 0.0:
         guards[SLIP_ENDS] = side * instant.slip / speed
@@ -284,8 +264,8 @@ def _guard_moving_contact(
         push = instant.f_x * e_x + instant.f_y * e_y
         guards[FORCE_ENDS] = push / (fabs(push) + force)
     if mode.contact != SEPARATE:
-        guards[SEPARATION_CHANGES] = instant.lift * system.scene[IN_MASS] / force
-    if system.scene[IN_WEIGHT] > 0.0:
+        guards[SEPARATION_CHANGES] = instant.lift * system.scene.mass / force
+    if system.scene.weight > 0.0:
         size, slowest = instant.speed + fabs(instant.spin), slowest_motion(system)
         pushed = push_in_mode(mode.contact, instant.fence_x, instant.fence_y)
         guards[SLIDER_STOPS] = motion_beside_push(system, size, pushed) / speed - slowest
@@ -342,20 +322,20 @@ def _guard_slip(
                 # The force jumps where the contact comes to rest, so the margin vanishes with its motion.
                 x, y = instant.fence_x + instant.slip, instant.fence_y
                 motion = sqrt(x * x + y * y)
-                guards[FORCE_ENDS] = instant.lift / (fabs(instant.lift) + system.run[RUN_FORCE])
+                guards[FORCE_ENDS] = instant.lift / (fabs(instant.lift) + system.run.force)
                 guards[FORCE_ENDS] *= motion / (motion + speed)
             else:
-                lift = instant.lift / (1.0 + system.scene[IN_LENGTH])
+                lift = instant.lift / (1.0 + system.scene.length)
                 guards[FORCE_ENDS] = lift * instant.fence_y / speed
 
 
 def _margin_of_side(system: System, instant: Instant) -> float:
     """Margin of the forces at the ends of a side, NaN at a point and where the contact can pull."""
-    if system.scene[IN_ROUGH] != 0.0 or not is_flush(system):
+    if system.scene.rough or not is_flush(system):
         return UNKNOWN
     if instant.press != instant.press:
         return 0.0  # at rest
-    return instant.press / (fabs(instant.f_x) + fabs(instant.f_y) + system.run[RUN_FORCE])
+    return instant.press / (fabs(instant.f_x) + fabs(instant.f_y) + system.run.force)
 
 
 def _kink_of(system: System, instant: Instant, slips: bool) -> float:
@@ -364,8 +344,8 @@ def _kink_of(system: System, instant: Instant, slips: bool) -> float:
     For a ring, the center of rotation crosses the ring; with support points, a pivot begins or ends in a
     slip.
     """
-    if system.run[RUN_RING] == 0.0:
-        if not slips or system.run[RUN_FEET] == 0.0:
+    if not system.run.has_ring:
+        if not slips or system.run.feet == 0:
             return UNKNOWN
         return 1.0 if instant.pivot >= 0 else -1.0
     total = fabs(instant.spin) + instant.speed

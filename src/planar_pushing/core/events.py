@@ -33,38 +33,7 @@ from planar_pushing.core.guards import MISJUDGED, NOTHING, first_event, look_for
 from planar_pushing.core.log import end_log, has_room_for_rows, next_log_row, write_instant
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.run import (
-    IN_GAP,
-    IN_TIMES,
-    LOG_EVENT,
-    RUN_AT_ONCE,
-    RUN_BEFORE,
-    RUN_CAUSE,
-    RUN_CHECKED,
-    RUN_CHOSEN,
-    RUN_ENDED,
-    RUN_EVALUATIONS,
-    RUN_EVENT,
-    RUN_EVENTS,
-    RUN_FRESH,
-    RUN_KINK,
-    RUN_LAST_ERROR,
-    RUN_LAST_SIZE,
-    RUN_MODE,
-    RUN_NEXT,
-    RUN_OTHER_END,
-    RUN_PARTED,
-    RUN_PHASE,
-    RUN_PIECE,
-    RUN_PLANNED,
-    RUN_POINT,
-    RUN_PREPARED,
-    RUN_ROWS,
-    RUN_SIDE,
-    RUN_SOLUTIONS,
-    RUN_STEPS,
-    RUN_STOPPED,
-    RUN_TIME,
-    RUN_UNTIL,
+    Run,
 )
 from planar_pushing.core.shapes import (
     center_height,
@@ -76,12 +45,10 @@ from planar_pushing.core.shapes import (
     room_on_side,
 )
 from planar_pushing.core.system import (
-    ALONG,
     CAUSES,
     CENTER_DOWN,
     END_OF_SIDE,
     FIRST_RATES,
-    GAP,
     GOES_ON,
     INCONSISTENT,
     KINK,
@@ -104,6 +71,7 @@ from planar_pushing.core.system import (
     TOUCHES,
     VALUES,
     Mode,
+    RunState,
     System,
     copy_numbers,
     guards_of,
@@ -148,17 +116,15 @@ def run_events(
     phases = 0
     for i in range(count):
         system = system_of(data, rows[i * columns :], results[i * width :], 1)
-        system.run[RUN_ROWS] = 0.0
-        while (
-            phases < PHASES and system.run[RUN_ENDED] == 0.0 and has_room_for_rows(system, 1, width)
-        ):
+        system.run.rows = 0
+        while phases < PHASES and not system.run.ended and has_room_for_rows(system, 1, width):
             _take_phase(system)
             phases += 1
 
 
 def _take_phase(system: System) -> None:
     """Do what a run does next."""
-    phase = int(system.run[RUN_PHASE])
+    phase = system.run.phase
     if phase == TAKES_STEP:
         _take_step(system)
     elif phase == SAMPLES:
@@ -180,65 +146,63 @@ def _begin(system: System) -> None:
     put_initial_state(system, vector_of(system, STATE))
     name_contact(system, vector_of(system, STATE))
     run = system.run
-    run[RUN_PHASE], run[RUN_CHOSEN], run[RUN_MODE] = float(ENTERS), -1.0, float(NO_MODE)
-    run[RUN_CAUSE] = float(NOTHING)
+    run.phase, run.chosen, run.mode = ENTERS, -1, NO_MODE
+    run.cause = NOTHING
 
 
-def _stop(run: Numbers, reason: int) -> None:
+def _stop(run: Run, reason: int) -> None:
     """Log the current instant and end the run."""
-    run[RUN_STOPPED], run[RUN_PHASE] = float(reason), float(LOGS)
+    run.stopped, run.phase = reason, LOGS
 
 
 def _log_now(system: System) -> None:
     """Log the current instant, and end the run or take the next step."""
-    run, state, time = system.run, vector_of(system, STATE), system.run[RUN_TIME]
-    _log_instant(system, time, state, max(int(run[RUN_CAUSE]), NOTHING))
+    run, state, time = system.run, vector_of(system, STATE), system.run.time
+    _log_instant(system, time, state, max(run.cause, NOTHING))
     # Samples at this time are done.
-    number, times = int(run[RUN_NEXT]), int(system.scene[IN_TIMES])
+    number, times = run.next_time, system.scene.times
     while number < times and system.times[number] <= time:
         number += 1
-    run[RUN_NEXT], run[RUN_CAUSE], run[RUN_PHASE] = float(number), float(NOTHING), float(TAKES_STEP)
-    if run[RUN_STOPPED] != float(GOES_ON) or int(run[RUN_PIECE]) == system.fence.number:
-        run[RUN_PHASE], run[RUN_ENDED] = float(ENDED), 1.0
+    run.next_time, run.cause, run.phase = number, NOTHING, TAKES_STEP
+    if run.stopped != GOES_ON or run.piece == system.fence.number:
+        run.phase, run.ended = ENDED, True
         end_log(system)
 
 
 def _log_next_time(system: System) -> None:
     """Log the next time within a step; if there is none, go to the end of the step or to its event."""
-    run, number = system.run, int(system.run[RUN_NEXT])
-    if number < int(system.scene[IN_TIMES]) and system.times[number] < run[RUN_EVENT]:
+    run, number = system.run, system.run.next_time
+    if number < system.scene.times and system.times[number] < run.event_time:
         time, state = system.times[number], vector_of(system, PASSING)
         interpolate_state(system, current_mode(system), time, state)
         _log_instant(system, time, state, NOTHING)
-        run[RUN_NEXT] = float(number + 1)
-    elif int(run[RUN_CAUSE]) == NOTHING:
+        run.next_time = number + 1
+    elif run.cause == NOTHING:
         _go_to_end_of_step(system)
     else:
         _go_to_event(system)
 
 
-def _log_instant(system: System, time: float, state: Numbers, event: int) -> None:
+def _log_instant(system: System, time: float, state: RunState, event: int) -> None:
     """Store an instant in the log."""
     mode, row, contact = current_mode(system), next_log_row(system, time), NO_MODE
-    instant, solutions = motion_in_mode(system, mode, time, state), int(system.run[RUN_SOLUTIONS])
-    if system.run[RUN_CHOSEN] >= 0.0:  # the mode may have been chosen long before
-        contact = int(system.run[RUN_MODE])
+    instant, solutions = motion_in_mode(system, mode, time, state), system.run.solutions
+    if system.run.chosen >= 0:  # the mode may have been chosen long before
+        contact = system.run.mode
         solutions = count_modes(system, mode, instant, time, state)
-        if system.run[RUN_BEFORE] == time:  # without the mode that ends
-            solutions = min(solutions, int(system.run[RUN_SOLUTIONS]))
+        if system.run.mode_began == time:  # without the mode that ends
+            solutions = min(solutions, system.run.solutions)
     x, y = fence_displacement(system.fence, mode.during, time)
-    write_instant(
-        system, instant, contact, time, state, x, y - system.scene[IN_GAP], solutions, row
-    )
-    row[LOG_EVENT] = float(event)
+    write_instant(system, instant, contact, time, state, x, y - system.scene.gap, solutions, row)
+    row.event = event
 
 
 def _enter(system: System) -> None:
     """Enter the next span of the pusher's motion, or end the run if there is none."""
-    run, index = system.run, int(system.run[RUN_PIECE])
-    run[RUN_PHASE] = float(LOGS)
+    run, index = system.run, system.run.piece
+    run.phase = LOGS
     if index < system.fence.number:
-        state, current = vector_of(system, STATE), int(run[RUN_MODE])
+        state, current = vector_of(system, STATE), run.mode
         reason = enter_span(system, index, state, current, current_policy(system))
         if reason != GOES_ON:
             _stop(run, reason)
@@ -249,11 +213,11 @@ def _enter(system: System) -> None:
 def _change_mode(system: System) -> None:
     """Choose the mode that follows an event."""
     run = system.run
-    excluded = int(run[RUN_MODE]) if int(run[RUN_CAUSE]) == MISJUDGED else NO_MODE
+    excluded = run.mode if run.cause == MISJUDGED else NO_MODE
     _count_event(system)
-    if run[RUN_AT_ONCE] > MOST_AT_ONCE or run[RUN_EVENTS] > MOST_EVENTS:
+    if run.at_once > MOST_AT_ONCE or run.events > MOST_EVENTS:
         _stop(run, TOO_MANY_EVENTS)
-    elif int(run[RUN_PHASE]) == CHANGES:
+    elif run.phase == CHANGES:
         _begin_mode(system, excluded)
 
 
@@ -262,10 +226,8 @@ def _settle_and_choose(
 ) -> int:
     """Settle a side on the fence, and choose a mode; return `GOES_ON` or why there is none."""
     run, state = system.run, vector_of(system, STATE)
-    during = span_at(system.fence, int(run[RUN_PIECE]))
-    reason = settle(
-        system, during, run[RUN_TIME], state, slack, int(run[RUN_MODE]), current_policy(system)
-    )
+    during = span_at(system.fence, run.piece)
+    reason = settle(system, during, run.time, state, slack, run.mode, current_policy(system))
     if reason == GOES_ON and not choose_mode(system, excluded, point, other_end):
         return INCONSISTENT
     return reason
@@ -274,30 +236,30 @@ def _settle_and_choose(
 def _begin_mode(system: System, excluded: int) -> None:
     """Choose a mode and begin it, or stop if none is consistent."""
     run = system.run
-    run[RUN_PHASE] = float(LOGS)
+    run.phase = LOGS
     state, policy = vector_of(system, STATE), current_policy(system)
-    during = span_at(system.fence, int(run[RUN_PIECE]))
-    point, other_end = int(run[RUN_POINT]), int(run[RUN_OTHER_END])
+    during = span_at(system.fence, run.piece)
+    point, other_end = run.point, run.other_end
     confine_finger(system, vector_of(system, STATE))
     reason = _settle_and_choose(system, SLACK, excluded, point, other_end)
     if reason == INCONSISTENT and count_points(system) > 0:
         # The ends of a side can meet the fence in turn, faster and faster, until it lies there.
         reason = _settle_and_choose(system, RATTLES, NO_MODE, point, other_end)
-    if reason == INCONSISTENT and close_on_foot(system, during, run[RUN_TIME], state):
+    if reason == INCONSISTENT and close_on_foot(system, during, run.time, state):
         reason = _settle_and_choose(system, SLACK, NO_MODE, point, other_end)
-    if reason == INCONSISTENT and close_contact(system, during, run[RUN_TIME], state, policy):
+    if reason == INCONSISTENT and close_contact(system, during, run.time, state, policy):
         # A contact can open and close, faster and faster, while a support point comes to rest.
         reason = _settle_and_choose(system, SLACK, NO_MODE, point, other_end)
     if reason == INCONSISTENT and center_height(system, state) <= SLACK:
         reason = LAID_DOWN  # another event comes first, or a fence has passed over a slider at rest
     if reason != GOES_ON:
-        run[RUN_STOPPED] = float(reason)
+        run.stopped = reason
         return
-    run[RUN_BEFORE], run[RUN_FRESH] = run[RUN_TIME], 1.0
+    run.mode_began, run.fresh = run.time, True
     # The motion is not smooth after a kink.
-    run[RUN_KINK], run[RUN_SIDE] = run[RUN_TIME], (1.0 if int(run[RUN_CAUSE]) == KINK else 0.0)
+    run.kink, run.kink_side = run.time, (1 if run.cause == KINK else 0)
     values, signs = guards_of(system, VALUES), guards_of(system, SIGNS)
-    write_guards(system, current_mode(system), run[RUN_TIME], vector_of(system, STATE), values)
+    write_guards(system, current_mode(system), run.time, vector_of(system, STATE), values)
     for cause in range(CAUSES):
         signs[cause] = sign_of_guard(cause, values[cause])
 
@@ -306,12 +268,12 @@ def _take_step(system: System) -> None:
     """Take one step, and search it for an event."""
     run, mode = system.run, current_mode(system)
     progresses: bool = _makes_progress(system)
-    if run[RUN_EVALUATIONS] > MOST_EVALUATIONS:
+    if run.evaluations > MOST_EVALUATIONS:
         _stop(run, TOO_MUCH_WORK)
     elif progresses and _advance(system, mode):
         cause = first_event(system, mode)
-        run[RUN_CAUSE] = float(cause)
-        run[RUN_PHASE] = float(CHANGES if cause == MISJUDGED else SAMPLES)
+        run.cause = cause
+        run.phase = CHANGES if cause == MISJUDGED else SAMPLES
     elif guards_of(system, VALUES)[SLIDER_STOPS] < NEARLY_STOPPED:
         _stop_slider(system, mode)
     else:
@@ -321,10 +283,10 @@ def _take_step(system: System) -> None:
 def _stop_slider(system: System, mode: Mode) -> None:
     """Complete a motion that comes to rest, from where the integrator does not resolve it."""
     run, state = system.run, vector_of(system, STATE)
-    run[RUN_TIME], reason = change_state(
-        system, SLIDER_STOPS, mode, run[RUN_TIME], state, current_policy(system)
+    run.time, reason = change_state(
+        system, SLIDER_STOPS, mode, run.time, state, current_policy(system)
     )
-    run[RUN_CAUSE], run[RUN_PHASE] = float(SLIDER_STOPS), float(CHANGES)
+    run.cause, run.phase = SLIDER_STOPS, CHANGES
     if reason != GOES_ON:
         _stop(run, reason)
 
@@ -332,42 +294,42 @@ def _stop_slider(system: System, mode: Mode) -> None:
 def _makes_progress(system: System) -> bool:
     """Whether the run has advanced since the last check."""
     run = system.run
-    run[RUN_STEPS] += 1.0
-    if run[RUN_STEPS] < float(PATIENCE):
+    run.steps += 1
+    if run.steps < PATIENCE:
         return True
-    elapsed = run[RUN_TIME] - run[RUN_CHECKED]
-    run[RUN_STEPS], run[RUN_CHECKED] = 0.0, run[RUN_TIME]
+    elapsed = run.time - run.checked
+    run.steps, run.checked = 0, run.time
     return elapsed > SMALLEST_PROGRESS * end_of_fence(system.fence)
 
 
 def _advance(system: System, mode: Mode) -> bool:
     """Take one step, with a size at which the error is small; return whether there is one."""
     run, end = system.run, mode.during.end
-    if run[RUN_SIDE] < 0.0 and run[RUN_TIME] >= run[RUN_KINK]:
-        run[RUN_SIDE] = 1.0
-    rates, smallest = vector_of(system, FIRST_RATES), smallest_size(run[RUN_TIME])
-    if run[RUN_FRESH] != 0.0:
-        write_rates(system, mode, run[RUN_TIME], vector_of(system, STATE), rates)
-        run[RUN_PLANNED] = first_size(system, mode, end)
-        run[RUN_LAST_SIZE], run[RUN_FRESH] = 0.0, 0.0
+    if run.kink_side < 0 and run.time >= run.kink:
+        run.kink_side = 1
+    rates, smallest = vector_of(system, FIRST_RATES), smallest_size(run.time)
+    if run.fresh:
+        write_rates(system, mode, run.time, vector_of(system, STATE), rates)
+        run.planned = first_size(system, mode, end)
+        run.last_size, run.fresh = 0.0, False
     else:
         copy_numbers(rates, vector_of(system, LAST_RATES), system.entries)
-    size, last_size, last_error = max(run[RUN_PLANNED], smallest), 0.0, 0.0
-    speed = sqrt(rates[ALONG] * rates[ALONG] + rates[GAP] * rates[GAP])
+    size, last_size, last_error = max(run.planned, smallest), 0.0, 0.0
+    speed = sqrt(rates.along * rates.along + rates.gap * rates.gap)
     longest = longest_step(system, mode, guards_of(system, VALUES)[PENETRATES], speed)
-    end = min(end, run[RUN_TIME] + max(longest, smallest))
+    end = min(end, run.time + max(longest, smallest))
     while size >= smallest:
-        bound = min(end, run[RUN_KINK]) if run[RUN_SIDE] < 0.0 else end
-        run[RUN_UNTIL], run[RUN_PREPARED] = min(run[RUN_TIME] + size, bound), 0.0
-        size = run[RUN_UNTIL] - run[RUN_TIME]
+        bound = min(end, run.kink) if run.kink_side < 0 else end
+        run.until, run.prepared = min(run.time + size, bound), False
+        size = run.until - run.time
         error = attempt_step(system, mode)
         balances: bool = error >= 1.0 or keeps_energy(system, mode)
         if error < 1.0 and balances:
             planned = next_size(run, size, error)
-            run[RUN_PLANNED] = min(planned, size) if last_size > 0.0 else planned
-            run[RUN_LAST_SIZE], run[RUN_LAST_ERROR] = size, error
+            run.planned = min(planned, size) if last_size > 0.0 else planned
+            run.last_size, run.last_error = size, error
             return True
-        if run[RUN_SIDE] >= 0.0 and error < WILD and balances:
+        if run.kink_side >= 0 and error < WILD and balances:
             look_for_kink(system, mode)
         smaller = size / 2.0
         if balances:
@@ -379,50 +341,50 @@ def _advance(system: System, mode: Mode) -> bool:
 def _go_to_end_of_step(system: System) -> None:
     """Advance to the end of a step."""
     run, state = system.run, vector_of(system, STATE)
-    run[RUN_TIME] = run[RUN_UNTIL]
+    run.time = run.until
     copy_numbers(state, vector_of(system, REACHED), system.entries)
     mode = current_mode(system)
-    note_slip(system, run[RUN_TIME], state, int(run[RUN_CHOSEN]), mode)
-    run[RUN_PHASE] = float(TAKES_STEP)
-    if run[RUN_TIME] >= mode.during.end:
+    note_slip(system, run.time, state, run.chosen, mode)
+    run.phase = TAKES_STEP
+    if run.time >= mode.during.end:
         _count_event(system)
 
 
 def _count_event(system: System) -> None:
     """Count the event that ended a mode, and set the next phase."""
-    run, during = system.run, span_at(system.fence, int(system.run[RUN_PIECE]))
-    run[RUN_EVENTS] += 1.0
-    passes: bool = run[RUN_TIME] - run[RUN_BEFORE] > NO_TIME * end_of_fence(system.fence)
-    run[RUN_AT_ONCE] = 0.0 if passes else run[RUN_AT_ONCE] + 1.0
-    run[RUN_PHASE] = float(CHANGES)
-    if run[RUN_TIME] >= during.end:
-        run[RUN_PIECE], run[RUN_PHASE] = float(during.last), float(ENTERS)
+    run, during = system.run, span_at(system.fence, system.run.piece)
+    run.events += 1
+    passes: bool = run.time - run.mode_began > NO_TIME * end_of_fence(system.fence)
+    run.at_once = 0 if passes else run.at_once + 1
+    run.phase = CHANGES
+    if run.time >= during.end:
+        run.piece, run.phase = during.last, ENTERS
 
 
 def _go_to_event(system: System) -> None:
     """Advance to an event and apply its change of state."""
     run, state, mode = system.run, vector_of(system, STATE), current_mode(system)
-    cause, reason = int(run[RUN_CAUSE]), GOES_ON
-    interpolate_state(system, mode, run[RUN_EVENT], vector_of(system, PASSING))
+    cause, reason = run.cause, GOES_ON
+    interpolate_state(system, mode, run.event_time, vector_of(system, PASSING))
     copy_numbers(state, vector_of(system, PASSING), system.entries)
-    run[RUN_TIME] = run[RUN_EVENT]
+    run.time = run.event_time
     if cause == PUSH_STARTS and guards_of(system, SIGNS)[TOUCHES] > 0.0:
         cause = TOUCHES  # the pusher has left the slider at rest before
-        run[RUN_CAUSE] = float(cause)
+        run.cause = cause
     # A finger leaves its side, or passes beside it.
-    passes: bool = cause == TOUCHES and room_on_side(system, state[ALONG]) < -SLACK
+    passes: bool = cause == TOUCHES and room_on_side(system, state.along) < -SLACK
     if cause == END_OF_SIDE or passes:
-        run[RUN_PARTED] = 1.0 if not is_outlined(system) else 0.0
+        run.parted = not is_outlined(system)
         reason = SIDE_ENDED if is_outlined(system) else GOES_ON
     else:
         time, reason = change_state(
-            system, cause, mode, run[RUN_EVENT], state, current_policy(system)
+            system, cause, mode, run.event_time, state, current_policy(system)
         )
-        run[RUN_TIME] = time
+        run.time = time
     if cause == CENTER_DOWN:
         reason = LAID_DOWN
     elif cause == PENETRATES and has_finger(system):
         reason = MET_OUTLINE
-    run[RUN_PHASE] = float(CHANGES)
+    run.phase = CHANGES
     if reason != GOES_ON:
         _stop(run, reason)

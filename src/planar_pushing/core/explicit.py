@@ -12,16 +12,7 @@ from planar_pushing.core.drag import load_work
 from planar_pushing.core.equations import write_rates, write_rates_and_guards
 from planar_pushing.core.fence import fence_displacement
 from planar_pushing.core.numbers import EPSILON, INFINITY, Coefficients, Numbers
-from planar_pushing.core.run import (
-    IN_TOLERANCE,
-    RUN_KINK,
-    RUN_LAST_ERROR,
-    RUN_LAST_SIZE,
-    RUN_PREPARED,
-    RUN_SIDE,
-    RUN_TIME,
-    RUN_UNTIL,
-)
+from planar_pushing.core.run import Run
 from planar_pushing.core.shapes import (
     center_motion,
     center_position,
@@ -30,27 +21,22 @@ from planar_pushing.core.shapes import (
     pusher_velocity,
 )
 from planar_pushing.core.system import (
-    ANGLE,
     DENSE,
     END_VALUES,
     FIRST_RATES,
     LAST_RATES,
-    LOST,
     MIDDLE_VALUES,
     MOVING,
-    NORMAL_SPEED,
     PASSING,
     REACHED,
     REST,
     SCALES,
-    SLIP_SPEED,
-    SPIN,
     STAGE_RATES,
     STAGES,
     STATE,
     TRIAL,
-    WORK,
     Mode,
+    RunState,
     System,
     guards_of,
     is_loaded,
@@ -103,12 +89,12 @@ def _add_stages(
         total[k] = value
 
 
-def _time_in_step(run: Numbers, part: float) -> tuple[float, float]:
+def _time_in_step(run: Run, part: float) -> tuple[float, float]:
     """Time at a fraction of a step, and its rate.
 
     Near a kink, the square root of the distance to it advances uniformly, which smooths the motion.
     """
-    time, until, kink, side = run[RUN_TIME], run[RUN_UNTIL], run[RUN_KINK], run[RUN_SIDE]
+    time, until, kink, side = run.time, run.until, run.kink, run.kink_side
     if side == 0.0:
         return time + part * (until - time), until - time
     start, end = sqrt(fabs(time - kink)), sqrt(fabs(until - kink))
@@ -116,12 +102,12 @@ def _time_in_step(run: Numbers, part: float) -> tuple[float, float]:
     return kink + side * root * root, 2.0 * side * root * (end - start)
 
 
-def _part_of_time(run: Numbers, time: float) -> float:
+def _part_of_time(run: Run, time: float) -> float:
     """Fraction of a step completed at a time."""
-    kink = run[RUN_KINK]
-    if run[RUN_SIDE] == 0.0:
-        return (time - run[RUN_TIME]) / (run[RUN_UNTIL] - run[RUN_TIME])
-    start, end = sqrt(fabs(run[RUN_TIME] - kink)), sqrt(fabs(run[RUN_UNTIL] - kink))
+    kink = run.kink
+    if run.kink_side == 0:
+        return (time - run.time) / (run.until - run.time)
+    start, end = sqrt(fabs(run.time - kink)), sqrt(fabs(run.until - kink))
     return (sqrt(fabs(time - kink)) - start) / (end - start)
 
 
@@ -129,7 +115,7 @@ def _compute_stage(system: System, mode: Mode, i: int) -> None:
     """Compute the rates of a stage, and the guards at the middle stage."""
     entries, trial, state = system.entries, vector_of(system, TRIAL), vector_of(system, STATE)
     all_rates = vector_of(system, STAGE_RATES)
-    rates = all_rates[i * entries :]
+    rates = RunState(all_rates[i * entries :])
     _add_stages(STAGE_WEIGHTS, i * (i - 1) // 2, i, all_rates, entries, trial)
     time, rate = _time_in_step(system.run, STAGE_TIMES[i])
     for k in range(entries):
@@ -162,9 +148,7 @@ def attempt_step(system: System, mode: Mode) -> float:
     _add_stages(STAGE_WEIGHTS, row, STEP_STAGES, rates, entries, reached)
     for k in range(entries):
         reached[k] += state[k]
-    write_rates_and_guards(
-        system, mode, run[RUN_UNTIL], reached, last, guards_of(system, END_VALUES)
-    )
+    write_rates_and_guards(system, mode, run.until, reached, last, guards_of(system, END_VALUES))
     _, rate = _time_in_step(run, 1.0)
     for k in range(entries):
         rates[STEP_STAGES * entries + k] = rate * last[k]
@@ -199,7 +183,7 @@ def _prepare_dense_output(system: System, mode: Mode) -> None:
             DENSE_WEIGHTS, i * STAGES, STAGES if stable else 0, rates, entries,
             dense[(3 + i) * entries :],
         )  # fmt: skip
-    system.run[RUN_PREPARED] = 1.0
+    system.run.prepared = True
 
 
 def _are_extra_stages_stable(system: System) -> bool:
@@ -220,7 +204,7 @@ def _are_extra_stages_stable(system: System) -> bool:
 
 def interpolate_state(system: System, mode: Mode, time: float, result: Numbers) -> None:
     """Store the state at a time within the last step."""
-    if system.run[RUN_PREPARED] == 0.0:
+    if not system.run.prepared:
         _prepare_dense_output(system, mode)
     entries, dense, state = system.entries, vector_of(system, DENSE), vector_of(system, STATE)
     x = _part_of_time(system.run, time)
@@ -237,7 +221,7 @@ def _norm(system: System, vector: Numbers, start: Numbers, end: Numbers) -> floa
 
     It is less than the tolerance of the run, since the errors of steps add up.
     """
-    tolerance = max(PART_OF_STEP * system.scene[IN_TOLERANCE], FINEST)
+    tolerance = max(PART_OF_STEP * system.scene.tolerance, FINEST)
     total, scales = 0.0, vector_of(system, SCALES)
     for i in range(system.entries):
         part = vector[i] / (tolerance * (scales[i] + max(fabs(start[i]), fabs(end[i]))))
@@ -245,20 +229,20 @@ def _norm(system: System, vector: Numbers, start: Numbers, end: Numbers) -> floa
     return sqrt(total / float(system.entries))
 
 
-def _energy_given(system: System, mode: Mode, time: float, state: Numbers) -> float:
+def _energy_given(system: System, mode: Mode, time: float, state: RunState) -> float:
     """Energy that pusher and loads have given to the slider, less what it has stored and dissipated."""
     pose = pose_of(system, state)
     fence_x, fence_y = pusher_velocity(system, mode.during, time, state)
     v_x, v_y = center_motion(
-        pose, fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED], state[SPIN]
+        pose, fence_x + state.slip_speed, fence_y + state.normal_speed, state.spin
     )
-    total = state[WORK] - state[LOST] - kinetic_energy_of(system, pose, v_x, v_y, state[SPIN])
+    total = state.work - state.lost - kinetic_energy_of(system, pose, v_x, v_y, state.spin)
     for i in range(MOVING, system.entries):
         total -= state[i]
     if is_loaded(system):
         x, y = fence_displacement(system.fence, mode.during, time)
         x, y = center_position(system, pose, state, x, y)
-        total += load_work(system, state[ANGLE], x, y)
+        total += load_work(system, state.angle, x, y)
     return total
 
 
@@ -271,10 +255,10 @@ def keeps_energy(system: System, mode: Mode) -> bool:
     run, state, reached = system.run, vector_of(system, STATE), vector_of(system, REACHED)
     if not is_massive(system) or mode.contact == REST or mode.hinged:
         return True
-    lost = _energy_given(system, mode, run[RUN_UNTIL], reached)
-    lost -= _energy_given(system, mode, run[RUN_TIME], state)
-    scale = vector_of(system, SCALES)[WORK] + fabs(reached[WORK])
-    return fabs(lost) <= UNBALANCED * max(system.scene[IN_TOLERANCE], FINEST) * scale
+    lost = _energy_given(system, mode, run.until, reached)
+    lost -= _energy_given(system, mode, run.time, state)
+    scale = vector_of(system, SCALES).work + fabs(reached.work)
+    return fabs(lost) <= UNBALANCED * max(system.scene.tolerance, FINEST) * scale
 
 
 def smallest_size(time: float) -> float:
@@ -286,7 +270,7 @@ def first_size(system: System, mode: Mode, end: float) -> float:
     """Size of the first step of a mode with known rates at its start (Sec. II.4)."""
     run, state, trial = system.run, vector_of(system, STATE), vector_of(system, TRIAL)
     rates, other = vector_of(system, FIRST_RATES), vector_of(system, PASSING)
-    time = run[RUN_TIME]
+    time = run.time
     state_size = _norm(system, state, state, state)
     rate_size = _norm(system, rates, state, state)
     small: bool = state_size < 1e-5 or rate_size < 1e-5
@@ -302,11 +286,11 @@ def first_size(system: System, mode: Mode, end: float) -> float:
         better = 0.0
     elif bend > 1e-15:
         better = exp(log(0.01 / bend) / STEP_ORDER)
-    longest = TREND_LIMIT * run[RUN_LAST_SIZE] if run[RUN_LAST_SIZE] > 0.0 else INFINITY
+    longest = TREND_LIMIT * run.last_size if run.last_size > 0.0 else INFINITY
     return min(min(min(100.0 * size, CAUTIOUS * better), longest), end - time)
 
 
-def next_size(run: Numbers, size: float, error: float) -> float:
+def next_size(run: Run, size: float, error: float) -> float:
     """Size of the step after one with an error below 1; a steady change of the size continues.
 
     Gustafsson's prediction (Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, Sec.
@@ -316,11 +300,11 @@ def next_size(run: Numbers, size: float, error: float) -> float:
     if error == 0.0:
         return GROWTH_LIMIT * size
     factor = SAFETY * exp(-log(error) / STEP_ORDER)
-    if run[RUN_LAST_SIZE] > 0.0:
+    if run.last_size > 0.0:
         trend = 0.0
-        if run[RUN_LAST_ERROR] > 0.0:
-            trend = exp(log(run[RUN_LAST_ERROR] / error) / STEP_ORDER)
-        trend *= size / run[RUN_LAST_SIZE]
+        if run.last_error > 0.0:
+            trend = exp(log(run.last_error / error) / STEP_ORDER)
+        trend *= size / run.last_size
         factor *= min(max(trend, 1.0 / TREND_LIMIT), TREND_LIMIT)
     return size * min(max(factor, SHRINK_LIMIT), GROWTH_LIMIT)
 

@@ -6,17 +6,10 @@ from math import copysign, exp, fabs, log, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.drag import Foot, friction_effects, slowest_foot
-from planar_pushing.core.numbers import UNKNOWN, Numbers, zeros
+from planar_pushing.core.numbers import UNKNOWN, zeros
 from planar_pushing.core.reaction import edge_of_slip
 from planar_pushing.core.roots import ITERATIONS, MOST_ROOTS, positive_roots
 from planar_pushing.core.rows import foot_position
-from planar_pushing.core.run import (
-    IN_MASS,
-    IN_TOLERANCE,
-    RUN_MOMENT,
-    RUN_SPEED,
-    RUN_TIME,
-)
 from planar_pushing.core.shapes import (
     Pose,
     center_motion,
@@ -29,12 +22,9 @@ from planar_pushing.core.shapes import (
 )
 from planar_pushing.core.solution import SEPARATE
 from planar_pushing.core.system import (
-    LOST,
-    NORMAL_SPEED,
-    SLIP_SPEED,
-    SPIN,
     STATE,
     Mode,
+    RunState,
     System,
     vector_of,
 )
@@ -92,7 +82,7 @@ def passing_friction(
         Velocity of the point along the line, away from the contact, at the start of the step. A step can go
         past the instant at which the point is at the center; the friction does not jump within it.
     """
-    mass, moment = system.scene[IN_MASS], system.run[RUN_MOMENT]
+    mass, moment = system.scene.mass, system.run.moment
     d_x, d_y = pose.arm_x + q_x, pose.arm_y + q_y
     reach, size = sqrt(d_x * d_x + d_y * d_y), sqrt(w_x * w_x + w_y * w_y)
     if reach > 0.0:
@@ -119,9 +109,9 @@ def passing_friction(
 def speed_of_foot(system: System, mode: Mode, number: int) -> float:
     """Velocity of a support point along the line from the contact, at the start of the step."""
     state = vector_of(system, STATE)
-    pose, spin = pose_of(system, state), state[SPIN]
-    fence_x, fence_y = pusher_velocity(system, mode.during, system.run[RUN_TIME], state)
-    v_x, v_y = center_motion(pose, fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED], spin)
+    pose, spin = pose_of(system, state), state.spin
+    fence_x, fence_y = pusher_velocity(system, mode.during, system.run.time, state)
+    v_x, v_y = center_motion(pose, fence_x + state.slip_speed, fence_y + state.normal_speed, spin)
     point = foot_position(friction_effects(system), number)
     f_x, f_y = to_contact(pose.rod, point.x, point.y)
     d_x, d_y = pose.x + f_x, pose.y + f_y
@@ -246,7 +236,7 @@ def _compliance_of_foot(
     system: System, pose: Pose, contact: int, q_x: float, q_y: float
 ) -> Compliance:
     """Compliance of a support point in a mode whose contact force keeps the contact closed."""
-    mass, moment = system.scene[IN_MASS], system.run[RUN_MOMENT]
+    mass, moment = system.scene.mass, system.run.moment
     xx, xy = 1.0 / mass + q_y * q_y / moment, -q_x * q_y / moment
     yx, yy = xy, 1.0 / mass + q_x * q_x / moment
     if contact != SEPARATE:
@@ -275,11 +265,11 @@ def speed_of_passing(system: System, pose: Pose, v_x: float, v_y: float, spin: f
     return copysign(min(foot.speed, 1.0), ahead)
 
 
-def stop_slowest_foot(system: System, mode: Mode, time: float, state: Numbers) -> None:
+def stop_slowest_foot(system: System, mode: Mode, time: float, state: RunState) -> None:
     """Rotate a slider that sticks exactly about a support point that the center of rotation passes."""
     fence_x, fence_y = pusher_velocity(system, mode.during, time, state)
-    pose, spin = pose_of(system, state), state[SPIN]
-    u_x, u_y = fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED]
+    pose, spin = pose_of(system, state), state.spin
+    u_x, u_y = fence_x + state.slip_speed, fence_y + state.normal_speed
     v_x, v_y = center_motion(pose, u_x, u_y, spin)
     foot = slowest_foot_at(system, pose, v_x, v_y, spin)
     size = size_of_twist(v_x, v_y, spin)
@@ -291,9 +281,9 @@ def stop_slowest_foot(system: System, mode: Mode, time: float, state: Numbers) -
     square = d_x * d_x + d_y * d_y
     if square > 0.0:
         before = kinetic_energy_of(system, pose, v_x, v_y, spin)
-        state[SPIN] = (u_x * d_y - u_y * d_x) / square
-        v_x, v_y = center_motion(pose, u_x, u_y, state[SPIN])
-        state[LOST] += before - kinetic_energy_of(system, pose, v_x, v_y, state[SPIN])
+        state.spin = (u_x * d_y - u_y * d_x) / square
+        v_x, v_y = center_motion(pose, u_x, u_y, state.spin)
+        state.lost += before - kinetic_energy_of(system, pose, v_x, v_y, state.spin)
 
 
 def arrival_speed(system: System, size: float) -> float:
@@ -301,8 +291,8 @@ def arrival_speed(system: System, size: float) -> float:
 
     The integrator cannot resolve it better than to its own error.
     """
-    part = system.run[RUN_SPEED] / size if size > 0.0 else 0.0
-    error = ERRORS * max(PART_OF_STEP * system.scene[IN_TOLERANCE], FINEST)
+    part = system.run.speed / size if size > 0.0 else 0.0
+    error = ERRORS * max(PART_OF_STEP * system.scene.tolerance, FINEST)
     return min(max(ARRIVED, max(error * (1.0 + 0.01 * part), SLACK * part)), FASTEST_AT_CENTER)
 
 
@@ -320,5 +310,5 @@ def slowest_foot_at(system: System, pose: Pose, v_x: float, v_y: float, spin: fl
     """The slowest support point, and its speed relative to the slider's."""
     x, y = to_body(pose.rod, v_x, v_y)
     foot = slowest_foot(system, x, y, spin)
-    scale = max(size_of_twist(v_x, v_y, spin), NO_DIRECTION * system.run[RUN_SPEED])
+    scale = max(size_of_twist(v_x, v_y, spin), NO_DIRECTION * system.run.speed)
     return Foot(foot.number, foot.speed / scale)

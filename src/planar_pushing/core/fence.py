@@ -10,16 +10,9 @@ from typing import NamedTuple
 
 from planar_pushing.core.numbers import GAUSS_NODES, GAUSS_WEIGHTS, Numbers
 from planar_pushing.core.run import (
-    PIECE_DEGREE,
-    PIECE_END,
-    PIECE_FIRST,
-    PIECE_LAST,
-    PIECE_NOISE,
-    PIECE_ORIGIN,
-    PIECE_POLICY,
-    PIECE_SERIES,
-    PIECE_START,
+    PIECE,
     SERIES_OF_PIECE,
+    PusherPiece,
 )
 
 #: Series of a piece, two for each quantity.
@@ -46,50 +39,50 @@ class Span(NamedTuple):
     constant: bool
 
 
-def piece_of(fence: Fence, index: int) -> Numbers:
+def piece_of(fence: Fence, index: int) -> PusherPiece:
     """A piece of the motion."""
-    return fence.pieces[index * (PIECE_SERIES + SERIES_OF_PIECE * fence.coefficients) :]
+    return PusherPiece(fence.pieces[index * (PIECE + SERIES_OF_PIECE * fence.coefficients) :])
 
 
 def span_at(fence: Fence, index: int) -> Span:
     """The span of a piece."""
     piece = piece_of(fence, index)
-    first, last = int(piece[PIECE_FIRST]), int(piece[PIECE_LAST])
-    constant: bool = last - first == 1 and piece[PIECE_DEGREE] == 0.0
+    first, last = piece.first, piece.last
+    constant: bool = last - first == 1 and piece.degree == 0
     return Span(
-        piece_of(fence, first)[PIECE_START], piece_of(fence, last - 1)[PIECE_END], first, last, constant
+        piece_of(fence, first).start, piece_of(fence, last - 1).end, first, last, constant
     )  # fmt: skip
 
 
 def policy_at(fence: Fence, index: int) -> int:
     """The policy for choosing among several modes in a piece."""
-    return int(piece_of(fence, index)[PIECE_POLICY])
+    return piece_of(fence, index).policy
 
 
 def end_of_fence(fence: Fence) -> float:
     """The time at which the motion ends."""
-    return piece_of(fence, fence.number - 1)[PIECE_END]
+    return piece_of(fence, fence.number - 1).end
 
 
-def _piece_at(fence: Fence, during: Span, time: float) -> Numbers:
+def _piece_at(fence: Fence, during: Span, time: float) -> PusherPiece:
     """The piece of a span that contains a time."""
     low, high = during.first, during.last
     while high - low > 1:
         middle = (low + high) // 2
-        if time >= piece_of(fence, middle)[PIECE_START]:
+        if time >= piece_of(fence, middle).start:
             low = middle
         else:
             high = middle
     return piece_of(fence, low)
 
 
-def _series_value(fence: Fence, piece: Numbers, number: int, time: float) -> float:
+def _series_value(fence: Fence, piece: PusherPiece, number: int, time: float) -> float:
     """The value of a Chebyshev series by Clenshaw's recurrence."""
-    series = piece[PIECE_SERIES + number * fence.coefficients :]
-    degree = int(piece[PIECE_DEGREE])
+    series = piece[PIECE + number * fence.coefficients :]
+    degree = piece.degree
     if degree == 0:
         return series[0]
-    start, end = piece[PIECE_START], piece[PIECE_END]
+    start, end = piece.start, piece.end
     x = ((time - start) - (end - time)) / (end - start)
     one, two = 0.0, 0.0
     for i in range(degree, 0, -1):
@@ -102,9 +95,9 @@ def fence_velocity(fence: Fence, during: Span, time: float) -> tuple[float, floa
     piece = _piece_at(fence, during, time)
     x = _series_value(fence, piece, VELOCITY_SERIES, time)
     y = _series_value(fence, piece, VELOCITY_SERIES + 1, time)
-    if fabs(x) <= piece[PIECE_NOISE]:
+    if fabs(x) <= piece.noise.x:
         x = 0.0
-    if fabs(y) <= piece[PIECE_NOISE + 1]:
+    if fabs(y) <= piece.noise.y:
         y = 0.0
     return x, y
 
@@ -121,10 +114,10 @@ def fence_acceleration(fence: Fence, during: Span, time: float) -> tuple[float, 
 def fence_displacement(fence: Fence, during: Span, time: float) -> tuple[float, float]:
     """The displacement from the start of the motion to a time of a span."""
     piece = _piece_at(fence, during, time)
-    elapsed = time - piece[PIECE_START]
+    elapsed = time - piece.start
     x = _series_value(fence, piece, MEAN_SERIES, time)
     y = _series_value(fence, piece, MEAN_SERIES + 1, time)
-    return piece[PIECE_ORIGIN] + elapsed * x, piece[PIECE_ORIGIN + 1] + elapsed * y
+    return piece.origin.x + elapsed * x, piece.origin.y + elapsed * y
 
 
 def fence_path(fence: Fence, during: Span, start: float, end: float) -> tuple[float, float]:

@@ -23,18 +23,14 @@ from planar_pushing.core.modes import contact_modes
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.rows import Vector
 from planar_pushing.core.solution import (
-    CONTINUUM,
-    FORCE,
-    MODE,
     MOST_SOLUTIONS,
-    MOTION,
     SLIP_LEFT,
     SLIP_RIGHT,
     SOLUTION,
     STICK,
-    TWIST,
     UNSOLVED,
     Push,
+    Solution,
 )
 
 
@@ -69,11 +65,11 @@ def flush_modes(flush: FlushPush, solutions: Numbers) -> int:
     falls: bool = w_y == 0.0 and spin == 0.0 and _falls(flush)
     for mode in range(STICK, SLIP_LEFT + 1):
         for i in range(number):
-            point = points[i * SOLUTION :]
-            moves: bool = point[MOTION] != 0.0 or point[MOTION + 1] != 0.0 or spin != 0.0
+            point = Solution(points[i * SOLUTION :])
+            moves: bool = point.motion.x != 0.0 or point.motion.y != 0.0 or spin != 0.0
             if mode == STICK:
                 moves = w_x != 0.0 or w_y != 0.0 or spin != 0.0
-            if point[MODE] == float(mode) and moves:
+            if point.mode == mode and moves:
                 count = _keep_between_ends(flush, mode, point, solutions, count)
         edge, rests = law.left, w_x == 0.0
         if mode == SLIP_RIGHT:
@@ -95,20 +91,20 @@ def _falls(flush: FlushPush) -> bool:
 
 
 def _keep_between_ends(
-    flush: FlushPush, mode: int, point: Numbers, solutions: Numbers, count: int
+    flush: FlushPush, mode: int, point: Solution, solutions: Numbers, count: int
 ) -> int:
     """Write a motion if its force crosses the side between its ends; return the number of solutions."""
     push, still, law = flush.push, flush.still, flush.law
-    x, y = point[MOTION], point[MOTION + 1]
+    x, y = point.motion.x, point.motion.y
     if flush.spin == 0.0:
         torque = translation_force(still, x, y).torque
     else:
-        v_x = push.t_x * point[TWIST] - push.t_y * point[TWIST + 1]
-        v_y = push.t_x * point[TWIST + 1] + push.t_y * point[TWIST]
+        v_x = push.t_x * point.twist.x - push.t_y * point.twist.y
+        v_y = push.t_x * point.twist.y + push.t_y * point.twist.x
         torque = resistance_about(push.effects, push.contact, v_x, v_y, flush.spin, 0.0).torque
     moved = fabs(x) + fabs(y) + fabs(flush.spin) * still.lever
     size = still.weight + still.mass * moved + fabs(still.load.x) + fabs(still.load.y)
-    force = SideForce(x, point[FORCE], point[FORCE + 1], torque, size)
+    force = SideForce(x, point.force.x, point.force.y, torque, size)
     if not (law.rough and mode == STICK) and not is_between_ends(flush, force):
         return count
-    return write_flush(flush, mode, force, point[CONTINUUM] != 0.0, solutions, count)
+    return write_flush(flush, mode, force, point.continuum, solutions, count)

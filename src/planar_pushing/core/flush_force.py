@@ -14,18 +14,11 @@ from planar_pushing.core.cone import Law
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.rows import NO_POINT, Mass, Vector, load_wrench, rough_mass, scale_effects
 from planar_pushing.core.solution import (
-    CONTINUUM,
-    END_FORCE,
-    FORCE,
-    MODE,
     MOST_SOLUTIONS,
-    MOTION,
-    PIVOT,
     SOLUTION,
-    START_FORCE,
-    TWIST,
     UNSOLVED,
     Push,
+    Solution,
 )
 from planar_pushing.core.tolerances import SHARE
 
@@ -174,18 +167,18 @@ def write_flush(
     if count < 0 or count == MOST_FLUSH:
         return UNSOLVED
     push, spin, y = flush.push, flush.spin, flush.w_y
-    solution = solutions[SOLUTION * count :]
+    solution = Solution(solutions[SOLUTION * count :])
     c_x = -(push.t_x * push.contact.x + push.t_y * push.contact.y)
     c_y = -(push.t_x * push.contact.y - push.t_y * push.contact.x)
-    solution[MODE], solution[PIVOT] = float(mode), float(NO_POINT)
-    solution[CONTINUUM] = 1.0 if continuum else 0.0
-    solution[TWIST] = force.s - spin * c_y
-    solution[TWIST + 1], solution[TWIST + 2] = y + spin * c_x, spin
-    solution[MOTION], solution[MOTION + 1] = force.s, y
+    solution.mode, solution.pivot = mode, NO_POINT
+    solution.continuum = continuum
+    solution.twist.x = force.s - spin * c_y
+    solution.twist.y, solution.twist.spin = y + spin * c_x, spin
+    solution.motion.x, solution.motion.y = force.s, y
     for k in range(0, 3, 2):
-        solution[FORCE + k], solution[FORCE + k + 1] = force.f_x, force.f_y
+        solution.force[k], solution.force[k + 1] = force.f_x, force.f_y
     noise = noise_at_ends(flush, force)
     at_start, at_end = force_at_start(flush.side, force), force_at_end(flush.side, force)
-    solution[START_FORCE] = 0.0 if fabs(at_start) <= noise else at_start
-    solution[END_FORCE] = 0.0 if fabs(at_end) <= noise else at_end
+    solution.start_force = 0.0 if fabs(at_start) <= noise else at_start
+    solution.end_force = 0.0 if fabs(at_end) <= noise else at_end
     return count + 1

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import fabs
 
+from planar_pushing.core._record import size_of
 from planar_pushing.core.about import contact_at
 from planar_pushing.core.cone import Law
 from planar_pushing.core.directions import Direction
@@ -24,32 +25,20 @@ from planar_pushing.core.modes import contact_modes
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers, zeros
 from planar_pushing.core.rows import Vector, count_columns, read_effects
 from planar_pushing.core.solution import (
-    CONTINUUM,
-    END_FORCE,
-    FORCE,
-    FORCE_END,
-    MODE,
     MOST_SOLUTIONS,
-    MOTION,
-    PIVOT,
     SEPARATE,
     SLIP_LEFT,
     SOLUTION,
-    START_FORCE,
     STICK,
-    TWIST,
     UNSOLVED,
     Push,
+    Solution,
     copy_solution,
 )
 from planar_pushing.core.tolerances import ALMOST_FLUSH, COINCIDENT
 
 #: Where a solution touches the fence: nowhere or along the whole side, at its start, at its end.
 WHOLE_SIDE, SIDE_START, SIDE_END = range(3)
-#: Columns of a solution after those of any solution: whether it is flush, and where it touches the fence.
-IS_FLUSH = SOLUTION
-TOUCHES_AT = SOLUTION + 1
-SIDE_SOLUTION = SOLUTION + 2
 #: Maximum number of flush solutions, some of which come from contacts at an end, and of all solutions.
 MOST_FLUSH_WITH_ENDS = MOST_FLUSH + 2 * MOST_SOLUTIONS
 MOST_ON_SIDE = 1 + MOST_FLUSH_WITH_ENDS
@@ -60,6 +49,16 @@ SIDE_RESULT = RESULT + 10
 AT_FLUSH = RESULT
 AT_POSITION = RESULT + 1
 AT_END_FORCES = RESULT + 2
+
+
+class SideSolution(Solution):
+    """A solution of a push of a side: whether it is flush, and where it touches the fence."""
+
+    is_flush: bool
+    touches_at: int
+
+
+SIDE_SOLUTION = size_of(SideSolution)
 
 
 def solve_flush(
@@ -84,8 +83,8 @@ def solve_flush(
             problem.rod, solutions, SIDE_SOLUTION, number, False, result, width, room
         )
         for j in range(number):
-            solution = solutions[j * SIDE_SOLUTION :]
-            result[2 + AT_FLUSH * room + j] = solution[IS_FLUSH]
+            solution = SideSolution(solutions[j * SIDE_SOLUTION :])
+            result[2 + AT_FLUSH * room + j] = solution.is_flush
             result[2 + AT_POSITION * room + j] = _position_of_force(side, solution)
             bounds = result[2 + AT_END_FORCES * room + 8 * j :]
             _write_end_forces(problem.law, solution, bounds)
@@ -105,7 +104,7 @@ def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solution
     """
     flush = zeros(MOST_FLUSH_WITH_ENDS * SOLUTION)
     at_start, at_end = zeros(MOST_SOLUTIONS * SOLUTION), zeros(MOST_SOLUTIONS * SOLUTION)
-    count, scale = _write_separate(push, side, pusher, solutions[0:])
+    count, scale = _write_separate(push, side, pusher, Solution(solutions[0:]))
     if scale == 0.0:
         return count  # as for one point, a slider and a fence at rest count as separate
     held = FlushPush(push, side, law, pusher.x, pusher.y, 0.0, resist_translation(push))
@@ -120,18 +119,18 @@ def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solution
     flush_count = _keep_lifting(push, side, SIDE_END, at_end, ends, flush, flush_count)
     for mode in range(STICK, SLIP_LEFT + 1):
         for i in range(flush_count):
-            solution = flush[i * SOLUTION :]
-            if solution[MODE] == float(mode):
+            solution = Solution(flush[i * SOLUTION :])
+            if solution.mode == mode:
                 copy_solution(solutions[count * SIDE_SOLUTION :], solution)
                 count = _mark_solution(solutions, count, True, WHOLE_SIDE)
         for i in range(starts):
-            solution = at_start[i * SOLUTION :]
-            if solution[MODE] == float(mode):
+            solution = Solution(at_start[i * SOLUTION :])
+            if solution.mode == mode:
                 copy_solution(solutions[count * SIDE_SOLUTION :], solution)
                 count = _mark_solution(solutions, count, False, SIDE_START)
         for i in range(ends):
-            solution = at_end[i * SOLUTION :]
-            if solution[MODE] == float(mode):
+            solution = Solution(at_end[i * SOLUTION :])
+            if solution.mode == mode:
                 copy_solution(solutions[count * SIDE_SOLUTION :], solution)
                 count = _mark_solution(solutions, count, False, SIDE_END)
     return count
@@ -174,13 +173,13 @@ def _can_turn(flush: FlushPush, edge: Direction, place: float, sense: float) -> 
 
 def _mark_solution(solutions: Numbers, count: int, flush: bool, touches: int) -> int:
     """Complete a solution that is the last one, and return the number of solutions."""
-    solution = solutions[count * SIDE_SOLUTION :]
-    solution[IS_FLUSH], solution[TOUCHES_AT] = 1.0 if flush else 0.0, float(touches)
+    solution = SideSolution(solutions[count * SIDE_SOLUTION :])
+    solution.is_flush, solution.touches_at = flush, touches
     return count + 1
 
 
 def _write_separate(
-    push: Push, side: FlatSide, pusher: Direction, solution: Numbers
+    push: Push, side: FlatSide, pusher: Direction, solution: Solution
 ) -> tuple[int, float]:
     """Write the motion without a contact force, if both ends move away from the fence.
 
@@ -203,12 +202,12 @@ def _write_separate(
         return 0, scale
     for k in range(SIDE_SOLUTION):
         solution[k] = 0.0
-    solution[MODE] = float(SEPARATE)
-    solution[PIVOT] = float(foot_at_center(push.effects, rest))
-    solution[TWIST] = t_x * rest.x + t_y * rest.y
-    solution[TWIST + 1] = t_x * rest.y - t_y * rest.x
-    solution[TWIST + 2] = rest.spin
-    solution[MOTION], solution[MOTION + 1] = x, y
+    solution.mode = SEPARATE
+    solution.pivot = foot_at_center(push.effects, rest)
+    solution.twist.x = t_x * rest.x + t_y * rest.y
+    solution.twist.y = t_x * rest.y - t_y * rest.x
+    solution.twist.spin = rest.spin
+    solution.motion.x, solution.motion.y = x, y
     return 1, scale
 
 
@@ -230,25 +229,25 @@ def _keep_lifting(
     if touches == SIDE_END:
         sense = -1.0
     for i in range(count):
-        point = points[i * SOLUTION :]
-        if point[MODE] != float(SEPARATE):
-            turn = sense * point[TWIST + 2]
-            speed = fabs(point[MOTION]) + fabs(point[MOTION + 1])
+        point = Solution(points[i * SOLUTION :])
+        if point.mode != SEPARATE:
+            turn = sense * point.twist.spin
+            speed = fabs(point.motion.x) + fabs(point.motion.y)
             is_flush: bool = fabs(turn) * lever <= COINCIDENT * speed
             same = _same_flush(side, touches, point, flush, flush_count, lever, speed)
             if is_flush and same < 0:
                 flush_count = _add_flush(touches, point, flush, flush_count)
-            if same >= 0 and point[CONTINUUM] != 0.0:
-                flush[same * SOLUTION + CONTINUUM] = 1.0
+            if same >= 0 and point.continuum:
+                Solution(flush[same * SOLUTION :]).continuum = True
             if is_flush or same >= 0 or turn < 0.0:
-                point[MODE] = float(SEPARATE)
+                point.mode = SEPARATE
     return flush_count
 
 
 def _same_flush(
     side: FlatSide,
     touches: int,
-    point: Numbers,
+    point: Solution,
     flush: Numbers,
     flush_count: int,
     lever: float,
@@ -260,64 +259,64 @@ def _same_flush(
     a small support magnifies.
     """
     for i in range(flush_count):
-        solution = flush[i * SOLUTION :]
-        other = solution[END_FORCE] if touches == SIDE_START else solution[START_FORCE]
+        solution = Solution(flush[i * SOLUTION :])
+        other = solution.end_force if touches == SIDE_START else solution.start_force
         nearest = ALMOST_FLUSH if other == 0.0 else COINCIDENT
-        deviation = fabs(point[MOTION] - solution[MOTION]) + fabs(
-            point[MOTION + 1] - solution[MOTION + 1]
+        deviation = fabs(point.motion.x - solution.motion.x) + fabs(
+            point.motion.y - solution.motion.y
         )
-        deviation += fabs(point[TWIST + 2]) * lever
-        if solution[MODE] == point[MODE] and deviation <= nearest * speed:
+        deviation += fabs(point.twist.spin) * lever
+        if solution.mode == point.mode and deviation <= nearest * speed:
             return i
     return -1
 
 
-def _add_flush(touches: int, point: Numbers, flush: Numbers, flush_count: int) -> int:
+def _add_flush(touches: int, point: Solution, flush: Numbers, flush_count: int) -> int:
     """Add a contact at an end as a flush solution, and return the number of flush solutions."""
-    solution = flush[flush_count * SOLUTION :]
+    solution = Solution(flush[flush_count * SOLUTION :])
     copy_solution(solution, point)
-    force = point[FORCE + 1]
-    solution[START_FORCE] = force if touches == SIDE_START else 0.0
-    solution[END_FORCE] = 0.0 if touches == SIDE_START else force
+    force = point.force.y
+    solution.start_force = force if touches == SIDE_START else 0.0
+    solution.end_force = 0.0 if touches == SIDE_START else force
     return flush_count + 1
 
 
-def _position_of_force(side: FlatSide, solution: Numbers) -> float:
+def _position_of_force(side: FlatSide, solution: SideSolution) -> float:
     """Where the line of action of a force crosses the fence; NaN without one, or along the fence."""
-    touches = int(solution[TOUCHES_AT])
+    touches = solution.touches_at
     if touches != WHOLE_SIDE:
         return side.start if touches == SIDE_START else side.end
-    at_start, at_end = solution[START_FORCE], solution[END_FORCE]
-    if solution[MODE] == float(SEPARATE) or at_start + at_end == 0.0:
+    at_start, at_end = solution.start_force, solution.end_force
+    if solution.mode == SEPARATE or at_start + at_end == 0.0:
         return UNKNOWN
     return (side.start * at_start + side.end * at_end) / (at_start + at_end) + 0.0
 
 
-def _write_end_forces(law: Law, solution: Numbers, bounds: Numbers) -> None:
+def _write_end_forces(law: Law, solution: SideSolution, bounds: Numbers) -> None:
     """Write the lower and the upper bounds of the forces at both ends of the side."""
     for k in range(8):
         bounds[k] = 0.0
-    touches = int(solution[TOUCHES_AT])
-    if solution[MODE] == float(SEPARATE):
+    touches = solution.touches_at
+    if solution.mode == SEPARATE:
         return
     if touches != WHOLE_SIDE:
         first = 0 if touches == SIDE_START else 4
         for k in range(2):
-            one, other = solution[FORCE + k], solution[FORCE_END + k]
+            one, other = solution.force[k], solution.force_end[k]
             bounds[first + k], bounds[first + 2 + k] = min(one, other), max(one, other)
         return
     low, high = _tangential_at_start(law, solution)
     # Adding zero turns a negative zero into a positive one.
     bounds[0], bounds[2] = low + 0.0, high + 0.0
-    bounds[4], bounds[6] = solution[FORCE] - high, solution[FORCE] - low
-    bounds[1], bounds[3] = solution[START_FORCE], solution[START_FORCE]
-    bounds[5], bounds[7] = solution[END_FORCE], solution[END_FORCE]
+    bounds[4], bounds[6] = solution.force.x - high, solution.force.x - low
+    bounds[1], bounds[3] = solution.start_force, solution.start_force
+    bounds[5], bounds[7] = solution.end_force, solution.end_force
 
 
-def _tangential_at_start(law: Law, solution: Numbers) -> tuple[float, float]:
+def _tangential_at_start(law: Law, solution: Solution) -> tuple[float, float]:
     """The range of the tangential force at the start of a side on the fence."""
-    at_start, at_end, f_x = solution[START_FORCE], solution[END_FORCE], solution[FORCE]
-    if solution[MODE] != float(STICK):
+    at_start, at_end, f_x = solution.start_force, solution.end_force, solution.force.x
+    if solution.mode != STICK:
         total = at_start + at_end
         if total != 0.0:
             return f_x * (at_start / total), f_x * (at_start / total)

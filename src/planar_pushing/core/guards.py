@@ -10,7 +10,7 @@ from math import fabs
 from planar_pushing.core.equations import write_guards
 from planar_pushing.core.explicit import MIDDLE_PART, interpolate_state
 from planar_pushing.core.feet import leaving_speed
-from planar_pushing.core.numbers import INFINITY, Numbers
+from planar_pushing.core.numbers import INFINITY
 from planar_pushing.core.roots import (
     ITERATIONS,
     SECTIONS,
@@ -23,7 +23,7 @@ from planar_pushing.core.roots import (
     open_bracket,
     section_of,
 )
-from planar_pushing.core.run import RUN_EVENT, RUN_KINK, RUN_SIDE, RUN_SPEED, RUN_TIME, RUN_UNTIL
+from planar_pushing.core.run import Run
 from planar_pushing.core.solution import SEPARATE
 from planar_pushing.core.system import (
     CAUSES,
@@ -31,10 +31,8 @@ from planar_pushing.core.system import (
     END_OF_SIDE,
     END_VALUES,
     FIRST_RATES,
-    GAP,
     KINK,
     MIDDLE_VALUES,
-    NORMAL_SPEED,
     SIGNS,
     TOUCHES,
     TRIAL,
@@ -85,7 +83,7 @@ def first_event(system: System, mode: Mode) -> int:
 
     A mode is misjudged if a margin is negative from its start.
     """
-    system.run[RUN_EVENT], cause = system.run[RUN_UNTIL], NOTHING
+    system.run.event_time, cause = system.run.until, NOTHING
     if _may_contain_event(system):
         cause = _search_step(system, mode)
     copy_numbers(guards_of(system, VALUES), guards_of(system, END_VALUES), CAUSES)
@@ -96,13 +94,11 @@ def look_for_kink(system: System, mode: Mode) -> None:
     """Find a time at which the motion is not smooth in a trial step, and grade the steps toward it."""
     run, end = system.run, guards_of(system, END_VALUES)[KINK]
     if guards_of(system, SIGNS)[KINK] * end < -SLACK:
-        slack = BEHIND_KINK * (run[RUN_UNTIL] - run[RUN_TIME])
+        slack = BEHIND_KINK * (run.until - run.time)
         first, last = fabs(guards_of(system, VALUES)[KINK]), -fabs(end)
-        resolution = slack / (4.0 * run[RUN_UNTIL])
-        kink = _root_of_guard(
-            system, mode, KINK, run[RUN_TIME], run[RUN_UNTIL], first, last, resolution
-        )
-        run[RUN_KINK], run[RUN_SIDE] = kink + slack, -1.0
+        resolution = slack / (4.0 * run.until)
+        kink = _root_of_guard(system, mode, KINK, run.time, run.until, first, last, resolution)
+        run.kink, run.kink_side = kink + slack, -1
 
 
 def _root_of_guard(
@@ -158,15 +154,15 @@ def _search_step(system: System, mode: Mode) -> int:
                 return MISJUDGED
             if time < first:
                 first, cause = time, i
-    system.run[RUN_EVENT] = min(first, system.run[RUN_UNTIL])
+    system.run.event_time = min(first, system.run.until)
     return cause
 
 
-def _node_time(run: Numbers, j: int) -> float:
+def _node_time(run: Run, j: int) -> float:
     """Time of a node; node 0 is the start of the step."""
     if j == STEP_NODES:
-        return run[RUN_UNTIL]
-    return run[RUN_TIME] + float(j) / float(STEP_NODES) * (run[RUN_UNTIL] - run[RUN_TIME])
+        return run.until
+    return run.time + float(j) / float(STEP_NODES) * (run.until - run.time)
 
 
 def _event_of_cause(system: System, mode: Mode, cause: int) -> float:
@@ -179,7 +175,7 @@ def _event_of_cause(system: System, mode: Mode, cause: int) -> float:
         value = guards_of(system, VALUES + j)[cause]
         if sign * value < -SLACK:
             time = _crossing(system, mode, cause, low, high, sign * before, sign * value)
-            farthest = leaving_speed(system, run[RUN_SPEED])
+            farthest = leaving_speed(system, run.speed)
             if cause != CENTER_AT_POINT or fabs(_guard_at(system, mode, cause, time)) <= farthest:
                 return time
             signs[cause] = -sign  # another point is the slowest, or the center is far from it
@@ -208,12 +204,12 @@ def _opens(system: System, mode: Mode) -> bool:
     rates = vector_of(system, FIRST_RATES)
     if mode.contact != SEPARATE or not is_massive(system):
         return False
-    return rates[GAP] > 0.0 or (rates[GAP] == 0.0 and rates[NORMAL_SPEED] > 0.0)
+    return rates.gap > 0.0 or (rates.gap == 0.0 and rates.normal_speed > 0.0)
 
 
 def _time_of_touch(system: System, mode: Mode, end: float) -> float:
     """A time at which a contact that opens by less than the tolerance has closed again."""
-    low, high = system.run[RUN_TIME], end
+    low, high = system.run.time, end
     for _ in range(ITERATIONS):
         time = (low + high) / 2.0
         if not low < time < high:

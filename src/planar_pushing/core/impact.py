@@ -14,8 +14,8 @@ from planar_pushing.core.flush_solutions import (
     SIDE_END,
     SIDE_SOLUTION,
     SIDE_START,
-    TOUCHES_AT,
     WHOLE_SIDE,
+    SideSolution,
     side_modes,
 )
 from planar_pushing.core.modes import contact_modes
@@ -23,31 +23,18 @@ from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.posing import momentum_over, pusher_along
 from planar_pushing.core.reaction import moment_of, reaction_of, reaction_of_side
 from planar_pushing.core.rows import ENTRY, LAST, LOAD, MASS, NO_POINT, Vector, read_effects
-from planar_pushing.core.run import (
-    IN_MASS,
-    IN_MASS_X,
-    IN_MASS_Y,
-    RUN_IMPULSE,
-    RUN_MOMENT,
-    RUN_SPEED,
-)
 from planar_pushing.core.shapes import center_motion, pose_of, pusher_velocity, to_world
 from planar_pushing.core.solution import (
-    MODE,
     SEPARATE,
     SOLUTION,
     Push,
+    Solution,
 )
 from planar_pushing.core.system import (
-    ANGLE,
     GOES_ON,
-    LOST,
     NO_IMPULSE,
     NO_MODE,
-    NORMAL_SPEED,
-    SLIP_SPEED,
-    SPIN,
-    WORK,
+    RunState,
     System,
     is_preferred,
     law_of,
@@ -59,15 +46,15 @@ from planar_pushing.core.touch import hold_contact, offset_of, side_on_fence
 MASS_COLUMNS, LOAD_COLUMNS = 4, 3
 
 
-def add_impulse(system: System, state: Numbers, p_x: float, p_y: float) -> None:
+def add_impulse(system: System, state: RunState, p_x: float, p_y: float) -> None:
     """Add an impulse at the contact to those that the next row of the log contains."""
-    x, y = to_world(system, state[ANGLE], p_x, p_y)
-    system.run[RUN_IMPULSE] += x
-    system.run[RUN_IMPULSE + 1] += y
+    x, y = to_world(system, state.angle, p_x, p_y)
+    system.run.impulse.x += x
+    system.run.impulse.y += y
 
 
 def collide(
-    system: System, during: Span, time: float, state: Numbers, current: int, policy: int
+    system: System, during: Span, time: float, state: RunState, current: int, policy: int
 ) -> int:
     """Change the twist by the impulse that the policy prefers; return why there is none, or `GOES_ON`.
 
@@ -79,12 +66,12 @@ def collide(
     if left >= 0:
         hold_contact(system, state, left, NO_POINT)
         length = offset_of(system, state, right).x
-    first, last = state[NORMAL_SPEED], state[NORMAL_SPEED] + state[SPIN] * length
-    slack = SLACK * system.run[RUN_SPEED]
-    if max(max(fabs(state[SLIP_SPEED]), fabs(first)), fabs(last)) <= slack:
-        state[SLIP_SPEED], state[NORMAL_SPEED] = 0.0, 0.0
+    first, last = state.normal_speed, state.normal_speed + state.spin * length
+    slack = SLACK * system.run.speed
+    if max(max(fabs(state.slip_speed), fabs(first)), fabs(last)) <= slack:
+        state.slip_speed, state.normal_speed = 0.0, 0.0
         if left >= 0:
-            state[SPIN] = 0.0
+            state.spin = 0.0
         return GOES_ON
     # Without an approach, to rounding, the contact can open.
     other = SEPARATE if min(first, last) >= -slack else NO_MODE
@@ -103,7 +90,7 @@ def collide(
 
 
 def _choose_blow(
-    system: System, state: Numbers, length: float, fence_x: float, fence_y: float,
+    system: System, state: RunState, length: float, fence_x: float, fence_y: float,
     current: int, policy: int, other: int,
 ) -> tuple[int, int]:  # fmt: skip
     """The preferred mode of an impact, or another one, and where it touches a side of a length."""
@@ -111,10 +98,10 @@ def _choose_blow(
     solutions = zeros(MOST_ON_SIDE * SIDE_SOLUTION)
     pose, spin, size = (
         pose_of(system, state),
-        state[SPIN],
+        state.spin,
         sqrt(fence_x * fence_x + fence_y * fence_y),
     )
-    u_x, u_y = fence_x + state[SLIP_SPEED], fence_y + state[NORMAL_SPEED]
+    u_x, u_y = fence_x + state.slip_speed, fence_y + state.normal_speed
     unit = max(max(size, sqrt(u_x * u_x + u_y * u_y)), fabs(spin))
     v_x, v_y = center_motion(pose, u_x, u_y, spin)
     _write_inertia(system, momentum_over(system, pose.rod, v_x, v_y, spin, unit), data, row)
@@ -123,7 +110,7 @@ def _choose_blow(
     if length == 0.0:
         number, _ = contact_modes(push, law, pusher, solutions)
         for i in range(number):
-            contact = int(solutions[i * SOLUTION + MODE])
+            contact = Solution(solutions[i * SOLUTION :]).mode
             if is_preferred(policy, current, contact, other):
                 other = contact
         return other, WHOLE_SIDE
@@ -132,8 +119,8 @@ def _choose_blow(
     for k in range(3):
         touches = WHOLE_SIDE if k == 0 else first if k == 1 else SIDE_START + SIDE_END - first
         for i in range(number):
-            contact = int(solutions[i * SIDE_SOLUTION + MODE])
-            there: bool = int(solutions[i * SIDE_SOLUTION + TOUCHES_AT]) == touches
+            contact = SideSolution(solutions[i * SIDE_SOLUTION :]).mode
+            there: bool = SideSolution(solutions[i * SIDE_SOLUTION :]).touches_at == touches
             if there and is_preferred(policy, current, contact, other):
                 other, chosen = contact, touches
     return other, chosen
@@ -145,20 +132,20 @@ def _write_inertia(system: System, momentum: Vector, data: Numbers, row: Numbers
     data[0], data[1] = float(MASS), 0.0
     data[ENTRY], data[ENTRY + 1] = float(LOAD), float(MASS_COLUMNS)
     data[2 * ENTRY], data[2 * ENTRY + 1] = float(LAST), float(MASS_COLUMNS + LOAD_COLUMNS)
-    row[0], row[1] = scene[IN_MASS], system.run[RUN_MOMENT] / scene[IN_MASS]
-    row[2], row[3] = scene[IN_MASS_X], scene[IN_MASS_Y]
+    row[0], row[1] = scene.mass, system.run.moment / scene.mass
+    row[2], row[3] = scene.center.x, scene.center.y
     row[4], row[5], row[6] = momentum.x, momentum.y, momentum.spin
 
 
 def _strike(
-    system: System, state: Numbers, contact: int, flush: bool, fence_x: float, fence_y: float
+    system: System, state: RunState, contact: int, flush: bool, fence_x: float, fence_y: float
 ) -> None:
     """Change the twist by the impulse of a mode at the contact, or along a side, which stops rotating.
 
     The closed form has more digits than the solution, whose noise grows with the length of the rod.
     """
-    pose, moment = pose_of(system, state), system.run[RUN_MOMENT]
-    x, y, spin = state[SLIP_SPEED], state[NORMAL_SPEED], state[SPIN]
+    pose, moment = pose_of(system, state), system.run.moment
+    x, y, spin = state.slip_speed, state.normal_speed, state.spin
     if flush:
         impulse = reaction_of_side(system, contact, x - spin * pose.arm_y, y + spin * pose.arm_x)
     else:
@@ -166,10 +153,10 @@ def _strike(
     p_x, p_y = impulse.f_x, impulse.f_y
     turn = moment_of(pose, p_x, p_y)
     add_impulse(system, state, p_x, p_y)
-    state[SLIP_SPEED], state[NORMAL_SPEED] = impulse.x, 0.0
-    state[SPIN] = 0.0 if flush else spin + turn / moment
-    state[WORK] += p_x * fence_x + p_y * fence_y
+    state.slip_speed, state.normal_speed = impulse.x, 0.0
+    state.spin = 0.0 if flush else spin + turn / moment
+    state.work += p_x * fence_x + p_y * fence_y
     twice = p_x * (x + impulse.x) + p_y * y
     if flush:
         twice -= (moment * spin + turn) * spin
-    state[LOST] -= twice / 2.0
+    state.lost -= twice / 2.0

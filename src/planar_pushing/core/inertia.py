@@ -21,19 +21,9 @@ from planar_pushing.core.feet import (
     speed_of_foot,
 )
 from planar_pushing.core.instant import Instant, Support, instant_at_rest, support_of_side
-from planar_pushing.core.numbers import UNKNOWN, Numbers
+from planar_pushing.core.numbers import UNKNOWN
 from planar_pushing.core.reaction import edge_of_slip, moment_of, reaction_of, reaction_of_side
 from planar_pushing.core.rows import NO_POINT, foot_position
-from planar_pushing.core.run import (
-    IN_MASS,
-    IN_MASS_X,
-    IN_MASS_Y,
-    IN_TOLERANCE,
-    RUN_EVALUATIONS,
-    RUN_MOMENT,
-    RUN_SPEED,
-    RUN_TIME,
-)
 from planar_pushing.core.shapes import (
     Pose,
     center_motion,
@@ -49,13 +39,10 @@ from planar_pushing.core.shapes import (
 )
 from planar_pushing.core.solution import SEPARATE, STICK
 from planar_pushing.core.system import (
-    ANGLE,
-    NORMAL_SPEED,
     REST,
-    SLIP_SPEED,
-    SPIN,
     STATE,
     Mode,
+    RunState,
     System,
     vector_of,
 )
@@ -115,7 +102,7 @@ def _hinged_motion(
     b_x, b_y : float
         Acceleration of the pusher.
     """
-    mass, moment = system.scene[IN_MASS], system.run[RUN_MOMENT]
+    mass, moment = system.scene.mass, system.run.moment
     total, square = moment + mass * (q_x * q_x + q_y * q_y), spin * spin
     # Vector from the hinge to the contact.
     d_x, d_y = -(pose.arm_x + q_x), -(pose.arm_y + q_y)
@@ -153,7 +140,7 @@ def slowest_motion(system: System) -> float:
 
     It is well above the integrator's error, so that no step passes the slider's rest.
     """
-    return max(STOPPED, PART_OF_STEP * system.scene[IN_TOLERANCE])
+    return max(STOPPED, PART_OF_STEP * system.scene.tolerance)
 
 
 def push_in_mode(contact: int, fence_x: float, fence_y: float) -> float:
@@ -171,16 +158,16 @@ def motion_beside_push(system: System, size: float, pushed: float) -> float:
     return size + (slowest_motion(system) / STOPPED - 1.0) * pushed
 
 
-def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers) -> Instant:
+def motion_with_inertia(system: System, mode: Mode, time: float, state: RunState) -> Instant:
     """The motion at an instant in a mode."""
     fence_x, fence_y = pusher_velocity(system, mode.during, time, state)
     b_x, b_y = pusher_acceleration(system, mode.during, time, state)
     if mode.contact == REST:
         return instant_at_rest(fence_x, fence_y, b_x, b_y, mode.x, mode.y, mode.offset)
-    mass, moment = system.scene[IN_MASS], system.run[RUN_MOMENT]
-    pose, spin = pose_of(system, state), state[SPIN]
-    system.run[RUN_EVALUATIONS] += 1.0
-    slip, normal_speed, foot_x, foot_y = state[SLIP_SPEED], state[NORMAL_SPEED], 0.0, 0.0
+    mass, moment = system.scene.mass, system.run.moment
+    pose, spin = pose_of(system, state), state.spin
+    system.run.evaluations += 1
+    slip, normal_speed, foot_x, foot_y = state.slip_speed, state.normal_speed, 0.0, 0.0
     v_x, v_y = center_motion(pose, fence_x + slip, fence_y + normal_speed, spin)
     number = mode.foot
     sticks: bool = mode.contact == STICK
@@ -205,10 +192,10 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
     total = drag(system, x, y, opposed_spin)
     x, y = to_body(pose.rod, v_x, v_y)
     dissipated = total.f_x * x + total.f_y * y + total.torque * spin
-    load = load_at(system, state[ANGLE])
+    load = load_at(system, state.angle)
     d_x, d_y = load.x - total.f_x, load.y - total.f_y
     torque = load.spin - total.torque
-    torque -= system.scene[IN_MASS_X] * d_y - system.scene[IN_MASS_Y] * d_x
+    torque -= system.scene.center.x * d_y - system.scene.center.y * d_x
     d_x, d_y = to_contact(pose.rod, d_x, d_y)
     a_x, a_y, turn, hold = d_x / mass, d_y / mass, torque / moment, 1.0
     f_x, f_y, lift, rate_x, rate_y, hinged_turn = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
@@ -217,7 +204,7 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: Numbers)
     if turns and sticks:
         w_x, w_y = v_x - t_x, v_y - t_y
         s_x, s_y = sticking_acceleration(system, spin, b_x, b_y)
-        size, typical = size_of_twist(v_x, v_y, spin), system.run[RUN_SPEED]
+        size, typical = size_of_twist(v_x, v_y, spin), system.run.speed
         slowest = max(AT_REST * typical, speed_at_center(system, size) * size)
         is_at_center: bool = w_x * w_x + w_y * w_y <= slowest * slowest
         p_x, p_y = passing_friction(
@@ -282,19 +269,19 @@ def _opposed_twist(
     starts: bool = mode.x != 0.0 or mode.y != 0.0 or mode.spin != 0.0
     # The velocity of a start is the difference of those of contact and pusher, and loses digits.
     slowest = AT_REST if starts else NO_DIRECTION
-    if size_of_twist(v_x, v_y, spin) > slowest * system.run[RUN_SPEED]:
+    if size_of_twist(v_x, v_y, spin) > slowest * system.run.speed:
         return x, y, spin
     if starts:
         x, y = to_body(pose.rod, mode.x, mode.y)
         return x, y, mode.spin
     state = vector_of(system, STATE)
     start = pose_of(system, state)
-    w_x, w_y = pusher_velocity(system, mode.during, system.run[RUN_TIME], state)
-    u_x, u_y = center_motion(start, w_x + state[SLIP_SPEED], w_y + state[NORMAL_SPEED], state[SPIN])
-    if size_of_twist(u_x, u_y, state[SPIN]) <= NO_DIRECTION * system.run[RUN_SPEED]:
+    w_x, w_y = pusher_velocity(system, mode.during, system.run.time, state)
+    u_x, u_y = center_motion(start, w_x + state.slip_speed, w_y + state.normal_speed, state.spin)
+    if size_of_twist(u_x, u_y, state.spin) <= NO_DIRECTION * system.run.speed:
         return x, y, spin
     x, y = to_body(start.rod, u_x, u_y)
-    return x, y, state[SPIN]
+    return x, y, state.spin
 
 
 def _acceleration_of_contact(

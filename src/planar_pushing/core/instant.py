@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from planar_pushing.core.drag import load_at
-from planar_pushing.core.numbers import UNKNOWN, Numbers
+from planar_pushing.core.numbers import UNKNOWN
 from planar_pushing.core.rows import NO_POINT
 from planar_pushing.core.shapes import Pose, to_body
-from planar_pushing.core.system import ANGLE, System
+from planar_pushing.core.system import RunState, System
 
 
 class Instant(NamedTuple):
@@ -81,11 +81,11 @@ def instant_at_rest(
 
 
 def load_power(
-    system: System, pose: Pose, state: Numbers, v_x: float, v_y: float, spin: float
+    system: System, pose: Pose, state: RunState, v_x: float, v_y: float, spin: float
 ) -> float:
     """Power of the loads."""
     x, y = to_body(pose.rod, v_x, v_y)
-    load = load_at(system, state[ANGLE])
+    load = load_at(system, state.angle)
     return load.x * x + load.y * y + load.spin * spin
 
 

@@ -38,16 +38,10 @@ from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers, zeros
 from planar_pushing.core.ring import ring_spin_ratio
 from planar_pushing.core.rows import Effects, count_columns, load_wrench, read_effects, resistance
 from planar_pushing.core.solution import (
-    CONTINUUM,
-    FORCE,
-    FORCE_END,
-    MODE,
     MOST_SOLUTIONS,
-    MOTION,
-    PIVOT,
     SOLUTION,
-    TWIST,
     Push,
+    Solution,
 )
 from planar_pushing.core.tolerances import RESOLUTION
 
@@ -130,34 +124,34 @@ def write_results(
     for k in range(2, width):
         result[k] = UNKNOWN
     for j in range(number):
-        solution = solutions[j * size :]
-        if solution[CONTINUUM] != 0.0:
+        solution = Solution(solutions[j * size :])
+        if solution.continuum:
             status = CONTINUA
-        elif solution[PIVOT] >= 0.0 and status == CONSISTENT:
+        elif solution.pivot >= 0 and status == CONSISTENT:
             status = PIVOTS
         _write_result(rod, solution, room, j, result[2:])
     result[0], result[1] = float(number), float(status)
     return number
 
 
-def _write_result(rod: Rod, solution: Numbers, room: int, j: int, result: Numbers) -> None:
+def _write_result(rod: Rod, solution: Solution, room: int, j: int, result: Numbers) -> None:
     """Write the j-th solution, its spin ratio, and its motion center."""
-    v_x, v_y, spin = solution[TWIST], solution[TWIST + 1], solution[TWIST + 2]
+    v_x, v_y, spin = solution.twist.x, solution.twist.y, solution.twist.spin
     center = motion_center(v_x, v_y, spin)
     moves: bool = v_x != 0.0 or v_y != 0.0 or spin != 0.0
-    result[j] = solution[MODE]
+    result[j] = solution.mode
     for k in range(2):
-        result[AT_FORCE * room + 2 * j + k] = solution[FORCE + k]
-        result[AT_FORCE_END * room + 2 * j + k] = solution[FORCE_END + k]
-        result[AT_MOTION * room + 2 * j + k] = solution[MOTION + k]
+        result[AT_FORCE * room + 2 * j + k] = solution.force[k]
+        result[AT_FORCE_END * room + 2 * j + k] = solution.force_end[k]
+        result[AT_MOTION * room + 2 * j + k] = solution.motion[k]
     for k in range(3):
-        result[AT_TWIST * room + 3 * j + k] = solution[TWIST + k]
+        result[AT_TWIST * room + 3 * j + k] = solution.twist[k]
     result[AT_RATIO * room + j] = spin_ratio(v_x, v_y, spin)
     result[AT_CENTER * room + 2 * j] = rod.length * rod.x + center.x if moves else UNKNOWN
     result[AT_CENTER * room + 2 * j + 1] = rod.length * rod.y + center.y if moves else UNKNOWN
     result[AT_PIVOT * room + j], result[AT_CONTINUUM * room + j] = (
-        solution[PIVOT],
-        solution[CONTINUUM],
+        solution.pivot,
+        solution.continuum,
     )
 
 

@@ -38,18 +38,15 @@ from planar_pushing.core.psi import guess_spin, psi, turn_about_contact
 from planar_pushing.core.rows import NO_POINT, Vector, load_wrench, rough_mass, scale_effects
 from planar_pushing.core.slips import SLIP, SLIPS, find_slips
 from planar_pushing.core.solution import (
-    CONTINUUM,
     MOST_SOLUTIONS,
-    MOTION,
-    PIVOT,
     SEPARATE,
     SLIP_LEFT,
     SLIP_RIGHT,
     SOLUTION,
     STICK,
-    TWIST,
     UNSOLVED,
     Push,
+    Solution,
     copy_solution,
     force_along,
     half_along,
@@ -154,7 +151,7 @@ def _farthest_slip(push: Push) -> float:
     return 2.0 * (size / mass.mass + 1.0 + spin * reach)
 
 
-def _write_separation(push: Push, solution: Numbers) -> None:
+def _write_separation(push: Push, solution: Solution) -> None:
     """Write the motion without a contact force."""
     rest, contact = _free_motion(push), push.contact
     u_x, u_y = rest.x - rest.spin * contact.y, rest.y + rest.spin * contact.x
@@ -192,14 +189,14 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
     separate. If the slider pivots, and its motion is the same with and without a force of the contact, it
     is the slip or the stick whose interval of forces begins at zero.
     """
-    separation = solutions[0:]
+    separation = Solution(solutions[0:])
     _write_separation(push, separation)
-    rest_x, rest_y = separation[MOTION], separation[MOTION + 1]
+    rest_x, rest_y = separation.motion.x, separation.motion.y
     speed = 1.0 if pusher.x != 0.0 or pusher.y != 0.0 else 0.0
     scale = max(speed, max(fabs(rest_x), fabs(rest_y)))
-    if scale == 0.0 and separation[TWIST + 2] == 0.0:
+    if scale == 0.0 and separation.twist.spin == 0.0:
         return 1, False
-    turn = fabs(separation[TWIST + 2]) * (1.0 + push.contact.reach)
+    turn = fabs(separation.twist.spin) * (1.0 + push.contact.reach)
     slack = ALIGNED * (fabs(rest_x) + fabs(rest_y) + turn) if turn > 0.0 else 0.0
     # Index of the stick, which precedes the slips.
     stick_index = 1 if pusher.y <= rest_y + slack else 0
@@ -212,7 +209,7 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
     if x == 0.0 and y == 0.0 and stick.spin == 0.0:
         stick = hold_at_rest(push, law, stick, scale)
     search = Search(
-        push, pusher, rest_x, rest_y, separation[TWIST + 2], scale, root, stick.f_x, stick.f_y,
+        push, pusher, rest_x, rest_y, separation.twist.spin, scale, root, stick.f_x, stick.f_y,
         stick_index,
     )  # fmt: skip
     slips = Count(stick_index + 1, False, False, False)
@@ -232,13 +229,13 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
     if sticks:
         # A slip that is the stick has its force exactly on the edge. That of a pivot can be on both edges.
         pivots: bool = force_position != BEYOND and (stick.half_x != 0.0 or stick.half_y != 0.0)
-        hinged: bool = slips.sticks and solutions[stick_index * SOLUTION + PIVOT] >= 0.0
+        hinged: bool = slips.sticks and Solution(solutions[stick_index * SOLUTION :]).pivot >= 0
         settles: bool = force_position >= JUST_WITHIN and not hinged
         if not slips.sticks or settles or pivots:
-            write_solution(push, STICK, stick, solutions[stick_index * SOLUTION :])
+            write_solution(push, STICK, stick, Solution(solutions[stick_index * SOLUTION :]))
         opens = opens or (pivots and _can_be_open(stick))
         if slips.flat:
-            solutions[stick_index * SOLUTION + CONTINUUM] = 1.0
+            Solution(solutions[stick_index * SOLUTION :]).continuum = True
     else:
         number = _drop_solution(solutions, stick_index, number)
     if opens and stick_index == 1:
@@ -465,16 +462,16 @@ def _write_slip_of(
     opens: bool = slips.open or force - half <= noise
     if fabs(slip) <= closest:
         index = search.stick_index
-        write_on_edge(push, STICK, motion, edge, solutions[index * SOLUTION :])
+        write_on_edge(push, STICK, motion, edge, Solution(solutions[index * SOLUTION :]))
         return Count(slips.number, True, slips.flat, opens)
     if side * slip <= closest:
         return slips
     if slips.number == MOST_SOLUTIONS:
         return Count(UNSOLVED, slips.sticks, slips.flat, slips.open)
-    solution = solutions[slips.number * SOLUTION :]
+    solution = Solution(solutions[slips.number * SOLUTION :])
     write_on_edge(push, mode, motion, edge, solution)
     if shrink != 1.0 and _speed_of(motion) < FAINT * search.scale:
         shrink_solution(solution, shrink, 1.0 if push.effects.frictional else shrink)
     elif shrink != 1.0:
-        solution[MOTION + 1] = search.pusher.y
+        solution.motion.y = search.pusher.y
     return Count(slips.number + 1, slips.sticks, slips.flat, opens)

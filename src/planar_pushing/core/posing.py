@@ -14,12 +14,6 @@ from planar_pushing.core.drag import (
 from planar_pushing.core.modes import contact_modes
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.rows import Vector
-from planar_pushing.core.run import (
-    IN_MASS,
-    IN_MASS_X,
-    IN_MASS_Y,
-    RUN_MOMENT,
-)
 from planar_pushing.core.shapes import (
     Pose,
     frame_angle,
@@ -30,22 +24,22 @@ from planar_pushing.core.solution import (
     Push,
 )
 from planar_pushing.core.system import (
-    ANGLE,
+    RunState,
     System,
     law_of,
 )
 
 
-def pose_at_start(system: System, state: Numbers) -> Pose:
+def pose_at_start(system: System, state: RunState) -> Pose:
     """Pose of the slider, exact if body x is at 90 degrees."""
-    return pose_with_rod(system, rod_at(1.0, frame_angle(system, state[ANGLE])), state)
+    return pose_with_rod(system, rod_at(1.0, frame_angle(system, state.angle)), state)
 
 
-def prepare_start(system: System, state: Numbers, size: float) -> None:
+def prepare_start(system: System, state: RunState, size: float) -> None:
     """Store the effects of a start from rest, with accelerations in units of a size."""
     scale_films(system, 0.0)
-    put_mass(system, size * system.scene[IN_MASS])
-    put_loads_at(system, state[ANGLE])
+    put_mass(system, size * system.scene.mass)
+    put_loads_at(system, state.angle)
 
 
 def momentum_over(
@@ -54,9 +48,9 @@ def momentum_over(
     """Momentum of a slider whose center has the velocity (v_x, v_y), in the body frame, over a divisor."""
     scene = system.scene
     x, y = to_body(rod, v_x, v_y)
-    mass, c_x, c_y = scene[IN_MASS], scene[IN_MASS_X], scene[IN_MASS_Y]
+    mass, c_x, c_y = scene.mass, scene.center.x, scene.center.y
     p_x, p_y = mass * (x - spin * c_y) / divisor, mass * (y + spin * c_x) / divisor
-    return Vector(p_x, p_y, system.run[RUN_MOMENT] * spin / divisor + (c_x * p_y - c_y * p_x))
+    return Vector(p_x, p_y, system.run.moment * spin / divisor + (c_x * p_y - c_y * p_x))
 
 
 def pusher_along(pose: Pose, x: float, y: float, part: float) -> Direction:

@@ -9,16 +9,6 @@ from __future__ import annotations
 from math import atan2, fabs, sqrt
 from typing import NamedTuple
 
-from planar_pushing.core.run import (
-    IN_LEFT,
-    IN_MASS,
-    IN_RIGHT,
-    IN_ROUGH,
-    RUN_FORCE,
-    RUN_LEFT,
-    RUN_MOMENT,
-    RUN_RIGHT,
-)
 from planar_pushing.core.shapes import Pose
 from planar_pushing.core.solution import SLIP_RIGHT, STICK
 from planar_pushing.core.system import System, slip_side
@@ -38,13 +28,13 @@ def edge_of_slip(system: System, contact: int) -> tuple[float, float]:
     """Direction of the force in a slipping mode, on the edge that opposes the slip."""
     run = system.run
     if contact == SLIP_RIGHT:
-        return run[RUN_LEFT], run[RUN_LEFT + 1]
-    return run[RUN_RIGHT], run[RUN_RIGHT + 1]
+        return run.left.x, run.left.y
+    return run.right.x, run.right.y
 
 
 def edge_angle(system: System, contact: int) -> float:
     """Angle of the force in a slipping mode."""
-    return system.scene[IN_LEFT] if contact == SLIP_RIGHT else system.scene[IN_RIGHT]
+    return system.scene.left if contact == SLIP_RIGHT else system.scene.right
 
 
 def cone_margin(system: System, f_x: float, f_y: float, smallest: float) -> float:
@@ -54,10 +44,10 @@ def cone_margin(system: System, f_x: float, f_y: float, smallest: float) -> floa
     margin is smooth and 0 for zero force.
     """
     scene = system.scene
-    if scene[IN_ROUGH] != 0.0:
+    if scene.rough:
         return 1.0
     size = sqrt(f_x * f_x + f_y * f_y)
-    angle = (scene[IN_LEFT] - scene[IN_RIGHT]) / 2.0 - fabs(atan2(f_x, f_y))
+    angle = (scene.left - scene.right) / 2.0 - fabs(atan2(f_x, f_y))
     return angle * size / (size + smallest) if size > 0.0 else 0.0
 
 
@@ -68,21 +58,21 @@ def moment_of(pose: Pose, f_x: float, f_y: float) -> float:
 
 def _acceleration_by(system: System, pose: Pose, f_x: float, f_y: float) -> tuple[float, float]:
     """Acceleration of the contact due to a force there."""
-    turn = moment_of(pose, f_x, f_y) / system.run[RUN_MOMENT]
-    mass = system.scene[IN_MASS]
+    turn = moment_of(pose, f_x, f_y) / system.run.moment
+    mass = system.scene.mass
     return f_x / mass + turn * pose.arm_y, f_y / mass - turn * pose.arm_x
 
 
 def _force_for(system: System, pose: Pose, a_x: float, a_y: float) -> tuple[float, float]:
     """Force at the contact that gives it an acceleration."""
-    mass, reach = system.scene[IN_MASS], sqrt(pose.arm_x * pose.arm_x + pose.arm_y * pose.arm_y)
+    mass, reach = system.scene.mass, sqrt(pose.arm_x * pose.arm_x + pose.arm_y * pose.arm_y)
     if reach == 0.0:
         return mass * a_x, mass * a_y
     # The effective mass is the mass along the arm, and less across it; components along these directions
     # avoid cancellation for a long arm.
     x, y = pose.arm_x / reach, pose.arm_y / reach
     along = mass * (a_x * x + a_y * y)
-    across = (a_x * y - a_y * x) / (1.0 / mass + reach * reach / system.run[RUN_MOMENT])
+    across = (a_x * y - a_y * x) / (1.0 / mass + reach * reach / system.run.moment)
     return along * x + across * y, along * y - across * x
 
 
@@ -98,8 +88,8 @@ def reaction_of(system: System, pose: Pose, contact: int, x: float, y: float) ->
     # A force without normal acceleration cannot keep the contact closed; the negative size rejects the
     # slip.
     square = pose.arm_x * pose.arm_x + pose.arm_y * pose.arm_y
-    smallest = SLACK * (1.0 / system.scene[IN_MASS] + square / system.run[RUN_MOMENT])
-    size = -y / normal if fabs(normal) > smallest else -system.run[RUN_FORCE]
+    smallest = SLACK * (1.0 / system.scene.mass + square / system.run.moment)
+    size = -y / normal if fabs(normal) > smallest else -system.run.force
     return Reaction(size * e_x, size * e_y, x + size * along, 0.0)
 
 
@@ -108,11 +98,11 @@ def reaction_of_side(system: System, contact: int, x: float, y: float) -> Reacti
 
     The acceleration is relative to the fence. The side does not rotate with it.
     """
-    mass = system.scene[IN_MASS]
+    mass = system.scene.mass
     if contact == STICK:
         return Reaction(-mass * x, -mass * y, 0.0, 0.0)
     if slip_side(contact) == 0.0:
         return Reaction(0.0, 0.0, x, y)
     e_x, e_y = edge_of_slip(system, contact)
-    size = -mass * y / e_y if e_y > SLACK else -system.run[RUN_FORCE]
+    size = -mass * y / e_y if e_y > SLACK else -system.run.force
     return Reaction(size * e_x, size * e_y, x + size * e_x / mass, 0.0)

@@ -23,42 +23,13 @@ from typing import NamedTuple
 from planar_pushing.core.about import Contact, contact_at, hold_rotation
 from planar_pushing.core.directions import Rod
 from planar_pushing.core.fence import Span, fence_acceleration, fence_velocity
-from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers
+from planar_pushing.core.numbers import INFINITY, UNKNOWN
 from planar_pushing.core.outline import distance_to_outline, free_stretch
-from planar_pushing.core.run import (
-    IN_ANGLE,
-    IN_CORNERS,
-    IN_CORNERS_PLACE,
-    IN_FINE,
-    IN_FINGER,
-    IN_GAP,
-    IN_LENGTH,
-    IN_MASS,
-    IN_MASS_X,
-    IN_MASS_Y,
-    IN_RADIUS,
-    IN_SIDE_END,
-    IN_SIDE_START,
-    IN_TWIST,
-    RUN_CONTACT,
-    RUN_FLOOR,
-    RUN_HIGH,
-    RUN_LOW,
-    RUN_MOMENT,
-    RUN_PARTED,
-    RUN_ROD,
-    RUN_SPEED,
-)
 from planar_pushing.core.solution import SEPARATE
 from planar_pushing.core.system import (
-    ALONG,
-    ANGLE,
-    GAP,
-    NORMAL_SPEED,
     REST,
-    SLIP_SPEED,
-    SPIN,
     Mode,
+    RunState,
     System,
     is_massive,
 )
@@ -105,33 +76,33 @@ def hold_pose(pose: Pose) -> Pose:
 
 def has_finger(system: System) -> bool:
     """Whether the pusher is a finger."""
-    return system.scene[IN_FINGER] != 0.0
+    return system.scene.finger
 
 
 def frame_angle(system: System, angle: float) -> float:
     """Angle of body x in the contact frame."""
-    return system.scene[IN_ANGLE] if has_finger(system) else angle
+    return system.scene.angle if has_finger(system) else angle
 
 
-def pose_of(system: System, state: Numbers) -> Pose:
+def pose_of(system: System, state: RunState) -> Pose:
     """Pose of the slider in a state."""
-    angle = frame_angle(system, state[ANGLE])
+    angle = frame_angle(system, state.angle)
     return pose_with_rod(system, Rod(1.0, angle, cos(angle), sin(angle)), state)
 
 
-def pose_with_rod(system: System, rod: Rod, state: Numbers) -> Pose:
+def pose_with_rod(system: System, rod: Rod, state: RunState) -> Pose:
     """Pose of the slider in a state, for a known direction of body x."""
     scene, run = system.scene, system.run
-    contact = contact_at(run[RUN_CONTACT], run[RUN_CONTACT + 1])
+    contact = contact_at(run.contact.x, run.contact.y)
     if has_finger(system):
-        length = scene[IN_LENGTH]
+        length = scene.length
         # The contact is at (-along, -gap) from the end of the rod.
         r_x, r_y, along, gap = (
-            run[RUN_ROD], run[RUN_ROD + 1], state[ALONG], state[GAP],
+            run.rod.x, run.rod.y, state.along, state.gap,
         )  # fmt: skip
         contact = contact_at(-length - (along * r_x + gap * r_y), along * r_y - gap * r_x)
     x, y = to_contact(rod, -contact.x, -contact.y)
-    arm_x, arm_y = to_contact(rod, scene[IN_MASS_X] - contact.x, scene[IN_MASS_Y] - contact.y)
+    arm_x, arm_y = to_contact(rod, scene.center.x - contact.x, scene.center.y - contact.y)
     return Pose(rod, contact, x, y, arm_x, arm_y)
 
 
@@ -149,7 +120,7 @@ def from_world(system: System, angle: float, x: float, y: float) -> tuple[float,
     """A vector of the world in the contact frame, at a rod angle."""
     if not has_finger(system):
         return x, y
-    c, s = cos(angle - system.scene[IN_ANGLE]), sin(angle - system.scene[IN_ANGLE])
+    c, s = cos(angle - system.scene.angle), sin(angle - system.scene.angle)
     return c * x + s * y, c * y - s * x
 
 
@@ -157,24 +128,24 @@ def to_world(system: System, angle: float, x: float, y: float) -> tuple[float, f
     """A vector of the contact frame in the world, at a rod angle."""
     if not has_finger(system):
         return x, y
-    c, s = cos(angle - system.scene[IN_ANGLE]), sin(angle - system.scene[IN_ANGLE])
+    c, s = cos(angle - system.scene.angle), sin(angle - system.scene.angle)
     return c * x - s * y, c * y + s * x
 
 
 def pusher_velocity(
-    system: System, during: Span, time: float, state: Numbers
+    system: System, during: Span, time: float, state: RunState
 ) -> tuple[float, float]:
     """Velocity of the pusher in the contact frame."""
     x, y = fence_velocity(system.fence, during, time)
-    return from_world(system, state[ANGLE], x, y)
+    return from_world(system, state.angle, x, y)
 
 
 def pusher_acceleration(
-    system: System, during: Span, time: float, state: Numbers
+    system: System, during: Span, time: float, state: RunState
 ) -> tuple[float, float]:
     """Acceleration of the pusher along the axes of the contact frame."""
     x, y = fence_acceleration(system.fence, during, time)
-    return from_world(system, state[ANGLE], x, y)
+    return from_world(system, state.angle, x, y)
 
 
 def contact_motion(pose: Pose, v_x: float, v_y: float, spin: float) -> tuple[float, float]:
@@ -195,13 +166,13 @@ def size_of_twist(v_x: float, v_y: float, spin: float) -> float:
 def kinetic_energy_of(system: System, pose: Pose, v_x: float, v_y: float, spin: float) -> float:
     """Kinetic energy of a slider whose center has the velocity (v_x, v_y)."""
     v_x, v_y = v_x - spin * (pose.arm_y - pose.y), v_y + spin * (pose.arm_x - pose.x)
-    energy = system.scene[IN_MASS] * (v_x * v_x + v_y * v_y)
-    return (energy + system.run[RUN_MOMENT] * spin * spin) / 2.0
+    energy = system.scene.mass * (v_x * v_x + v_y * v_y)
+    return (energy + system.run.moment * spin * spin) / 2.0
 
 
 def travel_rate(system: System, slip: float, spin: float) -> float:
     """Rate of the contact's position along the pusher; a finger also rolls along its side."""
-    return slip + system.scene[IN_RADIUS] * spin if has_finger(system) else slip
+    return slip + system.scene.radius * spin if has_finger(system) else slip
 
 
 def rates_of_contact(
@@ -213,7 +184,7 @@ def rates_of_contact(
     """
     if not has_finger(system):
         return a_x, a_y
-    rolling = system.scene[IN_RADIUS] * spin * spin
+    rolling = system.scene.radius * spin * spin
     return a_x + 2.0 * spin * normal_speed, a_y - 2.0 * spin * slip - rolling
 
 
@@ -223,17 +194,17 @@ def sticking_acceleration(
     """Acceleration of the slider's point at a contact that sticks, from the pusher's."""
     if not has_finger(system):
         return a_x, a_y
-    return a_x, a_y + system.scene[IN_RADIUS] * spin * spin
+    return a_x, a_y + system.scene.radius * spin * spin
 
 
 def center_position(
-    system: System, pose: Pose, state: Numbers, x: float, y: float
+    system: System, pose: Pose, state: RunState, x: float, y: float
 ) -> tuple[float, float]:
     """Position of the slider's center in the world, from the displacement of the pusher."""
     if not has_finger(system):
-        return x + state[ALONG] + pose.x, y + state[GAP] + pose.y
-    w_x, w_y = to_world(system, state[ANGLE], pose.x, pose.y)
-    turn, radius = state[ANGLE] - system.scene[IN_ANGLE], system.scene[IN_RADIUS]
+        return x + state.along + pose.x, y + state.gap + pose.y
+    w_x, w_y = to_world(system, state.angle, pose.x, pose.y)
+    turn, radius = state.angle - system.scene.angle, system.scene.radius
     half = sin(turn / 2.0)
     # Seen from the finger's center, the contact rotates with the side.
     x, y = x - radius * sin(turn), y - 2.0 * radius * half * half
@@ -241,7 +212,7 @@ def center_position(
 
 
 def contact_after_flight(
-    system: System, pose: Pose, state: Numbers, x: float, y: float,
+    system: System, pose: Pose, state: RunState, x: float, y: float,
     path_x: float, path_y: float, turn: float,
 ) -> tuple[float, float]:  # fmt: skip
     """Position of the contact, along and across, after displacements of the slider's center and the pusher.
@@ -251,14 +222,14 @@ def contact_after_flight(
     if not has_finger(system):
         c, s = cos(turn) - 1.0, sin(turn)
         x, y = x - (c * pose.x - s * pose.y), y - (s * pose.x + c * pose.y)
-        return state[ALONG] + (x - path_x), state[GAP] + (y - path_y)
-    c, s, radius, length = cos(turn), sin(turn), system.scene[IN_RADIUS], system.scene[IN_LENGTH]
+        return state.along + (x - path_x), state.gap + (y - path_y)
+    c, s, radius, length = cos(turn), sin(turn), system.scene.radius, system.scene.length
     x, y = pose.x + x - path_x, pose.y + y - path_y
     along, across = c * x + s * y, c * y - s * x
     half = sin(turn / 2.0)
     # The side rotates about the finger's center, and the contact is again one radius above the center.
     along, across = along + radius * s, across - 2.0 * radius * half * half
-    return along - length * system.run[RUN_ROD], across - length * system.run[RUN_ROD + 1]
+    return along - length * system.run.rod.x, across - length * system.run.rod.y
 
 
 def is_steady_pusher(system: System, during: Span) -> bool:
@@ -266,56 +237,56 @@ def is_steady_pusher(system: System, during: Span) -> bool:
     return not has_finger(system) and during.constant
 
 
-def clearance_of(system: System, state: Numbers) -> float:
+def clearance_of(system: System, state: RunState) -> float:
     """Height of the slider above the pusher, infinite if the contact has ended permanently."""
-    return INFINITY if system.run[RUN_PARTED] != 0.0 else height_above_pusher(system, state)
+    return INFINITY if system.run.parted else height_above_pusher(system, state)
 
 
-def center_height(system: System, state: Numbers) -> float:
+def center_height(system: System, state: RunState) -> float:
     """Height of the slider's center above a fence, relative to the rod; NaN if it is not limited.
 
     It is the limit of the model if only the rod's end, or one side, is known.
     """
-    length = system.scene[IN_LENGTH]
+    length = system.scene.length
     if has_finger(system) or has_outline(system) or not length > 0.0:
         return UNKNOWN
     if count_points(system) > 0:
-        return (state[GAP] + pose_of(system, state).y) / length
-    return state[GAP] / length + sin(state[ANGLE])
+        return (state.gap + pose_of(system, state).y) / length
+    return state.gap / length + sin(state.angle)
 
 
 def room_on_side(system: System, along: float) -> float:
     """Distance from the contact to the nearer end of a finger's side, NaN for a side without ends."""
     if not has_finger(system):
         return UNKNOWN
-    room = min(system.scene[IN_SIDE_END] + along, -along - system.scene[IN_SIDE_START])
+    room = min(system.scene.side_end + along, -along - system.scene.side_start)
     return room if room < INFINITY else UNKNOWN
 
 
 def has_outline(system: System) -> bool:
     """Whether the slider has an outline."""
-    return system.scene[IN_CORNERS] > 0.0
+    return system.scene.corners > 0
 
 
 def is_outlined(system: System) -> bool:
     """Whether the slider is known to have an outline, even if its corners are not given."""
-    return system.scene[IN_FINE] > 0.0
+    return system.scene.fine > 0.0
 
 
-def confine_finger(system: System, state: Numbers) -> None:
+def confine_finger(system: System, state: RunState) -> None:
     """Store the stretch of the side on which a finger meets no other point of the outline."""
     scene, run = system.scene, system.run
-    run[RUN_LOW], run[RUN_HIGH] = -INFINITY, INFINITY
+    run.low, run.high = -INFINITY, INFINITY
     if has_finger(system) and has_outline(system):
-        fine, corners = scene[IN_FINE], system.data[int(scene[IN_CORNERS_PLACE]) :]
+        fine, corners = scene.fine, system.data[scene.corners_place :]
         stretch = free_stretch(
-            corners, int(scene[IN_CORNERS]), -(fine * scene[IN_LENGTH]), 0.0,
-            run[RUN_ROD], -run[RUN_ROD + 1], fine * scene[IN_RADIUS], 1.0, -fine * state[ALONG],
+            corners, scene.corners, -(fine * scene.length), 0.0,
+            run.rod.x, -run.rod.y, fine * scene.radius, 1.0, -fine * state.along,
         )  # fmt: skip
-        run[RUN_LOW], run[RUN_HIGH] = stretch.low / fine, stretch.high / fine
+        run.low, run.high = stretch.low / fine, stretch.high / fine
 
 
-def outline_height(system: System, state: Numbers, touching: bool) -> float:
+def outline_height(system: System, state: RunState, touching: bool) -> float:
     """Distance of the outline from the pusher, NaN without an outline.
 
     For a finger, it is in units of the outline's tolerance, and positive until another point than the
@@ -327,23 +298,23 @@ def outline_height(system: System, state: Numbers, touching: bool) -> float:
     if not has_finger(system):
         if is_flush(system) or count_points(system) == 0:
             return UNKNOWN
-        height = lowest_point(system, state, True).height - run[RUN_FLOOR]
-        if not touching and height > state[GAP] - SLACK:
+        height = lowest_point(system, state, True).height - run.floor
+        if not touching and height > state.gap - SLACK:
             height += SLACK
         return height if height < INFINITY else UNKNOWN
     if not has_outline(system):
         return UNKNOWN
-    fine, length, gap, count = scene[IN_FINE], scene[IN_LENGTH], state[GAP], int(scene[IN_CORNERS])
-    corners = system.data[int(scene[IN_CORNERS_PLACE]) :]
-    along = state[ALONG]
+    fine, length, gap, count = scene.fine, scene.length, state.gap, scene.corners
+    corners = system.data[scene.corners_place :]
+    along = state.along
     if touching:
-        room = min(run[RUN_HIGH] + along, -along - run[RUN_LOW])
+        room = min(run.high + along, -along - run.low)
         return fine * room if room < INFINITY else UNKNOWN
-    across = max(gap, 0.0) + scene[IN_RADIUS]
-    x = -length - (along * run[RUN_ROD] + across * run[RUN_ROD + 1])
-    y = along * run[RUN_ROD + 1] - across * run[RUN_ROD]
+    across = max(gap, 0.0) + scene.radius
+    x = -length - (along * run.rod.x + across * run.rod.y)
+    y = along * run.rod.y - across * run.rod.x
     distance = distance_to_outline(corners, count, fine * x, fine * y)
-    return distance - fine * scene[IN_RADIUS] + 1.0
+    return distance - fine * scene.radius + 1.0
 
 
 def longest_step(system: System, mode: Mode, height: float, speed: float) -> float:
@@ -356,19 +327,19 @@ def longest_step(system: System, mode: Mode, height: float, speed: float) -> flo
         return INFINITY
     # The speed is constant while the slider rests and the pusher's velocity is constant.
     if mode.contact == SEPARATE or not mode.during.constant:
-        speed += system.run[RUN_SPEED]
+        speed += system.run.speed
     if height == height and speed > 0.0:
-        return (height + STRIDE) / (system.scene[IN_FINE] * speed)
+        return (height + STRIDE) / (system.scene.fine * speed)
     return INFINITY
 
 
-def put_initial_state(system: System, state: Numbers) -> None:
+def put_initial_state(system: System, state: RunState) -> None:
     """Store the state at time 0."""
     scene = system.scene
-    v_x, v_y, spin = scene[IN_TWIST], scene[IN_TWIST + 1], scene[IN_TWIST + 2]
+    v_x, v_y, spin = scene.twist.x, scene.twist.y, scene.twist.spin
     for k in range(system.entries):
         state[k] = 0.0
-    state[GAP], state[ANGLE] = scene[IN_GAP], scene[IN_ANGLE]
+    state.gap, state.angle = scene.gap, scene.angle
     if is_massive(system):
         u_x, u_y = contact_motion(pose_of(system, state), v_x, v_y, spin)
-        state[SLIP_SPEED], state[NORMAL_SPEED], state[SPIN] = u_x, u_y, spin
+        state.slip_speed, state.normal_speed, state.spin = u_x, u_y, spin

@@ -18,17 +18,11 @@ from planar_pushing.core.posing import modes_of_push
 from planar_pushing.core.rows import Vector
 from planar_pushing.core.shapes import Pose, to_contact
 from planar_pushing.core.solution import (
-    END_FORCE,
-    FORCE,
-    MODE,
-    MOTION,
-    PIVOT,
     SEPARATE,
     SOLUTION,
-    START_FORCE,
-    TWIST,
     UNSOLVED,
     Push,
+    Solution,
 )
 from planar_pushing.core.system import System, law_of
 from planar_pushing.core.tolerances import COINCIDENT
@@ -84,7 +78,7 @@ def flush_or_free_modes(
     side onto the fence. Both routines leave the flush contacts to `flush_modes`.
     """
     push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
-    count, scale = _add_free_motion(push, pose, length, x, y, spin, 0.0, solutions[0:])
+    count, scale = _add_free_motion(push, pose, length, x, y, spin, 0.0, Solution(solutions[0:]))
     if scale == 0.0:
         return count
     flush = FlushPush(
@@ -108,15 +102,13 @@ def add_motion_with_fence(
     point.
     """
     push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
-    count, _ = _add_free_motion(
-        push, pose, length, x, y, spin, COINCIDENT, solutions[0:]
-    )
+    count, _ = _add_free_motion(push, pose, length, x, y, spin, COINCIDENT, Solution(solutions[0:]))
     return count
 
 
 def _add_free_motion(
     push: Push, pose: Pose, length: float, x: float, y: float, spin: float, slack: float,
-    solution: Numbers,
+    solution: Solution,
 ) -> tuple[int, float]:  # fmt: skip
     """Store the motion without a contact force if both ends of a side leave the fence, or stay on it.
 
@@ -132,20 +124,20 @@ def _add_free_motion(
         return 0, scale
     for k in range(SOLUTION):
         solution[k] = 0.0
-    solution[MODE] = float(SEPARATE)
-    solution[PIVOT] = float(foot_at_center(push.effects, rest))
-    solution[TWIST], solution[TWIST + 1], solution[TWIST + 2] = v_x, v_y, rest.spin
-    solution[MOTION], solution[MOTION + 1] = u_x, u_y
+    solution.mode = SEPARATE
+    solution.pivot = foot_at_center(push.effects, rest)
+    solution.twist.x, solution.twist.y, solution.twist.spin = v_x, v_y, rest.spin
+    solution.motion.x, solution.motion.y = u_x, u_y
     return 1, scale
 
 
-def offset_in_solution(solution: Numbers, length: float) -> float:
+def offset_in_solution(solution: Solution, length: float) -> float:
     """Place of the force on a side from one end, 0 without a normal force.
 
     `length` is the place of the other end, and negative on the left.
     """
-    normal = solution[FORCE + 1]
-    if solution[MODE] == float(SEPARATE):
+    normal = solution.force.y
+    if solution.mode == SEPARATE:
         return 0.0
-    at_other_end = solution[END_FORCE] if length > 0.0 else solution[START_FORCE]
+    at_other_end = solution.end_force if length > 0.0 else solution.start_force
     return at_other_end * length / normal if normal != 0.0 else 0.0

@@ -5,11 +5,13 @@ from __future__ import annotations
 from math import fabs
 from typing import NamedTuple
 
+from planar_pushing.core._record import Record, size_of
 from planar_pushing.core.about import Contact
 from planar_pushing.core.directions import Direction
 from planar_pushing.core.force import ContactMotion
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.rows import Effects
+from planar_pushing.core.run import Pair, Twist
 from planar_pushing.core.slips import SLIPS
 
 #: Contact modes.
@@ -18,19 +20,38 @@ SEPARATE, STICK, SLIP_RIGHT, SLIP_LEFT = range(4)
 MOST_SOLUTIONS = 2 + 2 * SLIPS
 #: Replaces the number of solutions if an iteration has not converged or there are more slips than fit.
 UNSOLVED = -1
-#: Columns of a solution: mode, twist of the slider's origin, motion of the contact, force and the other end
-#: of its interval, number of the support point that is the pivot, whether it is an end of a continuum, and
-#: for a side on the fence the normal forces at its start and its end.
-MODE = 0
-TWIST = 1
-MOTION = 4
-FORCE = 6
-FORCE_END = 8
-PIVOT = 10
-CONTINUUM = 11
-START_FORCE = 12
-END_FORCE = 13
-SOLUTION = 14
+
+
+class Solution(Record):
+    """A solution.
+
+    Attributes
+    ----------
+    mode : int
+    twist : Twist
+        Of the slider's origin.
+    motion, force, force_end : Pair
+        Motion of the contact; the force, and the other end of its interval.
+    pivot : int
+        Number of the support point that is the pivot, -1 without one.
+    continuum : bool
+        Whether it is an end of a continuum.
+    start_force, end_force : float
+        For a side on the fence, the normal forces at its ends.
+    """
+
+    mode: int
+    twist: Twist
+    motion: Pair
+    force: Pair
+    force_end: Pair
+    pivot: int
+    continuum: bool
+    start_force: float
+    end_force: float
+
+
+SOLUTION = size_of(Solution)
 
 
 class Push(NamedTuple):
@@ -45,24 +66,24 @@ class Push(NamedTuple):
     t_y: float
 
 
-def write_solution(push: Push, mode: int, motion: ContactMotion, solution: Numbers) -> None:
+def write_solution(push: Push, mode: int, motion: ContactMotion, solution: Solution) -> None:
     """Write a motion as a solution."""
     t_x, t_y = push.t_x, push.t_y
-    solution[MODE], solution[PIVOT] = float(mode), float(motion.point)
-    solution[CONTINUUM] = 1.0 if motion.continuum else 0.0
-    solution[TWIST] = t_x * motion.v_x + t_y * motion.v_y
-    solution[TWIST + 1] = t_x * motion.v_y - t_y * motion.v_x
-    solution[TWIST + 2] = motion.spin
-    solution[MOTION] = t_x * motion.u_x + t_y * motion.u_y
-    solution[MOTION + 1] = t_x * motion.u_y - t_y * motion.u_x
+    solution.mode, solution.pivot = mode, motion.point
+    solution.continuum = motion.continuum
+    solution.twist.x = t_x * motion.v_x + t_y * motion.v_y
+    solution.twist.y = t_x * motion.v_y - t_y * motion.v_x
+    solution.twist.spin = motion.spin
+    solution.motion.x = t_x * motion.u_x + t_y * motion.u_y
+    solution.motion.y = t_x * motion.u_y - t_y * motion.u_x
     f_x, f_y = motion.f_x - motion.half_x, motion.f_y - motion.half_y
-    solution[FORCE], solution[FORCE + 1] = t_x * f_x + t_y * f_y, t_x * f_y - t_y * f_x
+    solution.force.x, solution.force.y = t_x * f_x + t_y * f_y, t_x * f_y - t_y * f_x
     f_x, f_y = motion.f_x + motion.half_x, motion.f_y + motion.half_y
-    solution[FORCE_END], solution[FORCE_END + 1] = t_x * f_x + t_y * f_y, t_x * f_y - t_y * f_x
+    solution.force_end.x, solution.force_end.y = t_x * f_x + t_y * f_y, t_x * f_y - t_y * f_x
 
 
 def write_on_edge(
-    push: Push, mode: int, motion: ContactMotion, edge: Direction, solution: Numbers
+    push: Push, mode: int, motion: ContactMotion, edge: Direction, solution: Solution
 ) -> None:
     """Write a motion whose force is along an edge, without the rounding errors of the body frame.
 
@@ -73,8 +94,8 @@ def write_on_edge(
     smaller, larger = force - half, force + half
     if smaller <= motion.noise_x + motion.noise_y:
         smaller = 0.0
-    solution[FORCE], solution[FORCE + 1] = smaller * edge.x, smaller * edge.y
-    solution[FORCE_END], solution[FORCE_END + 1] = larger * edge.x, larger * edge.y
+    solution.force.x, solution.force.y = smaller * edge.x, smaller * edge.y
+    solution.force_end.x, solution.force_end.y = larger * edge.x, larger * edge.y
 
 
 def force_along(edge: Direction, motion: ContactMotion) -> float:
@@ -93,11 +114,11 @@ def copy_solution(target: Numbers, source: Numbers) -> None:
         target[k] = source[k]
 
 
-def shrink_solution(solution: Numbers, motion: float, force: float) -> None:
+def shrink_solution(solution: Solution, motion: float, force: float) -> None:
     """Scale the magnitudes of a motion and its force."""
     for k in range(3):
-        solution[TWIST + k] = motion * solution[TWIST + k]
+        solution.twist[k] = motion * solution.twist[k]
     for k in range(2):
-        solution[MOTION + k] = motion * solution[MOTION + k]
-        solution[FORCE + k] = force * solution[FORCE + k]
-        solution[FORCE_END + k] = force * solution[FORCE_END + k]
+        solution.motion[k] = motion * solution.motion[k]
+        solution.force[k] = force * solution.force[k]
+        solution.force_end[k] = force * solution.force_end[k]

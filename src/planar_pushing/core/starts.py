@@ -11,7 +11,6 @@ from planar_pushing.core.free import free_twist
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.posing import pose_at_start, prepare_start
 from planar_pushing.core.rows import NO_POINT, Vector, foot_position
-from planar_pushing.core.run import IN_MASS, RUN_FORCE, RUN_SPEED
 from planar_pushing.core.shapes import (
     Pose,
     pose_of,
@@ -22,19 +21,15 @@ from planar_pushing.core.shapes import (
 )
 from planar_pushing.core.side import MOST_OF_SIDE, modes_at_contact, offset_in_solution
 from planar_pushing.core.solution import (
-    FORCE,
-    MODE,
-    MOTION,
-    PIVOT,
     SEPARATE,
     SOLUTION,
     STICK,
-    TWIST,
+    Solution,
 )
 from planar_pushing.core.system import (
     CANDIDATE,
     REST,
-    SLIP_SPEED,
+    RunState,
     System,
     is_loaded,
     pace_of,
@@ -58,9 +53,9 @@ def write_rest(
     write_candidate(system, index, REST, NO_POINT, False, touches, f_x, f_y, float(contact))
 
 
-def write_free_start(system: System, state: Numbers) -> int:
+def write_free_start(system: System, state: RunState) -> int:
     """Store the mode of a slider at rest above the fence: friction holds it, or loads set it in motion."""
-    size = system.run[RUN_FORCE] / system.scene[IN_MASS]
+    size = system.run.force / system.scene.mass
     prepare_start(system, state, size)
     start = free_twist(problem_effects(system), Vector(0.0, 0.0, 0.0))
     write_rest(system, 0, False, SEPARATE, 0.0, 0.0)
@@ -72,17 +67,17 @@ def write_free_start(system: System, state: Numbers) -> int:
 
 
 def push_at_start(
-    system: System, during: Span, time: float, state: Numbers
+    system: System, during: Span, time: float, state: RunState
 ) -> tuple[float, float, float]:
     """Acceleration of a pusher that meets a slider at rest, and the unit of accelerations, 0 at rest."""
-    slip, unit = state[SLIP_SPEED], 0.0
+    slip, unit = state.slip_speed, 0.0
     x, y, moves = _pusher_at_start(system, during, time, state)
     if not moves and not is_loaded(system):
         return 0.0, 0.0, 0.0
     if not moves:
         x, y = 0.0, 0.0
     if is_loaded(system):
-        unit = system.run[RUN_FORCE] / system.scene[IN_MASS]
+        unit = system.run.force / system.scene.mass
     if _slides(system, slip):
         # The fence already slips at the contact, so only its normal motion matters.
         fast = ALREADY_SLIPS * max(fabs(y), unit)
@@ -92,14 +87,14 @@ def push_at_start(
 
 def _slides(system: System, slip: float) -> bool:
     """Whether the pusher already slips at a slider at rest."""
-    return fabs(slip) > AT_REST * system.run[RUN_SPEED]
+    return fabs(slip) > AT_REST * system.run.speed
 
 
 def write_starts_at_contact(
-    system: System, during: Span, time: float, state: Numbers, count: int
+    system: System, during: Span, time: float, state: RunState, count: int
 ) -> int:
     """Store, after other candidates, the modes in which a slider at rest can start at the contact."""
-    slip, pose = state[SLIP_SPEED], pose_at_start(system, state)
+    slip, pose = state.slip_speed, pose_at_start(system, state)
     x, y, unit = push_at_start(system, during, time, state)
     solutions = zeros(MOST_OF_SIDE * SOLUTION)
     length = side_length(system, state)
@@ -114,19 +109,19 @@ def write_starts_at_contact(
         prepare_start(system, state, unit)
         number = modes_at_contact(system, pose, length, x, y, 0.0, unit, solutions)
     for i in range(number):
-        solution = solutions[i * SOLUTION :]
-        contact, point = int(solution[MODE]), int(solution[PIVOT])
+        solution = Solution(solutions[i * SOLUTION :])
+        contact, point = solution.mode, solution.pivot
         # A start has the same direction of slip, or no contact force.
         if _slides(system, slip) and contact != SEPARATE and slip_side(contact) * slip <= 0.0:
             continue
-        if solution[TWIST] == 0.0 and solution[TWIST + 1] == 0.0 and solution[TWIST + 2] == 0.0:
-            f_x, f_y = solution[FORCE], solution[FORCE + 1]
+        if solution.twist.x == 0.0 and solution.twist.y == 0.0 and solution.twist.spin == 0.0:
+            f_x, f_y = solution.force.x, solution.force.y
             write_rest(system, count, True, contact, f_x, f_y)
             system.candidates[count * CANDIDATE + 9] = offset_in_solution(solution, length)
         else:
             _write_start(
                 system, pose, count, contact, point,
-                unit * solution[TWIST], unit * solution[TWIST + 1], unit * solution[TWIST + 2],
+                unit * solution.twist.x, unit * solution.twist.y, unit * solution.twist.spin,
             )  # fmt: skip
             if contact == SEPARATE:
                 leave_side(system, count)
@@ -138,10 +133,10 @@ def _fastest_slip(slip: float, number: int, solutions: Numbers) -> float:
     """Largest component of the contact's motion in those solutions that slip in the direction of `slip`."""
     fastest = 0.0
     for i in range(number):
-        solution = solutions[i * SOLUTION :]
-        contact = int(solution[MODE])
+        solution = Solution(solutions[i * SOLUTION :])
+        contact = solution.mode
         if contact != SEPARATE and slip_side(contact) * slip > 0.0:
-            fastest = max(fastest, max(fabs(solution[MOTION]), fabs(solution[MOTION + 1])))
+            fastest = max(fastest, max(fabs(solution.motion.x), fabs(solution.motion.y)))
     return fastest
 
 
@@ -158,7 +153,7 @@ def _write_start(
     """Store the start of a slider with an acceleration; one about a support point begins about it."""
     foot = slowest_foot_at(system, pose, x, y, spin)
     if contact != STICK and not is_flush(system) and foot.number >= 0:
-        size = foot.speed * max(size_of_twist(x, y, spin), NO_DIRECTION * system.run[RUN_SPEED])
+        size = foot.speed * max(size_of_twist(x, y, spin), NO_DIRECTION * system.run.speed)
         if size <= PASSES * size_of_twist(x, y, spin):
             position = foot_position(friction_effects(system), foot.number)
             f_x, f_y = to_contact(pose.rod, position.x, position.y)
@@ -168,13 +163,13 @@ def _write_start(
 
 
 def _pusher_at_start(
-    system: System, during: Span, time: float, state: Numbers
+    system: System, during: Span, time: float, state: RunState
 ) -> tuple[float, float, bool]:
     """Acceleration of the pusher, and whether the pusher moves."""
     b_x, b_y = pusher_acceleration(system, during, time, state)
     w_x, w_y = pusher_velocity(system, during, time, state)
     size = sqrt(b_x * b_x + b_y * b_y)
-    slowest = PUSHER_AT_REST * system.run[RUN_SPEED]
+    slowest = PUSHER_AT_REST * system.run.speed
     if sqrt(w_x * w_x + w_y * w_y) > slowest:
         return b_x, b_y, size > 0.0
     moves: bool = size > slowest / pace_of(system, during, time)

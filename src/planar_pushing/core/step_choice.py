@@ -16,18 +16,6 @@ from planar_pushing.core.drag import load_at, put_load, put_loads_at, put_mass, 
 from planar_pushing.core.numbers import INFINITY, Numbers, zeros
 from planar_pushing.core.posing import momentum_over
 from planar_pushing.core.rows import NO_POINT, Vector
-from planar_pushing.core.run import (
-    IN_MASS,
-    RUN_EVALUATIONS,
-    RUN_OTHER_END,
-    RUN_PARTED,
-    RUN_PATH,
-    RUN_POINT,
-    RUN_SPEED,
-    RUN_TIME,
-    RUN_TWIST,
-    RUN_UNTIL,
-)
 from planar_pushing.core.shapes import (
     Pose,
     clearance_of,
@@ -43,21 +31,18 @@ from planar_pushing.core.side import (
     offset_in_solution,
 )
 from planar_pushing.core.solution import (
-    MODE,
     MOST_SOLUTIONS,
-    MOTION,
     SEPARATE,
     SOLUTION,
     STICK,
-    TWIST,
     UNSOLVED,
+    Solution,
 )
 from planar_pushing.core.system import (
-    ANGLE,
     ELSEWHERE,
-    GAP,
     NO_MODE,
     STATE,
+    RunState,
     System,
     copy_numbers,
     is_massive,
@@ -114,7 +99,7 @@ def choose_twist(system: System, current: int, policy: int, chosen: Numbers) -> 
     """
     state, there = vector_of(system, STATE), vector_of(system, ELSEWHERE)
     take_lowest_point(system, state)
-    point = int(system.run[RUN_POINT])
+    point = system.run.point
     put_contact(system, point, NO_POINT)
     copy_numbers(there, state, system.entries)
     left, right = side_on_fence(system, there)
@@ -141,12 +126,12 @@ def choose_twist(system: System, current: int, policy: int, chosen: Numbers) -> 
     put_contact(system, point, NO_POINT)
     if choice.number > 0:
         move_contact(system, state, choice.point)
-        system.run[RUN_OTHER_END] = float(choice.other_end)
+        system.run.other_end = choice.other_end
     return choice
 
 
 def _follow_chain(
-    system: System, state: Numbers, choice: Choice, sense: float, sinks: bool,
+    system: System, state: RunState, choice: Choice, sense: float, sinks: bool,
     current: int, policy: int, chosen: Numbers,
 ) -> Choice:  # fmt: skip
     """Add the twists of the sides and points next to the contact, as far as the next point would sink."""
@@ -161,7 +146,7 @@ def _follow_chain(
     return choice
 
 
-def _next_of_chain(system: System, state: Numbers, sense: float) -> int:
+def _next_of_chain(system: System, state: RunState, sense: float) -> int:
     """The next point of the chain on the right (1) or on the left (-1), -1 without one."""
     following, steepest, slack = NO_POINT, INFINITY, touch_tolerance(system)
     for point in range(count_points(system)):
@@ -172,7 +157,7 @@ def _next_of_chain(system: System, state: Numbers, sense: float) -> int:
 
 
 def _add_point(
-    system: System, state: Numbers, choice: Choice, is_first: bool,
+    system: System, state: RunState, choice: Choice, is_first: bool,
     current: int, policy: int, chosen: Numbers,
 ) -> Choice:  # fmt: skip
     """Add the possible twists with a point as the contact to those so far.
@@ -181,7 +166,7 @@ def _add_point(
     does not close in the step, it is the only one.
     """
     solutions = zeros(MOST_SOLUTIONS * SOLUTION)
-    pose, point = pose_of(system, state), int(system.run[RUN_POINT])
+    pose, point = pose_of(system, state), system.run.point
     number, unit = _solve_step(system, pose, state, 0.0, 0.0, solutions)
     count, contact, best = choice.number, choice.contact, -1
     left: bool = False
@@ -189,8 +174,8 @@ def _add_point(
     if number < 0 and is_first:
         return Choice(UNSOLVED, NO_MODE, point, NO_POINT, unit, 0.0, False, False)
     for i in range(number):
-        solution = solutions[i * SOLUTION :]
-        mode = int(solution[MODE])
+        solution = Solution(solutions[i * SOLUTION :])
+        mode = solution.mode
         if mode == SEPARATE and not is_first:
             continue
         side = _sinking_side(system, pose, state, unit, solution)
@@ -207,22 +192,22 @@ def _add_point(
         return Choice(
             count, contact, choice.point, choice.other_end, choice.unit, choice.offset, left, right
         )
-    solution = solutions[best * SOLUTION :]
+    solution = Solution(solutions[best * SOLUTION :])
     for k in range(SOLUTION):
         chosen[k] = solution[k]
     return Choice(count, contact, point, NO_POINT, unit, 0.0, left, right)
 
 
-def _is_on_side(solution: Numbers, mode: int, chosen: Numbers) -> bool:
+def _is_on_side(solution: Solution, mode: int, chosen: Numbers) -> bool:
     """Whether a twist is that of a side on the fence, which is among those so far."""
     if mode == SEPARATE or chosen[SOLUTION + (mode - STICK)] == 0.0:
         return False
-    speed = fabs(solution[MOTION]) + fabs(solution[MOTION + 1])
-    return fabs(solution[TWIST + 2]) <= COINCIDENT * speed
+    speed = fabs(solution.motion.x) + fabs(solution.motion.y)
+    return fabs(solution.twist.spin) <= COINCIDENT * speed
 
 
 def _add_side(
-    system: System, state: Numbers, choice: Choice, other_end: int, is_first: bool,
+    system: System, state: RunState, choice: Choice, other_end: int, is_first: bool,
     current: int, policy: int, chosen: Numbers,
 ) -> Choice:  # fmt: skip
     """Add the twists that close a side between the contact and another point.
@@ -234,14 +219,14 @@ def _add_side(
     # The rotation that brings both ends as close to the fence.
     spin = 0.0
     if fabs(end.y) > SHARE:
-        spin = -end.y / ((system.run[RUN_UNTIL] - system.run[RUN_TIME]) * end.x)
+        spin = -end.y / ((system.run.until - system.run.time) * end.x)
     number, unit = _solve_step(system, pose, state, end.x, spin, solutions)
     count, contact, best = choice.number, choice.contact, -1
     for k in range(3):
         chosen[SOLUTION + k] = 0.0
     for i in range(number):
-        solution = solutions[i * SOLUTION :]
-        mode = int(solution[MODE])
+        solution = Solution(solutions[i * SOLUTION :])
+        mode = solution.mode
         if mode == SEPARATE and not is_first:
             continue
         if _sinking_side(system, pose, state, unit, solution) != 0.0:
@@ -253,53 +238,53 @@ def _add_side(
             best, contact = i, mode
     if best < 0:
         return choice
-    solution = solutions[best * SOLUTION :]
+    solution = Solution(solutions[best * SOLUTION :])
     for k in range(SOLUTION):
         chosen[k] = solution[k]
     if contact == SEPARATE:
         other_end = NO_POINT
     return Choice(
-        count, contact, int(system.run[RUN_POINT]), other_end, unit,
+        count, contact, system.run.point, other_end, unit,
         offset_in_solution(solution, end.x), False, False,
     )  # fmt: skip
 
 
 def _sinking_side(
-    system: System, pose: Pose, state: Numbers, unit: float, solution: Numbers
+    system: System, pose: Pose, state: RunState, unit: float, solution: Solution
 ) -> float:
     """On which side of the contact a point would be below the fence after the step, 0 if none is."""
     run = system.run
-    h, spin = run[RUN_UNTIL] - run[RUN_TIME], unit * solution[TWIST + 2]
+    h, spin = run.until - run.time, unit * solution.twist.spin
     side, lowest = 0.0, -SLACK
     for point in range(count_points(system)):
         offset = offset_of(system, state, point)
-        across = h * (unit * solution[TWIST + 1] + spin * (offset.x - pose.x)) - run[RUN_PATH + 1]
-        if state[GAP] + offset.y + across < lowest:
-            side, lowest = offset.x, state[GAP] + offset.y + across
+        across = h * (unit * solution.twist.y + spin * (offset.x - pose.x)) - run.path.y
+        if state.gap + offset.y + across < lowest:
+            side, lowest = offset.x, state.gap + offset.y + across
     return side
 
 
 def _solve_step(
-    system: System, pose: Pose, state: Numbers, length: float, spin: float, solutions: Numbers
+    system: System, pose: Pose, state: RunState, length: float, spin: float, solutions: Numbers
 ) -> tuple[int, float]:
     """Store the possible twists with a contact at a point, or on a side with a rotation.
 
     Returns their number and unit.
     """
     run = system.run
-    h, gap, angle = run[RUN_UNTIL] - run[RUN_TIME], state[GAP], state[ANGLE]
-    v_x, v_y = from_world(system, angle, run[RUN_TWIST], run[RUN_TWIST + 1])
-    x, y = from_world(system, angle, run[RUN_PATH], run[RUN_PATH + 1])
+    h, gap, angle = run.until - run.time, state.gap, state.angle
+    v_x, v_y = from_world(system, angle, run.twist.x, run.twist.y)
+    x, y = from_world(system, angle, run.path.x, run.path.y)
     if count_points(system) > 0 and fabs(gap) <= SHARE:
         gap = 0.0
     x, y = x / h, (y - gap) / h
-    if run[RUN_PARTED] != 0.0:
-        y = -RECEDES * (run[RUN_SPEED] + size_of_twist(v_x, v_y, run[RUN_TWIST + 2]))
-    u_x, u_y = contact_motion(pose, v_x, v_y, run[RUN_TWIST + 2])
+    if run.parted:
+        y = -RECEDES * (run.speed + size_of_twist(v_x, v_y, run.twist.spin))
+    u_x, u_y = contact_motion(pose, v_x, v_y, run.twist.spin)
     size = sqrt(x * x + y * y)
-    before = max(sqrt(u_x * u_x + u_y * u_y), fabs(run[RUN_TWIST + 2]))
+    before = max(sqrt(u_x * u_x + u_y * u_y), fabs(run.twist.spin))
     unit = _prepare_step(system, pose, h, size, before)
-    run[RUN_EVALUATIONS] += 1.0
+    run.evaluations += 1
     count = modes_at_contact(system, pose, length, x, y, spin, unit, solutions)
     if count == 0 and length == 0.0 and unit > 0.0:
         count = add_motion_with_fence(system, pose, 0.0, x / unit, y / unit, 0.0, solutions)
@@ -312,18 +297,18 @@ def _prepare_step(system: System, pose: Pose, h: float, size: float, before: flo
     `size` is the speed of the pusher and `before` that of the contact. Inertia acts toward the previous
     twist: the momentum is a load.
     """
-    scene, run, angle = system.scene, system.run, vector_of(system, STATE)[ANGLE]
+    scene, run, angle = system.scene, system.run, vector_of(system, STATE).angle
     if not is_massive(system):
         scale_films(system, size)
         put_loads_at(system, angle)
         return size
     load = load_at(system, angle)
-    v_x, v_y = from_world(system, angle, run[RUN_TWIST], run[RUN_TWIST + 1])
-    momentum = momentum_over(system, pose.rod, v_x, v_y, run[RUN_TWIST + 2], h)
-    push = h * sqrt(load.x * load.x + load.y * load.y) / scene[IN_MASS]
+    v_x, v_y = from_world(system, angle, run.twist.x, run.twist.y)
+    momentum = momentum_over(system, pose.rod, v_x, v_y, run.twist.spin, h)
+    push = h * sqrt(load.x * load.x + load.y * load.y) / scene.mass
     unit = max(max(size, before), push)
     scale_films(system, unit)
-    put_mass(system, unit * scene[IN_MASS] / h)
+    put_mass(system, unit * scene.mass / h)
     put_load(
         system, Vector(load.x + momentum.x, load.y + momentum.y, load.spin + momentum.spin)
     )  # fmt: skip

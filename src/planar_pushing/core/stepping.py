@@ -31,43 +31,6 @@ from planar_pushing.core.fence import fence_path, policy_at, span_at
 from planar_pushing.core.log import has_room_for_rows, log_row_at, write_place_of_force, write_state
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.rows import NO_POINT
-from planar_pushing.core.run import (
-    IN_GAP,
-    IN_MASS_X,
-    IN_MASS_Y,
-    IN_RESISTING,
-    IN_TIMES,
-    IN_TWIST,
-    LOG_EVENT,
-    LOG_FORCE,
-    LOG_MODE,
-    LOG_PIVOT,
-    LOG_PUSHER,
-    LOG_SOLUTIONS,
-    LOG_STOPPED,
-    LOG_TIME,
-    RUN_CONTACT_LOST,
-    RUN_ENDED,
-    RUN_INTERVAL,
-    RUN_INTERVAL_START,
-    RUN_LOAD_WORK,
-    RUN_MODE,
-    RUN_NEW_TWIST,
-    RUN_OFFSET,
-    RUN_PARTED,
-    RUN_PATH,
-    RUN_PHASE,
-    RUN_PIVOT,
-    RUN_PUSH,
-    RUN_PUSHER,
-    RUN_ROWS,
-    RUN_SOLUTIONS,
-    RUN_STEP,
-    RUN_STOPPED,
-    RUN_TIME,
-    RUN_TWIST,
-    RUN_UNTIL,
-)
 from planar_pushing.core.shapes import (
     Pose,
     center_height,
@@ -89,28 +52,20 @@ from planar_pushing.core.shapes import (
     travel_rate,
 )
 from planar_pushing.core.solution import (
-    FORCE,
-    PIVOT,
     SEPARATE,
     STICK,
-    TWIST,
+    Solution,
 )
 from planar_pushing.core.step_choice import CHOSEN, choose_twist
 from planar_pushing.core.system import (
-    ALONG,
-    ANGLE,
-    GAP,
     GOES_ON,
     INCONSISTENT,
     LAID_DOWN,
-    LOST,
     MET_OUTLINE,
     NO_MODE,
     RATES,
     SIDE_ENDED,
-    SLIPPED,
     STATE,
-    WORK,
     System,
     energies_of,
     is_massive,
@@ -139,10 +94,10 @@ def run_steps(
     for i in range(count):
         system = system_of(data, rows[i * columns :], results[i * width :], INTERVAL_ROWS)
         run = system.run
-        run[RUN_ROWS] = 0.0
-        if run[RUN_PHASE] == 0.0:
+        run.rows = 0
+        if run.phase == 0:
             _begin_steps(system)
-        while steps < STEPS_OF_CALL and run[RUN_ENDED] == 0.0:
+        while steps < STEPS_OF_CALL and not run.ended:
             if not has_room_for_rows(system, ROWS_OF_STEP, width):
                 break
             _step(system)
@@ -155,10 +110,10 @@ def _begin_steps(system: System) -> None:
     prepare_system(system)
     put_initial_state(system, vector_of(system, STATE))
     name_contact(system, vector_of(system, STATE))
-    run[RUN_PHASE], run[RUN_MODE], run[RUN_PIVOT] = 1.0, float(NO_MODE), float(NO_POINT)
-    run[RUN_PUSHER + 1] = -system.scene[IN_GAP]
+    run.phase, run.mode, run.pivot = 1, NO_MODE, NO_POINT
+    run.pusher.y = -system.scene.gap
     for k in range(3):
-        run[RUN_TWIST + k] = system.scene[IN_TWIST + k]
+        run.twist[k] = system.scene.twist[k]
 
 
 def _step(system: System) -> None:
@@ -166,21 +121,21 @@ def _step(system: System) -> None:
     run = system.run
     if _choose(system):
         _log_step(system)
-    if run[RUN_STOPPED] == float(GOES_ON):
+    if run.stopped == GOES_ON:
         pose = pose_of(system, vector_of(system, STATE))
         _account(system, pose)
         _move(system, pose)
         _end_contact(system)
         _count_step(system)
-        if run[RUN_STEP] == 0.0 or run[RUN_STOPPED] != float(GOES_ON):
+        if run.step == 0 or run.stopped != GOES_ON:
             _log_step(system)
-    if run[RUN_STOPPED] != float(GOES_ON) or run[RUN_INTERVAL] == system.scene[IN_TIMES]:
-        run[RUN_ENDED] = 1.0
+    if run.stopped != GOES_ON or run.interval == system.scene.times:
+        run.ended = True
 
 
 def _interval_number(system: System, row: int) -> float:
     """Number of the current interval: its end, its number of steps, or its piece of the pusher's motion."""
-    return system.times[row * int(system.scene[IN_TIMES]) + int(system.run[RUN_INTERVAL])]
+    return system.times[row * system.scene.times + system.run.interval]
 
 
 def _choose(system: System) -> bool:
@@ -188,146 +143,142 @@ def _choose(system: System) -> bool:
 
     Returns whether the mode or the number of possible twists has changed.
     """
-    run, start = system.run, system.run[RUN_INTERVAL_START]
-    part = (run[RUN_STEP] + 1.0) / _interval_number(system, 1)
-    run[RUN_UNTIL] = start + (_interval_number(system, 0) - start) * part
+    run, start = system.run, system.run.interval_start
+    part = (run.step + 1.0) / _interval_number(system, 1)
+    run.until = start + (_interval_number(system, 0) - start) * part
     piece = int(_interval_number(system, 2))
-    x, y = fence_path(system.fence, span_at(system.fence, piece), run[RUN_TIME], run[RUN_UNTIL])
-    run[RUN_PATH], run[RUN_PATH + 1] = x, y
+    x, y = fence_path(system.fence, span_at(system.fence, piece), run.time, run.until)
+    run.path.x, run.path.y = x, y
     room = zeros(CHOSEN)
-    chosen = room[0:]
-    current, before = int(run[RUN_MODE]), int(run[RUN_SOLUTIONS])
+    chosen = Solution(room[0:])
+    current, before = run.mode, run.solutions
     choice = choose_twist(system, current, policy_at(system.fence, piece), chosen)
-    run[RUN_SOLUTIONS] = float(max(choice.number, 0))
+    run.solutions = max(choice.number, 0)
     if choice.number <= 0:
-        run[RUN_MODE], run[RUN_STOPPED] = float(NO_MODE), float(INCONSISTENT)
-        run[RUN_PUSH], run[RUN_PUSH + 1] = 0.0, 0.0
+        run.mode, run.stopped = NO_MODE, INCONSISTENT
+        run.push.x, run.push.y = 0.0, 0.0
         return True
-    unit, angle = choice.unit, vector_of(system, STATE)[ANGLE]
-    v_x, v_y = to_world(system, angle, unit * chosen[TWIST], unit * chosen[TWIST + 1])
-    f_x, f_y = to_world(system, angle, chosen[FORCE], chosen[FORCE + 1])
-    run[RUN_NEW_TWIST], run[RUN_NEW_TWIST + 1] = unit * chosen[TWIST], unit * chosen[TWIST + 1]
-    run[RUN_NEW_TWIST + 2] = unit * chosen[TWIST + 2]
-    run[RUN_MODE], run[RUN_PIVOT] = float(choice.contact), chosen[PIVOT]
-    run[RUN_PUSH], run[RUN_PUSH + 1], run[RUN_OFFSET] = f_x, f_y, choice.offset
+    unit, angle = choice.unit, vector_of(system, STATE).angle
+    v_x, v_y = to_world(system, angle, unit * chosen.twist.x, unit * chosen.twist.y)
+    f_x, f_y = to_world(system, angle, chosen.force.x, chosen.force.y)
+    run.new_twist.x, run.new_twist.y = unit * chosen.twist.x, unit * chosen.twist.y
+    run.new_twist.spin = unit * chosen.twist.spin
+    run.mode, run.pivot = choice.contact, chosen.pivot
+    run.push.x, run.push.y, run.offset = f_x, f_y, choice.offset
     if not is_massive(system):
-        run[RUN_TWIST], run[RUN_TWIST + 1] = v_x, v_y
-        run[RUN_TWIST + 2] = run[RUN_NEW_TWIST + 2]
+        run.twist.x, run.twist.y = v_x, v_y
+        run.twist.spin = run.new_twist.spin
     return choice.contact != current or choice.number != before
 
 
 def _account(system: System, pose: Pose) -> None:
     """Add the energies of the step."""
     run, state, rates = system.run, vector_of(system, STATE), vector_of(system, RATES)
-    v_x, v_y, spin = run[RUN_NEW_TWIST], run[RUN_NEW_TWIST + 1], run[RUN_NEW_TWIST + 2]
-    h = run[RUN_UNTIL] - run[RUN_TIME]
-    x, y = from_world(system, state[ANGLE], run[RUN_TWIST], run[RUN_TWIST + 1])
-    work = run[RUN_PUSH] * run[RUN_PATH] + run[RUN_PUSH + 1] * run[RUN_PATH + 1]
-    rest = work + kinetic_energy_of(system, pose, x, y, run[RUN_TWIST + 2])
+    v_x, v_y, spin = run.new_twist.x, run.new_twist.y, run.new_twist.spin
+    h = run.until - run.time
+    x, y = from_world(system, state.angle, run.twist.x, run.twist.y)
+    work = run.push.x * run.path.x + run.push.y * run.path.y
+    rest = work + kinetic_energy_of(system, pose, x, y, run.twist.spin)
     rest -= kinetic_energy_of(system, pose, v_x, v_y, spin)
     x, y = to_body(pose.rod, v_x, v_y)
     total = drag(system, x, y, spin)
     power = total.f_x * x + total.f_y * y + total.torque * spin
     write_powers(system, x, y, spin, power, rates)
     energies = energies_of(system, state)
-    for i in range(int(system.scene[IN_RESISTING])):
+    for i in range(system.scene.resisting):
         energies[i] += h * rates[i]
-    state[WORK] += work
-    state[LOST] += rest - h * power
+    state.work += work
+    state.lost += rest - h * power
 
 
 def _move(system: System, pose: Pose) -> None:
     """Advance the slider and the pusher to the end of the step."""
     run, state = system.run, vector_of(system, STATE)
-    h, contact = run[RUN_UNTIL] - run[RUN_TIME], int(run[RUN_MODE])
+    h, contact = run.until - run.time, run.mode
     confine_finger(system, state)
-    v_x, v_y, spin = run[RUN_NEW_TWIST], run[RUN_NEW_TWIST + 1], run[RUN_NEW_TWIST + 2]
-    path_x, path_y = from_world(system, state[ANGLE], run[RUN_PATH], run[RUN_PATH + 1])
+    v_x, v_y, spin = run.new_twist.x, run.new_twist.y, run.new_twist.spin
+    path_x, path_y = from_world(system, state.angle, run.path.x, run.path.y)
     if contact == SEPARATE:
         along, gap = contact_after_flight(
             system, pose, state, h * v_x, h * v_y, path_x, path_y, h * spin
         )
-        state[ALONG], state[GAP] = along, gap
+        state.along, state.gap = along, gap
     else:
-        state[GAP], slip = 0.0, 0.0
+        state.gap, slip = 0.0, 0.0
         if contact != STICK:
             u_x, _ = contact_motion(pose, v_x, v_y, spin)
             slip = h * u_x - path_x
-        state[SLIPPED] += slip
-        state[ALONG] += travel_rate(system, slip, h * spin)
+        state.slipped += slip
+        state.along += travel_rate(system, slip, h * spin)
     _turn(system, pose, h, v_x, v_y, spin)
-    run[RUN_PUSHER] += run[RUN_PATH]
-    run[RUN_PUSHER + 1] += run[RUN_PATH + 1]
-    run[RUN_TIME] = run[RUN_UNTIL]
+    run.pusher.x += run.path.x
+    run.pusher.y += run.path.y
+    run.time = run.until
     _add_load_work(system)
 
 
 def _turn(system: System, pose: Pose, h: float, v_x: float, v_y: float, spin: float) -> None:
     """Rotate the slider; with inertia, the motion of the center of mass is preserved."""
     run, state, scene = system.run, vector_of(system, STATE), system.scene
-    angle = state[ANGLE]
+    angle = state.angle
     turned = angle + h * spin
     before = Rod(1.0, angle, cos(angle), sin(angle))
     after = Rod(1.0, turned, cos(turned), sin(turned))
-    x, y = to_contact(before, scene[IN_MASS_X], scene[IN_MASS_Y])
-    new_x, new_y = to_contact(after, scene[IN_MASS_X], scene[IN_MASS_Y])
+    x, y = to_contact(before, scene.center.x, scene.center.y)
+    new_x, new_y = to_contact(after, scene.center.x, scene.center.y)
     v_x, v_y = to_world(system, angle, v_x, v_y)
-    run[RUN_TWIST], run[RUN_TWIST + 1] = v_x + spin * (new_y - y), v_y - spin * (new_x - x)
-    run[RUN_TWIST + 2], state[ANGLE] = spin, turned
+    run.twist.x, run.twist.y = v_x + spin * (new_y - y), v_y - spin * (new_x - x)
+    run.twist.spin, state.angle = spin, turned
 
 
 def _add_load_work(system: System) -> None:
     """Add the work of the loads in the step; in flight, the rest of the energy goes to the first effect."""
     run, state = system.run, vector_of(system, STATE)
-    x, y = center_position(
-        system, pose_of(system, state), state, run[RUN_PUSHER], run[RUN_PUSHER + 1]
-    )
-    work = load_work(system, state[ANGLE], x, y)
-    state[LOST] += work - run[RUN_LOAD_WORK]
-    run[RUN_LOAD_WORK] = work
-    if run[RUN_PUSH] == 0.0 and run[RUN_PUSH + 1] == 0.0 and system.scene[IN_RESISTING] > 0.0:
-        energies_of(system, state)[0] += state[LOST] - run[RUN_CONTACT_LOST]
-        state[LOST] = run[RUN_CONTACT_LOST]
-    run[RUN_CONTACT_LOST] = state[LOST]
+    x, y = center_position(system, pose_of(system, state), state, run.pusher.x, run.pusher.y)
+    work = load_work(system, state.angle, x, y)
+    state.lost += work - run.load_work
+    run.load_work = work
+    if run.push.x == 0.0 and run.push.y == 0.0 and system.scene.resisting > 0:
+        energies_of(system, state)[0] += state.lost - run.contact_lost
+        state.lost = run.contact_lost
+    run.contact_lost = state.lost
 
 
 def _end_contact(system: System) -> None:
     """End the contact at the end of a finger's side; with an outline, stop there or at a fence."""
     run, state = system.run, vector_of(system, STATE)
-    if state[GAP] <= SLACK and room_on_side(system, state[ALONG]) < -SLACK:
+    if state.gap <= SLACK and room_on_side(system, state.along) < -SLACK:
         if is_outlined(system):
-            run[RUN_STOPPED] = float(SIDE_ENDED)
+            run.stopped = SIDE_ENDED
         else:
-            run[RUN_PARTED] = 1.0
+            run.parted = True
     if center_height(system, state) <= 0.0:
-        run[RUN_STOPPED] = float(LAID_DOWN)
-    elif (
-        has_finger(system) and outline_height(system, state, int(run[RUN_MODE]) != SEPARATE) <= 0.0
-    ):
-        run[RUN_STOPPED] = float(MET_OUTLINE)
+        run.stopped = LAID_DOWN
+    elif has_finger(system) and outline_height(system, state, run.mode != SEPARATE) <= 0.0:
+        run.stopped = MET_OUTLINE
 
 
 def _count_step(system: System) -> None:
     """Count the step, and its interval if it was the last step in it."""
     run = system.run
-    run[RUN_STEP] += 1.0
-    if run[RUN_STEP] == _interval_number(system, 1):
-        run[RUN_INTERVAL_START], run[RUN_STEP] = _interval_number(system, 0), 0.0
-        run[RUN_INTERVAL] += 1.0
+    run.step += 1
+    if run.step == _interval_number(system, 1):
+        run.interval_start, run.step = _interval_number(system, 0), 0
+        run.interval += 1
 
 
 def _log_step(system: System) -> None:
     """Log the current instant; the last row for an instant replaces previous ones."""
     run, state = system.run, vector_of(system, STATE)
-    row = log_row_at(system, run[RUN_TIME])
+    row = log_row_at(system, run.time)
     for k in range(2):
-        row[LOG_PUSHER + k], row[LOG_FORCE + k] = run[RUN_PUSHER + k], run[RUN_PUSH + k]
-    row[LOG_TIME], row[LOG_MODE], row[LOG_PIVOT] = run[RUN_TIME], run[RUN_MODE], run[RUN_PIVOT]
-    row[LOG_SOLUTIONS], row[LOG_STOPPED], row[LOG_EVENT] = (
-        run[RUN_SOLUTIONS],
-        run[RUN_STOPPED],
-        -1.0,
+        row.pusher[k], row.force[k] = run.pusher[k], run.push[k]
+    row.time, row.mode, row.pivot = run.time, run.mode, run.pivot
+    row.solutions, row.stopped, row.event = (
+        run.solutions,
+        run.stopped,
+        -1,
     )
-    v_x, v_y = from_world(system, state[ANGLE], run[RUN_TWIST], run[RUN_TWIST + 1])
-    write_state(system, state, v_x, v_y, run[RUN_TWIST + 2], row)
-    write_place_of_force(system, state, run[RUN_OFFSET], row)
+    v_x, v_y = from_world(system, state.angle, run.twist.x, run.twist.y)
+    write_state(system, state, v_x, v_y, run.twist.spin, row)
+    write_place_of_force(system, state, run.offset, row)

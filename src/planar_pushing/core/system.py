@@ -10,6 +10,7 @@ from __future__ import annotations
 from math import cos, fabs, sin, sqrt
 from typing import NamedTuple
 
+from planar_pushing.core._record import Record, size_of
 from planar_pushing.core.cone import Law
 from planar_pushing.core.directions import Rod, direction_at, unit_x, unit_y
 from planar_pushing.core.fence import Fence, Span, fence_velocity, span_at, typical_speed
@@ -23,64 +24,15 @@ from planar_pushing.core.rows import (
     kind_of,
     read_effects,
 )
-from planar_pushing.core.run import (
-    IN_ANGLE,
-    IN_CLOSED,
-    IN_COEFFICIENTS,
-    IN_EVENTS,
-    IN_FRICTIONS,
-    IN_GYRATION,
-    IN_LEFT,
-    IN_LENGTH,
-    IN_LOAD_X,
-    IN_LOAD_Y,
-    IN_MASS,
-    IN_PIECES,
-    IN_RESISTING,
-    IN_RIGHT,
-    IN_ROUGH,
-    IN_SLIPS,
-    IN_TIMES,
-    IN_TWIST,
-    IN_WEIGHT,
-    INPUTS,
-    MEMORY,
-    RUN_CONTACT,
-    RUN_EFFECTS,
-    RUN_FEET,
-    RUN_FORCE,
-    RUN_FRICTIONAL,
-    RUN_HIGH,
-    RUN_LEFT,
-    RUN_LINEAR,
-    RUN_LOADED,
-    RUN_LOW,
-    RUN_MASSIVE,
-    RUN_MOMENT,
-    RUN_OTHER_END,
-    RUN_POINT,
-    RUN_RIGHT,
-    RUN_RING,
-    RUN_ROD,
-    RUN_SPEED,
-    RUN_SQUARE,
-)
+from planar_pushing.core.run import INPUTS, MEMORY, Inputs, Run
 from planar_pushing.core.solution import MOST_SOLUTIONS, SEPARATE, SLIP_LEFT, SLIP_RIGHT, STICK
 
-#: Entries of the state.
-ALONG, GAP, ANGLE, SLIPPED, LOST, WORK, SLIP_SPEED, NORMAL_SPEED, SPIN = range(9)
 #: Number of entries before the energies, without inertia and with it.
 STILL = 6
 MOVING = 9
 #: A slider at rest, in addition to the contact modes; no mode.
 REST = 4
 NO_MODE = -1
-#: Numbers of a candidate mode: contact mode or rest, pivot, whether it is held, whether the slider touches
-#: the pusher, three numbers of the start, the contact's point, the other end of a side on the fence, the
-#: place of the force on this side, whether the contact is an end of a side that barely moves away from the
-#: fence, whether the mode lasts, and the way in which the pivot leaves.
-CANDIDATE = 13
-BARELY_LEAVES, LASTS, DEPARTURE = 10, 11, 12
 #: Maximum number of candidates: the modes of a side on the fence, and those of its two ends.
 MOST_CANDIDATES = 3 * MOST_SOLUTIONS
 #: Vectors of a run with the entries of the state: state, end of the step, two for trials, typical
@@ -110,6 +62,63 @@ TOO_MANY_EVENTS, NO_PROGRESS, MET_OUTLINE, SIDE_ENDED, TOO_MUCH_WORK = range(5, 
 KEEP_CONTACT, PREFER_SEPARATE, STAY_IN_MODE, PREFER_STICK, PREFER_RIGHT, PREFER_LEFT = range(6)
 
 
+class RunState(Record):
+    """The state of a run; the energies dissipated by each effect follow.
+
+    Attributes
+    ----------
+    along, gap : float
+        Position of the contact relative to the pusher.
+    angle : float
+        Of the rod.
+    slipped, lost, work : float
+        Accumulated slip, energy dissipated at the contact, and work of the pusher.
+    slip_speed, normal_speed, spin : float
+        Velocity of the contact relative to the pusher, and angular velocity; only with inertia.
+    """
+
+    along: float
+    gap: float
+    angle: float
+    slipped: float
+    lost: float
+    work: float
+    slip_speed: float
+    normal_speed: float
+    spin: float
+
+
+class Candidate(Record):
+    """A mode that can follow an instant: the fields of a `Mode`, its contact, and how it lasts.
+
+    Attributes
+    ----------
+    point, other_end : int
+        The contact's point, and the other end of a side on the fence, -1 without one.
+    barely_leaves : bool
+        Whether the contact is an end of a side that barely moves away from the fence.
+    lasts : bool
+        Whether the mode lasts.
+    """
+
+    contact: int
+    foot: int
+    hinged: bool
+    touches: bool
+    x: float
+    y: float
+    spin: float
+    point: int
+    other_end: int
+    offset: float
+    barely_leaves: bool
+    lasts: bool
+    departure: int
+
+
+CANDIDATE = size_of(Candidate)
+
+
 class System(NamedTuple):
     """The rows of one run.
 
@@ -132,10 +141,10 @@ class System(NamedTuple):
     data: Numbers
     row: Numbers
     problem: Numbers
-    scene: Numbers
+    scene: Inputs
     times: Numbers
     fence: Fence
-    run: Numbers
+    run: Run
     candidates: Numbers
     vectors: Numbers
     guards: Numbers
@@ -195,26 +204,26 @@ def memory_size(resisting: int, massive: bool) -> int:
 
 def system_of(data: Numbers, row: Numbers, memory: Numbers, rows_of_times: int) -> System:
     """The system of a row of inputs, its times in one or several rows, and its memory."""
-    scene = row[count_columns(data) :]
+    scene = Inputs(row[count_columns(data) :])
     times = scene[INPUTS:]
-    resisting = int(scene[IN_RESISTING])
+    resisting = scene.resisting
     fence = Fence(
-        times[rows_of_times * int(scene[IN_TIMES]) :],
-        int(scene[IN_PIECES]), int(scene[IN_COEFFICIENTS]),
+        times[rows_of_times * scene.times :],
+        scene.pieces, scene.coefficients,
     )  # fmt: skip
     problem = memory[MEMORY:]
     candidates = problem[problem_size(resisting) :]
     guards = candidates[MOST_CANDIDATES * CANDIDATE :]
     return System(
-        data, row, problem, scene, times, fence, memory, candidates,
-        guards[GUARD_SETS * CAUSES :], guards, state_size(resisting, scene[IN_MASS] > 0.0),
+        data, row, problem, scene, times, fence, Run(memory), candidates,
+        guards[GUARD_SETS * CAUSES :], guards, state_size(resisting, scene.mass > 0.0),
     )  # fmt: skip
 
 
 def memory_of(system: System) -> int:
     """Number of numbers of the memory, which the rows of the log follow."""
-    massive: bool = system.scene[IN_MASS] > 0.0
-    return memory_size(int(system.scene[IN_RESISTING]), massive)
+    massive: bool = system.scene.mass > 0.0
+    return memory_size(system.scene.resisting, massive)
 
 
 def with_candidates(system: System, candidates: Numbers) -> System:
@@ -230,9 +239,9 @@ def log_of(system: System) -> Numbers:
     return system.run[memory_of(system) :]
 
 
-def vector_of(system: System, number: int) -> Numbers:
+def vector_of(system: System, number: int) -> RunState:
     """A vector of the run."""
-    return system.vectors[number * system.entries :]
+    return RunState(system.vectors[number * system.entries :])
 
 
 def guards_of(system: System, number: int) -> Numbers:
@@ -248,17 +257,17 @@ def copy_numbers(target: Numbers, source: Numbers, count: int) -> None:
 
 def is_massive(system: System) -> bool:
     """Whether the scene has inertia."""
-    return system.run[RUN_MASSIVE] != 0.0
+    return system.run.massive
 
 
 def is_loaded(system: System) -> bool:
     """Whether the scene has loads."""
-    return system.run[RUN_LOADED] != 0.0
+    return system.run.loaded
 
 
 def logs_events(system: System) -> bool:
     """Whether each event is logged."""
-    return system.scene[IN_EVENTS] != 0.0
+    return system.scene.logs_events
 
 
 def prepare_system(system: System) -> None:
@@ -267,56 +276,56 @@ def prepare_system(system: System) -> None:
     effects = read_effects(data, system.row)
     for k in range(column_of(data, effects.length)):
         system.problem[k] = system.row[k]
-    massive: bool = scene[IN_MASS] > 0.0
+    massive: bool = scene.mass > 0.0
     loaded: bool = effects.length > 0 and kind_of(data, effects.length - 1) == LOAD
-    run[RUN_MASSIVE], run[RUN_LOADED] = (1.0 if massive else 0.0), (1.0 if loaded else 0.0)
-    run[RUN_EFFECTS], run[RUN_FEET] = float(effects.length), float(effects.feet)
-    run[RUN_FRICTIONAL] = 1.0 if effects.frictional else 0.0
-    run[RUN_SQUARE] = 1.0 if effects.massive else 0.0
-    run[RUN_LINEAR], run[RUN_RING] = (1.0 if effects.linear else 0.0), 0.0
-    for i in range(int(scene[IN_FRICTIONS])):
+    run.massive, run.loaded = (massive), (loaded)
+    run.effects, run.feet = effects.length, effects.feet
+    run.frictional = effects.frictional
+    run.resists_squarely = effects.massive
+    run.linear, run.has_ring = (effects.linear), False
+    for i in range(scene.frictions):
         if kind_of(data, i) == RING:
-            run[RUN_RING] = 1.0
-    load = sqrt(scene[IN_LOAD_X] * scene[IN_LOAD_X] + scene[IN_LOAD_Y] * scene[IN_LOAD_Y])
-    v_x, v_y, spin = scene[IN_TWIST], scene[IN_TWIST + 1], scene[IN_TWIST + 2]
+            run.has_ring = True
+    load = sqrt(scene.load.x * scene.load.x + scene.load.y * scene.load.y)
+    v_x, v_y, spin = scene.twist.x, scene.twist.y, scene.twist.spin
     speed = max(max(sqrt(v_x * v_x + v_y * v_y), fabs(spin)), typical_speed(system.fence))
     if speed == 0.0 and load > 0.0 and massive:
         # The speed that the load gives the slider within one length.
-        speed = sqrt(load / scene[IN_MASS])
-    run[RUN_SPEED] = speed if speed > 0.0 else 1.0
-    run[RUN_MOMENT] = scene[IN_MASS] * scene[IN_GYRATION]
-    force = scene[IN_MASS] * run[RUN_SPEED] * run[RUN_SPEED] + scene[IN_WEIGHT] + load
-    run[RUN_FORCE] = force if force > 0.0 else 1.0
-    run[RUN_RIGHT], run[RUN_RIGHT + 1] = unit_x(scene[IN_RIGHT]), unit_y(scene[IN_RIGHT])
-    run[RUN_LEFT], run[RUN_LEFT + 1] = unit_x(scene[IN_LEFT]), unit_y(scene[IN_LEFT])
-    run[RUN_ROD], run[RUN_ROD + 1] = cos(scene[IN_ANGLE]), sin(scene[IN_ANGLE])
-    run[RUN_LOW], run[RUN_HIGH] = -INFINITY, INFINITY
-    run[RUN_CONTACT], run[RUN_CONTACT + 1] = -scene[IN_LENGTH], 0.0
-    run[RUN_POINT], run[RUN_OTHER_END] = float(NO_POINT), float(NO_POINT)
+        speed = sqrt(load / scene.mass)
+    run.speed = speed if speed > 0.0 else 1.0
+    run.moment = scene.mass * scene.gyration
+    force = scene.mass * run.speed * run.speed + scene.weight + load
+    run.force = force if force > 0.0 else 1.0
+    run.right.x, run.right.y = unit_x(scene.right), unit_y(scene.right)
+    run.left.x, run.left.y = unit_x(scene.left), unit_y(scene.left)
+    run.rod.x, run.rod.y = cos(scene.angle), sin(scene.angle)
+    run.low, run.high = -INFINITY, INFINITY
+    run.contact.x, run.contact.y = -scene.length, 0.0
+    run.point, run.other_end = NO_POINT, NO_POINT
 
 
 def scale_state(system: System) -> None:
     """Store typical magnitudes of the state, for the tolerance near zero."""
-    scales, length = vector_of(system, SCALES), max(1.0, system.scene[IN_LENGTH])
+    scales, length = vector_of(system, SCALES), max(1.0, system.scene.length)
     for k in range(system.entries):
-        scales[k] = system.run[RUN_FORCE] * length
-    scales[ALONG], scales[GAP], scales[ANGLE], scales[SLIPPED] = length, length, 1.0, length
+        scales[k] = system.run.force * length
+    scales.along, scales.gap, scales.angle, scales.slipped = length, length, 1.0, length
     if is_massive(system):
-        speed = 0.01 * system.run[RUN_SPEED]
-        scales[SLIP_SPEED], scales[NORMAL_SPEED], scales[SPIN] = speed, speed, speed
+        speed = 0.01 * system.run.speed
+        scales.slip_speed, scales.normal_speed, scales.spin = speed, speed, speed
 
 
-def energies_of(system: System, state: Numbers) -> Numbers:
+def energies_of(system: System, state: RunState) -> Numbers:
     """The energies dissipated by each effect, the last entries of a state."""
-    return state[system.entries - int(system.scene[IN_RESISTING]) :]
+    return state[system.entries - system.scene.resisting :]
 
 
 def law_of(system: System, rod: Rod) -> Law:
     """The contact law, for a direction of the rod."""
     scene = system.scene
     return Law(
-        direction_at(rod, scene[IN_RIGHT]), direction_at(rod, scene[IN_LEFT]),
-        scene[IN_SLIPS] != 0.0, scene[IN_CLOSED] != 0.0, scene[IN_ROUGH] != 0.0,
+        direction_at(rod, scene.right), direction_at(rod, scene.left),
+        scene.slips, scene.closed, scene.rough,
     )  # fmt: skip
 
 
@@ -337,12 +346,12 @@ def write_candidate(
     x: float, y: float, spin: float,
 ) -> None:  # fmt: skip
     """Store a candidate mode at the current contact."""
-    numbers = system.candidates[index * CANDIDATE :]
-    numbers[7], numbers[8] = system.run[RUN_POINT], system.run[RUN_OTHER_END]
+    numbers = Candidate(system.candidates[index * CANDIDATE :])
+    numbers[7], numbers[8] = system.run.point, system.run.other_end
     numbers[0], numbers[1] = float(contact), float(foot)
     numbers[2], numbers[3] = (1.0 if hinged else 0.0), (1.0 if touches else 0.0)
     numbers[4], numbers[5], numbers[6], numbers[9] = x, y, spin, 0.0
-    numbers[BARELY_LEAVES], numbers[LASTS], numbers[DEPARTURE] = 0.0, 0.0, 1.0
+    numbers.barely_leaves, numbers.lasts, numbers.departure = False, False, 1
 
 
 def contact_mode_of(mode: Mode) -> int:
@@ -376,11 +385,11 @@ def slip_side(contact: int) -> float:
 
 def pace_of(system: System, during: Span, time: float) -> float:
     """Time in which the slider moves about one length, or friction stops it."""
-    scene, speed = system.scene, system.run[RUN_SPEED]
+    scene, speed = system.scene, system.run.speed
     if not is_massive(system):
         x, y = fence_velocity(system.fence, during, time)
         speed = sqrt(x * x + y * y)
-    pace = max(1.0, scene[IN_LENGTH]) / speed if speed > 0.0 else INFINITY
-    if scene[IN_MASS] * scene[IN_WEIGHT] > 0.0:
-        pace = min(pace, speed * scene[IN_MASS] / scene[IN_WEIGHT])
+    pace = max(1.0, scene.length) / speed if speed > 0.0 else INFINITY
+    if scene.mass * scene.weight > 0.0:
+        pace = min(pace, speed * scene.mass / scene.weight)
     return pace

@@ -12,34 +12,12 @@ from math import atan2, cos, fabs, sin
 from typing import NamedTuple
 
 from planar_pushing.core.directions import nearest_integer
-from planar_pushing.core.numbers import INFINITY, Numbers
+from planar_pushing.core.numbers import INFINITY
 from planar_pushing.core.rows import NO_POINT, Position
-from planar_pushing.core.run import (
-    IN_CORNERS,
-    IN_CORNERS_PLACE,
-    IN_FINE,
-    IN_FINGER,
-    IN_FLUSH,
-    IN_GAP,
-    IN_LENGTH,
-    IN_SIDE_END,
-    IN_SIDE_START,
-    RUN_CONTACT,
-    RUN_FLOOR,
-    RUN_OTHER_END,
-    RUN_POINT,
-    RUN_ROD,
-    RUN_SPEED,
-)
 from planar_pushing.core.system import (
-    ALONG,
-    ANGLE,
     CANDIDATE,
     ELSEWHERE,
-    GAP,
-    NORMAL_SPEED,
-    SLIP_SPEED,
-    SPIN,
+    RunState,
     System,
     copy_numbers,
     is_massive,
@@ -63,10 +41,10 @@ class Lowest(NamedTuple):
 def count_points(system: System) -> int:
     """Number of the points that can touch a fence, 0 if only the rod's end can, and for a finger."""
     scene = system.scene
-    if scene[IN_FINGER] != 0.0:
+    if scene.finger:
         return 0
-    corners = int(scene[IN_CORNERS])
-    if scene[IN_FLUSH] != 0.0:
+    corners = scene.corners
+    if scene.flush:
         return corners + 2
     return corners + 1 if corners > 0 else 0
 
@@ -74,95 +52,95 @@ def count_points(system: System) -> int:
 def point_position(system: System, point: int) -> Position:
     """A point in the body frame: the corners, then both ends of a flush side, or the rod's end."""
     scene, run = system.scene, system.run
-    number = point - int(scene[IN_CORNERS])
+    number = point - scene.corners
     if number < 0:
-        corner = system.data[int(scene[IN_CORNERS_PLACE]) + 2 * point :]
-        return Position(corner[0] / scene[IN_FINE], corner[1] / scene[IN_FINE])
+        corner = system.data[scene.corners_place + 2 * point :]
+        return Position(corner[0] / scene.fine, corner[1] / scene.fine)
     along = 0.0
-    if scene[IN_FLUSH] != 0.0:
-        along = scene[IN_SIDE_START] if number == 0 else scene[IN_SIDE_END]
-    return Position(along * run[RUN_ROD] - scene[IN_LENGTH], -(along * run[RUN_ROD + 1]))
+    if scene.flush:
+        along = scene.side_start if number == 0 else scene.side_end
+    return Position(along * run.rod.x - scene.length, -(along * run.rod.y))
 
 
 def touch_tolerance(system: System) -> float:
     """Distance from the fence within which a point is on it."""
     scene = system.scene
-    if scene[IN_CORNERS] > 0.0:
-        return 1.0 / scene[IN_FINE]
-    return DEPTH_OF_SIDE * (scene[IN_SIDE_END] - scene[IN_SIDE_START])
+    if scene.corners > 0:
+        return 1.0 / scene.fine
+    return DEPTH_OF_SIDE * (scene.side_end - scene.side_start)
 
 
-def offset_of(system: System, state: Numbers, point: int) -> Position:
+def offset_of(system: System, state: RunState, point: int) -> Position:
     """Vector from the contact to a point, in the fence frame."""
-    position, c, s = point_position(system, point), cos(state[ANGLE]), sin(state[ANGLE])
-    x, y = position.x - system.run[RUN_CONTACT], position.y - system.run[RUN_CONTACT + 1]
+    position, c, s = point_position(system, point), cos(state.angle), sin(state.angle)
+    x, y = position.x - system.run.contact.x, position.y - system.run.contact.y
     return Position(x * c - y * s, x * s + y * c)
 
 
-def lowest_point(system: System, state: Numbers, others: bool) -> Lowest:
+def lowest_point(system: System, state: RunState, others: bool) -> Lowest:
     """The lowest point, or the lowest of those apart from the contact; infinitely high without any."""
     run, slack = system.run, touch_tolerance(system)
-    c, s = cos(state[ANGLE]), sin(state[ANGLE])
+    c, s = cos(state.angle), sin(state.angle)
     lowest, height = NO_POINT, INFINITY
     for point in range(count_points(system)):
         position = point_position(system, point)
-        x, y = position.x - run[RUN_CONTACT], position.y - run[RUN_CONTACT + 1]
+        x, y = position.x - run.contact.x, position.y - run.contact.y
         counts: bool = not others or fabs(x) > slack or fabs(y) > slack
         if counts and x * s + y * c < height:
             lowest, height = point, x * s + y * c
-    return Lowest(lowest, state[GAP] + height)
+    return Lowest(lowest, state.gap + height)
 
 
-def height_above_pusher(system: System, state: Numbers) -> float:
+def height_above_pusher(system: System, state: RunState) -> float:
     """Height of the contact above the pusher; of several points that can touch, that of the lowest."""
     if count_points(system) == 0:
-        return state[GAP]
+        return state.gap
     return lowest_point(system, state, False).height
 
 
 def is_flush(system: System) -> bool:
     """Whether the contact is a side, from the contact's point to its other end."""
-    return system.run[RUN_OTHER_END] >= 0.0
+    return system.run.other_end >= 0
 
 
-def side_length(system: System, state: Numbers) -> float:
+def side_length(system: System, state: RunState) -> float:
     """Place of the other end of the side that is the contact, along the fence; 0 at a point."""
     if not is_flush(system):
         return 0.0
-    return offset_of(system, state, int(system.run[RUN_OTHER_END])).x
+    return offset_of(system, state, system.run.other_end).x
 
 
-def move_contact(system: System, state: Numbers, point: int) -> None:
+def move_contact(system: System, state: RunState, point: int) -> None:
     """Make a point the contact; the state is that of the same motion."""
-    if float(point) == system.run[RUN_POINT]:
+    if point == system.run.point:
         return
     offset = offset_of(system, state, point)
-    state[ALONG] += offset.x
-    state[GAP] += offset.y
+    state.along += offset.x
+    state.gap += offset.y
     if is_massive(system):
-        state[SLIP_SPEED] -= state[SPIN] * offset.y
-        state[NORMAL_SPEED] += state[SPIN] * offset.x
+        state.slip_speed -= state.spin * offset.y
+        state.normal_speed += state.spin * offset.x
     put_contact(system, point, NO_POINT)
 
 
 def put_contact(system: System, point: int, other_end: int) -> None:
     """Store the contact and its other end, but not the state there; without a point, the rod's end."""
-    run, position = system.run, Position(-system.scene[IN_LENGTH], 0.0)
+    run, position = system.run, Position(-system.scene.length, 0.0)
     if point >= 0:
         position = point_position(system, point)
-    run[RUN_CONTACT], run[RUN_CONTACT + 1] = position.x, position.y
-    run[RUN_POINT], run[RUN_OTHER_END] = float(point), float(other_end)
+    run.contact.x, run.contact.y = position.x, position.y
+    run.point, run.other_end = point, other_end
 
 
-def hold_contact(system: System, state: Numbers, point: int, other_end: int) -> None:
+def hold_contact(system: System, state: RunState, point: int, other_end: int) -> None:
     """Make a point on the fence, or a side from it to its other end, the contact."""
-    if float(point) != system.run[RUN_POINT]:
+    if point != system.run.point:
         move_contact(system, state, point)
-        state[GAP] = 0.0
-    system.run[RUN_OTHER_END] = float(other_end)
+        state.gap = 0.0
+    system.run.other_end = other_end
 
 
-def hold_candidate(system: System, state: Numbers, index: int) -> None:
+def hold_candidate(system: System, state: RunState, index: int) -> None:
     """Make the contact of a candidate mode the contact."""
     numbers = system.candidates[index * CANDIDATE :]
     if count_points(system) > 0:
@@ -175,14 +153,14 @@ def leave_side(system: System, index: int) -> None:
     numbers[8] = float(NO_POINT)
 
 
-def name_contact(system: System, state: Numbers) -> None:
+def name_contact(system: System, state: RunState) -> None:
     """Let the contact at time 0 be one of the points: the rod's end, or the start of a side."""
     if count_points(system) > 0:
-        move_contact(system, state, int(system.scene[IN_CORNERS]))
-        state[GAP] = system.scene[IN_GAP]
+        move_contact(system, state, system.scene.corners)
+        state.gap = system.scene.gap
 
 
-def state_at_candidate(system: System, state: Numbers, index: int) -> Numbers:
+def state_at_candidate(system: System, state: RunState, index: int) -> RunState:
     """The state at the contact of a candidate mode, which becomes the contact; the state is not changed."""
     if count_points(system) == 0:
         return state
@@ -192,45 +170,45 @@ def state_at_candidate(system: System, state: Numbers, index: int) -> Numbers:
     return elsewhere
 
 
-def take_lowest_point(system: System, state: Numbers) -> None:
+def take_lowest_point(system: System, state: RunState) -> None:
     """Make the lowest of the points that can touch the contact, unless the contact touches."""
-    if state[GAP] > SLACK and count_points(system) > 0:
+    if state.gap > SLACK and count_points(system) > 0:
         move_contact(system, state, lowest_point(system, state, False).point)
 
 
-def land_on_fence(system: System, state: Numbers) -> None:
+def land_on_fence(system: System, state: RunState) -> None:
     """Close the contact, at the lowest point."""
     take_lowest_point(system, state)
-    state[GAP] = 0.0
+    state.gap = 0.0
 
 
-def settle_on_fence(system: System, state: Numbers, slack: float) -> None:
+def settle_on_fence(system: System, state: RunState, slack: float) -> None:
     """Make a side that lies on the fence the contact, and set it exactly on the fence.
 
     With inertia it lies there if the normal speeds of its ends are at most `slack`, in units of the typical
     speed; a side that arrives has collided before.
     """
     run = system.run
-    run[RUN_OTHER_END], run[RUN_FLOOR] = float(NO_POINT), 0.0
+    run.other_end, run.floor = NO_POINT, 0.0
     if count_points(system) == 0:
         return
     lowest = lowest_point(system, state, False).height
     if lowest <= SLACK:
-        if state[GAP] > SLACK:
+        if state.gap > SLACK:
             land_on_fence(system, state)
         left, right = side_on_fence(system, state)
         if left >= 0 and _rests_on_side(system, state, left, right, slack):
             _level_side(system, state, left, right)
-    run[RUN_FLOOR] = min(lowest_point(system, state, False).height, 0.0)
+    run.floor = min(lowest_point(system, state, False).height, 0.0)
 
 
-def side_on_fence(system: System, state: Numbers) -> tuple[int, int]:
+def side_on_fence(system: System, state: RunState) -> tuple[int, int]:
     """The first and the last of the points on the fence, -1 if they are one point."""
     left, right, first, last = NO_POINT, NO_POINT, INFINITY, -INFINITY
     slack = touch_tolerance(system)
     for point in range(count_points(system)):
         offset = offset_of(system, state, point)
-        if fabs(state[GAP] + offset.y) <= slack:
+        if fabs(state.gap + offset.y) <= slack:
             if offset.x < first:
                 left, first = point, offset.x
             if offset.x > last:
@@ -240,33 +218,33 @@ def side_on_fence(system: System, state: Numbers) -> tuple[int, int]:
     return NO_POINT, NO_POINT
 
 
-def approach_of(system: System, state: Numbers) -> float:
+def approach_of(system: System, state: RunState) -> float:
     """Smallest normal velocity, relative to the fence, of the points on it, with inertia."""
     left, right = side_on_fence(system, state)
     if left < 0:
-        return state[NORMAL_SPEED]
+        return state.normal_speed
     start, end = offset_of(system, state, left).x, offset_of(system, state, right).x
-    return state[NORMAL_SPEED] + min(state[SPIN] * start, state[SPIN] * end)
+    return state.normal_speed + min(state.spin * start, state.spin * end)
 
 
-def _rests_on_side(system: System, state: Numbers, left: int, right: int, slack: float) -> bool:
+def _rests_on_side(system: System, state: RunState, left: int, right: int, slack: float) -> bool:
     """Whether a side on the fence stays there: without inertia, or if both of its ends move along it."""
     if not is_massive(system):
         return True
     start, end = offset_of(system, state, left).x, offset_of(system, state, right).x
-    first, last = state[NORMAL_SPEED] + state[SPIN] * start, state[NORMAL_SPEED] + state[SPIN] * end
-    return max(fabs(first), fabs(last)) <= slack * system.run[RUN_SPEED]
+    first, last = state.normal_speed + state.spin * start, state.normal_speed + state.spin * end
+    return max(fabs(first), fabs(last)) <= slack * system.run.speed
 
 
-def _level_side(system: System, state: Numbers, left: int, right: int) -> None:
+def _level_side(system: System, state: RunState, left: int, right: int) -> None:
     """Make a side the contact, exactly parallel to the fence and without rotation."""
     hold_contact(system, state, left, right)
     start, end = point_position(system, left), point_position(system, right)
     angle = -atan2(end.y - start.y, end.x - start.x)
-    angle += 2.0 * HALF_TURN * nearest_integer((state[ANGLE] - angle) / (2.0 * HALF_TURN))
+    angle += 2.0 * HALF_TURN * nearest_integer((state.angle - angle) / (2.0 * HALF_TURN))
     # An angle that is exact to rounding stays as it is.
-    if fabs(angle - state[ANGLE]) > RESOLUTION * (1.0 + fabs(angle)):
-        state[ANGLE] = angle
-    state[GAP] = 0.0
+    if fabs(angle - state.angle) > RESOLUTION * (1.0 + fabs(angle)):
+        state.angle = angle
+    state.gap = 0.0
     if is_massive(system):
-        state[NORMAL_SPEED], state[SPIN] = 0.0, 0.0
+        state.normal_speed, state.spin = 0.0, 0.0

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.core.run import LOG_EVALUATIONS
+from planar_pushing.core.run import LogRow
 from planar_pushing.mechanics.contact import friction_coefficient
 from planar_pushing.mechanics.kernels.arrays import is_labeled
 from planar_pushing.mechanics.scene import Scene, require_scene
@@ -110,7 +110,10 @@ def simulate_batch(
     rows, changes = run_scenes(scenes, times, progress)
     variables = _variables(problem, rows, samples is None)
     variables["mode_changes"] = ("scene",), changes
-    variables["evaluations"] = ("scene",), rows[:, -1, LOG_EVALUATIONS].astype(np.int64)
+    variables["evaluations"] = (
+        ("scene",),
+        rows[:, -1, LogRow.places["evaluations"]].astype(np.int64),
+    )
     unfolded = {name: _unfold(variable, over) for name, variable in variables.items()}
     coordinates = _coordinates(problem, over) | ({"part": ("part", parts)} if samples else {})
     dataset = xr.Dataset(unfolded, coordinates)

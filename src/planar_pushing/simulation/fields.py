@@ -10,32 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.run import (
-    LOG_ANGLE,
-    LOG_CONTACT_DISSIPATED,
-    LOG_CONTACT_POSITION,
-    LOG_DISSIPATED,
-    LOG_EVALUATIONS,
-    LOG_EVENT,
-    LOG_FLUSH,
-    LOG_FORCE,
-    LOG_GAP,
-    LOG_IMPULSE,
-    LOG_KINETIC,
-    LOG_LOAD_WORK,
-    LOG_MODE,
-    LOG_PARTED,
-    LOG_PIVOT,
-    LOG_POSITION,
-    LOG_PUSHER,
-    LOG_RATIO,
-    LOG_SLIP,
-    LOG_SOLUTIONS,
-    LOG_STOPPED,
-    LOG_TIME,
-    LOG_TWIST,
-    LOG_WORK,
-)
+from planar_pushing.core.run import LOG_ROW, LogRow
 from planar_pushing.core.system import (
     GOES_ON,
     INCONSISTENT,
@@ -50,6 +25,7 @@ from planar_pushing.core.system import (
 )
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import Outcome
+from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms import quantities
 from planar_pushing.terms.numbers import Array
@@ -107,8 +83,9 @@ class Field(NamedTuple):
     ----------
     name : str
         Its unit and its long name are in `terms.quantities`.
-    first : int
-        First of its numbers in a row of the core, or of those from which it is computed.
+    source : str
+        Field of a row of the core that holds it, or from which it is computed; "" for the energies
+        dissipated by each effect, which are last.
     dims : tuple of str
         Dimensions after time.
     dtype : str
@@ -121,7 +98,7 @@ class Field(NamedTuple):
     """
 
     name: str
-    first: int
+    source: str
     dims: tuple[str, ...] = ()
     dtype: str = "f8"
     logged: Callable[[Problem], bool] = lambda problem: True
@@ -131,35 +108,35 @@ class Field(NamedTuple):
 
 XY, EFFECT = ("xy",), ("effect",)
 FIELDS = (
-    Field("time", LOG_TIME, sampled=True),
-    Field("position", LOG_POSITION, XY, sampled=True),
-    Field("rod_angle", LOG_ANGLE, sampled=True),
-    Field("twist", LOG_TWIST, ("twist_component",)),
-    Field("pusher", LOG_PUSHER, XY),
-    Field("slip", LOG_SLIP, sampled=True),
-    Field("gap", LOG_GAP, sampled=True),
-    Field("force", LOG_FORCE, XY, sampled=True),
-    Field("mode", LOG_MODE, dtype="i1", sampled=True),
-    Field("pivot", LOG_PIVOT, dtype="i4", sampled=True),
-    Field("event", LOG_EVENT, dtype="i1"),
-    Field("outcome", LOG_SOLUTIONS, dtype="i1"),
-    Field("solutions", LOG_SOLUTIONS, dtype="i1", sampled=True),
-    Field("adhesive", LOG_FORCE, dtype="?"),
-    Field("spin_ratio", LOG_RATIO),
-    Field("dissipated", LOG_DISSIPATED, EFFECT),
-    Field("contact_dissipated", LOG_CONTACT_DISSIPATED),
-    Field("work", LOG_WORK),
-    Field("kinetic_energy", LOG_KINETIC),
-    Field("evaluations", LOG_EVALUATIONS, EFFECT, "i8"),
-    Field("stopped", LOG_STOPPED, (), "i1", lambda problem: False, sampled=True),
-    Field("contact_position", LOG_CONTACT_POSITION, logged=_has_position, sampled=True),
-    Field("flush", LOG_FLUSH, (), "?", _can_lie, sampled=True),
-    Field("parted", LOG_PARTED, (), "?", _is_finger, sampled=True),
-    Field("impulse", LOG_IMPULSE, XY, logged=_has_impacts, sampled=True, stepped=False),
-    Field("load_work", LOG_LOAD_WORK, logged=_has_loads),
-    Field("object_position", LOG_POSITION, XY, logged=_is_placed),
-    Field("object_angle", LOG_ANGLE, logged=_is_placed),
-    Field("pusher_position", LOG_PUSHER, XY, logged=_is_placed),
+    Field("time", "time", sampled=True),
+    Field("position", "position", XY, sampled=True),
+    Field("rod_angle", "angle", sampled=True),
+    Field("twist", "twist", ("twist_component",)),
+    Field("pusher", "pusher", XY),
+    Field("slip", "slip", sampled=True),
+    Field("gap", "gap", sampled=True),
+    Field("force", "force", XY, sampled=True),
+    Field("mode", "mode", dtype="i1", sampled=True),
+    Field("pivot", "pivot", dtype="i4", sampled=True),
+    Field("event", "event", dtype="i1"),
+    Field("outcome", "solutions", dtype="i1"),
+    Field("solutions", "solutions", dtype="i1", sampled=True),
+    Field("adhesive", "force", dtype="?"),
+    Field("spin_ratio", "ratio"),
+    Field("dissipated", "", EFFECT),
+    Field("contact_dissipated", "contact_dissipated"),
+    Field("work", "work"),
+    Field("kinetic_energy", "kinetic"),
+    Field("evaluations", "evaluations", EFFECT, "i8"),
+    Field("stopped", "stopped", (), "i1", lambda problem: False, sampled=True),
+    Field("contact_position", "contact_position", logged=_has_position, sampled=True),
+    Field("flush", "flush", (), "?", _can_lie, sampled=True),
+    Field("parted", "parted", (), "?", _is_finger, sampled=True),
+    Field("impulse", "impulse", XY, logged=_has_impacts, sampled=True, stepped=False),
+    Field("load_work", "load_work", logged=_has_loads),
+    Field("object_position", "position", XY, logged=_is_placed),
+    Field("object_angle", "angle", logged=_is_placed),
+    Field("pusher_position", "pusher", XY, logged=_is_placed),
 )  # fmt: skip
 #: Numbers of components along dimensions.
 COMPONENTS = {"xy": 2, "twist_component": 3}
@@ -177,12 +154,18 @@ def sampled_fields(problem: Problem) -> list[Field]:
     return [field for field in batch if field.logged(problem) or field.name == "stopped"]
 
 
+def _first(source: str) -> int:
+    """First number of a source in a row of the core."""
+    place = LogRow.places.get(source, LOG_ROW)
+    return int(place.start if isinstance(place, slice) else place)
+
+
 @cache
 def _have_unit(quantity: str, width: int) -> npt.NDArray[np.bool_]:
     """Whether the unit of each number in a row of the core has a quantity: "length" or "force"."""
     answers = np.zeros(width, bool)
-    for name, first, dims, *_ in FIELDS:
-        unit = quantities.BATCH[name][0]
+    for name, source, dims, *_ in FIELDS:
+        unit, first = quantities.BATCH[name][0], _first(source)
         size = width - first if dims == EFFECT else COMPONENTS[dims[0]] if dims else 1
         units = LOG_TWIST_UNITS if unit in COMPONENT_UNITS else [unit] * size
         for i in range(size):
@@ -229,25 +212,23 @@ def arrays(rows: Array, problem: Problem, fields: Sequence[Field]) -> Arrays:
 
 def _read(rows: Array, problem: Problem, field: Field) -> Array:
     """The values of a field in the rows of the core."""
-    if not field.dims:
-        return rows[..., field.first]
-    return rows[..., field.first : field.first + COMPONENTS[field.dims[0]]]
+    return rows[..., LogRow.places[field.source]]
 
 
 def _degrees(rows: Array, problem: Problem, field: Field) -> Any:
-    return np.rad2deg(rows[..., LOG_ANGLE])
+    return np.rad2deg(Columns(LogRow, rows).angle)
 
 
 def _outcome(rows: Array, problem: Problem, field: Field) -> Any:
-    return np.minimum(rows[..., LOG_SOLUTIONS], Outcome.AMBIGUOUS)
+    return np.minimum(Columns(LogRow, rows).solutions, Outcome.AMBIGUOUS)
 
 
 def _adhesive(rows: Array, problem: Problem, field: Field) -> Any:
     """Whether the normal force pulls; the normal of a finger's side rotates with the slider."""
-    x, normal = rows[..., LOG_FORCE], rows[..., LOG_FORCE + 1]
+    x, normal = np.moveaxis(Columns(LogRow, rows).force, -1, 0)
     size = np.hypot(x, normal)
     if problem.shape == Shape.FINGER:
-        rotation = rows[..., LOG_ANGLE] - problem.scene.slider.rod_angle
+        rotation = Columns(LogRow, rows).angle - problem.scene.slider.rod_angle
         normal = normal * np.cos(rotation) - x * np.sin(rotation)
     return normal < -RESOLUTION * size
 
@@ -256,21 +237,21 @@ def _dissipation(rows: Array, problem: Problem, field: Field) -> Any:
     """Energy dissipated by each effect, zero for those that do not resist."""
     energies = np.zeros((*rows.shape[:-1], len(problem.scene.effects)))
     for i, entry in enumerate(problem.entries):
-        energies[..., entry.number] = rows[..., LOG_DISSIPATED + i]
+        energies[..., entry.number] = rows[..., LOG_ROW + i]
     return energies
 
 
 def _evaluations(rows: Array, problem: Problem, field: Field) -> Any:
     """Evaluations of the motion, which evaluate each effect."""
-    counts = rows[..., LOG_EVALUATIONS, None]
+    counts = Columns(LogRow, rows).evaluations[..., None]
     return np.repeat(counts, len(problem.scene.effects), axis=-1)
 
 
 def _object_pose(rows: Array, problem: Problem, field: Field) -> Any:
     """Position or angle of the object in the world."""
-    position = rows[..., LOG_POSITION : LOG_POSITION + 2]
+    position = Columns(LogRow, rows).position
     assert problem.world is not None
-    pose = problem.world.object_pose(position, rows[..., LOG_ANGLE])
+    pose = problem.world.object_pose(position, Columns(LogRow, rows).angle)
     return pose[0] if field.dims else pose[1]
 
 

@@ -8,17 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.core.rows import LOAD, MASS
-from planar_pushing.core.run import (
-    IN_COEFFICIENTS,
-    IN_DOT,
-    IN_EVENTS,
-    IN_LOAD_X,
-    IN_MASS,
-    IN_PIECES,
-    IN_TIMES,
-    IN_WEIGHT,
-    INPUTS,
-)
+from planar_pushing.core.run import INPUTS, Inputs
+from planar_pushing.mechanics.kernels.columns import Columns, row_of
 from planar_pushing.mechanics.pressure.table import Table, joined_data
 from planar_pushing.mechanics.rows import Entry, unit_vector
 from planar_pushing.mechanics.scene import Scene
@@ -114,10 +105,10 @@ class Scenes(NamedTuple):
             Whether each event is logged as well.
         """
         inputs = self.inputs[part].copy()
-        scene = inputs[:, inputs.shape[1] - INPUTS :]
-        scene[:, IN_PIECES], scene[:, IN_TIMES] = counts, times.shape[-1]
-        scene[:, IN_COEFFICIENTS] = POINTS if self.problem.follows_function else 1
-        scene[:, IN_EVENTS] = events
+        scene = Columns(Inputs, inputs[:, inputs.shape[1] - INPUTS :])
+        scene.pieces, scene.times = counts, times.shape[-1]
+        scene.coefficients = POINTS if self.problem.follows_function else 1
+        scene.logs_events = events
         shape = len(inputs), -1
         return np.concatenate([inputs, times.reshape(shape), pieces.reshape(shape)], axis=1)
 
@@ -137,15 +128,24 @@ def numbers_of(
     is_finger, finger_radius = problem.shape == Shape.FINGER, problem.pusher.radius
     effects, columns = _effects_of(entries, scene, method)
     data, corners = joined_data(effects, len(columns)), _corners_of(slider)
-    columns += [
-        scene.weight if scene.friction else 0.0,
-        mass * radius if scene.stores_energy else 0.0,
-        gyration, *scene.mass_center, *_load_of(scene), slider.length_ratio, slider.rod_angle,
-        *scene.law, v_x / radius, v_y / radius, omega, problem.gap / radius, is_finger,
-        finger_radius / radius, *(end / radius for end in slider.side), _fineness(problem),
-        len(corners), len(data), sum(entry.degree == 1 for entry in entries), len(entries),
-        problem.rtol, 0.0, 0.0, 0.0, 0.0, slider.flush, radius, problem.duration,
-    ]  # fmt: skip
+    load, cross, dot = _load_of(scene)
+    right, left, slips, closed, rough = scene.law
+    side_start, side_end = slider.side
+    columns += row_of(
+        Inputs,
+        weight=scene.weight if scene.friction else 0.0,
+        mass=mass * radius if scene.stores_energy else 0.0,
+        gyration=gyration, center=scene.mass_center, load=load, cross=cross, dot=dot,
+        length=slider.length_ratio, angle=slider.rod_angle,
+        right=right, left=left, slips=slips, closed=closed, rough=rough,
+        twist=(v_x / radius, v_y / radius, omega), gap=problem.gap / radius, finger=is_finger,
+        radius=finger_radius / radius, side_start=side_start / radius, side_end=side_end / radius,
+        fine=_fineness(problem), corners=len(corners), corners_place=len(data),
+        frictions=sum(entry.degree == 1 for entry in entries), resisting=len(entries),
+        tolerance=problem.rtol, pieces=0.0, coefficients=0.0, times=0.0, logs_events=0.0,
+        flush=slider.flush,
+    )  # fmt: skip
+    columns += [radius, problem.duration]
     columns += [part for _, velocity in problem.pusher.velocities for part in velocity]
     return np.concatenate([data, corners.ravel()]) if len(corners) else data, columns
 
@@ -157,14 +157,16 @@ def _scale_forces(entries: list[Entry], inputs: Array) -> Array:
     for entry in entries:
         places[entry.degree] += range(position, position + len(entry.forces))
         position += len(entry.forces) + len(entry.others)
-    loads = [*range(scene + IN_LOAD_X, scene + IN_DOT + 1)]
+    numbers = Columns(Inputs, np.arange(scene, inputs.shape[1]))
+    weight, mass = int(numbers.weight), int(numbers.mass)
+    loads = [*numbers.load.astype(int), int(numbers.cross), int(numbers.dot)]
     size = np.zeros(len(inputs))
     # Without friction and loads the unit is that of viscous friction, and without it that of the mass.
-    for columns in ([*places[1], *loads], places[2], [scene + IN_MASS]):
+    for columns in ([*places[1], *loads], places[2], [mass]):
         largest = np.abs(inputs[:, columns]).max(axis=1, initial=0.0)
         size = np.where(size > 0.0, size, largest)
     unit: Array = np.ldexp(1.0, np.frexp(np.where(size > 0.0, size, 1.0))[1] - 1)
-    scaled = [*places[1], *places[2], *loads, scene + IN_WEIGHT, scene + IN_MASS]
+    scaled = [*places[1], *places[2], *loads, weight, mass]
     inputs[:, scaled] /= unit[:, None]
     return unit
 
@@ -206,11 +208,9 @@ def _fineness(problem: Problem) -> Number:
     return slider.radius / depth_tolerance(slider.outline)
 
 
-def _load_of(scene: Scene) -> list[Number]:
+def _load_of(scene: Scene) -> tuple[list[Number], Number, Number]:
     """Force of the loads in the initial body frame, and its cross and dot products with their points."""
     total: list[Number] = [0.0, 0.0, 0.0, 0.0]
-    if not scene.loads:
-        return total
     c, s = unit_vector(scene.slider.rod_angle)
     for load in scene.loads:
         (x, y), (p_x, p_y) = load.force, scene.mass_center
@@ -219,4 +219,4 @@ def _load_of(scene: Scene) -> list[Number]:
         g_x, g_y = x * c + y * s, y * c - x * s
         terms = g_x, g_y, p_x * g_y - p_y * g_x, p_x * g_x + p_y * g_y
         total = [sum(pair) for pair in zip(total, terms, strict=True)]
-    return total
+    return total[:2], *total[2:]

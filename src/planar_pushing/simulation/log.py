@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 from xarray.indexes import PandasIndex
 
-from planar_pushing.core.run import LOG_TIME
+from planar_pushing.core.run import LogRow
 from planar_pushing.core.system import NO_MODE
 from planar_pushing.mechanics.entries import scene_entry, to_json, versions
 from planar_pushing.mechanics.kernels.arrays import flag_attributes
@@ -137,7 +137,9 @@ def dataset(problem: Problem, method: str, rows: Array, stopped: str) -> xr.Data
         name: xr.Variable(("time", *dims), values[name], field_attributes(problem, name))
         for name, _, dims, *_ in fields
     }
-    known = global_attributes(problem, method) | attributes_at_end(stopped, rows[-1, LOG_TIME])
+    known = global_attributes(problem, method) | attributes_at_end(
+        stopped, rows[-1, LogRow.places["time"]]
+    )
     return xr.Dataset(variables, _labels(problem, values["time"]), known)
 
 

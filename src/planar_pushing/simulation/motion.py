@@ -19,18 +19,8 @@ import numpy.typing as npt
 from numpy.polynomial import chebyshev
 
 from planar_pushing.core.fence import ACCELERATION_SERIES, MEAN_SERIES, VELOCITY_SERIES
-from planar_pushing.core.run import (
-    PIECE_DEGREE,
-    PIECE_END,
-    PIECE_FIRST,
-    PIECE_LAST,
-    PIECE_NOISE,
-    PIECE_ORIGIN,
-    PIECE_POLICY,
-    PIECE_SERIES,
-    PIECE_START,
-    SERIES_OF_PIECE,
-)
+from planar_pushing.core.run import PIECE, SERIES_OF_PIECE, PusherPiece
+from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.terms.errors import InvalidValue, SceneWarning, require_number, require_option
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Policy
@@ -110,8 +100,9 @@ def starts_of(policies: Policies) -> list[float]:
 def write_policies(pieces: Array, policies: Policies) -> None:
     """Store in each piece, shape S + (numbers,), the policy at its start."""
     numbers = np.array([list(Policy).index(policy) for _, policy in policies])
-    current = np.searchsorted(starts_of(policies), pieces[..., PIECE_START], side="right") - 1
-    pieces[..., PIECE_POLICY] = numbers[current]
+    columns = Columns(PusherPiece, pieces)
+    current = np.searchsorted(starts_of(policies), columns.start, side="right") - 1
+    columns.policy = numbers[current]
 
 
 def constant_pieces(
@@ -143,13 +134,14 @@ def constant_pieces(
     times, velocities, numbers = times[:most], velocities[:, :most], np.arange(most)
     marks = np.empty((len(ends), most + 1))
     marks[:, :-1], marks[:, -1] = np.minimum(times, ends[:, None]), ends
-    pieces = np.zeros((len(ends), most, PIECE_SERIES + SERIES_OF_PIECE))
-    pieces[..., PIECE_START], pieces[..., PIECE_END] = marks[:, :-1], marks[:, 1:]
-    pieces[..., PIECE_FIRST], pieces[..., PIECE_LAST] = numbers, numbers + 1
+    pieces = np.zeros((len(ends), most, PIECE + SERIES_OF_PIECE))
+    columns = Columns(PusherPiece, pieces)
+    columns.start, columns.end = marks[:, :-1], marks[:, 1:]
+    columns.first, columns.last = numbers, numbers + 1
     for series in (VELOCITY_SERIES, MEAN_SERIES):
-        pieces[..., PIECE_SERIES + series : PIECE_SERIES + series + 2] = velocities
+        pieces[..., PIECE + series : PIECE + series + 2] = velocities
     paths = np.diff(marks)[..., None] * velocities
-    pieces[:, 1:, PIECE_ORIGIN : PIECE_ORIGIN + 2] = paths.cumsum(axis=1)[:, :-1]
+    columns.origin[:, 1:] = paths.cumsum(axis=1)[:, :-1]
     return pieces, counts
 
 
@@ -164,23 +156,24 @@ def smooth_pieces(velocity: Velocity, times: Sequence[float], radius: float) -> 
     spans = [interpolants(velocity, *ends) for ends in itertools.pairwise(times)]
     joined = list(itertools.chain(*spans))
     counts = np.array([len(span) for span in spans])
-    rows = np.zeros((len(joined), PIECE_SERIES + SERIES_OF_PIECE * POINTS))
-    series = rows[:, PIECE_SERIES:].reshape(-1, SERIES_OF_PIECE, POINTS)
+    rows = np.zeros((len(joined), PIECE + SERIES_OF_PIECE * POINTS))
+    series = rows[:, PIECE:].reshape(-1, SERIES_OF_PIECE, POINTS)
     coefficients = np.array([piece.coefficients.T for piece in joined]) / radius
-    rows[:, PIECE_END] = [piece.end for piece in joined]
-    rows[1:, PIECE_START] = rows[:-1, PIECE_END]
-    rows[:, PIECE_DEGREE] = [np.flatnonzero(c.any(axis=0)).max(initial=0) for c in coefficients]
-    rows[:, PIECE_LAST] = np.repeat(counts.cumsum(), counts)
-    rows[:, PIECE_FIRST] = rows[:, PIECE_LAST] - np.repeat(counts, counts)
-    rows[:, PIECE_NOISE : PIECE_NOISE + 2] = np.array([piece.noise for piece in joined]) / radius
-    lengths = (rows[:, PIECE_END] - rows[:, PIECE_START])[:, None]
+    columns = Columns(PusherPiece, rows)
+    columns.end = [piece.end for piece in joined]
+    columns.start[1:] = columns.end[:-1]
+    columns.degree = [np.flatnonzero(c.any(axis=0)).max(initial=0) for c in coefficients]
+    columns.last = np.repeat(counts.cumsum(), counts)
+    columns.first = columns.last - np.repeat(counts, counts)
+    columns.noise = np.array([piece.noise for piece in joined]) / radius
+    lengths = (columns.end - columns.start)[:, None]
     slopes, means = coefficients @ SLOPE.T, coefficients @ MEAN.T
     series[:, VELOCITY_SERIES : VELOCITY_SERIES + 2] = coefficients
     series[:, ACCELERATION_SERIES : ACCELERATION_SERIES + 2] = 2 / lengths[..., None] * slopes
     series[:, MEAN_SERIES : MEAN_SERIES + 2] = means
     # At the end of a piece, every Chebyshev polynomial is 1.
     paths = lengths * means.sum(axis=-1)
-    rows[1:, PIECE_ORIGIN : PIECE_ORIGIN + 2] = paths.cumsum(axis=0)[:-1]
+    columns.origin[1:] = paths.cumsum(axis=0)[:-1]
     return rows
 
 

@@ -14,24 +14,13 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.run import (
-    LOG_DISSIPATED,
-    LOG_STOPPED,
-    PIECE_END,
-    PIECE_FIRST,
-    PIECE_LAST,
-    PIECE_START,
-    RUN_AT_ONCE,
-    RUN_CHANGES,
-    RUN_ENDED,
-    RUN_EVENTS,
-    RUN_MODE,
-    RUN_ROWS,
-)
+from planar_pushing.core.run import LOG_ROW, LogRow, PusherPiece
+from planar_pushing.core.run import Run as Memory
 from planar_pushing.core.system import memory_size
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.kernels.arrays import in_threads
 from planar_pushing.mechanics.kernels.calls import run_into
+from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.simulation.early_end import REASONS
 from planar_pushing.simulation.fields import Stop, scales_of
 from planar_pushing.simulation.inputs import Scenes, numbers_of
@@ -69,7 +58,7 @@ class Runs:
     def __init__(self, scenes: Scenes, method: Method, rows: Array, part: slice, room: int) -> None:
         resisting, massive = len(scenes.problem.entries), scenes.problem.scene.stores_energy
         self.kernel, self.data, self.rows = KERNELS[method], scenes.data, rows
-        self.memory, width = memory_size(resisting, massive), LOG_DISSIPATED + resisting
+        self.memory, width = memory_size(resisting, massive), LOG_ROW + resisting
         self.shape = len(rows), room, width
         self.results = np.zeros((len(rows), self.memory + room * width))
         self.scales = scales_of(scenes.radius[part], scenes.force[part], width)[:, None]
@@ -77,7 +66,8 @@ class Runs:
     @property
     def ended(self) -> npt.NDArray[np.bool_]:
         """Whether each run has ended."""
-        return np.not_equal(self.results[:, RUN_ENDED], 0.0)
+        ended: npt.NDArray[np.bool_] = np.not_equal(Columns(Memory, self.results).ended, 0.0)
+        return ended
 
     def advance(self) -> None:
         """Continue the runs until their room is full, they have ended, or many steps are done."""
@@ -134,10 +124,10 @@ class Run:
         runs = self.runs
         while not runs.ended[0]:
             runs.advance()
-            count = int(runs.results[0, RUN_ROWS])
+            count = int(Columns(Memory, runs.results[0]).rows)
             if count:
                 rows = runs.log()[0, :count]
-                self.stop = Stop(int(rows[-1, LOG_STOPPED]))
+                self.stop = Stop(int(Columns(LogRow, rows[-1]).stopped))
                 yield rows
 
     def between(self, low: float, high: float) -> Array:
@@ -154,12 +144,12 @@ class Run:
         """Reason why the run ended early; empty otherwise."""
         if self.stop == Stop.NO:
             return ""
-        text, numbers = REASONS[self.stop].text, self.runs.results[0]
+        text, memory = REASONS[self.stop].text, Columns(Memory, self.runs.results[0])
         match self.stop:
             case Stop.SINGULAR:
-                return f"{text} {ContactMode(int(numbers[RUN_MODE])).name}"
+                return f"{text} {ContactMode(int(memory.mode)).name}"
             case Stop.EVENTS:
-                events, at_once = int(numbers[RUN_EVENTS]), int(numbers[RUN_AT_ONCE])
+                events, at_once = int(memory.events), int(memory.at_once)
                 return f"{events} events, {at_once} of them {text}"
         return text
 
@@ -184,9 +174,10 @@ def plan_of(pieces: Array, times: Array, size: float) -> Array:
         Ends of the intervals, numbers of steps of at most the given size, and first piece of the span.
     """
     intervals = []
-    for first in np.unique(pieces[:, PIECE_FIRST]).astype(int):
-        last = int(pieces[first, PIECE_LAST]) - 1
-        start, end = pieces[first, PIECE_START], pieces[last, PIECE_END]
+    columns = Columns(PusherPiece, pieces)
+    for first in np.unique(columns.first).astype(int):
+        last = int(columns.last[first]) - 1
+        start, end = columns.start[first], columns.end[last]
         inner = times[(times > start + APART * end) & (times < end - APART * end)]
         ends = np.append(inner, end)
         lengths = np.diff(ends, prepend=start)
@@ -225,7 +216,7 @@ def run_scenes(
         the last row is repeated for the later times.
     """
     count, samples = times.shape
-    rows = np.empty((count, samples, LOG_DISSIPATED + len(scenes.problem.entries)))
+    rows = np.empty((count, samples, LOG_ROW + len(scenes.problem.entries)))
     changes, interrupted = np.zeros(count, np.int64), Event()
     block = 1 if scenes.problem.follows_function else BLOCK
 
@@ -238,7 +229,7 @@ def run_scenes(
             runs.advance()
             before, finished = finished, int(runs.ended.sum())
             bar.update(finished - before)
-        rows[part], changes[part] = runs.log(), runs.results[:, RUN_CHANGES]
+        rows[part], changes[part] = runs.log(), Columns(Memory, runs.results).changes
 
     with progress_bar(count, "scene", progress) as bar:
         in_threads(run, range(0, count, block), interrupted)

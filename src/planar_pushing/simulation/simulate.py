@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.core.run import LOG_TIME
+from planar_pushing.core.run import LogRow
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.scene import Scene, require_scene, require_single
 from planar_pushing.simulation.early_end import warn_of_early_end
@@ -162,7 +162,7 @@ def simulate(
     with streaming(path, problem, chosen) as stream:
         for rows in _rows(run, progress):
             stream.append(rows)
-        stream.end(run.stopped, rows[-1, LOG_TIME])
+        stream.end(run.stopped, rows[-1, LogRow.places["time"]])
     return without_fill_values(xr.open_dataset(path, engine="h5netcdf"))
 
 
@@ -186,5 +186,5 @@ def _rows(run: Run | UntilRun, progress: bool) -> Iterator[Array]:
     """Yield the rows of a run, with a progress bar over the simulated time."""
     with progress_bar(float(run.problem.duration), "time", progress) as bar:
         for rows in run:
-            bar.update(rows[-1, LOG_TIME] - bar.n)
+            bar.update(rows[-1, LogRow.places["time"]] - bar.n)
             yield rows

@@ -9,7 +9,7 @@ from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.core.run import LOG_TIME
+from planar_pushing.core.run import LogRow
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation.early_end import UNTIL
 from planar_pushing.simulation.fields import arrays, logged_fields
@@ -181,7 +181,7 @@ class UntilRun:
         """Last time at which the condition does not hold, and first time at which it does."""
         before = 0.0
         for rows in run:
-            holds, times = self._holds(rows), rows[:, LOG_TIME]
+            holds, times = self._holds(rows), rows[:, LogRow.places["time"]]
             if holds.any():
                 first = int(holds.argmax())
                 return float(times[first - 1]) if first else before, float(times[first])

@@ -1,0 +1,44 @@
+"""Fields of the core's records by name, in rows of an array."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from planar_pushing.core._record import Record
+from planar_pushing.terms.numbers import Array
+
+
+class Columns:
+    """The fields of a record in the last axis of an array, to read and to write.
+
+    Parameters
+    ----------
+    record : type
+    numbers : ndarray, shape S + (columns,)
+
+    Examples
+    --------
+    ``Columns(LogRow, rows).time`` has the shape S, and the components of ``force`` have S + (2,).
+    """
+
+    def __init__(self, record: type[Record], numbers: Array) -> None:
+        vars(self).update(record=record, numbers=numbers)
+
+    def __getattr__(self, name: str) -> Any:
+        """The values of a field."""
+        return vars(self)["numbers"][..., vars(self)["record"].places[name]]
+
+    def __setattr__(self, name: str, values: Any) -> None:
+        """Store the values of a field."""
+        vars(self)["numbers"][..., vars(self)["record"].places[name]] = values
+
+
+def row_of(record: type[Record], **values: Any) -> list[Any]:
+    """The numbers of a record, in its order, from a value, or several components, of each field."""
+    assert {*values} == {*record.places}, {*values} ^ {*record.places}
+    row: list[Any] = []
+    for name in record.places:
+        value = values[name]
+        row += value if isinstance(value, Sequence) and not isinstance(value, str) else [value]
+    return row
