@@ -152,9 +152,9 @@ class Body:
                 target.elts = [*map(self._assign, members, kind)]
             case ast.Attribute(value=record, attr=field):
                 owner, new = self._infer(record)
-                place, expected = self.names.records.get(str(owner), {}).get(field, (0, "None"))
-                if expected not in ("float", "int", "bool") and owner != "?":
-                    self.refuse(target, f"assignment to {field} of {spell(owner)}")
+                place, expected = self.names.records.get(str(owner), {}).get(field, (0, "?"))
+                if expected not in ("float", "int", "bool"):
+                    self.refuse(target, f"assignment to {ast.unparse(target)}")
                 self._match(target, kind, expected, ast.unparse(target))
                 self.writes |= _origin(record) not in self.rows
                 return _entry(new, place)

@@ -134,7 +134,9 @@ class Names:
             ast.unparse(part.annotation) for part in node.body if isinstance(part, ast.AnnAssign)
         }
         known = {"Record", *self.records}
-        return node.name not in known and {*bases} <= known and not fields & {*self.classes} - known
+        if node.name in known or len(bases) != 1 or bases[0] not in known:
+            return False
+        return not fields & {*self.classes} - known
 
     def _places(self, node: ast.ClassDef) -> dict[str, tuple[int, Kind]]:
         """Offsets and kinds of the fields of a record."""

@@ -9,6 +9,7 @@ from pathlib import Path
 from core.made_up import MODULES
 
 import planar_pushing.core
+import planar_pushing.core._record  # stays where it is while modules of another folder are loaded
 
 CORE = Path(planar_pushing.core.__file__).parent
 PROJECT = CORE.parents[2]

@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from math import asin, asinh, atan2, ceil, copysign, cos, exp, fabs, floor, log, sin, sinh, sqrt
 
-from planar_pushing.core.middle import Body, Pair, far_pair, fill, larger_body, roots, weigh
+from planar_pushing.core.middle import (
+    LONG, SHORT, Body, Long, Pair, Short, far_pair, fill, larger_body, roots, weigh,
+)
 from planar_pushing.core.numbers import EPSILON, Coefficients, Numbers, zeros
 from planar_pushing.core.zenith import (
     CODES, FAR, FEW, NONE, ONE, SERIES, THIRD, THREE, TWO, WEIGHTS, ZERO,
@@ -59,7 +61,30 @@ def answer_row(data: Numbers, row: Numbers, result: Numbers) -> None:
     result[25], result[26] = result[24], -x
     result[25] += EPSILON
     result[26] *= y
+    result[27] = named(row, x, k)
     return
+
+
+def named(row: Numbers, x: float, k: int) -> float:
+    room = zeros(LONG + SHORT)
+    long = Long(room)
+    long.code, long.end.here = k, x > 0.0
+    long.code += 2
+    long.end.x, long.weight = x, 0.25
+    long.end[1] -= 3.0
+    short = Short(room[LONG:])
+    short.code = long.code - 1
+    if long.end.here and Short(row).code == k:
+        short.weight = 1.0
+    return short.code + long.weight + tail(long) + long.row[0] + short.weight + first_code(long)
+
+
+def tail(long: Long) -> float:
+    return long.end.x * long.code
+
+
+def first_code(short: Short) -> int:
+    return short.code if short[1] != 0.0 else -short.code
 
 
 def elementary(x: float, y: float) -> float:
@@ -110,12 +135,35 @@ from __future__ import annotations
 from math import fabs, sqrt
 from typing import NamedTuple
 
+from planar_pushing.core._record import Record, size_of
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.zenith import FAR
 
 
+class Point(Record):
+    """A record within another one."""
+
+    x: float
+    y: float
+    here: bool
+
+
+class Short(Record):
+    code: int
+    weight: float
+
+
+class Long(Short):
+    """A record after another one, with a record in it."""
+
+    end: Point
+
+
+LONG, SHORT = size_of(Long), size_of(Short)
+
+
 class Body(NamedTuple):
-    """A record in a record, and arrays."""
+    """A named tuple in another one, and arrays."""
 
     mass: float
     pair: Pair

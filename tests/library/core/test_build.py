@@ -16,7 +16,7 @@ import pytest
 from core.building import CORE, PROJECT, compiled, hatch_build, plain, write
 from core.made_up import MODULES
 
-WIDTH = 27
+WIDTH = 28
 #: Degenerate numbers first, then ordinary ones.
 NUMBERS = (0.0, -0.0, 1.0, -1.0, 1e-300, 1e150, 0.1, 2.0 / 3.0, -7.25, 3.5)
 PLAIN = "the core runs as plain Python, about 100 times slower"
@@ -212,7 +212,7 @@ with warnings.catch_warnings(record=True) as caught:
     import planar_pushing.mechanics.kernels.calls
 print([f"{one.category.__name__}: {one.message}" for one in caught])
 print("planar_pushing.core.apex" in sys.modules, kernels.COMPILED is not None)
-print(kernels.run("answer", np.arange(6), [[0.5, 2, 1], [1, 1, 2]], 28).tobytes().hex())
+print(kernels.run("answer", np.arange(6), [[0.5, 2, 1], [1, 1, 2]], 29).tobytes().hex())
 """
 
 
@@ -243,8 +243,8 @@ def ask(package, **variables):
 def test_the_package_runs_the_compiled_core_without_loading_its_source(package):
     warned, loaded, results = ask(package)
     assert (warned, loaded) == ("[]", "False True")
-    last = np.frombuffer(bytes.fromhex(results)).reshape(2, 28)[:, 27]
-    assert np.isnan(last).all()  # the kernel writes 27 numbers
+    last = np.frombuffer(bytes.fromhex(results)).reshape(2, 29)[:, 28]
+    assert np.isnan(last).all()  # the kernel writes 28 numbers
 
 
 def test_the_variable_for_the_plain_source_gives_no_warning_and_the_same_answers(package):

@@ -10,12 +10,16 @@ HEAD = """
 from __future__ import annotations
 from math import log, sqrt
 from typing import NamedTuple
+from planar_pushing.core._record import Record, size_of
 from planar_pushing.core.numbers import Numbers, Coefficients, zeros
 LINE = (1.0, 2.0)
 COUNT = 3
 class Pair(NamedTuple):
     x: float
     n: int
+class Mark(Record):
+    k: int
+    at: float
 class Held(NamedTuple):
     pair: Pair
     row: Numbers
@@ -52,13 +56,17 @@ MODULE_LEVEL = {
     "A, B = 1, 2, 3": "2 names for anything but 2 constants or a range of 2",
     "A, B = [1, 2]": "2 names for anything but 2 constants or a range of 2",
     "A, B = 1, 'text'": "constant B: only an integer, a float, or a tuple of floats is allowed",
-    "COUNT = 4": "COUNT is also defined in snippet.py, line 7",
-    "def LINE() -> None: pass": "LINE is also defined in snippet.py, line 6",
+    "COUNT = 4": "COUNT is also defined in snippet.py, line 8",
+    "def LINE() -> None: pass": "LINE is also defined in snippet.py, line 7",
     "far = 1.0": "far is also defined in other.py, line 1",
     "def sqrt() -> None: pass": "sqrt is also defined by Python or C",
     "def min_() -> None: pass": "min_ is also defined by Python or C",
     "class X: pass": "class X that is not just a NamedTuple",
     "class X(Pair): pass": "class X that is not just a NamedTuple",
+    "class X(Record):\n    x: float = 1.0": "+1 annassign in a record",
+    "class X(Record):\n    x: Numbers": "+1 field x of type Numbers",
+    "class X(Record):\n    def f(self) -> int: ...": "+1 function in a record",
+    "class X(Record):\n    x: X": "class X that is not just a NamedTuple",
     "class X(NamedTuple):\n    x: float = 1.0": "+1 annassign in a NamedTuple",
     "class X(NamedTuple):\n    x: str": "+1 type str",
     "class X(NamedTuple):\n    x: tuple[int, int]": "+1 field x of type tuple[int, int]",
@@ -128,6 +136,12 @@ BODY = {
     "y = +x": "unaryop",
     "n = ~n": "unaryop",
     "y = -flag": "minus bool",
+    "y = Mark(x)": "Mark of anything but one row of numbers",
+    "y = Mark(row).z": "field z of Mark",
+    "Mark(row).k = x": "Mark(row).k is float, not int",
+    "Mark(row).at += flag": "add of float and bool",
+    "Mark(row).z = x": "assignment to Mark(row).z",
+    "mark = Mark(row)\nmark = row": "+1 mark is Numbers, not Mark",
     "x = 0": "x is int, not float",
     "n = 0.0": "n is float, not int",
     "n += 1.0": "n is float, not int",
@@ -149,7 +163,7 @@ BODY = {
     "y = pair.z": "field z of Pair",
     "y = x.real": "field real of float",
     "pair.x = 1.0": "assignment to pair.x",
-    "pair.x += 1.0": "augmented assignment",
+    "pair.x += 1.0": "assignment to pair.x",
     "y = pair[0]": "part of Pair",
     "x, n = pair": "Pair for 2 names",
     "x, n = x": "float for 2 names",

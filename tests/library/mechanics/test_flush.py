@@ -22,7 +22,7 @@ from planar_pushing.core.flush_force import (
 )
 from planar_pushing.core.numbers import zeros
 from planar_pushing.core.rows import read_effects
-from planar_pushing.core.solution import FORCE, MODE, MOTION, SOLUTION, Push
+from planar_pushing.core.solution import SOLUTION, Push, Solution
 
 SEPARATE, STICK, RIGHT, LEFT = pp.ContactMode
 LAWS = [
@@ -477,8 +477,8 @@ def modes_in_rotation(scene, w_x, w_y, spin):
         w_x, w_y, spin, resist_translation(push),
     )  # fmt: skip
     count = flush_modes(flush, out)
-    listed = [[out[i * SOLUTION + k] for k in range(SOLUTION)] for i in range(count)]
-    return [(int(row[MODE]), row[MOTION], np.array(row[FORCE : FORCE + 2])) for row in listed]
+    listed = [Solution(out[i * SOLUTION :]) for i in range(count)]
+    return [(row.mode, row.motion.x, np.array([row.force.x, row.force.y])) for row in listed]
 
 
 def test_a_side_that_rotates_onto_the_fence():

@@ -6,14 +6,8 @@ from mechanics.builders import make_scene
 
 import planar_pushing as pp
 from planar_pushing.core import system
-from planar_pushing.core.run import (
-    LOG_DISSIPATED,
-    LOG_FORCE,
-    LOG_MODE,
-    LOG_PUSHER,
-    LOG_TIME,
-    LOG_TWIST,
-)
+from planar_pushing.core.run import LOG_ROW, LogRow
+from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.simulation.fields import COMPUTED, FIELDS, arrays, logged_fields, scales_of
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms.options import Event
@@ -22,24 +16,25 @@ FILM = pp.Viscous(support=pp.Disc(1.0), coefficient=0.1)
 
 
 def test_a_row_is_scaled_by_the_radius_and_the_unit_of_force():
-    width = LOG_DISSIPATED + 2
+    width = LOG_ROW + 2
     (scales,) = scales_of(np.array([3.0]), np.array([0.5]), width)
     assert set(scales) == {1.0, 3.0, 0.5, 1.5}
-    assert scales[LOG_DISSIPATED:].tolist() == [1.5, 1.5]
-    assert scales[LOG_TWIST : LOG_TWIST + 3].tolist() == [3.0, 3.0, 1.0]
-    assert scales[LOG_PUSHER : LOG_PUSHER + 2].tolist() == [3.0, 3.0]
-    assert scales[[LOG_FORCE, LOG_FORCE + 1]].tolist() == [0.5, 0.5]
-    assert scales[[LOG_TIME, LOG_MODE]].tolist() == [1.0, 1.0]
+    assert scales[LOG_ROW:].tolist() == [1.5, 1.5]
+    columns = Columns(LogRow, scales)
+    assert columns.twist.tolist() == [3.0, 3.0, 1.0]
+    assert columns.pusher.tolist() == [3.0, 3.0]
+    assert columns.force.tolist() == [0.5, 0.5]
+    assert (columns.time, columns.mode) == (1.0, 1.0)
 
 
 def test_every_number_of_a_row_is_read_by_one_field():
     """Twice only where a field is computed from the numbers of another."""
-    sizes = {(): 1, ("xy",): 2, ("twist_component",): 3}
-    places = []
-    for name, place, dims, *_ in FIELDS:
-        if name not in COMPUTED or name in ("rod_angle", "dissipated", "evaluations"):
-            places += range(place, place + sizes.get(dims, 1))
-    assert sorted(places) == list(range(LOG_DISSIPATED + 1))
+    sources = [
+        source
+        for name, source, *_ in FIELDS
+        if name not in COMPUTED or name in ("rod_angle", "dissipated", "evaluations")
+    ]
+    assert sorted(sources) == sorted(["", *LogRow.places])
 
 
 @pytest.mark.parametrize("effects", [
@@ -49,8 +44,8 @@ def test_every_number_of_a_row_is_read_by_one_field():
 def test_energies_are_those_of_the_effects_in_their_order(effects):
     scene = make_scene(2.0, 0.5, effects)
     problem = Problem(scene=scene, pusher=pp.Pusher(velocity=(0.0, 1.0)), duration=1.0)
-    rows = np.zeros((1, LOG_DISSIPATED + 2))
-    rows[0, LOG_DISSIPATED:] = 5.0, 7.0
+    rows = np.zeros((1, LOG_ROW + 2))
+    rows[0, LOG_ROW:] = 5.0, 7.0
     found = arrays(rows, problem, logged_fields(problem, "event-driven"))["dissipated"][0]
     resists = [not isinstance(effect, pp.Inertia) for effect in effects]
     assert found[resists].tolist() == [5.0, 7.0]

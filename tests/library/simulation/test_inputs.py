@@ -9,6 +9,7 @@ import pytest
 import planar_pushing as pp
 from planar_pushing.core import run
 from planar_pushing.core.rows import ENTRY, LAST, LOAD, MASS, RING, SUPPORT
+from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.simulation.inputs import Scenes, numbers_of
 from planar_pushing.simulation.problem import DEPTH, Problem
 from planar_pushing.terms.options import Method
@@ -57,20 +58,17 @@ def test_numbers_of_a_scene():
     assert effects[columns[2] : columns[3]] == pytest.approx([0.4 * 0.5 / unit, 0.25, 0, 0])
     assert not effects[columns[3] :].any()
     expected = {
-        run.IN_WEIGHT: 0.9 / unit, run.IN_MASS: 1.5 / unit, run.IN_GYRATION: 2.25,
-        run.IN_MASS_X: 0.2, run.IN_MASS_Y: -0.4, run.IN_LOAD_X: -0.3 / unit, run.IN_LOAD_Y: 0.0,
-        run.IN_CROSS: 0.3 / unit, run.IN_DOT: -0.15 / unit, run.IN_LENGTH: 2.0,
-        run.IN_ANGLE: np.pi / 2, run.IN_RIGHT: 0.0,
-        run.IN_LEFT: np.pi, run.IN_SLIPS: 1.0, run.IN_CLOSED: 1.0, run.IN_ROUGH: 0.0,
-        run.IN_TWIST: 1.0, run.IN_TWIST + 1: -2.0, run.IN_TWIST + 2: 2.0, run.IN_GAP: 0.6,
-        run.IN_FINGER: 1.0, run.IN_RADIUS: 0.4, run.IN_SIDE_START: -2.0, run.IN_SIDE_END: 1.5,
-        run.IN_FINE: 0.5 / (2 * DEPTH), run.IN_CORNERS: 4, run.IN_CORNERS_PLACE: len(data) - 8,
-        run.IN_FRICTIONS: 2, run.IN_RESISTING: 3, run.IN_TOLERANCE: 1e-8, run.IN_PIECES: 2,
-        run.IN_COEFFICIENTS: 1, run.IN_TIMES: 5, run.IN_EVENTS: 1, run.IN_FLUSH: 0,
+        "weight": 0.9 / unit, "mass": 1.5 / unit, "gyration": 2.25, "center": [0.2, -0.4],
+        "load": [-0.3 / unit, 0.0], "cross": 0.3 / unit, "dot": -0.15 / unit, "length": 2.0,
+        "angle": np.pi / 2, "right": 0.0, "left": np.pi, "slips": 1.0, "closed": 1.0, "rough": 0.0,
+        "twist": [1.0, -2.0, 2.0], "gap": 0.6, "finger": 1.0, "radius": 0.4, "side_start": -2.0,
+        "side_end": 1.5, "fine": 0.5 / (2 * DEPTH), "corners": 4, "corners_place": len(data) - 8,
+        "frictions": 2, "resisting": 3, "tolerance": 1e-8, "pieces": 2, "coefficients": 1,
+        "times": 5, "logs_events": 1, "flush": 0,
     }  # fmt: skip
-    assert len(expected) == run.INPUTS
-    for place, number in expected.items():
-        assert scene[place] == pytest.approx(number, rel=1e-14, abs=1e-16), place
+    assert {*expected} == {*run.Inputs.places}
+    for name, number in expected.items():
+        assert scene[run.Inputs.places[name]] == pytest.approx(number, rel=1e-14, abs=1e-16), name
     corners = data[-8:].reshape(4, 2) * 2 * DEPTH
     assert sorted(map(tuple, corners.round(9))) == sorted(BOX)
     assert scene[run.INPUTS :][:5].tolist() == [0, 1, 2, 3, 4]
@@ -103,12 +101,13 @@ def test_forces_are_in_units_of_a_power_of_two(effects, factor):
 
 def test_pieces_follow_the_times():
     _, row = inputs_of(problem_of())
-    width = run.PIECE_SERIES + run.SERIES_OF_PIECE
-    first, second = row[-2 * width :].reshape(2, width)
-    assert first[[run.PIECE_START, run.PIECE_END]].tolist() == [0, 2]
-    assert second[[run.PIECE_START, run.PIECE_END]].tolist() == [2, 4]
-    assert second[run.PIECE_ORIGIN : run.PIECE_SERIES].tolist() == [0, 4]
-    assert second[run.PIECE_SERIES :].tolist() == [6, 8, 0, 0, 6, 8]
+    width = run.PIECE + run.SERIES_OF_PIECE
+    pieces = row[-2 * width :].reshape(2, width)
+    columns = Columns(run.PusherPiece, pieces)
+    assert columns.start.tolist() == [0, 2]
+    assert columns.end.tolist() == [2, 4]
+    assert columns.origin[1].tolist() == [0, 4]
+    assert pieces[1, run.PIECE :].tolist() == [6, 8, 0, 0, 6, 8]
 
 
 @pytest.mark.parametrize(("effects", "kinds"), [

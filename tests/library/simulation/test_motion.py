@@ -8,12 +8,8 @@ from mechanics.builders import make_scene
 
 import planar_pushing as pp
 from planar_pushing.core import fence as core
-from planar_pushing.core.run import (
-    PIECE_POLICY,
-    PIECE_SERIES,
-    PIECE_START,
-    SERIES_OF_PIECE,
-)
+from planar_pushing.core.run import PIECE, SERIES_OF_PIECE, PusherPiece
+from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.simulation.inputs import Scenes, numbers_of
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms.options import Policy
@@ -33,7 +29,7 @@ def pieces_of(pusher, duration, radius, **options):
 def motion_of(pusher, duration, radius, **options):
     """The same, as the core reads them."""
     pieces = pieces_of(pusher, duration, radius, **options)
-    coefficients = (pieces.shape[1] - PIECE_SERIES) // SERIES_OF_PIECE
+    coefficients = (pieces.shape[1] - PIECE) // SERIES_OF_PIECE
     return core.Fence(memoryview(pieces.reshape(-1)), len(pieces), coefficients)
 
 
@@ -76,9 +72,10 @@ def test_each_piece_holds_its_policy(velocity):
     pusher = pp.Pusher(velocity=velocity)
     pieces = pieces_of(pusher, 1.0, 2.0, on_ambiguity=policies)
     starts, held = np.array([0, 0.5, 0.8]), [list(Policy).index(name) for _, name in policies]
-    assert set(starts) <= set(pieces[:, PIECE_START])
+    assert set(starts) <= set(Columns(PusherPiece, pieces).start)
     for piece in pieces:
-        assert piece[PIECE_POLICY] == held[np.flatnonzero(starts <= piece[PIECE_START])[-1]]
+        columns = Columns(PusherPiece, piece)
+        assert columns.policy == held[np.flatnonzero(starts <= columns.start)[-1]]
     ways = [
         core.fence_displacement(fence, core.span_at(fence, fence.number - 1), 1.0)
         for fence in (
