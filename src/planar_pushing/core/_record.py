@@ -7,7 +7,6 @@ from typing import Any, ClassVar, overload
 
 from planar_pushing.core.numbers import Numbers
 
-
 #: Fields that are one number.
 NUMBERS: dict[str, type] = {"float": float, "int": int, "bool": bool}
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from math import fabs
+from math import copysign, fabs, sqrt
+from typing import NamedTuple
 
 from planar_pushing.core._record import size_of
 from planar_pushing.core.about import contact_at
@@ -13,8 +14,6 @@ from planar_pushing.core.flush_force import (
     MOST_FLUSH,
     FlatSide,
     FlushPush,
-    force_at_end,
-    force_at_start,
     noise_at_ends,
     resist_translation,
     translation_force,
@@ -49,6 +48,25 @@ SIDE_RESULT = RESULT + 10
 AT_FLUSH = RESULT
 AT_POSITION = RESULT + 1
 AT_END_FORCES = RESULT + 2
+
+
+class End(NamedTuple):
+    """An end of the side.
+
+    Attributes
+    ----------
+    x : float
+        Position along the fence.
+    lifts : float
+        Sign of a rotation that lifts the other end off the fence.
+    rest_x, rest_y : float
+        Motion without a contact, in the fence frame.
+    """
+
+    x: float
+    lifts: float
+    rest_x: float
+    rest_y: float
 
 
 class SideSolution(Solution):
@@ -104,14 +122,16 @@ def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solution
     """
     flush = zeros(MOST_FLUSH_WITH_ENDS * SOLUTION)
     at_start, at_end = zeros(MOST_SOLUTIONS * SOLUTION), zeros(MOST_SOLUTIONS * SOLUTION)
-    count, scale = _write_separate(push, side, pusher, Solution(solutions[0:]))
+    count, scale, rest = _write_separate(push, side, pusher, SideSolution(solutions))
     if scale == 0.0:
         return count  # as for one point, a slider and a fence at rest count as separate
     held = FlushPush(push, side, law, pusher.x, pusher.y, 0.0, resist_translation(push))
     flush_count, starts, ends = flush_modes(held, flush), 0, 0
-    if _can_lift(held, SIDE_START):
+    start = End(side.start, 1.0, rest.x, rest.y + side.start * rest.spin)
+    if _can_lift(held, start):
         starts, _ = contact_modes(_push_at(push, side.start), law, pusher, at_start)
-    if _can_lift(held, SIDE_END):
+    end = End(side.end, -1.0, rest.x, rest.y + side.end * rest.spin)
+    if _can_lift(held, end):
         ends, _ = contact_modes(_push_at(push, side.end), law, pusher, at_end)
     if flush_count < 0 or starts < 0 or ends < 0:
         return UNSOLVED
@@ -136,39 +156,70 @@ def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solution
     return count
 
 
-def _can_lift(flush: FlushPush, touches: int) -> bool:
+def _can_lift(flush: FlushPush, end: End) -> bool:
     """Whether a contact at one end of the side can lift the other end off the fence.
 
-    Psi is convex. Its gradient is therefore monotone between a motion under a force f at the end and a
-    translation, and the rotation has the sign of the torque about the end that the translation lacks. For a
-    stick, this is the translation with the fence; for a slip without loads, the one along f in which the
-    contact is as fast along f, whose force is along f, too.
+    Psi is convex, so its gradient is monotone. Compare a contact at the end, whose torque about the end is
+    zero, with the translation in which the end moves alike: the rotation has the sign opposite to the
+    torque of the translation. A stick therefore cannot lift against the torque of the translation with the
+    fence. Without loads, the same holds for a fence that retreats and the translation in which the end is
+    as fast along the fence but does not retreat, since the law transmits no adhesion.
     """
-    side, load, law = flush.side, flush.still.load, flush.law
-    if flush.w_x == 0.0 and flush.w_y == 0.0:
+    law, w_x, w_y = flush.law, flush.w_x, flush.w_y
+    if w_x == 0.0 and w_y == 0.0:
         return True
-    force = translation_force(flush.still, flush.w_x, flush.w_y)
-    other = force_at_end(side, force) if touches == SIDE_START else force_at_start(side, force)
-    if not other > noise_at_ends(flush, force):
+    pulls: bool = w_y < 0.0 and not (law.rough or _is_loaded(flush))
+    if pulls and _resists_lifting(flush, end, copysign(1.0, w_x), 0.0):
+        return False
+    if not _presses_other_end(flush, end, w_x, w_y):
         return True
     if not law.slips:
         return False
-    if load.x != 0.0 or load.y != 0.0 or load.spin != 0.0:
+    return _can_slip(flush, end, law.left) or _can_slip(flush, end, law.right)
+
+
+def _can_slip(flush: FlushPush, end: End, edge: Direction) -> bool:
+    """Whether a contact at one end that slips under an edge can lift the other, if sticking there cannot.
+
+    A slip is between the motion of the pusher and the one that has the component of the free motion along
+    the edge. The torque of the translations between these two is least at one of the two, if friction and
+    inertia resist lifting in both. Without loads, the force of a translation along the edge is also along
+    it, so the slip cannot lift against its torque either.
+    """
+    w_x, w_y = flush.w_x, flush.w_y
+    if edge.x * (w_x - end.rest_x) + edge.y * (w_y - end.rest_y) <= 0.0:
+        return False
+    if not _is_loaded(flush) and _resists_lifting(flush, end, edge.x, edge.y):
+        return False
+    if edge.x == 0.0 or not _resists_lifting(flush, end, w_x, w_y):
         return True
-    place, sense = side.start, 1.0
-    if touches == SIDE_END:
-        place, sense = side.end, -1.0
-    return _can_turn(flush, law.left, place, sense) or _can_turn(flush, law.right, place, sense)
+    x = end.rest_x + edge.y * (end.rest_y - w_y) / edge.x
+    speed = sqrt(x * x + w_y * w_y)
+    if speed == 0.0 or not _resists_lifting(flush, end, x / speed, w_y / speed):
+        return True
+    return not _presses_other_end(flush, end, x, w_y)
 
 
-def _can_turn(flush: FlushPush, edge: Direction, place: float, sense: float) -> bool:
-    """Whether a force along an edge of the cone at a place on the fence can turn the slider in a sense."""
-    still, lever = flush.still, fabs(place) + flush.still.lever
-    one = sense * ((still.weight_x - place * still.weight) * edge.y - still.weight_y * edge.x)
-    two = sense * ((still.mass_x - place * still.mass) * edge.y - still.mass_y * edge.x)
+def _is_loaded(flush: FlushPush) -> bool:
+    load = flush.still.load
+    return load.x != 0.0 or load.y != 0.0 or load.spin != 0.0
+
+
+def _presses_other_end(flush: FlushPush, end: End, x: float, y: float) -> bool:
+    """Whether the other end of the side would have to push in a translation."""
+    force, side = translation_force(flush.still, x, y), flush.side
+    torque = end.lifts * (force.torque - end.x * force.f_y)
+    return torque / (side.end - side.start) > noise_at_ends(flush, force)
+
+
+def _resists_lifting(flush: FlushPush, end: End, x: float, y: float) -> bool:
+    """Whether both friction and inertia of a translation along a unit vector press the other end down."""
+    still, lever = flush.still, fabs(end.x) + flush.still.lever
+    one = end.lifts * ((still.weight_x - end.x * still.weight) * y - still.weight_y * x)
+    two = end.lifts * ((still.mass_x - end.x * still.mass) * y - still.mass_y * x)
     holds_one: bool = still.weight == 0.0 or one > COINCIDENT * still.weight * lever
     holds_two: bool = still.mass == 0.0 or two > COINCIDENT * still.mass * lever
-    return not (holds_one and holds_two)
+    return holds_one and holds_two
 
 
 def _mark_solution(solutions: Numbers, count: int, flush: bool, touches: int) -> int:
@@ -179,8 +230,8 @@ def _mark_solution(solutions: Numbers, count: int, flush: bool, touches: int) ->
 
 
 def _write_separate(
-    push: Push, side: FlatSide, pusher: Direction, solution: Solution
-) -> tuple[int, float]:
+    push: Push, side: FlatSide, pusher: Direction, solution: SideSolution
+) -> tuple[int, float, Vector]:
     """Write the motion without a contact force, if both ends move away from the fence.
 
     Returns
@@ -189,6 +240,8 @@ def _write_separate(
         Number of solutions.
     scale : float
         Magnitude of the motions of fence and slider.
+    rest : Vector
+        The motion, of the origin of the side, in the fence frame.
     """
     rest, contact, t_x, t_y = (
         free_twist(push.effects, Vector(0.0, 0.0, 0.0)), push.contact, push.t_x, push.t_y,
@@ -199,7 +252,7 @@ def _write_separate(
     speed = 1.0 if pusher.x != 0.0 or pusher.y != 0.0 else 0.0
     scale = max(max(speed, fabs(x)), max(fabs(at_start), fabs(at_end)))
     if pusher.y > at_start or pusher.y > at_end:
-        return 0, scale
+        return 0, scale, Vector(x, y, rest.spin)
     for k in range(SIDE_SOLUTION):
         solution[k] = 0.0
     solution.mode = SEPARATE
@@ -208,7 +261,7 @@ def _write_separate(
     solution.twist.y = t_x * rest.y - t_y * rest.x
     solution.twist.spin = rest.spin
     solution.motion.x, solution.motion.y = x, y
-    return 1, scale
+    return 1, scale, Vector(x, y, rest.spin)
 
 
 def _keep_lifting(
