@@ -417,7 +417,6 @@ def wheel(tmp_path, **variables):
             shutil.copytree(PROJECT / name, folder / name, ignore=skip)
         for name in (
             "pyproject.toml",
-            "hook.py",
             "README.md",
             "LICENSE",
             "Snakefile",
