@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import importlib
 import importlib.util
@@ -56,19 +57,20 @@ def compiler() -> list[str]:
     given = os.environ.get("CC")
     commands = [given] if given else [sysconfig.get_config_var("CC") or "cc", "cc", "gcc", "clang"]
     for command in commands:
-        words = shlex.split(command)
-        if words and shutil.which(words[0]):
-            return words
+        with contextlib.suppress(ValueError):  # a quotation without an end
+            words = shlex.split(command)
+            if words and shutil.which(words[0]):
+                return words
     raise CompileFailure(f"no C compiler ({commands[0]} not found)")
 
 
 @functools.cache
 def compiler_version(*command: str) -> str:
     """What a compiler says of its version; nothing if it has no such option."""
-    asked = subprocess.run(
-        [*command, "--version"], capture_output=True, text=True, errors="replace", check=False
-    )
-    return asked.stdout
+    try:
+        return _run([*command, "--version"]).stdout
+    except OSError:
+        return ""
 
 
 def compile_library(text: str, folder: Path, known: Path) -> Path:
@@ -100,9 +102,18 @@ def compile_library(text: str, folder: Path, known: Path) -> Path:
 
 def run(tool: str, command: list[str], folder: Path) -> None:
     """Run a tool; its output is shown only if it fails."""
-    process = subprocess.run(
-        command, cwd=folder, capture_output=True, text=True, errors="replace", check=False
-    )
+    shown = f"{shlex.join(command[:3])} ..."
+    try:
+        process = _run(command, folder)
+    except OSError as error:
+        raise CompileFailure(f"{tool} failed ({shown}: {error.strerror})") from None
     if process.returncode:
         sys.stderr.write(process.stdout + process.stderr)
-        raise CompileFailure(f"{tool} failed ({shlex.join(command[:3])} ...)")
+        raise CompileFailure(f"{tool} failed ({shown})")
+
+
+def _run(command: list[str], folder: Path | None = None) -> subprocess.CompletedProcess[str]:
+    """Run a command, and keep what it prints."""
+    return subprocess.run(
+        command, cwd=folder, capture_output=True, text=True, errors="replace", check=False
+    )

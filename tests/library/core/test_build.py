@@ -147,7 +147,7 @@ OPTIONS = {
     "-ffinite-math-only": True, "-freciprocal-math": True, "-fno-signed-zeros": True,
     "-fassociative-math -fno-signed-zeros -fno-trapping-math": True,
 }  # fmt: skip
-if platform.machine() == "x86_64":
+if platform.machine() == "x86_64" and sys.platform == "linux":
     OPTIONS |= {"-Ofast -mfma -ffp-contract=fast": True, "-mfpmath=387": False}
 #: Whether numbers below the smallest normal one survive beside a library, and what it says of its bits.
 SUBNORMAL = """
@@ -233,6 +233,8 @@ def test_what_is_compiled_is_not_compiled_again_but_after_a_change(tmp_path, mon
 @pytest.mark.parametrize(("lacking", "reason"), [
     ("compiler", r"no C compiler \(/nonexistent not found\)"),
     ("working", r"the C compiler failed \(false .*\)"),
+    ("command", r"the C compiler failed \(.*/compiler .*: Exec format error\)"),
+    ("quotation", r"no C compiler \(cc ' not found\)"),
     ("headers", r"no headers of Python \(.*/none/Python.h not found\)"),
     ("cython", "no Cython"),
 ])  # fmt: skip
@@ -247,6 +249,12 @@ def test_without_a_tool_the_old_file_goes_and_one_line_says_so(
             monkeypatch.setenv("CC", "/nonexistent")
         case "working":
             monkeypatch.setenv("CC", "false")
+        case "command":
+            (tmp_path / "compiler").write_text("neither a program nor a script", encoding="utf-8")
+            (tmp_path / "compiler").chmod(0o755)
+            monkeypatch.setenv("CC", str(tmp_path / "compiler"))
+        case "quotation":
+            monkeypatch.setenv("CC", "cc '")
         case "headers":
             monkeypatch.setattr(
                 hook.compiler.sysconfig, "get_path", lambda _: str(tmp_path / "none")
