@@ -57,16 +57,17 @@ def build(core: Path = CORE, folder: Path | None = None) -> Path | None:
     """
     # The digest is taken first: a module that is edited meanwhile then makes the library out of date.
     digest = runpy.run_path(str(KNOWN))["digest"](sorted(core.glob("[!_]*.py")))
-    joined, library = join(core), core / TARGET
+    text, library = module.text_of(join(core)), core / TARGET
     try:
-        marks = [f"sources {digest}", f"recipe {recipe(module.text_of(joined, []))}"]
+        marks = [f"sources {digest}", f"recipe {recipe(text)}"]
         if library.exists() and all(mark.encode() in library.read_bytes() for mark in marks):
             with contextlib.suppress(OSError):  # a folder that cannot be written
                 library.touch()
             return library
         target = (folder or core) / TARGET
         with tempfile.TemporaryDirectory() as name:
-            new = compiler.compile_library(module.text_of(joined, marks), Path(name), KNOWN)
+            marked = text + module.MARKS.format(*marks)
+            new = compiler.compile_library(marked, Path(name), KNOWN)
             replace(target, new)
     except compiler.CompileFailure as failure:
         if folder is None:

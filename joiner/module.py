@@ -87,10 +87,9 @@ RECIPE = recipe_[7:].decode("ascii")
 '''
 
 
-def text_of(joined: Joined, marks: list[str]) -> str:
-    """The text of the module, with the marks by which it is known to be up to date."""
+def text_of(joined: Joined) -> str:
+    """The text of the module, without the marks by which it is known to be up to date."""
     entries = "".join(ENTRY.format(name) for name in joined.kernels)
     table = ", ".join(f'"{name}": {name}_' for name in joined.kernels)
     head = HEAD.format(math=", ".join(joined.math))
-    text = f"{head}{joined.source}{TAIL}{entries}\nKERNELS = {{{table}}}\n"
-    return text + MARKS.format(*marks) if marks else text
+    return f"{head}{joined.source}{TAIL}{entries}\nKERNELS = {{{table}}}\n"
