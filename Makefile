@@ -57,8 +57,8 @@ $(INSTALLED):
 	echo "$(STATE)" > $@; }
 
 # Without a compiler there is no such file, and each make says so.
-$(CORE): $(shell find src/planar_pushing/core joiner -name '*.py') hatch_build.py | $(INSTALLED)
-	@$(LOCK); $(BIN)/python hatch_build.py
+$(CORE): $(shell find src/planar_pushing/core joiner -name '*.py') | $(INSTALLED)
+	@$(LOCK); $(BIN)/python -m joiner.hook
 
 PYTEST := $(BIN)/pytest --numprocesses=auto --dist=worksteal --benchmark-disable
 test: lint $(CORE)
@@ -80,8 +80,8 @@ test-drags: $(CORE) ## drag parts of the explorer 20,000 times in Chromium; meas
 	$(BIN)/pytest -s tests/library/browser/many_drags.py
 
 lint: $(INSTALLED)
-	$(BIN)/ruff check src tests workflow/scripts paper/manual hatch_build.py joiner
-	$(BIN)/ruff format --check src tests workflow/scripts paper/manual hatch_build.py joiner
+	$(BIN)/ruff check src tests workflow/scripts paper/manual joiner
+	$(BIN)/ruff format --check src tests workflow/scripts paper/manual joiner
 	$(BIN)/snakefmt --check --diff Snakefile workflow
 	$(BIN)/mypy --num-workers=auto
 	$(BIN)/lint-imports --no-cache

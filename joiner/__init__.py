@@ -1,9 +1,12 @@
-"""Join the modules of the core into one Cython module.
+"""Build the core: join its modules into one Cython module, which is compiled when the package is installed.
 
-The language of the core is a small subset of Python. The joiner translates it statement by statement. It
-determines the kind of each expression and declares it in C, so that nothing is left to inference. It
-refuses anything outside the language, and anything that would mean something else in C, with file, line and
-reason.
+The joiner exists so that the compiled core has the bits of the plain source, which stays ordinary typed
+Python without a `.pxd` file or a decorator. Every number and record is a value in C, never boxed in an
+object of Python, because the joiner declares each type and leaves nothing to inference.
+
+The language of the core is a small subset of Python, translated statement by statement. The joiner refuses
+anything outside the language, and anything that would mean something else in C, with file, line and reason.
+`compiler` knows the C compiler and tests what it made; `hook` is what the installation and make run.
 """
 
 from __future__ import annotations

@@ -8,14 +8,25 @@ along the rod and away from the contact.
 """
 
 import hashlib
-from collections.abc import Sequence
+from array import array
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 #: Files of the modules.
 MODULES = sorted(Path(__file__).parent.glob("[!_]*.py"))
+#: Inputs of ``probe``, which the joiner adds to the compiled module, and its results by IEEE 754.
+INPUTS = (
+    1.0, 1e-17, 1.0 + 2.0**-30, 1.0 + 2.0**-29, 7.0, 5e-324, 2.0**-1022, 1e300, -0.0, float("nan"),
+)  # fmt: skip
+RESULTS = (0.0, 0.0, 2.3333333333333335, 0.1, 1e-323, 2.0**-1023, float("inf"), 0.0, 1.0)
 
 
 def digest(paths: Sequence[Path] = MODULES) -> str:
     """A digest of source files; the compiled module stores that of the sources from which it was built."""
     texts = (path.read_bytes() for path in paths)
     return hashlib.sha256(b"\0".join(texts)).hexdigest()
+
+
+def keeps_bits(probe: Callable[..., tuple[float, ...]]) -> bool:
+    """Whether compiled arithmetic has the bits of the source, in sums, products and subnormal numbers."""
+    return array("d", probe(*INPUTS)).tobytes() == array("d", RESULTS).tobytes()

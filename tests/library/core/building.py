@@ -23,7 +23,7 @@ def load(name, path):
     return module
 
 
-hatch_build = load("hatch_build", PROJECT / "hatch_build.py")
+hook = load("hook", PROJECT / "joiner/hook.py")
 
 
 def write(folder, modules=MODULES):
@@ -37,7 +37,7 @@ def write(folder, modules=MODULES):
 
 def compiled(folder):
     """The compiled module of a folder."""
-    target = hatch_build.build(folder)
+    target = hook.build(folder)
     return load(f"made_up_{next(NUMBER)}._compiled", target)
 
 

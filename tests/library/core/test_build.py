@@ -2,8 +2,10 @@
 
 import array
 import contextlib
+import errno
 import itertools
 import os
+import platform
 import re
 import shutil
 import subprocess
@@ -13,8 +15,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from core.building import CORE, PROJECT, compiled, hatch_build, plain, write
+from core.building import CORE, PROJECT, compiled, hook, plain, write
 from core.made_up import MODULES
+
+from planar_pushing.core import INPUTS, RESULTS, keeps_bits
 
 WIDTH = 28
 #: Degenerate numbers first, then ordinary ones.
@@ -129,7 +133,7 @@ def test_an_array_that_cannot_be_written_and_what_is_no_array_are_refused(made_u
 def test_the_compiled_file_has_no_fused_multiplication_and_addition(made_up):
     if not shutil.which("objdump"):
         pytest.skip("no objdump")
-    for path in filter(Path.exists, (folder / hatch_build.TARGET for folder in (made_up[0], CORE))):
+    for path in filter(Path.exists, (folder / hook.TARGET for folder in (made_up[0], CORE))):
         listing = subprocess.run(
             ["objdump", "-d", path], capture_output=True, text=True, check=True
         )
@@ -137,23 +141,91 @@ def test_the_compiled_file_has_no_fused_multiplication_and_addition(made_up):
         assert re.findall(r"\bv?fn?m(?:add|sub|la|ls)\w*", listing.stdout) == []
 
 
+#: Options that change results, and whether those of the build undo them or are refused with a line.
+OPTIONS = {
+    "-ffast-math": True, "-Ofast": True, "-funsafe-math-optimizations": True,
+    "-ffinite-math-only": True, "-freciprocal-math": True, "-fno-signed-zeros": True,
+    "-fassociative-math -fno-signed-zeros -fno-trapping-math": True,
+}  # fmt: skip
+if platform.machine() == "x86_64" and sys.platform == "linux":
+    OPTIONS |= {"-Ofast -mfma -ffp-contract=fast": True, "-mfpmath=387": False}
+#: Whether numbers below the smallest normal one survive beside a library, and what it says of its bits.
+SUBNORMAL = """
+import importlib.util, sys
+spec = importlib.util.spec_from_file_location("_compiled", sys.argv[1])
+module = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(module)
+print(float("5e-324") * 2.0, module.probe(*eval(sys.argv[2], {"nan": float("nan")})))
+"""
+
+
+@pytest.mark.parametrize("option", [*OPTIONS, "CFLAGS", "LDFLAGS"])
+def test_options_of_the_compiler_change_no_results(made_up, tmp_path, monkeypatch, capsys, option):
+    if option in OPTIONS:
+        monkeypatch.setenv("CC", f"cc {option}")
+    else:
+        monkeypatch.setenv(option, "-ffast-math")
+    folder = write(tmp_path / "core", {"one": "NUMBER = 1.0\n"})
+    target = hook.build(folder)
+    if not OPTIONS.get(option, True):
+        assert target is None
+        assert (
+            f"the C compiler (cc {option}) needs other options; {PLAIN}" in capsys.readouterr().err
+        )
+        return
+    ran = subprocess.run(
+        [sys.executable, "-c", SUBNORMAL, target, repr(INPUTS)],
+        capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    assert ran.stdout == f"1e-323 {RESULTS}\n"
+
+
+@pytest.mark.parametrize("option", OPTIONS)
+def test_a_library_with_other_results_is_refused(made_up, tmp_path, monkeypatch, capsys, option):
+    """As if the options of the build undid nothing, and did not set a level of optimization either."""
+    monkeypatch.setattr(hook.compiler, "FLAGS", "-fPIC -w -O2 " + option)
+    assert hook.build(write(tmp_path / "core", {"one": "NUMBER = 1.0\n"})) is None
+    output = capsys.readouterr().err
+    assert re.fullmatch(
+        r"planar-pushing: compiled, the core does not have the results of its source; "
+        rf"the C compiler \(.+\) needs other options; {PLAIN}\n", output,
+    )  # fmt: skip
+
+
+def test_the_known_results_are_those_of_python(made_up):
+    one, small, near, square, seven, least, low, high, zero, unknown = INPUTS
+    plain = (
+        one + small - one, near * near - square, seven / 3.0, one * 0.1, least * 2.0, low * 0.5,
+        high * high / high, zero + 0.0, float(unknown != unknown),
+    )  # fmt: skip
+    assert repr(plain) == repr(RESULTS)
+    assert keeps_bits(made_up[1].probe)
+    # Each result counts.
+    for place in range(len(RESULTS)):
+        changed = [*RESULTS]
+        changed[place] = -changed[place]
+        assert keeps_bits(lambda *_, changed=changed: changed) is False, place
+
+
 def test_what_is_compiled_is_not_compiled_again_but_after_a_change(tmp_path, monkeypatch):
     folder = write(tmp_path / "core", {"one": "NUMBER = 1.0\n"})
-    target = hatch_build.build(folder)
+    target = hook.build(folder)
     before = target.stat()
-    monkeypatch.setattr(hatch_build, "run", None)
-    assert hatch_build.build(folder) == target
+    monkeypatch.setattr(hook.compiler, "run", None)
+    assert hook.build(folder) == target
     assert target.stat().st_ino == before.st_ino
     for change in [
         lambda: (folder / "one.py").write_text("NUMBER = 2.0\n", encoding="utf-8"),
-        lambda: monkeypatch.setattr(hatch_build, "FLAGS", "-O1"),
-        lambda: monkeypatch.setattr(hatch_build, "TAIL", hatch_build.TAIL + "\n"),
-        lambda: monkeypatch.setattr(hatch_build, "cython_version", lambda: "0"),
+        lambda: monkeypatch.setattr(hook.compiler, "FLAGS", "-O1"),
+        lambda: monkeypatch.setattr(hook.module, "TAIL", hook.module.TAIL + "\n"),
+        lambda: monkeypatch.setattr(hook.compiler, "cython_version", lambda: "0"),
+        lambda: monkeypatch.setattr(hook.compiler, "compiler_version", lambda *_: "0"),
+        lambda: monkeypatch.setenv("CC", "cc -pipe"),
     ]:
         with monkeypatch.context():
             change()
             with pytest.raises(TypeError, match="not callable"):
-                hatch_build.build(folder)
+                hook.build(folder)
         write(folder, {"one": "NUMBER = 1.0\n"})
     assert [path.name for path in folder.iterdir() if path.suffix != ".py"] == [target.name]
 
@@ -161,6 +233,8 @@ def test_what_is_compiled_is_not_compiled_again_but_after_a_change(tmp_path, mon
 @pytest.mark.parametrize(("lacking", "reason"), [
     ("compiler", r"no C compiler \(/nonexistent not found\)"),
     ("working", r"the C compiler failed \(false .*\)"),
+    ("command", r"the C compiler failed \(.*/compiler .*: Exec format error\)"),
+    ("quotation", r"no C compiler \(cc ' not found\)"),
     ("headers", r"no headers of Python \(.*/none/Python.h not found\)"),
     ("cython", "no Cython"),
 ])  # fmt: skip
@@ -168,27 +242,77 @@ def test_without_a_tool_the_old_file_goes_and_one_line_says_so(
     tmp_path, monkeypatch, capsys, lacking, reason
 ):
     folder = write(tmp_path / "core", {"one": "NUMBER = 1.0\n"})
-    old = folder / hatch_build.TARGET
+    old = folder / hook.TARGET
     old.write_bytes(b"old")
     match lacking:
         case "compiler":
             monkeypatch.setenv("CC", "/nonexistent")
         case "working":
             monkeypatch.setenv("CC", "false")
+        case "command":
+            (tmp_path / "compiler").write_text("neither a program nor a script", encoding="utf-8")
+            (tmp_path / "compiler").chmod(0o755)
+            monkeypatch.setenv("CC", str(tmp_path / "compiler"))
+        case "quotation":
+            monkeypatch.setenv("CC", "cc '")
         case "headers":
-            monkeypatch.setattr(hatch_build.sysconfig, "get_path", lambda _: str(tmp_path / "none"))
+            monkeypatch.setattr(
+                hook.compiler.sysconfig, "get_path", lambda _: str(tmp_path / "none")
+            )
         case "cython":
-            monkeypatch.setattr(hatch_build.importlib.util, "find_spec", lambda _: None)
-    assert hatch_build.build(folder) is None
+            monkeypatch.setattr(hook.compiler.importlib.util, "find_spec", lambda _: None)
+    assert hook.build(folder) is None
     assert not old.exists()
     output = capsys.readouterr()
     assert output.out == ""
     assert re.fullmatch(rf"planar-pushing: {reason}; {PLAIN}\n", output.err)
 
 
+def test_a_missing_compiler_is_an_error_if_the_environment_says_so(tmp_path, monkeypatch, capsys):
+    folder = write(tmp_path / "core", {"one": "NUMBER = 1.0\n"})
+    monkeypatch.setenv("CC", "/nonexistent")
+    monkeypatch.setenv("PLANAR_PUSHING_COMPILED", "0")
+    assert hook.build(folder) is None
+    monkeypatch.setenv("PLANAR_PUSHING_COMPILED", "1")
+    reason = "no C compiler (/nonexistent not found); PLANAR_PUSHING_COMPILED=1 requires the compiled core"
+    with pytest.raises(hook.compiler.CompileFailure) as failure:
+        hook.build(folder)
+    assert str(failure.value) == reason
+    monkeypatch.setattr(hook, "CORE", folder)
+    with pytest.raises(SystemExit, match=re.escape(f"planar-pushing: {reason}")):
+        hook.build_or_exit()
+
+
+def test_a_folder_that_cannot_be_written_is_said_in_one_line(tmp_path, monkeypatch, capsys):
+    folder = write(tmp_path / "core", {"one": "NUMBER = 1.0\n"})
+
+    def refused(source, copy):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(copy))
+
+    monkeypatch.setattr(hook.shutil, "copy", refused)
+    assert hook.build(folder) is None
+    expected = f"planar-pushing: {folder} cannot be written: Permission denied; {PLAIN}\n"
+    assert capsys.readouterr().err == expected
+
+
+def test_another_folder_takes_the_new_library_and_the_sources_keep_theirs(tmp_path, monkeypatch):
+    folder = write(tmp_path / "a core", {"one": "NUMBER = 1.0\n"})
+    (folder / hook.TARGET).write_bytes(b"old")
+    (tmp_path / "new").mkdir()
+    target = hook.build(folder, tmp_path / "new")
+    assert target == tmp_path / "new" / hook.TARGET
+    assert (folder / hook.TARGET).read_bytes() == b"old"
+    monkeypatch.setenv("CC", "/nonexistent")
+    assert hook.build(folder, tmp_path / "new") is None
+    assert (folder / hook.TARGET).read_bytes() == b"old"
+    monkeypatch.undo()
+    shutil.copy(target, folder)
+    assert hook.build(folder, tmp_path / "new") == folder / hook.TARGET
+
+
 def test_a_build_that_fails_leaves_nothing_half_written(tmp_path, monkeypatch):
     folder = write(tmp_path / "core", {"one": "NUMBER = 1.0\n"})
-    target = hatch_build.build(folder)
+    target = hook.build(folder)
     before = target.read_bytes()
     (folder / "one.py").write_text("NUMBER = 2.0\n", encoding="utf-8")
 
@@ -196,9 +320,9 @@ def test_a_build_that_fails_leaves_nothing_half_written(tmp_path, monkeypatch):
         copy.write_bytes(b"half")
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(hatch_build.shutil, "copy", killed)
+    monkeypatch.setattr(hook.shutil, "copy", killed)
     with pytest.raises(KeyboardInterrupt):
-        hatch_build.build(folder)
+        hook.build(folder)
     assert target.read_bytes() == before
     assert {path.suffix for path in folder.iterdir()} == {".py", ".so"}
 
@@ -226,7 +350,7 @@ def package(tmp_path_factory):
     shutil.copytree(PROJECT / "src/planar_pushing", source, ignore=skip)
     for path in source.glob("core/[!_]*.py"):
         path.unlink()
-    hatch_build.build(write(source / "core"))
+    hook.build(write(source / "core"))
     return source
 
 
@@ -258,6 +382,7 @@ def test_the_variable_for_the_plain_source_gives_no_warning_and_the_same_answers
     ("add", "it has changed since it was compiled; compile it"),
     ("remove", "it is not compiled; install a C compiler and Python's headers, .* the package again"),
     ("spoil", r"it cannot be loaded \(.*\); install the package again"),
+    ("round", "compiled, it rounds in another way, or drops subnormal numbers; compile it without .*"),
 ])  # fmt: skip
 def test_what_is_out_of_date_or_missing_is_not_used_and_one_warning_says_so(
     package, tmp_path, damage, reason
@@ -273,9 +398,13 @@ def test_what_is_out_of_date_or_missing_is_not_used_and_one_warning_says_so(
         case "add":
             (folder / "another.py").write_text("FOUR = 4\n", encoding="utf-8")
         case "remove":
-            (folder / hatch_build.TARGET).unlink()
+            (folder / hook.TARGET).unlink()
         case "spoil":
-            (folder / hatch_build.TARGET).write_bytes(b"half")
+            (folder / hook.TARGET).write_bytes(b"half")
+        case "round":
+            text = (folder / "__init__.py").read_text(encoding="utf-8")
+            other = text.replace("RESULTS = (0.0, ", "RESULTS = (1e-17, ")
+            (folder / "__init__.py").write_text(other, encoding="utf-8")
     warned, _, results = ask(copy)
     expected = rf"""\[["']PlainCoreWarning: {PLAIN}, as {reason} \(in a clone: make\)["']\]"""
     assert re.fullmatch(expected, warned)
@@ -284,19 +413,18 @@ def test_what_is_out_of_date_or_missing_is_not_used_and_one_warning_says_so(
 
 
 def test_the_real_core_is_in_its_language():
-    hatch_build.join(CORE)
+    hook.join(CORE)
 
 
 def wheel(tmp_path, **variables):
     """The wheel of the project as pip makes it, but for the isolation."""
-    folder = tmp_path / "project"
+    folder = tmp_path / "a project"
     if not folder.exists():
         for name in ("src", "workflow", "joiner"):
             skip = shutil.ignore_patterns("__pycache__", "_compiled.*")
             shutil.copytree(PROJECT / name, folder / name, ignore=skip)
         for name in (
             "pyproject.toml",
-            "hatch_build.py",
             "README.md",
             "LICENSE",
             "Snakefile",
@@ -319,8 +447,10 @@ def test_the_wheel_is_for_one_platform_and_every_python_and_without_a_compiler_f
     with zipfile.ZipFile(path) as archive:
         names = archive.namelist()
         archive.extractall(tmp_path / "site")
-    assert f"planar_pushing/core/{hatch_build.TARGET}" in names
+    assert f"planar_pushing/core/{hook.TARGET}" in names
     assert not any("joiner" in name or name.endswith((".pyx", ".c")) for name in names)
+    # The sources may be in a folder that cannot be written.
+    assert not [*(tmp_path / "a project").rglob("*_compiled.*")]
     load = "import planar_pushing.mechanics.kernels.calls as kernels; print(kernels.COMPILED is not None)"
     ran = subprocess.run(
         [sys.executable, "-W", "error", "-c", load], capture_output=True, text=True, check=True,
@@ -342,6 +472,6 @@ def test_the_source_distribution_has_what_compiles_it(tmp_path):
     (source,) = (tmp_path / "unpacked").iterdir()
     assert (source / "joiner/bodies.py").exists()
     assert not [*source.rglob("_compiled.*")]
-    shutil.rmtree(tmp_path / "project")
-    source.rename(tmp_path / "project")
+    shutil.rmtree(tmp_path / "a project")
+    source.rename(tmp_path / "a project")
     assert "abi3" in wheel(tmp_path)[0].name

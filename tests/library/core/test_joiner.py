@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from core.building import hatch_build, write
+from core.building import hook, write
 from core.made_up import MODULES
 
 HEAD = """
@@ -244,8 +244,8 @@ def f(x: float, n: int, flag: bool, row: Numbers, pair: Pair, held: Held) -> Non
 
 def refusals(tmp_path, text):
     folder = write(tmp_path / "core", {"snippet": text, "other": "far = 2.0\n"})
-    with pytest.raises(hatch_build.RefusedSource) as refused:
-        hatch_build.join(folder)
+    with pytest.raises(hook.RefusedSource) as refused:
+        hook.join(folder)
     matches = [
         re.fullmatch(r"(.*):(\d+): (.*)", line).groups() for line in str(refused.value).split("\n")
     ]
@@ -294,13 +294,13 @@ def test_all_refusals_are_told_at_once_in_order(tmp_path):
 def test_one_operand_may_write_into_an_array(tmp_path, text):
     body = "".join(f"    {line}\n" for line in text.split("\n"))
     folder = write(tmp_path / "core", {"snippet": HEAD + FUNCTION + body})
-    hatch_build.join(folder)
+    hook.join(folder)
 
 
 def test_kernels_are_the_functions_with_their_arguments(tmp_path):
-    joined = hatch_build.join(write(tmp_path / "core"))
+    joined = hook.join(write(tmp_path / "core"))
     assert joined.kernels == ["answer"]
     assert "answer_row" in joined.source
     other = MODULES["apex"].replace("results", "result")
     folder = write(tmp_path / "core", MODULES | {"apex": other})
-    assert hatch_build.join(folder).kernels == []
+    assert hook.join(folder).kernels == []

@@ -25,7 +25,7 @@ done
 
 @pytest.fixture
 def folder(tmp_path):
-    for name in ("Makefile", "requirements.lock", "pyproject.toml", "hatch_build.py"):
+    for name in ("Makefile", "requirements.lock", "pyproject.toml"):
         shutil.copy(PROJECT / name, tmp_path / name)
     for name in ("joiner", "src/planar_pushing/core"):
         (tmp_path / name).mkdir(parents=True)

@@ -1,8 +1,9 @@
 """The kernels of the core, compiled or as plain Python, with arrays in and out.
 
-The compiled module stores the digest of the sources from which it was built. If they have changed since, or
-if there is no compiled module, the sources run as plain Python, with the same results and a warning. The
-environment variable ``PLANAR_PUSHING_PLAIN=1`` selects plain Python without a warning.
+The compiled module stores the digest of the sources from which it was built. If they have changed since, if
+there is no compiled module, or if its arithmetic is not that of the source, the sources run as plain
+Python, with a warning. The environment variable ``PLANAR_PUSHING_PLAIN=1`` selects plain Python without a
+warning.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core import MODULES, digest
+from planar_pushing.core import MODULES, digest, keeps_bits
 from planar_pushing.terms.errors import PlainCoreWarning
 
 Array = npt.NDArray[np.float64]
@@ -88,7 +89,7 @@ def plain_kernel(name: str) -> Kernel:
 
 
 def load_kernels() -> Mapping[str, Kernel] | None:
-    """The compiled kernels by name; none, with a warning, if they are missing or out of date."""
+    """The compiled kernels by name; none, with a warning, if they are missing, out of date or inexact."""
     if os.environ.get("PLANAR_PUSHING_PLAIN", "") not in ("", "0"):
         return None
     try:
@@ -99,10 +100,14 @@ def load_kernels() -> Mapping[str, Kernel] | None:
     except ImportError as error:
         reason, remedy = f"it cannot be loaded ({error})", "install the package again"
     else:
-        if digest() == compiled.DIGEST:
+        if digest() != compiled.DIGEST or not hasattr(compiled, "probe"):
+            reason, remedy = "it has changed since it was compiled", "compile it"
+        elif not keeps_bits(compiled.probe):
+            reason = "compiled, it rounds in another way, or drops subnormal numbers"
+            remedy = "compile it without options such as -ffast-math, here and in other libraries"
+        else:
             kernels: Mapping[str, Kernel] = compiled.KERNELS
             return kernels
-        reason, remedy = "it has changed since it was compiled", "compile it"
     slower = "the core runs as plain Python, about 100 times slower"
     message = f"{slower}, as {reason}; {remedy} (in a clone: make)"
     warnings.warn(PlainCoreWarning(message), stacklevel=2)
