@@ -159,11 +159,10 @@ def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solution
 def _can_lift(flush: FlushPush, end: End) -> bool:
     """Whether a contact at one end of the side can lift the other end off the fence.
 
-    Psi is convex, so its gradient is monotone. Compare a contact at the end, whose torque about the end is
-    zero, with the translation in which the end moves alike: the rotation has the sign opposite to the
-    torque of the translation. A stick therefore cannot lift against the torque of the translation with the
-    fence. Without loads, the same holds for a fence that retreats and the translation in which the end is
-    as fast along the fence but does not retreat, since the law transmits no adhesion.
+    Psi is convex, so its gradient is monotone. A contact at the end, which has no torque about the end,
+    therefore turns against the torque of the translation in which the end moves alike: a stick cannot lift
+    against that of the translation with the fence. Without loads, a contact with a fence that retreats
+    cannot lift against that of the translation along the fence either, since the law has no adhesion.
     """
     law, w_x, w_y = flush.law, flush.w_x, flush.w_y
     if w_x == 0.0 and w_y == 0.0:
@@ -179,12 +178,12 @@ def _can_lift(flush: FlushPush, end: End) -> bool:
 
 
 def _can_slip(flush: FlushPush, end: End, edge: Direction) -> bool:
-    """Whether a contact at one end that slips under an edge can lift the other, if sticking there cannot.
+    """Whether a contact at one end that slips under an edge can lift the other end, if a stick cannot.
 
-    A slip is between the motion of the pusher and the one that has the component of the free motion along
-    the edge. The torque of the translations between these two is least at one of the two, if friction and
-    inertia resist lifting in both. Without loads, the force of a translation along the edge is also along
-    it, so the slip cannot lift against its torque either.
+    A slip is between the pusher's motion and the slowest slip, in which the end is as fast along the edge
+    as without a contact. If friction and inertia both resist lifting in the translations with these two
+    motions, the torque of all translations between them is least at one of the two. Without loads, a
+    translation along the edge has a force along it, so no slip lifts against its torque either.
     """
     w_x, w_y = flush.w_x, flush.w_y
     if edge.x * (w_x - end.rest_x) + edge.y * (w_y - end.rest_y) <= 0.0:
