@@ -150,7 +150,8 @@ def in_numbers(law: ContactLaw) -> Law:
 
 def is_law(law: object) -> bool:
     """Whether an object is a contact law, and not a class of one."""
-    return isinstance(law, ContactLaw) and not isinstance(law, type)
+    known = isinstance(law, tuple(LAWS.values()))
+    return known or (isinstance(law, ContactLaw) and not isinstance(law, type))
 
 
 def as_numbers(contact: Number) -> Law:

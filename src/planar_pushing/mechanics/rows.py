@@ -88,6 +88,10 @@ class Rows:
         The columns of the effects, with forces in the scene's units.
     is_single : bool
         Whether all of these are numbers, not arrays.
+    is_steady : bool
+        Whether all potentials have one degree, so that directions do not depend on magnitudes.
+    strengths : list of float
+        As of `strengths_of`, for a single scene; empty for an array of scenes.
     """
 
     entries: tuple[Entry, ...]
@@ -97,6 +101,8 @@ class Rows:
     law: Law
     columns: tuple[Number, ...]
     is_single: bool
+    is_steady: bool
+    strengths: list[float]
 
     @classmethod
     def of(cls, scene: Any) -> Rows:
@@ -108,12 +114,15 @@ class Rows:
         columns = tuple(column for entry in entries for column in entry.columns)
         numbers = *columns, *body, *ends, *scene.law
         single = all(isinstance(number, (float, int)) for number in numbers)
-        return cls(entries, data_of(entries), body, ends, scene.law, columns, single)
-
-    @property
-    def is_steady(self) -> bool:
-        """Whether all potentials have one degree, so that directions do not depend on magnitudes."""
-        return len({entry.degree for entry in self.entries}) == 1
+        if single:
+            columns, body, ends = (
+                tuple(map(float, group)) for group in (columns, body, ends)
+            )
+        steady = len({entry.degree for entry in entries}) == 1
+        strengths = strengths_of(entries, columns) if single else []
+        return cls(
+            entries, data_of(entries), body, ends, scene.law, columns, single, steady, strengths
+        )
 
     def strength(self, degree: int) -> Number:
         """Sum of the strengths of the effects of a degree, without loads; 0 if there are none."""
@@ -170,10 +179,15 @@ def strengths_of(entries: Sequence[Entry], columns: Sequence[Any]) -> list[Any]:
     return strengths
 
 
-def in_units(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> tuple[Any, list[Any]]:
-    """Unit of force, and the columns of effects in this unit, for motions in units of `size`."""
+def in_units(
+    entries: Sequence[Entry], columns: Sequence[Any], strengths: Sequence[Any], size: Any
+) -> tuple[Any, list[Any]]:
+    """Unit of force, and the columns of effects in this unit, for motions in units of `size`.
+
+    The strengths are those of `strengths_of`.
+    """
     unit: Any = 0.0
-    for entry, strength in zip(entries, strengths_of(entries, columns), strict=True):
+    for entry, strength in zip(entries, strengths, strict=True):
         force = strength * size if entry.degree == 2 else strength
         is_number = type(force) is float and type(unit) is float
         unit = max(unit, force) if is_number else np.maximum(unit, force)

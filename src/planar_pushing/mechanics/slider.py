@@ -24,6 +24,7 @@ from planar_pushing.terms.declared import (
     Within,
     nonnegative,
     positive,
+    replace_checked,
     require_declared,
 )
 from planar_pushing.terms.domain import Number, require_ratio
@@ -40,6 +41,7 @@ ROD_ANGLE = Degrees(
         {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 180},
     ),
 )  # fmt: skip
+RADIUS = positive("give it in the unit of the rod length")
 ENDS = (
     "(start, end) with start <= 0 <= end, infinite for a side without an end",
     "measure both ends along the side from the contact, which is between them, the one toward -x first",
@@ -128,7 +130,7 @@ class Slider:
         Number, nonnegative("give the distance from the contact to the slider's center")
     ]
     rod_angle: Annotated[Number, ROD_ANGLE]
-    radius: Annotated[Number, positive("give it in the unit of the rod length")] = None
+    radius: Annotated[Number, RADIUS] = None
     side: Annotated[tuple[Number, Number], SIDE] = (-math.inf, math.inf)
     flush: Annotated[bool, FLAG] = False
     outline: Annotated[Any, OUTLINE] = None
@@ -163,6 +165,13 @@ class Slider:
             return corners
         normal = np.array([math.sin(self.rod_angle), math.cos(self.rod_angle)])
         return put_on_line(corners, np.array([-self.rod_length, 0.0]), normal)
+
+    def with_radius(self, radius: Number) -> Slider:
+        """The slider with its radius, which a scene fills in."""
+        required = RADIUS.require("radius", radius)
+        slider = replace_checked(self, radius=required)
+        _ = slider.length_ratio
+        return slider
 
     @property
     def length_ratio(self) -> Number:
