@@ -14,7 +14,7 @@ import numpy as np
 from planar_pushing.mechanics.angles import AngleInterval
 from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.terms.declared import Within, one_of, require_declared
-from planar_pushing.terms.domain import ROUGHEST, Number
+from planar_pushing.terms.domain import ROUGHEST, Number, Parameter
 from planar_pushing.terms.options import AtZeroNormal
 from planar_pushing.terms.options import ContactMode as ContactMode
 from planar_pushing.terms.options import Outcome as Outcome
@@ -58,7 +58,7 @@ class Coulomb:
         mu in [0, 1e9]. For infinite friction use `InfiniteFriction`.
     """
 
-    friction_coefficient: Annotated[Number, FRICTION_COEFFICIENT]
+    friction_coefficient: Annotated[Parameter, FRICTION_COEFFICIENT]
 
     def __post_init__(self) -> None:
         require_declared(self)

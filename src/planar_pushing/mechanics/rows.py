@@ -115,9 +115,8 @@ class Rows:
         numbers = *columns, *body, *ends, *scene.law
         single = all(isinstance(number, (float, int)) for number in numbers)
         if single:
-            columns, body, ends = (
-                tuple(map(float, group)) for group in (columns, body, ends)
-            )
+            columns, ends = tuple(map(float, columns)), tuple(map(float, ends))
+            body = float(body[0]), float(body[1]), float(body[2])
         steady = len({entry.degree for entry in entries}) == 1
         strengths = strengths_of(entries, columns) if single else []
         return cls(

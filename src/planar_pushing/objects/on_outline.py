@@ -38,7 +38,7 @@ def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[N
     away = points[:, None] - sides.start
     distance = np.hypot(away[..., 0], away[..., 1])
     is_near = np.asarray(distance <= DRAWN * sides.scale)
-    at_corner = is_near.any(axis=1)
+    at_corner = np.asarray(is_near.any(axis=1))
     pushes_corner = bool(at_corner.any())
     if pushes_corner:
         _require_outer(contacts, is_near, sides)

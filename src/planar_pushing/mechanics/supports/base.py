@@ -209,8 +209,7 @@ def positions(
             pair = as_array(entry)
             if pair is None or pair.shape != (2,):
                 raise InvalidValue(f"{name}[{i}]", entry, "two finite numbers", remedy)
-        pairs = value
-    places = coordinates(name, pairs, (None, 2), "pairs of finite numbers", remedy)
+    places = coordinates(name, value, (None, 2), "pairs of finite numbers", remedy)
     if not len(places):
         raise InvalidValue(name, value, "at least one point", remedy)
     if span := float(np.ptp(places, axis=0).max()):
