@@ -13,7 +13,12 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.supports.polygon import Polygon, counterclockwise, require_simple, ring_of
+from planar_pushing.mechanics.supports.polygon import (
+    Polygon,
+    counterclockwise,
+    require_simple,
+    ring_of,
+)
 from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.errors import InvalidValue
 
@@ -163,9 +168,8 @@ def _distances(points: Array, starts: Array, ends: Array) -> Array:
     return np.asarray(np.hypot(apart[..., 0], apart[..., 1]))
 
 
-def is_at_inner_corner(corners: Corners, rod_lengths: Array) -> bool:
+def is_at_inner_corner(vertices: Array, rod_lengths: Array) -> bool:
     """Whether the end of a rod, at x = -length in the frame of the outline, is at an inner corner."""
-    vertices = np.array(corners)
     away = np.hypot(vertices[:, 0] + np.asarray(rod_lengths)[:, None], vertices[:, 1])
     is_near = (away <= DRAWN * size(vertices)).any(axis=0)
     if not is_near.any():
@@ -178,17 +182,16 @@ def is_at_inner_corner(corners: Corners, rod_lengths: Array) -> bool:
     return bool((is_near & is_inner).any())
 
 
-def put_on_line(corners: Corners, point: Array, normal: Array) -> Corners:
+def put_on_line(vertices: Array, point: Array, normal: Array) -> Corners | None:
     """Corners, of which those within the tolerance of the line through a point are moved onto it.
 
-    The core takes corners for exact, and a run ends where one is below the fence.
+    The core takes corners for exact, and a run ends where one is below the fence. None if all are exact.
     """
-    vertices = np.array(corners)
     heights = (vertices - point) @ normal
     rounding = ROUNDING * float(np.abs(vertices).max() + np.abs(point).max())
     is_off = (np.abs(heights) > rounding) & (np.abs(heights) <= DRAWN * size(vertices))
     if not is_off.any():
-        return corners
+        return None
     moved = vertices - np.where(is_off, heights, 0.0)[:, None] * normal
     # Corners that are now doubled, or on a straight side, are none.
     return Corners.of(moved[corners_of_drawing(moved)])

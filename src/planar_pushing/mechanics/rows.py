@@ -15,9 +15,14 @@ import numpy as np
 from planar_pushing.core.rows import LOAD, MASS, RING, SUPPORT
 from planar_pushing.mechanics.contact import Law
 from planar_pushing.mechanics.effects import Inertia, Load, Viscous
-from planar_pushing.mechanics.pressure.support_in_frames import SupportInFrames, flatten_supports
+from planar_pushing.mechanics.pressure.support_in_frames import (
+    KINDS,
+    SupportInFrames,
+    flatten_supports,
+)
 from planar_pushing.mechanics.pressure.table import (
     Table,
+    extent_of,
     extents_of,
     joined_data,
     table_of,
@@ -207,8 +212,10 @@ def _entry(effect: Any, scene: Any, number: int) -> Entry:
     if is_own_ring(effect.support, radius):
         return Entry(RING, 1, [effect.weight], [], number)
     support = effect.support
-    pressure = np.arange(float(np.size(support))).reshape(np.shape(support))
-    others = [extents(support) / radius, alike(support, pressure)]
+    pressure: Any = 0.0
+    if type(support) not in KINDS:
+        pressure = alike(support, np.arange(float(np.size(support))).reshape(np.shape(support)))
+    others = [extents(support) / radius, pressure]
     return Entry(SUPPORT, 1, [effect.weight], others, number, table_of(flatten_supports(support)))
 
 
@@ -263,4 +270,6 @@ def alike(support: Any, numbers: Any) -> Any:
 
 def extents(support: Any) -> Number:
     """Largest distance of a support, or of each support of an array, from its center of pressure."""
+    if type(support) in KINDS:
+        return extent_of(support)
     return alike(support, extents_of(flatten_supports(support)).reshape(np.shape(support)))

@@ -156,7 +156,8 @@ class Slider:
         At an inner corner a contact is refused, because a pusher would touch two sides there.
         """
         corners: Corners = self.outline
-        if not self.flush and is_at_inner_corner(corners, np.ravel(self.rod_length)):
+        vertices = np.array(corners)
+        if not self.flush and is_at_inner_corner(vertices, np.ravel(self.rod_length)):
             raise InvalidValue(
                 "outline", "an inner corner at the contact", "one whose inner corners are elsewhere",
                 "a pusher there touches two sides; move the contact off the corner",
@@ -164,7 +165,7 @@ class Slider:
         if np.ndim(self.rod_length) or np.ndim(self.rod_angle):
             return corners
         normal = np.array([math.sin(self.rod_angle), math.cos(self.rod_angle)])
-        return put_on_line(corners, np.array([-self.rod_length, 0.0]), normal)
+        return put_on_line(vertices, np.array([-self.rod_length, 0.0]), normal) or corners
 
     def with_radius(self, radius: Number) -> Slider:
         """The slider with its radius, which a scene fills in."""

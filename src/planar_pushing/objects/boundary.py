@@ -106,9 +106,7 @@ def nearest_unsigned(sides: Sides, points: Array) -> Nearest:
     offset = away - along[..., None] * sides.tangent
     distance = np.hypot(offset[..., 0], offset[..., 1])
     side, rows = distance.argmin(axis=1), np.arange(len(points))
-    return Nearest(
-        points - offset[rows, side], side, along[rows, side], distance[rows, side]
-    )
+    return Nearest(points - offset[rows, side], side, along[rows, side], distance[rows, side])
 
 
 def _inside(sides: Sides, points: Array) -> npt.NDArray[np.bool_]:

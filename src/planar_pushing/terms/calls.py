@@ -17,7 +17,7 @@ Load = Callable[[str], Any]
 
 
 def explain_calls(name: str, value: Any, load: Load) -> Any:
-    """A public function or dataclass, a wrong call of which raises `InvalidCall`; any other value as it is."""
+    """A public function or dataclass whose wrong calls raise `InvalidCall`; any other value as it is."""
     if isinstance(value, FunctionType):
         explained: Any = _explained(value, name, load, bound=0)
         # Under these names pickle finds the function that it is given.
@@ -53,7 +53,10 @@ def _mistake(
     import inspect
 
     parameters = list(inspect.signature(function).parameters.values())[bound:]
-    if any(parameter.kind in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD) for parameter in parameters):
+    if any(
+        parameter.kind in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD)
+        for parameter in parameters
+    ):
         return ""
     names = [parameter.name for parameter in parameters]
     unknown = next((key for key in named if key not in names), None)
@@ -81,7 +84,7 @@ def _mistake(
 
 
 def _maker_of(unknown: str, names: list[str], load: Load) -> str:
-    """Remedy for a parameter of the function that computes one of these, such as the mass for the weight."""
+    """Remedy for a parameter of a function that computes one of these: mass, for the weight."""
     import inspect
 
     for name in names:

@@ -89,6 +89,13 @@ def join_pieces(parts: Sequence[Pieces]) -> Pieces:
 
 def gather_pieces(supports: Sequence[Pieces]) -> Gathered:
     """Pieces of supports, with centers and extents."""
+    if len(supports) == 1:
+        (pieces,) = supports
+        edges = np.concatenate([np.empty((0, 5)), *pieces.plates])
+        owners, lengths = _order_of_one(
+            tuple(map(len, pieces[:PLATES])), tuple(map(len, pieces.plates))
+        )
+        return measure_pieces(list(map(np.asarray, pieces[:PLATES])), edges, owners, lengths, 1)
     rows = [np.concatenate([pieces[kind] for pieces in supports]) for kind in range(PLATES)]
     counts = [[len(pieces[kind]) for pieces in supports] for kind in range(PLATES + 1)]
     owners = [np.repeat(np.arange(len(supports)), count) for count in counts]
@@ -97,6 +104,13 @@ def gather_pieces(supports: Sequence[Pieces]) -> Gathered:
     edges = np.concatenate([np.empty((0, 5)), *plates])
     owners += [np.repeat(owners[PLATES], lengths)]
     return measure_pieces(rows, edges, owners, lengths, len(supports))
+
+
+@cache_results(KEPT)
+def _order_of_one(counts: tuple[int, ...], lengths: tuple[int, ...]) -> tuple[list[Any], Any]:
+    """Owners of the pieces of one support, and numbers of edges of its plates; not to be written to."""
+    sizes = (*counts, len(lengths), sum(lengths))
+    return [np.zeros(size, np.int64) for size in sizes], np.array(lengths, dtype=np.int64)
 
 
 def measure_pieces(
@@ -114,7 +128,8 @@ def measure_pieces(
     count : int
         Number of supports.
     """
-    first = np.concatenate([[0], lengths.cumsum()])
+    first = np.zeros(len(lengths) + 1, np.int64)
+    np.cumsum(lengths, out=first[1:])
     rows = [*rows, _places(edges, lengths, first[:-1]), edges]
     centers = _centers(rows, owners, count)
     extents, moments = _extents(rows, owners, centers), spreads(rows, owners, centers)
@@ -126,17 +141,17 @@ def _places(edges: Array, lengths: Any, first: Any) -> Array:
     places = np.empty((len(first), 4))
     if not len(first):
         return places
-    ends = edges[:, :2]
-    middle = (np.minimum.reduceat(ends, first) + np.maximum.reduceat(ends, first)) / 2
-    about = middle.repeat(lengths, axis=0)
-    start, end = ends - about, edges[:, 2:4] - about
+    starts, ends = edges[:, :2], edges[:, :4].reshape(-1, 2, 2)
+    middle = (np.minimum.reduceat(starts, first) + np.maximum.reduceat(starts, first)) / 2
+    away = ends - middle.repeat(lengths, axis=0)[:, None]
+    start, end = away[:, 0], away[:, 1]
     loads = (start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0]) / 2 * edges[:, 4]
     share = np.add.reduceat(loads, first)
     weighted = np.add.reduceat(loads[:, None] * (start + end), first)
     center = middle + weighted / (3 * share)[:, None]
-    around = center.repeat(lengths, axis=0)
-    away = np.maximum(_distance(ends, around), _distance(edges[:, 2:4], around))
-    places[:, :2], places[:, 2], places[:, 3] = center, np.maximum.reduceat(away, first), share
+    away = ends - center.repeat(lengths, axis=0)[:, None]
+    reach = np.hypot(away[..., 0], away[..., 1]).max(axis=1)
+    places[:, :2], places[:, 2], places[:, 3] = center, np.maximum.reduceat(reach, first), share
     return places
 
 
@@ -252,8 +267,8 @@ def write_terms(group: Gathered, rows: Array, plates: Any, terms: Array) -> None
 
     def block(start: int) -> None:
         part = slice(start, start + BLOCK)
-        _, _, radius, _, first, last = rows[plates[part]].T
-        edges = np.column_stack([radius, COLUMNS * first, COLUMNS * last])
+        edges = rows[plates[part]][:, [2, COLUMNS - 2, COLUMNS - 1]]
+        edges[:, 1:] *= COLUMNS
         terms[part] = run("plate_terms", rows, edges, 2 * ROWS)
 
     starts = range(0, len(plates), BLOCK)
