@@ -1,5 +1,6 @@
 """A user's script that a type checker takes: the comments say which types it finds."""
 
+import math
 from collections.abc import Callable
 from typing import reveal_type
 
@@ -17,6 +18,8 @@ laws = np.array([pp.Coulomb(1.0), pp.PerfectlyRough()], dtype=object)
 pp.Scene(slider=scene.slider, contact=laws, effects=scene.effects)
 pp.Scene(slider=scene.slider, contact=xr.DataArray(laws, dims="law"), effects=scene.effects)
 pp.InfiniteFriction("none")
+pp.Coulomb(1), pp.Coulomb(np.float32(1.0)), pp.Coulomb([0.1, 0.2]), pp.Coulomb(np.ones(3))
+pp.Coulomb(xr.DataArray(np.ones(3), dims="law"))
 floats = np.linspace(0.0, 1.0, 3)
 labeled = xr.DataArray(floats, dims="push")
 
@@ -24,6 +27,7 @@ reveal_type(pp.solve(scene, 1))  # Solutions
 reveal_type(pp.solve(scene, np.float64(1.0)))  # Solutions
 reveal_type(pp.solve(scene))  # Solutions
 reveal_type(pp.solve(scene, 1.0, 2.0))  # Solutions
+reveal_type(pp.solve(scene, math.radians(90), 0.05))  # Solutions
 reveal_type(pp.solve(scene, floats))  # SolutionArrays
 reveal_type(pp.solve(scene, np.array([1.0])))  # SolutionArrays
 reveal_type(pp.solve(scene, [0.1, 1.0], 2.0))  # SolutionArrays
@@ -63,6 +67,10 @@ reveal_type(pp.friction_cone(scene))  # AngleInterval
 reveal_type(pp.conservative_motion_cone(scene))  # AngleInterval
 reveal_type(pp.can_pull(scene))  # bool
 reveal_type(pp.slips_while_pushing(scene))  # bool
+reveal_type(pp.stable(scene, (0.0, 1, np.float64(0.0))))  # bool
+reveal_type(pp.stable(scene, [0.0, 1.0, 0.0]))  # bool
+reveal_type(pp.stable(scene, [(0.0, 1.0, 0.0)]))  # ndarray[tuple[Any, ...], dtype[bool[bool]]]
+reveal_type(pp.stable(scene, floats))  # bool | ndarray[tuple[Any, ...], dtype[bool[bool]]]
 
 pusher = pp.Pusher(velocity=(0.0, 1.0), shape="finger")
 log = pp.simulate(scene, pusher=pusher, duration=1.0, method="time-stepping", on_ambiguity="stick")

@@ -14,6 +14,11 @@ floats = np.linspace(0.0, 1.0, 3)
 pp.Scene(slider=slider, contact=2, effects=effects)  # arg-type
 pp.Scene(slider=slider, contact=pp.Coulomb, effects=effects)  # arg-type
 pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=(1.0,))  # arg-type
+pp.Coulomb("0.5")  # arg-type
+pp.Coulomb((0.1, 0.2))  # arg-type
+pp.stable(scene, "up")  # arg-type
+pp.stable(scene, (0.0, 1.0))  # arg-type
+pp.stable(scene, (0.0, 1.0, 0.0)).nosuch  # attr-defined
 pp.InfiniteFriction("both")  # arg-type
 pp.solve(scene, "up")  # call-overload
 pp.solve(scene, (0.1, 1.0))  # call-overload

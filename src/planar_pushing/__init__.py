@@ -11,6 +11,7 @@ if sys.platform == "win32":
 import lazy_loader
 
 from planar_pushing.mechanics.pictures import LOADERS
+from planar_pushing.terms.calls import explain_calls
 from planar_pushing.terms.errors import suggestion
 
 __version__ = "1.0.0"
@@ -21,7 +22,8 @@ _load, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
 def __getattr__(name: str) -> Any:
     try:
-        return _load(name)
+        value = globals()[name] = explain_calls(name, _load(name), _load)
+        return value
     except AttributeError:
         if name in __all__:  # its module fails
             raise

@@ -82,6 +82,7 @@ from .stability.stable_centers import StableCenters, StableCurve, stable_centers
 from .stability.stable_for_any_pressure import stable_for_any_pressure
 from .terms.errors import (
     EarlyEndWarning,
+    InvalidCall,
     InvalidFile,
     InvalidValue,
     PlainCoreWarning,
@@ -110,6 +111,7 @@ __all__ = [
     "Identified",
     "Inertia",
     "InfiniteFriction",
+    "InvalidCall",
     "InvalidFile",
     "InvalidValue",
     "LimitCurve",

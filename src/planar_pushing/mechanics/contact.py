@@ -13,8 +13,9 @@ import numpy as np
 
 from planar_pushing.mechanics.angles import AngleInterval
 from planar_pushing.mechanics.kernels.arrays import same
+from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.declared import Within, one_of, require_declared
-from planar_pushing.terms.domain import ROUGHEST, Number
+from planar_pushing.terms.domain import ROUGHEST, Number, Parameter
 from planar_pushing.terms.options import AtZeroNormal
 from planar_pushing.terms.options import ContactMode as ContactMode
 from planar_pushing.terms.options import Outcome as Outcome
@@ -36,6 +37,8 @@ class ContactLaw(Protocol):
         ...
 
 
+#: Number of laws whose numbers are kept.
+KEPT = 64
 #: Declarations of the parameters of contact laws.
 FRICTION_COEFFICIENT = Within(
     lambda x: (x >= 0) & (x <= ROUGHEST), f"a number in [0, {ROUGHEST:g}]",
@@ -58,7 +61,7 @@ class Coulomb:
         mu in [0, 1e9]. For infinite friction use `InfiniteFriction`.
     """
 
-    friction_coefficient: Annotated[Number, FRICTION_COEFFICIENT]
+    friction_coefficient: Annotated[Parameter, FRICTION_COEFFICIENT]
 
     def __post_init__(self) -> None:
         require_declared(self)
@@ -143,14 +146,23 @@ class Law(NamedTuple):
 
 def in_numbers(law: ContactLaw) -> Law:
     """A law in the form of the core."""
+    # A law of the user's own kind can change.
+    return _known_in_numbers(law) if type(law) in LAWS.values() else _in_numbers(law)
+
+
+def _in_numbers(law: ContactLaw) -> Law:
     cone = law.force_angles
     rough = np.ndim(cone.right) == 0 and cone.span > math.pi
     return Law(cone.right, cone.left, law.slips, cone.closed, rough)
 
 
+_known_in_numbers = cache_results(KEPT)(_in_numbers)
+
+
 def is_law(law: object) -> bool:
     """Whether an object is a contact law, and not a class of one."""
-    return isinstance(law, ContactLaw) and not isinstance(law, type)
+    known = isinstance(law, tuple(LAWS.values()))
+    return known or (isinstance(law, ContactLaw) and not isinstance(law, type))
 
 
 def as_numbers(contact: Number) -> Law:

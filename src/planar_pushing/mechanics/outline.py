@@ -13,13 +13,21 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.supports.polygon import counterclockwise, require_simple, ring_of
+from planar_pushing.mechanics.supports.polygon import (
+    Polygon,
+    counterclockwise,
+    require_simple,
+    ring_of,
+)
+from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.errors import InvalidValue
 
 #: Exactness of a drawing relative to its size: what is closer than this is at one place. It holds for
 #: doubled vertices, for vertices on a straight side, for corners on the line of a fence, and for contacts
 #: on the outline.
 DRAWN = 1e-6
+#: Number of drawings that are kept.
+KEPT = 64
 #: A direction in which the extreme vertices of a drawing are corners, unless a side is perpendicular to it.
 SLANTED = np.array([0.5403023058681398, 0.8414709848078965])
 #: Rounding error of a height above a line, relative to the coordinates.
@@ -68,9 +76,19 @@ def require_outline(value: Any, name: str = "outline") -> Corners:
 
 def read_drawing(value: Any, name: str = "outline") -> Drawing:
     """The drawing of an outline; errors as in `require_outline`."""
-    vertices = ring_of(name, value)
+    if isinstance(value, (Corners, Polygon)):
+        ring = value.vertices if isinstance(value, Polygon) else tuple(value)
+    else:
+        ring = tuple(map(tuple, ring_of(name, value).tolist()))
+    return _read_drawing(ring, isinstance(value, Corners), name)
+
+
+@cache_results(KEPT)
+def _read_drawing(ring: tuple[tuple[float, float], ...], is_read: bool, name: str) -> Drawing:
+    """The drawing of a closed ring of vertices, which can be the corners of an outline that was read."""
+    vertices = np.array(ring)
     kept = np.arange(len(vertices))
-    if not isinstance(value, Corners):
+    if not is_read:
         kept = corners_of_drawing(vertices)
         if len(kept) < 3:
             raise InvalidValue(
@@ -88,7 +106,7 @@ def read_drawing(value: Any, name: str = "outline") -> Drawing:
 
 def size(corners: Array) -> float:
     """Largest extent of an outline along x or y."""
-    return float(np.ptp(corners, axis=0).max())
+    return float((corners.max(axis=0) - corners.min(axis=0)).max())
 
 
 def corners_of_drawing(vertices: Array) -> npt.NDArray[np.intp]:
@@ -150,31 +168,30 @@ def _distances(points: Array, starts: Array, ends: Array) -> Array:
     return np.asarray(np.hypot(apart[..., 0], apart[..., 1]))
 
 
-def is_at_inner_corner(corners: Corners, rod_lengths: Array) -> bool:
+def is_at_inner_corner(vertices: Array, rod_lengths: Array) -> bool:
     """Whether the end of a rod, at x = -length in the frame of the outline, is at an inner corner."""
-    vertices = np.array(corners)
+    away = np.hypot(vertices[:, 0] + np.asarray(rod_lengths)[:, None], vertices[:, 1])
+    is_near = (away <= DRAWN * size(vertices)).any(axis=0)
+    if not is_near.any():
+        return False
     before, behind = (
         vertices - np.roll(vertices, 1, axis=0),
         np.roll(vertices, -1, axis=0) - vertices,
     )
-    inner = vertices[before[:, 0] * behind[:, 1] < before[:, 1] * behind[:, 0]]
-    if not len(inner):
-        return False
-    away = np.hypot(inner[:, 0] + np.asarray(rod_lengths)[:, None], inner[:, 1])
-    return bool((away <= DRAWN * size(vertices)).any())
+    is_inner = before[:, 0] * behind[:, 1] < before[:, 1] * behind[:, 0]
+    return bool((is_near & is_inner).any())
 
 
-def put_on_line(corners: Corners, point: Array, normal: Array) -> Corners:
+def put_on_line(vertices: Array, point: Array, normal: Array) -> Corners | None:
     """Corners, of which those within the tolerance of the line through a point are moved onto it.
 
-    The core takes corners for exact, and a run ends where one is below the fence.
+    The core takes corners for exact, and a run ends where one is below the fence. None if all are exact.
     """
-    vertices = np.array(corners)
     heights = (vertices - point) @ normal
     rounding = ROUNDING * float(np.abs(vertices).max() + np.abs(point).max())
     is_off = (np.abs(heights) > rounding) & (np.abs(heights) <= DRAWN * size(vertices))
     if not is_off.any():
-        return corners
+        return None
     moved = vertices - np.where(is_off, heights, 0.0)[:, None] * normal
     # Corners that are now doubled, or on a straight side, are none.
     return Corners.of(moved[corners_of_drawing(moved)])

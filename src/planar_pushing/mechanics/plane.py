@@ -102,6 +102,8 @@ class Frame(NamedTuple):
 
 def _vectors(x: Number, y: Number) -> Array:
     """Vectors of shape S + (2,) from their components."""
+    if type(x) is type(y) is float:
+        return np.array((x, y))
     vectors = np.empty((*np.broadcast(x, y).shape, 2))
     vectors[..., 0], vectors[..., 1] = x, y
     return vectors
@@ -157,6 +159,10 @@ class Placement:
         (x, y), (n_x, n_y) = (map(_plain, pair) for pair in (self.point, self.normal))
         with np.errstate(over="ignore"):
             length = np.hypot(n_x, n_y)
+        if type(length) is np.float64 and abs(length - 1.0) <= UNIT:  # most contacts
+            object.__setattr__(self, "point", (x, y))
+            object.__setattr__(self, "normal", (n_x, n_y))
+            return
         if not ((length > 0.0) & (length < math.inf)).all():
             raise InvalidValue(
                 "normal", normal, "a nonzero vector",
@@ -179,6 +185,8 @@ class Placement:
 
 def _plain(numbers: Number) -> Number:
     """A number or an array without negative zeros."""
+    if type(numbers) is float:
+        return numbers + 0.0
     return numbers + 0.0 if np.ndim(numbers) else float(numbers) + 0.0
 
 

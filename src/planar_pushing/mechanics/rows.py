@@ -15,9 +15,14 @@ import numpy as np
 from planar_pushing.core.rows import LOAD, MASS, RING, SUPPORT
 from planar_pushing.mechanics.contact import Law
 from planar_pushing.mechanics.effects import Inertia, Load, Viscous
-from planar_pushing.mechanics.pressure.support_in_frames import SupportInFrames, flatten_supports
+from planar_pushing.mechanics.pressure.support_in_frames import (
+    KINDS,
+    SupportInFrames,
+    flatten_supports,
+)
 from planar_pushing.mechanics.pressure.table import (
     Table,
+    extent_of,
     extents_of,
     joined_data,
     table_of,
@@ -88,6 +93,10 @@ class Rows:
         The columns of the effects, with forces in the scene's units.
     is_single : bool
         Whether all of these are numbers, not arrays.
+    is_steady : bool
+        Whether all potentials have one degree, so that directions do not depend on magnitudes.
+    strengths : list of float
+        As of `strengths_of`, for a single scene; empty for an array of scenes.
     """
 
     entries: tuple[Entry, ...]
@@ -97,6 +106,8 @@ class Rows:
     law: Law
     columns: tuple[Number, ...]
     is_single: bool
+    is_steady: bool
+    strengths: list[float]
 
     @classmethod
     def of(cls, scene: Any) -> Rows:
@@ -108,12 +119,14 @@ class Rows:
         columns = tuple(column for entry in entries for column in entry.columns)
         numbers = *columns, *body, *ends, *scene.law
         single = all(isinstance(number, (float, int)) for number in numbers)
-        return cls(entries, data_of(entries), body, ends, scene.law, columns, single)
-
-    @property
-    def is_steady(self) -> bool:
-        """Whether all potentials have one degree, so that directions do not depend on magnitudes."""
-        return len({entry.degree for entry in self.entries}) == 1
+        if single:
+            columns, ends = tuple(map(float, columns)), tuple(map(float, ends))
+            body = float(body[0]), float(body[1]), float(body[2])
+        steady = len({entry.degree for entry in entries}) == 1
+        strengths = strengths_of(entries, columns) if single else []
+        return cls(
+            entries, data_of(entries), body, ends, scene.law, columns, single, steady, strengths
+        )
 
     def strength(self, degree: int) -> Number:
         """Sum of the strengths of the effects of a degree, without loads; 0 if there are none."""
@@ -170,10 +183,15 @@ def strengths_of(entries: Sequence[Entry], columns: Sequence[Any]) -> list[Any]:
     return strengths
 
 
-def in_units(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> tuple[Any, list[Any]]:
-    """Unit of force, and the columns of effects in this unit, for motions in units of `size`."""
+def in_units(
+    entries: Sequence[Entry], columns: Sequence[Any], strengths: Sequence[Any], size: Any
+) -> tuple[Any, list[Any]]:
+    """Unit of force, and the columns of effects in this unit, for motions in units of `size`.
+
+    The strengths are those of `strengths_of`.
+    """
     unit: Any = 0.0
-    for entry, strength in zip(entries, strengths_of(entries, columns), strict=True):
+    for entry, strength in zip(entries, strengths, strict=True):
         force = strength * size if entry.degree == 2 else strength
         is_number = type(force) is float and type(unit) is float
         unit = max(unit, force) if is_number else np.maximum(unit, force)
@@ -194,8 +212,10 @@ def _entry(effect: Any, scene: Any, number: int) -> Entry:
     if is_own_ring(effect.support, radius):
         return Entry(RING, 1, [effect.weight], [], number)
     support = effect.support
-    pressure = np.arange(float(np.size(support))).reshape(np.shape(support))
-    others = [extents(support) / radius, alike(support, pressure)]
+    pressure: Any = 0.0
+    if type(support) not in KINDS:
+        pressure = alike(support, np.arange(float(np.size(support))).reshape(np.shape(support)))
+    others = [extents(support) / radius, pressure]
     return Entry(SUPPORT, 1, [effect.weight], others, number, table_of(flatten_supports(support)))
 
 
@@ -250,4 +270,6 @@ def alike(support: Any, numbers: Any) -> Any:
 
 def extents(support: Any) -> Number:
     """Largest distance of a support, or of each support of an array, from its center of pressure."""
+    if type(support) in KINDS:
+        return extent_of(support)
     return alike(support, extents_of(flatten_supports(support)).reshape(np.shape(support)))

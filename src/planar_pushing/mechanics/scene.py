@@ -90,7 +90,7 @@ class Scene:
         if self.slider.radius is None:
             supports = [effect.support for effect in self.effects if hasattr(effect, "support")]
             radius = extents(supports[0]) if supports else 1.0
-            object.__setattr__(self, "slider", replace(self.slider, radius=radius))
+            object.__setattr__(self, "slider", self.slider.with_radius(radius))
         _ = self.inertia
         if self.push is not None:
             object.__setattr__(self, "push", _required_push(self.push))
@@ -157,17 +157,17 @@ class Scene:
         """The effects of viscous friction."""
         return [effect for effect in self.effects if isinstance(effect, Viscous)]
 
-    @property
-    def loads(self) -> list[Load]:
+    @cached_property
+    def loads(self) -> tuple[Load, ...]:
         """The loads."""
-        return [effect for effect in self.effects if isinstance(effect, Load)]
+        return tuple(effect for effect in self.effects if isinstance(effect, Load))
 
     @property
     def masses(self) -> list[Inertia]:
         """The effects of inertia, which store energy."""
         return [effect for effect in self.effects if isinstance(effect, Inertia)]
 
-    @property
+    @cached_property
     def stores_energy(self) -> bool:
         """Whether an effect has inertia."""
         return bool(self.masses)

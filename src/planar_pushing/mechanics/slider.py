@@ -24,6 +24,7 @@ from planar_pushing.terms.declared import (
     Within,
     nonnegative,
     positive,
+    replace_checked,
     require_declared,
 )
 from planar_pushing.terms.domain import Number, require_ratio
@@ -40,6 +41,7 @@ ROD_ANGLE = Degrees(
         {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 180},
     ),
 )  # fmt: skip
+RADIUS = positive("give it in the unit of the rod length")
 ENDS = (
     "(start, end) with start <= 0 <= end, infinite for a side without an end",
     "measure both ends along the side from the contact, which is between them, the one toward -x first",
@@ -128,7 +130,7 @@ class Slider:
         Number, nonnegative("give the distance from the contact to the slider's center")
     ]
     rod_angle: Annotated[Number, ROD_ANGLE]
-    radius: Annotated[Number, positive("give it in the unit of the rod length")] = None
+    radius: Annotated[Number, RADIUS] = None
     side: Annotated[tuple[Number, Number], SIDE] = (-math.inf, math.inf)
     flush: Annotated[bool, FLAG] = False
     outline: Annotated[Any, OUTLINE] = None
@@ -154,7 +156,8 @@ class Slider:
         At an inner corner a contact is refused, because a pusher would touch two sides there.
         """
         corners: Corners = self.outline
-        if not self.flush and is_at_inner_corner(corners, np.ravel(self.rod_length)):
+        vertices = np.array(corners)
+        if not self.flush and is_at_inner_corner(vertices, np.ravel(self.rod_length)):
             raise InvalidValue(
                 "outline", "an inner corner at the contact", "one whose inner corners are elsewhere",
                 "a pusher there touches two sides; move the contact off the corner",
@@ -162,7 +165,14 @@ class Slider:
         if np.ndim(self.rod_length) or np.ndim(self.rod_angle):
             return corners
         normal = np.array([math.sin(self.rod_angle), math.cos(self.rod_angle)])
-        return put_on_line(corners, np.array([-self.rod_length, 0.0]), normal)
+        return put_on_line(vertices, np.array([-self.rod_length, 0.0]), normal) or corners
+
+    def with_radius(self, radius: Number) -> Slider:
+        """The slider with its radius, which a scene fills in."""
+        required = RADIUS.require("radius", radius)
+        slider = replace_checked(self, radius=required)
+        _ = slider.length_ratio
+        return slider
 
     @property
     def length_ratio(self) -> Number:

@@ -54,7 +54,10 @@ FIELDS = (
     AT_FORCE, AT_FORCE_END, AT_TWIST, AT_MOTION, AT_RATIO, AT_CENTER, AT_PIVOT, AT_CONTINUUM,
 )  # fmt: skip
 FLUSH_FIELDS = AT_FLUSH, AT_POSITION, AT_END_FORCES
-PLACES = {room: [2 + room * field for field in FIELDS] for room in SOLUTIONS.values()}
+PLACES = {
+    room: [2 + room * field for field in (*FIELDS, *FLUSH_FIELDS)]
+    for room in (*SOLUTIONS.values(), *FLUSH_SOLUTIONS.values())
+}
 
 
 @functools.cache
@@ -104,10 +107,10 @@ def _decode(results: Array, columns: Sequence[Any], outputs: Sequence[npt.NDArra
         output[:] = numbers == 1.0
 
 
-def _require_ratio(entries: Sequence[Entry], columns: Sequence[Any], size: Any) -> None:
+def _require_ratio(entries: Sequence[Entry], strengths: Sequence[Any], size: Any) -> None:
     """Refuse friction and inertia out of proportion under a moving pusher; loads can have any magnitude."""
     by_degree: dict[int, Any] = {}
-    for entry, strength in zip(entries, strengths_of(entries, columns), strict=True):
+    for entry, strength in zip(entries, strengths, strict=True):
         if entry.resists:
             by_degree[entry.degree] = by_degree.get(entry.degree, 0.0) + strength
     if len(by_degree) == 2:
@@ -119,11 +122,11 @@ def _require_ratio(entries: Sequence[Entry], columns: Sequence[Any], size: Any) 
         require_ratio("force_ratio", ratio)
 
 
-def _size_of_fall(entries: Sequence[Entry], columns: Sequence[Any]) -> Any:
+def _size_of_fall(entries: Sequence[Entry], strengths: Sequence[Any]) -> Any:
     """Unit of motion for a pusher at rest: motion of the mass under the loads alone, 1 without loads."""
     load: Any = 0.0
     mass: Any = 0.0
-    for entry, strength in zip(entries, strengths_of(entries, columns), strict=True):
+    for entry, strength in zip(entries, strengths, strict=True):
         if not entry.resists:
             load = load + strength
         elif entry.degree == 2:
@@ -151,10 +154,11 @@ def solve_arrays(rows: Rows, *arguments: npt.ArrayLike) -> list[npt.NDArray[Any]
     *columns, right, left, slips, closed, rough, toward, size = arguments
     first = len(columns) - 3 - len(rows.ends)
     columns, (length, angle, radius, *ends) = columns[:first], columns[first:]
-    _require_ratio(rows.entries, columns, size)
+    strengths = strengths_of(rows.entries, columns)
+    _require_ratio(rows.entries, strengths, size)
     moves = np.asarray(size) > 0
-    size = np.where(moves, size, _size_of_fall(rows.entries, columns))
-    unit, scaled = in_units(rows.entries, columns, size)
+    size = np.where(moves, size, _size_of_fall(rows.entries, strengths))
+    unit, scaled = in_units(rows.entries, columns, strengths, size)
     scaled += [length, angle, right, left, slips, closed, rough, toward, moves]
     scaled += [*ends, size, unit, radius]
     kernel, width = "solve", 2 + SOLUTIONS[rows.is_steady] * RESULT
@@ -167,15 +171,17 @@ def solve_arrays(rows: Rows, *arguments: npt.ArrayLike) -> list[npt.NDArray[Any]
 
 def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> Solutions:
     """The solutions of one push of one scene: those of `solve_arrays`, in a tenth of the time."""
-    _require_ratio(rows.entries, rows.columns, magnitude)
+    _require_ratio(rows.entries, rows.strengths, magnitude)
     moves = magnitude > 0.0
-    size = magnitude if moves else float(_size_of_fall(rows.entries, rows.columns))
-    unit, row = in_units(rows.entries, rows.columns, size)
-    row += [*rows.body[:2], *rows.law, angle, moves]
-    room = SOLUTIONS[rows.is_steady]
-    results = run("solve", rows.data, [row], 2 + room * RESULT)[0].tolist()
+    size = magnitude if moves else float(_size_of_fall(rows.entries, rows.strengths))
+    unit, row = in_units(rows.entries, rows.columns, rows.strengths, size)
+    row += [*rows.body[:2], *rows.law, angle, moves, *rows.ends]
+    kernel, room, width = "solve", SOLUTIONS[rows.is_steady], RESULT
+    if rows.ends:
+        kernel, room, width = "solve_flush", FLUSH_SOLUTIONS[rows.is_steady], SIDE_RESULT
+    results = run(kernel, rows.data, [row], 2 + room * width)[0].tolist()
     radius, solutions = rows.body[2], []
-    forces, ends, twists, motions, ratios, centers, pivots, continua = PLACES[room]
+    forces, ends, twists, motions, ratios, centers, pivots, continua, *on_side = PLACES[room]
     for j in range(int(results[0])):
         v_x, v_y, spin = results[twists + 3 * j : twists + 3 * j + 3]
         solutions.append(
@@ -189,9 +195,23 @@ def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> S
                 center=_vector(radius, results, centers + 2 * j),
                 pivot=int(results[pivots + j]),
                 continuum=results[continua + j] == 1.0,
+                **(_on_side(results, on_side, j, unit, radius) if rows.ends else {}),
             )
         )
     return Solutions(tuple(solutions), Status(int(results[1])), (scene, angle, magnitude))
+
+
+def _on_side(
+    results: Sequence[float], places: Sequence[int], j: int, unit: float, radius: float
+) -> dict[str, Any]:
+    """The fields that only solutions of a flush side have, of the solution j."""
+    flush, position, forces = places
+    forces += 8 * j
+    return {
+        "flush": results[flush + j] == 1.0,
+        "force_position": radius * results[position + j],
+        "end_forces": np.array([unit * x for x in results[forces : forces + 8]]).reshape(2, 2, 2),
+    }
 
 
 def _vector(unit: float, numbers: Sequence[float], index: int) -> Array:
@@ -286,9 +306,10 @@ def solve(
     require_held(scene)
     push = _push(scene, pusher_angle, pusher_magnitude)
     derivatives = require_flag("derivatives", derivatives)
-    single = rows.is_single and type(push[0]) is type(push[1]) is float
-    if single and not derivatives and not rows.ends:
-        return _solve_single(scene, rows, *push)
+    # Numbers of numpy, such as those of np.deg2rad, are floats, too.
+    single = rows.is_single and isinstance(push[0], float) and isinstance(push[1], float)
+    if single and not derivatives:
+        return _solve_single(scene, rows, float(push[0]), float(push[1]))
     columns = [*rows.columns, *rows.body, *rows.ends, *rows.law, *push]
     results = outputs(rows.is_steady, bool(rows.ends))
     if derivatives:

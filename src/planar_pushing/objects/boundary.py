@@ -7,8 +7,9 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.outline import require_outline, size
+from planar_pushing.mechanics.outline import KEPT, Corners, require_outline, size
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.terms.caches import cache_results
 
 
 class Side(NamedTuple):
@@ -77,11 +78,13 @@ class Nearest(NamedTuple):
 
 def sides_of(outline: Any) -> Sides:
     """Sides of an outline as arrays; errors as in `require_outline`."""
-    return sides_between(np.array(require_outline(outline)))
+    return sides_between(require_outline(outline))
 
 
-def sides_between(corners: Array) -> Sides:
-    """Sides between the corners of a valid outline, shape (corners, 2)."""
+@cache_results(KEPT)
+def sides_between(outline: Corners) -> Sides:
+    """Sides between the corners of an outline; they must not be written to."""
+    corners = np.array(outline)
     along = np.roll(corners, -1, axis=0) - corners
     length = np.hypot(*along.T)
     tangent = along / length[:, None]
@@ -92,13 +95,18 @@ def sides_between(corners: Array) -> Sides:
 
 def nearest(sides: Sides, points: Array) -> Nearest:
     """Places of an outline nearest to points of shape (n, 2)."""
+    spot = nearest_unsigned(sides, points)
+    return spot._replace(gap=np.where(_inside(sides, points), -1.0, 1.0) * spot.gap)
+
+
+def nearest_unsigned(sides: Sides, points: Array) -> Nearest:
+    """As `nearest`, with distances as gaps, which are positive inside, too."""
     away = points[:, None] - sides.start
     along = np.clip((away * sides.tangent).sum(axis=-1), 0.0, sides.length)
     offset = away - along[..., None] * sides.tangent
     distance = np.hypot(offset[..., 0], offset[..., 1])
     side, rows = distance.argmin(axis=1), np.arange(len(points))
-    gap = np.where(_inside(sides, points), -1.0, 1.0) * distance[rows, side]
-    return Nearest(points - offset[rows, side], side, along[rows, side], gap)
+    return Nearest(points - offset[rows, side], side, along[rows, side], distance[rows, side])
 
 
 def _inside(sides: Sides, points: Array) -> npt.NDArray[np.bool_]:

@@ -55,6 +55,8 @@ class Contacts(NamedTuple):
     def number(self, values: Array) -> Number:
         """A number of a single contact, or an array of shape S, from a flat array."""
         x = self.placement.point[0]
+        if type(x) is float:
+            return float(values[0])
         return labeled_like(x, values.reshape(self.shape)) if self.shape else float(values[0])
 
     def pair(self, vectors: Array) -> tuple[Number, Number]:
@@ -137,4 +139,4 @@ def _label_components(vectors: Array, points: Any) -> tuple[Number, Number]:
 
 def _flat(pair: tuple[Number, Number]) -> Array:
     """Pairs of numbers, shape (n, 2)."""
-    return np.column_stack([np.ravel(component) for component in pair])
+    return np.array([np.ravel(component) for component in pair]).T

@@ -240,7 +240,7 @@ def _pusher(world: Element, scene: Scene, shape: Shape, size: float) -> None:
 
 
 def _contacts(parent: Element, law: Coulomb, step: float, sides: int, feet: int) -> None:
-    mu = law.friction_coefficient
+    mu: Any = law.friction_coefficient
     pairs = [("floor", f"foot_{i}", COEFFICIENT, FEET) for i in range(feet)]
     pairs += [("pusher", f"side_{i}", mu, PUSHER) for i in range(sides)]
     for one, other, friction, impedance in pairs:

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.outline import DRAWN, Corners, read_drawing
 from planar_pushing.mechanics.plane import Array, Placement
-from planar_pushing.objects.boundary import Sides, nearest, sides_between
+from planar_pushing.objects.boundary import Sides, nearest_unsigned, sides_between
 from planar_pushing.objects.many import Contacts
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
@@ -31,21 +31,23 @@ def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[N
         If a point is not on the outline or is at an inner corner, or a fence with its normal would pass
         through the object. The error names the first contact that the failing check refuses.
     """
-    points, sides = contacts.points, sides_between(np.array(corners))
-    spot = nearest(sides, points)
+    points, sides = contacts.points, sides_between(corners)
+    spot = nearest_unsigned(sides, points)
     along, inward = spot.position, sides.normal[spot.side]
-    _require_on(contacts, np.abs(spot.gap) <= DRAWN * sides.scale, spot.point)
+    _require_on(contacts, spot.gap <= DRAWN * sides.scale, spot.point)
     away = points[:, None] - sides.start
     distance = np.hypot(away[..., 0], away[..., 1])
     is_near = np.asarray(distance <= DRAWN * sides.scale)
-    _require_outer(contacts, is_near, sides)
-    at_corner = np.any(is_near, axis=1)
+    at_corner = np.asarray(is_near.any(axis=1))
+    pushes_corner = bool(at_corner.any())
+    if pushes_corner:
+        _require_outer(contacts, is_near, sides)
     _require_aligned(contacts, ~at_corner, inward)
     height = ((points - sides.start[spot.side]) * inward).sum(axis=1)
     points = points - height[:, None] * inward
-    ends = np.column_stack([-along, sides.length[spot.side] - along])
+    ends = np.array([-along, sides.length[spot.side] - along]).T
     normals = inward
-    if at_corner.any():
+    if pushes_corner:
         # Without normals, no contact is at a corner.
         normals = np.where(at_corner[:, None], contacts.normals, inward)
         pushed, corner = np.flatnonzero(at_corner), _corners(contacts, sides, distance, is_near)
@@ -80,7 +82,7 @@ def side_on_fence(side: Any, outline: Any) -> tuple[Placement, tuple[float, floa
         If there is no such side, or the fence would pass through the object.
     """
     drawing = read_drawing(outline)
-    count, sides = len(drawing.vertices), sides_between(np.array(drawing.corners))
+    count, sides = len(drawing.vertices), sides_between(drawing.corners)
     if isinstance(side, bool) or not isinstance(side, (int, np.integer)) or not 0 <= side < count:
         raise InvalidValue(
             "side", side, f"a whole number from 0 to {count - 1}",

@@ -15,7 +15,7 @@ import numpy as np
 
 from planar_pushing.mechanics.effects import Effect, Inertia, SupportFriction, Viscous
 from planar_pushing.mechanics.outline import Corners
-from planar_pushing.mechanics.pressure.assembly import gather_pieces
+from planar_pushing.mechanics.pressure.assembly import measure_support
 from planar_pushing.mechanics.pressure.pieces import Array, Pieces
 from planar_pushing.mechanics.supports import Polygon, Ring
 from planar_pushing.objects.boundary import Sides, nearest, sides_between
@@ -149,7 +149,7 @@ def _is_unknown(support: Any) -> bool:
 @cache_results(KEPT)
 def spread_of(support: Any) -> float:
     """Radius of gyration of a support's pressure about its center."""
-    xx, _, yy = gather_pieces([support.pieces()]).spreads[0]
+    xx, _, yy = measure_support(support).spreads[0]
     return sqrt(max(xx + yy, 0.0))
 
 
@@ -166,7 +166,7 @@ def share_outside(support: Any, corners: Corners) -> float:
     The pressure is sampled at points that fill each piece evenly, unless the whole support is inside a
     convex outline. The share of thousands of points is within about a thousandth of the exact one.
     """
-    pieces, sides = support.pieces(), sides_between(np.array(corners))
+    pieces, sides = support.pieces(), sides_between(corners)
     if _is_inside(pieces, sides):
         return 0.0
     points, shares = sample_pressure(pieces)

@@ -15,12 +15,13 @@ from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.force.wrench import wrench
 from planar_pushing.mechanics.outline import Corners
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.pressure.assembly import center, extent, scale_shares
+from planar_pushing.mechanics.pressure.assembly import scale_shares
 from planar_pushing.mechanics.pressure.pieces import ATOMS, Pieces
 from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
 from planar_pushing.mechanics.supports import Polygon, Ring
+from planar_pushing.mechanics.supports.base import InPieces
 from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import Number
@@ -32,18 +33,10 @@ UPRIGHT = Slider(rod_length=0.0, rod_angle=pi / 2)
 
 
 @dataclass(frozen=True, eq=False)
-class Footless:
+class Footless(InPieces):
     """A support without its feet; the shares of the rest add up to 1."""
 
     rest: Pieces
-
-    @property
-    def center_of_pressure(self) -> tuple[float, float]:
-        return center(self.rest)
-
-    @property
-    def extent(self) -> float:
-        return extent(self.rest)
 
     def pieces(self) -> Pieces:
         return self.rest

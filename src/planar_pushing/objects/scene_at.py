@@ -22,12 +22,15 @@ from planar_pushing.objects.many import Contacts, require_contacts
 from planar_pushing.objects.on_outline import on_outline, side_on_fence
 from planar_pushing.objects.plausible import warn_of_doubts
 from planar_pushing.objects.resistance import center_of_pressure, mass_center, with_mass_centers
+from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.units import Units
 
 #: A center closer to the fence than this, relative to the extent, counts as on it: its rod would be flat.
 MINIMUM_HEIGHT = 1e-9
+#: Number of objects whose centers and extents are kept.
+KEPT = 64
 #: Largest distance of a contact from the center, in extents of the support: no object's handle is longer.
 FARTHEST = 500.0
 
@@ -130,7 +133,7 @@ def place_object(
     acting = _required_effects(effects, corners)
     require_alike([placement.point[0], *_numbers_of(acting), *_numbers_of_law(contact)])
     contacts = contacts._replace(placement=placement)
-    center, extent = _middle(acting)
+    center, extent = measure_object(acting)
     if any(map(np.ndim, (*center, extent))):
         contacts, (x, y, extent) = contacts.repeat(*center, extent)
         center = x, y
@@ -196,9 +199,9 @@ def _require_side_alone(point: Any, normal: Any, outline: Any) -> None:
 
 def _require_one_unit(lengths: Array, extent: Number) -> None:
     """Refuse a contact so far from the support that the units of length must differ."""
-    sizes = np.broadcast_to(np.ravel(extent), lengths.shape)
-    far = ~(lengths <= FARTHEST * sizes)
+    far = ~(lengths <= FARTHEST * np.ravel(extent))
     if far.any():
+        sizes = np.broadcast_to(np.ravel(extent), lengths.shape)
         raise InvalidValue(
             "point",
             f"a contact {lengths[far][0]:.6g} from the center of a support of size {sizes[far][0]:.6g}",
@@ -277,7 +280,8 @@ def _with_center(effect: Any, center: tuple[Number, Number], effects: tuple[Any,
     return replace(effect, center=center)
 
 
-def _middle(effects: tuple[Any, ...]) -> tuple[tuple[Number, Number], Number]:
+@cache_results(KEPT)
+def measure_object(effects: tuple[Any, ...]) -> tuple[tuple[Number, Number], Number]:
     """Center and extent of an object in its frame: of friction, else of viscous friction, else of mass."""
     center = center_of_pressure(effects)
     if center is not None:
@@ -296,9 +300,10 @@ def _rods(fences: Frame, center: tuple[Number, Number], extent: Number) -> Rods:
     """The rods from contacts to the object's center."""
     origin, axis = (tuple(map(np.ravel, pair)) for pair in fences)
     fence, sizes = Frame((origin[0], origin[1]), (axis[0], axis[1])), np.ravel(extent)
-    along, height = fence.point_in(np.column_stack([np.ravel(part) for part in center])).T
+    along, height = fence.point_in(np.array([np.ravel(part) for part in center]).T).T
     low = height <= MINIMUM_HEIGHT * sizes
-    rod = np.column_stack([np.where(low, 0.0, along), np.where(low, sizes, height)])
-    length = np.hypot(rod[:, 0], rod[:, 1])
-    angle = np.arctan2(rod[:, 1], rod[:, 0])
+    if low.any():
+        along, height = np.where(low, 0.0, along), np.where(low, sizes, height)
+    rod, length = np.array([along, height]).T, np.hypot(along, height)
+    angle = np.arctan2(height, along)
     return Rods(fence.point_out(rod), fence.vector_out(rod / length[:, None]), length, angle)

@@ -65,8 +65,16 @@ def variable_attributes(
 
 def field_attributes(problem: Problem, name: str) -> dict[str, Any]:
     """Unit, long name and flags of a variable or a coordinate of a log."""
-    table = quantities.FINGER if problem.shape == Shape.FINGER else quantities.LOG
-    return variable_attributes(table, name, problem.scene.units)
+    known = _all_attributes(problem.shape == Shape.FINGER, problem.scene.units)[name]
+    # A user can write to the flags of a log.
+    return {key: np.copy(value) if key == "flag_values" else value for key, value in known.items()}
+
+
+@cache
+def _all_attributes(has_finger: bool, units: Units | None) -> dict[str, dict[str, Any]]:
+    """Attributes of all variables and coordinates of a log, by their names."""
+    table = quantities.FINGER if has_finger else quantities.LOG
+    return {name: variable_attributes(table, name, units) for name in table}
 
 
 def global_attributes(problem: Problem, method: str) -> dict[str, Any]:

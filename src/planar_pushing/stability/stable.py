@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -16,8 +17,12 @@ from planar_pushing.mechanics.scene import Scene, require_scene, require_single
 from planar_pushing.mechanics.supports import Ring
 from planar_pushing.objects.resistance import feet_of, motion_at, without_feet
 from planar_pushing.objects.wrench_set import ROUNDING
+from planar_pushing.terms.domain import Scalar
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import require_array
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 #: The fence frame in itself.
 FENCE = Frame((0.0, 0.0), (1.0, 0.0))
@@ -27,7 +32,15 @@ TWIST = (
 )
 
 
-def stable(scene: Scene, twist: npt.ArrayLike) -> Any:
+@overload
+def stable(scene: Scene, twist: tuple[Scalar, Scalar, Scalar] | list[float]) -> bool: ...
+@overload
+def stable(scene: Scene, twist: npt.NDArray[Any]) -> bool | npt.NDArray[np.bool_]: ...
+@overload
+def stable(
+    scene: Scene, twist: Sequence[Sequence[Scalar] | npt.NDArray[Any]] | xr.DataArray
+) -> npt.NDArray[np.bool_]: ...
+def stable(scene: Scene, twist: Any) -> Any:
     """Whether a flat side stays on a fence that moves and rotates: the object moves with the fence.
 
     Parameters

@@ -16,13 +16,14 @@ from abc import abstractmethod
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
-from typing import Any, get_type_hints
+from typing import Any, TypeVar, get_type_hints
 
 import numpy as np
 
 from planar_pushing.terms.errors import InvalidValue, require_number, suggestion
 from planar_pushing.terms.numbers import Number, as_numbers, is_lazy, pair_of, remedy_for
 
+Checked = TypeVar("Checked")
 #: A JSON schema.
 Schema = Mapping[str, Any]
 NUMBER: dict[str, Any] = {"type": "number"}
@@ -296,6 +297,14 @@ def require_declared(value: object) -> None:
         parameter = getattr(value, name)
         if parameter is not None or default is not None:
             object.__setattr__(value, name, declaration.require(name, parameter))
+
+
+def replace_checked(value: Checked, **fields: Any) -> Checked:
+    """A copy of a frozen value with other fields, all of which were checked before."""
+    copy: Checked = object.__new__(type(value))
+    for name in type(value).__dataclass_fields__:  # type: ignore[attr-defined]
+        object.__setattr__(copy, name, fields[name] if name in fields else getattr(value, name))
+    return copy
 
 
 def _plain(value: Any) -> Any:

@@ -8,7 +8,7 @@ blocks of a lazy array are checked when they are computed.
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -30,6 +30,13 @@ from planar_pushing.terms.options import SAMPLES, SPEED, TOLERANCE
 #: One number, and many without labels, for the types of functions whose result type follows the arguments.
 Scalar = float | np.floating[Any] | np.integer[Any]
 Numbers = npt.NDArray[Any] | list[Any]
+if TYPE_CHECKING:
+    import xarray as xr
+
+    #: A parameter of a scene, which can be an array. Declarations are read without importing xarray.
+    Parameter = Scalar | Numbers | xr.DataArray
+else:
+    Parameter = Any
 
 #: Maximum rod length, and range of the radius of gyration, in radii of the slider.
 LONGEST, GYRATION = 1e6, (1e-4, 1e4)

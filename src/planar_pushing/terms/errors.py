@@ -57,6 +57,10 @@ class InvalidValue(PlanarPushingError, ValueError):
         )
 
 
+class InvalidCall(PlanarPushingError, TypeError):
+    """A call whose arguments do not fit the parameters; the message says which, and what to do."""
+
+
 class InvalidFile(PlanarPushingError):
     """A scene, study or dataset file that cannot be used; the message names file and key."""
 

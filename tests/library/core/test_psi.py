@@ -34,7 +34,7 @@ def effects_of(*effects):
     """Effects in the form of the core."""
     slider = pp.Slider(rod_length=LENGTH, rod_angle=np.pi / 2, radius=1.0)
     rows = pp.Scene(slider=slider, contact=pp.PerfectlyRough(), effects=effects).rows
-    _, row = in_units(rows.entries, rows.columns, 1.0)
+    _, row = in_units(rows.entries, rows.columns, rows.strengths, 1.0)
     return read_effects(memoryview(rows.data), memoryview(np.array(row)))
 
 

@@ -617,6 +617,35 @@ def test_a_flush_pull_needs_adhesion_or_a_load():
     assert one.force == pytest.approx((0.0, 2.0 - 0.2 - 1.0))
 
 
+#: The fields of a solution along a side.
+FIELDS = (
+    "mode", "force", "force_end", "twist", "contact_motion", "spin_ratio", "center", "pivot", "continuum",
+    "flush", "force_position", "end_forces",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.4, np.pi / 2, 2.5, np.pi, 4.0])
+@pytest.mark.parametrize("magnitude", [0.0, 0.05])
+@pytest.mark.parametrize("more", [
+    (), (pp.Inertia(mass=1.3, gyration_radius=0.1, center=(0.02, 0.01)),), (pp.Load(force=(0.1, -0.4)),),
+], ids=["friction", "inertia", "load"])  # fmt: skip
+def test_a_push_of_numbers_answers_as_an_array_to_the_last_bit(angle, magnitude, more):
+    box = pp.Polygon.rectangle(0.3, 0.2)
+    for law in (pp.Coulomb(0.0), pp.Coulomb(0.5), pp.InfiniteFriction(), pp.PerfectlyRough()):
+        effects = (pp.SupportFriction(support=box, weight=3.3), *more)
+        scene = pp.scene_at(side=0, effects=effects, contact=law, outline=box)
+        array = pp.solve(scene, np.array([angle]), magnitude)
+        for push in ((angle, magnitude), (np.float64(angle), np.float64(magnitude))):
+            found = pp.solve(scene, *push)
+            assert (len(found), int(found.status)) == (array.solutions[0], array.status[0])
+            for j, solution in enumerate(found):
+                for name in FIELDS:
+                    expected = getattr(array, name)[0, j]
+                    np.testing.assert_array_equal(getattr(solution, name), expected)
+                assert type(solution.force_position) is type(solution.spin_ratio) is float
+                assert type(solution.flush) is type(solution.continuum) is bool
+
+
 def test_arrays_labels_and_scalars_agree():
     random = np.random.default_rng(2)
     lengths, starts = random.uniform(0.5, 2, 5), -random.uniform(0.2, 1.5, 5)

@@ -9,6 +9,7 @@ import xarray as xr
 from scipy.optimize import minimize_scalar
 
 import planar_pushing as pp
+from planar_pushing.mechanics.supports import polygon
 
 SQUARE = pp.Polygon.rectangle(2.0, 2.0)
 LEGS = pp.Points.rectangle(2.0, 2.0)
@@ -116,6 +117,28 @@ def test_without_a_placement_the_objects_frame_is_the_body_frame():
     found = pp.solve(scene, 1.2)[0]
     load = pp.wrench(scene.effects[0], scene.to_object(found.twist, "twist"))
     assert scene.to_fence(load, "wrench")[:2] == pytest.approx(found.force)
+
+
+@pytest.mark.parametrize("outline", [
+    pp.Polygon([(0, 0), (0.31, 0), (0.3, 0.2), (0.02, 0.21)]),
+    [(0, 0), (0.32, 0), (0.3, 0.2), (0.02, 0.21)],
+], ids=["polygon", "list"])  # fmt: skip
+def test_an_object_is_checked_once_for_all_of_its_contacts(monkeypatch, outline):
+    called = []
+    original = polygon.run
+
+    def counted(name, *arguments):
+        called.append(name)
+        return original(name, *arguments)
+
+    monkeypatch.setattr(polygon, "run", counted)
+    support = pp.Polygon.rectangle(0.1, 0.13, (0.15, 0.1))
+    rest = {"effects": (pp.SupportFriction(support=support),), "contact": pp.Coulomb(0.5)}
+    called.clear()
+    pp.scene_at((0.1, 0.0), outline=outline, **rest)
+    first = called.count("crossing_edges")
+    pp.scene_at((0.2, 0.0), outline=outline, **rest)
+    assert called.count("crossing_edges") == first <= 1
 
 
 def test_arrays_of_scenes_turn_arrays():

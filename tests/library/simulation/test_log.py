@@ -118,6 +118,15 @@ LOG = run(
 )
 
 
+def test_the_attributes_of_one_log_are_not_those_of_the_next():
+    first = run(make_scene(2, 0.5), FENCE, 1, samples=3)
+    first.mode.attrs["flag_values"][0] = 99
+    first.mode.attrs["long_name"] = "another"
+    again = run(make_scene(2, 0.5), FENCE, 1, samples=3)
+    assert 99 not in again.mode.attrs["flag_values"]
+    assert again.mode.attrs["long_name"] != "another"
+
+
 def test_a_row_an_instant_and_a_column_a_component():
     table = pp.to_pandas(LOG)
     assert table.index.name == "time"

@@ -82,7 +82,8 @@ def responses(rows: Rows, columns: Sequence[Any], motions: Motions) -> Response:
     size = np.maximum(np.hypot(v_x, v_y), np.abs(radius * omega))
     changes = np.asarray(motions.changes) | ((size > 0.0) & (size <= SMALLEST))
     size = np.where(size > SMALLEST, size, 1.0)
-    unit, scaled = in_units(rows.entries, numbers, size)
+    strengths = strengths_of(rows.entries, numbers)
+    unit, scaled = in_units(rows.entries, numbers, strengths, size)
     unit = np.broadcast_to(unit, size.shape)
     motion, force = np.column_stack([size, size, size / radius]), np.column_stack([unit, unit])
     scaled += [
@@ -99,7 +100,6 @@ def responses(rows: Rows, columns: Sequence[Any], motions: Motions) -> Response:
     of = np.ones((len(size), by_twist.shape[2]))  # units of the parameters in the kernel
     of[:, 0] = np.where(motions.condition == FORCE_CASE, unit, size)
     of[:, 1], of[:, 2], of[:, 3] = size, radius, radius
-    strengths = strengths_of(rows.entries, numbers)
     for i, (entry, strength) in enumerate(zip(rows.entries, strengths, strict=True)):
         of[:, FIRST + i] = strength if entry.resists else 1.0
     of[:, FIRST + len(rows.entries) :] = unit[:, None]

@@ -180,7 +180,7 @@ def require_alike(arguments: Sequence[Any]) -> None:
     if labeled:
         _require_labels(labeled, [np.shape(a) for a in arguments if not is_labeled(a)])
         return
-    shapes = list(map(np.shape, arguments))
+    shapes = [np.shape(argument) for argument in arguments if type(argument) is not float]
     try:
         np.broadcast_shapes(*shapes)
     except ValueError:

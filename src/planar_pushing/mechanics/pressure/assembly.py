@@ -22,9 +22,16 @@ from planar_pushing.mechanics.pressure.pieces import (
     Pieces,
     spreads,
 )
+from planar_pushing.terms.caches import cache_results
 
+#: For each kind of piece, the columns in which its extreme points begin, or its center.
+EXTREMES = (
+    (ATOMS, 0), (SEGMENTS, 0), (SEGMENTS, 2), (EDGES, 0), (EDGES, 2), (RINGS, 0), (DISCS, 0),
+)  # fmt: skip
 #: Plates per block of terms: a few milliseconds of work.
 BLOCK = 512
+#: Number of supports whose measures are kept.
+KEPT = 16
 #: A center of rotation closer to an atom than this, relative to the numbers in its computation, counts as
 #: on it.
 ROUNDING = 1e-15
@@ -54,6 +61,11 @@ class Gathered(NamedTuple):
     spreads: Array
     write_terms: Callable[[Array], None] | None = None
 
+    @property
+    def lengths(self) -> Any:
+        """Numbers of edges of the plates, shape (plates,)."""
+        return self.first[1:] - self.first[:-1]
+
 
 def scale_shares(pieces: Pieces, share: float) -> Pieces:
     """Pieces with their shares multiplied by a factor."""
@@ -77,6 +89,13 @@ def join_pieces(parts: Sequence[Pieces]) -> Pieces:
 
 def gather_pieces(supports: Sequence[Pieces]) -> Gathered:
     """Pieces of supports, with centers and extents."""
+    if len(supports) == 1:
+        (pieces,) = supports
+        edges = np.concatenate([np.empty((0, 5)), *pieces.plates])
+        owners, lengths = _order_of_one(
+            tuple(map(len, pieces[:PLATES])), tuple(map(len, pieces.plates))
+        )
+        return measure_pieces(list(map(np.asarray, pieces[:PLATES])), edges, owners, lengths, 1)
     rows = [np.concatenate([pieces[kind] for pieces in supports]) for kind in range(PLATES)]
     counts = [[len(pieces[kind]) for pieces in supports] for kind in range(PLATES + 1)]
     owners = [np.repeat(np.arange(len(supports)), count) for count in counts]
@@ -85,6 +104,13 @@ def gather_pieces(supports: Sequence[Pieces]) -> Gathered:
     edges = np.concatenate([np.empty((0, 5)), *plates])
     owners += [np.repeat(owners[PLATES], lengths)]
     return measure_pieces(rows, edges, owners, lengths, len(supports))
+
+
+@cache_results(KEPT)
+def _order_of_one(counts: tuple[int, ...], lengths: tuple[int, ...]) -> tuple[list[Any], Any]:
+    """Owners of the pieces of one support, and numbers of edges of its plates; not to be written to."""
+    sizes = (*counts, len(lengths), sum(lengths))
+    return [np.zeros(size, np.int64) for size in sizes], np.array(lengths, dtype=np.int64)
 
 
 def measure_pieces(
@@ -102,7 +128,8 @@ def measure_pieces(
     count : int
         Number of supports.
     """
-    first = np.concatenate([[0], lengths.cumsum()])
+    first = np.zeros(len(lengths) + 1, np.int64)
+    np.cumsum(lengths, out=first[1:])
     rows = [*rows, _places(edges, lengths, first[:-1]), edges]
     centers = _centers(rows, owners, count)
     extents, moments = _extents(rows, owners, centers), spreads(rows, owners, centers)
@@ -111,51 +138,55 @@ def measure_pieces(
 
 def _places(edges: Array, lengths: Any, first: Any) -> Array:
     """Center of pressure, largest distance from it, and share of plates, by triangles over their edges."""
+    places = np.empty((len(first), 4))
     if not len(first):
-        return np.empty((0, 4))
-    ends = edges[:, :2]
-    middle = (np.minimum.reduceat(ends, first) + np.maximum.reduceat(ends, first)) / 2
-    about = np.repeat(middle, lengths, axis=0)
-    start, end = edges[:, :2] - about, edges[:, 2:4] - about
+        return places
+    starts, ends = edges[:, :2], edges[:, :4].reshape(-1, 2, 2)
+    middle = (np.minimum.reduceat(starts, first) + np.maximum.reduceat(starts, first)) / 2
+    away = ends - middle.repeat(lengths, axis=0)[:, None]
+    start, end = away[:, 0], away[:, 1]
     loads = (start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0]) / 2 * edges[:, 4]
     share = np.add.reduceat(loads, first)
     weighted = np.add.reduceat(loads[:, None] * (start + end), first)
     center = middle + weighted / (3 * share)[:, None]
-    around = np.repeat(center, lengths, axis=0)
-    away = np.maximum(_distance(edges[:, :2], around), _distance(edges[:, 2:4], around))
-    return np.column_stack([center, np.maximum.reduceat(away, first), share])
+    away = ends - center.repeat(lengths, axis=0)[:, None]
+    reach = np.hypot(away[..., 0], away[..., 1]).max(axis=1)
+    places[:, :2], places[:, 2], places[:, 3] = center, np.maximum.reduceat(reach, first), share
+    return places
 
 
 def _distance(points: Array, center: Array) -> Array:
-    return np.hypot(points[:, 0] - center[:, 0], points[:, 1] - center[:, 1])
+    away = points - center
+    return np.asarray(np.hypot(away[:, 0], away[:, 1]))
 
 
 def _centers(rows: list[Array], owners: list[Any], count: int) -> Array:
     """Centers of pressure."""
-    atoms, segments, rings, discs, plates, _ = rows
-    lines = np.column_stack([(segments[:, :2] + segments[:, 2:4]) / 2, segments[:, 4]])
-    round_ones = [kind[:, [0, 1, 3]] for kind in (rings, discs, plates)]
-    x, y, share = np.concatenate([atoms, lines, *round_ones]).T
-    owner = np.concatenate(owners[:EDGES])
+    present = [kind for kind in range(EDGES) if len(rows[kind])]
+    owner = np.concatenate([owners[kind] for kind in present])
+    x, y, share = np.concatenate([_positions(kind, rows[kind]) for kind in present]).T
     total = np.bincount(owner, share, count)
-    return np.column_stack(
-        [np.bincount(owner, share * coordinate, count) / total for coordinate in (x, y)]
-    )
+    centers = np.empty((count, 2))
+    centers[:, 0] = np.bincount(owner, share * x, count) / total
+    centers[:, 1] = np.bincount(owner, share * y, count) / total
+    return centers
+
+
+def _positions(kind: int, rows: Array) -> Array:
+    """Centers and shares of pieces of a kind, shape (n, 3)."""
+    if kind == ATOMS:
+        return rows
+    if kind == SEGMENTS:
+        return np.column_stack([(rows[:, :2] + rows[:, 2:4]) / 2, rows[:, 4]])
+    return rows[:, [0, 1, 3]]
 
 
 def _extents(rows: list[Array], owners: list[Any], centers: Array) -> Array:
     """Largest distances of supports from their centers of pressure."""
-    ends = (
-        (ATOMS, 0),
-        (SEGMENTS, 0),
-        (SEGMENTS, 2),
-        (EDGES, 0),
-        (EDGES, 2),
-        (RINGS, 0),
-        (DISCS, 0),
-    )
     extents = np.zeros(len(centers))
-    for kind, column in ends:
+    for kind, column in EXTREMES:
+        if not len(rows[kind]):
+            continue
         reach = _distance(rows[kind][:, column : column + 2], centers[owners[kind]])
         if kind in (RINGS, DISCS):
             reach += rows[kind][:, 2]
@@ -163,15 +194,10 @@ def _extents(rows: list[Array], owners: list[Any], centers: Array) -> Array:
     return extents
 
 
-def center(pieces: Pieces) -> tuple[float, float]:
-    """Center of pressure."""
-    x, y = gather_pieces([pieces]).centers[0]
-    return float(x), float(y)
-
-
-def extent(pieces: Pieces) -> float:
-    """Largest distance of the pieces from the center of pressure."""
-    return float(gather_pieces([pieces]).extents[0])
+@cache_results(KEPT)
+def measure_support(support: Any) -> Gathered:
+    """The pieces of one support, with its center and extent."""
+    return gather_pieces([support.pieces()])
 
 
 class Stack(NamedTuple):
@@ -197,19 +223,23 @@ def stack(group: Gathered, radii: Array) -> Stack:
     """Rows of supports, each in units of its own radius."""
     kinds, owners = _scaled_rows(group, radii)
     count = len(radii)
-    order = np.argsort(np.concatenate(owners), kind="stable")
-    rows = np.concatenate([np.pad(kind, ((0, 0), (0, COLUMNS - kind.shape[1]))) for kind in kinds])
-    counts = np.column_stack([np.bincount(owner, minlength=count) for owner in owners])
+    rows = np.zeros((sum(map(len, owners)), COLUMNS))
+    counts, end = np.zeros((count, EDGES + 1), np.int64), 0
+    for kind, scaled in kinds.items():
+        first, end = end, end + len(scaled)
+        rows[first:end, : scaled.shape[1]] = scaled
+        counts[:, kind] = np.bincount(owners[kind], minlength=count)
+    if count > 1:
+        rows = rows[np.argsort(np.concatenate(owners), kind="stable")]
     starts = (counts.cumsum() - counts.ravel()).reshape(counts.shape)
     first_plates = counts[:, PLATES].cumsum() - counts[:, PLATES]
-    rows = np.ascontiguousarray(rows[order])
     # The edges of all supports follow the order of the plates, and so do these two arrays.
-    lengths, owner = np.diff(group.first), owners[PLATES]
+    lengths, owner = group.lengths, owners[PLATES]
     inside = group.first[:-1] - (counts[:, EDGES].cumsum() - counts[:, EDGES])[owner]
     begin = starts[owner, EDGES] + inside
     plates = starts[owner, PLATES] + np.arange(len(owner)) - first_plates[owner]
     rows[plates, COLUMNS - 2], rows[plates, COLUMNS - 1] = begin, begin + lengths
-    return Stack(np.column_stack([starts, first_plates]), rows, plates)
+    return Stack(np.concatenate([starts, first_plates[:, None]], axis=1), rows, plates)
 
 
 def stack_with_terms(group: Gathered, radii: Array) -> tuple[Any, Array, Array]:
@@ -237,8 +267,8 @@ def write_terms(group: Gathered, rows: Array, plates: Any, terms: Array) -> None
 
     def block(start: int) -> None:
         part = slice(start, start + BLOCK)
-        _, _, radius, _, first, last = rows[plates[part]].T
-        edges = np.column_stack([radius, COLUMNS * first, COLUMNS * last])
+        edges = rows[plates[part]][:, [2, COLUMNS - 2, COLUMNS - 1]]
+        edges[:, 1:] *= COLUMNS
         terms[part] = run("plate_terms", rows, edges, 2 * ROWS)
 
     starts = range(0, len(plates), BLOCK)
@@ -248,23 +278,28 @@ def write_terms(group: Gathered, rows: Array, plates: Any, terms: Array) -> None
         block(0)
 
 
-def _scaled_rows(group: Gathered, radii: Array) -> tuple[list[Array], list[Any]]:
-    """Rows of each kind in units of the radii, and their owners; rows of plates lack their edge numbers."""
-    owners, unit = list(group.owners), [radii[owner, None] for owner in group.owners]
-    atoms, segments, rings, discs, plates, edges = group.rows
-    atoms, owners[ATOMS] = _atoms(group, atoms[:, :2] / unit[ATOMS], radii)
-    lines = _lines(segments[:, :2] / unit[SEGMENTS], segments[:, 2:4] / unit[SEGMENTS])
-    plate = np.repeat(np.arange(len(plates)), np.diff(group.first))
-    middle, size = plates[plate, :2], unit[EDGES]
-    sides = _lines((edges[:, :2] - middle) / size, (edges[:, 2:4] - middle) / size)
-    jumps = edges[:, 4] * size[:, 0] ** 2 / plates[plate, 3]
-    round_ones = [
-        np.column_stack([kind[:, :3] / radii[owner, None], kind[:, 3]])
-        for kind, owner in zip((rings, discs, plates), group.owners[RINGS:EDGES], strict=True)
-    ]
-    kinds = [
-        atoms, np.column_stack([lines, segments[:, 4]]), *round_ones, np.column_stack([sides, jumps]),
-    ]  # fmt: skip
+def _scaled_rows(group: Gathered, radii: Array) -> tuple[dict[int, Array], list[Any]]:
+    """Rows of each kind that is present, in units of the radii, and the owners of all kinds.
+
+    Rows of plates lack their edge numbers.
+    """
+    owners, kinds = list(group.owners), {}
+    for kind, rows in enumerate(group.rows):
+        if not len(rows):
+            continue
+        unit = radii[owners[kind], None]
+        if kind == ATOMS:
+            kinds[kind], owners[kind] = _atoms(group, rows[:, :2] / unit, radii)
+        elif kind == SEGMENTS:
+            kinds[kind] = _lines(rows[:, :2] / unit, rows[:, 2:4] / unit, rows[:, 4])
+        elif kind == EDGES:
+            plates = group.rows[PLATES].repeat(group.lengths, axis=0)
+            middle = plates[:, :2]
+            start, end = (rows[:, :2] - middle) / unit, (rows[:, 2:4] - middle) / unit
+            kinds[kind] = _lines(start, end, rows[:, 4] * unit[:, 0] ** 2 / plates[:, 3])
+        else:
+            kinds[kind] = rows.copy()
+            kinds[kind][:, :3] /= unit
     return kinds, owners
 
 
@@ -272,18 +307,24 @@ def _atoms(group: Gathered, places: Array, radii: Array) -> tuple[Array, Any]:
     """Atoms in their order, and their owners; atoms of one support at the same place are merged."""
     owner: Any = group.owners[ATOMS]
     shares: Any = group.rows[ATOMS][:, 2]
-    keys = np.column_stack([owner, places])
-    merged, first, which = np.unique(keys, axis=0, return_index=True, return_inverse=True)
-    shares = np.bincount(which.ravel(), shares, len(merged))
-    order = np.argsort(first)
-    merged_owner = owner[first[order]]
-    places, shares = merged[order, 1:], shares[order]
-    size = (group.extents / radii)[merged_owner] + np.abs(places).sum(axis=1)
-    return np.column_stack([places, shares, (ROUNDING * size) ** 2]), merged_owner
+    by_place = np.lexsort((places[:, 1], places[:, 0], owner))
+    keys = np.column_stack([owner, places])[by_place]
+    if (keys[1:] == keys[:-1]).all(axis=1).any():
+        merged, first, which = np.unique(
+            np.column_stack([owner, places]), axis=0, return_index=True, return_inverse=True
+        )
+        shares = np.bincount(which.ravel(), shares, len(merged))
+        order = np.argsort(first)
+        owner, places, shares = owner[first[order]], merged[order, 1:], shares[order]
+    size = (group.extents / radii)[owner] + np.abs(places).sum(axis=1)
+    return np.column_stack([places, shares, (ROUNDING * size) ** 2]), owner
 
 
-def _lines(start: Array, end: Array) -> Array:
-    """Midpoint, unit tangent and half length of lines."""
+def _lines(start: Array, end: Array, shares: Array) -> Array:
+    """Midpoint, unit tangent and half length of lines, and their shares or jumps."""
+    lines = np.empty((len(start), 6))
     along = end - start
     length = np.hypot(along[:, 0], along[:, 1])
-    return np.column_stack([(start + end) / 2, along / length[:, None], length / 2])
+    lines[:, :2], lines[:, 2:4] = (start + end) / 2, along / length[:, None]
+    lines[:, 4], lines[:, 5] = length / 2, shares
+    return lines

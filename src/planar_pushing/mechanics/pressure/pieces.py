@@ -44,7 +44,10 @@ def spreads(rows: list[Array], owners: list[Any], centers: Array) -> Array:
     """Means of x x, x y and y y from the centers of pressure, shape (supports, 3)."""
     totals = np.zeros((len(centers), 3))
     for kind, first, last in ENDS:
-        pieces, around = rows[kind], centers[owners[kind]]
+        pieces = rows[kind]
+        if not len(pieces):
+            continue
+        around = centers[owners[kind]]
         start, end = pieces[:, first : first + 2] - around, pieces[:, last : last + 2] - around
         means, share = _along(start, end), pieces[:, -1]
         if kind in ROUND:
@@ -60,4 +63,6 @@ def _along(start: Array, end: Array) -> Array:
     """Means of x x, x y and y y over uniform lines."""
     (a, b), (c, d) = start.T, end.T
     xx, yy = (a * a + a * c + c * c) / 3, (b * b + b * d + d * d) / 3
-    return np.column_stack([xx, (2 * a * b + a * d + b * c + 2 * c * d) / 6, yy])
+    means = np.empty((len(start), 3))
+    means[:, 0], means[:, 1], means[:, 2] = xx, (2 * a * b + a * d + b * c + 2 * c * d) / 6, yy
+    return means

@@ -109,6 +109,8 @@ def _is_rigid(support: Any) -> bool:
 
 def flatten_supports(support: Any) -> Any:
     """The supports of an array, flattened; a single support counts as an array of one."""
+    if type(support) in KINDS:
+        return (support,)
     if isinstance(support, SupportInFrames):
         return support
     return np.ravel(np.array(support, dtype=object))

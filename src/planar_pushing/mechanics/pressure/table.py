@@ -27,6 +27,7 @@ from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.mechanics.pressure.assembly import (
     Gathered,
     gather_pieces,
+    measure_support,
     stack,
     write_terms,
 )
@@ -143,9 +144,10 @@ def extent_of(support: Any) -> float:
 def _gather_supports(supports: tuple[Any, ...] | SupportInFrames) -> Gathered:
     """The pieces of supports, none of which may be a single point."""
     if not isinstance(supports, SupportInFrames):
-        return _required_extents(
-            gather_pieces([support.pieces() for support in supports]), supports
-        )
+        if len(supports) == 1:
+            return _required_extents(measure_support(supports[0]), supports)
+        group = gather_pieces([support.pieces() for support in supports])
+        return _required_extents(group, supports)
     if not supports.is_rigid:
         return _gather_supports(supports.supports)
     group = gather_in_frames(supports.support.pieces(), supports.origins, supports.axes)

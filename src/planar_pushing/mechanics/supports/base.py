@@ -8,8 +8,9 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
+from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.plane import Frame
-from planar_pushing.mechanics.pressure.assembly import gather_pieces
+from planar_pushing.mechanics.pressure.assembly import gather_pieces, measure_support
 from planar_pushing.mechanics.pressure.pieces import PLATES, Array, Pieces
 from planar_pushing.mechanics.pressure.support_in_frames import (
     KINDS,
@@ -47,6 +48,21 @@ class Support(Protocol):
     def pieces(self) -> Pieces:
         """The support's pieces, whose shares add up to 1."""
         ...
+
+
+class InPieces(Pictured):
+    """A support of which everything is known by its pieces, measured once."""
+
+    __slots__ = ()
+
+    @property
+    def center_of_pressure(self) -> Position:
+        x, y = measure_support(self).centers[0].tolist()
+        return x, y
+
+    @property
+    def extent(self) -> float:
+        return float(measure_support(self).extents[0])
 
 
 def moved_support(support: Any, frame: Frame) -> Any:
@@ -124,10 +140,12 @@ def array(
     InvalidValue
         If the shape differs, or an entry is not a finite number.
     """
-    for i, entry in enumerate(value if isinstance(value, (list, tuple)) else ()):
-        if as_array(entry) is None:
-            raise InvalidValue(f"{name}[{i}]", entry, "finite numbers", remedy)
-    numbers = require_array(name, value, allowed, remedy)
+    numbers = as_array(value)
+    if numbers is None:
+        for i, entry in enumerate(value if isinstance(value, (list, tuple)) else ()):
+            if as_array(entry) is None:
+                raise InvalidValue(f"{name}[{i}]", entry, "finite numbers", remedy)
+        numbers = require_array(name, value, allowed, remedy)
     fits = numbers.ndim == len(shape) and all(
         length in (None, actual) for length, actual in zip(shape, numbers.shape, strict=True)
     )
@@ -185,10 +203,12 @@ def positions(
     entries: Any = value if isinstance(value, (list, tuple)) else None
     if entries is not None and not entries:
         raise InvalidValue(name, value, "at least one point", remedy)
-    for i, entry in enumerate(entries or ()):
-        pair = as_array(entry)
-        if pair is None or pair.shape != (2,):
-            raise InvalidValue(f"{name}[{i}]", entry, "two finite numbers", remedy)
+    pairs = as_array(value)
+    if pairs is None or pairs.ndim != 2 or pairs.shape[1] != 2:
+        for i, entry in enumerate(entries or ()):
+            pair = as_array(entry)
+            if pair is None or pair.shape != (2,):
+                raise InvalidValue(f"{name}[{i}]", entry, "two finite numbers", remedy)
     places = coordinates(name, value, (None, 2), "pairs of finite numbers", remedy)
     if not len(places):
         raise InvalidValue(name, value, "at least one point", remedy)

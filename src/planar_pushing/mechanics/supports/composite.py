@@ -5,17 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.plane import Frame
 from planar_pushing.mechanics.pressure.assembly import (
-    center,
-    extent,
     join_pieces,
     scale_shares,
 )
 from planar_pushing.mechanics.pressure.pieces import Pieces
 from planar_pushing.mechanics.supports.base import (
-    Position,
+    InPieces,
     moved_support,
     require_support,
     weights,
@@ -51,7 +48,7 @@ MEMBERS = Read(
 
 
 @dataclass(frozen=True, slots=True)
-class Composite(Pictured):
+class Composite(InPieces):
     """Support made of other supports in one body frame.
 
     Parameters
@@ -69,14 +66,6 @@ class Composite(Pictured):
 
     def __post_init__(self) -> None:
         require_declared(self)
-
-    @property
-    def center_of_pressure(self) -> Position:
-        return center(self.pieces())
-
-    @property
-    def extent(self) -> float:
-        return extent(self.pieces())
 
     def moved(self, frame: Frame) -> Composite:
         """The same supports expressed in another frame."""

@@ -8,14 +8,12 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.plane import Frame
-from planar_pushing.mechanics.pressure.assembly import center, extent
 from planar_pushing.mechanics.pressure.pieces import Pieces
 from planar_pushing.mechanics.supports.base import (
     POSITIONS,
     WEIGHTS,
-    Position,
+    InPieces,
     require_count,
 )
 from planar_pushing.mechanics.supports.layouts import (
@@ -44,7 +42,7 @@ NAMES = Read(
 
 
 @dataclass(frozen=True, slots=True)
-class Points(Pictured):
+class Points(InPieces):
     """Support on points.
 
     Parameters
@@ -100,14 +98,6 @@ class Points(Pictured):
     def moved(self, frame: Frame) -> Points:
         """The same points expressed in another frame."""
         return replace(self, positions=frame.point_in(self.positions) + 0.0)
-
-    @property
-    def center_of_pressure(self) -> Position:
-        return center(self.pieces())
-
-    @property
-    def extent(self) -> float:
-        return extent(self.pieces())
 
     def pieces(self) -> Pieces:
         loads = np.array(self.weights)

@@ -8,11 +8,16 @@ from typing import Annotated, Any
 import numpy as np
 
 from planar_pushing.mechanics.kernels.calls import run
-from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.plane import Frame
-from planar_pushing.mechanics.pressure.assembly import center, extent
 from planar_pushing.mechanics.pressure.pieces import Array, Pieces
-from planar_pushing.mechanics.supports.base import PLACES, POSITION, POSITIONS, Position, positions
+from planar_pushing.mechanics.supports.base import (
+    PLACES,
+    POSITION,
+    POSITIONS,
+    InPieces,
+    Position,
+    positions,
+)
 from planar_pushing.mechanics.supports.layouts import (
     COUNT,
     HEIGHT,
@@ -23,7 +28,7 @@ from planar_pushing.mechanics.supports.layouts import (
     rectangle_corners,
     regular_corners,
 )
-from planar_pushing.terms.declared import Read
+from planar_pushing.terms.declared import Read, replace_checked
 from planar_pushing.terms.errors import InvalidValue
 
 #: Smallest area, relative to the square of the polygon's size; a smaller one is rounding error.
@@ -41,7 +46,7 @@ HOLES = Read(_rings, "the vertices of each hole", {"type": "array", "minItems": 
 
 
 @dataclass(frozen=True, slots=True)
-class Polygon(Pictured):
+class Polygon(InPieces):
     """Support on a simple polygon, with or without holes, with uniform pressure.
 
     Parameters
@@ -98,16 +103,11 @@ class Polygon(Pictured):
 
     def moved(self, frame: Frame) -> Polygon:
         """The same polygon expressed in another frame."""
-        vertices, *holes = (frame.point_in(ring) + 0.0 for ring in (self.vertices, *self.holes))
-        return Polygon(vertices, holes)
-
-    @property
-    def center_of_pressure(self) -> Position:
-        return center(self.pieces())
-
-    @property
-    def extent(self) -> float:
-        return extent(self.pieces())
+        vertices, *holes = (
+            _pairs(frame.point_in(ring) + 0.0) for ring in (self.vertices, *self.holes)
+        )
+        # A polygon that is moved rigidly remains simple.
+        return replace_checked(self, vertices=vertices, holes=tuple(holes))
 
     def pieces(self) -> Pieces:
         outer, *inner = map(np.array, (self.vertices, *self.holes))

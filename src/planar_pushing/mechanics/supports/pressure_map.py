@@ -7,12 +7,11 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.plane import Frame, position_in_frame
-from planar_pushing.mechanics.pressure.assembly import center, extent
 from planar_pushing.mechanics.pressure.pieces import Array, Pieces
 from planar_pushing.mechanics.supports.base import (
     POSITION,
+    InPieces,
     Position,
     array,
     coordinates,
@@ -67,7 +66,7 @@ AXIS = Read(_unit, "a unit vector", POSITION.schema)
 
 
 @dataclass(frozen=True, slots=True)
-class PressureMap(Pictured):
+class PressureMap(InPieces):
     """Support on a grid of rectangular cells, with uniform pressure in each.
 
     Parameters
@@ -103,14 +102,6 @@ class PressureMap(Pictured):
                 f"{number_of(shape[0], 'row')} of {number_of(shape[1], 'number')}, to fit y and x",
                 "give the edges of the cells in x and y, one more than columns and rows",
             )  # fmt: skip
-
-    @property
-    def center_of_pressure(self) -> Position:
-        return center(self.pieces())
-
-    @property
-    def extent(self) -> float:
-        return extent(self.pieces())
 
     @property
     def frame(self) -> Frame:

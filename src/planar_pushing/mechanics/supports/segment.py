@@ -8,17 +8,15 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.plane import Frame, position_in_frame
-from planar_pushing.mechanics.pressure.assembly import center, extent
 from planar_pushing.mechanics.pressure.pieces import Pieces
-from planar_pushing.mechanics.supports.base import POSITION, Position, require_size
+from planar_pushing.mechanics.supports.base import POSITION, InPieces, require_size
 from planar_pushing.terms.declared import require_declared
 from planar_pushing.terms.errors import InvalidValue
 
 
 @dataclass(frozen=True, slots=True)
-class Segment(Pictured):
+class Segment(InPieces):
     """Support on a straight line, with uniform pressure.
 
     Parameters
@@ -43,14 +41,6 @@ class Segment(Pictured):
                 "use Points for a support on one point",
             )  # fmt: skip
         require_size("end", math.dist(self.start, self.end))
-
-    @property
-    def center_of_pressure(self) -> Position:
-        return center(self.pieces())
-
-    @property
-    def extent(self) -> float:
-        return extent(self.pieces())
 
     def moved(self, frame: Frame) -> Segment:
         """The same line expressed in another frame."""
