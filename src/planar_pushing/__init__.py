@@ -10,8 +10,8 @@ if sys.platform == "win32":
 
 import lazy_loader
 
+from planar_pushing.calls import explain_calls
 from planar_pushing.mechanics.pictures import LOADERS
-from planar_pushing.terms.calls import explain_calls
 from planar_pushing.terms.errors import suggestion
 
 __version__ = "1.0.0"
