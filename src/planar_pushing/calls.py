@@ -19,17 +19,17 @@ Load = Callable[[str], Any]
 def explain_calls(name: str, value: Any, load: Load) -> Any:
     """A public function or dataclass whose wrong calls raise `InvalidCall`; any other value as it is."""
     if isinstance(value, FunctionType):
-        explained: Any = _explained(value, name, load, bound=0)
+        explained: Any = _explain_function(value, name, load, bound=0)
         # Under these names pickle finds the function that it is given.
         explained.__module__, explained.__qualname__ = __name__.partition(".")[0], name
         return explained
     if isinstance(value, type) and "__dataclass_fields__" in vars(value):
         dataclass: Any = value
-        dataclass.__init__ = _explained(dataclass.__init__, name, load, bound=1)
+        dataclass.__init__ = _explain_function(dataclass.__init__, name, load, bound=1)
     return value
 
 
-def _explained(function: Callable[..., Any], name: str, load: Load, bound: int) -> Any:
+def _explain_function(function: Callable[..., Any], name: str, load: Load, bound: int) -> Any:
     """A function that explains a wrong call; its first arguments can be bound."""
 
     @wraps(function)
@@ -49,7 +49,7 @@ def _mistake(
     function: Callable[..., Any], name: str, load: Load,
     arguments: tuple[Any, ...], named: Mapping[str, Any], bound: int,
 ) -> str:  # fmt: skip
-    """What is wrong with the arguments of a call, with the remedy; empty if they fit the parameters."""
+    """The mistake in the arguments of a call and its remedy; empty if they fit the parameters."""
     import inspect
 
     parameters = list(inspect.signature(function).parameters.values())[bound:]
