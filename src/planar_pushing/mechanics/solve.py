@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.flush_solutions import (
+from planar_pushing.core.instant.flush_solutions import (
     AT_END_FORCES,
     AT_FLUSH,
     AT_POSITION,
     SIDE_RESULT,
 )
-from planar_pushing.core.kernels import (
+from planar_pushing.core.instant.kernels import (
     AT_CENTER,
     AT_CONTINUUM,
     AT_FORCE,

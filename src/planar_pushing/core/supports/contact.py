@@ -1,0 +1,154 @@
+"""The contact, the slider's resistance about it, and the reduced potential at a root for the rotation."""
+
+from __future__ import annotations
+
+from math import fabs, sqrt
+from typing import NamedTuple
+
+from planar_pushing.core.numbers import UNKNOWN
+from planar_pushing.core.supports.rows import NO_POINT, Effects, Resistance, resistance
+from planar_pushing.core.supports.tolerances import ALIGNED, ROUNDING
+
+
+class Contact(NamedTuple):
+    """Position of the contact in the body frame.
+
+    `reach` is its distance from the origin, and (a_x, a_y) the direction in which the origin moves in a
+    rotation about the contact. `spin` is the rotation of a side that stays on the fence, NaN if the slider
+    can rotate about the contact.
+    """
+
+    x: float
+    y: float
+    reach: float
+    a_x: float
+    a_y: float
+    spin: float
+
+
+class Psi(NamedTuple):
+    """Motion of the slider for a given motion of the contact, and gradient and Hessian of Psi there.
+
+    Attributes
+    ----------
+    v_x, v_y, spin : float
+        Twist of the origin.
+    f_x, f_y : float
+        Force at the contact; for a pivot the midpoint of its interval.
+    xx, xy, yy : float
+        Hessian of Psi; for a pivot that of the motion about the point.
+    turn_x, turn_y : float
+        Derivatives of the rotation with respect to the contact's motion.
+    half_x, half_y : float
+        Half of a pivot's interval of forces, otherwise zero.
+    point : int
+        Number of the support point about which the slider pivots, -1 without one.
+    noise_x, noise_y : float
+        Rounding errors of the force.
+    continuum : bool
+        Whether the rotation is one of an interval of rotations that all have this force.
+    converged : bool
+    """
+
+    v_x: float
+    v_y: float
+    spin: float
+    f_x: float
+    f_y: float
+    xx: float
+    xy: float
+    yy: float
+    turn_x: float
+    turn_y: float
+    half_x: float
+    half_y: float
+    point: int
+    noise_x: float
+    noise_y: float
+    continuum: bool
+    converged: bool
+
+
+def contact_at(x: float, y: float) -> Contact:
+    """The contact at a position in the body frame."""
+    reach = sqrt(x * x + y * y)
+    if reach > 0.0:
+        return Contact(x, y, reach, y / reach, -x / reach, UNKNOWN)
+    return Contact(x, y, 0.0, 1.0, 0.0, UNKNOWN)
+
+
+def hold_rotation(contact: Contact, spin: float) -> Contact:
+    """A contact about which the slider cannot rotate freely: a side that stays on the fence."""
+    return Contact(contact.x, contact.y, contact.reach, contact.a_x, contact.a_y, spin)
+
+
+def is_held(contact: Contact) -> bool:
+    """Whether the rotation of the slider is given."""
+    return contact.spin == contact.spin
+
+
+def is_at_contact(contact: Contact, x: float, y: float) -> bool:
+    """Whether a position is that of the contact, to the rounding of the body frame."""
+    return fabs(x - contact.x) + fabs(y - contact.y) <= ALIGNED * contact.reach
+
+
+def held_potential(effects: Effects, contact: Contact, x: float, y: float) -> Psi:
+    """Psi at a motion of a contact with a given rotation."""
+    spin = contact.spin
+    v_x, v_y = x + spin * contact.y, y - spin * contact.x
+    total = resistance_about(effects, contact, v_x, v_y, spin, 0.0)
+    # Without a resistance to rotation, `potential_at` eliminates none.
+    total = Resistance(
+        total.f_x, total.f_y, total.torque, total.xx, total.xy, total.yy, 0.0, 0.0, 0.0,
+        0.0, NO_POINT, total.terms,
+    )  # fmt: skip
+    return potential_at(total, contact, v_x, v_y, spin, 0.0, x, y, 0.0, True)
+
+
+def resistance_about(
+    effects: Effects, contact: Contact, x: float, y: float, spin: float, blur: float
+) -> Resistance:
+    """`Resistance` about the contact at a twist (x, y, spin) of the origin."""
+    total = resistance(effects, x, y, spin, blur)
+    a, b = contact.y, -contact.x
+    xs = total.xs + a * total.xx + b * total.xy
+    ys = total.ys + a * total.xy + b * total.yy
+    return Resistance(
+        total.f_x, total.f_y, total.torque + (a * total.f_x + b * total.f_y),
+        total.xx, total.xy, total.yy, xs, ys,
+        total.ss + a * (total.xs + xs) + b * (total.ys + ys),
+        total.limit, total.point, total.terms,
+    )  # fmt: skip
+
+
+def potential_at(
+    total: Resistance, contact: Contact, v_x: float, v_y: float, spin: float, step: float,
+    x: float, y: float, size: float, converged: bool,
+) -> Psi:  # fmt: skip
+    """Psi at a root, extrapolated by the last Newton step, for an unknown of magnitude `size`."""
+    turn_x, turn_y = 0.0, 0.0
+    if total.ss > 0.0:
+        turn_x, turn_y = -total.xs / total.ss, -total.ys / total.ss
+    xx, xy = total.xx + turn_x * total.xs, total.xy + turn_x * total.ys
+    yy = total.yy + turn_y * total.ys
+    f_x, f_y = total.f_x + step * total.xs, total.f_y + step * total.ys
+    # The torque has the rounding error of its terms. The rotation has that error and its own rounding.
+    lever = (1.0 + contact.reach) * (fabs(contact.a_x * f_x) + fabs(contact.a_y * f_y))
+    noise_x = total.terms + fabs(f_x) + fabs(xx * x) + fabs(xy * y)
+    noise_y = total.terms + fabs(f_y) + fabs(xy * x) + fabs(yy * y)
+    noise_x += lever * fabs(turn_x) + (size + fabs(step)) * fabs(total.xs)
+    noise_y += lever * fabs(turn_y) + (size + fabs(step)) * fabs(total.ys)
+    carried = step * contact.reach
+    return Psi(
+        v_x + carried * contact.a_x, v_y + carried * contact.a_y, spin + step, f_x, f_y,
+        xx, xy, yy, turn_x, turn_y, 0.0, 0.0, NO_POINT,
+        ROUNDING * noise_x, ROUNDING * noise_y, False, converged,
+    )  # fmt: skip
+
+
+def unknown_psi() -> Psi:
+    """A `Psi` marked as not converged."""
+    return Psi(
+        UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN,
+        0.0, 0.0, NO_POINT, UNKNOWN, UNKNOWN, False, False,
+    )  # fmt: skip
