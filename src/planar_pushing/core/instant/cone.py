@@ -81,9 +81,12 @@ def settle_pivot(push: Push, law: Law, stick: ContactMotion) -> ContactMotion:
     part = min(max((low + high) / 2.0, -1.0), 1.0)
     half = max((high - low) / 2.0, 0.0)
     return replace_force(
-        stick, stick.f_x + part * stick.half_x, stick.f_y + part * stick.half_y,
-        half * stick.half_x, half * stick.half_y,
-    )  # fmt: skip
+        stick,
+        f_x=stick.f_x + part * stick.half_x,
+        f_y=stick.f_y + part * stick.half_y,
+        half_x=half * stick.half_x,
+        half_y=half * stick.half_y,
+    )
 
 
 def hold_at_rest(push: Push, law: Law, stick: ContactMotion, scale: float) -> ContactMotion:
@@ -99,11 +102,11 @@ def hold_at_rest(push: Push, law: Law, stick: ContactMotion, scale: float) -> Co
         if law.closed and side * force_across(edge, stick.f_x, stick.f_y) >= 0.0:
             continue
         slow = motion_under_force(
-            push.effects, push.contact, edge.along, -edge.across, SLOWEST * scale
+            push.effects, push.contact, e_x=edge.along, e_y=-edge.across, along=SLOWEST * scale
         )
         moves = fabs(slow.u_x) + fabs(slow.u_y)
         if slow.converged and moves <= COINCIDENT * scale and force_along(edge, slow) > 0.0:
-            held = replace_force(stick, slow.f_x, slow.f_y, 0.0, 0.0)
+            held = replace_force(stick, slow.f_x, slow.f_y, half_x=0.0, half_y=0.0)
             return held if law.closed else _move_inside(push, law, held, edge, side)
     return stick
 
@@ -126,6 +129,6 @@ def _move_inside(
         f_x = stick.f_x + part * (root.f_x - stick.f_x)
         f_y = stick.f_y + part * (root.f_y - stick.f_y)
         if force_across(law.right, f_x, f_y) > 0.0 and force_across(law.left, f_x, f_y) < 0.0:
-            return replace_force(stick, f_x, f_y, 0.0, 0.0)
+            return replace_force(stick, f_x, f_y, half_x=0.0, half_y=0.0)
         part /= 2.0
     return stick

@@ -71,12 +71,12 @@ def direction_at(rod: Rod, angle: float) -> Direction:
     """
     x, y = unit_x(angle), unit_y(angle)
     if is_quarter(angle) or rod.x == 0.0 or rod.y == 0.0:
-        return Direction(angle, x, y, x * rod.x + y * rod.y, x * rod.y - y * rod.x)
+        return Direction(angle, x, y, along=x * rod.x + y * rod.y, across=x * rod.y - y * rod.x)
     difference = rod.angle - angle
     back = difference - rod.angle
     rounding = (rod.angle - (difference - back)) - (angle + back)
     c, s = cos(difference), sin(difference)
-    return Direction(angle, x, y, c - rounding * s, s + rounding * c)
+    return Direction(angle, x, y, along=c - rounding * s, across=s + rounding * c)
 
 
 def length_of(x: float, y: float) -> float:

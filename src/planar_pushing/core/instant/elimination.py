@@ -44,7 +44,11 @@ def factor_matrix(matrix: Numbers, noise: Numbers, order: Numbers) -> bool:
         _swap_numbers(noise, SIDE * k, SIDE * chosen, SIDE)
         for i in range(k + 1, SIDE):
             _eliminate(
-                matrix[SIDE * k :], noise[SIDE * k :], matrix[SIDE * i :], noise[SIDE * i :], k
+                top=matrix[SIDE * k :],
+                top_noise=noise[SIDE * k :],
+                row=matrix[SIDE * i :],
+                noise=noise[SIDE * i :],
+                k=k,
             )
     return True
 

@@ -58,7 +58,9 @@ def flush_modes(flush: FlushPush, solutions: Numbers) -> int:
     points = zeros(MOST_SOLUTIONS * SOLUTION)
     t_x, t_y, count = push.t_x, push.t_y, 0
     held = Push(push.effects, hold_rotation(push.contact, spin), t_x, t_y)
-    fence = Direction(0.0, w_x, w_y, t_x * w_x - t_y * w_y, -(t_x * w_y + t_y * w_x))
+    fence = Direction(
+        angle=0.0, x=w_x, y=w_y, along=t_x * w_x - t_y * w_y, across=-(t_x * w_y + t_y * w_x)
+    )
     number, _ = contact_modes(held, law, fence, points)
     if number < 0:
         return UNSOLVED
@@ -101,10 +103,12 @@ def _keep_between_ends(
     else:
         v_x = push.t_x * point.twist.x - push.t_y * point.twist.y
         v_y = push.t_x * point.twist.y + push.t_y * point.twist.x
-        torque = resistance_about(push.effects, push.contact, v_x, v_y, flush.spin, 0.0).torque
+        torque = resistance_about(
+            push.effects, push.contact, x=v_x, y=v_y, spin=flush.spin, blur=0.0
+        ).torque
     moved = fabs(x) + fabs(y) + fabs(flush.spin) * still.lever
     size = still.weight + still.mass * moved + fabs(still.load.x) + fabs(still.load.y)
-    force = SideForce(x, point.force.x, point.force.y, torque, size)
+    force = SideForce(s=x, f_x=point.force.x, f_y=point.force.y, torque=torque, size=size)
     if not (law.rough and mode == STICK) and not is_between_ends(flush, force):
         return count
     return write_flush(flush, mode, force, point.continuum, solutions, count)

@@ -69,7 +69,9 @@ def write_side_at_rest(
     """Write the slider at rest if the contact holds it, with forces on an edge in a slip."""
     law, still = flush.law, flush.still
     load, size = still.load, fabs(still.load.x) + fabs(still.load.y)
-    hold = Hold(-load.x, -load.y, -load.spin, 0.0, 0.0, Vector(0.0, 0.0, 0.0))
+    hold = Hold(
+        f_x=-load.x, f_y=-load.y, torque=-load.spin, share=0.0, one=0.0, twist=Vector(0.0, 0.0, 0.0)
+    )
     held: bool = law.rough or _transmits(flush, mode, edge, hold, size)
     if not held and still.weight > 0.0:
         hold = _least_friction(flush, mode, edge)
@@ -80,7 +82,7 @@ def write_side_at_rest(
         held = hold.share <= 1.0 + SHARE
     if not held:
         return count
-    force = SideForce(0.0, hold.f_x + 0.0, hold.f_y + 0.0, hold.torque, size)
+    force = SideForce(s=0.0, f_x=hold.f_x + 0.0, f_y=hold.f_y + 0.0, torque=hold.torque, size=size)
     return write_flush(flush, mode, force, False, solutions, count)
 
 
@@ -131,24 +133,109 @@ def _least_friction(flush: FlushPush, mode: int, edge: Direction) -> Hold:
     a, b, wide = side.start, side.end, law.right.y == 0.0
     if mode != STICK:
         return _minimum_on_facet(
-            flush, Facet(edge.x, edge.y, a, edge.x, edge.y, b, False), edge.y > 0.0
+            flush,
+            Facet(
+                one_x=edge.x,
+                one_y=edge.y,
+                one_position=a,
+                other_x=edge.x,
+                other_y=edge.y,
+                other_position=b,
+                any_sign=False,
+            ),
+            edge.y > 0.0,
         )
     if wide:
-        best = _minimum_on_facet(flush, Facet(1.0, 0.0, 0.0, 0.0, 1.0, a, True), True)
+        best = _minimum_on_facet(
+            flush,
+            Facet(
+                one_x=1.0,
+                one_y=0.0,
+                one_position=0.0,
+                other_x=0.0,
+                other_y=1.0,
+                other_position=a,
+                any_sign=True,
+            ),
+            True,
+        )
         return _smaller_share(
-            best, _minimum_on_facet(flush, Facet(1.0, 0.0, 0.0, 0.0, 1.0, b, True), True)
+            best,
+            _minimum_on_facet(
+                flush,
+                Facet(
+                    one_x=1.0,
+                    one_y=0.0,
+                    one_position=0.0,
+                    other_x=0.0,
+                    other_y=1.0,
+                    other_position=b,
+                    any_sign=True,
+                ),
+                True,
+            ),
         )
     right, left = law.right, law.left
-    best = _minimum_on_facet(flush, Facet(right.x, right.y, a, right.x, right.y, b, False), True)
+    best = _minimum_on_facet(
+        flush,
+        Facet(
+            one_x=right.x,
+            one_y=right.y,
+            one_position=a,
+            other_x=right.x,
+            other_y=right.y,
+            other_position=b,
+            any_sign=False,
+        ),
+        True,
+    )
     if right.x == left.x:
         return best
-    other = _minimum_on_facet(flush, Facet(left.x, left.y, a, left.x, left.y, b, False), True)
+    other = _minimum_on_facet(
+        flush,
+        Facet(
+            one_x=left.x,
+            one_y=left.y,
+            one_position=a,
+            other_x=left.x,
+            other_y=left.y,
+            other_position=b,
+            any_sign=False,
+        ),
+        True,
+    )
     best = _smaller_share(best, other)
     best = _smaller_share(
-        best, _minimum_on_facet(flush, Facet(right.x, right.y, a, left.x, left.y, a, False), True)
+        best,
+        _minimum_on_facet(
+            flush,
+            Facet(
+                one_x=right.x,
+                one_y=right.y,
+                one_position=a,
+                other_x=left.x,
+                other_y=left.y,
+                other_position=a,
+                any_sign=False,
+            ),
+            True,
+        ),
     )
     return _smaller_share(
-        best, _minimum_on_facet(flush, Facet(right.x, right.y, b, left.x, left.y, b, False), True)
+        best,
+        _minimum_on_facet(
+            flush,
+            Facet(
+                one_x=right.x,
+                one_y=right.y,
+                one_position=b,
+                other_x=left.x,
+                other_y=left.y,
+                other_position=b,
+                any_sign=False,
+            ),
+            True,
+        ),
     )
 
 
@@ -190,7 +277,9 @@ def _minimum_along_first(flush: FlushPush, facet: Facet, other: float, unit: flo
         if sense * at_high >= 0.0:
             break
         low, at_low, step = high, at_high, 2.0 * step
-    bracket = open_bracket(low.one, high.one, at_low, at_high, COINCIDENT)
+    bracket = open_bracket(
+        low=low.one, high=high.one, at_low=at_low, at_high=at_high, resolution=COINCIDENT
+    )
     for _ in range(ITERATIONS):
         if sense * at_high < 0.0 or is_narrow(bracket):
             break
@@ -216,7 +305,9 @@ def _minimum_on_facet(flush: FlushPush, facet: Facet, both: bool) -> Hold:
         if at_high >= 0.0:
             break
         start, at_low, step = end, at_high, 2.0 * step
-    bracket = open_bracket(start, end, at_low, at_high, COINCIDENT)
+    bracket = open_bracket(
+        low=start, high=end, at_low=at_low, at_high=at_high, resolution=COINCIDENT
+    )
     for _ in range(ITERATIONS):
         if at_high < 0.0 or is_narrow(bracket):
             break
@@ -235,8 +326,16 @@ def _hold_in_open_cone(flush: FlushPush, hold: Hold, size: float) -> Hold:
     if law.right.x * hold.f_y - law.right.y * hold.f_x > RESOLUTION * size:
         return hold
     middle, part = (flush.side.start + flush.side.end) / 2.0, size
-    facet = Facet(hold.f_x, hold.f_y, 0.0, 0.0, 1.0, middle, False)
-    inner = Hold(hold.f_x, hold.f_y, hold.torque, INFINITY, 0.0, hold.twist)
+    facet = Facet(
+        one_x=hold.f_x,
+        one_y=hold.f_y,
+        one_position=0.0,
+        other_x=0.0,
+        other_y=1.0,
+        other_position=middle,
+        any_sign=False,
+    )
+    inner = Hold(hold.f_x, hold.f_y, hold.torque, share=INFINITY, one=0.0, twist=hold.twist)
     for _ in range(HALVES):
         part /= 2.0
         trial = _hold_with(flush, facet, 1.0, part)

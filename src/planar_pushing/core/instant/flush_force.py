@@ -119,10 +119,15 @@ def resist_translation(push: Push) -> Still:
     turn = load.spin - (contact.x * load.y - contact.y * load.x)
     wrench = Vector(t_x * load.x + t_y * load.y, t_x * load.y - t_y * load.x, turn)
     return Still(
-        one.mass, t_x * one.x + t_y * one.y, t_x * one.y - t_y * one.x,
-        two.mass, t_x * two.x + t_y * two.y, t_x * two.y - t_y * two.x,
-        wrench, contact.reach + _arm_of(one) + _arm_of(two),
-    )  # fmt: skip
+        weight=one.mass,
+        weight_x=t_x * one.x + t_y * one.y,
+        weight_y=t_x * one.y - t_y * one.x,
+        mass=two.mass,
+        mass_x=t_x * two.x + t_y * two.y,
+        mass_y=t_x * two.y - t_y * two.x,
+        load=wrench,
+        lever=contact.reach + _arm_of(one) + _arm_of(two),
+    )
 
 
 def _arm_of(mass: Mass) -> float:

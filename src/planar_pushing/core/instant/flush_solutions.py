@@ -125,7 +125,9 @@ def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solution
     count, scale, rest = _write_separate(push, side, pusher, SideSolution(solutions))
     if scale == 0.0:
         return count  # as for one point, a slider and a fence at rest count as separate
-    held = FlushPush(push, side, law, pusher.x, pusher.y, 0.0, resist_translation(push))
+    held = FlushPush(
+        push, side, law, w_x=pusher.x, w_y=pusher.y, spin=0.0, still=resist_translation(push)
+    )
     flush_count, starts, ends = flush_modes(held, flush), 0, 0
     start = End(side.start, 1.0, rest.x, rest.y + side.start * rest.spin)
     if _can_lift(held, start):
@@ -135,8 +137,24 @@ def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solution
         ends, _ = contact_modes(_push_at(push, side.end), law, pusher, at_end)
     if flush_count < 0 or starts < 0 or ends < 0:
         return UNSOLVED
-    flush_count = _keep_lifting(push, side, SIDE_START, at_start, starts, flush, flush_count)
-    flush_count = _keep_lifting(push, side, SIDE_END, at_end, ends, flush, flush_count)
+    flush_count = _keep_lifting(
+        push,
+        side,
+        touches=SIDE_START,
+        points=at_start,
+        count=starts,
+        flush=flush,
+        flush_count=flush_count,
+    )
+    flush_count = _keep_lifting(
+        push,
+        side,
+        touches=SIDE_END,
+        points=at_end,
+        count=ends,
+        flush=flush,
+        flush_count=flush_count,
+    )
     for mode in range(STICK, SLIP_LEFT + 1):
         for i in range(flush_count):
             solution = Solution(flush[i * SOLUTION :])

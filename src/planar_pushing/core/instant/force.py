@@ -102,9 +102,21 @@ def leave_continuum(motion: ContactMotion) -> ContactMotion:
 def sticking_motion(x: float, y: float, root: Psi) -> ContactMotion:
     """The motion of a contact that moves by (x, y), from Psi there."""
     return ContactMotion(
-        x, y, root.v_x, root.v_y, root.spin, root.f_x, root.f_y, root.half_x, root.half_y,
-        root.point, root.continuum, root.noise_x, root.noise_y, root.converged,
-    )  # fmt: skip
+        u_x=x,
+        u_y=y,
+        v_x=root.v_x,
+        v_y=root.v_y,
+        spin=root.spin,
+        f_x=root.f_x,
+        f_y=root.f_y,
+        half_x=root.half_x,
+        half_y=root.half_y,
+        point=root.point,
+        continuum=root.continuum,
+        noise_x=root.noise_x,
+        noise_y=root.noise_y,
+        converged=root.converged,
+    )
 
 
 def motion_at_root(path: Path, s: float, spin: float, continuum: bool, point: int) -> ContactMotion:
@@ -118,7 +130,9 @@ def motion_at_root(path: Path, s: float, spin: float, continuum: bool, point: in
     u = motion_at(path, s)
     x, y = u.x, u.y
     for _ in range(POLISHES if point < 0 else 0):
-        rest = Path(path.effects, path.contact, path.e_x, path.e_y, x, y, path.d_x, path.d_y)
+        rest = Path(
+            path.effects, path.contact, path.e_x, path.e_y, p_x=x, p_y=y, d_x=path.d_x, d_y=path.d_y
+        )
         sample = sample_path(rest, 0.0, spin, NO_POINT)
         step = -sample.before / sample.slope if sample.slope != 0.0 else 0.0
         size = fabs(step) * (fabs(path.d_x) + fabs(path.d_y))
@@ -126,7 +140,15 @@ def motion_at_root(path: Path, s: float, spin: float, continuum: bool, point: in
             break
         x, y, spin = x + step * path.d_x, y + step * path.d_y, sample.spin + step * sample.swing
     hinge = hinge_on_edge(path, x, y, spin)
-    root = psi(path.effects, path.contact, x, y, spin, hinge if hinge >= 0 else point, 0.0)
+    root = psi(
+        path.effects,
+        path.contact,
+        x,
+        y,
+        guess=spin,
+        point=hinge if hinge >= 0 else point,
+        tolerance=0.0,
+    )
     part, half = 0.0, path.e_x * root.half_y - path.e_y * root.half_x
     along = 0.0
     if hinge >= 0:
@@ -137,15 +159,26 @@ def motion_at_root(path: Path, s: float, spin: float, continuum: bool, point: in
     force = path.e_x * (root.f_x + part * root.half_x) + path.e_y * (root.f_y + part * root.half_y)
     flat: bool = continuum or root.continuum
     return ContactMotion(
-        x, y, root.v_x, root.v_y, root.spin, force * path.e_x, force * path.e_y,
-        along * path.e_x, along * path.e_y,
-        root.point, flat, root.noise_x, root.noise_y, root.converged,
-    )  # fmt: skip
+        u_x=x,
+        u_y=y,
+        v_x=root.v_x,
+        v_y=root.v_y,
+        spin=root.spin,
+        f_x=force * path.e_x,
+        f_y=force * path.e_y,
+        half_x=along * path.e_x,
+        half_y=along * path.e_y,
+        point=root.point,
+        continuum=flat,
+        noise_x=root.noise_x,
+        noise_y=root.noise_y,
+        converged=root.converged,
+    )
 
 
 def path_across(effects: Effects, contact: Contact, e_x: float, e_y: float, along: float) -> Path:
     """The path of motions with a given component along a line of force."""
-    return Path(effects, contact, e_x, e_y, along * e_x, along * e_y, -e_y, e_x)
+    return Path(effects, contact, e_x, e_y, p_x=along * e_x, p_y=along * e_y, d_x=-e_y, d_y=e_x)
 
 
 def _guess_root(path: Path, along: float) -> float:
@@ -187,9 +220,21 @@ def motion_under_force(
 def mark_unsolved(motion: ContactMotion) -> ContactMotion:
     """The same motion, marked as not converged."""
     return ContactMotion(
-        motion.u_x, motion.u_y, motion.v_x, motion.v_y, motion.spin, motion.f_x, motion.f_y,
-        0.0, 0.0, motion.point, motion.continuum, motion.noise_x, motion.noise_y, False,
-    )  # fmt: skip
+        motion.u_x,
+        motion.u_y,
+        motion.v_x,
+        motion.v_y,
+        motion.spin,
+        motion.f_x,
+        motion.f_y,
+        half_x=0.0,
+        half_y=0.0,
+        point=motion.point,
+        continuum=motion.continuum,
+        noise_x=motion.noise_x,
+        noise_y=motion.noise_y,
+        converged=False,
+    )
 
 
 def motions_under_force(

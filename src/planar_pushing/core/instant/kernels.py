@@ -98,7 +98,14 @@ def solve(
         problem = pushing_problem(read_effects(data, row), row[first:])
         number, flat = contact_modes(problem.push, problem.law, problem.pusher, solutions)
         write_results(
-            problem.rod, solutions, SOLUTION, number, flat, result, width, (width - 2) // RESULT
+            problem.rod,
+            solutions,
+            size=SOLUTION,
+            number=number,
+            flat=flat,
+            result=result,
+            width=width,
+            room=(width - 2) // RESULT,
         )
 
 
@@ -106,12 +113,15 @@ def pushing_problem(effects: Effects, inputs: Numbers) -> PushingProblem:
     """The problem of a row of `solve`, from the numbers after its effects."""
     rod = rod_at(inputs[0], inputs[1])
     law = Law(
-        direction_at(rod, inputs[2]), direction_at(rod, inputs[3]),
-        inputs[4] != 0.0, inputs[5] != 0.0, inputs[6] != 0.0,
-    )  # fmt: skip
+        right=direction_at(rod, inputs[2]),
+        left=direction_at(rod, inputs[3]),
+        slips=inputs[4] != 0.0,
+        closed=inputs[5] != 0.0,
+        rough=inputs[6] != 0.0,
+    )
     pusher = direction_at(rod, inputs[7])
     if inputs[8] == 0.0:
-        pusher = Direction(inputs[7], 0.0, 0.0, 0.0, 0.0)
+        pusher = Direction(angle=inputs[7], x=0.0, y=0.0, along=0.0, across=0.0)
     push = Push(effects, contact_at(-rod.length, 0.0), rod.x, -rod.y)
     return PushingProblem(push, law, pusher, rod)
 
@@ -269,7 +279,7 @@ def wrenches(
         row, result = rows[i * columns :], results[i * width :]
         effects, twist = read_effects(data, row), row[first:]
         if twist[0] != 0.0 or twist[1] != 0.0 or twist[2] != 0.0:
-            total = resistance(effects, twist[0], twist[1], twist[2], 0.0)
+            total = resistance(effects, x=twist[0], y=twist[1], spin=twist[2], blur=0.0)
             result[0], result[1], result[2] = total.f_x, total.f_y, total.torque
         else:
             load = load_wrench(effects)
@@ -296,7 +306,7 @@ def load_ratios(
             # The load is equivalent to a pusher's force at the point of its line of action nearest the
             # origin.
             contact = contact_at(y * torque / (size * size), -x * torque / (size * size))
-            limit = motion_under_force(effects, contact, x / size, y / size, 1.0)
+            limit = motion_under_force(effects, contact, e_x=x / size, e_y=y / size, along=1.0)
             force = sqrt(limit.f_x * limit.f_x + limit.f_y * limit.f_y)
             results[i * width] = size / force if force > 0.0 else INFINITY
 

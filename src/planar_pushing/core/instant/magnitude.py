@@ -131,8 +131,8 @@ def _motion_of_force(line: ForceLine) -> ContactMotion:
     f_x, f_y, contact = line.goal * line.e_x, line.goal * line.e_y, line.contact
     twist = free_twist(line.effects, Vector(f_x, f_y, contact.x * f_y - contact.y * f_x))
     x, y = twist.x - twist.spin * contact.y, twist.y + twist.spin * contact.x
-    root = psi(line.effects, contact, x, y, twist.spin, NO_POINT, ROUNDING)
-    motion = replace_force(sticking_motion(x, y, root), f_x, f_y, 0.0, 0.0)
+    root = psi(line.effects, contact, x, y, guess=twist.spin, point=NO_POINT, tolerance=ROUNDING)
+    motion = replace_force(sticking_motion(x, y, root), f_x, f_y, half_x=0.0, half_y=0.0)
     moves: bool = twist.x != 0.0 or twist.y != 0.0 or twist.spin != 0.0
     return motion if moves else mark_unsolved(motion)
 
@@ -176,8 +176,21 @@ def motion_on_ring(rod: Rod, contact: Contact, force: Direction) -> ContactMotio
         v_x, v_y, spin = 0.0, 0.0, copysign(1.0, ratio)
     u_x, u_y = v_x - spin * contact.y, v_y + spin * contact.x
     return ContactMotion(
-        u_x, u_y, v_x, v_y, spin, 0.0, 0.0, 0.0, 0.0, NO_POINT, False, 0.0, 0.0, True
-    )  # fmt: skip
+        u_x,
+        u_y,
+        v_x,
+        v_y,
+        spin,
+        f_x=0.0,
+        f_y=0.0,
+        half_x=0.0,
+        half_y=0.0,
+        point=NO_POINT,
+        continuum=False,
+        noise_x=0.0,
+        noise_y=0.0,
+        converged=True,
+    )
 
 
 def ring_motion_angle(rod: Rod, force: Direction, spin_ratio: float) -> float:
@@ -212,7 +225,9 @@ def motion_angles(effects: Effects, rod: Rod, contact: Contact, force: Direction
     """`MotionAngles` under a force in one direction, over all magnitudes."""
     if is_ring_alone(effects):
         angle = ring_motion_angle(rod, force, ring_spin_ratio(rod.length * force.across))
-        return MotionAngles(angle, angle, False, False, True)
+        return MotionAngles(
+            smallest=angle, largest=angle, pivots=False, continuum=False, converged=True
+        )
     if is_steady(effects):
         return _angles_of_one_degree(effects, contact, force)
     slow = _angles_of_one_degree(scale_effects(effects, 1.0, 0.0), contact, force)
@@ -221,7 +236,9 @@ def motion_angles(effects: Effects, rod: Rod, contact: Contact, force: Direction
     near = min(max(slow.smallest, fast.smallest), slow.largest)
     low, high = min(near, fast.smallest), max(near, fast.smallest)
     if not _is_isotropic(effects):
-        line = ForceLine(effects, contact, force.along, -force.across, UNIT_MOTION, 0.0)
+        line = ForceLine(
+            effects, contact, e_x=force.along, e_y=-force.across, norm=UNIT_MOTION, goal=0.0
+        )
         samples = zeros(2 * MAGNITUDES + 1)
         for i in range(2 * MAGNITUDES + 1):
             samples[i] = _angle_to(line, 1.0, _log_size(i)) - POSITIVE
@@ -230,7 +247,9 @@ def motion_angles(effects: Effects, rod: Rod, contact: Contact, force: Direction
             samples[i] = -samples[i]
         high = max(high, force.angle - _smallest_angle(line, -1.0, samples))
     converged: bool = slow.converged and fast.converged
-    return MotionAngles(low, high, slow.pivots, False, converged)
+    return MotionAngles(
+        smallest=low, largest=high, pivots=slow.pivots, continuum=False, converged=converged
+    )
 
 
 def _angles_of_one_degree(effects: Effects, contact: Contact, force: Direction) -> MotionAngles:
@@ -240,9 +259,12 @@ def _angles_of_one_degree(effects: Effects, contact: Contact, force: Direction) 
     low, high = angle_from_force(ends.first, e_x, e_y), angle_from_force(ends.last, e_x, e_y)
     converged: bool = ends.first.converged and ends.last.converged
     return MotionAngles(
-        force.angle + low, force.angle + high,
-        ends.first.point >= 0, ends.first.continuum, converged,
-    )  # fmt: skip
+        smallest=force.angle + low,
+        largest=force.angle + high,
+        pivots=ends.first.point >= 0,
+        continuum=ends.first.continuum,
+        converged=converged,
+    )
 
 
 def _is_isotropic(effects: Effects) -> bool:

@@ -162,9 +162,21 @@ def _write_separation(push: Push, solution: Solution) -> None:
     rest, contact = _free_motion(push), push.contact
     u_x, u_y = rest.x - rest.spin * contact.y, rest.y + rest.spin * contact.x
     motion = ContactMotion(
-        u_x, u_y, rest.x, rest.y, rest.spin, 0.0, 0.0, 0.0, 0.0, foot_at_center(push.effects, rest),
-        False, 0.0, 0.0, True,
-    )  # fmt: skip
+        u_x,
+        u_y,
+        v_x=rest.x,
+        v_y=rest.y,
+        spin=rest.spin,
+        f_x=0.0,
+        f_y=0.0,
+        half_x=0.0,
+        half_y=0.0,
+        point=foot_at_center(push.effects, rest),
+        continuum=False,
+        noise_x=0.0,
+        noise_y=0.0,
+        converged=True,
+    )
     write_solution(push, SEPARATE, motion, solution)
 
 
@@ -302,9 +314,15 @@ def _write_slips(
         return _write_normal_slips(search, edge, mode, normal, shrink, solutions, slips)
     n_x, n_y, sense = -push.t_y * normal, push.t_x * normal, copysign(1.0, edge.x)
     path = Path(
-        push.effects, push.contact, edge.along, -edge.across, n_x, n_y,
-        sense * push.t_x, sense * push.t_y,
-    )  # fmt: skip
+        push.effects,
+        push.contact,
+        e_x=edge.along,
+        e_y=-edge.across,
+        p_x=n_x,
+        p_y=n_y,
+        d_x=sense * push.t_x,
+        d_y=sense * push.t_y,
+    )
     first = sense * search.rest_x - edge.y * (normal - rest_y) / fabs(edge.x)
     unit = max(fabs(normal), FINE * max(fabs(search.rest_x), fabs(rest_y)))
     slowest = SLOWEST * (unit if unit > 0.0 else 1.0)
@@ -355,14 +373,20 @@ def _pivot_on_edge(search: Search, edge: Direction, rests: bool) -> ContactMotio
         if root.converged and fabs(across) < limit:
             along, half = e_x * root.f_x + e_y * root.f_y, sqrt(limit * limit - across * across)
             motion = sticking_motion(0.0, 0.0, root)
-            return replace_force(motion, along * e_x, along * e_y, half * e_x, half * e_y)
+            return replace_force(
+                motion, f_x=along * e_x, f_y=along * e_y, half_x=half * e_x, half_y=half * e_y
+            )
     rounding = ALIGNED * (search.scale + fabs(search.rest_spin) * (1.0 + push.contact.reach))
     if search.rest_spin == 0.0 or fabs(search.pusher.y - y) > rounding:
         return none
     u_x, u_y = push.t_x * x - push.t_y * y, push.t_y * x + push.t_x * y
-    path = Path(push.effects, push.contact, e_x, e_y, u_x, u_y, push.t_x, push.t_y)
+    path = Path(push.effects, push.contact, e_x, e_y, p_x=u_x, p_y=u_y, d_x=push.t_x, d_y=push.t_y)
     point = hinge_on_edge(path, u_x, u_y, search.rest_spin)
-    return motion_at_root(path, 0.0, search.rest_spin, False, point) if point >= 0 else none
+    return (
+        motion_at_root(path, s=0.0, spin=search.rest_spin, continuum=False, point=point)
+        if point >= 0
+        else none
+    )
 
 
 def _write_touching_stick(
@@ -397,7 +421,7 @@ def _write_normal_slips(
     push, pusher = search.push, search.pusher
     # The path across the force leads from right to left.
     ends = motions_under_force(
-        push.effects, push.contact, edge.along, -edge.across, edge.y * normal
+        push.effects, push.contact, e_x=edge.along, e_y=-edge.across, along=edge.y * normal
     )
     right, left = ends.first, ends.last
     if ends.first.converged and not ends.first.continuum:
@@ -440,10 +464,12 @@ def _snap_to_rest(
     if normal != 0.0 or _speed_of(motion) > NOISE * search.scale:
         return motion
     slow = motion_under_force(
-        push.effects, push.contact, edge.along, -edge.across, SLOWEST * search.scale
+        push.effects, push.contact, e_x=edge.along, e_y=-edge.across, along=SLOWEST * search.scale
     )
-    root = psi(push.effects, push.contact, 0.0, 0.0, 0.0, NO_POINT, 0.0)
-    return replace_force(sticking_motion(0.0, 0.0, root), slow.f_x, slow.f_y, 0.0, 0.0)
+    root = psi(push.effects, push.contact, x=0.0, y=0.0, guess=0.0, point=NO_POINT, tolerance=0.0)
+    return replace_force(
+        sticking_motion(0.0, 0.0, root), slow.f_x, slow.f_y, half_x=0.0, half_y=0.0
+    )
 
 
 def _speed_of(motion: ContactMotion) -> float:

@@ -93,7 +93,9 @@ def keeps_direction(path: Path) -> bool:
 def sample_path(path: Path, s: float, spin: float, point: int) -> Sample:
     """The motion at s, from a guess of its rotation and, at a kink, the number of its point."""
     u = motion_at(path, s)
-    return sample_of(path, s, psi(path.effects, path.contact, u.x, u.y, spin, point, 0.0))
+    return sample_of(
+        path, s, psi(path.effects, path.contact, u.x, u.y, guess=spin, point=point, tolerance=0.0)
+    )
 
 
 def sample_of(path: Path, s: float, root: Psi) -> Sample:
@@ -243,7 +245,17 @@ def mark_unsettled(sample: Sample) -> Sample:
 
 def sample_at_infinity(s: float, force: float) -> Sample:
     """An end of an unbounded path."""
-    return Sample(s, force, force, 0.0, 0.0, 0.0, 0.0, NO_POINT, True)
+    return Sample(
+        s,
+        before=force,
+        after=force,
+        slope=0.0,
+        noise=0.0,
+        spin=0.0,
+        swing=0.0,
+        point=NO_POINT,
+        converged=True,
+    )
 
 
 def _middle_of(low: float, high: float, scale: float, smallest: float) -> float:

@@ -157,11 +157,27 @@ def _state_at(effects: Effects, rod: Rod, solution: Numbers) -> State:
     blur = SLOW * (sqrt(x * x + y * y) + fabs(spin))
     total = _sharp_resistance(effects, x, y, spin, blur)
     return State(
-        effects, total, condition, x, y, spin, blur, contact, solution[12] != 0.0, t_x, t_y,
-        t_x * solution[5] - t_y * solution[6], t_y * solution[5] + t_x * solution[6],
-        edge.along, -edge.across, m_x, m_y,
-        fabs(total.xx) + fabs(total.xy) + fabs(total.yy), pivots, pivot,
-    )  # fmt: skip
+        effects,
+        total,
+        condition,
+        x,
+        y,
+        spin,
+        blur,
+        contact,
+        solution[12] != 0.0,
+        t_x,
+        t_y,
+        f_x=t_x * solution[5] - t_y * solution[6],
+        f_y=t_y * solution[5] + t_x * solution[6],
+        e_x=edge.along,
+        e_y=-edge.across,
+        m_x=m_x,
+        m_y=m_y,
+        unit=fabs(total.xx) + fabs(total.xy) + fabs(total.yy),
+        pivots=pivots,
+        pivot=pivot,
+    )
 
 
 def _sharp_resistance(effects: Effects, x: float, y: float, spin: float, blur: float) -> Resistance:
@@ -199,7 +215,13 @@ def _far_terms(effects: Effects, effect: int, x: float, y: float, spin: float) -
     for i in range(0, len(STENCIL), 2):
         turned, size = rate + STENCIL[i] * step, STENCIL[i + 1] / (12.0 * step)
         part = support_resistance(
-            weight, extent, pressure, w_x + turned * p_y, w_y - turned * p_x, turned / extent, 0.0
+            weight,
+            extent,
+            pressure,
+            x=w_x + turned * p_y,
+            y=w_y - turned * p_x,
+            spin=turned / extent,
+            blur=0.0,
         )
         torque = part.torque / extent - (p_x * part.f_y - p_y * part.f_x)
         b_x, b_y, bend = b_x + size * part.f_x, b_y + size * part.f_y, bend + size * torque

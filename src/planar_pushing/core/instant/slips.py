@@ -89,7 +89,15 @@ def find_slips(
             # The sign of a rounding error is meaningless, so the next sample decides.
             if flat or not sample.converged or reached == last or not _vanishes(sample):
                 count, position = _write_slips_between(
-                    path, unit, straight, flat, here, sample, slips, count, position
+                    path,
+                    unit,
+                    straight,
+                    flat,
+                    low=here,
+                    high=sample,
+                    slips=slips,
+                    count=count,
+                    position=position,
                 )
                 if _steps_across(flat, here, sample):
                     count = _write_slip(unit, sample, False, slips, count)

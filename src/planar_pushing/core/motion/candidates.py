@@ -84,7 +84,9 @@ def write_candidates(system: System, during: Span, time: float, state: RunState)
 
 
 def _write_contact(system: System, index: int, contact: int, x: float, y: float) -> None:
-    write_candidate(system, index, contact, NO_POINT, False, False, x, y, 0.0)
+    write_candidate(
+        system, index, contact, NO_POINT, hinged=False, touches=False, x=x, y=y, spin=0.0
+    )
 
 
 def _write_at_contact(
@@ -153,9 +155,9 @@ def _keep_leaving(
 
 def _write_quasi_static(system: System, during: Span, time: float, state: RunState) -> int:
     if clearance_of(system, state) > SLACK:
-        write_rest(system, 0, False, SEPARATE, 0.0, 0.0)
+        write_rest(system, index=0, touches=False, contact=SEPARATE, f_x=0.0, f_y=0.0)
         return 1
-    write_rest(system, 0, True, SEPARATE, 0.0, 0.0)
+    write_rest(system, index=0, touches=True, contact=SEPARATE, f_x=0.0, f_y=0.0)
     x, y = pusher_velocity(system, during, time, state)
     if x == 0.0 and y == 0.0 and during.constant:
         return 1
@@ -167,7 +169,7 @@ def _write_quasi_static_at_contact(
 ) -> int:
     """Store the stick and the slips of the contact after the candidates so far."""
     x, y = pusher_velocity(system, during, time, state)
-    _write_contact(system, count, STICK, 0.0, 0.0)
+    _write_contact(system, index=count, contact=STICK, x=0.0, y=0.0)
     count += 1
     if not system.scene.slips:
         return count
@@ -199,7 +201,7 @@ def _solve_at_speed(system: System, state: RunState, x: float, y: float, solutio
     scale_films(system, size if size > 0.0 else 1.0)
     put_loads_at(system, state.angle)
     pose, length = pose_at_start(system, state), side_length(system, state)
-    count = modes_at_contact(system, pose, length, x, y, 0.0, size, solutions)
+    count = modes_at_contact(system, pose, length, x, y, spin=0.0, unit=size, solutions=solutions)
     scale_films(system, 1.0)
     return count
 
@@ -217,7 +219,12 @@ def count_quasi_static(system: System, mode: Mode, instant: Instant, state: RunS
         return _count_at_side(system, state, left, right, x, y)
     if slips and y > 0.0 and not depends_on_speed(system):
         path = path_along_fence(
-            system, problem_effects(system), pose_of(system, state), mode.contact, y, 1.0
+            system,
+            problem_effects(system),
+            pose_of(system, state),
+            mode.contact,
+            normal=y,
+            side=1.0,
         )
         sample = sample_path(path, x + instant.slip, instant.spin, instant.pivot)
         if not is_flat(path, sample, size + fabs(instant.slip)):
@@ -252,7 +259,9 @@ def note_slip(system: System, time: float, state: RunState, index: int, mode: Mo
     """Store the slip at the end of a step, from which the next step follows it."""
     if not is_massive(system) and depends_on_speed(system) and slip_side(mode.contact) != 0.0:
         instant = motion_in_mode(system, mode, time, state)
-        _write_contact(system, index, mode.contact, instant.fence_x + instant.slip, instant.fence_y)
+        _write_contact(
+            system, index, mode.contact, x=instant.fence_x + instant.slip, y=instant.fence_y
+        )
 
 
 # With inertia
@@ -275,7 +284,7 @@ def _write_with_inertia(system: System, during: Span, time: float, state: RunSta
         if rests:
             return write_free_start(system, state)
         foot = _foot_at_center(system, during, time, state)
-        return _write_in_motion(system, during, time, state, SEPARATE, foot, 0)
+        return _write_in_motion(system, during, time, state, contact=SEPARATE, foot=foot, count=0)
     if rests:
         return write_starts(system, during, time, state)
     return _write_at_side(system, during, time, state, 0, False)
@@ -308,7 +317,18 @@ def _foot_at_center(system: System, during: Span, time: float, state: RunState) 
 def _separates(system: System, during: Span, time: float, state: RunState, foot: int) -> bool:
     """Whether the contact opens without a contact force, or barely does not: then the trend decides."""
     hinged = _is_held(system, during, time, state, SEPARATE, foot)
-    mode = Mode(SEPARATE, foot, hinged, 1, False, 0.0, 0.0, 0.0, 0.0, during)
+    mode = Mode(
+        contact=SEPARATE,
+        foot=foot,
+        hinged=hinged,
+        departure=1,
+        touches=False,
+        x=0.0,
+        y=0.0,
+        spin=0.0,
+        offset=0.0,
+        during=during,
+    )
     lift = motion_in_mode(system, mode, time, state).lift
     return lift >= -NEAR_ZERO * system.run.force / system.scene.mass
 
@@ -319,7 +339,18 @@ def _is_held(
     """Whether friction can hold the support point at the center of rotation in a contact mode."""
     if foot < 0 or contact == STICK:
         return False
-    mode = Mode(contact, foot, True, 1, False, 0.0, 0.0, 0.0, 0.0, during)
+    mode = Mode(
+        contact,
+        foot,
+        hinged=True,
+        departure=1,
+        touches=False,
+        x=0.0,
+        y=0.0,
+        spin=0.0,
+        offset=0.0,
+        during=during,
+    )
     return motion_in_mode(system, mode, time, state).hold > SLACK
 
 
@@ -332,12 +363,27 @@ def _write_in_motion(
     """
     first = count
     if _is_held(system, during, time, state, contact, foot):
-        write_candidate(system, count, contact, foot, True, False, 0.0, 0.0, 0.0)
+        write_candidate(
+            system, count, contact, foot, hinged=True, touches=False, x=0.0, y=0.0, spin=0.0
+        )
         count += 1
     for departure in range(1, MOST_ROOTS + 1 if foot >= 0 and contact != STICK else 2):
-        mode = Mode(contact, foot, False, departure, False, 0.0, 0.0, 0.0, 0.0, during)
+        mode = Mode(
+            contact,
+            foot,
+            hinged=False,
+            departure=departure,
+            touches=False,
+            x=0.0,
+            y=0.0,
+            spin=0.0,
+            offset=0.0,
+            during=during,
+        )
         if count == first or motion_in_mode(system, mode, time, state).hold > 0.0:
-            write_candidate(system, count, contact, foot, False, False, 0.0, 0.0, 0.0)
+            write_candidate(
+                system, count, contact, foot, hinged=False, touches=False, x=0.0, y=0.0, spin=0.0
+            )
             Candidate(system.candidates[count * CANDIDATE :]).departure = departure
             count += 1
     for i in range(first, count if contact == SEPARATE else first):
@@ -349,6 +395,6 @@ def write_starts(system: System, during: Span, time: float, state: RunState) -> 
     """Store all modes in which a slider at rest on the fence can start."""
     _, _, unit = push_at_start(system, during, time, state)
     if unit == 0.0:
-        write_rest(system, 0, True, SEPARATE, 0.0, 0.0)
+        write_rest(system, index=0, touches=True, contact=SEPARATE, f_x=0.0, f_y=0.0)
         return 1
     return _write_at_side(system, during, time, state, 0, True)

@@ -187,7 +187,7 @@ def settle(
             add_impulse(system, state, mass * d_x, mass * d_y)
         work = mass * (d_x * fence_x + d_y * fence_y)
         state.work += work
-        state.lost += work - (kinetic_energy_of(system, pose, x, y, 0.0) - energy)
+        state.lost += work - (kinetic_energy_of(system, pose, v_x=x, v_y=y, spin=0.0) - energy)
         return GOES_ON
     return reason
 
@@ -232,7 +232,9 @@ def close_on_foot(system: System, during: Span, time: float, state: RunState) ->
         return False
     before = kinetic_energy_of(system, pose, v_x, v_y, state.spin)
     state.gap, state.slip_speed, state.normal_speed, state.spin = 0.0, slip, 0.0, spin
-    state.lost += before - kinetic_energy_of(system, pose, spin * f_y, -spin * f_x, spin)
+    state.lost += before - kinetic_energy_of(
+        system, pose, v_x=spin * f_y, v_y=-spin * f_x, spin=spin
+    )
     return True
 
 

@@ -163,7 +163,15 @@ def count_modes(system: System, mode: Mode, instant: Instant, time: float, state
     candidates = zeros(MOST_CANDIDATES * CANDIDATE)
     there = with_candidates(system, candidates)
     count = write_candidates(there, mode.during, time, state)
-    _, number = _preferred_of_lasting(there, count, NO_MODE, KEEP_CONTACT, time, state, False)
+    _, number = _preferred_of_lasting(
+        there,
+        candidates=count,
+        current=NO_MODE,
+        policy=KEEP_CONTACT,
+        time=time,
+        state=state,
+        later=False,
+    )
     return max(number, 1)
 
 

@@ -43,9 +43,16 @@ def depends_on_speed(system: System) -> bool:
 def _effects_of(system: System, row: Numbers, length: int) -> Effects:
     run = system.run
     return Effects(
-        row, system.data, length, run.feet, run.frictional,
-        run.resists_squarely, run.linear, 1.0, 1.0,
-    )  # fmt: skip
+        row,
+        system.data,
+        length,
+        run.feet,
+        run.frictional,
+        run.resists_squarely,
+        run.linear,
+        one=1.0,
+        two=1.0,
+    )
 
 
 def scale_films(system: System, factor: float) -> None:
@@ -99,8 +106,19 @@ def drag(system: System, x: float, y: float, spin: float) -> Resistance:
     effects = resisting_effects(system)
     if effects.length == 0 or (x == 0.0 and y == 0.0 and spin == 0.0):
         return Resistance(
-            0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, NO_POINT, 0.0
-        )  # fmt: skip
+            f_x=0.0,
+            f_y=0.0,
+            torque=0.0,
+            xx=0.0,
+            xy=0.0,
+            yy=0.0,
+            xs=0.0,
+            ys=0.0,
+            ss=0.0,
+            limit=0.0,
+            point=NO_POINT,
+            terms=0.0,
+        )
     return resistance(effects, x, y, spin, ROUNDING * (fabs(x) + fabs(y)))
 
 

@@ -98,7 +98,7 @@ def _quasi_static_motion(system: System, mode: Mode, time: float, state: RunStat
     fence_x, fence_y = pusher_velocity(system, mode.during, time, state)
     stays: bool = mode.contact == SEPARATE or mode.contact == REST
     if stays or (mode.contact == STICK and fence_x == 0.0 and fence_y == 0.0):
-        return instant_at_rest(fence_x, fence_y, 0.0, 0.0, 0.0, 0.0, 0.0)
+        return instant_at_rest(x=fence_x, y=fence_y, a_x=0.0, a_y=0.0, f_x=0.0, f_y=0.0, offset=0.0)
     system.run.evaluations += 1
     put_loads_at(system, state.angle)
     pose, effects = pose_of(system, state), problem_effects(system)
@@ -108,7 +108,7 @@ def _quasi_static_motion(system: System, mode: Mode, time: float, state: RunStat
     if mode.contact == STICK:
         u_x, u_y = to_body(pose.rod, fence_x, fence_y)
         guess = guess_spin(effects, pose.contact, u_x, u_y)
-        root = psi(effects, pose.contact, u_x, u_y, guess, NO_POINT, 0.0)
+        root = psi(effects, pose.contact, x=u_x, y=u_y, guess=guess, point=NO_POINT, tolerance=0.0)
         v_x, v_y = to_contact(pose.rod, root.v_x, root.v_y)
         f_x, f_y = to_contact(pose.rod, root.f_x, root.f_y)
         spin, pivot = root.spin, root.point
@@ -124,14 +124,31 @@ def _quasi_static_motion(system: System, mode: Mode, time: float, state: RunStat
     moves: bool = v_x * v_x + v_y * v_y > 0.0
     if moves and is_flush(system):
         x, y = to_body(pose.rod, v_x, v_y)
-        torque = resistance_about(effects, pose.contact, x, y, 0.0, 0.0).torque
+        torque = resistance_about(effects, pose.contact, x, y, spin=0.0, blur=0.0).torque
         support = support_of_side(side_length(system, state), f_y, torque)
         if mode.contact != STICK and not lift > 0.0:
             support = Support(support.offset, -fabs(support.press))
     return Instant(
-        slip, 0.0, fence_x, fence_y, v_x, v_y, spin, sqrt(v_x * v_x + v_y * v_y), f_x, f_y,
-        power, 0.0, 0.0, 0.0, lift, pivot, 1.0, support.offset, support.press,
-    )  # fmt: skip
+        slip,
+        normal_speed=0.0,
+        fence_x=fence_x,
+        fence_y=fence_y,
+        v_x=v_x,
+        v_y=v_y,
+        spin=spin,
+        speed=sqrt(v_x * v_x + v_y * v_y),
+        f_x=f_x,
+        f_y=f_y,
+        dissipated=power,
+        a_x=0.0,
+        a_y=0.0,
+        turn=0.0,
+        lift=lift,
+        pivot=pivot,
+        hold=1.0,
+        offset=support.offset,
+        press=support.press,
+    )
 
 
 def path_along_fence(
@@ -141,7 +158,9 @@ def path_along_fence(
     edge = direction_at(pose.rod, edge_angle(system, contact))
     n_x, n_y = to_body(pose.rod, 0.0, normal)
     t_x, t_y = to_body(pose.rod, side, 0.0)
-    return Path(effects, pose.contact, edge.along, -edge.across, n_x, n_y, t_x, t_y)
+    return Path(
+        effects, pose.contact, e_x=edge.along, e_y=-edge.across, p_x=n_x, p_y=n_y, d_x=t_x, d_y=t_y
+    )
 
 
 def _slip_in_mode(
@@ -154,22 +173,28 @@ def _slip_in_mode(
     """
     if not depends_on_speed(system):
         edge = direction_at(pose.rod, edge_angle(system, mode.contact))
-        motion = motion_under_force(effects, pose.contact, edge.along, -edge.across, 1.0)
+        motion = motion_under_force(
+            effects, pose.contact, e_x=edge.along, e_y=-edge.across, along=1.0
+        )
         _, u_y = to_contact(pose.rod, motion.u_x, motion.u_y)
         return motion, fence_y / u_y if u_y != 0.0 else 0.0, u_y
-    motion, force, converged = _nearest_slip(system, effects, pose, mode, fence_y, mode.x)
+    motion, force, converged = _nearest_slip(
+        system, effects, pose, mode, normal=fence_y, along=mode.x
+    )
     if converged and force > 0.0:
         return motion, 1.0, force
     # A slow slip is proportional to the pusher's motion.
     part = fence_y / mode.y if mode.y != 0.0 else 0.0
-    other, push, ends = _nearest_slip(system, effects, pose, mode, fence_y, part * mode.x)
+    other, push, ends = _nearest_slip(
+        system, effects, pose, mode, normal=fence_y, along=part * mode.x
+    )
     if ends and (push > 0.0 or not converged):
         motion, force, converged = other, push, ends
     if converged or not fence_y < 0.0:
         return motion, 1.0 if converged else UNKNOWN, force
     # The pusher retreats, and the slip has ended. Until its end is located, it continues backwards.
     motion, force, converged = _nearest_slip(
-        system, effects, pose, mode, -fence_y, fabs(part) * mode.x
+        system, effects, pose, mode, normal=-fence_y, along=fabs(part) * mode.x
     )
     return motion, -1.0 if converged else UNKNOWN, -force
 

@@ -233,7 +233,9 @@ def _settle_and_choose(
     """Settle a side on the fence, and choose a mode; return `GOES_ON` or why there is none."""
     run, state = system.run, vector_of(system, STATE)
     during = span_at(system.fence, run.piece)
-    reason = settle(system, during, run.time, state, slack, run.mode, current_policy(system))
+    reason = settle(
+        system, during, run.time, state, slack, current=run.mode, policy=current_policy(system)
+    )
     if reason == GOES_ON and not choose_mode(system, excluded, point, other_end):
         return INCONSISTENT
     return reason
@@ -290,7 +292,12 @@ def _stop_slider(system: System, mode: Mode) -> None:
     """Complete a motion that comes to rest, from where the integrator does not resolve it."""
     run, state = system.run, vector_of(system, STATE)
     run.time, reason = change_state(
-        system, SLIDER_STOPS, mode, run.time, state, current_policy(system)
+        system,
+        cause=SLIDER_STOPS,
+        mode=mode,
+        time=run.time,
+        state=state,
+        policy=current_policy(system),
     )
     run.cause, run.phase = SLIDER_STOPS, CHANGES
     if reason != GOES_ON:

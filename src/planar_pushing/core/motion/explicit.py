@@ -116,7 +116,14 @@ def _compute_stage(system: System, mode: Mode, i: int) -> None:
     entries, trial, state = system.entries, vector_of(system, TRIAL), vector_of(system, STATE)
     all_rates = vector_of(system, STAGE_RATES)
     rates = RunState(all_rates[i * entries :])
-    _add_stages(STAGE_WEIGHTS, i * (i - 1) // 2, i, all_rates, entries, trial)
+    _add_stages(
+        STAGE_WEIGHTS,
+        first=i * (i - 1) // 2,
+        count=i,
+        rates=all_rates,
+        entries=entries,
+        total=trial,
+    )
     time, rate = _time_in_step(system.run, STAGE_TIMES[i])
     for k in range(entries):
         trial[k] += state[k]
@@ -145,16 +152,24 @@ def attempt_step(system: System, mode: Mode) -> float:
     for i in range(1, STEP_STAGES):
         _compute_stage(system, mode, i)
     row = STEP_STAGES * (STEP_STAGES - 1) // 2
-    _add_stages(STAGE_WEIGHTS, row, STEP_STAGES, rates, entries, reached)
+    _add_stages(
+        STAGE_WEIGHTS, first=row, count=STEP_STAGES, rates=rates, entries=entries, total=reached
+    )
     for k in range(entries):
         reached[k] += state[k]
-    write_rates_and_guards(system, mode, run.until, reached, last, guards_of(system, END_VALUES))
+    write_rates_and_guards(
+        system, mode, run.until, state=reached, rates=last, guards=guards_of(system, END_VALUES)
+    )
     _, rate = _time_in_step(run, 1.0)
     for k in range(entries):
         rates[STEP_STAGES * entries + k] = rate * last[k]
-    _add_stages(FIFTH_ERROR, 0, STEP_STAGES + 1, rates, entries, trial)
+    _add_stages(
+        FIFTH_ERROR, first=0, count=STEP_STAGES + 1, rates=rates, entries=entries, total=trial
+    )
     fifth = _norm(system, trial, state, reached)
-    _add_stages(THIRD_ERROR, 0, STEP_STAGES + 1, rates, entries, trial)
+    _add_stages(
+        THIRD_ERROR, first=0, count=STEP_STAGES + 1, rates=rates, entries=entries, total=trial
+    )
     third = _norm(system, trial, state, reached)
     fifth, third = fifth * fifth, third * third
     return fifth / sqrt(fifth + 0.01 * third) if fifth != 0.0 else 0.0
@@ -180,9 +195,13 @@ def _prepare_dense_output(system: System, mode: Mode) -> None:
     stable: bool = _are_extra_stages_stable(system)
     for i in range(4):
         _add_stages(
-            DENSE_WEIGHTS, i * STAGES, STAGES if stable else 0, rates, entries,
-            dense[(3 + i) * entries :],
-        )  # fmt: skip
+            DENSE_WEIGHTS,
+            first=i * STAGES,
+            count=STAGES if stable else 0,
+            rates=rates,
+            entries=entries,
+            total=dense[(3 + i) * entries :],
+        )
     system.run.prepared = True
 
 
@@ -277,7 +296,7 @@ def first_size(system: System, mode: Mode, end: float) -> float:
     size = min(1e-6 if small else 0.01 * state_size / rate_size, end - time)
     for k in range(system.entries):
         trial[k] = state[k] + size * rates[k]
-    write_rates(system, mode, time + size, trial, other)
+    write_rates(system, mode, time + size, state=trial, rates=other)
     for k in range(system.entries):
         trial[k] = other[k] - rates[k]
     bend = max(rate_size, _norm(system, trial, state, state) / size)

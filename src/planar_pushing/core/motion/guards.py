@@ -97,7 +97,16 @@ def look_for_kink(system: System, mode: Mode) -> None:
         slack = BEHIND_KINK * (run.until - run.time)
         first, last = fabs(guards_of(system, VALUES)[KINK]), -fabs(end)
         resolution = slack / (4.0 * run.until)
-        kink = _root_of_guard(system, mode, KINK, run.time, run.until, first, last, resolution)
+        kink = _root_of_guard(
+            system,
+            mode,
+            KINK,
+            low=run.time,
+            high=run.until,
+            at_low=first,
+            at_high=last,
+            resolution=resolution,
+        )
         run.kink, run.kink_side = kink + slack, -1
 
 
@@ -174,7 +183,9 @@ def _event_of_cause(system: System, mode: Mode, cause: int) -> float:
         before = guards_of(system, VALUES + j - 1)[cause]
         value = guards_of(system, VALUES + j)[cause]
         if sign * value < -SLACK:
-            time = _crossing(system, mode, cause, low, high, sign * before, sign * value)
+            time = _crossing(
+                system, mode, cause, low, high, at_low=sign * before, at_high=sign * value
+            )
             farthest = leaving_speed(system, run.speed)
             if cause != CENTER_AT_POINT or fabs(_guard_at(system, mode, cause, time)) <= farthest:
                 return time
@@ -184,7 +195,7 @@ def _event_of_cause(system: System, mode: Mode, cause: int) -> float:
                 return _end_of_side_within(system, mode, low, high)
             signs[cause] = sign_of_guard(cause, value)
             if value < -SLACK and not watched:
-                start = _time_of_rise(system, mode, cause, low, high)
+                start = _time_of_rise(system, mode, cause, start=low, end=high)
                 if start < 0.0 and mode.touches:
                     return INFINITY  # the pusher has not left the slider at rest
                 if start < 0.0 and cause == TOUCHES and _opens(system, mode):
@@ -195,7 +206,7 @@ def _event_of_cause(system: System, mode: Mode, cause: int) -> float:
 
 def _end_of_side_within(system: System, mode: Mode, low: float, high: float) -> float:
     """When a finger that is at an end of its side leaves it: at once, or after it has moved inward."""
-    start = _time_of_rise(system, mode, END_OF_SIDE, low, high)
+    start = _time_of_rise(system, mode, END_OF_SIDE, start=low, end=high)
     return low if start < 0.0 else _crossing_within(system, mode, END_OF_SIDE, start, high)
 
 

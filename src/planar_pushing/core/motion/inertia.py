@@ -127,7 +127,7 @@ def _hinged_motion(
     # The center of mass rotates about the hinge.
     c_x, c_y = turn * q_y + square * q_x, -turn * q_x + square * q_y
     p_x, p_y = mass * (c_x - a_x) - f_x, mass * (c_y - a_y) - f_y
-    return Hinge(f_x, f_y, rate_x, rate_y, turn, lift, p_x, p_y)
+    return Hinge(f_x, f_y, a_x=rate_x, a_y=rate_y, turn=turn, lift=lift, p_x=p_x, p_y=p_y)
 
 
 def _rates_about_hinge(
@@ -137,7 +137,7 @@ def _rates_about_hinge(
     """Rates of the velocity, relative to the pusher, of a contact at (d_x, d_y) from the hinge."""
     square = spin * spin
     a_x, a_y = -turn * d_y - square * d_x, turn * d_x - square * d_y
-    return rates_of_contact(system, spin, slip, normal_speed, a_x - b_x, a_y - b_y)
+    return rates_of_contact(system, spin, slip, normal_speed, a_x=a_x - b_x, a_y=a_y - b_y)
 
 
 def slowest_motion(system: System) -> float:
@@ -168,7 +168,9 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: RunState
     fence_x, fence_y = pusher_velocity(system, mode.during, time, state)
     b_x, b_y = pusher_acceleration(system, mode.during, time, state)
     if mode.contact == REST:
-        return instant_at_rest(fence_x, fence_y, b_x, b_y, mode.x, mode.y, mode.offset)
+        return instant_at_rest(
+            x=fence_x, y=fence_y, a_x=b_x, a_y=b_y, f_x=mode.x, f_y=mode.y, offset=mode.offset
+        )
     mass, moment = system.scene.mass, system.run.moment
     pose, spin = pose_of(system, state), state.spin
     system.run.evaluations += 1
@@ -193,7 +195,7 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: RunState
             v_x, v_y = t_x, t_y
             u_x, u_y = contact_motion(pose, v_x, v_y, spin)
             slip, normal_speed = u_x - fence_x, u_y - fence_y if mode.contact == SEPARATE else 0.0
-    x, y, opposed_spin = _opposed_twist(system, mode, pose, t_x, t_y, spin)
+    x, y, opposed_spin = _opposed_twist(system, mode, pose, v_x=t_x, v_y=t_y, spin=spin)
     total = drag(system, x, y, opposed_spin)
     x, y = to_body(pose.rod, v_x, v_y)
     dissipated = total.f_x * x + total.f_y * y + total.torque * spin
@@ -213,9 +215,23 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: RunState
         slowest = max(AT_REST * typical, speed_at_center(system, size) * size)
         is_at_center: bool = w_x * w_x + w_y * w_y <= slowest * slowest
         p_x, p_y = passing_friction(
-            system, pose, q_x, q_y, a_x, a_y, turn, s_x, s_y, w_x, w_y, spin, total.limit,
-            mode.foot == number, is_at_center, speed_of_foot(system, mode, number),
-        )  # fmt: skip
+            system,
+            pose,
+            q_x,
+            q_y,
+            a_x,
+            a_y,
+            turn,
+            b_x=s_x,
+            b_y=s_y,
+            w_x=w_x,
+            w_y=w_y,
+            spin=spin,
+            share=total.limit,
+            leaves=mode.foot == number,
+            is_at_center=is_at_center,
+            speed=speed_of_foot(system, mode, number),
+        )
         a_x, a_y = a_x + p_x / mass, a_y + p_y / mass
         turn += (q_x * p_y - q_y * p_x) / moment
         dissipated -= p_x * w_x + p_y * w_y
@@ -250,16 +266,32 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: RunState
     else:
         free_x, free_y = _acceleration_of_contact(pose, a_x, a_y, turn, spin)
         free_x, lift = rates_of_contact(
-            system, spin, slip, normal_speed, free_x - b_x, free_y - b_y
+            system, spin, slip, normal_speed, a_x=free_x - b_x, a_y=free_y - b_y
         )
-        reaction = reaction_of(system, pose, mode.contact, free_x, lift)
+        reaction = reaction_of(system, pose, mode.contact, x=free_x, y=lift)
         f_x, f_y, rate_x, rate_y = reaction.f_x, reaction.f_y, reaction.x, reaction.y
         turn += moment_of(pose, f_x, f_y) / moment
     return Instant(
-        slip, normal_speed, fence_x, fence_y, v_x, v_y, spin, sqrt(v_x * v_x + v_y * v_y),
-        f_x, f_y, dissipated, rate_x, rate_y, turn, lift,
-        mode.foot if mode.hinged else NO_POINT, hold, support.offset, support.press,
-    )  # fmt: skip
+        slip,
+        normal_speed,
+        fence_x,
+        fence_y,
+        v_x,
+        v_y,
+        spin,
+        speed=sqrt(v_x * v_x + v_y * v_y),
+        f_x=f_x,
+        f_y=f_y,
+        dissipated=dissipated,
+        a_x=rate_x,
+        a_y=rate_y,
+        turn=turn,
+        lift=lift,
+        pivot=mode.foot if mode.hinged else NO_POINT,
+        hold=hold,
+        offset=support.offset,
+        press=support.press,
+    )
 
 
 def _opposed_twist(

@@ -75,9 +75,26 @@ def instant_at_rest(
 ) -> Instant:
     """A slider at rest, relative to a pusher with a velocity and an acceleration."""
     return Instant(
-        -x, -y, x, y, 0.0, 0.0, 0.0, 0.0, f_x, f_y, 0.0, -a_x, -a_y, 0.0, 0.0, NO_POINT, 1.0,
-        offset, UNKNOWN,
-    )  # fmt: skip
+        slip=-x,
+        normal_speed=-y,
+        fence_x=x,
+        fence_y=y,
+        v_x=0.0,
+        v_y=0.0,
+        spin=0.0,
+        speed=0.0,
+        f_x=f_x,
+        f_y=f_y,
+        dissipated=0.0,
+        a_x=-a_x,
+        a_y=-a_y,
+        turn=0.0,
+        lift=0.0,
+        pivot=NO_POINT,
+        hold=1.0,
+        offset=offset,
+        press=UNKNOWN,
+    )
 
 
 def load_power(

@@ -59,7 +59,11 @@ def pusher_along(pose: Pose, x: float, y: float, part: float) -> Direction:
     if part == 1.0:
         return pusher
     return Direction(
-        pusher.angle, part * pusher.x, part * pusher.y, part * pusher.along, part * pusher.across
+        pusher.angle,
+        x=part * pusher.x,
+        y=part * pusher.y,
+        along=part * pusher.along,
+        across=part * pusher.across,
     )
 
 

@@ -280,9 +280,16 @@ def confine_finger(system: System, state: RunState) -> None:
     if has_finger(system) and has_outline(system):
         fine, corners = scene.fine, system.data[scene.corners_place :]
         stretch = free_stretch(
-            corners, scene.corners, -(fine * scene.length), 0.0,
-            run.rod.x, -run.rod.y, fine * scene.radius, 1.0, -fine * state.along,
-        )  # fmt: skip
+            corners,
+            scene.corners,
+            x=-(fine * scene.length),
+            y=0.0,
+            t_x=run.rod.x,
+            t_y=-run.rod.y,
+            radius=fine * scene.radius,
+            depth=1.0,
+            position=-fine * state.along,
+        )
         run.low, run.high = stretch.low / fine, stretch.high / fine
 
 

@@ -42,7 +42,9 @@ def modes_at_contact(
     """
     unit = unit if unit > 0.0 else 1.0
     if length != 0.0:
-        return flush_or_free_modes(system, pose, length, x / unit, y / unit, spin / unit, solutions)
+        return flush_or_free_modes(
+            system, pose, length, x=x / unit, y=y / unit, spin=spin / unit, solutions=solutions
+        )
     number, _ = modes_of_push(system, pose, x, y, sqrt(x * x + y * y) / unit, solutions)
     return number
 
@@ -82,9 +84,14 @@ def flush_or_free_modes(
     if scale == 0.0:
         return count
     flush = FlushPush(
-        push, FlatSide(min(length, 0.0), max(length, 0.0)), law_of(system, pose.rod), x, y, spin,
-        resist_translation(push),
-    )  # fmt: skip
+        push,
+        FlatSide(min(length, 0.0), max(length, 0.0)),
+        law_of(system, pose.rod),
+        w_x=x,
+        w_y=y,
+        spin=spin,
+        still=resist_translation(push),
+    )
     number = flush_modes(flush, solutions[count * SOLUTION :])
     if number < 0:
         return UNSOLVED

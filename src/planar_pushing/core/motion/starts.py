@@ -50,7 +50,17 @@ def write_rest(
     system: System, index: int, touches: bool, contact: int, f_x: float, f_y: float
 ) -> None:
     """Store a slider at rest, with a force of the pusher in a contact mode, as a candidate."""
-    write_candidate(system, index, REST, NO_POINT, False, touches, f_x, f_y, float(contact))
+    write_candidate(
+        system,
+        index,
+        contact=REST,
+        foot=NO_POINT,
+        hinged=False,
+        touches=touches,
+        x=f_x,
+        y=f_y,
+        spin=float(contact),
+    )
 
 
 def write_free_start(system: System, state: RunState) -> int:
@@ -58,11 +68,20 @@ def write_free_start(system: System, state: RunState) -> int:
     size = system.run.force / system.scene.mass
     prepare_start(system, state, size)
     start = free_twist(problem_effects(system), Vector(0.0, 0.0, 0.0))
-    write_rest(system, 0, False, SEPARATE, 0.0, 0.0)
+    write_rest(system, index=0, touches=False, contact=SEPARATE, f_x=0.0, f_y=0.0)
     if start.x != 0.0 or start.y != 0.0 or start.spin != 0.0:
         pose = pose_of(system, state)
         x, y = to_contact(pose.rod, size * start.x, size * start.y)
-        _write_start(system, pose, 0, SEPARATE, NO_POINT, x, y, size * start.spin)
+        _write_start(
+            system,
+            pose,
+            index=0,
+            contact=SEPARATE,
+            point=NO_POINT,
+            x=x,
+            y=y,
+            spin=size * start.spin,
+        )
     return 1
 
 
@@ -120,9 +139,15 @@ def write_starts_at_contact(
             system.candidates[count * CANDIDATE + 9] = offset_in_solution(solution, length)
         else:
             _write_start(
-                system, pose, count, contact, point,
-                unit * solution.twist.x, unit * solution.twist.y, unit * solution.twist.spin,
-            )  # fmt: skip
+                system,
+                pose,
+                count,
+                contact,
+                point,
+                x=unit * solution.twist.x,
+                y=unit * solution.twist.y,
+                spin=unit * solution.twist.spin,
+            )
             if contact == SEPARATE:
                 leave_side(system, count)
         count += 1
@@ -151,7 +176,7 @@ def _write_start(
     spin: float,
 ) -> None:
     """Store the start of a slider with an acceleration; one about a support point begins about it."""
-    foot = slowest_foot_at(system, pose, x, y, spin)
+    foot = slowest_foot_at(system, pose, v_x=x, v_y=y, spin=spin)
     if contact != STICK and not is_flush(system) and foot.number >= 0:
         size = foot.speed * max(size_of_twist(x, y, spin), NO_DIRECTION * system.run.speed)
         if size <= PASSES * size_of_twist(x, y, spin):

@@ -103,7 +103,16 @@ def choose_twist(system: System, current: int, policy: int, chosen: Numbers) -> 
     put_contact(system, point, NO_POINT)
     copy_numbers(there, state, system.entries)
     left, right = side_on_fence(system, there)
-    choice = Choice(0, NO_MODE, point, NO_POINT, 0.0, 0.0, False, False)
+    choice = Choice(
+        number=0,
+        contact=NO_MODE,
+        point=point,
+        other_end=NO_POINT,
+        unit=0.0,
+        offset=0.0,
+        sinks_left=False,
+        sinks_right=False,
+    )
     if left < 0:
         left, right = point, point
         choice = _add_point(system, there, choice, True, current, policy, chosen)
@@ -167,12 +176,21 @@ def _add_point(
     """
     solutions = zeros(MOST_SOLUTIONS * SOLUTION)
     pose, point = pose_of(system, state), system.run.point
-    number, unit = _solve_step(system, pose, state, 0.0, 0.0, solutions)
+    number, unit = _solve_step(system, pose, state, length=0.0, spin=0.0, solutions=solutions)
     count, contact, best = choice.number, choice.contact, -1
     left: bool = False
     right: bool = False
     if number < 0 and is_first:
-        return Choice(UNSOLVED, NO_MODE, point, NO_POINT, unit, 0.0, False, False)
+        return Choice(
+            number=UNSOLVED,
+            contact=NO_MODE,
+            point=point,
+            other_end=NO_POINT,
+            unit=unit,
+            offset=0.0,
+            sinks_left=False,
+            sinks_right=False,
+        )
     for i in range(number):
         solution = Solution(solutions[i * SOLUTION :])
         mode = solution.mode
@@ -190,12 +208,28 @@ def _add_point(
             break
     if best < 0:
         return Choice(
-            count, contact, choice.point, choice.other_end, choice.unit, choice.offset, left, right
+            count,
+            contact,
+            choice.point,
+            choice.other_end,
+            choice.unit,
+            choice.offset,
+            sinks_left=left,
+            sinks_right=right,
         )
     solution = Solution(solutions[best * SOLUTION :])
     for k in range(SOLUTION):
         chosen[k] = solution[k]
-    return Choice(count, contact, point, NO_POINT, unit, 0.0, left, right)
+    return Choice(
+        number=count,
+        contact=contact,
+        point=point,
+        other_end=NO_POINT,
+        unit=unit,
+        offset=0.0,
+        sinks_left=left,
+        sinks_right=right,
+    )
 
 
 def _is_on_side(solution: Solution, mode: int, chosen: Numbers) -> bool:
@@ -244,9 +278,15 @@ def _add_side(
     if contact == SEPARATE:
         other_end = NO_POINT
     return Choice(
-        count, contact, system.run.point, other_end, unit,
-        offset_in_solution(solution, end.x), False, False,
-    )  # fmt: skip
+        count,
+        contact,
+        system.run.point,
+        other_end,
+        unit,
+        offset_in_solution(solution, end.x),
+        sinks_left=False,
+        sinks_right=False,
+    )
 
 
 def _sinking_side(
@@ -287,7 +327,9 @@ def _solve_step(
     run.evaluations += 1
     count = modes_at_contact(system, pose, length, x, y, spin, unit, solutions)
     if count == 0 and length == 0.0 and unit > 0.0:
-        count = add_motion_with_fence(system, pose, 0.0, x / unit, y / unit, 0.0, solutions)
+        count = add_motion_with_fence(
+            system, pose, length=0.0, x=x / unit, y=y / unit, spin=0.0, solutions=solutions
+        )
     return count, unit
 
 

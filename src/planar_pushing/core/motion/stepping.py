@@ -183,7 +183,7 @@ def _account(system: System, pose: Pose) -> None:
     h = run.until - run.time
     x, y = from_world(system, state.angle, run.twist.x, run.twist.y)
     work = run.push.x * run.path.x + run.push.y * run.path.y
-    rest = work + kinetic_energy_of(system, pose, x, y, run.twist.spin)
+    rest = work + kinetic_energy_of(system, pose, v_x=x, v_y=y, spin=run.twist.spin)
     rest -= kinetic_energy_of(system, pose, v_x, v_y, spin)
     x, y = to_body(pose.rod, v_x, v_y)
     total = drag(system, x, y, spin)
@@ -205,7 +205,7 @@ def _move(system: System, pose: Pose) -> None:
     path_x, path_y = from_world(system, state.angle, run.path.x, run.path.y)
     if contact == SEPARATE:
         along, gap = contact_after_flight(
-            system, pose, state, h * v_x, h * v_y, path_x, path_y, h * spin
+            system, pose, state, x=h * v_x, y=h * v_y, path_x=path_x, path_y=path_y, turn=h * spin
         )
         state.along, state.gap = along, gap
     else:

@@ -330,21 +330,43 @@ def law_of(system: System, rod: Rod) -> Law:
     """The contact law, for a direction of the rod."""
     scene = system.scene
     return Law(
-        direction_at(rod, scene.right), direction_at(rod, scene.left),
-        scene.slips, scene.closed, scene.rough,
-    )  # fmt: skip
+        right=direction_at(rod, scene.right),
+        left=direction_at(rod, scene.left),
+        slips=scene.slips,
+        closed=scene.closed,
+        rough=scene.rough,
+    )
 
 
 def candidate_at(system: System, index: int, piece: int) -> Mode:
     """A candidate mode in the span of a piece, or the mode without a contact force for a negative index."""
     during = span_at(system.fence, min(piece, system.fence.number - 1))
     if index < 0:
-        return Mode(SEPARATE, NO_POINT, False, 1, False, 0.0, 0.0, 0.0, 0.0, during)
+        return Mode(
+            contact=SEPARATE,
+            foot=NO_POINT,
+            hinged=False,
+            departure=1,
+            touches=False,
+            x=0.0,
+            y=0.0,
+            spin=0.0,
+            offset=0.0,
+            during=during,
+        )
     numbers = system.candidates[index * CANDIDATE :]
     return Mode(
-        int(numbers[0]), int(numbers[1]), numbers[2] != 0.0, int(numbers[12]), numbers[3] != 0.0,
-        numbers[4], numbers[5], numbers[6], numbers[9], during,
-    )  # fmt: skip
+        contact=int(numbers[0]),
+        foot=int(numbers[1]),
+        hinged=numbers[2] != 0.0,
+        departure=int(numbers[12]),
+        touches=numbers[3] != 0.0,
+        x=numbers[4],
+        y=numbers[5],
+        spin=numbers[6],
+        offset=numbers[9],
+        during=during,
+    )
 
 
 def write_candidate(

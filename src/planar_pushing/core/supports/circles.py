@@ -32,7 +32,15 @@ def ring_piece(x: float, y: float, radius: float) -> Piece:
     along = slope if c < 1.0 else slope / (c * c * c)
     across = force / c if c > 0.0 else 0.5
     distance = radius * (torque + c * force)
-    return radial_piece(x, y, distance, force, radius * torque, along / radius, across / radius)
+    return radial_piece(
+        x,
+        y,
+        distance,
+        slope=force,
+        torque=radius * torque,
+        along=along / radius,
+        across=across / radius,
+    )
 
 
 def disc_piece(x: float, y: float, radius: float) -> Piece:
@@ -44,7 +52,13 @@ def disc_piece(x: float, y: float, radius: float) -> Piece:
     c = sqrt(x * x + y * y) / radius
     distance, slope, torque, along, across = inner_disc(c) if c <= 1.0 else outer_disc(c)
     return radial_piece(
-        x, y, radius * distance, slope, radius * torque, along / radius, across / radius
+        x,
+        y,
+        distance=radius * distance,
+        slope=slope,
+        torque=radius * torque,
+        along=along / radius,
+        across=across / radius,
     )
 
 

@@ -73,8 +73,8 @@ def contact_at(x: float, y: float) -> Contact:
     """The contact at a position in the body frame."""
     reach = sqrt(x * x + y * y)
     if reach > 0.0:
-        return Contact(x, y, reach, y / reach, -x / reach, UNKNOWN)
-    return Contact(x, y, 0.0, 1.0, 0.0, UNKNOWN)
+        return Contact(x, y, reach, a_x=y / reach, a_y=-x / reach, spin=UNKNOWN)
+    return Contact(x, y, reach=0.0, a_x=1.0, a_y=0.0, spin=UNKNOWN)
 
 
 def hold_rotation(contact: Contact, spin: float) -> Contact:
@@ -96,13 +96,25 @@ def held_potential(effects: Effects, contact: Contact, x: float, y: float) -> Ps
     """Psi at a motion of a contact with a given rotation."""
     spin = contact.spin
     v_x, v_y = x + spin * contact.y, y - spin * contact.x
-    total = resistance_about(effects, contact, v_x, v_y, spin, 0.0)
+    total = resistance_about(effects, contact, x=v_x, y=v_y, spin=spin, blur=0.0)
     # Without a resistance to rotation, `potential_at` eliminates none.
     total = Resistance(
-        total.f_x, total.f_y, total.torque, total.xx, total.xy, total.yy, 0.0, 0.0, 0.0,
-        0.0, NO_POINT, total.terms,
-    )  # fmt: skip
-    return potential_at(total, contact, v_x, v_y, spin, 0.0, x, y, 0.0, True)
+        total.f_x,
+        total.f_y,
+        total.torque,
+        total.xx,
+        total.xy,
+        total.yy,
+        xs=0.0,
+        ys=0.0,
+        ss=0.0,
+        limit=0.0,
+        point=NO_POINT,
+        terms=total.terms,
+    )
+    return potential_at(
+        total, contact, v_x, v_y, spin, step=0.0, x=x, y=y, size=0.0, converged=True
+    )
 
 
 def resistance_about(
@@ -114,11 +126,19 @@ def resistance_about(
     xs = total.xs + a * total.xx + b * total.xy
     ys = total.ys + a * total.xy + b * total.yy
     return Resistance(
-        total.f_x, total.f_y, total.torque + (a * total.f_x + b * total.f_y),
-        total.xx, total.xy, total.yy, xs, ys,
-        total.ss + a * (total.xs + xs) + b * (total.ys + ys),
-        total.limit, total.point, total.terms,
-    )  # fmt: skip
+        total.f_x,
+        total.f_y,
+        torque=total.torque + (a * total.f_x + b * total.f_y),
+        xx=total.xx,
+        xy=total.xy,
+        yy=total.yy,
+        xs=xs,
+        ys=ys,
+        ss=total.ss + a * (total.xs + xs) + b * (total.ys + ys),
+        limit=total.limit,
+        point=total.point,
+        terms=total.terms,
+    )
 
 
 def potential_at(
@@ -140,15 +160,44 @@ def potential_at(
     noise_y += lever * fabs(turn_y) + (size + fabs(step)) * fabs(total.ys)
     carried = step * contact.reach
     return Psi(
-        v_x + carried * contact.a_x, v_y + carried * contact.a_y, spin + step, f_x, f_y,
-        xx, xy, yy, turn_x, turn_y, 0.0, 0.0, NO_POINT,
-        ROUNDING * noise_x, ROUNDING * noise_y, False, converged,
-    )  # fmt: skip
+        v_x=v_x + carried * contact.a_x,
+        v_y=v_y + carried * contact.a_y,
+        spin=spin + step,
+        f_x=f_x,
+        f_y=f_y,
+        xx=xx,
+        xy=xy,
+        yy=yy,
+        turn_x=turn_x,
+        turn_y=turn_y,
+        half_x=0.0,
+        half_y=0.0,
+        point=NO_POINT,
+        noise_x=ROUNDING * noise_x,
+        noise_y=ROUNDING * noise_y,
+        continuum=False,
+        converged=converged,
+    )
 
 
 def unknown_psi() -> Psi:
     """A `Psi` marked as not converged."""
     return Psi(
-        UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN,
-        0.0, 0.0, NO_POINT, UNKNOWN, UNKNOWN, False, False,
-    )  # fmt: skip
+        v_x=UNKNOWN,
+        v_y=UNKNOWN,
+        spin=UNKNOWN,
+        f_x=UNKNOWN,
+        f_y=UNKNOWN,
+        xx=UNKNOWN,
+        xy=UNKNOWN,
+        yy=UNKNOWN,
+        turn_x=UNKNOWN,
+        turn_y=UNKNOWN,
+        half_x=0.0,
+        half_y=0.0,
+        point=NO_POINT,
+        noise_x=UNKNOWN,
+        noise_y=UNKNOWN,
+        continuum=False,
+        converged=False,
+    )

@@ -153,10 +153,19 @@ def _net_resistance(effects: Effects, loads: Loads, twist: Vector, two: float) -
     scaled, more = scale_effects(effects, 1.0, two), loads.more
     total = resistance(scaled, twist.x, twist.y, twist.spin, EPSILON * _size_of(twist))
     return Resistance(
-        total.f_x - more.x, total.f_y - more.y, total.torque - more.spin,
-        total.xx, total.xy, total.yy, total.xs, total.ys, total.ss,
-        total.limit, total.point, total.terms,
-    )  # fmt: skip
+        f_x=total.f_x - more.x,
+        f_y=total.f_y - more.y,
+        torque=total.torque - more.spin,
+        xx=total.xx,
+        xy=total.xy,
+        yy=total.yy,
+        xs=total.xs,
+        ys=total.ys,
+        ss=total.ss,
+        limit=total.limit,
+        point=total.point,
+        terms=total.terms,
+    )
 
 
 def _potential_value(effects: Effects, loads: Loads, twist: Vector, square: bool) -> float:
@@ -182,10 +191,19 @@ def _potential_gradient(effects: Effects, loads: Loads, twist: Vector, square: b
     # This adds stiffness in directions in which the square of D is flat.
     stiff = SHARE * (xx + yy + ss)
     return Resistance(
-        held * f_x - load.x, held * f_y - load.y, held * torque - load.spin,
-        xx + stiff, f_x * f_y + held * total.xy, yy + stiff, f_x * torque + held * total.xs,
-        f_y * torque + held * total.ys, ss + stiff, held * total.limit, total.point, total.terms,
-    )  # fmt: skip
+        f_x=held * f_x - load.x,
+        f_y=held * f_y - load.y,
+        torque=held * torque - load.spin,
+        xx=xx + stiff,
+        xy=f_x * f_y + held * total.xy,
+        yy=yy + stiff,
+        xs=f_x * torque + held * total.xs,
+        ys=f_y * torque + held * total.ys,
+        ss=ss + stiff,
+        limit=held * total.limit,
+        point=total.point,
+        terms=total.terms,
+    )
 
 
 def _minimum_on_ray(effects: Effects, loads: Loads, ray: Vector, square: bool) -> Level:

@@ -162,12 +162,14 @@ def _ends_of(effects: Effects, number: int) -> Ends:
                 weight, extent = effects.one * numbers[0], numbers[1]
                 x, y = extent * piece[0], extent * piece[1]
                 if first < place_of(pressure, SEGMENTS):
-                    return Ends(x, y, x, y, weight * piece[2])
+                    return Ends(x, y, end_x=x, end_y=y, friction=weight * piece[2])
                 half = extent * piece[4]
                 t_x, t_y = half * piece[2], half * piece[3]
-                return Ends(x - t_x, y - t_y, x + t_x, y + t_y, weight * piece[5])
+                return Ends(
+                    x=x - t_x, y=y - t_y, end_x=x + t_x, end_y=y + t_y, friction=weight * piece[5]
+                )
             number -= (place_of(pressure, RINGS) - place_of(pressure, ATOMS)) // COLUMNS
-    return Ends(0.0, 0.0, 0.0, 0.0, 0.0)
+    return Ends(x=0.0, y=0.0, end_x=0.0, end_y=0.0, friction=0.0)
 
 
 def _line_of(effects: Effects, contact: Contact, x: float, y: float) -> Line:
@@ -191,10 +193,12 @@ def _line_of(effects: Effects, contact: Contact, x: float, y: float) -> Line:
             r_y = (ends.y if k == 0 else ends.end_y) - contact.y
             beside = fabs(far_x * r_y - far_y * r_x)
             if beside > BESIDE_LINE * size:
-                return Line(effects, contact, 0, far_x, far_y, False, 0.0, 0.0)
+                return Line(
+                    effects, contact, 0, x=far_x, y=far_y, exact=False, across=0.0, along=0.0
+                )
             exact = exact and beside <= ALIGNED * (size + contact.reach)
     across, along = far_x * y - far_y * x, far_x * x + far_y * y
-    return Line(effects, contact, count, far_x, far_y, exact, across, along)
+    return Line(effects, contact, count, x=far_x, y=far_y, exact=exact, across=across, along=along)
 
 
 def _seat_of(line: Line, number: int) -> Seat:
@@ -205,7 +209,16 @@ def _seat_of(line: Line, number: int) -> Seat:
     first, last = line.x * x + line.y * y, line.x * end_x + line.y * end_y
     middle, half = (first + last) / 2.0, (last - first) / 2.0
     if line.exact:
-        return Seat(line.across, line.along, middle, half, 0.0, middle, 0.0, ends.friction)
+        return Seat(
+            line.across,
+            line.along,
+            x=middle,
+            half=half,
+            y=0.0,
+            middle=middle,
+            shift=0.0,
+            friction=ends.friction,
+        )
     first, last = line.x * y - line.y * x, line.x * end_y - line.y * end_x
     middle_across, half_across = (first + last) / 2.0, (last - first) / 2.0
     length = copysign(sqrt(half * half + half_across * half_across), half)
@@ -213,10 +226,15 @@ def _seat_of(line: Line, number: int) -> Seat:
     if length != 0.0:
         c, s = half / length, half_across / length
     return Seat(
-        c * line.across - s * line.along, c * line.along + s * line.across,
-        c * middle + s * middle_across, length, c * middle_across - s * middle,
-        middle, s * (middle_across - s * middle / (1.0 + c)), ends.friction,
-    )  # fmt: skip
+        across=c * line.across - s * line.along,
+        along=c * line.along + s * line.across,
+        x=c * middle + s * middle_across,
+        half=length,
+        y=c * middle_across - s * middle,
+        middle=middle,
+        shift=s * (middle_across - s * middle / (1.0 + c)),
+        friction=ends.friction,
+    )
 
 
 def _interval_at(line: Line, spin: float, below: bool) -> Interval:
@@ -317,7 +335,7 @@ def _root_in(line: Line, first_sum: float, low: float, high: float) -> float:
     first, last = _second_sum(line, first_sum, low), _second_sum(line, first_sum, high)
     if not first > 0.0 > last:
         return UNKNOWN
-    bracket = open_bracket(low, high, first, last, RESOLVED)
+    bracket = open_bracket(low, high, at_low=first, at_high=last, resolution=RESOLVED)
     for _ in range(ITERATIONS):
         spin = next_number(bracket)
         bracket = narrow_bracket(bracket, spin, _second_sum(line, first_sum, spin))
@@ -360,21 +378,49 @@ def rotation_on_line(effects: Effects, contact: Contact, x: float, y: float, gue
     if spin != spin:
         return unknown_psi()
     v_x, v_y, speed = x + spin * contact.y, y - spin * contact.x, sqrt(x * x + y * y)
-    total = resistance_about(effects, contact, v_x, v_y, spin, 0.0)
+    total = resistance_about(effects, contact, x=v_x, y=v_y, spin=spin, blur=0.0)
     rough = rough_mass(effects, speed, contact.x, contact.y)
     free: bool = line.exact and fabs(line.along) <= ALIGNED * speed
     stiff = rough.inertia + rough.mass * contact.reach * contact.reach
     if not free and total.ss > SLIGHT * stiff:
-        return potential_at(total, contact, v_x, v_y, spin, 0.0, x, y, fabs(spin), True)
+        return potential_at(
+            total, contact, v_x, v_y, spin, step=0.0, x=x, y=y, size=fabs(spin), converged=True
+        )
     # The rotation is proportional to the motion across the line, and the force does not depend on it.
     total = Resistance(
-        total.f_x, total.f_y, 0.0, total.xx, total.xy, total.yy,
-        0.0, 0.0, 0.0, 0.0, NO_POINT, total.terms,
-    )  # fmt: skip
-    root = potential_at(total, contact, v_x, v_y, spin, 0.0, x, y, fabs(spin), True)
+        total.f_x,
+        total.f_y,
+        torque=0.0,
+        xx=total.xx,
+        xy=total.xy,
+        yy=total.yy,
+        xs=0.0,
+        ys=0.0,
+        ss=0.0,
+        limit=0.0,
+        point=NO_POINT,
+        terms=total.terms,
+    )
+    root = potential_at(
+        total, contact, v_x, v_y, spin, step=0.0, x=x, y=y, size=fabs(spin), converged=True
+    )
     turn = spin / line.across
     return Psi(
-        v_x, v_y, spin, root.f_x, root.f_y, root.xx, root.xy, root.yy,
-        -turn * line.y, turn * line.x, 0.0, 0.0, NO_POINT,
-        root.noise_x, root.noise_y, free, True,
-    )  # fmt: skip
+        v_x,
+        v_y,
+        spin,
+        root.f_x,
+        root.f_y,
+        root.xx,
+        root.xy,
+        root.yy,
+        turn_x=-turn * line.y,
+        turn_y=turn * line.x,
+        half_x=0.0,
+        half_y=0.0,
+        point=NO_POINT,
+        noise_x=root.noise_x,
+        noise_y=root.noise_y,
+        continuum=free,
+        converged=True,
+    )

@@ -31,7 +31,7 @@ def distance_to_end(s: float, h: float) -> float:
 
 def mean_inverse(s: float, h: float, half: float, one: float, other: float) -> float:
     """Mean of 1 / rho, ``L / l``, from the distances of the ends."""
-    excess = excess_distance(fabs(s), h, half, min(one, other), max(one, other))
+    excess = excess_distance(s=fabs(s), h=h, half=half, near=min(one, other), far=max(one, other))
     return log_of_one_plus(4.0 * half / max(excess, SMALLEST_PRODUCT)) / (2.0 * half)
 
 
@@ -61,7 +61,15 @@ def segment_piece(s: float, h: float, half: float) -> Piece:
     distance, torque = mean_distance(s, h, both, inverse), line_torque(s, h, half, both, inverse)
     product = max(one * other, SMALLEST_PRODUCT)
     tt, tn = line_bend(fabs(s), h, half, one, other) / product, -2.0 * (s / both) * h / product
-    return Piece(distance, 2.0 * (s / both), h * inverse, torque, tt, tn, inverse - tt)
+    return Piece(
+        distance,
+        unit_x=2.0 * (s / both),
+        unit_y=h * inverse,
+        torque=torque,
+        xx=tt,
+        xy=tn,
+        yy=inverse - tt,
+    )
 
 
 def line_torque(s: float, h: float, half: float, both: float, inverse: float) -> float:
@@ -113,4 +121,6 @@ def plate_piece(data: Numbers, first: int, last: int, x: float, y: float) -> Pie
         xy += weight * t_y * (along * t_y - across * t_x)
         yy += weight * t_x * (across * t_x - along * t_y)
         i += 6
-    return Piece(distance, g_x, g_y, distance + (x * g_x + y * g_y), xx, xy, yy)
+    return Piece(
+        distance, unit_x=g_x, unit_y=g_y, torque=distance + (x * g_x + y * g_y), xx=xx, xy=xy, yy=yy
+    )

@@ -66,7 +66,7 @@ def distant_piece(data: Numbers, terms: int, x: float, y: float, radius: float) 
     """The piece of the plate whose terms begin at `terms`, for a center of rotation far from it."""
     distance = sqrt(x * x + y * y)
     ratio, u_x, u_y = radius / distance, x / distance, y / distance
-    total = sum_powers(data, terms, ratio, u_x, -u_y)
+    total = sum_powers(data, terms, ratio, cosine=u_x, sine=-u_y)
     # grad D = (c / |c|) (sum of (1 - n) + i m); applied twice, it gives the second derivatives.
     g_x, g_y = total.one - total.n, total.m_i
     mean = (total.nn - 2.0 * total.n + total.one - total.mm) / (2.0 * distance)
@@ -75,7 +75,15 @@ def distant_piece(data: Numbers, terms: int, x: float, y: float, radius: float) 
     half, xy = c2 * p - s2 * q, s2 * p + c2 * q
     unit_x, unit_y = g_y * u_y - g_x * u_x, -g_x * u_y - g_y * u_x
     torque = distance * total.n
-    return Piece(distance * total.one, unit_x, unit_y, torque, mean + half, xy, mean - half)
+    return Piece(
+        distance=distance * total.one,
+        unit_x=unit_x,
+        unit_y=unit_y,
+        torque=torque,
+        xx=mean + half,
+        xy=xy,
+        yy=mean - half,
+    )
 
 
 def highest_order(ratio: float) -> int:

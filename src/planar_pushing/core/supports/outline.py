@@ -55,9 +55,13 @@ def free_stretch(
     for k in range(count):
         e_x, e_y = corners[2 * k] - x, corners[2 * k + 1] - y
         meets = _overlap(
-            t_x * d_x + t_y * d_y, t_x * d_y - t_y * d_x, t_x * e_x + t_y * e_y, t_x * e_y - t_y * e_x,
-            -radius, radius - depth,
-        )  # fmt: skip
+            x=t_x * d_x + t_y * d_y,
+            y=t_x * d_y - t_y * d_x,
+            end_x=t_x * e_x + t_y * e_y,
+            end_y=t_x * e_y - t_y * e_x,
+            height=-radius,
+            radius=radius - depth,
+        )
         if meets.low <= meets.high and position < (meets.low + meets.high) / 2.0:
             high = min(high, meets.low)
         elif meets.low <= meets.high:
@@ -112,7 +116,14 @@ def free_stretches(
     for i in range(count):
         row, result = rows[i * columns :], results[i * width :]
         stretch = free_stretch(
-            data[int(row[8]) :], int(row[7]), row[0], row[1], row[2], row[3],
-            row[4], row[5], row[6],
-        )  # fmt: skip
+            data[int(row[8]) :],
+            int(row[7]),
+            x=row[0],
+            y=row[1],
+            t_x=row[2],
+            t_y=row[3],
+            radius=row[4],
+            depth=row[5],
+            position=row[6],
+        )
         result[0], result[1] = stretch.low, stretch.high

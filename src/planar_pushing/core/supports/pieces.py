@@ -187,7 +187,13 @@ def add_segments(total: Piece, pressure: Pressure, x: float, y: float) -> Piece:
         q_x, q_y, t_x, t_y = data[i], data[i + 1], data[i + 2], data[i + 3]
         r_x, r_y = q_x - x, q_y - y
         piece = segment_piece(r_x * t_x + r_y * t_y, r_x * t_y - r_y * t_x, data[i + 4])
-        total = add_piece(total, data[i + 5], turn_piece(piece, t_x, t_y), q_x - p_x, q_y - p_y)
+        total = add_piece(
+            total,
+            share=data[i + 5],
+            piece=turn_piece(piece, t_x, t_y),
+            arm_x=q_x - p_x,
+            arm_y=q_y - p_y,
+        )
         i += COLUMNS
     return total
 
@@ -203,7 +209,7 @@ def add_circles(total: Piece, pressure: Pressure, x: float, y: float) -> Piece:
             piece = ring_piece(x - q_x, y - q_y, radius)
         else:
             piece = disc_piece(x - q_x, y - q_y, radius)
-        total = add_piece(total, data[i + 3], piece, q_x - p_x, q_y - p_y)
+        total = add_piece(total, share=data[i + 3], piece=piece, arm_x=q_x - p_x, arm_y=q_y - p_y)
         i += COLUMNS
     return total
 
@@ -220,10 +226,10 @@ def add_plates(total: Piece, pressure: Pressure, x: float, y: float) -> Piece:
         q_x, q_y, radius = data[i], data[i + 1], data[i + 2]
         r_x, r_y, far = x - q_x, y - q_y, PLATE_FAR * radius
         if r_x * r_x + r_y * r_y < far * far:
-            piece = plate_piece(data, int(data[i + 4]), int(data[i + 5]), r_x, r_y)
+            piece = plate_piece(data, first=int(data[i + 4]), last=int(data[i + 5]), x=r_x, y=r_y)
         else:
-            piece = distant_piece(data, terms, r_x, r_y, radius)
-        total = add_piece(total, data[i + 3], piece, q_x - p_x, q_y - p_y)
+            piece = distant_piece(data, terms, x=r_x, y=r_y, radius=radius)
+        total = add_piece(total, share=data[i + 3], piece=piece, arm_x=q_x - p_x, arm_y=q_y - p_y)
         i += COLUMNS
         terms += 2 * ROWS
     return total

@@ -84,7 +84,7 @@ def pivot_psi(
     v_x, v_y = w_x + spin * foot.y, w_y - spin * foot.x
     rounding = ROUNDING * fabs(spin) * (reach + contact.reach)
     blur = 2.0 * (fabs(ahead) + fabs(across)) + rounding
-    rest = resistance_about(effects, contact, v_x, v_y, spin, blur)
+    rest = resistance_about(effects, contact, x=v_x, y=v_y, spin=spin, blur=blur)
     limit = rest.limit
     if limit == 0.0:
         return unknown_psi()
@@ -119,11 +119,21 @@ def pivot_psi(
     if ahead == 0.0 and not pivots:
         along = 0.0  # there is none
     return Psi(
-        v_x, v_y, spin, f_x, f_y,
-        rest.xx + (n_x * n_x * rest.ss - turns * n_x * rest.xs) / stiff + turn_x * rest.xs,
-        rest.xy + (n_x * n_y * rest.ss - turns * n_y * rest.xs) / stiff + turn_x * rest.ys,
-        rest.yy + (n_y * n_y * rest.ss - turns * n_y * rest.ys) / stiff + turn_y * rest.ys,
-        turn_x, turn_y, half * r_x if pivots else 0.0, half * r_y if pivots else 0.0,
-        point if pivots else NO_POINT,
-        noise + along * fabs(r_x), noise + along * fabs(r_y), False, balances,
-    )  # fmt: skip
+        v_x,
+        v_y,
+        spin,
+        f_x,
+        f_y,
+        xx=rest.xx + (n_x * n_x * rest.ss - turns * n_x * rest.xs) / stiff + turn_x * rest.xs,
+        xy=rest.xy + (n_x * n_y * rest.ss - turns * n_y * rest.xs) / stiff + turn_x * rest.ys,
+        yy=rest.yy + (n_y * n_y * rest.ss - turns * n_y * rest.ys) / stiff + turn_y * rest.ys,
+        turn_x=turn_x,
+        turn_y=turn_y,
+        half_x=half * r_x if pivots else 0.0,
+        half_y=half * r_y if pivots else 0.0,
+        point=point if pivots else NO_POINT,
+        noise_x=noise + along * fabs(r_x),
+        noise_y=noise + along * fabs(r_y),
+        continuum=False,
+        converged=balances,
+    )

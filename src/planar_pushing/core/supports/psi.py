@@ -68,7 +68,7 @@ def spin_at_rest(effects: Effects, contact: Contact) -> float:
     for i in range(2):
         sense = 1.0 if i == 0 else -1.0
         total = resistance_about(
-            friction, contact, sense * contact.y, -sense * contact.x, sense, 0.0
+            friction, contact, x=sense * contact.y, y=-sense * contact.x, spin=sense, blur=0.0
         )
         if sense * total.torque < 0.0:
             inertia = 2.0 * kinetic_energy(effects, contact.y, -contact.x, 1.0)
@@ -91,13 +91,28 @@ def _psi_at_rest(effects: Effects, contact: Contact) -> Psi:
         if not _holds_couple(effects, contact, load):
             force = _middle_force(effects, contact, load)
         total = Resistance(
-            force.x, force.y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, NO_POINT, 0.0
-        )  # fmt: skip
+            f_x=force.x,
+            f_y=force.y,
+            torque=0.0,
+            xx=0.0,
+            xy=0.0,
+            yy=0.0,
+            xs=0.0,
+            ys=0.0,
+            ss=0.0,
+            limit=0.0,
+            point=NO_POINT,
+            terms=0.0,
+        )
     else:
         blur = ALIGNED * contact.reach * fabs(spin)
-        total = resistance_about(effects, contact, spin * contact.y, -spin * contact.x, spin, blur)
+        total = resistance_about(
+            effects, contact, x=spin * contact.y, y=-spin * contact.x, spin=spin, blur=blur
+        )
     v_x, v_y = spin * contact.y, -spin * contact.x
-    return potential_at(total, contact, v_x, v_y, spin, 0.0, 0.0, 0.0, 0.0, spin == spin)
+    return potential_at(
+        total, contact, v_x, v_y, spin, step=0.0, x=0.0, y=0.0, size=0.0, converged=spin == spin
+    )
 
 
 def turn_about_contact(effects: Effects, contact: Contact) -> Psi:
@@ -115,12 +130,38 @@ def turn_about_contact(effects: Effects, contact: Contact) -> Psi:
         return unknown_psi()
     v_x, v_y = spin * contact.y, -spin * contact.x
     blur = ALIGNED * contact.reach * fabs(spin)
-    total = resistance_about(effects, contact, v_x, v_y, spin, blur)
-    root = potential_at(total, contact, v_x, v_y, spin, 0.0, 0.0, 0.0, 0.0, total.limit > 0.0)
+    total = resistance_about(effects, contact, x=v_x, y=v_y, spin=spin, blur=blur)
+    root = potential_at(
+        total,
+        contact,
+        v_x,
+        v_y,
+        spin,
+        step=0.0,
+        x=0.0,
+        y=0.0,
+        size=0.0,
+        converged=total.limit > 0.0,
+    )
     return Psi(
-        v_x, v_y, spin, root.f_x, root.f_y, 0.0, 0.0, 0.0, 0.0, 0.0, total.limit, 0.0, total.point,
-        root.noise_x, root.noise_y, False, root.converged,
-    )  # fmt: skip
+        v_x,
+        v_y,
+        spin,
+        root.f_x,
+        root.f_y,
+        xx=0.0,
+        xy=0.0,
+        yy=0.0,
+        turn_x=0.0,
+        turn_y=0.0,
+        half_x=total.limit,
+        half_y=0.0,
+        point=total.point,
+        noise_x=root.noise_x,
+        noise_y=root.noise_y,
+        continuum=False,
+        converged=root.converged,
+    )
 
 
 def _holds_couple(effects: Effects, contact: Contact, load: Vector) -> bool:
@@ -142,10 +183,22 @@ def _middle_force(effects: Effects, contact: Contact, load: Vector) -> Vector:
     if size > 0.0:
         x, y = load.x / size, load.y / size
     one = _psi_of_motion(
-        friction, contact, x, y, guess_spin(friction, contact, x, y), NO_POINT, 0.0
+        friction,
+        contact,
+        x,
+        y,
+        guess=guess_spin(friction, contact, x, y),
+        point=NO_POINT,
+        tolerance=0.0,
     )
     other = _psi_of_motion(
-        friction, contact, -x, -y, guess_spin(friction, contact, -x, -y), NO_POINT, 0.0
+        friction,
+        contact,
+        x=-x,
+        y=-y,
+        guess=guess_spin(friction, contact, -x, -y),
+        point=NO_POINT,
+        tolerance=0.0,
     )
     return Vector((one.f_x + other.f_x) / 2.0, (one.f_y + other.f_y) / 2.0, 0.0)
 
@@ -164,10 +217,19 @@ def _with_foot_at_contact(
     speed = sqrt(x * x + y * y)
     u_x, u_y, part = x / speed, y / speed, total.limit / speed
     return Resistance(
-        total.f_x + total.limit * u_x, total.f_y + total.limit * u_y, total.torque,
-        total.xx + part * u_y * u_y, total.xy - part * u_x * u_y, total.yy + part * u_x * u_x,
-        total.xs, total.ys, total.ss, 0.0, NO_POINT, total.terms + total.limit,
-    )  # fmt: skip
+        f_x=total.f_x + total.limit * u_x,
+        f_y=total.f_y + total.limit * u_y,
+        torque=total.torque,
+        xx=total.xx + part * u_y * u_y,
+        xy=total.xy - part * u_x * u_y,
+        yy=total.yy + part * u_x * u_x,
+        xs=total.xs,
+        ys=total.ys,
+        ss=total.ss,
+        limit=0.0,
+        point=NO_POINT,
+        terms=total.terms + total.limit,
+    )
 
 
 def psi(
@@ -211,12 +273,25 @@ def _psi_of_motion(
     p_x, p_y = x - along * contact.a_x, y - along * contact.a_y
     q, low, high, last = guess - start, -INFINITY, INFINITY, INFINITY
     spin, v_x, v_y = start, x, y
-    total = Resistance(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, NO_POINT, 0.0)
+    total = Resistance(
+        f_x=0.0,
+        f_y=0.0,
+        torque=0.0,
+        xx=0.0,
+        xy=0.0,
+        yy=0.0,
+        xs=0.0,
+        ys=0.0,
+        ss=0.0,
+        limit=0.0,
+        point=NO_POINT,
+        terms=0.0,
+    )
     for _ in range(ROTATIONS):
         spin, carried = start + q, rest + contact.reach * q
         v_x, v_y = p_x + carried * contact.a_x, p_y + carried * contact.a_y
         blur = ROUNDING * (speed + contact.reach * fabs(spin))
-        total = resistance_about(effects, contact, v_x, v_y, spin, blur)
+        total = resistance_about(effects, contact, x=v_x, y=v_y, spin=spin, blur=blur)
         if total.limit > 0.0:
             total = _with_foot_at_contact(effects, contact, total, x, y)
         torque = total.torque
@@ -243,7 +318,9 @@ def _psi_of_motion(
         target = q + step
         if not (low < target < high) or size > last / 2.0:
             if high - low <= ROUNDING * scale:
-                root = potential_at(total, contact, v_x, v_y, spin, 0.0, x, y, fabs(q), True)
+                root = potential_at(
+                    total, contact, v_x, v_y, spin, step=0.0, x=x, y=y, size=fabs(q), converged=True
+                )
                 return refine_psi(effects, contact, x, y, root, blurred)
             last, target = INFINITY, _next_trial(effects, contact, x, y, low, high, start, q, scale)
         elif not fabs(step) < GROWTH * (fabs(q) + scale):
@@ -251,7 +328,9 @@ def _psi_of_motion(
         else:
             last = size
         q = target
-    return potential_at(total, contact, v_x, v_y, spin, 0.0, x, y, fabs(q), False)
+    return potential_at(
+        total, contact, v_x, v_y, spin, step=0.0, x=x, y=y, size=fabs(q), converged=False
+    )
 
 
 def _next_trial(

@@ -177,9 +177,9 @@ def ring_response(speed: float, spin: float) -> RingResponse:
     curve = ring_wrench(speed, spin)
     if fabs(spin) <= speed:
         k, ss = spin / speed, curve.slope / speed
-        return RingResponse(curve.force, curve.torque, k * k * ss, -k * ss, ss)
+        return RingResponse(curve.force, curve.torque, vv=k * k * ss, vs=-k * ss, ss=ss)
     k, vv = speed / spin, curve.slope / fabs(spin)
-    return RingResponse(curve.force, curve.torque, vv, -k * vv, k * k * vv)
+    return RingResponse(curve.force, curve.torque, vv, vs=-k * vv, ss=k * k * vv)
 
 
 def estimate_spin_ratio(arm: float) -> float:

@@ -111,7 +111,16 @@ def open_bracket(
     low: float, high: float, at_low: float, at_high: float, resolution: float
 ) -> Bracket:
     """A bracket between two numbers at which the values have opposite signs."""
-    return Bracket(high, low, high, at_high, at_low, at_high, 0.5, resolution)
+    return Bracket(
+        a=high,
+        b=low,
+        c=high,
+        at_a=at_high,
+        at_b=at_low,
+        at_c=at_high,
+        part=0.5,
+        resolution=resolution,
+    )
 
 
 def next_number(bracket: Bracket) -> float:

@@ -149,7 +149,7 @@ def read_effects(data: Numbers, row: Numbers) -> Effects:
         elif kind != LOAD:
             linear = False
         count += 1
-    return Effects(row, data, count, feet, frictional, massive, linear, 1.0, 1.0)
+    return Effects(row, data, count, feet, frictional, massive, linear, one=1.0, two=1.0)
 
 
 def count_columns(data: Numbers) -> int:
@@ -184,9 +184,16 @@ def pressure_of(effects: Effects, effect: int) -> Pressure:
 def scale_effects(effects: Effects, one: float, two: float) -> Effects:
     """The effects with forces multiplied by a factor for each degree; a factor of zero removes a degree."""
     return Effects(
-        effects.row, effects.data, effects.length, effects.feet,
-        effects.frictional, effects.massive, effects.linear, one * effects.one, two * effects.two,
-    )  # fmt: skip
+        effects.row,
+        effects.data,
+        effects.length,
+        effects.feet,
+        effects.frictional,
+        effects.massive,
+        effects.linear,
+        one=one * effects.one,
+        two=two * effects.two,
+    )
 
 
 def is_steady(effects: Effects) -> bool:
@@ -213,11 +220,19 @@ def resistance(effects: Effects, x: float, y: float, spin: float, blur: float) -
         if point < 0 and total.point >= 0:
             point = _count_feet(effects, effect) + total.point
         total = Resistance(
-            part.f_x + total.f_x, part.f_y + total.f_y, part.torque + total.torque,
-            part.xx + total.xx, part.xy + total.xy, part.yy + total.yy,
-            part.xs + total.xs, part.ys + total.ys, part.ss + total.ss,
-            part.limit + total.limit, point, part.terms + total.terms,
-        )  # fmt: skip
+            f_x=part.f_x + total.f_x,
+            f_y=part.f_y + total.f_y,
+            torque=part.torque + total.torque,
+            xx=part.xx + total.xx,
+            xy=part.xy + total.xy,
+            yy=part.yy + total.yy,
+            xs=part.xs + total.xs,
+            ys=part.ys + total.ys,
+            ss=part.ss + total.ss,
+            limit=part.limit + total.limit,
+            point=point,
+            terms=part.terms + total.terms,
+        )
     return total
 
 
@@ -230,16 +245,40 @@ def effect_resistance(
         return _ring_resistance(effects.one * numbers[0], x, y, spin)
     if kind == SUPPORT:
         pressure = pressure_of(effects, effect)
-        return support_resistance(effects.one * numbers[0], numbers[1], pressure, x, y, spin, blur)
+        return support_resistance(
+            weight=effects.one * numbers[0],
+            extent=numbers[1],
+            pressure=pressure,
+            x=x,
+            y=y,
+            spin=spin,
+            blur=blur,
+        )
     if kind == MASS:
         return _mass_resistance(
-            effects.two * numbers[0], numbers[1], numbers[2], numbers[3], x, y, spin
+            mass=effects.two * numbers[0],
+            gyration=numbers[1],
+            c_x=numbers[2],
+            c_y=numbers[3],
+            x=x,
+            y=y,
+            spin=spin,
         )
     one = effects.one
     return Resistance(
-        -(one * numbers[0]), -(one * numbers[1]), -(one * numbers[2]),
-        0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, NO_POINT, 0.0,
-    )  # fmt: skip
+        f_x=-(one * numbers[0]),
+        f_y=-(one * numbers[1]),
+        torque=-(one * numbers[2]),
+        xx=0.0,
+        xy=0.0,
+        yy=0.0,
+        xs=0.0,
+        ys=0.0,
+        ss=0.0,
+        limit=0.0,
+        point=NO_POINT,
+        terms=0.0,
+    )
 
 
 def _ring_resistance(weight: float, x: float, y: float, spin: float) -> Resistance:
@@ -251,11 +290,19 @@ def _ring_resistance(weight: float, x: float, y: float, spin: float) -> Resistan
         c, s, across = x / speed, y / speed, response.force / speed
     bend = response.vv - across
     return Resistance(
-        weight * across * x, weight * across * y, weight * response.torque,
-        weight * (across + bend * c * c), weight * bend * c * s, weight * (across + bend * s * s),
-        weight * response.vs * c, weight * response.vs * s, weight * response.ss,
-        0.0, NO_POINT, 0.0,
-    )  # fmt: skip
+        f_x=weight * across * x,
+        f_y=weight * across * y,
+        torque=weight * response.torque,
+        xx=weight * (across + bend * c * c),
+        xy=weight * bend * c * s,
+        yy=weight * (across + bend * s * s),
+        xs=weight * response.vs * c,
+        ys=weight * response.vs * s,
+        ss=weight * response.ss,
+        limit=0.0,
+        point=NO_POINT,
+        terms=0.0,
+    )
 
 
 def _mass_resistance(
@@ -267,8 +314,19 @@ def _mass_resistance(
     inertia = mass * (gyration + c_x * c_x + c_y * c_y)
     terms = mass * fabs(spin) * (fabs(c_x) + fabs(c_y))
     return Resistance(
-        f_x, f_y, torque, mass, 0.0, mass, -mass * c_y, mass * c_x, inertia, 0.0, NO_POINT, terms
-    )  # fmt: skip
+        f_x,
+        f_y,
+        torque,
+        xx=mass,
+        xy=0.0,
+        yy=mass,
+        xs=-mass * c_y,
+        ys=mass * c_x,
+        ss=inertia,
+        limit=0.0,
+        point=NO_POINT,
+        terms=terms,
+    )
 
 
 def support_resistance(
@@ -299,9 +357,19 @@ def support_resistance(
     a_x, a_y = -xx * p_y + xy * p_x, -xy * p_y + yy * p_x
     bend += -p_y * (2.0 * b_x + a_x) + p_x * (2.0 * b_y + a_y)
     return Resistance(
-        f_x, f_y, extent * torque, xx, xy, yy, extent * (b_x + a_x), extent * (b_y + a_y),
-        extent * extent * bend, limit, moments.atom, TERMS_OF_SUM * weight,
-    )  # fmt: skip
+        f_x,
+        f_y,
+        torque=extent * torque,
+        xx=xx,
+        xy=xy,
+        yy=yy,
+        xs=extent * (b_x + a_x),
+        ys=extent * (b_y + a_y),
+        ss=extent * extent * bend,
+        limit=limit,
+        point=moments.atom,
+        terms=TERMS_OF_SUM * weight,
+    )
 
 
 def _spread_along(pressure: Pressure, x: float, y: float) -> float:

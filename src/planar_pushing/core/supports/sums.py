@@ -37,13 +37,14 @@ class Piece(NamedTuple):
 def add_piece(total: Piece, share: float, piece: Piece, arm_x: float, arm_y: float) -> Piece:
     """Totals with a piece added; `arm` is its center relative to the reference point of the torque."""
     return Piece(
-        total.distance + share * piece.distance,
-        total.unit_x + share * piece.unit_x,
-        total.unit_y + share * piece.unit_y,
-        total.torque + share * (piece.torque + (arm_x * piece.unit_x + arm_y * piece.unit_y)),
-        total.xx + share * piece.xx,
-        total.xy + share * piece.xy,
-        total.yy + share * piece.yy,
+        distance=total.distance + share * piece.distance,
+        unit_x=total.unit_x + share * piece.unit_x,
+        unit_y=total.unit_y + share * piece.unit_y,
+        torque=total.torque
+        + share * (piece.torque + (arm_x * piece.unit_x + arm_y * piece.unit_y)),
+        xx=total.xx + share * piece.xx,
+        xy=total.xy + share * piece.xy,
+        yy=total.yy + share * piece.yy,
     )
 
 
@@ -61,4 +62,6 @@ def radial_piece(
         u_x, u_y = x / length, y / length
     bend = along - across
     xx, xy, yy = across + bend * u_x * u_x, bend * u_x * u_y, across + bend * u_y * u_y
-    return Piece(distance, -slope * u_x, -slope * u_y, torque, xx, xy, yy)
+    return Piece(
+        distance, unit_x=-slope * u_x, unit_y=-slope * u_y, torque=torque, xx=xx, xy=xy, yy=yy
+    )
