@@ -47,14 +47,15 @@ from planar_pushing.core.motion.system import (
     CANDIDATE,
     ELSEWHERE,
     MOST_CANDIDATES,
-    Candidate,
     Mode,
     RunState,
     System,
     candidate_at,
+    candidate_of,
     copy_numbers,
     is_massive,
     law_of,
+    moving_mode,
     slip_side,
     vector_of,
     write_candidate,
@@ -83,10 +84,10 @@ def write_candidates(system: System, during: Span, time: float, state: RunState)
     return _write_quasi_static(system, during, time, state)
 
 
-def _write_contact(system: System, index: int, contact: int, x: float, y: float) -> None:
-    write_candidate(
-        system, index, contact, NO_POINT, hinged=False, touches=False, x=x, y=y, spin=0.0
-    )
+def _write_slip_candidate(system: System, index: int, contact: int, u_x: float, u_y: float) -> None:
+    """Store a slip without inertia, with the motion of the contact."""
+    candidate = write_candidate(system, index, contact)
+    candidate.motion.x, candidate.motion.y = u_x, u_y
 
 
 def _write_at_contact(
@@ -141,7 +142,7 @@ def _keep_leaving(
         mode = candidate_at(system, i, during.first)
         instant = motion_in_mode(system, mode, time, state)
         lift = (instant.turn if massive else instant.spin) * length
-        Candidate(system.candidates[i * CANDIDATE :]).barely_leaves = lift <= slack
+        candidate_of(system, i).barely_leaves = lift <= slack
         if mode.contact != SEPARATE and lift >= -slack:
             copy_numbers(
                 system.candidates[kept * CANDIDATE :], system.candidates[i * CANDIDATE :], CANDIDATE
@@ -169,7 +170,7 @@ def _write_quasi_static_at_contact(
 ) -> int:
     """Store the stick and the slips of the contact after the candidates so far."""
     x, y = pusher_velocity(system, during, time, state)
-    _write_contact(system, index=count, contact=STICK, x=0.0, y=0.0)
+    write_candidate(system, count, STICK)
     count += 1
     if not system.scene.slips:
         return count
@@ -177,7 +178,7 @@ def _write_quasi_static_at_contact(
         count = _write_slips_at_speed(system, state, x, y, count)
     # Slips that begin at the stick.
     for contact in range(SLIP_RIGHT, SLIP_LEFT + 1):
-        _write_contact(system, count, contact, x, y)
+        _write_slip_candidate(system, count, contact, x, y)
         count += 1
     return count
 
@@ -190,7 +191,7 @@ def _write_slips_at_speed(system: System, state: RunState, x: float, y: float, c
         solution = Solution(solutions[i * SOLUTION :])
         contact = solution.mode
         if slip_side(contact) != 0.0 and count < MOST_CANDIDATES - 2:
-            _write_contact(system, count, contact, size * solution.motion.x, y)
+            _write_slip_candidate(system, count, contact, size * solution.motion.x, y)
             count += 1
     return count
 
@@ -259,9 +260,8 @@ def note_slip(system: System, time: float, state: RunState, index: int, mode: Mo
     """Store the slip at the end of a step, from which the next step follows it."""
     if not is_massive(system) and depends_on_speed(system) and slip_side(mode.contact) != 0.0:
         instant = motion_in_mode(system, mode, time, state)
-        _write_contact(
-            system, index, mode.contact, x=instant.fence_x + instant.slip, y=instant.fence_y
-        )
+        u_x = instant.fence_x + instant.slip
+        _write_slip_candidate(system, index, mode.contact, u_x, u_y=instant.fence_y)
 
 
 # With inertia
@@ -317,18 +317,7 @@ def _foot_at_center(system: System, during: Span, time: float, state: RunState) 
 def _separates(system: System, during: Span, time: float, state: RunState, foot: int) -> bool:
     """Whether the contact opens without a contact force, or barely does not: then the trend decides."""
     hinged = _is_held(system, during, time, state, SEPARATE, foot)
-    mode = Mode(
-        contact=SEPARATE,
-        foot=foot,
-        hinged=hinged,
-        departure=1,
-        touches=False,
-        x=0.0,
-        y=0.0,
-        spin=0.0,
-        offset=0.0,
-        during=during,
-    )
+    mode = moving_mode(SEPARATE, foot, hinged, departure=1, during=during)
     lift = motion_in_mode(system, mode, time, state).lift
     return lift >= -NEAR_ZERO * system.run.force / system.scene.mass
 
@@ -339,18 +328,7 @@ def _is_held(
     """Whether friction can hold the support point at the center of rotation in a contact mode."""
     if foot < 0 or contact == STICK:
         return False
-    mode = Mode(
-        contact,
-        foot,
-        hinged=True,
-        departure=1,
-        touches=False,
-        x=0.0,
-        y=0.0,
-        spin=0.0,
-        offset=0.0,
-        during=during,
-    )
+    mode = moving_mode(contact, foot, hinged=True, departure=1, during=during)
     return motion_in_mode(system, mode, time, state).hold > SLACK
 
 
@@ -363,28 +341,14 @@ def _write_in_motion(
     """
     first = count
     if _is_held(system, during, time, state, contact, foot):
-        write_candidate(
-            system, count, contact, foot, hinged=True, touches=False, x=0.0, y=0.0, spin=0.0
-        )
+        candidate = write_candidate(system, count, contact)
+        candidate.foot, candidate.hinged = foot, True
         count += 1
     for departure in range(1, MOST_ROOTS + 1 if foot >= 0 and contact != STICK else 2):
-        mode = Mode(
-            contact,
-            foot,
-            hinged=False,
-            departure=departure,
-            touches=False,
-            x=0.0,
-            y=0.0,
-            spin=0.0,
-            offset=0.0,
-            during=during,
-        )
+        mode = moving_mode(contact, foot, hinged=False, departure=departure, during=during)
         if count == first or motion_in_mode(system, mode, time, state).hold > 0.0:
-            write_candidate(
-                system, count, contact, foot, hinged=False, touches=False, x=0.0, y=0.0, spin=0.0
-            )
-            Candidate(system.candidates[count * CANDIDATE :]).departure = departure
+            candidate = write_candidate(system, count, contact)
+            candidate.foot, candidate.departure = foot, departure
             count += 1
     for i in range(first, count if contact == SEPARATE else first):
         leave_side(system, i)

@@ -76,7 +76,7 @@ def _set_off(system: System, mode: Mode, time: float, state: RunState, policy: i
     _, b_y = pusher_acceleration(system, mode.during, time, state)
     fence_x, fence_y = pusher_velocity(system, mode.during, time, state)
     part = fence_y / b_y if b_y != 0.0 else 0.0
-    v_x, v_y, spin = part * start.x, part * start.y, part * start.spin
+    v_x, v_y, spin = part * start.start.x, part * start.start.y, part * start.start.spin
     u_x, _ = contact_motion(pose_at_start(system, state), v_x, v_y, spin)
     state.slip_speed = 0.0 if start.contact == STICK else u_x - fence_x
     state.normal_speed, state.spin = 0.0, spin

@@ -18,11 +18,11 @@ from planar_pushing.core.motion.system import (
     TRIAL,
     TRIAL_GUARDS,
     WATCHES,
-    Candidate,
     Mode,
     RunState,
     System,
     candidate_at,
+    candidate_of,
     contact_mode_of,
     guards_of,
     is_massive,
@@ -106,10 +106,10 @@ def choose_mode(system: System, excluded: int, point: int, other_end: int) -> bo
     current, policy, time = run.mode, current_policy(system), run.time
     count = write_candidates(system, span_at(system.fence, piece), time, state)
     for i in range(count):
-        numbers = system.candidates[i * CANDIDATE :]
-        same: bool = numbers[7] == float(point) and numbers[8] == float(other_end)
+        candidate = candidate_of(system, i)
+        same: bool = candidate.point == point and candidate.other_end == other_end
         if same and contact_mode_of(candidate_at(system, i, piece)) == excluded:
-            numbers[0] = float(NO_MODE)
+            candidate.contact = NO_MODE
     chosen, solutions = _preferred_of_lasting(system, count, current, policy, time, state, False)
     if chosen < 0:
         chosen, solutions = _preferred_of_lasting(system, count, current, policy, time, state, True)
@@ -144,7 +144,7 @@ def _preferred_of_lasting(
             there = state_at_candidate(system, state, i)
             lasts = _holds(system, mode, time, there, later)
             put_contact(system, point, other_end)
-        Candidate(system.candidates[i * CANDIDATE :]).lasts = lasts
+        candidate_of(system, i).lasts = lasts
         if lasts and not _repeats(system, i):
             count += 1
             if is_preferred(policy, current, contact_mode_of(mode), contact):
@@ -177,10 +177,10 @@ def count_modes(system: System, mode: Mode, instant: Instant, time: float, state
 
 def _repeats(system: System, index: int) -> bool:
     """Whether a candidate at an end of a side is the motion of the side, which lasts."""
-    numbers = Candidate(system.candidates[index * CANDIDATE :])
-    for i in range(index if numbers.barely_leaves else 0):
-        other = Candidate(system.candidates[i * CANDIDATE :])
-        same: bool = other[0] == numbers[0] and other[8] >= 0.0
+    candidate = candidate_of(system, index)
+    for i in range(index if candidate.barely_leaves else 0):
+        other = candidate_of(system, i)
+        same: bool = other.contact == candidate.contact and other.other_end >= 0
         if same and other.lasts:
             return True
     return False

@@ -179,14 +179,14 @@ def _slip_in_mode(
         _, u_y = to_contact(pose.rod, motion.u_x, motion.u_y)
         return motion, fence_y / u_y if u_y != 0.0 else 0.0, u_y
     motion, force, converged = _nearest_slip(
-        system, effects, pose, mode, normal=fence_y, along=mode.x
+        system, effects, pose, mode, normal=fence_y, along=mode.u_x
     )
     if converged and force > 0.0:
         return motion, 1.0, force
     # A slow slip is proportional to the pusher's motion.
-    part = fence_y / mode.y if mode.y != 0.0 else 0.0
+    part = fence_y / mode.u_y if mode.u_y != 0.0 else 0.0
     other, push, ends = _nearest_slip(
-        system, effects, pose, mode, normal=fence_y, along=part * mode.x
+        system, effects, pose, mode, normal=fence_y, along=part * mode.u_x
     )
     if ends and (push > 0.0 or not converged):
         motion, force, converged = other, push, ends
@@ -194,7 +194,7 @@ def _slip_in_mode(
         return motion, 1.0 if converged else UNKNOWN, force
     # The pusher retreats, and the slip has ended. Until its end is located, it continues backwards.
     motion, force, converged = _nearest_slip(
-        system, effects, pose, mode, normal=-fence_y, along=fabs(part) * mode.x
+        system, effects, pose, mode, normal=-fence_y, along=fabs(part) * mode.u_x
     )
     return motion, -1.0 if converged else UNKNOWN, -force
 

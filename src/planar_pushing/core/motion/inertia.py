@@ -169,7 +169,7 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: RunState
     b_x, b_y = pusher_acceleration(system, mode.during, time, state)
     if mode.contact == REST:
         return instant_at_rest(
-            x=fence_x, y=fence_y, a_x=b_x, a_y=b_y, f_x=mode.x, f_y=mode.y, offset=mode.offset
+            x=fence_x, y=fence_y, a_x=b_x, a_y=b_y, f_x=mode.f_x, f_y=mode.f_y, offset=mode.offset
         )
     mass, moment = system.scene.mass, system.run.moment
     pose, spin = pose_of(system, state), state.spin
@@ -303,14 +303,14 @@ def _opposed_twist(
     step.
     """
     x, y = to_body(pose.rod, v_x, v_y)
-    starts: bool = mode.x != 0.0 or mode.y != 0.0 or mode.spin != 0.0
+    starts: bool = mode.start.x != 0.0 or mode.start.y != 0.0 or mode.start.spin != 0.0
     # The velocity of a start is the difference of those of contact and pusher, and loses digits.
     slowest = AT_REST if starts else NO_DIRECTION
     if size_of_twist(v_x, v_y, spin) > slowest * system.run.speed:
         return x, y, spin
     if starts:
-        x, y = to_body(pose.rod, mode.x, mode.y)
-        return x, y, mode.spin
+        x, y = to_body(pose.rod, mode.start.x, mode.start.y)
+        return x, y, mode.start.spin
     state = vector_of(system, STATE)
     start = pose_of(system, state)
     w_x, w_y = pusher_velocity(system, mode.during, system.run.time, state)

@@ -329,7 +329,7 @@ def longest_step(system: System, mode: Mode, height: float, speed: float) -> flo
 
     The arguments are its distance from the outline and its speed relative to the slider.
     """
-    rests: bool = mode.contact == REST and mode.x == 0.0 and mode.y == 0.0
+    rests: bool = mode.contact == REST and mode.f_x == 0.0 and mode.f_y == 0.0
     if not has_finger(system) or not (mode.contact == SEPARATE or rests):
         return INFINITY
     # The speed is constant while the slider rests and the pusher's velocity is constant.

@@ -24,10 +24,10 @@ from planar_pushing.core.motion.shapes import (
 )
 from planar_pushing.core.motion.side import MOST_OF_SIDE, modes_at_contact, offset_in_solution
 from planar_pushing.core.motion.system import (
-    CANDIDATE,
     REST,
     RunState,
     System,
+    candidate_of,
     is_loaded,
     pace_of,
     slip_side,
@@ -50,17 +50,9 @@ def write_rest(
     system: System, index: int, touches: bool, contact: int, f_x: float, f_y: float
 ) -> None:
     """Store a slider at rest, with a force of the pusher in a contact mode, as a candidate."""
-    write_candidate(
-        system,
-        index,
-        contact=REST,
-        foot=NO_POINT,
-        hinged=False,
-        touches=touches,
-        x=f_x,
-        y=f_y,
-        spin=float(contact),
-    )
+    candidate = write_candidate(system, index, REST)
+    candidate.touches, candidate.rests_in = touches, contact
+    candidate.force.x, candidate.force.y = f_x, f_y
 
 
 def write_free_start(system: System, state: RunState) -> int:
@@ -136,7 +128,7 @@ def write_starts_at_contact(
         if solution.twist.x == 0.0 and solution.twist.y == 0.0 and solution.twist.spin == 0.0:
             f_x, f_y = solution.force.x, solution.force.y
             write_rest(system, count, True, contact, f_x, f_y)
-            system.candidates[count * CANDIDATE + 9] = offset_in_solution(solution, length)
+            candidate_of(system, count).offset = offset_in_solution(solution, length)
         else:
             _write_start(
                 system,
@@ -183,8 +175,9 @@ def _write_start(
             position = foot_position(friction_effects(system), foot.number)
             f_x, f_y = to_contact(pose.rod, position.x, position.y)
             x, y, point = spin * f_y, -spin * f_x, foot.number
-    hinged: bool = point >= 0 and contact != STICK
-    write_candidate(system, index, contact, point, hinged, False, x, y, spin)
+    candidate = write_candidate(system, index, contact)
+    candidate.foot, candidate.hinged = point, point >= 0 and contact != STICK
+    candidate.start.x, candidate.start.y, candidate.start.spin = x, y, spin
 
 
 def _pusher_at_start(

@@ -19,6 +19,8 @@ from planar_pushing.core.instant.solution import (
     SLIP_LEFT,
     SLIP_RIGHT,
     STICK,
+    Pair,
+    Twist,
 )
 from planar_pushing.core.motion.fence import Fence, Span, fence_velocity, span_at, typical_speed
 from planar_pushing.core.motion.run import INPUTS, MEMORY, Inputs, Run
@@ -27,6 +29,7 @@ from planar_pushing.core.supports.rows import (
     LOAD,
     NO_POINT,
     RING,
+    Vector,
     column_of,
     count_columns,
     kind_of,
@@ -110,16 +113,17 @@ class Candidate(Record):
     contact: int
     foot: int
     hinged: bool
+    departure: int
     touches: bool
-    x: float
-    y: float
-    spin: float
+    rests_in: int
+    force: Pair
+    offset: float
+    start: Twist
+    motion: Pair
     point: int
     other_end: int
-    offset: float
     barely_leaves: bool
     lasts: bool
-    departure: int
 
 
 CANDIDATE = size_of(Candidate)
@@ -172,11 +176,14 @@ class Mode(NamedTuple):
         Which of the ways in which it can leave the center otherwise, from 1 (`leaving_friction`).
     touches : bool
         Whether a slider at rest touches the pusher.
-    x, y, spin : float
-        Acceleration of a slider that starts from rest; of a slider at rest, the force and the contact mode;
-        in a slip without inertia, the contact's motion; otherwise zero.
-    offset : float
-        Place of the force of a slider at rest along the fence, from the contact.
+    rests_in : int
+        Contact mode of a slider at rest.
+    f_x, f_y, offset : float
+        Force of a slider at rest, and its place along the fence, from the contact.
+    start : Vector
+        Acceleration of a slider that starts from rest, otherwise zero.
+    u_x, u_y : float
+        Motion of the contact in a slip without inertia.
     during : Span
     """
 
@@ -185,10 +192,13 @@ class Mode(NamedTuple):
     hinged: bool
     departure: int
     touches: bool
-    x: float
-    y: float
-    spin: float
+    rests_in: int
+    f_x: float
+    f_y: float
     offset: float
+    start: Vector
+    u_x: float
+    u_y: float
     during: Span
 
 
@@ -342,49 +352,42 @@ def candidate_at(system: System, index: int, piece: int) -> Mode:
     """A candidate mode in the span of a piece, or the mode without a contact force for a negative index."""
     during = span_at(system.fence, min(piece, system.fence.number - 1))
     if index < 0:
-        return Mode(
-            contact=SEPARATE,
-            foot=NO_POINT,
-            hinged=False,
-            departure=1,
-            touches=False,
-            x=0.0,
-            y=0.0,
-            spin=0.0,
-            offset=0.0,
-            during=during,
-        )
-    numbers = system.candidates[index * CANDIDATE :]
+        return moving_mode(SEPARATE, NO_POINT, hinged=False, departure=1, during=during)
+    candidate = candidate_of(system, index)
+    start = Vector(candidate.start.x, candidate.start.y, candidate.start.spin)
     return Mode(
-        contact=int(numbers[0]),
-        foot=int(numbers[1]),
-        hinged=numbers[2] != 0.0,
-        departure=int(numbers[12]),
-        touches=numbers[3] != 0.0,
-        x=numbers[4],
-        y=numbers[5],
-        spin=numbers[6],
-        offset=numbers[9],
-        during=during,
-    )
+        candidate.contact, candidate.foot, candidate.hinged, candidate.departure, candidate.touches,
+        candidate.rests_in, f_x=candidate.force.x, f_y=candidate.force.y, offset=candidate.offset,
+        start=start, u_x=candidate.motion.x, u_y=candidate.motion.y, during=during,
+    )  # fmt: skip
 
 
-def write_candidate(
-    system: System, index: int, contact: int, foot: int, hinged: bool, touches: bool,
-    x: float, y: float, spin: float,
-) -> None:  # fmt: skip
-    """Store a candidate mode at the current contact."""
-    numbers = Candidate(system.candidates[index * CANDIDATE :])
-    numbers[7], numbers[8] = system.run.point, system.run.other_end
-    numbers[0], numbers[1] = float(contact), float(foot)
-    numbers[2], numbers[3] = (1.0 if hinged else 0.0), (1.0 if touches else 0.0)
-    numbers[4], numbers[5], numbers[6], numbers[9] = x, y, spin, 0.0
-    numbers.barely_leaves, numbers.lasts, numbers.departure = False, False, 1
+def moving_mode(contact: int, foot: int, hinged: bool, departure: int, during: Span) -> Mode:
+    """A mode of a slider that moves."""
+    return Mode(
+        contact, foot, hinged, departure, touches=False, rests_in=NO_MODE, f_x=0.0, f_y=0.0,
+        offset=0.0, start=Vector(0.0, 0.0, 0.0), u_x=0.0, u_y=0.0, during=during,
+    )  # fmt: skip
+
+
+def candidate_of(system: System, index: int) -> Candidate:
+    """The record of a candidate mode."""
+    return Candidate(system.candidates[index * CANDIDATE :])
+
+
+def write_candidate(system: System, index: int, contact: int) -> Candidate:
+    """Store a candidate mode at the current contact, of a slider that moves, and return its record."""
+    candidate = candidate_of(system, index)
+    for k in range(CANDIDATE):
+        candidate[k] = 0.0
+    candidate.contact, candidate.foot, candidate.departure = contact, NO_POINT, 1
+    candidate.point, candidate.other_end = system.run.point, system.run.other_end
+    return candidate
 
 
 def contact_mode_of(mode: Mode) -> int:
     """The contact mode, also of a slider at rest."""
-    return int(mode.spin) if mode.contact == REST else mode.contact
+    return mode.rests_in if mode.contact == REST else mode.contact
 
 
 def is_preferred(policy: int, current: int, contact: int, other: int) -> bool:

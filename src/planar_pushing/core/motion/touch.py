@@ -13,10 +13,10 @@ from typing import NamedTuple
 
 from planar_pushing.core.instant.directions import nearest_integer
 from planar_pushing.core.motion.system import (
-    CANDIDATE,
     ELSEWHERE,
     RunState,
     System,
+    candidate_of,
     copy_numbers,
     is_massive,
     vector_of,
@@ -142,15 +142,15 @@ def hold_contact(system: System, state: RunState, point: int, other_end: int) ->
 
 def hold_candidate(system: System, state: RunState, index: int) -> None:
     """Make the contact of a candidate mode the contact."""
-    numbers = system.candidates[index * CANDIDATE :]
+    candidate = candidate_of(system, index)
     if count_points(system) > 0:
-        hold_contact(system, state, int(numbers[7]), int(numbers[8]))
+        hold_contact(system, state, candidate.point, candidate.other_end)
 
 
 def leave_side(system: System, index: int) -> None:
     """Let a candidate mode have its point as the contact, without a side."""
-    numbers = system.candidates[index * CANDIDATE :]
-    numbers[8] = float(NO_POINT)
+    candidate = candidate_of(system, index)
+    candidate.other_end = NO_POINT
 
 
 def name_contact(system: System, state: RunState) -> None:
