@@ -50,8 +50,9 @@ from planar_pushing.core.instant.solution import (
     write_solution,
 )
 from planar_pushing.core.numbers import Numbers, zeros
-from planar_pushing.core.supports.contact import Psi, is_held, unknown_psi
+from planar_pushing.core.supports.contact import is_held
 from planar_pushing.core.supports.free import foot_at_center, free_twist
+from planar_pushing.core.supports.potential import Psi, unknown_psi
 from planar_pushing.core.supports.psi import guess_spin, psi, turn_about_contact
 from planar_pushing.core.supports.rows import (
     NO_POINT,

@@ -16,7 +16,8 @@ from math import copysign, fabs, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.numbers import EPSILON, INFINITY, UNKNOWN
-from planar_pushing.core.supports.contact import Contact, Psi, is_at_contact, is_held
+from planar_pushing.core.supports.contact import Contact, is_at_contact, is_held
+from planar_pushing.core.supports.potential import Psi
 from planar_pushing.core.supports.psi import guess_spin, psi
 from planar_pushing.core.supports.roots import is_last
 from planar_pushing.core.supports.rows import NO_POINT, Effects, Position, foot_position, is_steady

@@ -28,6 +28,7 @@ from planar_pushing.core.motion.feet import slowest_foot_at, speed_at_center
 from planar_pushing.core.motion.fence import Span
 from planar_pushing.core.motion.inertia import motion_beside_push, push_in_mode, slowest_motion
 from planar_pushing.core.motion.instant import Instant
+from planar_pushing.core.motion.mode import Mode, moving_mode, slip_side
 from planar_pushing.core.motion.posing import pose_at_start, pusher_along
 from planar_pushing.core.motion.shapes import (
     center_motion,
@@ -47,7 +48,6 @@ from planar_pushing.core.motion.system import (
     CANDIDATE,
     ELSEWHERE,
     MOST_CANDIDATES,
-    Mode,
     RunState,
     System,
     candidate_at,
@@ -55,8 +55,6 @@ from planar_pushing.core.motion.system import (
     copy_numbers,
     is_massive,
     law_of,
-    moving_mode,
-    slip_side,
     vector_of,
     write_candidate,
 )

@@ -12,6 +12,7 @@ from planar_pushing.core.motion.feet import slowest_foot_at, stop_slowest_foot
 from planar_pushing.core.motion.fence import Span, fence_velocity, span_at
 from planar_pushing.core.motion.impact import add_impulse, collide
 from planar_pushing.core.motion.instant import load_power
+from planar_pushing.core.motion.mode import NO_MODE, REST, Mode, contact_mode_of, is_preferred
 from planar_pushing.core.motion.posing import pose_at_start
 from planar_pushing.core.motion.shapes import (
     center_motion,
@@ -30,22 +31,17 @@ from planar_pushing.core.motion.system import (
     GOES_ON,
     LEAVES_CONE,
     MOVING,
-    NO_MODE,
     PENETRATES,
     PUSH_STARTS,
     RATES,
-    REST,
     SLIDER_STOPS,
     SLIP_ENDS,
     STILL,
     TOUCHES,
-    Mode,
     RunState,
     System,
     candidate_at,
-    contact_mode_of,
     is_massive,
-    is_preferred,
     vector_of,
 )
 from planar_pushing.core.motion.touch import (

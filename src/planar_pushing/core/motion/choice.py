@@ -3,30 +3,33 @@
 from __future__ import annotations
 
 from planar_pushing.core.motion.candidates import count_quasi_static, write_candidates
-from planar_pushing.core.motion.equations import write_guards, write_rates
+from planar_pushing.core.motion.equations import write_rates
 from planar_pushing.core.motion.fence import policy_at, span_at
+from planar_pushing.core.motion.guards import write_guards
 from planar_pushing.core.motion.instant import Instant
+from planar_pushing.core.motion.mode import (
+    KEEP_CONTACT,
+    NO_MODE,
+    Mode,
+    contact_mode_of,
+    is_preferred,
+)
 from planar_pushing.core.motion.shapes import clearance_of
 from planar_pushing.core.motion.system import (
     CANDIDATE,
     CAUSES,
-    KEEP_CONTACT,
     LATER_GUARDS,
     MOST_CANDIDATES,
-    NO_MODE,
     STATE,
     TRIAL,
     TRIAL_GUARDS,
     WATCHES,
-    Mode,
     RunState,
     System,
     candidate_at,
     candidate_of,
-    contact_mode_of,
     guards_of,
     is_massive,
-    is_preferred,
     pace_of,
     vector_of,
     with_candidates,

@@ -18,7 +18,14 @@ from planar_pushing.core.motion.changes import (
     settle,
 )
 from planar_pushing.core.motion.choice import choose_mode, count_modes, current_mode, current_policy
-from planar_pushing.core.motion.equations import motion_in_mode, write_guards, write_rates
+from planar_pushing.core.motion.equations import motion_in_mode, write_rates
+from planar_pushing.core.motion.event_search import (
+    MISJUDGED,
+    NOTHING,
+    first_event,
+    look_for_kink,
+    sign_of_guard,
+)
 from planar_pushing.core.motion.explicit import (
     attempt_step,
     first_size,
@@ -29,14 +36,9 @@ from planar_pushing.core.motion.explicit import (
     smallest_size,
 )
 from planar_pushing.core.motion.fence import end_of_fence, fence_displacement, span_at
-from planar_pushing.core.motion.guards import (
-    MISJUDGED,
-    NOTHING,
-    first_event,
-    look_for_kink,
-    sign_of_guard,
-)
+from planar_pushing.core.motion.guards import write_guards
 from planar_pushing.core.motion.log import end_log, has_room_for_rows, next_log_row, write_instant
+from planar_pushing.core.motion.mode import NO_MODE, Mode
 from planar_pushing.core.motion.run import (
     Run,
 )
@@ -60,7 +62,6 @@ from planar_pushing.core.motion.system import (
     LAID_DOWN,
     LAST_RATES,
     MET_OUTLINE,
-    NO_MODE,
     NO_PROGRESS,
     PASSING,
     PENETRATES,
@@ -75,7 +76,6 @@ from planar_pushing.core.motion.system import (
     TOO_MUCH_WORK,
     TOUCHES,
     VALUES,
-    Mode,
     RunState,
     System,
     copy_numbers,

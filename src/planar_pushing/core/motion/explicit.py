@@ -17,8 +17,10 @@ from planar_pushing.core.instant.tableau import (
     THIRD_ERROR,
 )
 from planar_pushing.core.motion.drag import load_work
-from planar_pushing.core.motion.equations import write_rates, write_rates_and_guards
+from planar_pushing.core.motion.equations import write_rates
 from planar_pushing.core.motion.fence import fence_displacement
+from planar_pushing.core.motion.guards import write_rates_and_guards
+from planar_pushing.core.motion.mode import REST, Mode
 from planar_pushing.core.motion.run import Run
 from planar_pushing.core.motion.shapes import (
     center_motion,
@@ -36,13 +38,11 @@ from planar_pushing.core.motion.system import (
     MOVING,
     PASSING,
     REACHED,
-    REST,
     SCALES,
     STAGE_RATES,
     STAGES,
     STATE,
     TRIAL,
-    Mode,
     RunState,
     System,
     guards_of,

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from planar_pushing.core.instant.solution import SEPARATE
 from planar_pushing.core.motion.drag import Foot, friction_effects, slowest_foot
+from planar_pushing.core.motion.mode import Mode
 from planar_pushing.core.motion.reaction import edge_of_slip
 from planar_pushing.core.motion.shapes import (
     Pose,
@@ -18,13 +19,7 @@ from planar_pushing.core.motion.shapes import (
     to_body,
     to_contact,
 )
-from planar_pushing.core.motion.system import (
-    STATE,
-    Mode,
-    RunState,
-    System,
-    vector_of,
-)
+from planar_pushing.core.motion.system import STATE, RunState, System, vector_of
 from planar_pushing.core.numbers import UNKNOWN, zeros
 from planar_pushing.core.supports.roots import ITERATIONS, MOST_ROOTS, positive_roots
 from planar_pushing.core.supports.rows import foot_position

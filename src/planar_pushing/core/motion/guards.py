@@ -1,283 +1,216 @@
-"""Event location: the guards of a mode are followed along the dense output of each step.
-
-Each guard has a sign. One that begins at zero has none until it has left zero, and is then watched.
-"""
+"""The guards of a mode: margins, positive while it lasts, and watches, whose sign changes at events."""
 
 from __future__ import annotations
 
-from math import fabs
+from math import fabs, log, sqrt
 
-from planar_pushing.core.instant.solution import SEPARATE
-from planar_pushing.core.motion.equations import write_guards
-from planar_pushing.core.motion.explicit import MIDDLE_PART, interpolate_state
-from planar_pushing.core.motion.feet import leaving_speed
-from planar_pushing.core.motion.run import Run
+from planar_pushing.core.instant.solution import SEPARATE, STICK
+from planar_pushing.core.motion.drag import (
+    depends_on_speed,
+)
+from planar_pushing.core.motion.equations import motion_in_mode, store_rates
+from planar_pushing.core.motion.feet import (
+    arrival_speed,
+    leaving_speed,
+    slowest_foot_at,
+    speed_of_passing,
+)
+from planar_pushing.core.motion.inertia import (
+    motion_beside_push,
+    push_in_mode,
+    slowest_motion,
+)
+from planar_pushing.core.motion.instant import (
+    Instant,
+)
+from planar_pushing.core.motion.mode import REST, Mode, contact_mode_of, slip_side
+from planar_pushing.core.motion.reaction import cone_margin, edge_of_slip
+from planar_pushing.core.motion.shapes import (
+    center_height,
+    clearance_of,
+    is_steady_pusher,
+    outline_height,
+    pose_of,
+    room_on_side,
+)
 from planar_pushing.core.motion.system import (
     CAUSES,
     CENTER_AT_POINT,
+    CENTER_DOWN,
     END_OF_SIDE,
-    END_VALUES,
-    FIRST_RATES,
+    FORCE_ENDS,
     KINK,
-    MIDDLE_VALUES,
-    SIGNS,
+    LEAVES_CONE,
+    NORMAL_REVERSES,
+    PENETRATES,
+    PIVOT_YIELDS,
+    PUSH_STARTS,
+    SEPARATION_CHANGES,
+    SLIDER_STOPS,
+    SLIP_ENDS,
+    TANGENTIAL_REVERSES,
     TOUCHES,
-    TRIAL,
-    TRIAL_GUARDS,
-    VALUES,
-    WATCHES,
-    Mode,
+    RunState,
     System,
-    copy_numbers,
-    guards_of,
     is_massive,
-    vector_of,
 )
-from planar_pushing.core.numbers import INFINITY
-from planar_pushing.core.supports.roots import (
-    ITERATIONS,
-    SECTIONS,
-    Dip,
-    best_number,
-    is_narrow,
-    narrow_bracket,
-    narrow_dip,
-    next_number,
-    open_bracket,
-    section_of,
-)
-from planar_pushing.core.supports.tolerances import RESOLVED, SLACK
-
-#: Number of nodes of a step, at equal distances, at which the guards are evaluated if it may contain an
-#: event.
-STEP_NODES = 4
-#: Maximum number of halvings in the search for a time at which a margin that starts at zero is positive.
-RISE_HALVINGS = 20
-#: A margin may vanish between the nodes if its parabola falls below this fraction of the smallest value.
-DIP_PART = 0.2
-#: Accuracy of the time of a kink as a fraction of the step, and its distance after the kink, so that the
-#: step to it contains the kink as an event. The nonsmooth remainder changes the motion by less than 1e-12.
-BEHIND_KINK = 1e-5
-#: Results of the search of a step other than the cause of an event.
-NOTHING = -1
-MISJUDGED = -2
+from planar_pushing.core.motion.touch import is_flush
+from planar_pushing.core.numbers import UNKNOWN, Numbers
+from planar_pushing.core.supports.tolerances import NO_FORCE, PUSHES, SLACK
 
 
-def _guard_at(system: System, mode: Mode, cause: int, time: float) -> float:
-    """A guard at a time of the step, positive before its event."""
-    trial, guards = vector_of(system, TRIAL), guards_of(system, TRIAL_GUARDS)
-    interpolate_state(system, mode, time, trial)
-    write_guards(system, mode, time, trial, guards)
-    return -guards[cause] if guards_of(system, SIGNS)[cause] < 0.0 else guards[cause]
+def write_guards(system: System, mode: Mode, time: float, state: RunState, guards: Numbers) -> None:
+    """Store margins and watches by cause, NaN for causes without one."""
+    _write_guards(system, mode, state, motion_in_mode(system, mode, time, state), guards)
 
 
-def sign_of_guard(cause: int, value: float) -> float:
-    """Sign of a watch that is not near zero; for a margin, 1 if it is positive; 0 otherwise."""
-    if value > SLACK:
-        return 1.0
-    return -1.0 if WATCHES[cause] == 1.0 and value < -SLACK else 0.0
+def write_rates_and_guards(
+    system: System, mode: Mode, time: float, state: RunState, rates: RunState, guards: Numbers
+) -> None:
+    """Store the derivative and the guards, with one evaluation of the motion."""
+    instant = motion_in_mode(system, mode, time, state)
+    store_rates(system, mode, state, instant, rates)
+    _write_guards(system, mode, state, instant, guards)
 
 
-def first_event(system: System, mode: Mode) -> int:
-    """Store the time of the first event of a step; return its cause, `NOTHING`, or `MISJUDGED`.
-
-    A mode is misjudged if a margin is negative from its start.
-    """
-    system.run.event_time, cause = system.run.until, NOTHING
-    if _may_contain_event(system):
-        cause = _search_step(system, mode)
-    copy_numbers(guards_of(system, VALUES), guards_of(system, END_VALUES), CAUSES)
-    return cause
-
-
-def look_for_kink(system: System, mode: Mode) -> None:
-    """Find a time at which the motion is not smooth in a trial step, and grade the steps toward it."""
-    run, end = system.run, guards_of(system, END_VALUES)[KINK]
-    if guards_of(system, SIGNS)[KINK] * end < -SLACK:
-        slack = BEHIND_KINK * (run.until - run.time)
-        first, last = fabs(guards_of(system, VALUES)[KINK]), -fabs(end)
-        resolution = slack / (4.0 * run.until)
-        kink = _root_of_guard(
-            system,
-            mode,
-            KINK,
-            low=run.time,
-            high=run.until,
-            at_low=first,
-            at_high=last,
-            resolution=resolution,
-        )
-        run.kink, run.kink_side = kink + slack, -1
-
-
-def _root_of_guard(
-    system: System, mode: Mode, cause: int,
-    low: float, high: float, at_low: float, at_high: float, resolution: float,
-) -> float:  # fmt: skip
-    """Time at which a guard vanishes between two times with values of opposite signs."""
-    bracket = open_bracket(low, high, at_low, at_high, resolution)
-    for _ in range(ITERATIONS):
-        time = next_number(bracket)
-        bracket = narrow_bracket(bracket, time, _guard_at(system, mode, cause, time))
-        if is_narrow(bracket):
-            return best_number(bracket)
-    return bracket.a
-
-
-def _may_contain_event(system: System) -> bool:
-    """Whether a step may contain an event, judged by its guards at the ends and near the middle."""
-    signs, values = guards_of(system, SIGNS), guards_of(system, VALUES)
-    middles, ends = guards_of(system, MIDDLE_VALUES), guards_of(system, END_VALUES)
+def _write_guards(
+    system: System, mode: Mode, state: RunState, instant: Instant, guards: Numbers
+) -> None:
     for cause in range(CAUSES):
-        sign, middle, end = signs[cause], middles[cause], ends[cause]
-        if sign == 0.0 and (fabs(middle) > SLACK or fabs(end) > SLACK):
-            return True
-        if sign * middle < -SLACK or sign * end < -SLACK:
-            return True
-        if WATCHES[cause] == 0.0 and _dips(values[cause], middle, end, MIDDLE_PART):
-            return True
-    return False
+        guards[cause] = UNKNOWN
+    if instant.spin != instant.spin:
+        guards[LEAVES_CONE] = -1.0  # a motion that is not found does not last
+        return
+    rests: bool = mode.contact == REST
+    # A pusher that retreats from a slider at rest opens the contact without an event.
+    rests_on_pusher: bool = mode.touches and clearance_of(system, state) <= SLACK
+    is_open: bool = mode.contact == SEPARATE or (rests and not rests_on_pusher)
+    if mode.touches:
+        # It leaves the slider, and returns, within the mode.
+        guards[TOUCHES] = state.gap if fabs(state.gap) > SLACK else 0.0
+        guards[PUSH_STARTS] = 1.0
+    if rests_on_pusher:
+        guards[PUSH_STARTS] = PUSHES - instant.fence_y / system.run.speed
+    elif is_open and not system.run.parted:
+        guards[TOUCHES] = state.gap
+    if not rests:
+        guards[CENTER_DOWN] = center_height(system, state)
+    is_open = is_open or state.gap > SLACK
+    if not is_open:
+        guards[END_OF_SIDE] = room_on_side(system, state.along)
+    guards[PENETRATES] = outline_height(system, state, not is_open)
+    if is_massive(system):
+        _guard_moving_contact(system, mode, state, instant, guards)
+    else:
+        _guard_quasi_static_contact(system, mode, instant, guards)
 
 
-def _dips(a: float, b: float, c: float, part: float) -> bool:
-    """Whether the parabola through values at 0, `part` and 1 falls below a part of the smallest value."""
-    bend = ((c - a) - (b - a) / part) / (1.0 - part)
-    slope = (c - a) - bend
-    if not 0.0 < -slope < 2.0 * bend:
-        return False
-    return a - slope * slope / (4.0 * bend) < DIP_PART * min(min(a, b), c)
-
-
-def _search_step(system: System, mode: Mode) -> int:
-    """As `first_event`, using the guards at the nodes of the dense output."""
-    trial, first, cause = vector_of(system, TRIAL), INFINITY, NOTHING
-    for j in range(1, STEP_NODES):
-        time = _node_time(system.run, j)
-        interpolate_state(system, mode, time, trial)
-        write_guards(system, mode, time, trial, guards_of(system, VALUES + j))
-    for i in range(CAUSES):
-        value = guards_of(system, VALUES)[i]
-        if value == value:  # it is guarded
-            time = _event_of_cause(system, mode, i)
-            if time < 0.0:
-                return MISJUDGED
-            if time < first:
-                first, cause = time, i
-    system.run.event_time = min(first, system.run.until)
-    return cause
-
-
-def _node_time(run: Run, j: int) -> float:
-    """Time of a node; node 0 is the start of the step."""
-    if j == STEP_NODES:
-        return run.until
-    return run.time + float(j) / float(STEP_NODES) * (run.until - run.time)
-
-
-def _event_of_cause(system: System, mode: Mode, cause: int) -> float:
-    """Time of the first event of one cause in a step, infinite if there is none, -1 if misjudged."""
-    run, signs = system.run, guards_of(system, SIGNS)
-    watched: bool = WATCHES[cause] != 0.0
-    for j in range(1, STEP_NODES + 1):
-        low, high, sign = _node_time(run, j - 1), _node_time(run, j), signs[cause]
-        before = guards_of(system, VALUES + j - 1)[cause]
-        value = guards_of(system, VALUES + j)[cause]
-        if sign * value < -SLACK:
-            time = _crossing(
-                system, mode, cause, low, high, at_low=sign * before, at_high=sign * value
+def _guard_moving_contact(
+    system: System, mode: Mode, state: RunState, instant: Instant, guards: Numbers
+) -> None:
+    """Store the margins and watches that end a contact of a slider with inertia."""
+    speed, force = system.run.speed, system.run.force
+    side = slip_side(contact_mode_of(mode))
+    if side != 0.0:
+        guards[SLIP_ENDS] = side * instant.slip / speed
+    if mode.contact == REST:
+        return
+    if mode.contact == STICK:
+        guards[LEAVES_CONE] = cone_margin(system, instant.f_x, instant.f_y, NO_FORCE * force)
+    if is_flush(system):
+        guards[FORCE_ENDS] = _margin_of_side(system, instant)
+    elif side != 0.0:
+        e_x, e_y = edge_of_slip(system, mode.contact)
+        push = instant.f_x * e_x + instant.f_y * e_y
+        guards[FORCE_ENDS] = push / (fabs(push) + force)
+    if mode.contact != SEPARATE:
+        guards[SEPARATION_CHANGES] = instant.lift * system.scene.mass / force
+    if system.scene.weight > 0.0:
+        size, slowest = instant.speed + fabs(instant.spin), slowest_motion(system)
+        pushed = push_in_mode(mode.contact, instant.fence_x, instant.fence_y)
+        guards[SLIDER_STOPS] = motion_beside_push(system, size, pushed) / speed - slowest
+        if mode.hinged:
+            guards[PIVOT_YIELDS] = instant.hold
+        elif mode.contact == STICK and not is_flush(system):
+            guards[CENTER_AT_POINT] = speed_of_passing(
+                system, pose_of(system, state), instant.v_x, instant.v_y, instant.spin
             )
-            farthest = leaving_speed(system, run.speed)
-            if cause != CENTER_AT_POINT or fabs(_guard_at(system, mode, cause, time)) <= farthest:
-                return time
-            signs[cause] = -sign  # another point is the slowest, or the center is far from it
-        if sign == 0.0:
-            if cause == END_OF_SIDE and value < -SLACK:
-                return _end_of_side_within(system, mode, low, high)
-            signs[cause] = sign_of_guard(cause, value)
-            if value < -SLACK and not watched:
-                start = _time_of_rise(system, mode, cause, start=low, end=high)
-                if start < 0.0 and mode.touches:
-                    return INFINITY  # the pusher has not left the slider at rest
-                if start < 0.0 and cause == TOUCHES and _opens(system, mode):
-                    return _time_of_touch(system, mode, high)
-                return start if start < 0.0 else _crossing_within(system, mode, cause, start, high)
-    return INFINITY if watched else _time_of_dip(system, mode, cause)
+        elif mode.contact != STICK and size > slowest * speed:
+            foot = slowest_foot_at(
+                system, pose_of(system, state), instant.v_x, instant.v_y, instant.spin
+            )
+            limit = leaving_speed(system, size) if mode.foot >= 0 else arrival_speed(system, size)
+            guards[CENTER_AT_POINT] = min(foot.speed, 1.0) - limit
 
 
-def _end_of_side_within(system: System, mode: Mode, low: float, high: float) -> float:
-    """When a finger that is at an end of its side leaves it: at once, or after it has moved inward."""
-    start = _time_of_rise(system, mode, END_OF_SIDE, start=low, end=high)
-    return low if start < 0.0 else _crossing_within(system, mode, END_OF_SIDE, start, high)
+def _guard_quasi_static_contact(
+    system: System, mode: Mode, instant: Instant, guards: Numbers
+) -> None:
+    """Store the margins and watches that end a contact without inertia."""
+    slips: bool = slip_side(mode.contact) != 0.0
+    speed = sqrt(instant.fence_x * instant.fence_x + instant.fence_y * instant.fence_y)
+    if mode.contact == STICK:
+        rests: bool = instant.f_x == 0.0 and instant.f_y == 0.0
+        margin = cone_margin(system, instant.f_x, instant.f_y, 0.0)
+        # The force of a pivot can be any in an interval, so the trend of the margin decides.
+        guards[LEAVES_CONE] = -1.0 if rests else 0.0 if instant.pivot >= 0 else margin
+        guards[FORCE_ENDS] = _margin_of_side(system, instant)
+    elif slips:
+        _guard_slip(system, mode, instant, speed, guards)
+    if mode.contact == STICK or slips:
+        guards[KINK] = _kink_of(system, instant, slips)
+    if is_steady_pusher(system, mode.during):
+        return
+    if mode.contact == REST and mode.touches:
+        guards[NORMAL_REVERSES] = 1.0 if speed > 0.0 else -1.0
+    elif mode.contact != REST:
+        guards[NORMAL_REVERSES] = instant.fence_y / speed if speed > 0.0 else 0.0
+        guards[TANGENTIAL_REVERSES] = instant.fence_x / speed if speed > 0.0 else 0.0
 
 
-def _opens(system: System, mode: Mode) -> bool:
-    """Whether the contact opens at the start of a step."""
-    rates = vector_of(system, FIRST_RATES)
-    if mode.contact != SEPARATE or not is_massive(system):
-        return False
-    return rates.gap > 0.0 or (rates.gap == 0.0 and rates.normal_speed > 0.0)
+def _guard_slip(
+    system: System, mode: Mode, instant: Instant, speed: float, guards: Numbers
+) -> None:
+    guards[SLIP_ENDS], guards[FORCE_ENDS] = -1.0, -1.0
+    if speed > 0.0:
+        guards[SLIP_ENDS] = slip_side(mode.contact) * instant.slip / (speed + fabs(instant.slip))
+        # A slipping contact transmits no motion from a fence that only moves along its own line.
+        if instant.fence_y != 0.0 or not mode.during.constant:
+            if is_flush(system):
+                guards[FORCE_ENDS] = _margin_of_side(system, instant)
+            elif depends_on_speed(system):
+                # The force jumps where the contact comes to rest, so the margin vanishes with its motion.
+                x, y = instant.fence_x + instant.slip, instant.fence_y
+                motion = sqrt(x * x + y * y)
+                guards[FORCE_ENDS] = instant.slip_margin / (
+                    fabs(instant.slip_margin) + system.run.force
+                )
+                guards[FORCE_ENDS] *= motion / (motion + speed)
+            else:
+                margin = instant.slip_margin / (1.0 + system.scene.length)
+                guards[FORCE_ENDS] = margin * instant.fence_y / speed
 
 
-def _time_of_touch(system: System, mode: Mode, end: float) -> float:
-    """A time at which a contact that opens by less than the tolerance has closed again."""
-    low, high = system.run.time, end
-    for _ in range(ITERATIONS):
-        time = (low + high) / 2.0
-        if not low < time < high:
-            break
-        if _guard_at(system, mode, TOUCHES, time) < -SLACK:
-            high = time
-        else:
-            low = time
-    return high
+def _margin_of_side(system: System, instant: Instant) -> float:
+    """Margin of the forces at the ends of a side, NaN at a point and where the contact can pull."""
+    if system.scene.rough or not is_flush(system):
+        return UNKNOWN
+    if instant.press != instant.press:
+        return 0.0  # at rest
+    return instant.press / (fabs(instant.f_x) + fabs(instant.f_y) + system.run.force)
 
 
-def _time_of_rise(system: System, mode: Mode, cause: int, start: float, end: float) -> float:
-    """A time after `start` at which a margin that began at zero is positive, -1 if there is none."""
-    part = 1.0
-    for _ in range(1, RISE_HALVINGS):
-        part /= 2.0
-        time = start + (end - start) * part
-        if _guard_at(system, mode, cause, time) > SLACK:
-            guards_of(system, SIGNS)[cause] = 1.0
-            return time
-    return -1.0
+def _kink_of(system: System, instant: Instant, slips: bool) -> float:
+    """Watch for kinks of a contact's motion.
 
-
-def _time_of_dip(system: System, mode: Mode, cause: int) -> float:
-    """Time at which a margin vanishes between nodes at which it is positive, infinite if it does not."""
-    run = system.run
-    for j in range(1, STEP_NODES):
-        a = guards_of(system, VALUES + j - 1)[cause]
-        b = guards_of(system, VALUES + j)[cause]
-        c = guards_of(system, VALUES + j + 1)[cause]
-        if min(min(a, b), c) > 0.0 and _dips(a, b, c, 0.5):
-            low = _node_time(run, j - 1)
-            dip = Dip(low, _node_time(run, j), _node_time(run, j + 1), b)
-            for _ in range(SECTIONS):
-                time = section_of(dip)
-                dip = narrow_dip(dip, time, _guard_at(system, mode, cause, time))
-                if dip.value < -SLACK:
-                    return _crossing_within(system, mode, cause, low, dip.middle)
-    return INFINITY
-
-
-def _crossing_within(system: System, mode: Mode, cause: int, low: float, high: float) -> float:
-    """As `_crossing`, between times at which the guard has not been evaluated."""
-    at_low = _guard_at(system, mode, cause, low)
-    return _crossing(
-        system, mode, cause, low, high, at_low, _guard_at(system, mode, cause, high)
-    )  # fmt: skip
-
-
-def _crossing(
-    system: System, mode: Mode, cause: int, low: float, high: float, at_low: float, at_high: float
-) -> float:
-    """Time at which a guard vanishes between two times; if it jumps, a time after the jump."""
-    if at_low <= 0.0:
-        return low
-    time = _root_of_guard(system, mode, cause, low, high, at_low, at_high, RESOLVED)
-    step = RESOLVED * time
-    while step > 0.0 and time < high and _guard_at(system, mode, cause, time) > SLACK:
-        time, step = min(time + step, high), 2.0 * step
-    return time
+    For a ring, the center of rotation crosses the ring; with support points, a pivot begins or ends in a
+    slip.
+    """
+    if not system.run.has_ring:
+        if not slips or system.run.feet == 0:
+            return UNKNOWN
+        return 1.0 if instant.pivot >= 0 else -1.0
+    total = fabs(instant.spin) + instant.speed
+    part = (fabs(instant.spin) - instant.speed) / total if total > 0.0 else 0.0
+    # As smooth in time as the moment arm; near the ring, the spin ratio behaves like x / log(x) of the arm.
+    return part * (2.0 - log(fabs(part))) if part != 0.0 else 0.0

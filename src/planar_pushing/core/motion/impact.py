@@ -25,18 +25,11 @@ from planar_pushing.core.instant.solution import (
     Solution,
 )
 from planar_pushing.core.motion.fence import Span
+from planar_pushing.core.motion.mode import NO_MODE, is_preferred
 from planar_pushing.core.motion.posing import momentum_over, pusher_along
 from planar_pushing.core.motion.reaction import moment_of, reaction_of, reaction_of_side
 from planar_pushing.core.motion.shapes import center_motion, pose_of, pusher_velocity, to_world
-from planar_pushing.core.motion.system import (
-    GOES_ON,
-    NO_IMPULSE,
-    NO_MODE,
-    RunState,
-    System,
-    is_preferred,
-    law_of,
-)
+from planar_pushing.core.motion.system import GOES_ON, NO_IMPULSE, RunState, System, law_of
 from planar_pushing.core.motion.touch import hold_contact, offset_of, side_on_fence
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.supports.rows import (

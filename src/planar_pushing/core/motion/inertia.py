@@ -22,6 +22,7 @@ from planar_pushing.core.motion.feet import (
     speed_of_foot,
 )
 from planar_pushing.core.motion.instant import Instant, Support, instant_at_rest, support_of_side
+from planar_pushing.core.motion.mode import REST, Mode
 from planar_pushing.core.motion.reaction import (
     edge_of_slip,
     moment_of,
@@ -41,14 +42,7 @@ from planar_pushing.core.motion.shapes import (
     to_body,
     to_contact,
 )
-from planar_pushing.core.motion.system import (
-    REST,
-    STATE,
-    Mode,
-    RunState,
-    System,
-    vector_of,
-)
+from planar_pushing.core.motion.system import STATE, RunState, System, vector_of
 from planar_pushing.core.motion.touch import is_flush, side_length
 from planar_pushing.core.numbers import UNKNOWN
 from planar_pushing.core.supports.rows import NO_POINT, foot_position
@@ -287,6 +281,7 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: RunState
         a_y=rate_y,
         turn=turn,
         lift=lift,
+        slip_margin=0.0,
         pivot=mode.foot if mode.hinged else NO_POINT,
         hold=hold,
         offset=support.offset,

@@ -29,8 +29,9 @@ class Instant(NamedTuple):
     a_x, a_y, turn : float
         Acceleration of the contact relative to the pusher, and angular acceleration; zero without inertia.
     lift : float
-        Normal acceleration of the contact without the contact force; without inertia, a number that is
-        positive while a slip lasts.
+        Normal acceleration of the contact without the contact force; zero without inertia.
+    slip_margin : float
+        Without inertia, a number that is positive while a slip lasts.
     pivot : int
         Number of the support point about which the slider pivots, -1 without one.
     hold : float
@@ -57,6 +58,7 @@ class Instant(NamedTuple):
     a_y: float
     turn: float
     lift: float
+    slip_margin: float
     pivot: int
     hold: float
     offset: float
@@ -90,6 +92,7 @@ def instant_at_rest(
         a_y=-a_y,
         turn=0.0,
         lift=0.0,
+        slip_margin=0.0,
         pivot=NO_POINT,
         hold=1.0,
         offset=offset,

@@ -10,8 +10,9 @@ from math import atan2, fabs, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.instant.solution import SLIP_RIGHT, STICK
+from planar_pushing.core.motion.mode import slip_side
 from planar_pushing.core.motion.shapes import Pose
-from planar_pushing.core.motion.system import System, slip_side
+from planar_pushing.core.motion.system import System
 from planar_pushing.core.supports.tolerances import SLACK
 
 

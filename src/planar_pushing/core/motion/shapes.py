@@ -23,13 +23,8 @@ from typing import NamedTuple
 from planar_pushing.core.instant.directions import Rod
 from planar_pushing.core.instant.solution import SEPARATE
 from planar_pushing.core.motion.fence import Span, fence_acceleration, fence_velocity
-from planar_pushing.core.motion.system import (
-    REST,
-    Mode,
-    RunState,
-    System,
-    is_massive,
-)
+from planar_pushing.core.motion.mode import REST, Mode
+from planar_pushing.core.motion.system import RunState, System, is_massive
 from planar_pushing.core.motion.touch import (
     count_points,
     height_above_pusher,

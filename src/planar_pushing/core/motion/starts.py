@@ -13,6 +13,7 @@ from planar_pushing.core.instant.solution import (
 from planar_pushing.core.motion.drag import friction_effects, problem_effects
 from planar_pushing.core.motion.feet import slowest_foot_at
 from planar_pushing.core.motion.fence import Span
+from planar_pushing.core.motion.mode import REST, slip_side
 from planar_pushing.core.motion.posing import pose_at_start, prepare_start
 from planar_pushing.core.motion.shapes import (
     Pose,
@@ -24,13 +25,11 @@ from planar_pushing.core.motion.shapes import (
 )
 from planar_pushing.core.motion.side import MOST_OF_SIDE, modes_at_contact, offset_in_solution
 from planar_pushing.core.motion.system import (
-    REST,
     RunState,
     System,
     candidate_of,
     is_loaded,
     pace_of,
-    slip_side,
     write_candidate,
 )
 from planar_pushing.core.motion.touch import is_flush, leave_side, side_length

@@ -21,6 +21,7 @@ from planar_pushing.core.instant.solution import (
     Solution,
 )
 from planar_pushing.core.motion.drag import load_at, put_load, put_loads_at, put_mass, scale_films
+from planar_pushing.core.motion.mode import NO_MODE, is_preferred
 from planar_pushing.core.motion.posing import momentum_over
 from planar_pushing.core.motion.shapes import (
     Pose,
@@ -38,13 +39,11 @@ from planar_pushing.core.motion.side import (
 )
 from planar_pushing.core.motion.system import (
     ELSEWHERE,
-    NO_MODE,
     STATE,
     RunState,
     System,
     copy_numbers,
     is_massive,
-    is_preferred,
     vector_of,
 )
 from planar_pushing.core.motion.touch import (

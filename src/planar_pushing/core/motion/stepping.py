@@ -39,6 +39,7 @@ from planar_pushing.core.motion.log import (
     write_place_of_force,
     write_state,
 )
+from planar_pushing.core.motion.mode import NO_MODE
 from planar_pushing.core.motion.shapes import (
     Pose,
     center_height,
@@ -65,7 +66,6 @@ from planar_pushing.core.motion.system import (
     INCONSISTENT,
     LAID_DOWN,
     MET_OUTLINE,
-    NO_MODE,
     RATES,
     SIDE_ENDED,
     STATE,

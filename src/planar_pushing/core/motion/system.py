@@ -16,13 +16,11 @@ from planar_pushing.core.instant.directions import Rod, direction_at, unit_x, un
 from planar_pushing.core.instant.solution import (
     MOST_SOLUTIONS,
     SEPARATE,
-    SLIP_LEFT,
-    SLIP_RIGHT,
-    STICK,
     Pair,
     Twist,
 )
 from planar_pushing.core.motion.fence import Fence, Span, fence_velocity, span_at, typical_speed
+from planar_pushing.core.motion.mode import Mode, moving_mode
 from planar_pushing.core.motion.run import INPUTS, MEMORY, Inputs, Run
 from planar_pushing.core.numbers import INFINITY, Numbers
 from planar_pushing.core.supports.rows import (
@@ -39,9 +37,6 @@ from planar_pushing.core.supports.rows import (
 #: Number of entries before the energies, without inertia and with it.
 STILL = 6
 MOVING = 9
-#: A slider at rest, in addition to the contact modes; no mode.
-REST = 4
-NO_MODE = -1
 #: Maximum number of candidates: the modes of a side on the fence, and those of its two ends.
 MOST_CANDIDATES = 3 * MOST_SOLUTIONS
 #: Vectors of a run with the entries of the state: state, end of the step, two for trials, typical
@@ -67,8 +62,6 @@ END_VALUES, MIDDLE_VALUES, TRIAL_GUARDS, LATER_GUARDS, GUARD_SETS = range(5, 10)
 #: Reasons of an early end (`Stop`).
 GOES_ON, INCONSISTENT, LAID_DOWN, NO_IMPULSE, SINGULAR_MOTION = range(5)
 TOO_MANY_EVENTS, NO_PROGRESS, MET_OUTLINE, SIDE_ENDED, TOO_MUCH_WORK = range(5, 10)
-#: Policies (`Policy`).
-KEEP_CONTACT, PREFER_SEPARATE, STAY_IN_MODE, PREFER_STICK, PREFER_RIGHT, PREFER_LEFT = range(6)
 
 
 class RunState(Record):
@@ -159,47 +152,6 @@ class System(NamedTuple):
     vectors: Numbers
     guards: Numbers
     entries: int
-
-
-class Mode(NamedTuple):
-    """A possible continuation of the motion during a span of the pusher's motion.
-
-    Attributes
-    ----------
-    contact : int
-        Contact mode, or `REST`.
-    foot : int
-        Number of the support point at the center of rotation, -1 without one.
-    hinged : bool
-        Whether friction holds this point like a hinge.
-    departure : int
-        Which of the ways in which it can leave the center otherwise, from 1 (`leaving_friction`).
-    touches : bool
-        Whether a slider at rest touches the pusher.
-    rests_in : int
-        Contact mode of a slider at rest.
-    f_x, f_y, offset : float
-        Force of a slider at rest, and its place along the fence, from the contact.
-    start : Vector
-        Acceleration of a slider that starts from rest, otherwise zero.
-    u_x, u_y : float
-        Motion of the contact in a slip without inertia.
-    during : Span
-    """
-
-    contact: int
-    foot: int
-    hinged: bool
-    departure: int
-    touches: bool
-    rests_in: int
-    f_x: float
-    f_y: float
-    offset: float
-    start: Vector
-    u_x: float
-    u_y: float
-    during: Span
 
 
 def state_size(resisting: int, massive: bool) -> int:
@@ -362,14 +314,6 @@ def candidate_at(system: System, index: int, piece: int) -> Mode:
     )  # fmt: skip
 
 
-def moving_mode(contact: int, foot: int, hinged: bool, departure: int, during: Span) -> Mode:
-    """A mode of a slider that moves."""
-    return Mode(
-        contact, foot, hinged, departure, touches=False, rests_in=NO_MODE, f_x=0.0, f_y=0.0,
-        offset=0.0, start=Vector(0.0, 0.0, 0.0), u_x=0.0, u_y=0.0, during=during,
-    )  # fmt: skip
-
-
 def candidate_of(system: System, index: int) -> Candidate:
     """The record of a candidate mode."""
     return Candidate(system.candidates[index * CANDIDATE :])
@@ -383,35 +327,6 @@ def write_candidate(system: System, index: int, contact: int) -> Candidate:
     candidate.contact, candidate.foot, candidate.departure = contact, NO_POINT, 1
     candidate.point, candidate.other_end = system.run.point, system.run.other_end
     return candidate
-
-
-def contact_mode_of(mode: Mode) -> int:
-    """The contact mode, also of a slider at rest."""
-    return mode.rests_in if mode.contact == REST else mode.contact
-
-
-def is_preferred(policy: int, current: int, contact: int, other: int) -> bool:
-    """Whether a policy prefers a contact mode to another one, or to none, in a current mode."""
-    return other == NO_MODE or _rank_of(policy, current, contact) < _rank_of(policy, current, other)
-
-
-def _rank_of(policy: int, current: int, contact: int) -> int:
-    """Rank of a contact mode in the order of preference of a policy."""
-    preferred = NO_MODE
-    if policy == PREFER_SEPARATE:
-        preferred = SEPARATE
-    elif policy == STAY_IN_MODE:
-        preferred = current
-    elif policy >= PREFER_STICK:
-        preferred = STICK + (policy - PREFER_STICK)
-    if contact == preferred:
-        return SEPARATE
-    return SLIP_LEFT + 1 if contact == SEPARATE else contact
-
-
-def slip_side(contact: int) -> float:
-    """Direction of slip as 1 or -1, 0 in a mode without slip."""
-    return 1.0 if contact == SLIP_RIGHT else -1.0 if contact == SLIP_LEFT else 0.0
 
 
 def pace_of(system: System, during: Span, time: float) -> float:

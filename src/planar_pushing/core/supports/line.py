@@ -21,14 +21,9 @@ from math import copysign, fabs, log, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.numbers import GAUSS_NODES, GAUSS_WEIGHTS, INFINITY, UNKNOWN
-from planar_pushing.core.supports.contact import (
-    Contact,
-    Psi,
-    potential_at,
-    resistance_about,
-    unknown_psi,
-)
+from planar_pushing.core.supports.contact import Contact, resistance_about
 from planar_pushing.core.supports.pieces import ATOMS, COLUMNS, RINGS, SEGMENTS, place_of
+from planar_pushing.core.supports.potential import Psi, potential_at, unknown_psi
 from planar_pushing.core.supports.roots import (
     ITERATIONS,
     best_number,

@@ -5,13 +5,8 @@ from __future__ import annotations
 from math import copysign, fabs, sqrt
 
 from planar_pushing.core.numbers import INFINITY
-from planar_pushing.core.supports.contact import (
-    Contact,
-    Psi,
-    is_at_contact,
-    resistance_about,
-    unknown_psi,
-)
+from planar_pushing.core.supports.contact import Contact, is_at_contact, resistance_about
+from planar_pushing.core.supports.potential import Psi, unknown_psi
 from planar_pushing.core.supports.rows import NO_POINT, Effects, foot_position
 from planar_pushing.core.supports.tolerances import (
     BALANCED,

@@ -13,19 +13,11 @@ from __future__ import annotations
 from math import copysign, fabs, sqrt
 
 from planar_pushing.core.numbers import INFINITY, UNKNOWN
-from planar_pushing.core.supports.contact import (
-    Contact,
-    Psi,
-    held_potential,
-    is_at_contact,
-    is_held,
-    potential_at,
-    resistance_about,
-    unknown_psi,
-)
+from planar_pushing.core.supports.contact import Contact, is_at_contact, is_held, resistance_about
 from planar_pushing.core.supports.free import free_twist
 from planar_pushing.core.supports.line import rotation_on_line
 from planar_pushing.core.supports.pivot import pivot_psi, pivot_spin, refine_psi
+from planar_pushing.core.supports.potential import Psi, held_potential, potential_at, unknown_psi
 from planar_pushing.core.supports.roots import is_last
 from planar_pushing.core.supports.rows import (
     NO_POINT,
