@@ -85,7 +85,7 @@ def flush_modes(flush: FlushPush, solutions: Numbers) -> int:
 
 def _falls(flush: FlushPush) -> bool:
     """Whether loads move the slider without a contact, because friction does not hold them."""
-    load = flush.still.load
+    load = flush.translation.load
     if load.x == 0.0 and load.y == 0.0 and load.spin == 0.0:
         return False
     twist = free_twist(flush.push.effects, Vector(0.0, 0.0, 0.0))
@@ -96,7 +96,7 @@ def _keep_between_ends(
     flush: FlushPush, mode: int, point: Solution, solutions: Numbers, count: int
 ) -> int:
     """Write a motion if its force crosses the side between its ends; return the number of solutions."""
-    push, still, law = flush.push, flush.still, flush.law
+    push, still, law = flush.push, flush.translation, flush.law
     x, y = point.motion.x, point.motion.y
     if flush.spin == 0.0:
         torque = translation_force(still, x, y).torque

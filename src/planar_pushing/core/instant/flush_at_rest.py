@@ -67,7 +67,7 @@ def write_side_at_rest(
     flush: FlushPush, mode: int, edge: Direction, solutions: Numbers, count: int
 ) -> int:
     """Write the slider at rest if the contact holds it, with forces on an edge in a slip."""
-    law, still = flush.law, flush.still
+    law, still = flush.law, flush.translation
     load, size = still.load, fabs(still.load.x) + fabs(still.load.y)
     hold = Hold(
         f_x=-load.x, f_y=-load.y, torque=-load.spin, share=0.0, one=0.0, twist=Vector(0.0, 0.0, 0.0)
@@ -92,7 +92,7 @@ def _hold_on_verge(flush: FlushPush, mode: int, edge: Direction, size: float) ->
     At the end of a slip the least share of friction is one, and its rounding error decides. Here it is
     exact.
     """
-    law, still = flush.law, flush.still
+    law, still = flush.law, flush.translation
     load, f_y = still.load, -still.load.y
     low, high = f_y * (law.left.x / law.left.y), f_y * (law.right.x / law.right.y)
     f_x = min(max(-load.x, low), high)
@@ -291,7 +291,12 @@ def _minimum_along_first(flush: FlushPush, facet: Facet, other: float, unit: flo
 
 def _minimum_on_facet(flush: FlushPush, facet: Facet, both: bool) -> Hold:
     """The smallest share over all multiples of both forces of a facet, or of the first one."""
-    x, y, position, load = facet.other_x, facet.other_y, facet.other_position, flush.still.load
+    x, y, position, load = (
+        facet.other_x,
+        facet.other_y,
+        facet.other_position,
+        flush.translation.load,
+    )
     unit = fabs(load.x) + fabs(load.y) + fabs(load.spin)
     low = _minimum_along_first(flush, facet, 0.0, unit)
     at_low, step = _power_of(flush, low, x, y, position), unit

@@ -40,7 +40,7 @@ class FlatSide(NamedTuple):
     end: float
 
 
-class Still(NamedTuple):
+class Translation(NamedTuple):
     """What resists a translation, with first moments about the origin of the side, in the fence frame.
 
     Attributes
@@ -98,7 +98,7 @@ class FlushPush(NamedTuple):
         Motion of the fence along itself, and motion of the origin across the fence.
     spin : float
         Rotation of the slider.
-    still : Still
+    translation : Translation
     """
 
     push: Push
@@ -107,10 +107,10 @@ class FlushPush(NamedTuple):
     w_x: float
     w_y: float
     spin: float
-    still: Still
+    translation: Translation
 
 
-def resist_translation(push: Push) -> Still:
+def resist_translation(push: Push) -> Translation:
     """What resists a translation of the slider of a push."""
     t_x, t_y, contact, effects = push.t_x, push.t_y, push.contact, push.effects
     one = rough_mass(scale_effects(effects, 1.0, 0.0), 1.0, contact.x, contact.y)
@@ -118,7 +118,7 @@ def resist_translation(push: Push) -> Still:
     load = load_wrench(effects)
     turn = load.spin - (contact.x * load.y - contact.y * load.x)
     wrench = Vector(t_x * load.x + t_y * load.y, t_x * load.y - t_y * load.x, turn)
-    return Still(
+    return Translation(
         weight=one.mass,
         weight_x=t_x * one.x + t_y * one.y,
         weight_y=t_x * one.y - t_y * one.x,
@@ -135,24 +135,24 @@ def _arm_of(mass: Mass) -> float:
     return (fabs(mass.x) + fabs(mass.y)) / mass.mass if mass.mass > 0.0 else 0.0
 
 
-def translation_force(still: Still, x: float, y: float) -> SideForce:
+def translation_force(translation: Translation, x: float, y: float) -> SideForce:
     """The force that sustains a translation of the slider, which is not zero."""
-    most, load = max(fabs(x), fabs(y)), still.load
+    most, load = max(fabs(x), fabs(y)), translation.load
     e_x, e_y = x / most, y / most  # the squares of the slowest motions underflow
     length = sqrt(e_x * e_x + e_y * e_y)
     e_x, e_y = e_x / length, e_y / length
-    f_x = still.weight * e_x + still.mass * x - load.x
-    f_y = still.weight * e_y + still.mass * y - load.y
-    torque = still.weight_x * e_y - still.weight_y * e_x - load.spin
-    torque += still.mass_x * y - still.mass_y * x
-    size = still.weight + still.mass * most * length + fabs(load.x) + fabs(load.y)
+    f_x = translation.weight * e_x + translation.mass * x - load.x
+    f_y = translation.weight * e_y + translation.mass * y - load.y
+    torque = translation.weight_x * e_y - translation.weight_y * e_x - load.spin
+    torque += translation.mass_x * y - translation.mass_y * x
+    size = translation.weight + translation.mass * most * length + fabs(load.x) + fabs(load.y)
     return SideForce(x, f_x, f_y, torque, size)
 
 
 def noise_at_ends(flush: FlushPush, force: SideForce) -> float:
     """Rounding error of the normal forces at the ends of the side."""
     a, b = flush.side.start, flush.side.end
-    lever = max(b, -a) + flush.still.lever
+    lever = max(b, -a) + flush.translation.lever
     return SHARE * (force.size * lever + fabs(force.torque)) / (b - a)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import copysign, fabs, sqrt
 from typing import NamedTuple
 
-from planar_pushing.core._record import size_of
+from planar_pushing.core._record import Record, size_of
 from planar_pushing.core.instant.cone import Law
 from planar_pushing.core.instant.directions import Direction
 from planar_pushing.core.instant.flush import flush_modes
@@ -17,7 +17,7 @@ from planar_pushing.core.instant.flush_force import (
     resist_translation,
     translation_force,
 )
-from planar_pushing.core.instant.kernels import RESULT, pushing_problem, write_results
+from planar_pushing.core.instant.kernels import PushResult, pushing_problem, write_results
 from planar_pushing.core.instant.modes import contact_modes
 from planar_pushing.core.instant.solution import (
     MOST_SOLUTIONS,
@@ -26,6 +26,7 @@ from planar_pushing.core.instant.solution import (
     SOLUTION,
     STICK,
     UNSOLVED,
+    Pair,
     Push,
     Solution,
     copy_solution,
@@ -41,13 +42,6 @@ WHOLE_SIDE, SIDE_START, SIDE_END = range(3)
 #: Maximum number of flush solutions, some of which come from contacts at an end, and of all solutions.
 MOST_FLUSH_WITH_ENDS = MOST_FLUSH + 2 * MOST_SOLUTIONS
 MOST_ON_SIDE = 1 + MOST_FLUSH_WITH_ENDS
-#: Number of columns of a solution in the results of `solve_flush`, and the offset of each field after those
-#: of `solve`: whether it is flush; where the force crosses the fence; the lower bounds of the components of
-#: the force at the start of the side, the upper bounds, and the same at its end.
-SIDE_RESULT = RESULT + 10
-AT_FLUSH = RESULT
-AT_POSITION = RESULT + 1
-AT_END_FORCES = RESULT + 2
 
 
 class End(NamedTuple):
@@ -76,7 +70,33 @@ class SideSolution(Solution):
     touches_at: int
 
 
-SIDE_SOLUTION = size_of(SideSolution)
+class EndForces(Record):
+    """Lower and upper bounds of the components of the forces at both ends of a side."""
+
+    start_low: Pair
+    start_high: Pair
+    end_low: Pair
+    end_high: Pair
+
+
+class SideResult(PushResult):
+    """A solution in the results of `solve_flush`.
+
+    Attributes
+    ----------
+    flush : bool
+    position : float
+        Where the force crosses the fence.
+    end_forces : EndForces
+    """
+
+    flush: bool
+    position: float
+    end_forces: EndForces
+
+
+SIDE_SOLUTION, SIDE_RESULT = size_of(SideSolution), size_of(SideResult)
+END_FORCES = size_of(EndForces)
 
 
 def solve_flush(
@@ -96,16 +116,14 @@ def solve_flush(
         problem = pushing_problem(read_effects(data, row), inputs)
         side = FlatSide(inputs[9], inputs[10])
         number = side_modes(problem.push, side, problem.law, problem.pusher, solutions)
-        room = (width - 2) // SIDE_RESULT
         number = write_results(
-            problem.rod, solutions, SIDE_SOLUTION, number, False, result, width, room
+            problem.rod, solutions, SIDE_SOLUTION, number, False, result, width, SIDE_RESULT
         )
         for j in range(number):
             solution = SideSolution(solutions[j * SIDE_SOLUTION :])
-            result[2 + AT_FLUSH * room + j] = solution.is_flush
-            result[2 + AT_POSITION * room + j] = _position_of_force(side, solution)
-            bounds = result[2 + AT_END_FORCES * room + 8 * j :]
-            _write_end_forces(problem.law, solution, bounds)
+            written = SideResult(result[2 + j * SIDE_RESULT :])
+            written.flush, written.position = solution.is_flush, _position_of_force(side, solution)
+            _write_end_forces(problem.law, solution, written.end_forces)
 
 
 def _push_at(push: Push, x: float) -> Push:
@@ -126,7 +144,7 @@ def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solution
     if scale == 0.0:
         return count  # as for one point, a slider and a fence at rest count as separate
     held = FlushPush(
-        push, side, law, w_x=pusher.x, w_y=pusher.y, spin=0.0, still=resist_translation(push)
+        push, side, law, w_x=pusher.x, w_y=pusher.y, spin=0.0, translation=resist_translation(push)
     )
     flush_count, starts, ends = flush_modes(held, flush), 0, 0
     start = End(side.start, 1.0, rest.x, rest.y + side.start * rest.spin)
@@ -218,20 +236,20 @@ def _can_slip(flush: FlushPush, end: End, edge: Direction) -> bool:
 
 
 def _is_loaded(flush: FlushPush) -> bool:
-    load = flush.still.load
+    load = flush.translation.load
     return load.x != 0.0 or load.y != 0.0 or load.spin != 0.0
 
 
 def _presses_other_end(flush: FlushPush, end: End, x: float, y: float) -> bool:
     """Whether the other end of the side would have to push in a translation."""
-    force, side = translation_force(flush.still, x, y), flush.side
+    force, side = translation_force(flush.translation, x, y), flush.side
     torque = end.lifts * (force.torque - end.x * force.f_y)
     return torque / (side.end - side.start) > noise_at_ends(flush, force)
 
 
 def _resists_lifting(flush: FlushPush, end: End, x: float, y: float) -> bool:
     """Whether both friction and inertia of a translation along a unit vector press the other end down."""
-    still, lever = flush.still, fabs(end.x) + flush.still.lever
+    still, lever = flush.translation, fabs(end.x) + flush.translation.lever
     one = end.lifts * ((still.weight_x - end.x * still.weight) * y - still.weight_y * x)
     two = end.lifts * ((still.mass_x - end.x * still.mass) * y - still.mass_y * x)
     holds_one: bool = still.weight == 0.0 or one > COINCIDENT * still.weight * lever
@@ -362,25 +380,27 @@ def _position_of_force(side: FlatSide, solution: SideSolution) -> float:
     return (side.start * at_start + side.end * at_end) / (at_start + at_end) + 0.0
 
 
-def _write_end_forces(law: Law, solution: SideSolution, bounds: Numbers) -> None:
+def _write_end_forces(law: Law, solution: SideSolution, bounds: EndForces) -> None:
     """Write the lower and the upper bounds of the forces at both ends of the side."""
-    for k in range(8):
+    for k in range(END_FORCES):
         bounds[k] = 0.0
     touches = solution.touches_at
     if solution.mode == SEPARATE:
         return
     if touches != WHOLE_SIDE:
-        first = 0 if touches == SIDE_START else 4
+        low, high = bounds.start_low, bounds.start_high
+        if touches == SIDE_END:
+            low, high = bounds.end_low, bounds.end_high
         for k in range(2):
             one, other = solution.force[k], solution.force_end[k]
-            bounds[first + k], bounds[first + 2 + k] = min(one, other), max(one, other)
+            low[k], high[k] = min(one, other), max(one, other)
         return
-    low, high = _tangential_at_start(law, solution)
+    least, most = _tangential_at_start(law, solution)
     # Adding zero turns a negative zero into a positive one.
-    bounds[0], bounds[2] = low + 0.0, high + 0.0
-    bounds[4], bounds[6] = solution.force.x - high, solution.force.x - low
-    bounds[1], bounds[3] = solution.start_force, solution.start_force
-    bounds[5], bounds[7] = solution.end_force, solution.end_force
+    bounds.start_low.x, bounds.start_high.x = least + 0.0, most + 0.0
+    bounds.end_low.x, bounds.end_high.x = solution.force.x - most, solution.force.x - least
+    bounds.start_low.y, bounds.start_high.y = solution.start_force, solution.start_force
+    bounds.end_low.y, bounds.end_high.y = solution.end_force, solution.end_force
 
 
 def _tangential_at_start(law: Law, solution: Solution) -> tuple[float, float]:

@@ -1,8 +1,10 @@
 """The functions that Python calls: loops over the rows of an array, one row for each problem.
 
 A row begins with the numbers of the effects, as `read_effects` reads them. Each kernel describes the
-columns that follow. Angles are radians in the fence frame, lengths are in radii, and results are in the
-frame of the contact: x along the fence and y along its normal into the slider.
+columns that follow. Here are those of a push; `solve_flush` is in `flush_solutions`, `responses` in
+`sensitivity`, those of runs in `motion`, and those of pressures and outlines beside what they compute.
+Angles are radians in the fence frame, lengths are in radii, and results are in the frame of the contact: x
+along the fence and y along its normal into the slider.
 """
 
 from __future__ import annotations
@@ -10,6 +12,7 @@ from __future__ import annotations
 from math import fabs, sqrt
 from typing import NamedTuple
 
+from planar_pushing.core._record import Record, size_of
 from planar_pushing.core.instant.cone import Law
 from planar_pushing.core.instant.directions import (
     Direction,
@@ -36,8 +39,10 @@ from planar_pushing.core.instant.modes import contact_modes
 from planar_pushing.core.instant.solution import (
     MOST_SOLUTIONS,
     SOLUTION,
+    Pair,
     Push,
     Solution,
+    Twist,
 )
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers, zeros
 from planar_pushing.core.supports.contact import contact_at
@@ -53,22 +58,41 @@ from planar_pushing.core.supports.tolerances import RESOLUTION
 
 #: Status of the solutions of a row.
 NONE, CONSISTENT, PIVOTS, CONTINUA, NOT_SOLVED = range(5)
-#: Number of columns of a solution in the results of `solve`, and the offset of each field after the mode:
-#: force, the other end of its interval, twist, motion of the contact, spin ratio, center, pivot, and
-#: whether it is an end of a continuum.
-RESULT = 15
-AT_FORCE = 1
-AT_FORCE_END = 3
-AT_TWIST = 5
-AT_MOTION = 8
-AT_RATIO = 10
-AT_CENTER = 11
-AT_PIVOT = 13
-AT_CONTINUUM = 14
 #: Number of columns of a motion in the results of `force_motions`.
 MOTION_WIDTH = 13
 #: Distance, in radii, at which a force replaces a pure couple.
 FAR = 1e6
+
+
+class PushResult(Record):
+    """A solution in the results of `solve`, in the frame of the contact.
+
+    Attributes
+    ----------
+    mode : int
+    force, force_end : Pair
+        The force, and the other end of its interval.
+    twist, motion : Twist, Pair
+        Of the slider, and of the contact.
+    spin_ratio : float
+    center : Pair
+        Motion center relative to the contact, NaN at rest.
+    pivot, continuum : int, bool
+        As in `Solution`.
+    """
+
+    mode: int
+    force: Pair
+    force_end: Pair
+    twist: Twist
+    motion: Pair
+    spin_ratio: float
+    center: Pair
+    pivot: int
+    continuum: bool
+
+
+RESULT = size_of(PushResult)
 
 
 class PushingProblem(NamedTuple):
@@ -87,9 +111,7 @@ def solve(
 
     After the effects, a row holds: length and angle of the rod; the edges of the law, right and left, and
     whether it slips, is closed, and is rough; angle of the pusher's motion; whether the pusher moves. A row
-    of results holds: number of solutions; status; and, for as many solutions as fit, all modes, then all
-    forces, and so on, in the order of `AT_FORCE` to `AT_CONTINUUM`. The motion center is relative to the
-    contact, and NaN at rest.
+    of results holds: number of solutions; status; and as many solutions as fit, as `PushResult`, or NaN.
     """
     first = count_columns(data)
     solutions = zeros(MOST_SOLUTIONS * SOLUTION)
@@ -105,7 +127,7 @@ def solve(
             flat=flat,
             result=result,
             width=width,
-            room=(width - 2) // RESULT,
+            columns_of_each=RESULT,
         )
 
 
@@ -128,14 +150,14 @@ def pushing_problem(effects: Effects, inputs: Numbers) -> PushingProblem:
 
 def write_results(
     rod: Rod, solutions: Numbers, size: int, number: int, flat: bool,
-    result: Numbers, width: int, room: int,
+    result: Numbers, width: int, columns_of_each: int,
 ) -> int:  # fmt: skip
     """Write number, status and solutions in a row of results; return how many solutions are written.
 
-    Each solution has `size` numbers in the core. A row of `width` columns has room for some of them.
+    Each solution has `size` numbers in the core, and `columns_of_each` of the `width` columns of results.
     """
     status = CONTINUA if flat else NONE if number == 0 else CONSISTENT
-    if number < 0 or number > room:
+    if number < 0 or 2 + number * columns_of_each > width:
         number, status = 0, NOT_SOLVED
     for k in range(2, width):
         result[k] = UNKNOWN
@@ -145,30 +167,25 @@ def write_results(
             status = CONTINUA
         elif solution.pivot >= 0 and status == CONSISTENT:
             status = PIVOTS
-        _write_result(rod, solution, room, j, result[2:])
+        _write_result(rod, solution, PushResult(result[2 + j * columns_of_each :]))
     result[0], result[1] = float(number), float(status)
     return number
 
 
-def _write_result(rod: Rod, solution: Solution, room: int, j: int, result: Numbers) -> None:
-    """Write the j-th solution, its spin ratio, and its motion center."""
+def _write_result(rod: Rod, solution: Solution, result: PushResult) -> None:
+    """Write a solution, its spin ratio, and its motion center."""
     v_x, v_y, spin = solution.twist.x, solution.twist.y, solution.twist.spin
     center = motion_center(v_x, v_y, spin)
     moves: bool = v_x != 0.0 or v_y != 0.0 or spin != 0.0
-    result[j] = solution.mode
+    result.mode = solution.mode
     for k in range(2):
-        result[AT_FORCE * room + 2 * j + k] = solution.force[k]
-        result[AT_FORCE_END * room + 2 * j + k] = solution.force_end[k]
-        result[AT_MOTION * room + 2 * j + k] = solution.motion[k]
-    for k in range(3):
-        result[AT_TWIST * room + 3 * j + k] = solution.twist[k]
-    result[AT_RATIO * room + j] = spin_ratio(v_x, v_y, spin)
-    result[AT_CENTER * room + 2 * j] = rod.length * rod.x + center.x if moves else UNKNOWN
-    result[AT_CENTER * room + 2 * j + 1] = rod.length * rod.y + center.y if moves else UNKNOWN
-    result[AT_PIVOT * room + j], result[AT_CONTINUUM * room + j] = (
-        solution.pivot,
-        solution.continuum,
-    )
+        result.force[k], result.force_end[k] = solution.force[k], solution.force_end[k]
+        result.motion[k] = solution.motion[k]
+    result.twist.x, result.twist.y, result.twist.spin = v_x, v_y, spin
+    result.spin_ratio = spin_ratio(v_x, v_y, spin)
+    result.center.x = rod.length * rod.x + center.x if moves else UNKNOWN
+    result.center.y = rod.length * rod.y + center.y if moves else UNKNOWN
+    result.pivot, result.continuum = solution.pivot, solution.continuum
 
 
 def force_motions(

@@ -90,7 +90,7 @@ def flush_or_free_modes(
         w_x=x,
         w_y=y,
         spin=spin,
-        still=resist_translation(push),
+        translation=resist_translation(push),
     )
     number = flush_modes(flush, solutions[count * SOLUTION :])
     if number < 0:
