@@ -239,7 +239,7 @@ def _write_touching_slips(
     path: Path, unit: float, straight: bool,
     low: Sample, high: Sample, slips: Numbers, count: int, position: int,
 ) -> tuple[int, int]:  # fmt: skip
-    """As `_write_slips_between`, if the force is along the edge at an end: a root, or a continuum."""
+    """Write the slips of a cell at whose end the force is along the edge: a root, or a continuum."""
     first = _flat_end_near(path, straight, low, high)
     last = _flat_end_near(path, straight, high, low)
     starts: bool = first.s > low.s

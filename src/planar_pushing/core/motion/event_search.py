@@ -149,7 +149,7 @@ def _dips(a: float, b: float, c: float, part: float) -> bool:
 
 
 def _search_step(system: System, mode: Mode) -> int:
-    """As `first_event`, using the guards at the nodes of the dense output."""
+    """Store the time of the first event of a step, from the guards at nodes; return its cause."""
     trial, first, cause = vector_of(system, TRIAL), INFINITY, NOTHING
     for j in range(1, STEP_NODES):
         time = _node_time(system.run, j)
@@ -263,7 +263,7 @@ def _time_of_dip(system: System, mode: Mode, cause: int) -> float:
 
 
 def _crossing_within(system: System, mode: Mode, cause: int, low: float, high: float) -> float:
-    """As `_crossing`, between times at which the guard has not been evaluated."""
+    """Time at which a guard vanishes between two times, at which it is evaluated here."""
     at_low = _guard_at(system, mode, cause, low)
     return _crossing(
         system, mode, cause, low, high, at_low, _guard_at(system, mode, cause, high)

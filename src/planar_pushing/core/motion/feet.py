@@ -140,7 +140,7 @@ def _rate_after(along: float, free: float, most: float) -> float:
 
 
 def _rate_before(along: float, free: float, most: float) -> float:
-    """As `_rate_after`, of a point that comes to rest; NaN if friction does not drive it there.
+    """Acceleration across a line of a point that comes to rest; NaN if friction does not drive it there.
 
     It solves ``x - most x / |(along, x)| = free`` where the left side decreases.
     """

@@ -110,7 +110,7 @@ def polynomial(coefficients: Coefficients, count: int, x: float) -> float:
 
 
 def ring_curves_far(m: float, x: float) -> RingForce:
-    """As `ring_curves`, for m below NEAR_RING squared.
+    """Force, torque and its slope of a ring far from the center, for m below NEAR_RING squared.
 
     ``f = (1 + k') / 2 P``, ``t / k = B = ((1 - q/2) Q - q/2 (Q - P) / q^2) / (1 + k')``, and
     ``t' = 2 Q / (1 + k') - B``. The corrections to the leading terms are small, and so is their rounding.
@@ -126,7 +126,10 @@ def ring_curves_far(m: float, x: float) -> RingForce:
 
 
 def ring_curves_near(m: float, x: float) -> RingForce:
-    """As `ring_curves`, for m from NEAR_RING squared to 1, with a bound on t', which is infinite at 1."""
+    """Force, torque and its slope of a ring near the center, for m from NEAR_RING squared to 1.
+
+    The slope t', which is infinite at 1, is bounded.
+    """
     half_log = -log(x) / 2.0
     first = half_log * polynomial(FORCE_LOG, len(FORCE_LOG), x)
     first += polynomial(FORCE_REST, len(FORCE_REST), x)
