@@ -73,7 +73,7 @@ def inner_disc(c: float) -> tuple[float, float, float, float, float]:
 
 
 def outer_disc(c: float) -> tuple[float, float, float, float, float]:
-    """Moments of a unit disc at a point more than one radius from its center, in the order of `inner_disc`."""
+    """The numbers of `inner_disc` at a point more than one radius from the center."""
     curve = inner_ring(1.0, c)
     f, t = curve.force, curve.torque
     slope = 2.0 / 3.0 * (f + c * t)
