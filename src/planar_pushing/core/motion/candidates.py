@@ -102,7 +102,7 @@ def _write_at_contact(
 def _write_at_side(
     system: System, during: Span, time: float, state: RunState, count: int, starts: bool
 ) -> int:
-    """Store, after other candidates, the modes of a point; of a side, also those of its ends that lift it."""
+    """Store the modes of a point, or of a side and its lifting ends, after other candidates."""
     count = _write_at_contact(system, during, time, state, count, starts)
     if not is_flush(system):
         return count
