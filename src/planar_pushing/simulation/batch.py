@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
@@ -23,7 +22,13 @@ from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.runs import run_scenes
 from planar_pushing.terms import quantities
 from planar_pushing.terms.domain import SAMPLE_COUNT
-from planar_pushing.terms.errors import InvalidValue, SceneWarning, require_flag, require_kind
+from planar_pushing.terms.errors import (
+    InvalidValue,
+    SceneWarning,
+    require_flag,
+    require_kind,
+    warn_user,
+)
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Policy, PolicyName, Shape
 
@@ -145,9 +150,7 @@ def _require_same_without_outline(problem: Problem) -> None:
 
 def _warn(consequence: str) -> None:
     """Warn that an array of contacts has no outline."""
-    warnings.warn(
-        f"an array of contacts does not keep its outline: {consequence}", SceneWarning, stacklevel=4
-    )
+    warn_user(SceneWarning(f"an array of contacts does not keep its outline: {consequence}"))
 
 
 class Over(NamedTuple):

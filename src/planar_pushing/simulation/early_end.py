@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import inspect
-import warnings
 from collections.abc import Callable, Mapping
 from functools import wraps
 from typing import NamedTuple, ParamSpec
@@ -12,7 +11,7 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.simulation.fields import Stop
-from planar_pushing.terms.errors import EarlyEndWarning
+from planar_pushing.terms.errors import EarlyEndWarning, warn_user
 from planar_pushing.terms.quantities import unit_of
 
 P = ParamSpec("P")
@@ -63,7 +62,7 @@ def warn_of_early_end(function: Callable[P, xr.Dataset]) -> Callable[P, xr.Datas
     def simulate_and_warn(*args: P.args, **kwargs: P.kwargs) -> xr.Dataset:
         dataset = function(*args, **kwargs)
         if text := early_end(dataset):
-            warnings.warn(EarlyEndWarning(text), stacklevel=2)
+            warn_user(EarlyEndWarning(text))
         return dataset
 
     return simulate_and_warn

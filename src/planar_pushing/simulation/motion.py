@@ -10,7 +10,6 @@ from __future__ import annotations
 import heapq
 import itertools
 import math
-import warnings
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple, TypeVar
 
@@ -21,7 +20,13 @@ from numpy.polynomial import chebyshev
 from planar_pushing.core.motion.fence import ACCELERATION_SERIES, MEAN_SERIES, VELOCITY_SERIES
 from planar_pushing.core.motion.run import PIECE, SERIES_OF_PIECE, PusherPiece
 from planar_pushing.mechanics.kernels.columns import Columns
-from planar_pushing.terms.errors import InvalidValue, SceneWarning, require_number, require_option
+from planar_pushing.terms.errors import (
+    InvalidValue,
+    SceneWarning,
+    require_number,
+    require_option,
+    warn_user,
+)
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Policy
 
@@ -236,7 +241,7 @@ def _warn_unresolved(low: float, high: float) -> None:
         f"velocity: a function that is not smooth between the times {low:.6g} and {high:.6g} given; "
         "its motion is wrong there; list the times at which it jumps or has kinks in breakpoints"
     )
-    warnings.warn(SceneWarning(message), stacklevel=2)
+    warn_user(SceneWarning(message))
 
 
 def _interpolate(

@@ -6,7 +6,6 @@ normal of that side, or sticks to the corner, with a force between the two norma
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import NamedTuple, Protocol
@@ -18,7 +17,7 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.pushes.logs.measured import Index, Mask, Measured
 from planar_pushing.simulation.problem import DEPTH
-from planar_pushing.terms.errors import SceneWarning
+from planar_pushing.terms.errors import SceneWarning, warn_user
 
 #: A finger that leaves a side within this fraction of its path does not push it.
 AT_ONCE = 1e-3
@@ -149,7 +148,7 @@ def goes_around_corners(pushes: Measured) -> Mask:
     return np.asarray(~pushes.at_corner & (pushes.last_gaps < slack) & (beyond > slack))
 
 
-def warn_of_corners(objects: Mapping[str, Measured], stacklevel: int = 3) -> None:
+def warn_of_corners(objects: Mapping[str, Measured]) -> None:
     """Warn once if fingers go around corners in too many of the pushes of some objects."""
     biased = {}
     for name, pushes in objects.items():
@@ -163,7 +162,7 @@ def warn_of_corners(objects: Mapping[str, Measured], stacklevel: int = 3) -> Non
             "estimates may be biased; use an object with long sides, an outline with few corners, "
             "or shorter pushes"
         )
-        warnings.warn(SceneWarning(message), stacklevel=stacklevel)
+        warn_user(SceneWarning(message))
 
 
 def final_poses(model: Model, pushes: Measured, friction: float) -> Array:
