@@ -248,9 +248,7 @@ class Body:
                 return self.refuse(node, f"field {field} of {spell(kind)}"), node
             case ast.Subscript():
                 return self._part(node)
-            case ast.Call(func=ast.Name(id=name) as function, keywords=[]) if (
-                name not in self.locals
-            ):
+            case ast.Call(func=ast.Name(id=name) as function) if name not in self.locals:
                 return self._call(node, function)
         return self.refuse(node, name_of(node)), node
 
@@ -308,6 +306,8 @@ class Body:
             value = names.constants.get(ast.unparse(node.args[0]))
             if isinstance(value, tuple):
                 return "int", ast.Constant(len(value))
+        if node.keywords and not self._order_arguments(node, name):
+            return self.refuse(node, f"arguments of {name} by other names than its own"), node
         pairs = [self._infer(argument) for argument in node.args]
         kinds: list[Kind] = [kind for kind, _ in pairs]
         rows = [_origin(argument) in self.rows for argument in node.args]
@@ -333,6 +333,19 @@ class Body:
         for i, (kind, other) in enumerate(zip(kinds, expected, strict=False), 1):
             self._match(node, kind, other, f"argument {i} of {name}")
         return result, node
+
+    def _order_arguments(self, node: ast.Call, name: str) -> bool:
+        """Put arguments that are given by name in their places; return whether each has one."""
+        arguments = [*self.names.structs.get(name, {})]
+        if name in self.names.functions:
+            arguments = [argument.arg for argument in self.names.functions[name].args.args]
+        values = {keyword.arg: keyword.value for keyword in node.keywords}
+        rest = arguments[len(node.args) :]
+        if {*values} != {*rest} or len(values) != len(node.keywords):
+            return False
+        node.args += [values[argument] for argument in rest]
+        node.keywords = []
+        return True
 
     def _standard(self, node: ast.Call, function: ast.Name, kinds: list[Kind]) -> Kind:
         """A call of a standard function, which is renamed where C has a different one of that name."""

@@ -56,7 +56,7 @@ def build(core: Path = CORE, folder: Path | None = None) -> Path | None:
         The tools are missing although ``PLANAR_PUSHING_COMPILED=1`` requires them.
     """
     # The digest is taken first: a module that is edited meanwhile then makes the library out of date.
-    digest = runpy.run_path(str(KNOWN))["digest"](sorted(core.glob("[!_]*.py")))
+    digest = runpy.run_path(str(KNOWN))["digest"](sorted(core.rglob("[!_]*.py")))
     text, library = module.text_of(join(core)), core / TARGET
     try:
         marks = [f"sources {digest}", f"recipe {recipe(text)}"]

@@ -30,8 +30,10 @@ class Names:
         self.functions: dict[str, ast.FunctionDef] = {}
         self.constants: dict[str, Any] = {}
         self._defined: dict[str, str] = {}
-        paths = sorted(folder.glob("[!_]*.py"))
-        self._modules = {PACKAGE + path.stem for path in paths}
+        paths = sorted(folder.rglob("[!_]*.py"))
+        self._modules = {
+            PACKAGE + ".".join(path.relative_to(folder).with_suffix("").parts) for path in paths
+        }
         for path in paths:
             tree = ast.parse(path.read_text(encoding="utf-8"), str(path))
             for node in ast.walk(tree):

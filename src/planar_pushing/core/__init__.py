@@ -1,10 +1,12 @@
 """The numerical core, mechanics and motion over time: plain typed Python, compiled when it is installed.
 
-The modules of this folder share one namespace and a small subset of Python: named tuples, and functions of
-floats, integers, truth values and arrays. ``joiner`` translates them into one compiled module. They also
-run as plain Python, with the same results to the last bit. All lengths are in radii of the slider. Twists
-and wrenches are about the origin of the body frame and in that frame: origin at the slider's center, x
-along the rod and away from the contact.
+It has three floors, which import downward only: `supports`, the resistance to a twist, up to the reduced
+potential; `instant`, one push and all its modes; and `motion`, runs over time. Their modules share one
+namespace and a small subset of Python: named tuples, records, and functions of floats, integers, truth
+values and arrays. ``joiner`` translates them into one compiled module. They also run as plain Python, with
+the same results to the last bit. All lengths are in radii of the slider. Twists and wrenches are about the
+origin of the body frame and in that frame: origin at the slider's center, x along the rod and away from the
+contact.
 """
 
 import hashlib
@@ -13,7 +15,8 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 #: Files of the modules.
-MODULES = sorted(Path(__file__).parent.glob("[!_]*.py"))
+FOLDER = Path(__file__).parent
+MODULES = sorted(FOLDER.rglob("[!_]*.py"))
 #: Inputs of ``probe``, which the joiner adds to the compiled module, and its results by IEEE 754.
 INPUTS = (
     1.0, 1e-17, 1.0 + 2.0**-30, 1.0 + 2.0**-29, 7.0, 5e-324, 2.0**-1022, 1e300, -0.0, float("nan"),

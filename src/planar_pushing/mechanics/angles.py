@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.tolerances import RESOLUTION as RESOLUTION
+from planar_pushing.core.supports.tolerances import RESOLUTION as RESOLUTION
 from planar_pushing.mechanics.kernels.arrays import dataset, is_labeled, label_result, same
 from planar_pushing.terms.domain import RADIANS, TO_RADIANS, TURNS, require_in_range
 from planar_pushing.terms.errors import InvalidValue

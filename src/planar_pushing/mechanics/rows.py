@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.core.rows import LOAD, MASS, RING, SUPPORT
+from planar_pushing.core.supports.rows import LOAD, MASS, RING, SUPPORT
 from planar_pushing.mechanics.contact import Law
 from planar_pushing.mechanics.effects import Inertia, Load, Viscous
 from planar_pushing.mechanics.pressure.support_in_frames import (

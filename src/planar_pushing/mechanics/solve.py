@@ -3,35 +3,20 @@
 from __future__ import annotations
 
 import functools
-import itertools
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.flush_solutions import (
-    AT_END_FORCES,
-    AT_FLUSH,
-    AT_POSITION,
-    SIDE_RESULT,
-)
-from planar_pushing.core.kernels import (
-    AT_CENTER,
-    AT_CONTINUUM,
-    AT_FORCE,
-    AT_FORCE_END,
-    AT_MOTION,
-    AT_PIVOT,
-    AT_RATIO,
-    AT_TWIST,
-    RESULT,
-)
+from planar_pushing.core.instant.flush_solutions import SideResult
+from planar_pushing.core.instant.kernels import PushResult
 from planar_pushing.mechanics.contact import ContactMode, Status
 from planar_pushing.mechanics.force.derivatives import require_unlabeled, solution_derivatives
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.kernels.arrays import Output, elementwise, is_labeled, map_kernel
 from planar_pushing.mechanics.kernels.calls import run
+from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of
 from planar_pushing.mechanics.scene import Scene, require_scene
@@ -49,15 +34,8 @@ SOLUTIONS = {True: 4, False: 8}
 FLUSH_SOLUTIONS = {True: 10, False: 20}
 XY = ("xy", 2)
 MODES = tuple(ContactMode)
-#: Where each field begins in the results of the kernel, with room for one solution, and with more room.
-FIELDS = (
-    AT_FORCE, AT_FORCE_END, AT_TWIST, AT_MOTION, AT_RATIO, AT_CENTER, AT_PIVOT, AT_CONTINUUM,
-)  # fmt: skip
-FLUSH_FIELDS = AT_FLUSH, AT_POSITION, AT_END_FORCES
-PLACES = {
-    room: [2 + room * field for field in (*FIELDS, *FLUSH_FIELDS)]
-    for room in (*SOLUTIONS.values(), *FLUSH_SOLUTIONS.values())
-}
+#: Places of the fields of a solution in its columns of results.
+PLACES = SideResult.places
 
 
 @functools.cache
@@ -88,23 +66,31 @@ def outputs(steady: bool, flush: bool = False) -> tuple[Output, ...]:
 def _decode(results: Array, columns: Sequence[Any], outputs: Sequence[npt.NDArray[Any]]) -> None:
     """Write the outputs in the units of the scene; the last columns of a row are its units."""
     size, unit, radius = (np.asarray(column)[..., None] for column in columns[-3:])
-    flush = len(outputs) > 3 + len(FIELDS)
-    counts, status, mode = outputs[:3]
+    counts, status, mode, force, end, twist, motion, ratio, center, pivot, continuum, *on_side = (
+        outputs
+    )
     counts[:], status[:] = results[:, 0], results[:, 1]
-    room = mode.shape[1]
-    offsets = [0, *FIELDS, *FLUSH_FIELDS, SIDE_RESULT] if flush else [0, *FIELDS, RESULT]
-    ends = room * np.array(offsets) + 2
-    fields = [results[:, first:last] for first, last in itertools.pairwise(ends)]
-    scales = None, unit, unit, size, size, 1.0, radius, None, None, None, radius, unit
-    for values, scale, output in zip(fields, scales, outputs[2:], strict=False):
-        if scale is not None:
-            np.multiply(values, scale, out=output.reshape(values.shape))
-    twist = outputs[5]
+    record = SideResult if on_side else PushResult
+    rows = results[:, 2:].reshape(len(results), mode.shape[1], record.size)
+    solutions = Columns(record, rows)
+    vectors = (
+        (force, solutions.force, unit), (end, solutions.force_end, unit),
+        (twist, solutions.twist, size), (motion, solutions.motion, size),
+        (center, solutions.center, radius),
+    )  # fmt: skip
+    for output, values, scale in vectors:
+        np.multiply(values, scale[..., None], out=output)
     twist[:, :, 2] /= radius
-    for numbers, output in ((fields[0], mode), (fields[7], outputs[9])):
+    ratio[:] = solutions.spin_ratio
+    for output, numbers in ((mode, solutions.mode), (pivot, solutions.pivot)):
         output[:] = np.where(np.isnan(numbers), -1.0, numbers)
-    for numbers, output in zip(fields[8:10], outputs[10:12], strict=False):
-        output[:] = numbers == 1.0
+    continuum[:] = solutions.continuum == 1.0
+    if on_side:
+        flush, position, forces = on_side
+        flush[:] = solutions.flush == 1.0
+        np.multiply(solutions.position, radius, out=position)
+        flat = forces.reshape(*position.shape, -1)
+        np.multiply(solutions.end_forces, unit[..., None], out=flat)
 
 
 def _require_ratio(entries: Sequence[Entry], strengths: Sequence[Any], size: Any) -> None:
@@ -161,9 +147,9 @@ def solve_arrays(rows: Rows, *arguments: npt.ArrayLike) -> list[npt.NDArray[Any]
     unit, scaled = in_units(rows.entries, columns, strengths, size)
     scaled += [length, angle, right, left, slips, closed, rough, toward, moves]
     scaled += [*ends, size, unit, radius]
-    kernel, width = "solve", 2 + SOLUTIONS[rows.is_steady] * RESULT
+    kernel, width = "solve", 2 + SOLUTIONS[rows.is_steady] * PushResult.size
     if ends:
-        kernel, width = "solve_flush", 2 + FLUSH_SOLUTIONS[rows.is_steady] * SIDE_RESULT
+        kernel, width = "solve_flush", 2 + FLUSH_SOLUTIONS[rows.is_steady] * SideResult.size
     return map_kernel(
         kernel, rows.data, scaled, outputs(rows.is_steady, bool(ends)), width, _decode
     )
@@ -176,47 +162,43 @@ def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> S
     size = magnitude if moves else float(_size_of_fall(rows.entries, rows.strengths))
     unit, row = in_units(rows.entries, rows.columns, rows.strengths, size)
     row += [*rows.body[:2], *rows.law, angle, moves, *rows.ends]
-    kernel, room, width = "solve", SOLUTIONS[rows.is_steady], RESULT
+    kernel, room, width = "solve", SOLUTIONS[rows.is_steady], PushResult.size
     if rows.ends:
-        kernel, room, width = "solve_flush", FLUSH_SOLUTIONS[rows.is_steady], SIDE_RESULT
+        kernel, room, width = "solve_flush", FLUSH_SOLUTIONS[rows.is_steady], SideResult.size
     results = run(kernel, rows.data, [row], 2 + room * width)[0].tolist()
     radius, solutions = rows.body[2], []
-    forces, ends, twists, motions, ratios, centers, pivots, continua, *on_side = PLACES[room]
-    for j in range(int(results[0])):
-        v_x, v_y, spin = results[twists + 3 * j : twists + 3 * j + 3]
+    for first in range(2, 2 + width * int(results[0]), width):
+        numbers = results[first : first + width]
+        v_x, v_y, spin = numbers[PLACES["twist"]]
         solutions.append(
             Solution(
-                mode=MODES[int(results[2 + j])],
-                force=_vector(unit, results, forces + 2 * j),
-                force_end=_vector(unit, results, ends + 2 * j),
-                contact_motion=_vector(size, results, motions + 2 * j),
+                mode=MODES[int(numbers[PLACES["mode"]])],
+                force=_vector(unit, numbers, "force"),
+                force_end=_vector(unit, numbers, "force_end"),
+                contact_motion=_vector(size, numbers, "motion"),
                 twist=np.array([size * v_x, size * v_y, size * spin / radius]),
-                spin_ratio=results[ratios + j],
-                center=_vector(radius, results, centers + 2 * j),
-                pivot=int(results[pivots + j]),
-                continuum=results[continua + j] == 1.0,
-                **(_on_side(results, on_side, j, unit, radius) if rows.ends else {}),
+                spin_ratio=numbers[PLACES["spin_ratio"]],
+                center=_vector(radius, numbers, "center"),
+                pivot=int(numbers[PLACES["pivot"]]),
+                continuum=numbers[PLACES["continuum"]] == 1.0,
+                **(_on_side(numbers, unit, radius) if rows.ends else {}),
             )
         )
     return Solutions(tuple(solutions), Status(int(results[1])), (scene, angle, magnitude))
 
 
-def _on_side(
-    results: Sequence[float], places: Sequence[int], j: int, unit: float, radius: float
-) -> dict[str, Any]:
-    """The fields that only solutions of a flush side have, of the solution j."""
-    flush, position, forces = places
-    forces += 8 * j
+def _on_side(numbers: Sequence[float], unit: float, radius: float) -> dict[str, Any]:
+    """The fields that only solutions of a flush side have."""
     return {
-        "flush": results[flush + j] == 1.0,
-        "force_position": radius * results[position + j],
-        "end_forces": np.array([unit * x for x in results[forces : forces + 8]]).reshape(2, 2, 2),
+        "flush": numbers[PLACES["flush"]] == 1.0,
+        "force_position": radius * numbers[PLACES["position"]],
+        "end_forces": _vector(unit, numbers, "end_forces").reshape(2, 2, 2),
     }
 
 
-def _vector(unit: float, numbers: Sequence[float], index: int) -> Array:
-    """The vector at a place in results, multiplied by its unit."""
-    return np.array([unit * numbers[index], unit * numbers[index + 1]])
+def _vector(unit: float, numbers: Sequence[float], field: str) -> Array:
+    """The components of a field, multiplied by their unit."""
+    return np.array([unit * number for number in numbers[PLACES[field]]])
 
 
 @overload

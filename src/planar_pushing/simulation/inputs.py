@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.rows import LOAD, MASS
-from planar_pushing.core.run import INPUTS, Inputs
+from planar_pushing.core.motion.run import INPUTS, Inputs
+from planar_pushing.core.supports.rows import LOAD, MASS
 from planar_pushing.mechanics.kernels.columns import Columns, row_of
 from planar_pushing.mechanics.pressure.table import Table, joined_data
 from planar_pushing.mechanics.rows import Entry, unit_vector

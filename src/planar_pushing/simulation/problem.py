@@ -18,7 +18,7 @@ from typing import Annotated, Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.core.rows import RING, SUPPORT
+from planar_pushing.core.supports.rows import RING, SUPPORT
 from planar_pushing.mechanics.effects import Viscous
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.kernels.arrays import Output, map_kernel

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.core.run import LogRow
+from planar_pushing.core.motion.run import LogRow
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.scene import Scene, require_scene, require_single
 from planar_pushing.simulation.early_end import warn_of_early_end

@@ -31,7 +31,9 @@ def write(folder, modules=MODULES):
     folder.mkdir(exist_ok=True)
     shutil.copy(CORE / "numbers.py", folder)
     for name, text in modules.items():
-        (folder / f"{name}.py").write_text(text, encoding="utf-8")
+        path = folder / f"{name}.py"
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text, encoding="utf-8")
     return folder
 
 
@@ -43,7 +45,8 @@ def compiled(folder):
 
 def plain(folder, monkeypatch):
     """The modules of a folder as they are, in the place of those of the core."""
-    names = {path.stem for path in folder.glob("*.py")} - {"numbers"}
+    parts = [path.relative_to(folder).with_suffix("").parts for path in folder.rglob("*.py")]
+    names = {".".join(part) for part in parts} - {"numbers"}
     for name in names:
         monkeypatch.delitem(sys.modules, f"planar_pushing.core.{name}", raising=False)
     monkeypatch.setattr(planar_pushing.core, "__path__", [str(folder)])

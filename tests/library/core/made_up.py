@@ -12,7 +12,7 @@ from planar_pushing.core.middle import (
     LONG, SHORT, Body, Long, Pair, Short, far_pair, fill, larger_body, roots, weigh,
 )
 from planar_pushing.core.numbers import EPSILON, Coefficients, Numbers, zeros
-from planar_pushing.core.zenith import (
+from planar_pushing.core.floor.zenith import (
     CODES, FAR, FEW, NONE, ONE, SERIES, THIRD, THREE, TWO, WEIGHTS, ZERO,
 )
 
@@ -137,7 +137,7 @@ from typing import NamedTuple
 
 from planar_pushing.core._record import Record, size_of
 from planar_pushing.core.numbers import Numbers
-from planar_pushing.core.zenith import FAR
+from planar_pushing.core.floor.zenith import FAR
 
 
 class Point(Record):
@@ -216,7 +216,7 @@ def fill(row: Numbers, count: int, x: float) -> tuple[int, float]:
         total += row[i + 1]
     return count, total
 ''',
-    "zenith": """
+    "floor/zenith": """
 from __future__ import annotations
 
 from planar_pushing.core.numbers import INFINITY, UNKNOWN

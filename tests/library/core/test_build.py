@@ -73,7 +73,11 @@ def test_functions_may_be_in_any_module(tmp_path, made_up):
     _, module = made_up
     names = dict(zip(MODULES, reversed(MODULES), strict=True))
     renamed = {
-        names[name]: re.sub(r"(?<=core\.)(apex|middle|zenith)", lambda match: names[match[0]], text)
+        names[name]: re.sub(
+            r"(?<=core\.)(apex|middle|floor\.zenith)",
+            lambda match: names[match[0].replace(".", "/")].replace("/", "."),
+            text,
+        )
         for name, text in MODULES.items()
     }
     other = compiled(write(tmp_path / "core", renamed))
@@ -348,8 +352,8 @@ def package(tmp_path_factory):
     source = tmp_path_factory.mktemp("package") / "planar_pushing"
     skip = shutil.ignore_patterns("__pycache__", "_compiled.*", "apex.py", "middle.py", "zenith.py")
     shutil.copytree(PROJECT / "src/planar_pushing", source, ignore=skip)
-    for path in source.glob("core/[!_]*.py"):
-        path.unlink()
+    for path in source.glob("core/[!_]*"):
+        shutil.rmtree(path) if path.is_dir() else path.unlink()
     hook.build(write(source / "core"))
     return source
 

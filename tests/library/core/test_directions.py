@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-from planar_pushing.core import directions, magnitude
+from planar_pushing.core.instant import directions, magnitude
 from planar_pushing.mechanics.plane import direction
 
 PSI = math.pi / 4

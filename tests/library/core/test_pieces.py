@@ -10,7 +10,7 @@ import pytest
 from mechanics.supports.cases import FRAME, SQUARE, SUPPORTS, rectangle
 from mpmath import mp, mpf
 
-from planar_pushing.core import circles, lines, multipole, pieces
+from planar_pushing.core.supports import circles, lines, multipole, pieces
 from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.mechanics.pressure.table import table_of
 from planar_pushing.mechanics.supports.points import Points

@@ -7,9 +7,9 @@ import pytest
 from mechanics.degenerate import regular
 
 import planar_pushing as pp
-from planar_pushing.core.about import contact_at
-from planar_pushing.core.psi import guess_spin, psi
-from planar_pushing.core.rows import NO_POINT, read_effects
+from planar_pushing.core.supports.contact import contact_at
+from planar_pushing.core.supports.psi import guess_spin, psi
+from planar_pushing.core.supports.rows import NO_POINT, read_effects
 from planar_pushing.mechanics.rows import in_units
 
 HEAVY = pp.Points(regular(3), [5.0, 1.0, 1.0])

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.core import roots
-from planar_pushing.core.tolerances import RESOLVED
+from planar_pushing.core.supports import roots
+from planar_pushing.core.supports.tolerances import RESOLVED
 
 ROOT = 0.7310585786300049
 #: Functions with a root at ROOT, from the smooth to the step; the second number is the largest number of

@@ -17,7 +17,7 @@ from core.test_polygons import RINGS, rows_of
 from mechanics.supports.cases import SUPPORTS, hard_centers
 
 import planar_pushing as pp
-from planar_pushing.core.kernels import CONSISTENT, CONTINUA, NONE, NOT_SOLVED, PIVOTS
+from planar_pushing.core.instant.kernels import CONSISTENT, CONTINUA, NONE, NOT_SOLVED, PIVOTS
 from planar_pushing.mechanics.force.limit_curve import curve_of_unit_motions
 from planar_pushing.mechanics.kernels import calls as kernels
 from planar_pushing.mechanics.pressure.table import moments, table_of_pieces

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.core import elimination, rows, sensitivity
+from planar_pushing.core.instant import elimination, sensitivity
 from planar_pushing.core.numbers import zeros
+from planar_pushing.core.supports import rows
 from planar_pushing.mechanics.kernels.calls import run
 
 SIDE = elimination.SIDE

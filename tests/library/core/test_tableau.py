@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import DOP853
 
-from planar_pushing.core.tableau import (
+from planar_pushing.core.instant.tableau import (
     DENSE_WEIGHTS,
     FIFTH_ERROR,
     STAGE_TIMES,

@@ -10,19 +10,19 @@ import pytest
 import xarray as xr
 
 import planar_pushing as pp
-from planar_pushing.core.about import contact_at
-from planar_pushing.core.cone import Law
-from planar_pushing.core.directions import direction_at, rod_at
-from planar_pushing.core.flush import flush_modes
-from planar_pushing.core.flush_force import (
+from planar_pushing.core.instant.cone import Law
+from planar_pushing.core.instant.directions import direction_at, rod_at
+from planar_pushing.core.instant.flush import flush_modes
+from planar_pushing.core.instant.flush_force import (
     MOST_FLUSH,
     FlatSide,
     FlushPush,
     resist_translation,
 )
+from planar_pushing.core.instant.solution import SOLUTION, Push, Solution
 from planar_pushing.core.numbers import zeros
-from planar_pushing.core.rows import read_effects
-from planar_pushing.core.solution import SOLUTION, Push, Solution
+from planar_pushing.core.supports.contact import contact_at
+from planar_pushing.core.supports.rows import read_effects
 
 SEPARATE, STICK, RIGHT, LEFT = pp.ContactMode
 LAWS = [

@@ -11,7 +11,7 @@ import xarray as xr
 from mechanics.builders import BOTH, PSI, make_scene, names
 
 import planar_pushing as pp
-from planar_pushing.core.rows import MASS, RING
+from planar_pushing.core.supports.rows import MASS, RING
 from planar_pushing.mechanics.force.limit_curve import curve_of_unit_motions
 
 PHI = np.linspace(0, np.pi, 13)

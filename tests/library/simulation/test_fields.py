@@ -5,8 +5,8 @@ import pytest
 from mechanics.builders import make_scene
 
 import planar_pushing as pp
-from planar_pushing.core import system
-from planar_pushing.core.run import LOG_ROW, LogRow
+from planar_pushing.core.motion import system
+from planar_pushing.core.motion.run import LOG_ROW, LogRow
 from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.simulation.fields import COMPUTED, FIELDS, arrays, logged_fields, scales_of
 from planar_pushing.simulation.problem import Problem

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.core import run
-from planar_pushing.core.rows import ENTRY, LAST, LOAD, MASS, RING, SUPPORT
+from planar_pushing.core.motion import run
+from planar_pushing.core.supports.rows import ENTRY, LAST, LOAD, MASS, RING, SUPPORT
 from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.simulation.inputs import Scenes, numbers_of
 from planar_pushing.simulation.problem import DEPTH, Problem

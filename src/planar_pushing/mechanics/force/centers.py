@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
-from planar_pushing.core.kernels import MOTION_WIDTH
-from planar_pushing.core.tolerances import COINCIDENT
+from planar_pushing.core.instant.kernels import MOTION_WIDTH
+from planar_pushing.core.supports.tolerances import COINCIDENT
 from planar_pushing.mechanics.angles import AngleInterval, interval
 from planar_pushing.mechanics.force.cones import force_columns
 from planar_pushing.mechanics.kernels.arrays import Output, elementwise, evaluate_kernel, is_labeled

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any, Protocol, overload
 
 import numpy as np
 
-from planar_pushing.core.kernels import MOTION_WIDTH
-from planar_pushing.core.magnitude import FORCE_SIZE, UNIT_SPEED
+from planar_pushing.core.instant.kernels import MOTION_WIDTH
+from planar_pushing.core.instant.magnitude import FORCE_SIZE, UNIT_SPEED
 from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval, interval
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.kernels.arrays import Output, evaluate_kernel, label_result

@@ -9,7 +9,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from planar_pushing.core.sensitivity import FREE_CASE, SLIP_CASE, STICK_CASE
+from planar_pushing.core.instant.sensitivity import FREE_CASE, SLIP_CASE, STICK_CASE
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.force.parameters import (
     Motions,

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.kernels import MOTION_WIDTH
-from planar_pushing.core.magnitude import FORCE_SIZE, UNIT_MOTION
-from planar_pushing.core.sensitivity import FIRST, FORCE_CASE, LINE_CASE
+from planar_pushing.core.instant.kernels import MOTION_WIDTH
+from planar_pushing.core.instant.magnitude import FORCE_SIZE, UNIT_MOTION
+from planar_pushing.core.instant.sensitivity import FIRST, FORCE_CASE, LINE_CASE
 from planar_pushing.mechanics.contact import Status
 from planar_pushing.mechanics.force.cones import is_magnitude_open, unit_columns
 from planar_pushing.mechanics.force.derivatives import ForceDerivatives, require_unlabeled

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
-from planar_pushing.core.kernels import MOTION_WIDTH
-from planar_pushing.core.magnitude import UNIT_ENERGY
+from planar_pushing.core.instant.kernels import MOTION_WIDTH
+from planar_pushing.core.instant.magnitude import UNIT_ENERGY
 from planar_pushing.mechanics.force.cones import is_magnitude_open
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.kernels.arrays import (

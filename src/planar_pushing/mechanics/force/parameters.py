@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.sensitivity import FIRST, FORCE_CASE
+from planar_pushing.core.instant.sensitivity import FIRST, FORCE_CASE
 from planar_pushing.mechanics.kernels.arrays import Output, map_kernel
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core import MODULES, digest, keeps_bits
+from planar_pushing.core import FOLDER, MODULES, digest, keeps_bits
 from planar_pushing.terms.errors import PlainCoreWarning
 
 Array = npt.NDArray[np.float64]
@@ -81,7 +81,8 @@ def _flat(array: Array) -> memoryview:
 def plain_kernel(name: str) -> Kernel:
     """The Python function of a kernel, from the module of the core that defines it."""
     for path in MODULES:
-        module = importlib.import_module(f"{CORE}.{path.stem}")
+        parts = path.relative_to(FOLDER).with_suffix("").parts
+        module = importlib.import_module(".".join([CORE, *parts]))
         if hasattr(module, name):
             kernel: Kernel = getattr(module, name)
             return kernel

@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.core.multipole import ROWS
-from planar_pushing.core.pieces import COLUMNS
+from planar_pushing.core.supports.multipole import ROWS
+from planar_pushing.core.supports.pieces import COLUMNS
 from planar_pushing.mechanics.kernels.arrays import in_threads
 from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.mechanics.pressure.pieces import (

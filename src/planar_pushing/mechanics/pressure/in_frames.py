@@ -6,7 +6,7 @@ from functools import partial
 
 import numpy as np
 
-from planar_pushing.core.multipole import ORDER, TERMS
+from planar_pushing.core.supports.multipole import ORDER, TERMS
 from planar_pushing.mechanics.plane import Frame
 from planar_pushing.mechanics.pressure.assembly import (
     Gathered,

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.multipole import ROWS
-from planar_pushing.core.pieces import (
+from planar_pushing.core.supports.multipole import ROWS
+from planar_pushing.core.supports.pieces import (
     ATOMS,
     CENTER,
     COLUMNS,
@@ -22,7 +22,7 @@ from planar_pushing.core.pieces import (
     SERIES,
     SPREAD,
 )
-from planar_pushing.core.rows import ENTRY, LAST
+from planar_pushing.core.supports.rows import ENTRY, LAST
 from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.mechanics.pressure.assembly import (
     Gathered,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from planar_pushing.core.directions import motion_center
+from planar_pushing.core.instant.directions import motion_center
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import InfiniteFriction
 from planar_pushing.mechanics.force.centers import conservative_spin_ratios, motion_centers

@@ -161,7 +161,9 @@ def _imports(tree: ast.AST) -> Iterator[str]:
         elif isinstance(node, ast.ImportFrom) and node.module and _is_ours(node.module):
             yield node.module
             if node.module == CORE:
-                yield from (f"{CORE}.{path.stem}" for path in _path(CORE).parent.glob("[!_]*.py"))
+                folder = _path(CORE).parent
+                for path in folder.rglob("[!_]*.py"):
+                    yield ".".join([CORE, *path.relative_to(folder).with_suffix("").parts])
             yield from filter(_is_ours, (f"{node.module}.{alias.name}" for alias in node.names))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from planar_pushing.core.pieces import COLUMNS
+from planar_pushing.core.supports.pieces import COLUMNS
 from planar_pushing.mechanics.supports.annulus import Annulus
 from planar_pushing.mechanics.supports.composite import Composite
 from planar_pushing.mechanics.supports.disc import Disc

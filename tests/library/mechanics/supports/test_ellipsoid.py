@@ -9,7 +9,7 @@ import pytest
 from mechanics.supports.cases import SQUARE, SUPPORTS, TRIPOD, rectangle
 from mpmath import mp
 
-from planar_pushing.core.ring import ring_wrench
+from planar_pushing.core.supports.ring import ring_wrench
 from planar_pushing.mechanics.effects import RingFriction
 from planar_pushing.mechanics.pressure.table import table_of
 from planar_pushing.mechanics.supports.disc import Disc

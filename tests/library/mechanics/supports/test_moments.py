@@ -12,7 +12,7 @@ from mechanics.supports.cases import SQUARE, SUPPORTS, TRIPOD, hard_centers, row
 from mechanics.supports.exact import about, exact_moments
 from mpmath import mp, mpf
 
-from planar_pushing.core.pieces import ATOMS, COLUMNS, END
+from planar_pushing.core.supports.pieces import ATOMS, COLUMNS, END
 from planar_pushing.mechanics.pressure.table import moments, table_of_pieces
 from planar_pushing.mechanics.supports.disc import Disc
 from planar_pushing.mechanics.supports.points import Points

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mechanics.supports.cases import regular, rows_of
 
-from planar_pushing.core.pieces import ATOMS
+from planar_pushing.core.supports.pieces import ATOMS
 from planar_pushing.mechanics.pressure.table import moments, table_of_pieces
 from planar_pushing.mechanics.supports.composite import Composite
 from planar_pushing.mechanics.supports.disc import Disc

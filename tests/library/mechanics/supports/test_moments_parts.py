@@ -18,7 +18,7 @@ from mechanics.supports.test_moments_invariants import (
     supports,
 )
 
-from planar_pushing.core.pieces import ATOMS
+from planar_pushing.core.supports.pieces import ATOMS
 from planar_pushing.mechanics.pressure.table import table_of_pieces
 from planar_pushing.mechanics.supports.annulus import Annulus
 from planar_pushing.mechanics.supports.composite import Composite

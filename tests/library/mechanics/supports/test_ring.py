@@ -7,7 +7,7 @@ import pytest
 from mpmath import mp, mpf
 
 import reference
-from planar_pushing.core.ring import (
+from planar_pushing.core.supports.ring import (
     NEAR_ARM,
     NEAR_RING,
     SMALL_ARM,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from mpmath import mp, mpf
 
-from planar_pushing.core import ring
+from planar_pushing.core.supports import ring
 
 DIGITS = 60
 #: What an interpolant's error may move in the result.

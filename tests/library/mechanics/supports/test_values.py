@@ -9,7 +9,7 @@ import pytest
 from mechanics.supports.cases import SUPPORTS, TRIPOD, rectangle, rows_of
 
 import planar_pushing as pp
-from planar_pushing.core.pieces import ATOMS, DISCS, END, PLATES, RINGS, SEGMENTS
+from planar_pushing.core.supports.pieces import ATOMS, DISCS, END, PLATES, RINGS, SEGMENTS
 from planar_pushing.mechanics.pressure.table import extents_of, moments, table_of_pieces
 from planar_pushing.mechanics.supports.annulus import Annulus
 from planar_pushing.mechanics.supports.base import Support

@@ -8,8 +8,8 @@ from functools import partial
 import numpy as np
 import pytest
 
-from planar_pushing.core import rows
-from planar_pushing.core.ring import ring_response
+from planar_pushing.core.supports import rows
+from planar_pushing.core.supports.ring import ring_response
 from planar_pushing.mechanics.kernels import calls as kernels
 from planar_pushing.mechanics.solve import solve
 from planar_pushing.terms.options import EffectSet, Method

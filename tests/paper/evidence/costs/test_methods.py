@@ -8,7 +8,7 @@ import pytest
 from mpmath import mp, mpf
 
 import reference as straight
-from planar_pushing.core.ring import ring_spin_ratio
+from planar_pushing.core.supports.ring import ring_spin_ratio
 from pulling_by_pushing.evidence.costs import measure
 from pulling_by_pushing.evidence.costs.methods import METHODS, ROD_ANGLE, SPIN_RATIOS, edges
 

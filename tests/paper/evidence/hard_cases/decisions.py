@@ -8,7 +8,7 @@ import numpy as np
 from evidence.hard_cases.adversarial import angles, rod_angles
 
 import planar_pushing as pp
-from planar_pushing.core.tolerances import COINCIDENT
+from planar_pushing.core.supports.tolerances import COINCIDENT
 from pulling_by_pushing.evidence.hard_cases.cases import make_scene
 from pulling_by_pushing.evidence.hard_cases.references import direction, slider
 from pulling_by_pushing.oracle.balls import Undecided, precise, rational

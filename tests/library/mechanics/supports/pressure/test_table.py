@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.core.multipole import ROWS
-from planar_pushing.core.pieces import ATOMS, COLUMNS, EDGES, END, HEAD, SERIES
-from planar_pushing.core.rows import ENTRY, LAST
+from planar_pushing.core.supports.multipole import ROWS
+from planar_pushing.core.supports.pieces import ATOMS, COLUMNS, EDGES, END, HEAD, SERIES
+from planar_pushing.core.supports.rows import ENTRY, LAST
 from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.mechanics.pressure.table import (
     FEW,

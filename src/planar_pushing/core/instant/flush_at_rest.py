@@ -1,0 +1,349 @@
+"""A flat side on the fence that holds the slider at rest under loads.
+
+At rest the friction of the support is undetermined. The contact holds the slider if its forces leave a load
+that friction holds; of these forces, the one that needs friction least is the solution.
+"""
+
+from __future__ import annotations
+
+from math import fabs
+from typing import NamedTuple
+
+from planar_pushing.core.instant.cone import HALVES
+from planar_pushing.core.instant.directions import Direction
+from planar_pushing.core.instant.flush_force import (
+    FlushPush,
+    SideForce,
+    is_between_ends,
+    write_flush,
+)
+from planar_pushing.core.instant.solution import (
+    STICK,
+)
+from planar_pushing.core.numbers import INFINITY, Numbers
+from planar_pushing.core.supports.free import Level, friction_share
+from planar_pushing.core.supports.roots import (
+    ITERATIONS,
+    best_number,
+    is_narrow,
+    narrow_bracket,
+    next_number,
+    open_bracket,
+)
+from planar_pushing.core.supports.rows import Vector
+from planar_pushing.core.supports.tolerances import COINCIDENT, RESOLUTION, SHARE
+
+#: Number of times that the magnitude of a force is doubled in search of the one that needs friction least.
+FORCE_DOUBLINGS = 64
+
+
+class Facet(NamedTuple):
+    """Two forces on the side, each at an abscissa of the fence; multiples of them span a set of forces.
+
+    Multiples are not negative; of a force along the fence under infinite friction they can be.
+    """
+
+    one_x: float
+    one_y: float
+    one_position: float
+    other_x: float
+    other_y: float
+    other_position: float
+    any_sign: bool
+
+
+class Hold(NamedTuple):
+    """A wrench on the side, with the torque about its origin, and the share of friction that it needs."""
+
+    f_x: float
+    f_y: float
+    torque: float
+    share: float
+    one: float
+    twist: Vector
+
+
+def write_side_at_rest(
+    flush: FlushPush, mode: int, edge: Direction, solutions: Numbers, count: int
+) -> int:
+    """Write the slider at rest if the contact holds it, with forces on an edge in a slip."""
+    law, still = flush.law, flush.translation
+    load, size = still.load, fabs(still.load.x) + fabs(still.load.y)
+    hold = Hold(
+        f_x=-load.x, f_y=-load.y, torque=-load.spin, share=0.0, one=0.0, twist=Vector(0.0, 0.0, 0.0)
+    )
+    held: bool = law.rough or _transmits(flush, mode, edge, hold, size)
+    if not held and still.weight > 0.0:
+        hold = _least_friction(flush, mode, edge)
+        if mode == STICK and not law.closed:
+            hold = _hold_in_open_cone(flush, hold, size)
+        if hold.share > 1.0 + SHARE and law.right.y > 0.0:
+            hold = _smaller_share(hold, _hold_on_verge(flush, mode, edge, size))
+        held = hold.share <= 1.0 + SHARE
+    if not held:
+        return count
+    force = SideForce(s=0.0, f_x=hold.f_x + 0.0, f_y=hold.f_y + 0.0, torque=hold.torque, size=size)
+    return write_flush(flush, mode, force, False, solutions, count)
+
+
+def _hold_on_verge(flush: FlushPush, mode: int, edge: Direction, size: float) -> Hold:
+    """The wrench of a side about to slip, which friction holds at the center of pressure.
+
+    At the end of a slip the least share of friction is one, and its rounding error decides. Here it is
+    exact.
+    """
+    law, still = flush.law, flush.translation
+    load, f_y = still.load, -still.load.y
+    low, high = f_y * (law.left.x / law.left.y), f_y * (law.right.x / law.right.y)
+    f_x = min(max(-load.x, low), high)
+    if mode != STICK:
+        f_x = f_y * (edge.x / edge.y)
+    rest = load.x + f_x  # friction is opposite to it
+    torque = -load.spin - rest * (still.weight_y / still.weight)
+    force = SideForce(0.0, f_x, f_y, torque, size)
+    bears: bool = f_y > 0.0 and is_between_ends(flush, force)
+    share = fabs(rest) / still.weight if bears else INFINITY
+    return Hold(f_x, f_y, torque, share, 0.0, Vector(0.0, 0.0, 0.0))
+
+
+def _transmits(flush: FlushPush, mode: int, slip: Direction, hold: Hold, size: float) -> bool:
+    """Whether the law transmits a wrench at rest; in a slip, whether it is on the edge."""
+    law, noise = flush.law, RESOLUTION * size
+    for i in range(2):
+        edge, side = law.right if i == 0 else law.left, 1.0 if i == 0 else -1.0
+        inside = side * (edge.x * hold.f_y - edge.y * hold.f_x)
+        if inside < -noise or (not law.closed and inside <= noise):
+            return False
+    if mode != STICK and (
+        fabs(slip.x * hold.f_y - slip.y * hold.f_x) > noise
+        or slip.x * hold.f_x + slip.y * hold.f_y <= 0.0
+    ):
+        return False
+    force = SideForce(0.0, hold.f_x, hold.f_y, hold.torque, size)
+    return is_between_ends(flush, force)
+
+
+def _least_friction(flush: FlushPush, mode: int, edge: Direction) -> Hold:
+    """The wrench of the contact that needs the smallest share of friction to balance the loads.
+
+    It is on the boundary of those that the law transmits, because it is not opposite to the loads: on an
+    edge, or at an end of the side.
+    """
+    law, side = flush.law, flush.side
+    a, b, wide = side.start, side.end, law.right.y == 0.0
+    if mode != STICK:
+        return _minimum_on_facet(
+            flush,
+            Facet(
+                one_x=edge.x,
+                one_y=edge.y,
+                one_position=a,
+                other_x=edge.x,
+                other_y=edge.y,
+                other_position=b,
+                any_sign=False,
+            ),
+            edge.y > 0.0,
+        )
+    if wide:
+        best = _minimum_on_facet(
+            flush,
+            Facet(
+                one_x=1.0,
+                one_y=0.0,
+                one_position=0.0,
+                other_x=0.0,
+                other_y=1.0,
+                other_position=a,
+                any_sign=True,
+            ),
+            True,
+        )
+        return _smaller_share(
+            best,
+            _minimum_on_facet(
+                flush,
+                Facet(
+                    one_x=1.0,
+                    one_y=0.0,
+                    one_position=0.0,
+                    other_x=0.0,
+                    other_y=1.0,
+                    other_position=b,
+                    any_sign=True,
+                ),
+                True,
+            ),
+        )
+    right, left = law.right, law.left
+    best = _minimum_on_facet(
+        flush,
+        Facet(
+            one_x=right.x,
+            one_y=right.y,
+            one_position=a,
+            other_x=right.x,
+            other_y=right.y,
+            other_position=b,
+            any_sign=False,
+        ),
+        True,
+    )
+    if right.x == left.x:
+        return best
+    other = _minimum_on_facet(
+        flush,
+        Facet(
+            one_x=left.x,
+            one_y=left.y,
+            one_position=a,
+            other_x=left.x,
+            other_y=left.y,
+            other_position=b,
+            any_sign=False,
+        ),
+        True,
+    )
+    best = _smaller_share(best, other)
+    best = _smaller_share(
+        best,
+        _minimum_on_facet(
+            flush,
+            Facet(
+                one_x=right.x,
+                one_y=right.y,
+                one_position=a,
+                other_x=left.x,
+                other_y=left.y,
+                other_position=a,
+                any_sign=False,
+            ),
+            True,
+        ),
+    )
+    return _smaller_share(
+        best,
+        _minimum_on_facet(
+            flush,
+            Facet(
+                one_x=right.x,
+                one_y=right.y,
+                one_position=b,
+                other_x=left.x,
+                other_y=left.y,
+                other_position=b,
+                any_sign=False,
+            ),
+            True,
+        ),
+    )
+
+
+def _smaller_share(one: Hold, other: Hold) -> Hold:
+    return other if other.share < one.share else one
+
+
+def _hold_with(flush: FlushPush, facet: Facet, one: float, other: float) -> Hold:
+    """The wrench of multiples of the forces of a facet."""
+    push, contact = flush.push, flush.push.contact
+    f_x, f_y = one * facet.one_x + other * facet.other_x, one * facet.one_y + other * facet.other_y
+    torque = one * facet.one_position * facet.one_y + other * facet.other_position * facet.other_y
+    b_x, b_y = push.t_x * f_x - push.t_y * f_y, push.t_x * f_y + push.t_y * f_x
+    turn = torque + contact.x * b_y - contact.y * b_x
+    level: Level = friction_share(push.effects, Vector(b_x, b_y, turn))
+    return Hold(f_x, f_y, torque, level.value, one, level.twist)
+
+
+def _power_of(flush: FlushPush, hold: Hold, x: float, y: float, position: float) -> float:
+    """Power of a force on the side in the motion that friction resists."""
+    push, contact, twist = flush.push, flush.push.contact, hold.twist
+    v_x, v_y = twist.x - twist.spin * contact.y, twist.y + twist.spin * contact.x
+    u_x, u_y = push.t_x * v_x + push.t_y * v_y, push.t_x * v_y - push.t_y * v_x
+    return x * u_x + y * (u_y + position * twist.spin)
+
+
+def _minimum_along_first(flush: FlushPush, facet: Facet, other: float, unit: float) -> Hold:
+    """The smallest share over all multiples of the first force: there its power in the motion is zero."""
+    x, y, position = facet.one_x, facet.one_y, facet.one_position
+    low = _hold_with(flush, facet, 0.0, other)
+    at_low, sense, step = _power_of(flush, low, x, y, position), 1.0, unit
+    if at_low == 0.0 or (at_low > 0.0 and not facet.any_sign):
+        return low
+    sense = -1.0 if at_low > 0.0 else 1.0
+    high, at_high = low, at_low
+    for _ in range(FORCE_DOUBLINGS):
+        high = _hold_with(flush, facet, sense * step, other)
+        at_high = _power_of(flush, high, x, y, position)
+        if sense * at_high >= 0.0:
+            break
+        low, at_low, step = high, at_high, 2.0 * step
+    bracket = open_bracket(
+        low=low.one, high=high.one, at_low=at_low, at_high=at_high, resolution=COINCIDENT
+    )
+    for _ in range(ITERATIONS):
+        if sense * at_high < 0.0 or is_narrow(bracket):
+            break
+        one = next_number(bracket)
+        high = _hold_with(flush, facet, one, other)
+        bracket = narrow_bracket(bracket, one, _power_of(flush, high, x, y, position))
+    return _hold_with(flush, facet, best_number(bracket), other)
+
+
+def _minimum_on_facet(flush: FlushPush, facet: Facet, both: bool) -> Hold:
+    """The smallest share over all multiples of both forces of a facet, or of the first one."""
+    x, y, position, load = (
+        facet.other_x,
+        facet.other_y,
+        facet.other_position,
+        flush.translation.load,
+    )
+    unit = fabs(load.x) + fabs(load.y) + fabs(load.spin)
+    low = _minimum_along_first(flush, facet, 0.0, unit)
+    at_low, step = _power_of(flush, low, x, y, position), unit
+    if not both or at_low >= 0.0:
+        return low
+    start, end, high, at_high = 0.0, 0.0, low, at_low
+    for _ in range(FORCE_DOUBLINGS):
+        end = step
+        high = _minimum_along_first(flush, facet, end, unit)
+        at_high = _power_of(flush, high, x, y, position)
+        if at_high >= 0.0:
+            break
+        start, at_low, step = end, at_high, 2.0 * step
+    bracket = open_bracket(
+        low=start, high=end, at_low=at_low, at_high=at_high, resolution=COINCIDENT
+    )
+    for _ in range(ITERATIONS):
+        if at_high < 0.0 or is_narrow(bracket):
+            break
+        other = next_number(bracket)
+        high = _minimum_along_first(flush, facet, other, unit)
+        bracket = narrow_bracket(bracket, other, _power_of(flush, high, x, y, position))
+    return _minimum_along_first(flush, facet, best_number(bracket), unit)
+
+
+def _hold_in_open_cone(flush: FlushPush, hold: Hold, size: float) -> Hold:
+    """A wrench inside an open cone, from one on its boundary, if friction has anything to spare.
+
+    A normal force in the middle of the side is added, the largest of `HALVES` that friction bears.
+    """
+    law = flush.law
+    if law.right.x * hold.f_y - law.right.y * hold.f_x > RESOLUTION * size:
+        return hold
+    middle, part = (flush.side.start + flush.side.end) / 2.0, size
+    facet = Facet(
+        one_x=hold.f_x,
+        one_y=hold.f_y,
+        one_position=0.0,
+        other_x=0.0,
+        other_y=1.0,
+        other_position=middle,
+        any_sign=False,
+    )
+    inner = Hold(hold.f_x, hold.f_y, hold.torque, share=INFINITY, one=0.0, twist=hold.twist)
+    for _ in range(HALVES):
+        part /= 2.0
+        trial = _hold_with(flush, facet, 1.0, part)
+        if trial.share <= 1.0:
+            return trial
+    return inner

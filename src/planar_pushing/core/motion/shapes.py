@@ -1,0 +1,347 @@
+"""Where the slider and the pusher are: a fence touches a point of the slider, and a finger a flat side.
+
+Quantities are in the contact frame, with +y along the normal at the contact. At an instant, a fence and a
+finger then pose the same problem. A fence is a line that stays parallel to x; its contact is the rod's free
+end, or another point of the slider (`touch`), and its contact frame is that of the world.
+
+A finger is a disc that does not rotate, or a point. The contact frame is fixed to the side and rotates with
+the slider, so that the direction of body x is constant in it. The contact, which is the finger's point
+nearest to the side, travels along the side. The finger's center is one radius r below it. Let w be the
+velocity of the slider's contact point relative to the finger. The contact, even if it sticks, travels along
+the side at ``-(w_x + r spin)``. With the accelerations a of this point and a_F of the finger,
+``dw/dt = a - a_F - 2 spin x w - spin x (r spin, 0)``.
+
+In contact, the finger's center is on a line parallel to the side, so the disc meets other points of the
+outline at fixed positions of the contact. Free of the side, its distance from the outline is followed.
+"""
+
+from __future__ import annotations
+
+from math import cos, fabs, sin, sqrt
+from typing import NamedTuple
+
+from planar_pushing.core.instant.directions import Rod
+from planar_pushing.core.instant.solution import SEPARATE
+from planar_pushing.core.motion.fence import Span, fence_acceleration, fence_velocity
+from planar_pushing.core.motion.mode import REST, Mode
+from planar_pushing.core.motion.system import RunState, System, is_massive
+from planar_pushing.core.motion.touch import (
+    count_points,
+    height_above_pusher,
+    is_flush,
+    lowest_point,
+)
+from planar_pushing.core.numbers import INFINITY, UNKNOWN
+from planar_pushing.core.supports.contact import Contact, contact_at, hold_rotation
+from planar_pushing.core.supports.outline import distance_to_outline, free_stretch
+from planar_pushing.core.supports.tolerances import SLACK
+
+#: Distance, in tolerances of the outline, that a free finger may move in a step beyond that to the outline;
+#: it is a thousandth of the outline's extent.
+STRIDE = 1e6
+
+
+class Pose(NamedTuple):
+    """Pose of the slider in the contact frame.
+
+    Attributes
+    ----------
+    rod : Rod
+        Direction of body x.
+    contact : Contact
+        Contact in the body frame.
+    x, y : float
+        Vector from the contact to the slider's center.
+    arm_x, arm_y : float
+        Vector from the contact to the center of mass.
+    """
+
+    rod: Rod
+    contact: Contact
+    x: float
+    y: float
+    arm_x: float
+    arm_y: float
+
+
+def hold_pose(pose: Pose) -> Pose:
+    """The pose of a slider with a side that stays on the fence."""
+    return Pose(pose.rod, hold_rotation(pose.contact, 0.0), pose.x, pose.y, pose.arm_x, pose.arm_y)
+
+
+def has_finger(system: System) -> bool:
+    """Whether the pusher is a finger."""
+    return system.scene.finger
+
+
+def frame_angle(system: System, angle: float) -> float:
+    """Angle of body x in the contact frame."""
+    return system.scene.angle if has_finger(system) else angle
+
+
+def pose_of(system: System, state: RunState) -> Pose:
+    """Pose of the slider in a state."""
+    angle = frame_angle(system, state.angle)
+    return pose_with_rod(system, Rod(1.0, angle, cos(angle), sin(angle)), state)
+
+
+def pose_with_rod(system: System, rod: Rod, state: RunState) -> Pose:
+    """Pose of the slider in a state, for a known direction of body x."""
+    scene, run = system.scene, system.run
+    contact = contact_at(run.contact.x, run.contact.y)
+    if has_finger(system):
+        length = scene.length
+        # The contact is at (-along, -gap) from the end of the rod.
+        r_x, r_y, along, gap = (
+            run.rod.x, run.rod.y, state.along, state.gap,
+        )  # fmt: skip
+        contact = contact_at(-length - (along * r_x + gap * r_y), along * r_y - gap * r_x)
+    x, y = to_contact(rod, -contact.x, -contact.y)
+    arm_x, arm_y = to_contact(rod, scene.center.x - contact.x, scene.center.y - contact.y)
+    return Pose(rod, contact, x, y, arm_x, arm_y)
+
+
+def to_body(rod: Rod, x: float, y: float) -> tuple[float, float]:
+    """A vector of the contact frame in the body frame."""
+    return x * rod.x + y * rod.y, y * rod.x - x * rod.y
+
+
+def to_contact(rod: Rod, x: float, y: float) -> tuple[float, float]:
+    """A vector of the body frame in the contact frame."""
+    return x * rod.x - y * rod.y, x * rod.y + y * rod.x
+
+
+def from_world(system: System, angle: float, x: float, y: float) -> tuple[float, float]:
+    """A vector of the world in the contact frame, at a rod angle."""
+    if not has_finger(system):
+        return x, y
+    c, s = cos(angle - system.scene.angle), sin(angle - system.scene.angle)
+    return c * x + s * y, c * y - s * x
+
+
+def to_world(system: System, angle: float, x: float, y: float) -> tuple[float, float]:
+    """A vector of the contact frame in the world, at a rod angle."""
+    if not has_finger(system):
+        return x, y
+    c, s = cos(angle - system.scene.angle), sin(angle - system.scene.angle)
+    return c * x - s * y, c * y + s * x
+
+
+def pusher_velocity(
+    system: System, during: Span, time: float, state: RunState
+) -> tuple[float, float]:
+    """Velocity of the pusher in the contact frame."""
+    x, y = fence_velocity(system.fence, during, time)
+    return from_world(system, state.angle, x, y)
+
+
+def pusher_acceleration(
+    system: System, during: Span, time: float, state: RunState
+) -> tuple[float, float]:
+    """Acceleration of the pusher along the axes of the contact frame."""
+    x, y = fence_acceleration(system.fence, during, time)
+    return from_world(system, state.angle, x, y)
+
+
+def contact_motion(pose: Pose, v_x: float, v_y: float, spin: float) -> tuple[float, float]:
+    """Motion of the contact under a twist of the slider's center."""
+    return v_x + spin * pose.y, v_y - spin * pose.x
+
+
+def center_motion(pose: Pose, u_x: float, u_y: float, spin: float) -> tuple[float, float]:
+    """Motion of the slider's center for a motion of the contact and a rotation."""
+    return u_x - spin * pose.y, u_y + spin * pose.x
+
+
+def size_of_twist(v_x: float, v_y: float, spin: float) -> float:
+    """Combined speed of the slider's center and of the rotation."""
+    return sqrt(v_x * v_x + v_y * v_y) + fabs(spin)
+
+
+def kinetic_energy_of(system: System, pose: Pose, v_x: float, v_y: float, spin: float) -> float:
+    """Kinetic energy of a slider whose center has the velocity (v_x, v_y)."""
+    v_x, v_y = v_x - spin * (pose.arm_y - pose.y), v_y + spin * (pose.arm_x - pose.x)
+    energy = system.scene.mass * (v_x * v_x + v_y * v_y)
+    return (energy + system.run.moment * spin * spin) / 2.0
+
+
+def travel_rate(system: System, slip: float, spin: float) -> float:
+    """Rate of the contact's position along the pusher; a finger also rolls along its side."""
+    return slip + system.scene.radius * spin if has_finger(system) else slip
+
+
+def rates_of_contact(
+    system: System, spin: float, slip: float, normal_speed: float, a_x: float, a_y: float
+) -> tuple[float, float]:
+    """Rates of the contact's velocity relative to the pusher, from its relative acceleration.
+
+    They include the Coriolis term of a rotating frame, and a term for the travel of a rolling contact.
+    """
+    if not has_finger(system):
+        return a_x, a_y
+    rolling = system.scene.radius * spin * spin
+    return a_x + 2.0 * spin * normal_speed, a_y - 2.0 * spin * slip - rolling
+
+
+def sticking_acceleration(
+    system: System, spin: float, a_x: float, a_y: float
+) -> tuple[float, float]:
+    """Acceleration of the slider's point at a contact that sticks, from the pusher's."""
+    if not has_finger(system):
+        return a_x, a_y
+    return a_x, a_y + system.scene.radius * spin * spin
+
+
+def center_position(
+    system: System, pose: Pose, state: RunState, x: float, y: float
+) -> tuple[float, float]:
+    """Position of the slider's center in the world, from the displacement of the pusher."""
+    if not has_finger(system):
+        return x + state.along + pose.x, y + state.gap + pose.y
+    w_x, w_y = to_world(system, state.angle, pose.x, pose.y)
+    turn, radius = state.angle - system.scene.angle, system.scene.radius
+    half = sin(turn / 2.0)
+    # Seen from the finger's center, the contact rotates with the side.
+    x, y = x - radius * sin(turn), y - 2.0 * radius * half * half
+    return x + w_x, y + w_y
+
+
+def contact_after_flight(
+    system: System, pose: Pose, state: RunState, x: float, y: float,
+    path_x: float, path_y: float, turn: float,
+) -> tuple[float, float]:  # fmt: skip
+    """Position of the contact, along and across, after displacements of the slider's center and the pusher.
+
+    Displacements (x, y) and (path_x, path_y) are in the contact frame before the rotation.
+    """
+    if not has_finger(system):
+        c, s = cos(turn) - 1.0, sin(turn)
+        x, y = x - (c * pose.x - s * pose.y), y - (s * pose.x + c * pose.y)
+        return state.along + (x - path_x), state.gap + (y - path_y)
+    c, s, radius, length = cos(turn), sin(turn), system.scene.radius, system.scene.length
+    x, y = pose.x + x - path_x, pose.y + y - path_y
+    along, across = c * x + s * y, c * y - s * x
+    half = sin(turn / 2.0)
+    # The side rotates about the finger's center, and the contact is again one radius above the center.
+    along, across = along + radius * s, across - 2.0 * radius * half * half
+    return along - length * system.run.rod.x, across - length * system.run.rod.y
+
+
+def is_steady_pusher(system: System, during: Span) -> bool:
+    """Whether the pusher's motion is constant in the contact frame while the slider moves."""
+    return not has_finger(system) and during.constant
+
+
+def clearance_of(system: System, state: RunState) -> float:
+    """Height of the slider above the pusher, infinite if the contact has ended permanently."""
+    return INFINITY if system.run.parted else height_above_pusher(system, state)
+
+
+def center_height(system: System, state: RunState) -> float:
+    """Height of the slider's center above a fence, relative to the rod; NaN if it is not limited.
+
+    It is the limit of the model if only the rod's end, or one side, is known.
+    """
+    length = system.scene.length
+    if has_finger(system) or has_outline(system) or not length > 0.0:
+        return UNKNOWN
+    if count_points(system) > 0:
+        return (state.gap + pose_of(system, state).y) / length
+    return state.gap / length + sin(state.angle)
+
+
+def room_on_side(system: System, along: float) -> float:
+    """Distance from the contact to the nearer end of a finger's side, NaN for a side without ends."""
+    if not has_finger(system):
+        return UNKNOWN
+    room = min(system.scene.side_end + along, -along - system.scene.side_start)
+    return room if room < INFINITY else UNKNOWN
+
+
+def has_outline(system: System) -> bool:
+    """Whether the slider has an outline."""
+    return system.scene.corners > 0
+
+
+def is_outlined(system: System) -> bool:
+    """Whether the slider is known to have an outline, even if its corners are not given."""
+    return system.scene.fine > 0.0
+
+
+def confine_finger(system: System, state: RunState) -> None:
+    """Store the stretch of the side on which a finger meets no other point of the outline."""
+    scene, run = system.scene, system.run
+    run.low, run.high = -INFINITY, INFINITY
+    if has_finger(system) and has_outline(system):
+        fine, corners = scene.fine, system.data[scene.corners_place :]
+        stretch = free_stretch(
+            corners,
+            scene.corners,
+            x=-(fine * scene.length),
+            y=0.0,
+            t_x=run.rod.x,
+            t_y=-run.rod.y,
+            radius=fine * scene.radius,
+            depth=1.0,
+            position=-fine * state.along,
+        )
+        run.low, run.high = stretch.low / fine, stretch.high / fine
+
+
+def outline_height(system: System, state: RunState, touching: bool) -> float:
+    """Distance of the outline from the pusher, NaN without an outline.
+
+    For a finger, it is in units of the outline's tolerance, and positive until another point than the
+    contact is as deep as the tolerance; in contact, it is the distance along the side to such a meeting.
+    For a fence, it is the height of the lowest point besides the contact. If both touch at once, the
+    contact comes first.
+    """
+    scene, run = system.scene, system.run
+    if not has_finger(system):
+        if is_flush(system) or count_points(system) == 0:
+            return UNKNOWN
+        height = lowest_point(system, state, True).height - run.floor
+        if not touching and height > state.gap - SLACK:
+            height += SLACK
+        return height if height < INFINITY else UNKNOWN
+    if not has_outline(system):
+        return UNKNOWN
+    fine, length, gap, count = scene.fine, scene.length, state.gap, scene.corners
+    corners = system.data[scene.corners_place :]
+    along = state.along
+    if touching:
+        room = min(run.high + along, -along - run.low)
+        return fine * room if room < INFINITY else UNKNOWN
+    across = max(gap, 0.0) + scene.radius
+    x = -length - (along * run.rod.x + across * run.rod.y)
+    y = along * run.rod.y - across * run.rod.x
+    distance = distance_to_outline(corners, count, fine * x, fine * y)
+    return distance - fine * scene.radius + 1.0
+
+
+def longest_step(system: System, mode: Mode, height: float, speed: float) -> float:
+    """Longest step of a finger free of the slider, which cannot pass through a part of the outline.
+
+    The arguments are its distance from the outline and its speed relative to the slider.
+    """
+    rests: bool = mode.contact == REST and mode.f_x == 0.0 and mode.f_y == 0.0
+    if not has_finger(system) or not (mode.contact == SEPARATE or rests):
+        return INFINITY
+    # The speed is constant while the slider rests and the pusher's velocity is constant.
+    if mode.contact == SEPARATE or not mode.during.constant:
+        speed += system.run.speed
+    if height == height and speed > 0.0:
+        return (height + STRIDE) / (system.scene.fine * speed)
+    return INFINITY
+
+
+def put_initial_state(system: System, state: RunState) -> None:
+    """Store the state at time 0."""
+    scene = system.scene
+    v_x, v_y, spin = scene.twist.x, scene.twist.y, scene.twist.spin
+    for k in range(system.entries):
+        state[k] = 0.0
+    state.gap, state.angle = scene.gap, scene.angle
+    if is_massive(system):
+        u_x, u_y = contact_motion(pose_of(system, state), v_x, v_y, spin)
+        state.slip_speed, state.normal_speed, state.spin = u_x, u_y, spin
