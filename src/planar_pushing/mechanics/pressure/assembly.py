@@ -7,10 +7,20 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from planar_pushing.core.supports.measures import (
+    EDGE_LOAD,
+    MEASURED,
+    PLATE,
+    PLATE_MEASURED,
+    REACH,
+    MeasureRow,
+    PressureRow,
+)
 from planar_pushing.core.supports.multipole import ROWS
-from planar_pushing.core.supports.pieces import COLUMNS
+from planar_pushing.core.supports.pieces import COLUMNS, HEAD
 from planar_pushing.mechanics.kernels.arrays import in_threads
-from planar_pushing.mechanics.kernels.calls import run
+from planar_pushing.mechanics.kernels.calls import run_into
+from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.mechanics.pressure.pieces import (
     ATOMS,
     DISCS,
@@ -20,21 +30,51 @@ from planar_pushing.mechanics.pressure.pieces import (
     SEGMENTS,
     Array,
     Pieces,
-    spreads,
 )
 from planar_pushing.terms.caches import cache_results
 
-#: For each kind of piece, the columns in which its extreme points begin, or its center.
-EXTREMES = (
-    (ATOMS, 0), (SEGMENTS, 0), (SEGMENTS, 2), (EDGES, 0), (EDGES, 2), (RINGS, 0), (DISCS, 0),
-)  # fmt: skip
+#: Numbers of a piece in the data of `core.supports.measures`, and of its extreme points, by kind.
+WIDTHS = np.array([3, 5, 4, 4, PLATE, 5])
+EXTREMES = np.array([1, 2, 1, 1, 0, 2])
 #: Plates per block of terms: a few milliseconds of work.
 BLOCK = 512
+#: Fields of the row of a plate that `plate_terms` reads: its radius, and the places of its edges.
+EDGES_OF_PLATE = np.array([2, COLUMNS - 2, COLUMNS - 1])
 #: Number of supports whose measures are kept.
 KEPT = 16
-#: A center of rotation closer to an atom than this, relative to the numbers in its computation, counts as
-#: on it.
-ROUNDING = 1e-15
+
+
+class Layout(NamedTuple):
+    """Where the pieces of supports are in arrays of numbers; it must not be written to.
+
+    Attributes
+    ----------
+    counts : ndarray of int, shape (supports, 6)
+        Numbers of pieces of each kind.
+    lengths, first : ndarray of int, shape (plates,)
+        Numbers of edges of the plates, and index at which those of each begin.
+    ends : ndarray of int, shape (supports,)
+        Index at which the extreme points of each support begin.
+    measures, pressures : ndarray
+        Rows of `measure_supports`, and those of `store_pressures` without measures.
+    kinds : list of slice
+        For each kind, the part of the data.
+    plates, lines : ndarray of int
+        Places in the table at which the rows of plates begin, and indices of the rows of lines.
+    terms : int
+        Place in the table at which the terms of plates begin.
+    """
+
+    counts: Any
+    lengths: Any
+    first: Any
+    ends: Any
+    measures: Array
+    pressures: Array
+    kinds: list[slice]
+    plates: Any
+    lines: Any
+    terms: int
 
 
 class Gathered(NamedTuple):
@@ -42,29 +82,32 @@ class Gathered(NamedTuple):
 
     Attributes
     ----------
-    rows, owners : list of ndarray
-        For each kind: rows as in `Pieces`, with center, extent and share for plates; and the number of the
-        support to which each row belongs.
-    first : ndarray of int, shape (plates + 1,)
-        Index at which the edges of each plate begin, then the total number of edges.
+    data : ndarray
+        As in `core.supports.measures`.
+    layout : Layout
     centers, extents, spreads : ndarray
         Of the supports: centers of pressure, largest distances from them, second moments.
     write_terms : callable, optional
         Writes the terms of the plates into an array of shape (plates, 2 * ROWS), if they are known.
     """
 
-    rows: list[Array]
-    owners: list[Any]
-    first: Any
+    data: Array
+    layout: Layout
     centers: Array
     extents: Array
     spreads: Array
     write_terms: Callable[[Array], None] | None = None
 
+    def rows(self, kind: int) -> Array:
+        """The rows of a kind: as in `Pieces`, and for plates center, extent, share and number of edges."""
+        return self.data[self.layout.kinds[kind]].reshape(-1, WIDTHS[kind])
+
     @property
-    def lengths(self) -> Any:
-        """Numbers of edges of the plates, shape (plates,)."""
-        return self.first[1:] - self.first[:-1]
+    def share(self) -> float:
+        """Sum of the shares of all pieces, which is that of the supports."""
+        kinds = (ATOMS, SEGMENTS, RINGS, DISCS)
+        shares = sum(float(self.rows(kind)[:, -1].sum()) for kind in kinds)
+        return shares + float(self.rows(PLATES)[:, 3].sum())
 
 
 def scale_shares(pieces: Pieces, share: float) -> Pieces:
@@ -88,110 +131,118 @@ def join_pieces(parts: Sequence[Pieces]) -> Pieces:
 
 
 def gather_pieces(supports: Sequence[Pieces]) -> Gathered:
-    """Pieces of supports, with centers and extents."""
+    """Pieces of supports, with centers and extents.
+
+    Raises
+    ------
+    ValueError
+        If rows do not have the columns of `Pieces`, or a plate has no edges.
+    """
     if len(supports) == 1:
         (pieces,) = supports
-        edges = np.concatenate([np.empty((0, 5)), *pieces.plates])
-        owners, lengths = _order_of_one(
-            tuple(map(len, pieces[:PLATES])), tuple(map(len, pieces.plates))
-        )
-        return measure_pieces(list(map(np.asarray, pieces[:PLATES])), edges, owners, lengths, 1)
-    rows = [np.concatenate([pieces[kind] for pieces in supports]) for kind in range(PLATES)]
-    counts = [[len(pieces[kind]) for pieces in supports] for kind in range(PLATES + 1)]
-    owners = [np.repeat(np.arange(len(supports)), count) for count in counts]
-    plates = [edges for pieces in supports for edges in pieces.plates]
-    lengths = np.array([len(edges) for edges in plates], dtype=np.int64)
-    edges = np.concatenate([np.empty((0, 5)), *plates])
-    owners += [np.repeat(owners[PLATES], lengths)]
-    return measure_pieces(rows, edges, owners, lengths, len(supports))
+        rows, lengths = blocks_of(pieces)
+        counts = len(rows[0]), len(rows[1]), len(rows[2]), len(rows[3]), len(lengths), len(rows[4])
+        return measure_pieces(rows, _layout_of_one(counts, lengths))
+    parts = [blocks_of(pieces) for pieces in supports]
+    several = [np.concatenate(blocks) for blocks in zip(*(rows for rows, _ in parts), strict=True)]
+    plates = [length for _, lengths in parts for length in lengths]
+    every = [[*map(len, rows[:PLATES]), len(lengths), len(rows[-1])] for rows, lengths in parts]
+    return measure_pieces(several, lay_out(np.array(every), np.array(plates, dtype=np.int64)))
+
+
+def blocks_of(pieces: Pieces) -> tuple[list[Array], tuple[int, ...]]:
+    """The rows of each kind of pieces but plates, with all edges last, and the numbers of edges of plates."""
+    plates = [np.asarray(edges, dtype=float) for edges in pieces.plates]
+    edges = plates[0] if len(plates) == 1 else np.concatenate([np.empty((0, 5)), *plates])
+    rows = [*(np.asarray(block, dtype=float) for block in pieces[:PLATES]), edges]
+    lengths = tuple(map(len, plates))
+    columns = [block.shape[1:] for block in rows]
+    if columns != [(3,), (5,), (4,), (4,), (5,)] or 0 in lengths:
+        raise ValueError("rows of pieces have other columns than those of Pieces")
+    return rows, lengths
 
 
 @cache_results(KEPT)
-def _order_of_one(counts: tuple[int, ...], lengths: tuple[int, ...]) -> tuple[list[Any], Any]:
-    """Owners of the pieces of one support, and numbers of edges of its plates; not to be written to."""
-    sizes = (*counts, len(lengths), sum(lengths))
-    return [np.zeros(size, np.int64) for size in sizes], np.array(lengths, dtype=np.int64)
+def _layout_of_one(counts: tuple[int, ...], lengths: tuple[int, ...]) -> Layout:
+    """`lay_out` of one support."""
+    return lay_out(np.array([counts]), np.array(lengths, dtype=np.int64))
 
 
-def measure_pieces(
-    rows: list[Array], edges: Array, owners: list[Any], lengths: Any, count: int
-) -> Gathered:
-    """`Gathered` from the rows of each kind before the plates, the plates' edges, and the owners of all.
+def lay_out(counts: Any, lengths: Any) -> Layout:
+    """`Layout` of supports with so many pieces of each kind, and plates with so many edges."""
+    count, before = len(counts), counts.cumsum(axis=0) - counts
+    sizes = WIDTHS * counts.sum(axis=0)
+    begin = sizes.cumsum() - sizes
+    ends = counts @ EXTREMES
+    first_end = ends.cumsum() - ends
+    plates, edges = before[:, PLATES], before[:, EDGES]
+    # Results of `measure_supports`: supports, plates, ends of edges, extreme points.
+    behind = MEASURED * count + PLATE_MEASURED * len(lengths)
+    measures = np.empty((count, MeasureRow.size))
+    pieces = np.concatenate([begin + WIDTHS * before, counts], axis=1)
+    measures[:, : pieces.shape[1]] = pieces
+    fields = Columns(MeasureRow, measures)
+    fields.measured = MEASURED * np.arange(count)
+    fields.plates_measured = MEASURED * count + PLATE_MEASURED * plates
+    fields.plate_reach = behind + 2 * REACH * edges
+    fields.reach = behind + 2 * REACH * lengths.sum() + REACH * first_end
+    # The table: heads, rows, and terms.
+    rows = counts.sum(axis=1)
+    first_row = rows.cumsum() - rows
+    terms = HEAD * count + COLUMNS * int(rows.sum())
+    pressures = np.empty((count, PressureRow.size))
+    pressures[:, : pieces.shape[1]] = pieces
+    stored = Columns(PressureRow, pressures)
+    stored.head, stored.first = HEAD * np.arange(count), HEAD * count + COLUMNS * first_row
+    stored.series = terms + 2 * ROWS * plates
+    stored.end = np.append(stored.first[1:], terms)
+    # Within a support the kinds are in their order.
+    kinds = first_row[:, None] + counts.cumsum(axis=1) - counts
+    every = [_numbers(kinds[:, kind], counts[:, kind]) for kind in (PLATES, SEGMENTS, EDGES)]
+    return Layout(
+        counts, lengths, lengths.cumsum() - lengths, first_end, measures, pressures,
+        [slice(first, first + size) for first, size in zip(begin, sizes, strict=True)],
+        HEAD * count + COLUMNS * every[0], np.concatenate(every[1:]), terms,
+    )  # fmt: skip
+
+
+def _numbers(first: Any, counts: Any) -> Any:
+    """Successive numbers from each first one, one sequence after the other."""
+    return np.repeat(first - (counts.cumsum() - counts), counts) + np.arange(counts.sum())
+
+
+def measure_pieces(rows: list[Array], layout: Layout) -> Gathered:
+    """`Gathered` from the rows of each kind but plates, with the edges last.
 
     Parameters
     ----------
-    rows, owners : list of ndarray
-        As in `Gathered`; for plates and edges, only the owners.
-    edges : ndarray, shape (m, 5)
-    lengths : ndarray of int, shape (plates,)
-        Number of edges of each plate.
-    count : int
-        Number of supports.
+    rows : list of ndarray
+        As of `blocks_of`, kind by kind and within a kind one support after the other.
+    layout : Layout
     """
-    first = np.zeros(len(lengths) + 1, np.int64)
-    np.cumsum(lengths, out=first[1:])
-    rows = [*rows, _places(edges, lengths, first[:-1]), edges]
-    centers = _centers(rows, owners, count)
-    extents, moments = _extents(rows, owners, centers), spreads(rows, owners, centers)
-    return Gathered(rows, owners, first, centers, extents, moments)
-
-
-def _places(edges: Array, lengths: Any, first: Any) -> Array:
-    """Center of pressure, largest distance from it, and share of plates, by triangles over their edges."""
-    places = np.empty((len(first), 4))
-    if not len(first):
-        return places
-    starts, ends = edges[:, :2], edges[:, :4].reshape(-1, 2, 2)
-    middle = (np.minimum.reduceat(starts, first) + np.maximum.reduceat(starts, first)) / 2
-    away = ends - middle.repeat(lengths, axis=0)[:, None]
-    start, end = away[:, 0], away[:, 1]
-    loads = (start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0]) / 2 * edges[:, 4]
-    share = np.add.reduceat(loads, first)
-    weighted = np.add.reduceat(loads[:, None] * (start + end), first)
-    center = middle + weighted / (3 * share)[:, None]
-    away = ends - center.repeat(lengths, axis=0)[:, None]
-    reach = np.hypot(away[..., 0], away[..., 1]).max(axis=1)
-    places[:, :2], places[:, 2], places[:, 3] = center, np.maximum.reduceat(reach, first), share
-    return places
-
-
-def _distance(points: Array, center: Array) -> Array:
-    away = points - center
-    return np.asarray(np.hypot(away[:, 0], away[:, 1]))
-
-
-def _centers(rows: list[Array], owners: list[Any], count: int) -> Array:
-    """Centers of pressure."""
-    present = [kind for kind in range(EDGES) if len(rows[kind])]
-    owner = np.concatenate([owners[kind] for kind in present])
-    x, y, share = np.concatenate([_positions(kind, rows[kind]) for kind in present]).T
-    total = np.bincount(owner, share, count)
-    centers = np.empty((count, 2))
-    centers[:, 0] = np.bincount(owner, share * x, count) / total
-    centers[:, 1] = np.bincount(owner, share * y, count) / total
-    return centers
-
-
-def _positions(kind: int, rows: Array) -> Array:
-    """Centers and shares of pieces of a kind, shape (n, 3)."""
-    if kind == ATOMS:
-        return rows
-    if kind == SEGMENTS:
-        return np.column_stack([(rows[:, :2] + rows[:, 2:4]) / 2, rows[:, 4]])
-    return rows[:, [0, 1, 3]]
-
-
-def _extents(rows: list[Array], owners: list[Any], centers: Array) -> Array:
-    """Largest distances of supports from their centers of pressure."""
-    extents = np.zeros(len(centers))
-    for kind, column in EXTREMES:
-        if not len(rows[kind]):
-            continue
-        reach = _distance(rows[kind][:, column : column + 2], centers[owners[kind]])
-        if kind in (RINGS, DISCS):
-            reach += rows[kind][:, 2]
-        np.maximum.at(extents, owners[kind], reach)
-    return extents
+    lengths, first, count = layout.lengths, layout.first, len(layout.counts)
+    plates = np.zeros((len(lengths), PLATE))
+    data = np.concatenate([*rows[:PLATES], plates, rows[-1]], axis=None)
+    if len(lengths):
+        plates = data[layout.kinds[PLATES]].reshape(-1, PLATE)
+        plates[:, 4] = lengths
+        loads = np.empty((len(rows[-1]), EDGE_LOAD))
+        begin = layout.kinds[EDGES].start + WIDTHS[EDGES] * first
+        run_into("plate_loads", data, np.array([begin, lengths, first], float).T.copy(), loads)
+        plates[:, :EDGE_LOAD] = np.add.reduceat(loads, first)
+    behind = MEASURED * count + PLATE_MEASURED * len(lengths)
+    ends = int(layout.counts.sum(axis=0) @ EXTREMES)
+    results = np.empty(behind + REACH * (2 * len(rows[-1]) + ends))
+    run_into("measure_supports", data, layout.measures, results[:, None])
+    measured = results[: MEASURED * count].reshape(count, MEASURED)
+    vectors = results[behind:].reshape(-1, REACH)
+    reach = np.hypot(vectors[:, 0], vectors[:, 1]) + vectors[:, 2]
+    extents = np.maximum.reduceat(reach[len(reach) - ends :], layout.ends)
+    if len(lengths):
+        of_plates = results[MEASURED * count : behind].reshape(-1, PLATE_MEASURED)
+        plates[:, :2], plates[:, 3] = of_plates[:, :2], of_plates[:, 2]
+        plates[:, 2] = np.maximum.reduceat(reach[: len(reach) - ends], 2 * first)
+    return Gathered(data, layout, measured[:, :2], extents, measured[:, 2:])
 
 
 @cache_results(KEPT)
@@ -201,75 +252,71 @@ def measure_support(support: Any) -> Gathered:
 
 
 class Stack(NamedTuple):
-    """Rows of the pieces of several supports, one support after the other.
+    """Pressures of several supports, as in `core.pieces`, one support after the other.
 
     Attributes
     ----------
-    starts : ndarray of int, shape (supports, 7)
-        First row of each kind of piece, `ATOMS` to `EDGES`, and number of the support's first plate.
-    rows : ndarray, shape (n, COLUMNS)
-        As in `core.pieces`, except that plates have the numbers of the rows at which their edges begin and
-        end.
-    plates : ndarray of int
-        Numbers of the rows of plates.
+    memory, data : ndarray
+        The array, and its part with the pressures: heads, rows, and terms of the plates.
+    terms : ndarray, shape (plates, 2 * ROWS)
+        The terms in the data.
+    most_atoms : int
+        Maximum number of atoms of a support.
     """
 
-    starts: Any
-    rows: Array
-    plates: Any
+    memory: Array
+    data: Array
+    terms: Array
+    most_atoms: int
 
 
-def stack(group: Gathered, radii: Array) -> Stack:
-    """Rows of supports, each in units of its own radius."""
-    kinds, owners = _scaled_rows(group, radii)
-    count = len(radii)
-    rows = np.zeros((sum(map(len, owners)), COLUMNS))
-    counts, end = np.zeros((count, EDGES + 1), np.int64), 0
-    for kind, scaled in kinds.items():
-        first, end = end, end + len(scaled)
-        rows[first:end, : scaled.shape[1]] = scaled
-        counts[:, kind] = np.bincount(owners[kind], minlength=count)
-    if count > 1:
-        rows = rows[np.argsort(np.concatenate(owners), kind="stable")]
-    starts = (counts.cumsum() - counts.ravel()).reshape(counts.shape)
-    first_plates = counts[:, PLATES].cumsum() - counts[:, PLATES]
-    # The edges of all supports follow the order of the plates, and so do these two arrays.
-    lengths, owner = group.lengths, owners[PLATES]
-    inside = group.first[:-1] - (counts[:, EDGES].cumsum() - counts[:, EDGES])[owner]
-    begin = starts[owner, EDGES] + inside
-    plates = starts[owner, PLATES] + np.arange(len(owner)) - first_plates[owner]
-    rows[plates, COLUMNS - 2], rows[plates, COLUMNS - 1] = begin, begin + lengths
-    return Stack(np.concatenate([starts, first_plates[:, None]], axis=1), rows, plates)
+def stack(group: Gathered, radii: Array, front: int = 0) -> Stack:
+    """Pressures of supports, each in units of its own radius, with room for numbers in front of them."""
+    group = _merge_atoms(group, radii)
+    layout = group.layout
+    count, end = len(radii), layout.terms
+    memory = np.empty(front + end + 2 * ROWS * len(layout.lengths))
+    data = memory[front:]
+    rows = layout.pressures.copy()
+    measures = len(MeasureRow.__base__.places)  # type: ignore[union-attr]
+    rows[:, measures : measures + 2], rows[:, measures + 2 : measures + 5] = (
+        group.centers,
+        group.spreads,
+    )
+    fields = Columns(PressureRow, rows)
+    fields.extent, fields.unit = group.extents, radii
+    run_into("store_pressures", group.data, rows, data[:, None])
+    if len(layout.lines):
+        pieces = data[HEAD * count : end].reshape(-1, COLUMNS)
+        along = pieces[layout.lines, 2:4]
+        length = np.hypot(along[:, 0], along[:, 1])
+        pieces[layout.lines, 2:4] = along / length[:, None]
+        pieces[layout.lines, 4] = length / 2
+    terms = data[end:].reshape(-1, 2 * ROWS)
+    write_terms(group, data, terms)
+    return Stack(memory, data, terms, int(layout.counts[:, ATOMS].max()))
 
 
-def stack_with_terms(group: Gathered, radii: Array) -> tuple[Any, Array, Array]:
-    """Starts and rows as in `Stack`, and terms of the plates, shape (plates, ROWS, 2)."""
-    starts, rows, plates = stack(group, radii)
-    terms = np.empty((len(plates), 2 * ROWS))
-    write_terms(group, rows, plates, terms)
-    return starts, rows, terms.reshape(-1, ROWS, 2)
-
-
-def write_terms(group: Gathered, rows: Array, plates: Any, terms: Array) -> None:
+def write_terms(group: Gathered, data: Array, terms: Array) -> None:
     """Write the multipole terms of plates, which are known or computed on all cores.
 
     Parameters
     ----------
     group : Gathered
-    rows, plates : ndarray
-        As in `Stack`.
+    data : ndarray
+        The heads and rows of the pressures.
     terms : ndarray, shape (plates, 2 * ROWS)
         The array to which the terms are written.
     """
     if group.write_terms is not None:
         group.write_terms(terms)
         return
+    plates = group.layout.plates
 
     def block(start: int) -> None:
         part = slice(start, start + BLOCK)
-        edges = rows[plates[part]][:, [2, COLUMNS - 2, COLUMNS - 1]]
-        edges[:, 1:] *= COLUMNS
-        terms[part] = run("plate_terms", rows, edges, 2 * ROWS)
+        edges = data[plates[part, None] + EDGES_OF_PLATE]
+        run_into("plate_terms", data, edges, terms[part])
 
     starts = range(0, len(plates), BLOCK)
     if len(starts) > 1:
@@ -278,53 +325,24 @@ def write_terms(group: Gathered, rows: Array, plates: Any, terms: Array) -> None
         block(0)
 
 
-def _scaled_rows(group: Gathered, radii: Array) -> tuple[dict[int, Array], list[Any]]:
-    """Rows of each kind that is present, in units of the radii, and the owners of all kinds.
-
-    Rows of plates lack their edge numbers.
-    """
-    owners, kinds = list(group.owners), {}
-    for kind, rows in enumerate(group.rows):
-        if not len(rows):
-            continue
-        unit = radii[owners[kind], None]
-        if kind == ATOMS:
-            kinds[kind], owners[kind] = _atoms(group, rows[:, :2] / unit, radii)
-        elif kind == SEGMENTS:
-            kinds[kind] = _lines(rows[:, :2] / unit, rows[:, 2:4] / unit, rows[:, 4])
-        elif kind == EDGES:
-            plates = group.rows[PLATES].repeat(group.lengths, axis=0)
-            middle = plates[:, :2]
-            start, end = (rows[:, :2] - middle) / unit, (rows[:, 2:4] - middle) / unit
-            kinds[kind] = _lines(start, end, rows[:, 4] * unit[:, 0] ** 2 / plates[:, 3])
-        else:
-            kinds[kind] = rows.copy()
-            kinds[kind][:, :3] /= unit
-    return kinds, owners
-
-
-def _atoms(group: Gathered, places: Array, radii: Array) -> tuple[Array, Any]:
-    """Atoms in their order, and their owners; atoms of one support at the same place are merged."""
-    owner: Any = group.owners[ATOMS]
-    shares: Any = group.rows[ATOMS][:, 2]
-    by_place = np.lexsort((places[:, 1], places[:, 0], owner))
-    keys = np.column_stack([owner, places])[by_place]
-    if (keys[1:] == keys[:-1]).all(axis=1).any():
-        merged, first, which = np.unique(
-            np.column_stack([owner, places]), axis=0, return_index=True, return_inverse=True
-        )
-        shares = np.bincount(which.ravel(), shares, len(merged))
-        order = np.argsort(first)
-        owner, places, shares = owner[first[order]], merged[order, 1:], shares[order]
-    size = (group.extents / radii)[owner] + np.abs(places).sum(axis=1)
-    return np.column_stack([places, shares, (ROUNDING * size) ** 2]), owner
-
-
-def _lines(start: Array, end: Array, shares: Array) -> Array:
-    """Midpoint, unit tangent and half length of lines, and their shares or jumps."""
-    lines = np.empty((len(start), 6))
-    along = end - start
-    length = np.hypot(along[:, 0], along[:, 1])
-    lines[:, :2], lines[:, 2:4] = (start + end) / 2, along / length[:, None]
-    lines[:, 4], lines[:, 5] = length / 2, shares
-    return lines
+def _merge_atoms(group: Gathered, radii: Array) -> Gathered:
+    """Pieces in which atoms of one support at the same place are one atom."""
+    atoms, counts = group.rows(ATOMS), group.layout.counts
+    if len(atoms) < 2:
+        return group
+    owner = np.repeat(np.arange(len(radii)), counts[:, ATOMS])
+    x, y = (atoms[:, :2] / radii[owner, None]).T.tolist()
+    keys = list(zip(owner.tolist(), x, y, strict=True))
+    if len({*keys}) == len(keys):
+        return group
+    shares: dict[tuple[int, float, float], float] = {}
+    first: list[int] = []
+    for i, (key, share) in enumerate(zip(keys, atoms[:, 2].tolist(), strict=True)):
+        if key not in shares:
+            first.append(i)
+        shares[key] = shares.get(key, 0.0) + share
+    merged = np.column_stack([atoms[first, :2], list(shares.values())])
+    fewer = counts.copy()
+    fewer[:, ATOMS] = np.bincount(owner[first], minlength=len(radii))
+    data = np.concatenate([merged.ravel(), group.data[group.layout.kinds[ATOMS].stop :]])
+    return group._replace(data=data, layout=lay_out(fewer, group.layout.lengths))

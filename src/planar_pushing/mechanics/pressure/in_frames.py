@@ -6,15 +6,17 @@ from functools import partial
 
 import numpy as np
 
-from planar_pushing.core.supports.multipole import ORDER, TERMS
+from planar_pushing.core.supports.multipole import ORDER, ROWS, TERMS
 from planar_pushing.mechanics.plane import Frame
 from planar_pushing.mechanics.pressure.assembly import (
     Gathered,
+    blocks_of,
     gather_pieces,
+    lay_out,
     measure_pieces,
-    stack_with_terms,
+    stack,
 )
-from planar_pushing.mechanics.pressure.pieces import ENDS, PLATES, Array, Pieces
+from planar_pushing.mechanics.pressure.pieces import EDGES, ENDS, PLATES, Array, Pieces
 
 
 def gather_in_frames(pieces: Pieces, origins: Array, axes: Array) -> Gathered:
@@ -32,22 +34,23 @@ def gather_in_frames(pieces: Pieces, origins: Array, axes: Array) -> Gathered:
     because their pressure and their series are not recomputed in each frame.
     """
     one, count = gather_pieces([pieces]), len(axes)
+    blocks, _ = blocks_of(pieces)
     x, y = origins.T
     a, b = axes.T
     frame = Frame((x[:, None], y[:, None]), (a[:, None], b[:, None]))
     # Without the plates, whose centers and shares follow from their edges.
-    rows = [np.tile(block, (count, 1)) for block in one.rows]
+    rows = [np.tile(block, (count, 1)) for block in blocks]
     for kind, *columns in ENDS:
+        number = PLATES if kind == EDGES else kind
         for column in dict.fromkeys(columns):
             ends = slice(column, column + 2)
-            places = frame.point_in(one.rows[kind][:, ends]) + 0.0
-            rows[kind][:, ends] = places.reshape(-1, 2)
-    owners = [np.repeat(np.arange(count), len(block)) for block in one.rows]
-    lengths = np.tile(np.diff(one.first), count)
-    group = measure_pieces(rows[:PLATES], rows[-1], owners, lengths, count)
+            places = frame.point_in(blocks[number][:, ends]) + 0.0
+            rows[number][:, ends] = places.reshape(-1, 2)
+    counts, lengths = one.layout.counts, one.layout.lengths
+    group = measure_pieces(rows, lay_out(np.tile(counts, (count, 1)), np.tile(lengths, count)))
     if not len(lengths):
         return group
-    _, _, terms = stack_with_terms(one, one.extents)
+    terms = stack(one, one.extents).terms.reshape(-1, ROWS, 2)
     return group._replace(write_terms=partial(_rotate_terms, terms, axes))
 
 

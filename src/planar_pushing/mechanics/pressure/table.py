@@ -10,16 +10,12 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.supports.multipole import ROWS
 from planar_pushing.core.supports.pieces import (
     ATOMS,
     CENTER,
     COLUMNS,
-    EDGES,
-    END,
     HEAD,
     SEGMENTS,
-    SERIES,
     SPREAD,
 )
 from planar_pushing.core.supports.rows import ENTRY, LAST
@@ -29,7 +25,6 @@ from planar_pushing.mechanics.pressure.assembly import (
     gather_pieces,
     measure_support,
     stack,
-    write_terms,
 )
 from planar_pushing.mechanics.pressure.in_frames import gather_in_frames
 from planar_pushing.mechanics.pressure.pieces import Array, Pieces
@@ -180,24 +175,8 @@ def table_of_pieces(pieces: Pieces, radius: float) -> Table:
 
 def _table(group: Gathered, radii: Array) -> Table:
     """`Table` of supports, each in units of its own radius."""
-    starts, rows, plates = stack(group, radii)
-    count, size = len(radii), radii[:, None]
-    first, terms = HEAD * count, HEAD * count + rows.size
-    memory = np.empty(FRONT + terms + 2 * ROWS * len(plates))
-    data = memory[FRONT:]
-    data[:first] = 0.0
-    write_terms(group, rows, plates, data[terms:].reshape(-1, 2 * ROWS))
-    rows[plates, COLUMNS - 2 :] = first + COLUMNS * rows[plates, COLUMNS - 2 :]
-    data[first:terms] = rows.ravel()
-    heads = data[:first].reshape(count, HEAD)
-    heads[:, CENTER : CENTER + 2], heads[:, SPREAD : SPREAD + 3] = (
-        group.centers / size,
-        group.spreads / size**2,
-    )
-    heads[:, ATOMS : EDGES + 1] = first + COLUMNS * starts[:, :-1]
-    heads[:, SERIES] = terms + 2 * ROWS * starts[:, -1]
-    heads[:, END] = np.append(heads[1:, ATOMS], terms)
-    return Table(data, count, memory, [], int((starts[:, 1] - starts[:, 0]).max()))
+    stacked = stack(group, radii, FRONT)
+    return Table(stacked.data, len(radii), stacked.memory, [], stacked.most_atoms)
 
 
 def joined_data(effects: Sequence[tuple[int, int, Table | None]], columns: int) -> Array:

@@ -11,7 +11,7 @@ import numpy as np
 from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.plane import Frame
 from planar_pushing.mechanics.pressure.assembly import gather_pieces, measure_support
-from planar_pushing.mechanics.pressure.pieces import PLATES, Array, Pieces
+from planar_pushing.mechanics.pressure.pieces import Array, Pieces
 from planar_pushing.mechanics.pressure.support_in_frames import (
     KINDS,
     SupportInFrames,
@@ -103,7 +103,7 @@ def _require_pieces(name: str, support: Support) -> None:
     pieces = support.pieces()
     try:
         group = gather_pieces([pieces])
-        share = sum(float(rows[:, -1].sum()) for rows in group.rows[: PLATES + 1])
+        share = group.share
     except (TypeError, ValueError, LookupError, AttributeError):
         share = math.nan
     if not abs(share - 1.0) <= SAME:
