@@ -79,8 +79,29 @@ def read_drawing(value: Any, name: str = "outline") -> Drawing:
     if isinstance(value, (Corners, Polygon)):
         ring = value.vertices if isinstance(value, Polygon) else tuple(value)
     else:
-        ring = tuple(map(tuple, ring_of(name, value).tolist()))
+        ring = _drawn_ring(value) or tuple(map(tuple, ring_of(name, value).tolist()))
     return _read_drawing(ring, isinstance(value, Corners), name)
+
+
+def _drawn_ring(value: Any) -> tuple[tuple[float, float], ...] | None:
+    """The ring of an outline of plain pairs of numbers that was drawn before, or can be; None otherwise."""
+    if type(value) not in (list, tuple):
+        return None
+    pairs = tuple(value)
+    if not all(type(pair) in (list, tuple) and len(pair) == 2 for pair in pairs):
+        return None
+    if not all(type(number) is float for pair in pairs for number in pair):
+        return None
+    try:
+        return _ring_of_pairs(tuple(map(tuple, pairs)))
+    except InvalidValue:
+        return None
+
+
+@cache_results(KEPT)
+def _ring_of_pairs(pairs: tuple[tuple[float, float], ...]) -> tuple[tuple[float, float], ...]:
+    """The ring of pairs; errors as in `ring_of`."""
+    return tuple(map(tuple, ring_of("outline", pairs).tolist()))
 
 
 @cache_results(KEPT)

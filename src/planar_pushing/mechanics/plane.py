@@ -26,6 +26,7 @@ along the rod, away from the contact.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal, NamedTuple
 
@@ -115,6 +116,20 @@ def position_in_frame(position: tuple[Number, Number], frame: Frame) -> tuple[Nu
     return vector_in_frame((x - origin_x, y - origin_y), frame)
 
 
+def positions_in_frame(
+    positions: Iterable[tuple[float, float]], frame: Frame
+) -> tuple[tuple[float, float], ...]:
+    """Positions, pairs of numbers, expressed in one other frame; the same numbers as `position_in_frame`."""
+    (origin_x, origin_y), (a, b) = (map(float, pair) for pair in frame)
+    return tuple(
+        (
+            (x - origin_x) * a + (y - origin_y) * b + 0.0,
+            (y - origin_y) * a - (x - origin_x) * b + 0.0,
+        )
+        for x, y in positions
+    )
+
+
 def vector_in_frame(vector: tuple[Number, Number], frame: Frame) -> tuple[Number, Number]:
     """The components of a vector in another frame.
 
@@ -155,14 +170,12 @@ class Placement:
 
     def __post_init__(self) -> None:
         normal = self.normal
+        if self._is_plain():
+            return
         require_declared(self)
         (x, y), (n_x, n_y) = (map(_plain, pair) for pair in (self.point, self.normal))
         with np.errstate(over="ignore"):
             length = np.hypot(n_x, n_y)
-        if type(length) is np.float64 and abs(length - 1.0) <= UNIT:  # most contacts
-            object.__setattr__(self, "point", (x, y))
-            object.__setattr__(self, "normal", (n_x, n_y))
-            return
         if not ((length > 0.0) & (length < math.inf)).all():
             raise InvalidValue(
                 "normal", normal, "a nonzero vector",
@@ -172,6 +185,20 @@ class Placement:
         length = np.where(abs(length - 1.0) <= UNIT, 1.0, length)[()]
         object.__setattr__(self, "point", (x, y))
         object.__setattr__(self, "normal", (_plain(n_x / length), _plain(n_y / length)))
+
+    def _is_plain(self) -> bool:
+        """Whether these are floats and a unit vector, as of most contacts; their negative zeros are lost."""
+        pairs = self.point, self.normal
+        if not all(type(pair) is tuple and len(pair) == 2 for pair in pairs):
+            return False
+        (x, y), (n_x, n_y) = pairs
+        if not type(x) is type(y) is type(n_x) is type(n_y) is float:
+            return False
+        if not (math.isfinite(x) and math.isfinite(y) and abs(np.hypot(n_x, n_y) - 1.0) <= UNIT):
+            return False
+        object.__setattr__(self, "point", (x + 0.0, y + 0.0))
+        object.__setattr__(self, "normal", (n_x + 0.0, n_y + 0.0))
+        return True
 
     def __eq__(self, other: object) -> Any:
         return same(self, other)

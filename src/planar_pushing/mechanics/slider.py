@@ -10,6 +10,8 @@ import numpy as np
 
 from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.outline import (
+    DRAWN,
+    ROUNDING,
     Corners,
     is_at_inner_corner,
     put_on_line,
@@ -42,6 +44,8 @@ ROD_ANGLE = Degrees(
     ),
 )  # fmt: skip
 RADIUS = positive("give it in the unit of the rod length")
+#: Number of corners up to which floats are compared faster than arrays.
+FEW = 32
 ENDS = (
     "(start, end) with start <= 0 <= end, infinite for a side without an end",
     "measure both ends along the side from the contact, which is between them, the one toward -x first",
@@ -156,6 +160,8 @@ class Slider:
         At an inner corner a contact is refused, because a pusher would touch two sides there.
         """
         corners: Corners = self.outline
+        if self._is_apart(corners):
+            return corners
         vertices = np.array(corners)
         if not self.flush and is_at_inner_corner(vertices, np.ravel(self.rod_length)):
             raise InvalidValue(
@@ -166,6 +172,24 @@ class Slider:
             return corners
         normal = np.array([math.sin(self.rod_angle), math.cos(self.rod_angle)])
         return put_on_line(vertices, np.array([-self.rod_length, 0.0]), normal) or corners
+
+    def _is_apart(self, corners: Corners) -> bool:
+        """Whether no corner is at the contact or has to be moved onto the fence, by comparisons of floats.
+
+        It is said of corners that are clearly so, and of few of them, for which this is faster.
+        """
+        length, angle = self.rod_length, self.rod_angle
+        if len(corners) > FEW or not type(length) is type(angle) is float:
+            return False
+        x, y = zip(*corners, strict=True)
+        near = 2.0 * DRAWN * max(max(x) - min(x), max(y) - min(y))
+        n_x, n_y = math.sin(angle), math.cos(angle)
+        exact = 0.5 * ROUNDING * (max(map(abs, (*x, *y))) + length)
+        for p, q in zip(x, y, strict=True):
+            height = abs((p + length) * n_x + q * n_y)
+            if exact < height < near or (abs(p + length) < near and abs(q) < near):
+                return False
+        return True
 
     def with_radius(self, radius: Number) -> Slider:
         """The slider with its radius, which a scene fills in."""

@@ -79,6 +79,9 @@ def require_contacts(point: Any, normal: Any) -> Contacts:
     InvalidValue
         If a shape differs, a number is not finite, or a normal is zero.
     """
+    plain = _plain_pair(point), (0.0, 1.0) if normal is None else _plain_pair(normal)
+    if plain[0] is not None and plain[1] is not None:
+        return Contacts(Placement(*plain), point, normal)
     points = require_array("point", point, *PAIR)
     if points.ndim > 1 and (points.shape[-1] != 2 or not points.size):
         raise InvalidValue(
@@ -91,6 +94,16 @@ def require_contacts(point: Any, normal: Any) -> Contacts:
         every = np.broadcast_to(upright, points.shape)
         return Contacts(_placements(points, every, point), point, normal)
     return Contacts(Placement(point, upright), point, normal)
+
+
+def _plain_pair(value: Any) -> tuple[float, float] | None:
+    """Two floats, as most points and normals of one contact are given; None for anything else."""
+    if type(value) is np.ndarray and value.shape == (2,) and value.dtype == np.float64:
+        value = value.tolist()
+    if type(value) not in (tuple, list) or len(value) != 2:
+        return None
+    x, y = value
+    return (x, y) if type(x) is type(y) is float else None
 
 
 def _required_normal(value: Any, points: Array) -> Any:

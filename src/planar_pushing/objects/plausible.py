@@ -57,12 +57,22 @@ def warn_of_doubts(effects: Sequence[Effect], contact: Any, corners: Corners | N
         If more than a hundredth of a support's pressure lies outside the outline, a radius of gyration is
         far from those of support and outline, two effects are equal, or a friction coefficient exceeds 10.
     """
-    for message in _doubts(effects, contact, corners):
+    for message in _doubts(tuple(effects), contact, corners):
         warn_user(SceneWarning(message))
 
 
-def _doubts(effects: Sequence[Effect], contact: Any, corners: Corners | None) -> Iterator[str]:
-    """The doubts about an object, each with its remedy."""
+@cache_results(KEPT)
+def _doubts(
+    effects: tuple[Effect, ...], contact: Any, corners: Corners | None
+) -> tuple[str, ...]:
+    """The doubts about an object, each with its remedy; they are found once for all of its contacts."""
+    return tuple(_find_doubts(effects, contact, corners))
+
+
+def _find_doubts(
+    effects: Sequence[Effect], contact: Any, corners: Corners | None
+) -> Iterator[str]:
+    """The doubts about an object, one by one."""
     kinds = SupportFriction | Viscous
     supports = [effect.support for effect in effects if isinstance(effect, kinds)]
     supports = [support for support in supports if not _is_unknown(support)]

@@ -13,7 +13,7 @@ from planar_pushing.mechanics.contact import ContactLaw
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
 from planar_pushing.mechanics.kernels.arrays import require_alike
 from planar_pushing.mechanics.outline import Corners, require_outline
-from planar_pushing.mechanics.plane import Array, Frame, Placement
+from planar_pushing.mechanics.plane import Array, Frame, Placement, positions_in_frame
 from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
@@ -149,7 +149,7 @@ def place_object(
         radius=extent if many or not any(hasattr(effect, "support") for effect in acting) else None,
         side=ends,
         flush=flush,
-        outline=None if many or corners is None else Corners.of(body.point_in(corners) + 0.0),
+        outline=None if many or corners is None else Corners(positions_in_frame(corners, body)),
     )
     loaded = [_with_center(effect, center, acting) for effect in acting]
     moved = tuple(effect.moved(body, placement.fence) for effect in loaded)
@@ -170,6 +170,19 @@ class Rods(NamedTuple):
     axis: Array
     length: Array
     angle: Array
+
+
+def _one_rod(fence: Frame, center: tuple[float, float], extent: float) -> Rods:
+    """As `_rods`, for one contact: the same numbers, in a tenth of the time."""
+    (x, y), (a, b) = fence
+    ((along, height),) = positions_in_frame([center], fence)
+    if height <= MINIMUM_HEIGHT * extent:
+        along, height = 0.0, extent
+    length, angle = float(np.hypot(along, height)), float(np.arctan2(height, along))
+    t, n = along / length, height / length
+    origin = np.array([[along * a - height * b + x, height * a + along * b + y]])
+    axis = np.array([[t * a - n * b, n * a + t * b]])
+    return Rods(origin, axis, np.array([length]), np.array([angle]))
 
 
 def _required_point(point: Any, normal: Any) -> tuple[Any, Any]:
@@ -229,6 +242,12 @@ def _required_effects(value: Any, corners: Corners | None) -> tuple[Any, ...]:
             "effects", value, "a sequence of SupportFriction, Viscous, Inertia and Load",
             "list what resists the motion; for a ring give the radius: SupportFriction(support=Ring(1.0))",
         )  # fmt: skip
+    return _acting_effects(effects, corners)
+
+
+@cache_results(KEPT)
+def _acting_effects(effects: tuple[Any, ...], corners: Corners | None) -> tuple[Any, ...]:
+    """Effects with centers of mass, found once for all contacts of an object; errors of their supports."""
     for effect in effects:
         _require_one_support(effect, corners)
     return with_mass_centers(effects, corners)
@@ -298,6 +317,8 @@ def measure_object(effects: tuple[Any, ...]) -> tuple[tuple[Number, Number], Num
 
 def _rods(fences: Frame, center: tuple[Number, Number], extent: Number) -> Rods:
     """The rods from contacts to the object's center."""
+    if all(type(number) is float for number in (*fences.axis, *center, extent)):
+        return _one_rod(fences, center, extent)
     origin, axis = (tuple(map(np.ravel, pair)) for pair in fences)
     fence, sizes = Frame((origin[0], origin[1]), (axis[0], axis[1])), np.ravel(extent)
     along, height = fence.point_in(np.array([np.ravel(part) for part in center]).T).T

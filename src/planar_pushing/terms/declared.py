@@ -14,7 +14,7 @@ import inspect
 import math
 from abc import abstractmethod
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cache
 from typing import Any, TypeVar, get_type_hints
 
@@ -299,12 +299,18 @@ def require_declared(value: object) -> None:
             object.__setattr__(value, name, declaration.require(name, parameter))
 
 
-def replace_checked(value: Checked, **fields: Any) -> Checked:
+def replace_checked(value: Checked, **others: Any) -> Checked:
     """A copy of a frozen value with other fields, all of which were checked before."""
     copy: Checked = object.__new__(type(value))
-    for name in type(value).__dataclass_fields__:  # type: ignore[attr-defined]
-        object.__setattr__(copy, name, fields[name] if name in fields else getattr(value, name))
+    for name in _field_names(type(value)):
+        object.__setattr__(copy, name, others[name] if name in others else getattr(value, name))
     return copy
+
+
+@cache
+def _field_names(kind: Any) -> tuple[str, ...]:
+    """Names of the fields of a dataclass."""
+    return tuple(part.name for part in fields(kind))
 
 
 def _plain(value: Any) -> Any:

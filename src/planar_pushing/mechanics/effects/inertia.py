@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
 
 from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.plane import Frame, position_in_frame
-from planar_pushing.terms.declared import Pair, finite, positive, require_declared
+from planar_pushing.terms.declared import Pair, finite, positive, replace_checked, require_declared
 from planar_pushing.terms.numbers import Number
 from planar_pushing.terms.options import EffectKind
 
@@ -53,7 +53,7 @@ class Inertia:
     def moved(self, body: Frame, fence: Frame) -> Inertia:
         """The same effect expressed in the body frame instead of the object's frame."""
         center = None if self.center is None else position_in_frame(self.center, body)
-        return replace(self, center=center)
+        return replace_checked(self, center=center)
 
     @property
     def degree(self) -> int:

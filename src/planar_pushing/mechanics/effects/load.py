@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
 
 from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.plane import Frame, position_in_frame, vector_in_frame
-from planar_pushing.terms.declared import Pair, finite, require_declared
+from planar_pushing.terms.declared import Pair, finite, replace_checked, require_declared
 from planar_pushing.terms.numbers import Number
 from planar_pushing.terms.options import EffectKind
 
@@ -45,7 +45,7 @@ class Load:
         """The same effect, with force in the fence frame and center in the body frame."""
         force = vector_in_frame(self.force, fence)
         center = None if self.center is None else position_in_frame(self.center, body)
-        return replace(self, force=force, center=center)
+        return replace_checked(self, force=force, center=center)
 
     @property
     def degree(self) -> int:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
@@ -11,7 +11,7 @@ from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.plane import Frame
 from planar_pushing.mechanics.supports.base import SUPPORTS, moved_support
 from planar_pushing.mechanics.supports.even_ring import Ring
-from planar_pushing.terms.declared import positive, require_declared
+from planar_pushing.terms.declared import positive, replace_checked, require_declared
 from planar_pushing.terms.domain import Number, require_in_range, require_ratio
 from planar_pushing.terms.options import EffectKind
 
@@ -48,7 +48,7 @@ class SupportFriction:
 
     def moved(self, body: Frame, fence: Frame) -> SupportFriction:
         """The same effect expressed in the body frame instead of the object's frame."""
-        return replace(self, support=moved_support(self.support, body))
+        return replace_checked(self, support=moved_support(self.support, body))
 
     @property
     def degree(self) -> int:

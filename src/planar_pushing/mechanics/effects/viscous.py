@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
 
 from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.plane import Frame
 from planar_pushing.mechanics.supports.base import SUPPORT, moved_support
-from planar_pushing.terms.declared import positive, require_declared
+from planar_pushing.terms.declared import positive, replace_checked, require_declared
 from planar_pushing.terms.numbers import Number
 from planar_pushing.terms.options import EffectKind
 
@@ -47,7 +47,7 @@ class Viscous:
 
     def moved(self, body: Frame, fence: Frame) -> Viscous:
         """The same effect expressed in the body frame instead of the object's frame."""
-        return replace(self, support=moved_support(self.support, body))
+        return replace_checked(self, support=moved_support(self.support, body))
 
     @property
     def degree(self) -> int:

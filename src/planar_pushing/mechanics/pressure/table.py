@@ -98,7 +98,7 @@ class Table:
         if len(entries) > FRONT:
             return np.concatenate([entries, self.data])
         self.entries.append(entries)
-        if not np.array_equal(self.entries[0], entries):
+        if len(self.entries) > 1 and not np.array_equal(self.entries[0], entries):
             return np.concatenate([entries, self.data])
         front = self.memory[FRONT - len(entries) :]
         front[: len(entries)] = entries

@@ -18,7 +18,7 @@ from planar_pushing.mechanics.supports.base import (
     weights,
 )
 from planar_pushing.mechanics.supports.even_ring import Ring
-from planar_pushing.terms.declared import Read, require_declared
+from planar_pushing.terms.declared import Read, replace_checked, require_declared
 from planar_pushing.terms.errors import InvalidValue
 
 
@@ -69,9 +69,8 @@ class Composite(InPieces):
 
     def moved(self, frame: Frame) -> Composite:
         """The same supports expressed in another frame."""
-        return Composite(
-            [(share, moved_support(support, frame)) for share, support in self.members]
-        )
+        members = ((share, moved_support(support, frame)) for share, support in self.members)
+        return replace_checked(self, members=tuple(members))
 
     def pieces(self) -> Pieces:
         total = sum(share for share, _ in self.members)

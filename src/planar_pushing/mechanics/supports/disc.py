@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Annotated, Any
 
 import numpy as np
@@ -11,7 +11,7 @@ from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.plane import Frame, position_in_frame
 from planar_pushing.mechanics.pressure.pieces import Pieces
 from planar_pushing.mechanics.supports.base import POSITION, Position, a_length
-from planar_pushing.terms.declared import require_declared
+from planar_pushing.terms.declared import replace_checked, require_declared
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +47,7 @@ class Disc(Pictured):
 
     def moved(self, frame: Frame) -> Disc:
         """The same disc expressed in another frame."""
-        return replace(self, center=position_in_frame(self.center, frame))
+        return replace_checked(self, center=position_in_frame(self.center, frame))
 
     def pieces(self) -> Pieces:
         return Pieces(discs=np.array([[*self.center, self.radius, 1.0]]))

@@ -11,7 +11,7 @@ from planar_pushing.mechanics.pictures import Pictured
 from planar_pushing.mechanics.plane import Frame, position_in_frame
 from planar_pushing.mechanics.pressure.pieces import Pieces
 from planar_pushing.mechanics.supports.base import POSITION, Position, a_length
-from planar_pushing.terms.declared import require_declared
+from planar_pushing.terms.declared import replace_checked, require_declared
 from planar_pushing.terms.errors import InvalidValue
 
 
@@ -59,7 +59,8 @@ class Ring(Pictured):
             raise InvalidValue(
                 "radius", None, "a ring with a radius", "give the radius, as in Ring(1.0)"
             )
-        return Ring(self.radius, position_in_frame(self.center_of_pressure, frame))
+        center = position_in_frame(self.center_of_pressure, frame)
+        return replace_checked(self, center=None if center == (0.0, 0.0) else center)
 
     def pieces(self) -> Pieces:
         return Pieces(rings=np.array([[*self.center_of_pressure, self.extent, 1.0]]))

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Annotated, Any
 
 import numpy as np
 
-from planar_pushing.mechanics.plane import Frame
+from planar_pushing.mechanics.plane import Frame, positions_in_frame
 from planar_pushing.mechanics.pressure.pieces import Pieces
 from planar_pushing.mechanics.supports.base import (
     POSITIONS,
@@ -22,7 +22,7 @@ from planar_pushing.mechanics.supports.layouts import (
     rectangle_corners,
     regular_corners,
 )
-from planar_pushing.terms.declared import Read, require_declared
+from planar_pushing.terms.declared import Read, replace_checked, require_declared
 from planar_pushing.terms.errors import InvalidValue
 
 
@@ -97,7 +97,7 @@ class Points(InPieces):
 
     def moved(self, frame: Frame) -> Points:
         """The same points expressed in another frame."""
-        return replace(self, positions=frame.point_in(self.positions) + 0.0)
+        return replace_checked(self, positions=positions_in_frame(self.positions, frame))
 
     def pieces(self) -> Pieces:
         loads = np.array(self.weights)

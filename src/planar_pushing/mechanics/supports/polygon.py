@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import numpy as np
 
 from planar_pushing.mechanics.kernels.calls import run
-from planar_pushing.mechanics.plane import Frame
+from planar_pushing.mechanics.plane import Frame, positions_in_frame
 from planar_pushing.mechanics.pressure.pieces import Array, Pieces
 from planar_pushing.mechanics.supports.base import (
     PLACES,
@@ -104,7 +104,7 @@ class Polygon(InPieces):
     def moved(self, frame: Frame) -> Polygon:
         """The same polygon expressed in another frame."""
         vertices, *holes = (
-            _pairs(frame.point_in(ring) + 0.0) for ring in (self.vertices, *self.holes)
+            positions_in_frame(ring, frame) for ring in (self.vertices, *self.holes)
         )
         # A polygon that is moved rigidly remains simple.
         return replace_checked(self, vertices=vertices, holes=tuple(holes))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Annotated, Any
 
 import numpy as np
@@ -18,7 +18,7 @@ from planar_pushing.mechanics.supports.base import (
     require_all,
     require_size,
 )
-from planar_pushing.terms.declared import NUMBER, Read, require_declared
+from planar_pushing.terms.declared import NUMBER, Read, replace_checked, require_declared
 from planar_pushing.terms.errors import InvalidValue, number_of
 
 #: Cells along a side of a block; a distant block is evaluated by one series.
@@ -112,7 +112,7 @@ class PressureMap(InPieces):
         """The same map expressed in another frame."""
         map_frame = self.frame
         x, y = frame.vector_in(map_frame.axis).tolist()
-        return replace(
+        return replace_checked(
             self, origin=position_in_frame(map_frame.origin, frame), axis=(x + 0.0, y + 0.0)
         )
 
