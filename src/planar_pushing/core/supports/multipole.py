@@ -29,7 +29,8 @@ ROWS = TERMS + ORDER + 1
 #: Terms of power n count while ``n log(|c| / radius)`` is below this. Beyond it they were below 1e-16 in
 #: measurements on polygons with many kinds of corners.
 DIGITS = 28.0
-#: Distance from one m to the next in an array of moments M_jk with j = m + k, and size of the array.
+#: Distance from one power n to the next in an array of moments M_jk with n = j + k, where those of k are at
+#: 2 k, and size of the array.
 MOMENT_STEP = 2 * (HALF_ORDER + 1)
 MOMENT_COUNT = MOMENT_STEP * (ORDER + 1)
 POWER_COUNT = 2 * (ORDER + 1)
@@ -148,7 +149,8 @@ def plate_terms(
         ``2 * ROWS`` numbers for each plate: real and imaginary parts of its terms, and for each m a pair
         whose first number tells whether the terms count.
     """
-    sums, means, powers = zeros(MOMENT_COUNT), zeros(MOMENT_COUNT), zeros(POWER_COUNT)
+    sums, means = zeros(MOMENT_COUNT), zeros(MOMENT_STEP)
+    powers, starts = zeros(POWER_COUNT), zeros(POWER_COUNT)
     squares, roots = zeros(ORDER + 1), zeros(ORDER + 1)
     # Coefficients of sqrt(1 - z).
     roots[0] = 1.0
@@ -160,14 +162,17 @@ def plate_terms(
         for j in range(MOMENT_COUNT):
             sums[j] = 0.0
         while k < last:
-            add_edge(sums, data[k:], radius, means, powers, squares)
+            add_edge(
+                sums, data[k:], radius, means=means, starts=starts, powers=powers, squares=squares
+            )
             k += 6
         store_terms(sums, roots, results[i * width :])
 
 
 def add_edge(
-    sums: Numbers, edge: Numbers, radius: float, means: Numbers, powers: Numbers, squares: Numbers
-) -> None:
+    sums: Numbers, edge: Numbers, radius: float,
+    means: Numbers, starts: Numbers, powers: Numbers, squares: Numbers,
+) -> None:  # fmt: skip
     """Add an edge's contribution to the moments, over the triangle of the edge and the center.
 
     The means of z^j conj(z)^k over the edge follow from those of lower powers by integration by parts.
@@ -176,32 +181,41 @@ def add_edge(
     along_x, along_y = t_x * half / radius, t_y * half / radius
     start_x, start_y = x / radius - along_x, y / radius - along_y
     store_powers(x / radius + along_x, y / radius + along_y, powers, squares)
+    for n in range(ORDER + 1):
+        starts[2 * n], starts[2 * n + 1] = n * start_x, n * start_y
     area = (x * t_y - y * t_x) * (2.0 * half) * edge[5]
     for n in range(ORDER + 1):
         # A product is faster than a division.
-        part, share = 1.0 / (n + 1.0), area / (n + 2.0)
-        m = n
-        for k in range(HALF_ORDER + 1):
-            if m < 0:
-                break
-            i = m * MOMENT_STEP + 2 * k
-            re, im = squares[k] * powers[2 * m], squares[k] * powers[2 * m + 1]
-            if m > 0:
-                p, q = (m + k) * start_x, (m + k) * start_y
-                a, b = means[i - MOMENT_STEP], means[i - MOMENT_STEP + 1]
-                re, im = re + (p * a - q * b), im + (p * b + q * a)
-            elif k > 0:
-                p, q = k * start_x, k * start_y
-                a, b = means[i + MOMENT_STEP - 2], -means[i + MOMENT_STEP - 1]
-                re, im = re + (p * a - q * b), im + (p * b + q * a)
-            if k > 0:
-                p, q = k * start_x, -(k * start_y)
-                a, b = means[i + MOMENT_STEP - 2], means[i + MOMENT_STEP - 1]
-                re, im = re + (p * a - q * b), im + (p * b + q * a)
-            means[i], means[i + 1] = part * re, part * im
-            sums[i] += share * means[i]
-            sums[i + 1] += share * means[i + 1]
-            m -= 2
+        part, share, k = 1.0 / (n + 1.0), area / (n + 2.0), n // 2
+        moments_of_n = sums[n * MOMENT_STEP :]
+        # The means of power n replace those of power n - 1, from the last one.
+        if 0 < n == 2 * k:
+            p, q, a, b = starts[2 * k], starts[2 * k + 1], means[2 * k - 2], means[2 * k - 1]
+            re, im = squares[k] * powers[0], squares[k] * powers[1]
+            re, im = re + (p * a + q * b), im + (q * a - p * b)
+            re, im = part * (re + (p * a + q * b)), part * (im + (p * b - q * a))
+            means[2 * k], means[2 * k + 1] = re, im
+            moments_of_n[2 * k] += share * re
+            moments_of_n[2 * k + 1] += share * im
+            k -= 1
+        while k > 0:
+            i, m, j = 2 * k, 2 * (n - 2 * k), 2 * (n - k)
+            re, im = squares[k] * powers[m], squares[k] * powers[m + 1]
+            p, q, a, b = starts[j], starts[j + 1], means[i], means[i + 1]
+            re, im = re + (p * a - q * b), im + (p * b + q * a)
+            p, q, a, b = starts[i], starts[i + 1], means[i - 2], means[i - 1]
+            re, im = part * (re + (p * a + q * b)), part * (im + (p * b - q * a))
+            means[i], means[i + 1] = re, im
+            moments_of_n[i] += share * re
+            moments_of_n[i + 1] += share * im
+            k -= 1
+        re, im = powers[2 * n], powers[2 * n + 1]
+        if n > 0:
+            p, q, a, b = starts[2 * n], starts[2 * n + 1], means[0], means[1]
+            re, im = re + (p * a - q * b), im + (p * b + q * a)
+        means[0], means[1] = part * re, part * im
+        moments_of_n[0] += share * means[0]
+        moments_of_n[1] += share * means[1]
 
 
 def store_powers(x: float, y: float, powers: Numbers, squares: Numbers) -> None:
@@ -222,7 +236,7 @@ def store_terms(sums: Numbers, roots: Numbers, terms: Numbers) -> None:
         terms[2 * (TERMS + m)], terms[2 * (TERMS + m) + 1] = 0.0, 0.0
         for k in range(terms_of_order(ORDER, m)):
             factor = roots[m + k] * roots[k] / total * (2.0 if m > 0 else 1.0)
-            j = m * MOMENT_STEP + 2 * k
+            j = (m + 2 * k) * MOMENT_STEP + 2 * k
             terms[i], terms[i + 1] = factor * sums[j], factor * sums[j + 1]
             # The second term is the largest in the torque.
             if max(fabs(terms[i]), fabs(terms[i + 1])) > EPSILON * fabs(terms[2]):

@@ -111,10 +111,13 @@ class Polygon(InPieces):
 
     def pieces(self) -> Pieces:
         outer, *inner = map(np.array, (self.vertices, *self.holes))
-        pressure = 1.0 / _net_area(outer, inner)
-        rings = [counterclockwise(outer), *(counterclockwise(hole)[::-1] for hole in inner)]
-        edges = np.concatenate([_sides(ring) for ring in rings])
-        edges[:, 4] = pressure
+        area = _area(outer)
+        edges = _sides(outer if area > 0 else outer[::-1])
+        if inner:
+            rings = [counterclockwise(hole)[::-1] for hole in inner]
+            edges = np.concatenate([edges, *(_sides(ring) for ring in rings)])
+            area = _net_area(outer, inner)
+        edges[:, 4] = 1.0 / abs(area)
         return Pieces(plates=(edges,))
 
 

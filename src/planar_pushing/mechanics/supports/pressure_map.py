@@ -18,11 +18,14 @@ from planar_pushing.mechanics.supports.base import (
     require_all,
     require_size,
 )
+from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.declared import NUMBER, Read, replace_checked, require_declared
 from planar_pushing.terms.errors import InvalidValue, number_of
 
 #: Cells along a side of a block; a distant block is evaluated by one series.
 BLOCK = 4
+#: Number of maps whose blocks are kept.
+KEPT = 16
 #: Largest deviation of the squared length of a unit vector from 1: rounding of its two components.
 UNIT = 1e-12
 
@@ -117,22 +120,30 @@ class PressureMap(InPieces):
         )
 
     def pieces(self) -> Pieces:
-        x, y, cells = np.array(self.x), np.array(self.y), np.array(self.pressure)
-        loads = cells / cells.max()
-        loads /= np.diff(y) @ loads @ np.diff(x)
-        corners = [
-            (i, j)
-            for j in range(0, len(y) - 1, BLOCK)
-            for i in range(0, len(x) - 1, BLOCK)
-            if loads[j : j + BLOCK, i : i + BLOCK].any()
-        ]
-        plates = [
-            _block(x[i : i + BLOCK + 1], y[j : j + BLOCK + 1], loads[j : j + BLOCK, i : i + BLOCK])
-            for i, j in corners
-        ]
+        edges, lengths = _blocks(self.x, self.y, self.pressure)
         if self.origin is not None or self.axis is not None:
-            plates = [_edges_in_parent(plate, self.frame) for plate in plates]
-        return Pieces(plates=tuple(plates))
+            edges = _edges_in_parent(edges, self.frame)
+        return Pieces(plates=tuple(np.split(edges, lengths)))
+
+
+@cache_results(KEPT)
+def _blocks(
+    x_edges: tuple[float, ...], y_edges: tuple[float, ...], pressure: tuple[tuple[float, ...], ...]
+) -> tuple[Array, list[int]]:
+    """Edges of all blocks of cells, and the numbers at which those of the second and later blocks begin.
+
+    They are in the frame of the map, so that they are found once for all contacts of an object.
+    """
+    x, y, cells = np.array(x_edges), np.array(y_edges), np.array(pressure)
+    loads = cells / cells.max()
+    loads /= np.diff(y) @ loads @ np.diff(x)
+    plates = [
+        _block(x[i : i + BLOCK + 1], y[j : j + BLOCK + 1], loads[j : j + BLOCK, i : i + BLOCK])
+        for j in range(0, len(y) - 1, BLOCK)
+        for i in range(0, len(x) - 1, BLOCK)
+        if loads[j : j + BLOCK, i : i + BLOCK].any()
+    ]
+    return np.concatenate(plates), np.cumsum([len(plate) for plate in plates[:-1]]).tolist()
 
 
 def pressed_area(measured: PressureMap) -> Pieces:
