@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.contact import ContactLaw, as_numbers, is_law
+from planar_pushing.mechanics.contact import LAWS, ContactLaw, as_numbers, is_law
 from planar_pushing.mechanics.effects import (
     Effect,
     Inertia,
@@ -30,6 +30,10 @@ from planar_pushing.terms.units import Units
 
 if TYPE_CHECKING:
     import xarray as xr
+
+
+#: The laws that are known not to be arrays of laws.
+KINDS_OF_LAWS = {*LAWS.values()}
 
 
 @dataclass(frozen=True, kw_only=True)  # no slots: rows and law are cached
@@ -72,7 +76,8 @@ class Scene:
 
     def __post_init__(self) -> None:
         require_kind("slider", self.slider, Slider)
-        laws = np.ravel(np.asarray(self.contact, dtype=object))
+        is_one = type(self.contact) in KINDS_OF_LAWS
+        laws = [self.contact] if is_one else np.ravel(np.asarray(self.contact, dtype=object))
         if not len(laws) or not all(map(is_law, laws)):
             raise InvalidValue(
                 "contact", self.contact, "Coulomb, InfiniteFriction or PerfectlyRough",

@@ -64,7 +64,7 @@ class Side(Declaration):
         if pair is None:
             raise InvalidValue(name, value, *ENDS)
         ends = START.require(name, pair[0]), END.require(name, pair[1])
-        if any(0 in np.shape(end) for end in ends):
+        if any(type(end) is not float and 0 in np.shape(end) for end in ends):
             raise InvalidValue(name, value, *ENDS)
         return ends
 

@@ -212,6 +212,8 @@ def _require_side_alone(point: Any, normal: Any, outline: Any) -> None:
 
 def _require_one_unit(lengths: Array, extent: Number) -> None:
     """Refuse a contact so far from the support that the units of length must differ."""
+    if type(extent) is float and len(lengths) == 1 and lengths[0] <= FARTHEST * extent:
+        return
     far = ~(lengths <= FARTHEST * np.ravel(extent))
     if far.any():
         sizes = np.broadcast_to(np.ravel(extent), lengths.shape)

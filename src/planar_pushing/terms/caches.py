@@ -18,10 +18,13 @@ def cache_results(size: int) -> Callable[[Function], Function]:
         @wraps(function)
         def call(*arguments: Any) -> Any:
             try:
-                hash(arguments)
+                return kept(*arguments)
             except TypeError:
-                return function(*arguments)
-            return kept(*arguments)
+                try:
+                    hash(arguments)
+                except TypeError:
+                    return function(*arguments)
+                raise
 
         return call
 

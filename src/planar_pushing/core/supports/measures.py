@@ -3,8 +3,9 @@
 `data` holds the pieces of all supports, kind by kind and within a kind one support after the other: atoms x,
 y, share; segments x and y of both ends, share; rings and discs x and y of the center, radius, share; plates;
 and the edges of the plates, x and y of both ends and the jump of the pressure. The five numbers of a plate
-are the sums over its edges of what `plate_loads` stores, an unused one, and its number of edges; for
-`store_pressures` they are its center of pressure, the largest distance from it, its share, and the same.
+are the sums over its edges of what `plate_loads` stores, an unused one, and its number of edges.
+`measure_supports` replaces them by its center of pressure, room for the largest distance from it, its share,
+and the same.
 
 Distances are left to the caller, since a compiled square root of a sum of squares is not the function
 `hypot` of a library: `measure_supports` stores the vectors, and `store_pressures` stores those along lines
@@ -39,9 +40,9 @@ RING_SPREAD, DISC_SPREAD = 1 / 2, 1 / 4
 #: A center of rotation closer to an atom than this, relative to the numbers in its computation, counts as
 #: on it.
 ATOM_ROUNDING = 1e-15
-#: Numbers of a support and of a plate in the results of `measure_supports`, and of a vector there: the
-#: center and its second moments; a center and a share; x, y, and what is added to the length.
-MEASURED, PLATE_MEASURED, REACH = 5, 3, 3
+#: Numbers of a support in the results of `measure_supports`, the center and its second moments; and of a
+#: vector there, x, y and what is added to the length.
+MEASURED, REACH = 5, 3
 
 
 class PieceRows(Record):
@@ -72,15 +73,14 @@ class MeasureRow(PieceRows):
 
     Attributes
     ----------
-    measured, plates_measured : int
-        `MEASURED` numbers of the support, and `PLATE_MEASURED` of each plate.
+    measured : int
+        `MEASURED` numbers of the support.
     plate_reach, reach : int
         `REACH` numbers of each end of an edge, from the center of its plate; and of each extreme point,
         from the center of pressure.
     """
 
     measured: int
-    plates_measured: int
     plate_reach: int
     reach: int
 
@@ -161,29 +161,29 @@ def measure_supports(
     rows : array
         As `MeasureRow`.
     results : array
-        All numbers, at the places that the rows name.
+        The data, too, with the results at the places that the rows name.
     """
     for i in range(count):
         row = MeasureRow(rows[i * columns :])
-        measured, plates = results[row.measured :], results[row.plates_measured :]
-        measure_plates(data, row, plates, results[row.plate_reach :])
-        store_center(data, row, plates, measured)
-        store_spread(data, row, measured)
-        store_reach(data, row, measured, results[row.reach :])
+        measured = results[row.measured :]
+        measure_plates(results, row, results[row.plate_reach :])
+        store_center(results, row, measured)
+        store_spread(results, row, measured)
+        store_reach(results, row, measured, results[row.reach :])
 
 
-def measure_plates(data: Numbers, row: MeasureRow, plates: Numbers, reach: Numbers) -> None:
+def measure_plates(data: Numbers, row: MeasureRow, reach: Numbers) -> None:
     """Store centers and shares of the plates, and the vectors to the ends of their edges."""
     edges = row.edges
     for i in range(row.plate_count):
-        plate, measured = data[row.plates + PLATE * i :], plates[PLATE_MEASURED * i :]
+        plate = data[row.plates + PLATE * i :]
         length, share = int(plate[4]), plate[0]
         x, y = middle_of(data[edges:], length)
         if share == 0.0:
             x, y = UNKNOWN, UNKNOWN
         else:
             x, y = x + plate[1] / (3.0 * share), y + plate[2] / (3.0 * share)
-        measured[0], measured[1], measured[2] = x, y, share
+        plate[0], plate[1], plate[3] = x, y, share
         for j in range(length):
             place = edges + LINE * j
             store_vector(reach, data[place] - x, data[place + 1] - y, 0.0)
@@ -198,7 +198,7 @@ def store_vector(reach: Numbers, x: float, y: float, more: float) -> None:
     reach[0], reach[1], reach[2] = x, y, more
 
 
-def store_center(data: Numbers, row: MeasureRow, plates: Numbers, measured: Numbers) -> None:
+def store_center(data: Numbers, row: MeasureRow, measured: Numbers) -> None:
     """Store the center of pressure of a support, kind by kind as sums in their order."""
     x, y, total = 0.0, 0.0, 0.0
     for i in range(row.atom_count):
@@ -220,9 +220,9 @@ def store_center(data: Numbers, row: MeasureRow, plates: Numbers, measured: Numb
         share = data[k + 3]
         x, y, total = x + share * data[k], y + share * data[k + 1], total + share
     for i in range(row.plate_count):
-        k = PLATE_MEASURED * i
-        share = plates[k + 2]
-        x, y, total = x + share * plates[k], y + share * plates[k + 1], total + share
+        k = row.plates + PLATE * i
+        share = data[k + 3]
+        x, y, total = x + share * data[k], y + share * data[k + 1], total + share
     if total == 0.0:
         measured[0], measured[1] = UNKNOWN, UNKNOWN
         return

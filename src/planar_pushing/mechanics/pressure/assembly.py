@@ -11,7 +11,6 @@ from planar_pushing.core.supports.measures import (
     EDGE_LOAD,
     MEASURED,
     PLATE,
-    PLATE_MEASURED,
     REACH,
     MeasureRow,
     PressureRow,
@@ -38,8 +37,8 @@ WIDTHS = np.array([3, 5, 4, 4, PLATE, 5])
 EXTREMES = np.array([1, 2, 1, 1, 0, 2])
 #: Plates per block of terms: a few milliseconds of work.
 BLOCK = 512
-#: Fields of the row of a plate that `plate_terms` reads: its radius, and the places of its edges.
-EDGES_OF_PLATE = np.array([2, COLUMNS - 2, COLUMNS - 1])
+#: Columns of a plate that `plate_terms` reads, and first column of measures in a row of `store_pressures`.
+READ, FIRST = np.array([2, COLUMNS - 2, COLUMNS - 1]), PressureRow.places["center_x"]
 #: Number of supports whose measures are kept.
 KEPT = 16
 
@@ -54,13 +53,18 @@ class Layout(NamedTuple):
     lengths, first : ndarray of int, shape (plates,)
         Numbers of edges of the plates, and index at which those of each begin.
     ends : ndarray of int, shape (supports,)
-        Index at which the extreme points of each support begin.
-    measures, pressures : ndarray
-        Rows of `measure_supports`, and those of `store_pressures` without measures.
+        Index at which the extreme points of each support begin, behind the two ends of each edge.
     kinds : list of slice
         For each kind, the part of the data.
-    plates, lines : ndarray of int
-        Places in the table at which the rows of plates begin, and indices of the rows of lines.
+    results : int
+        How many numbers of `measure_supports` follow in the data.
+    loads, measures, pressures : ndarray
+        Rows of `plate_loads` and `measure_supports`, and those of `store_pressures` without measures.
+    lines : slice, or ndarray of int
+        The rows of lines in the table.
+    plates : ndarray of int, shape (plates, 3)
+        Places in the table at which the row of a plate has what `plate_terms` reads: its radius, and the
+        places of its edges.
     terms : int
         Place in the table at which the terms of plates begin.
     """
@@ -69,11 +73,13 @@ class Layout(NamedTuple):
     lengths: Any
     first: Any
     ends: Any
+    kinds: list[slice]
+    results: int
+    loads: Array
     measures: Array
     pressures: Array
-    kinds: list[slice]
-    plates: Any
     lines: Any
+    plates: Any
     terms: int
 
 
@@ -85,18 +91,29 @@ class Gathered(NamedTuple):
     data : ndarray
         As in `core.supports.measures`.
     layout : Layout
-    centers, extents, spreads : ndarray
-        Of the supports: centers of pressure, largest distances from them, second moments.
+    measured : ndarray, shape (supports, MEASURED)
+        Of the supports: centers of pressure and second moments.
+    extents : ndarray, shape (supports,)
+        Largest distances from the centers of pressure.
     write_terms : callable, optional
         Writes the terms of the plates into an array of shape (plates, 2 * ROWS), if they are known.
     """
 
     data: Array
     layout: Layout
-    centers: Array
+    measured: Array
     extents: Array
-    spreads: Array
     write_terms: Callable[[Array], None] | None = None
+
+    @property
+    def centers(self) -> Array:
+        """Centers of pressure, shape (supports, 2)."""
+        return self.measured[:, :2]
+
+    @property
+    def spreads(self) -> Array:
+        """Means of x x, x y and y y about the centers of pressure, shape (supports, 3)."""
+        return self.measured[:, 2:]
 
     def rows(self, kind: int) -> Array:
         """The rows of a kind: as in `Pieces`, and for plates center, extent, share and number of edges."""
@@ -176,16 +193,20 @@ def lay_out(counts: Any, lengths: Any) -> Layout:
     ends = counts @ EXTREMES
     first_end = ends.cumsum() - ends
     plates, edges = before[:, PLATES], before[:, EDGES]
-    # Results of `measure_supports`: supports, plates, ends of edges, extreme points.
-    behind = MEASURED * count + PLATE_MEASURED * len(lengths)
+    # The data end with the results of `measure_supports`: supports, ends of edges, extreme points.
+    begin_results = int(sizes.sum())
+    behind = begin_results + MEASURED * count
     measures = np.empty((count, MeasureRow.size))
     pieces = np.concatenate([begin + WIDTHS * before, counts], axis=1)
     measures[:, : pieces.shape[1]] = pieces
     fields = Columns(MeasureRow, measures)
-    fields.measured = MEASURED * np.arange(count)
-    fields.plates_measured = MEASURED * count + PLATE_MEASURED * plates
+    fields.measured = begin_results + MEASURED * np.arange(count)
     fields.plate_reach = behind + 2 * REACH * edges
-    fields.reach = behind + 2 * REACH * lengths.sum() + REACH * first_end
+    first_end += 2 * int(lengths.sum())
+    fields.reach = behind + REACH * first_end
+    results = behind - begin_results + REACH * int(2 * lengths.sum() + ends.sum())
+    first = lengths.cumsum() - lengths
+    loads = np.column_stack([begin[EDGES] + WIDTHS[EDGES] * first, lengths, first]).astype(float)
     # The table: heads, rows, and terms.
     rows = counts.sum(axis=1)
     first_row = rows.cumsum() - rows
@@ -199,10 +220,14 @@ def lay_out(counts: Any, lengths: Any) -> Layout:
     # Within a support the kinds are in their order.
     kinds = first_row[:, None] + counts.cumsum(axis=1) - counts
     every = [_numbers(kinds[:, kind], counts[:, kind]) for kind in (PLATES, SEGMENTS, EDGES)]
+    lines: Any = np.concatenate(every[1:])
+    if len(lines) and lines[-1] - lines[0] == len(lines) - 1:
+        lines = slice(int(lines[0]), int(lines[-1]) + 1)
     return Layout(
-        counts, lengths, lengths.cumsum() - lengths, first_end, measures, pressures,
-        [slice(first, first + size) for first, size in zip(begin, sizes, strict=True)],
-        HEAD * count + COLUMNS * every[0], np.concatenate(every[1:]), terms,
+        counts=counts, lengths=lengths, first=first, ends=first_end,
+        kinds=[slice(start, start + size) for start, size in zip(begin, sizes, strict=True)],
+        results=results, loads=loads, measures=measures, pressures=pressures, lines=lines,
+        plates=(HEAD * count + COLUMNS * every[0])[:, None] + READ, terms=terms,
     )  # fmt: skip
 
 
@@ -220,29 +245,23 @@ def measure_pieces(rows: list[Array], layout: Layout) -> Gathered:
         As of `blocks_of`, kind by kind and within a kind one support after the other.
     layout : Layout
     """
-    lengths, first, count = layout.lengths, layout.first, len(layout.counts)
-    plates = np.zeros((len(lengths), PLATE))
-    data = np.concatenate([*rows[:PLATES], plates, rows[-1]], axis=None)
+    lengths, count = layout.lengths, len(layout.counts)
+    room = np.empty(PLATE * len(lengths)), rows[-1], np.empty(layout.results)
+    data = np.concatenate([*rows[:PLATES], *room], axis=None)
+    plates = data[layout.kinds[PLATES]].reshape(-1, PLATE)
     if len(lengths):
-        plates = data[layout.kinds[PLATES]].reshape(-1, PLATE)
-        plates[:, 4] = lengths
         loads = np.empty((len(rows[-1]), EDGE_LOAD))
-        begin = layout.kinds[EDGES].start + WIDTHS[EDGES] * first
-        run_into("plate_loads", data, np.array([begin, lengths, first], float).T.copy(), loads)
-        plates[:, :EDGE_LOAD] = np.add.reduceat(loads, first)
-    behind = MEASURED * count + PLATE_MEASURED * len(lengths)
-    ends = int(layout.counts.sum(axis=0) @ EXTREMES)
-    results = np.empty(behind + REACH * (2 * len(rows[-1]) + ends))
-    run_into("measure_supports", data, layout.measures, results[:, None])
-    measured = results[: MEASURED * count].reshape(count, MEASURED)
-    vectors = results[behind:].reshape(-1, REACH)
+        run_into("plate_loads", data, layout.loads, loads)
+        plates[:, :EDGE_LOAD], plates[:, 4] = np.add.reduceat(loads, layout.first), lengths
+    column = data[:, None]
+    run_into("measure_supports", data, layout.measures, column)
+    results = data[len(data) - layout.results :]
+    vectors = results[MEASURED * count :].reshape(-1, REACH)
     reach = np.hypot(vectors[:, 0], vectors[:, 1]) + vectors[:, 2]
-    extents = np.maximum.reduceat(reach[len(reach) - ends :], layout.ends)
+    extents = np.maximum.reduceat(reach, layout.ends)
     if len(lengths):
-        of_plates = results[MEASURED * count : behind].reshape(-1, PLATE_MEASURED)
-        plates[:, :2], plates[:, 3] = of_plates[:, :2], of_plates[:, 2]
-        plates[:, 2] = np.maximum.reduceat(reach[: len(reach) - ends], 2 * first)
-    return Gathered(data, layout, measured[:, :2], extents, measured[:, 2:])
+        plates[:, 2] = np.maximum.reduceat(reach[: layout.ends[0]], 2 * layout.first)
+    return Gathered(data, layout, results[: MEASURED * count].reshape(count, MEASURED), extents)
 
 
 @cache_results(KEPT)
@@ -278,20 +297,17 @@ def stack(group: Gathered, radii: Array, front: int = 0) -> Stack:
     memory = np.empty(front + end + 2 * ROWS * len(layout.lengths))
     data = memory[front:]
     rows = layout.pressures.copy()
-    measures = len(MeasureRow.__base__.places)  # type: ignore[union-attr]
-    rows[:, measures : measures + 2], rows[:, measures + 2 : measures + 5] = (
-        group.centers,
-        group.spreads,
-    )
-    fields = Columns(PressureRow, rows)
-    fields.extent, fields.unit = group.extents, radii
+    rows[:, FIRST : FIRST + MEASURED] = group.measured
+    rows[:, FIRST + MEASURED], rows[:, FIRST + MEASURED + 1] = group.extents, radii
     run_into("store_pressures", group.data, rows, data[:, None])
-    if len(layout.lines):
-        pieces = data[HEAD * count : end].reshape(-1, COLUMNS)
-        along = pieces[layout.lines, 2:4]
-        length = np.hypot(along[:, 0], along[:, 1])
-        pieces[layout.lines, 2:4] = along / length[:, None]
-        pieces[layout.lines, 4] = length / 2
+    pieces = data[HEAD * count : end].reshape(-1, COLUMNS)
+    lines = pieces[layout.lines]
+    if len(lines):
+        length = np.hypot(lines[:, 2], lines[:, 3])
+        lines[:, 2:4] /= length[:, None]
+        lines[:, 4] = length / 2
+        if type(layout.lines) is not slice:  # else these are views
+            pieces[layout.lines] = lines
     terms = data[end:].reshape(-1, 2 * ROWS)
     write_terms(group, data, terms)
     return Stack(memory, data, terms, int(layout.counts[:, ATOMS].max()))
@@ -315,8 +331,7 @@ def write_terms(group: Gathered, data: Array, terms: Array) -> None:
 
     def block(start: int) -> None:
         part = slice(start, start + BLOCK)
-        edges = data[plates[part, None] + EDGES_OF_PLATE]
-        run_into("plate_terms", data, edges, terms[part])
+        run_into("plate_terms", data, data[plates[part]], terms[part])
 
     starts = range(0, len(plates), BLOCK)
     if len(starts) > 1:

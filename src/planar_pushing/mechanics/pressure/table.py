@@ -132,7 +132,7 @@ def extents_of(supports: Iterable[Any]) -> Array:
 
 def extent_of(support: Any) -> float:
     """As `extents_of`, for one support."""
-    return float(extents_of([support])[0])
+    return float(_gather_one(support).extents[0])
 
 
 @cache_by_supports
@@ -140,13 +140,20 @@ def _gather_supports(supports: tuple[Any, ...] | SupportInFrames) -> Gathered:
     """The pieces of supports, none of which may be a single point."""
     if not isinstance(supports, SupportInFrames):
         if len(supports) == 1:
-            return _required_extents(measure_support(supports[0]), supports)
+            return _gather_one(supports[0])
         group = gather_pieces([support.pieces() for support in supports])
         return _required_extents(group, supports)
     if not supports.is_rigid:
         return _gather_supports(supports.supports)
     group = gather_in_frames(supports.support.pieces(), supports.origins, supports.axes)
     return _required_extents(group, [supports.support] * supports.size)
+
+
+def _gather_one(support: Any) -> Gathered:
+    """The pieces of one support, as `_gather_supports`."""
+    group = measure_support(support)
+    (x, y), extent = group.centers[0].tolist(), float(group.extents[0])
+    return group if extent > ROUNDING * (abs(x) + abs(y)) else _required_extents(group, [support])
 
 
 def _required_extents(group: Gathered, supports: Sequence[Any]) -> Gathered:
@@ -164,7 +171,8 @@ def _required_extents(group: Gathered, supports: Sequence[Any]) -> Gathered:
 @cache_by_supports
 def table_of(supports: tuple[Any, ...] | SupportInFrames) -> Table:
     """`Table` of supports, the same object while it is cached."""
-    group = _gather_supports(supports)
+    is_one = not isinstance(supports, SupportInFrames) and len(supports) == 1
+    group = _gather_one(supports[0]) if is_one else _gather_supports(supports)
     return _table(group, group.extents)
 
 

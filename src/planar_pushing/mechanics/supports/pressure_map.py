@@ -121,8 +121,8 @@ class PressureMap(InPieces):
 
     def pieces(self) -> Pieces:
         edges, lengths = _blocks(self.x, self.y, self.pressure)
-        if self.origin is not None or self.axis is not None:
-            edges = _edges_in_parent(edges, self.frame)
+        is_moved = self.origin is not None or self.axis is not None
+        edges = _edges_in_parent(edges, self.frame) if is_moved else edges.copy()
         return Pieces(plates=tuple(np.split(edges, lengths)))
 
 
