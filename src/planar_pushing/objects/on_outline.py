@@ -7,15 +7,18 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.outline import DRAWN, Corners, read_drawing
+from planar_pushing.mechanics.outline import DRAWN, KEPT, Corners, read_drawing
 from planar_pushing.mechanics.plane import Array, Placement
 from planar_pushing.objects.boundary import Sides, nearest_unsigned, sides_between
 from planar_pushing.objects.many import Contacts
+from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
 
 #: Largest angle, in radians, between a given normal and that of its side.
 ALIGNED = 1e-3
+#: Number of sides up to which one contact is compared with floats faster than with arrays.
+FEW = 128
 
 
 def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[Number, Number]]:
@@ -31,10 +34,9 @@ def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[N
         If a point is not on the outline or is at an inner corner, or a fence with its normal would pass
         through the object. The error names the first contact that the failing check refuses.
     """
-    sides = sides_between(corners)
-    if not contacts.shape and (answer := _on_one_side(contacts, sides)) is not None:
+    if not contacts.shape and (answer := _on_one_side(contacts, corners)) is not None:
         return answer
-    points = contacts.points
+    points, sides = contacts.points, sides_between(corners)
     spot = nearest_unsigned(sides, points)
     along, inward = spot.position, sides.normal[spot.side]
     _require_on(contacts, spot.gap <= DRAWN * sides.scale, spot.point)
@@ -60,28 +62,42 @@ def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[N
 
 
 def _on_one_side(
-    contacts: Contacts, sides: Sides
+    contacts: Contacts, corners: Corners
 ) -> tuple[Placement, tuple[float, float]] | None:
-    """As `on_outline`, for one contact away from the corners: the same numbers, in a fifth of the time.
+    """As `on_outline`, for one contact clearly on one side: the same numbers, in a tenth of the time.
 
-    None for any other contact, and for one that is refused.
+    None for any other contact, for one that is refused, and for an outline with many corners.
     """
     (x, y), (n_x, n_y) = contacts.placement.point, contacts.placement.normal
-    away, tolerance = np.array([x, y]) - sides.start, DRAWN * sides.scale
-    along = np.minimum(np.maximum((away * sides.tangent).sum(axis=-1), 0.0), sides.length)
-    offset = away - along[:, None] * sides.tangent
-    distance = np.hypot(offset[:, 0], offset[:, 1])
-    side = int(distance.argmin())
-    if distance[side] > tolerance or np.hypot(away[:, 0], away[:, 1]).min() <= tolerance:
+    tolerance, sides = _numbers_of_sides(corners)
+    near, touching = 4.0 * tolerance * tolerance, []
+    for side in sides:
+        start_x, start_y, t_x, t_y, *_, length = side
+        away_x, away_y = x - start_x, y - start_y
+        if away_x * away_x + away_y * away_y <= near:
+            return None
+        along = min(max(away_x * t_x + away_y * t_y, 0.0), length)
+        off_x, off_y = away_x - along * t_x, away_y - along * t_y
+        square = off_x * off_x + off_y * off_y
+        if square <= near:
+            touching.append((square, along, away_x, away_y, side))
+    if len(touching) != 1 or touching[0][0] > near / 16.0:
         return None
-    inward_x, inward_y = sides.normal[side].tolist()
-    if contacts.normal is not None and np.hypot(n_x - inward_x, n_y - inward_y) > ALIGNED:
+    _, along, away_x, away_y, (*_, in_x, in_y, length) = touching[0]
+    if contacts.normal is not None and np.hypot(n_x - in_x, n_y - in_y) > ALIGNED:
         return None
-    from_x, from_y = away[side].tolist()
-    position, length = float(along[side]), float(sides.length[side])
-    height = from_x * inward_x + from_y * inward_y
-    point = x - height * inward_x, y - height * inward_y
-    return Placement(point, (inward_x, inward_y)), (-position, length - position)
+    height = away_x * in_x + away_y * in_y
+    point = x - height * in_x, y - height * in_y
+    return Placement(point, (in_x, in_y)), (-along, length - along)
+
+
+@cache_results(KEPT)
+def _numbers_of_sides(corners: Corners) -> tuple[float, list[list[float]]]:
+    """The tolerance of an outline, and start, tangent, normal and length of its sides; none of many."""
+    sides = sides_between(corners)
+    columns = sides.start, sides.tangent, sides.normal, sides.length
+    few = np.column_stack(columns).tolist() if len(corners) <= FEW else []
+    return DRAWN * sides.scale, few
 
 
 def side_on_fence(side: Any, outline: Any) -> tuple[Placement, tuple[float, float], Corners]:
