@@ -37,6 +37,21 @@ FLOOR, POINT, SIDE, FAR = 24.0, 5.0, 40.0, 2000.0
 #: Nanoseconds of a solve in an array, where an element of the floor takes its own: with the ring, on feet,
 #: and with any other support; and 1e5 quadrilaterals, in seconds.
 RING, FEET, OTHER, QUADRILATERALS = 12_000.0, 60_000.0, 200_000.0, 10.0
+#: A new contact of a known object, in solves of a known scene; objects on a box that is their outline.
+NEW_CONTACT = 10.0
+BOX = [(-0.4, -0.25), (0.4, -0.25), (0.4, 0.25), (-0.4, 0.25)]
+OBJECTS = {
+    "box": pp.Polygon(BOX),
+    "T": pp.Polygon([
+        (-0.4, 0.1), (-0.1, 0.1), (-0.1, -0.25), (0.1, -0.25), (0.1, 0.1), (0.4, 0.1), (0.4, 0.25), (-0.4, 0.25),
+    ]),
+    "disc": pp.Disc(0.25),
+    "ring": pp.Ring(0.25),
+    "feet": pp.Points.rectangle(0.7, 0.4),
+    "map": pp.PressureMap(
+        np.linspace(-0.4, 0.4, 9), np.linspace(-0.25, 0.25, 7), RANDOM.uniform(1.0, 2.0, (6, 8))
+    ),
+}  # fmt: skip
 ARRAYS = {
     "even in direction": np.tan(RANDOM.uniform(0, np.pi / 2, COUNT)),
     "uniform in [0, 2]": RANDOM.uniform(0, 2, COUNT),
@@ -140,6 +155,31 @@ def test_solve_one_scene(ratio, effects):
             pp.solve(scene, angle)
 
     ratio(candidate, scalar_pairs(20_000), SOLVE, scale=20_000 / len(angles), rounds=10)
+
+
+@pytest.mark.parametrize("effects", ["friction", "both"])
+@pytest.mark.parametrize("outline", [None, BOX])
+@pytest.mark.parametrize("name", OBJECTS)
+def test_new_contact_of_an_object(ratio, name, outline, effects):
+    """`scene_at` and the first `solve`, as a multiple of a `solve` of a scene that was solved before."""
+    count, y = 200, BOX[0][1]
+    acting = [pp.SupportFriction(support=OBJECTS[name], weight=2.0)]
+    acting += [pp.Inertia(gyration_radius=0.2)] if effects == "both" else []
+    law, normal = pp.Coulomb(0.3), None if outline else (0.0, 1.0)
+    fresh = iter(RANDOM.uniform(-0.38, 0.38, 100 * count).tolist())
+
+    def contact(x):
+        scene = pp.scene_at((x, y), normal, effects=acting, contact=law, outline=outline)
+        pp.solve(scene, 1.3, 0.5)
+        return scene
+
+    known = [contact(next(fresh)) for _ in range(count)]
+    ratio(
+        lambda: [contact(next(fresh)) for _ in range(count)],
+        lambda: [pp.solve(scene, 1.3, 0.5) for scene in known],
+        NEW_CONTACT,
+        rounds=10,
+    )
 
 
 @pytest.mark.parametrize("effects", EFFECT_SETS)

@@ -20,7 +20,7 @@ import planar_pushing as pp
 from planar_pushing.core.instant.kernels import CONSISTENT, CONTINUA, NONE, NOT_SOLVED, PIVOTS
 from planar_pushing.mechanics.force.limit_curve import curve_of_unit_motions
 from planar_pushing.mechanics.kernels import calls as kernels
-from planar_pushing.mechanics.pressure.table import moments, table_of_pieces
+from planar_pushing.mechanics.pressure.table import extents_of, moments, table_of, table_of_pieces
 
 #: Numbers at which functions of one number change their branch, and their neighbors.
 NUMBERS = [0.0, 5e-324, 1e-300, 1e-9, 0.1, 0.7, 0.9, 1.0, 1.001, 30.0, 1e9, 1e160, 1e300, np.inf]
@@ -114,7 +114,15 @@ def test_moments_and_terms_of_every_support(both, name):
     for c in hard_centers(support, 12) / support.extent:
         moments(table, *c)
     assert "moments" in both.results
-    assert ("plate_terms" in both.results) == bool(len(support.pieces().plates))
+    assert {"measure_supports", "store_pressures"} <= {*both.results}
+    for kernel in ("plate_loads", "plate_terms"):
+        assert (kernel in both.results) == bool(len(support.pieces().plates))
+
+
+def test_pressures_of_many_supports(both):
+    extents_of([support for support, _ in SUPPORTS.values()])
+    table_of([support for support, _ in SUPPORTS.values()])
+    assert {"plate_loads", "measure_supports", "store_pressures"} <= {*both.results}
 
 
 def test_wrenches_at_twists_of_every_size(both):
@@ -153,7 +161,8 @@ def test_every_kernel_is_compared():
         pytest.skip("the core is not compiled, or PLANAR_PUSHING_PLAIN is set")
     assert {*kernels.COMPILED} == {
         "solve", "solve_flush", "force_motions", "motion_cones", "load_ratios", "responses", "wrenches",
-        "unit_vectors", "moments", "plate_terms", "ring_profiles", "ring_spin_ratios",
+        "unit_vectors", "moments", "plate_terms", "plate_loads",
+        "measure_supports", "store_pressures", "ring_profiles", "ring_spin_ratios",
         "polygon_area", "crossing_edges", "touching_edges", "outline_distances", "free_stretches",
         "run_events", "run_steps",
     }  # fmt: skip

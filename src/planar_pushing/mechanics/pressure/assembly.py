@@ -136,7 +136,9 @@ def scale_shares(pieces: Pieces, share: float) -> Pieces:
 
 def _scale_last_column(rows: Array, share: float) -> Array:
     """Rows with their last column multiplied by a factor."""
-    return np.column_stack([rows[:, :-1], rows[:, -1] * share])
+    scaled = np.array(rows, dtype=float)
+    scaled[:, -1] *= share
+    return scaled
 
 
 def join_pieces(parts: Sequence[Pieces]) -> Pieces:
