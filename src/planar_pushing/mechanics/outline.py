@@ -85,15 +85,13 @@ def read_drawing(value: Any, name: str = "outline") -> Drawing:
 
 def _drawn_ring(value: Any) -> tuple[tuple[float, float], ...] | None:
     """The ring of an outline of plain pairs of numbers that was drawn before, or can be; None otherwise."""
-    if type(value) not in (list, tuple):
+    if type(value) not in (list, tuple) or not {*map(type, value)} <= {list, tuple}:
         return None
-    pairs = tuple(value)
-    if not all(type(pair) in (list, tuple) and len(pair) == 2 for pair in pairs):
-        return None
-    if not all(type(number) is float for pair in pairs for number in pair):
+    pairs = tuple(map(tuple, value))
+    if {*map(len, pairs)} != {2} or {type(number) for pair in pairs for number in pair} != {float}:
         return None
     try:
-        return _ring_of_pairs(tuple(map(tuple, pairs)))
+        return _ring_of_pairs(pairs)
     except InvalidValue:
         return None
 

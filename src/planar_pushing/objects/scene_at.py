@@ -139,12 +139,10 @@ def place_object(
         center = x, y
     placement, many = contacts.placement, bool(contacts.shape)
     _require_no_films(acting, many)
-    rods = _rods(placement.fence, center, extent)
-    _require_one_unit(rods.length, extent)
-    body = Frame(contacts.pair(rods.origin), contacts.pair(rods.axis))
+    length, angle, body = _place_rods(contacts, center, extent)
     slider = Slider(
-        rod_length=contacts.number(rods.length),
-        rod_angle=contacts.number(rods.angle),
+        rod_length=length,
+        rod_angle=angle,
         # The default is the extent of the moved support, which is the same at every contact.
         radius=extent if many or not any(hasattr(effect, "support") for effect in acting) else None,
         side=ends,
@@ -172,17 +170,33 @@ class Rods(NamedTuple):
     angle: Array
 
 
-def _one_rod(fence: Frame, center: tuple[float, float], extent: float) -> Rods:
-    """As `_rods`, for one contact: the same numbers, in a tenth of the time."""
+def _place_rods(
+    contacts: Contacts, center: tuple[Number, Number], extent: Number
+) -> tuple[Number, Number, Frame]:
+    """Lengths and angles of the rods, and the body frames in the object's frame."""
+    fence = contacts.placement.fence
+    if all(type(number) is float for number in (*fence.axis, *center, extent)):
+        return _place_rod(fence, center, extent)
+    rods = _rods(fence, center, extent)
+    _require_one_unit(rods.length, extent)
+    body = Frame(contacts.pair(rods.origin), contacts.pair(rods.axis))
+    return contacts.number(rods.length), contacts.number(rods.angle), body
+
+
+def _place_rod(
+    fence: Frame, center: tuple[float, float], extent: float
+) -> tuple[float, float, Frame]:
+    """As `_place_rods`, for one contact: the same numbers, in a tenth of the time."""
     (x, y), (a, b) = fence
     ((along, height),) = positions_in_frame([center], fence)
     if height <= MINIMUM_HEIGHT * extent:
         along, height = 0.0, extent
     length, angle = float(np.hypot(along, height)), float(np.arctan2(height, along))
+    if not length <= FARTHEST * extent:
+        _require_one_unit(np.array([length]), extent)
     t, n = along / length, height / length
-    origin = np.array([[along * a - height * b + x, height * a + along * b + y]])
-    axis = np.array([[t * a - n * b, n * a + t * b]])
-    return Rods(origin, axis, np.array([length]), np.array([angle]))
+    origin = along * a - height * b + x, height * a + along * b + y
+    return length, angle, Frame(origin, (t * a - n * b, n * a + t * b))
 
 
 def _required_point(point: Any, normal: Any) -> tuple[Any, Any]:
@@ -212,8 +226,6 @@ def _require_side_alone(point: Any, normal: Any, outline: Any) -> None:
 
 def _require_one_unit(lengths: Array, extent: Number) -> None:
     """Refuse a contact so far from the support that the units of length must differ."""
-    if type(extent) is float and len(lengths) == 1 and lengths[0] <= FARTHEST * extent:
-        return
     far = ~(lengths <= FARTHEST * np.ravel(extent))
     if far.any():
         sizes = np.broadcast_to(np.ravel(extent), lengths.shape)
@@ -319,8 +331,6 @@ def measure_object(effects: tuple[Any, ...]) -> tuple[tuple[Number, Number], Num
 
 def _rods(fences: Frame, center: tuple[Number, Number], extent: Number) -> Rods:
     """The rods from contacts to the object's center."""
-    if all(type(number) is float for number in (*fences.axis, *center, extent)):
-        return _one_rod(fences, center, extent)
     origin, axis = (tuple(map(np.ravel, pair)) for pair in fences)
     fence, sizes = Frame((origin[0], origin[1]), (axis[0], axis[1])), np.ravel(extent)
     along, height = fence.point_in(np.array([np.ravel(part) for part in center]).T).T

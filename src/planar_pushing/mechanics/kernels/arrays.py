@@ -181,6 +181,8 @@ def require_alike(arguments: Sequence[Any]) -> None:
         _require_labels(labeled, [np.shape(a) for a in arguments if not is_labeled(a)])
         return
     shapes = [np.shape(argument) for argument in arguments if type(argument) is not float]
+    if not any(shapes):
+        return
     try:
         np.broadcast_shapes(*shapes)
     except ValueError:

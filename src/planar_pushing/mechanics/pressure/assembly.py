@@ -347,6 +347,10 @@ def _merge_atoms(group: Gathered, radii: Array) -> Gathered:
     atoms, counts = group.rows(ATOMS), group.layout.counts
     if len(atoms) < 2:
         return group
+    if len(radii) == 1:  # most contacts, so it is fast
+        places = map(tuple, (atoms[:, :2] / radii[0]).tolist())
+        if len({*places}) == len(atoms):
+            return group
     owner = np.repeat(np.arange(len(radii)), counts[:, ATOMS])
     x, y = (atoms[:, :2] / radii[owner, None]).T.tolist()
     keys = list(zip(owner.tolist(), x, y, strict=True))
