@@ -119,7 +119,7 @@ def position_in_frame(position: tuple[Number, Number], frame: Frame) -> tuple[Nu
 def positions_in_frame(
     positions: Iterable[tuple[float, float]], frame: Frame
 ) -> tuple[tuple[float, float], ...]:
-    """Positions, pairs of numbers, expressed in one other frame; the same numbers as `position_in_frame`."""
+    """Pairs of numbers, expressed in one other frame; the same numbers as of `position_in_frame`."""
     (origin_x, origin_y), (a, b) = (map(float, pair) for pair in frame)
     return tuple(
         (
@@ -187,7 +187,7 @@ class Placement:
         object.__setattr__(self, "normal", (_plain(n_x / length), _plain(n_y / length)))
 
     def _is_plain(self) -> bool:
-        """Whether these are floats and a unit vector, as of most contacts; their negative zeros are lost."""
+        """Whether these are floats and a unit vector, as of most contacts, whose zeros become positive."""
         pairs = self.point, self.normal
         if not all(type(pair) is tuple and len(pair) == 2 for pair in pairs):
             return False

@@ -79,9 +79,9 @@ def require_contacts(point: Any, normal: Any) -> Contacts:
     InvalidValue
         If a shape differs, a number is not finite, or a normal is zero.
     """
-    plain = _plain_pair(point), (0.0, 1.0) if normal is None else _plain_pair(normal)
-    if plain[0] is not None and plain[1] is not None:
-        return Contacts(Placement(*plain), point, normal)
+    one, inward = _plain_pair(point), (0.0, 1.0) if normal is None else _plain_pair(normal)
+    if one is not None and inward is not None:
+        return Contacts(Placement(one, inward), point, normal)
     points = require_array("point", point, *PAIR)
     if points.ndim > 1 and (points.shape[-1] != 2 or not points.size):
         raise InvalidValue(

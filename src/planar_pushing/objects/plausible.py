@@ -62,16 +62,12 @@ def warn_of_doubts(effects: Sequence[Effect], contact: Any, corners: Corners | N
 
 
 @cache_results(KEPT)
-def _doubts(
-    effects: tuple[Effect, ...], contact: Any, corners: Corners | None
-) -> tuple[str, ...]:
+def _doubts(effects: tuple[Effect, ...], contact: Any, corners: Corners | None) -> tuple[str, ...]:
     """The doubts about an object, each with its remedy; they are found once for all of its contacts."""
     return tuple(_find_doubts(effects, contact, corners))
 
 
-def _find_doubts(
-    effects: Sequence[Effect], contact: Any, corners: Corners | None
-) -> Iterator[str]:
+def _find_doubts(effects: Sequence[Effect], contact: Any, corners: Corners | None) -> Iterator[str]:
     """The doubts about an object, one by one."""
     kinds = SupportFriction | Viscous
     supports = [effect.support for effect in effects if isinstance(effect, kinds)]

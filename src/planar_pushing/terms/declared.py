@@ -301,8 +301,9 @@ def require_declared(value: object) -> None:
 
 def replace_checked(value: Checked, **others: Any) -> Checked:
     """A copy of a frozen value with other fields, all of which were checked before."""
-    copy: Checked = object.__new__(type(value))
-    for name in _field_names(type(value)):
+    kind: Any = type(value)
+    copy: Checked = object.__new__(kind)
+    for name in _field_names(kind):
         object.__setattr__(copy, name, others[name] if name in others else getattr(value, name))
     return copy
 

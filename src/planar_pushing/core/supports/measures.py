@@ -1,11 +1,11 @@
 """From the pieces of supports, in a unit of length of the user, to pressures as `pieces` describes them.
 
-`data` holds the pieces of all supports, kind by kind and within a kind one support after the other: atoms x,
-y, share; segments x and y of both ends, share; rings and discs x and y of the center, radius, share; plates;
-and the edges of the plates, x and y of both ends and the jump of the pressure. The five numbers of a plate
-are the sums over its edges of what `plate_loads` stores, an unused one, and its number of edges.
-`measure_supports` replaces them by its center of pressure, room for the largest distance from it, its share,
-and the same.
+`data` holds the pieces of all supports, kind by kind and within a kind one support after the other: atoms
+x, y, share; segments x and y of both ends, share; rings and discs x and y of the center, radius, share;
+plates; and the edges of the plates, x and y of both ends and the jump of the pressure. The five numbers of
+a plate are the sums over its edges of what `plate_loads` stores, an unused one, and its number of edges.
+`measure_supports` replaces them by its center of pressure, room for the largest distance from it, its
+share, and the same.
 
 Distances are left to the caller, since a compiled square root of a sum of squares is not the function
 `hypot` of a library: `measure_supports` stores the vectors, and `store_pressures` stores those along lines
@@ -236,10 +236,12 @@ def store_spread(data: Numbers, row: MeasureRow, measured: Numbers) -> None:
     spread = measured[2:]
     for i in range(row.atom_count):
         atom = data[row.atoms + ATOM * i :]
-        add_line(spread, share=atom[2], a=atom[0] - x, b=atom[1] - y, c=atom[0] - x, d=atom[1] - y, more=0.0)  # fmt: skip
+        a, b = atom[0] - x, atom[1] - y
+        add_line(spread, share=atom[2], a=a, b=b, c=a, d=b, more=0.0)
     for i in range(row.segment_count):
         line = data[row.segments + LINE * i :]
-        add_line(spread, share=line[4], a=line[0] - x, b=line[1] - y, c=line[2] - x, d=line[3] - y, more=0.0)  # fmt: skip
+        a, b, c, d = line[0] - x, line[1] - y, line[2] - x, line[3] - y
+        add_line(spread, share=line[4], a=a, b=b, c=c, d=d, more=0.0)
     for i in range(row.ring_count):
         add_circle(spread, data[row.rings + CIRCLE * i :], x, y, part=RING_SPREAD)
     for i in range(row.disc_count):
@@ -387,4 +389,3 @@ def store_line(
     stored[0], stored[1] = (start_x + end_x) / 2.0, (start_y + end_y) / 2.0
     stored[2], stored[3] = end_x - start_x, end_y - start_y
     stored[4], stored[5] = 0.0, share
-

@@ -170,7 +170,7 @@ def gather_pieces(supports: Sequence[Pieces]) -> Gathered:
 
 
 def blocks_of(pieces: Pieces) -> tuple[list[Array], tuple[int, ...]]:
-    """The rows of each kind of pieces but plates, with all edges last, and the numbers of edges of plates."""
+    """The rows of each kind but plates, with all edges last, and the numbers of edges of plates."""
     plates = [np.asarray(edges, dtype=float) for edges in pieces.plates]
     edges = plates[0] if len(plates) == 1 else np.concatenate([np.empty((0, 5)), *plates])
     rows = [*(np.asarray(block, dtype=float) for block in pieces[:PLATES]), edges]

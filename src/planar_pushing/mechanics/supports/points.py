@@ -101,4 +101,6 @@ class Points(InPieces):
 
     def pieces(self) -> Pieces:
         loads = np.array(self.weights)
-        return Pieces(atoms=np.column_stack([self.positions, loads / loads.sum()]))
+        atoms = np.empty((len(loads), 3))
+        atoms[:, :2], atoms[:, 2] = self.positions, loads / loads.sum()
+        return Pieces(atoms=atoms)
