@@ -347,15 +347,17 @@ def _merge_atoms(group: Gathered, radii: Array) -> Gathered:
     atoms, counts = group.rows(ATOMS), group.layout.counts
     if len(atoms) < 2:
         return group
-    if len(radii) == 1:  # most contacts, so it is fast
-        places = map(tuple, (atoms[:, :2] / radii[0]).tolist())
-        if len({*places}) == len(atoms):
-            return group
     owner = np.repeat(np.arange(len(radii)), counts[:, ATOMS])
-    x, y = (atoms[:, :2] / radii[owner, None]).T.tolist()
-    keys = list(zip(owner.tolist(), x, y, strict=True))
-    if len({*keys}) == len(keys):
+    places = atoms[:, :2] / radii[owner, None]
+    if len(radii) == 1:
+        is_double = len({*map(tuple, places.tolist())}) < len(atoms)
+    else:
+        by_place = np.lexsort((places[:, 1], places[:, 0], owner))
+        sorted_places = np.column_stack([owner, places])[by_place]
+        is_double = bool((sorted_places[1:] == sorted_places[:-1]).all(axis=1).any())
+    if not is_double:
         return group
+    keys = list(zip(owner.tolist(), *places.T.tolist(), strict=True))
     shares: dict[tuple[int, float, float], float] = {}
     first: list[int] = []
     for i, (key, share) in enumerate(zip(keys, atoms[:, 2].tolist(), strict=True)):
