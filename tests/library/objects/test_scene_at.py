@@ -449,3 +449,61 @@ class TestUnits:
     def test_a_name_is_text(self, given):
         with pytest.raises(pp.InvalidValue, match="the name of a unit"):
             pp.Units(force=given)
+
+
+FORMS = {
+    "floats": ((0.1, -0.25), [(-0.5, -0.25), (0.5, -0.25), (0.5, 0.25), (-0.5, 0.25)]),
+    "lists": ([0.1, -0.25], [[-0.5, -0.25], [0.5, -0.25], [0.5, 0.25], [-0.5, 0.25]]),
+    "array": (
+        np.array([0.1, -0.25]),
+        np.array([(-0.5, -0.25), (0.5, -0.25), (0.5, 0.25), (-0.5, 0.25)]),
+    ),
+    "numbers of numpy": (
+        (np.float64(0.1), np.float64(-0.25)),
+        pp.Polygon([(-0.5, -0.25), (0.5, -0.25), (0.5, 0.25), (-0.5, 0.25)]),
+    ),
+    "an array of one contact": (
+        np.array([[0.1, -0.25]]), [(-0.5, -0.25), (0.5, -0.25), (0.5, 0.25), (-0.5, 0.25)],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("normal", [None, (0.0, 2.0)])
+def test_a_contact_given_in_any_form_has_the_same_scene(normal):
+    """Floats take another route than arrays."""
+    slab = pp.Polygon([(-0.5, -0.25), (0.5, -0.25), (0.5, 0.25), (-0.5, 0.25)])
+    effects = [pp.SupportFriction(support=slab), pp.Inertia(gyration_radius=0.3)]
+    scenes = {
+        name: pp.scene_at(point, normal, effects=effects, contact=pp.Coulomb(0.3), outline=outline)
+        for name, (point, outline) in FORMS.items()
+    }
+    for scene in scenes.values():
+        assert np.array_equal(np.ravel(_numbers(scene)), np.ravel(_numbers(scenes["floats"])))
+        assert np.array_equal(np.ravel(scene.placement.normal), [0.0, 1.0])
+
+
+def _numbers(scene):
+    return scene.slider.rod_length, scene.slider.rod_angle, *scene.slider.side
+
+
+def test_every_contact_of_a_doubtful_object_warns():
+    """Its doubts are found once and told at each contact."""
+    beside = [pp.SupportFriction(support=pp.Disc(0.1, (3.0, 0.0)))]
+    for x in (0.1, 0.2):
+        with pytest.warns(pp.SceneWarning, match="100 % of the pressure lies outside"):
+            pp.scene_at(
+                (x, -0.25), effects=beside, contact=pp.Coulomb(0.3), outline=FORMS["floats"][1]
+            )
+
+
+@pytest.mark.parametrize("wrong", [True, "0.5", None, float("nan"), 1j])
+def test_an_outline_that_equals_a_known_one_is_checked(wrong):
+    """True equals 1.0, and its hash does, too."""
+    good = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
+    effects = [pp.SupportFriction(support=pp.Disc(0.3, (0.5, 0.5)))]
+    pp.scene_at((0.5, 0.0), effects=effects, contact=pp.Coulomb(0.3), outline=good)
+    with pytest.raises(pp.InvalidValue, match="outline"):
+        pp.scene_at(
+            (0.5, 0.0), effects=effects, contact=pp.Coulomb(0.3),
+            outline=[good[0], (wrong, 0.0), *good[2:]],
+        )  # fmt: skip
