@@ -191,7 +191,7 @@ BODY = {
     "y = sum(row)": "call of sum",
     "y = x(1)": "call",
     "y = row.tolist()": "call",
-    "y = look(row=row)": "call",
+    "y = look(rows=row)": "arguments of look by other names than its own",
     "y = look(*row)": "starred",
     "y = look()": "0 arguments of look, not 1",
     "y = look(x)": "argument 1 of look is float, not Numbers",
