@@ -9,7 +9,8 @@ from planar_pushing.core.instant.directions import Direction
 from planar_pushing.core.instant.force import ContactMotion, motion_under_force, replace_force
 from planar_pushing.core.instant.solution import Push, force_along
 from planar_pushing.core.supports.psi import guess_spin, psi
-from planar_pushing.core.supports.rows import NO_POINT, has_friction, scale_effects
+from planar_pushing.core.supports.resistance import has_friction
+from planar_pushing.core.supports.rows import NO_POINT, scale_effects
 from planar_pushing.core.supports.tolerances import ALIGNED, COINCIDENT, RESOLUTION, SLOWEST
 
 #: Maximum number of times that a step from an edge into the friction cone is halved.
@@ -37,17 +38,24 @@ def force_across(edge: Direction, f_x: float, f_y: float) -> float:
     return edge.along * f_y + edge.across * f_x
 
 
+def _inner_edge(push: Push, law: Law, number: int) -> tuple[float, float]:
+    """One of three edges along which all forces of the cone have a positive moment.
+
+    The third is along the fence: in a cone without width a force can be opposite to it.
+    """
+    if number == 2:
+        return push.t_x, push.t_y
+    if number == 1:
+        return -law.left.along, law.left.across
+    return law.right.along, -law.right.across
+
+
 def position_in_cone(push: Push, law: Law, motion: ContactMotion) -> int:
     """Position of a force relative to the friction cone: `BEYOND` to `WITHIN`."""
     position = WITHIN
     for i in range(3):
-        # The third edge is along the fence: in a cone without width a force can be opposite to it.
-        e_x, e_y = push.t_x, push.t_y
-        if i < 2:
-            edge = law.right if i == 0 else law.left
-            e_x, e_y = edge.along, -edge.across
-        side = -1.0 if i == 1 else 1.0
-        inside = side * (e_x * motion.f_y - e_y * motion.f_x)
+        e_x, e_y = _inner_edge(push, law, i)
+        inside = e_x * motion.f_y - e_y * motion.f_x
         noise = fabs(e_x) * (motion.noise_y + RESOLUTION * fabs(motion.f_y))
         noise += fabs(e_y) * (motion.noise_x + RESOLUTION * fabs(motion.f_x))
         if inside < -noise:
@@ -66,14 +74,9 @@ def settle_pivot(push: Push, law: Law, stick: ContactMotion) -> ContactMotion:
     low, high = -1.0, 1.0
     rounding = ALIGNED * (fabs(stick.half_x) + fabs(stick.half_y))
     for i in range(0 if law.rough else 3):
-        # The third edge is along the fence: in a cone without width a force can be opposite to it.
-        e_x, e_y = push.t_x, push.t_y
-        if i < 2:
-            edge = law.right if i == 0 else law.left
-            e_x, e_y = edge.along, -edge.across
-        side = -1.0 if i == 1 else 1.0
-        depth = side * (e_x * stick.f_y - e_y * stick.f_x)
-        change = side * (e_x * stick.half_y - e_y * stick.half_x)
+        e_x, e_y = _inner_edge(push, law, i)
+        depth = e_x * stick.f_y - e_y * stick.f_x
+        change = e_x * stick.half_y - e_y * stick.half_x
         if change > rounding:
             low = max(low, -depth / change)
         elif change < -rounding:

@@ -19,14 +19,8 @@ from planar_pushing.core.instant.solution import (
     Solution,
 )
 from planar_pushing.core.numbers import Numbers
-from planar_pushing.core.supports.rows import (
-    NO_POINT,
-    Mass,
-    Vector,
-    load_wrench,
-    rough_mass,
-    scale_effects,
-)
+from planar_pushing.core.supports.resistance import Mass, load_wrench, rough_mass
+from planar_pushing.core.supports.rows import NO_POINT, Vector, scale_effects
 from planar_pushing.core.supports.tolerances import SHARE
 
 #: Maximum number of flush solutions: those that move, and one at rest in each mode.

@@ -27,7 +27,8 @@ from planar_pushing.core.numbers import INFINITY
 from planar_pushing.core.supports.contact import Contact
 from planar_pushing.core.supports.potential import Psi
 from planar_pushing.core.supports.psi import psi
-from planar_pushing.core.supports.rows import NO_POINT, Effects, rough_mass
+from planar_pushing.core.supports.resistance import rough_mass
+from planar_pushing.core.supports.rows import NO_POINT, Effects
 from planar_pushing.core.supports.tolerances import COINCIDENT, FLAT
 
 #: Number of Newton steps that polish a root within the rounding of its motion.

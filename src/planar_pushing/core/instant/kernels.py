@@ -46,14 +46,9 @@ from planar_pushing.core.instant.solution import (
 )
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers, zeros
 from planar_pushing.core.supports.contact import contact_at
+from planar_pushing.core.supports.resistance import load_wrench, resistance
 from planar_pushing.core.supports.ring import ring_spin_ratio
-from planar_pushing.core.supports.rows import (
-    Effects,
-    count_columns,
-    load_wrench,
-    read_effects,
-    resistance,
-)
+from planar_pushing.core.supports.rows import Effects, count_columns, read_effects
 from planar_pushing.core.supports.tolerances import RESOLUTION
 
 #: Status of the solutions of a row.

@@ -22,6 +22,7 @@ from planar_pushing.core.numbers import INFINITY, Numbers, zeros
 from planar_pushing.core.supports.contact import Contact
 from planar_pushing.core.supports.free import free_twist
 from planar_pushing.core.supports.psi import psi
+from planar_pushing.core.supports.resistance import kinetic_energy
 from planar_pushing.core.supports.ring import ring_spin_ratio
 from planar_pushing.core.supports.roots import (
     ITERATIONS,
@@ -44,7 +45,6 @@ from planar_pushing.core.supports.rows import (
     column_of,
     is_steady,
     kind_of,
-    kinetic_energy,
     scale_effects,
 )
 from planar_pushing.core.supports.tolerances import RESOLUTION, RESOLVED, ROUNDING

@@ -18,23 +18,26 @@ from typing import NamedTuple
 from planar_pushing.core.instant.directions import Rod, direction_at, rod_at
 from planar_pushing.core.instant.elimination import SIDE, SQUARE, factor_matrix, solve_factored
 from planar_pushing.core.numbers import UNKNOWN, Numbers, cross, zeros
-from planar_pushing.core.supports.rows import (
+from planar_pushing.core.supports.resistance import (
     FAR_CENTER,
+    Resistance,
+    effect_resistance,
+    resistance,
+    rough_mass,
+    support_resistance,
+)
+from planar_pushing.core.supports.rows import (
     SUPPORT,
     Effects,
     Position,
-    Resistance,
+    SupportRow,
     Vector,
     column_of,
     count_columns,
-    effect_resistance,
     foot_position,
     kind_of,
     pressure_of,
     read_effects,
-    resistance,
-    rough_mass,
-    support_resistance,
 )
 from planar_pushing.core.supports.tolerances import BALANCED, SINGULAR, SLOW
 
@@ -203,8 +206,9 @@ def _far_terms(effects: Effects, effect: int, x: float, y: float, spin: float) -
 
     The wrench is accurate and smooth there, and the differences have ten digits.
     """
-    numbers, pressure = effects.row[column_of(effects.data, effect) :], pressure_of(effects, effect)
-    weight, extent = effects.one * numbers[0], numbers[1]
+    support = SupportRow(effects.row[column_of(effects.data, effect) :])
+    pressure = pressure_of(effects, effect)
+    weight, extent = effects.one * support.weight, support.extent
     p_x, p_y, rate = pressure.center_x, pressure.center_y, spin * extent
     w_x, w_y = x - rate * p_y, y + rate * p_x
     speed = sqrt(w_x * w_x + w_y * w_y)

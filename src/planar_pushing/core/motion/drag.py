@@ -7,15 +7,15 @@ from typing import NamedTuple
 
 from planar_pushing.core.motion.system import System, is_loaded
 from planar_pushing.core.numbers import INFINITY, Numbers
+from planar_pushing.core.supports.resistance import Resistance, effect_resistance, resistance
 from planar_pushing.core.supports.rows import (
     NO_POINT,
     Effects,
-    Resistance,
+    LoadRow,
+    MassRow,
     Vector,
     column_of,
-    effect_resistance,
     foot_position,
-    resistance,
 )
 from planar_pushing.core.supports.tolerances import ROUNDING
 
@@ -64,17 +64,16 @@ def scale_films(system: System, factor: float) -> None:
 
 def put_mass(system: System, factor: float) -> None:
     """Store the inertia of the problem at hand, multiplied by a factor."""
-    scene, row = system.scene, system.problem
-    numbers = row[column_of(system.data, scene.resisting) :]
-    numbers[0] = factor
-    numbers[1] = system.run.moment / scene.mass
-    numbers[2], numbers[3] = scene.center.x, scene.center.y
+    scene = system.scene
+    body = MassRow(system.problem[column_of(system.data, scene.resisting) :])
+    body.mass, body.gyration = factor, system.run.moment / scene.mass
+    body.center_x, body.center_y = scene.center.x, scene.center.y
 
 
 def put_load(system: System, load: Vector) -> None:
     """Store the wrench of the loads of the problem at hand."""
-    numbers = system.problem[column_of(system.data, system.run.effects - 1) :]
-    numbers[0], numbers[1], numbers[2] = load.x, load.y, load.spin
+    row = LoadRow(system.problem[column_of(system.data, system.run.effects - 1) :])
+    row.x, row.y, row.torque = load.x, load.y, load.spin
 
 
 def load_at(system: System, angle: float) -> Vector:

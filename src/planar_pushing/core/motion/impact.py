@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from math import fabs, sqrt
 
+from planar_pushing.core._record import size_of
 from planar_pushing.core.instant.flush_force import FlatSide
 from planar_pushing.core.instant.flush_solutions import (
     MOST_ON_SIDE,
@@ -38,13 +39,15 @@ from planar_pushing.core.supports.rows import (
     LOAD,
     MASS,
     NO_POINT,
+    LoadRow,
+    MassRow,
     Vector,
     read_effects,
 )
 from planar_pushing.core.supports.tolerances import SLACK
 
 #: Number of columns of a mass and of a load.
-MASS_COLUMNS, LOAD_COLUMNS = 4, 3
+MASS_COLUMNS, LOAD_COLUMNS = size_of(MassRow), size_of(LoadRow)
 
 
 def add_impulse(system: System, state: RunState, p_x: float, p_y: float) -> None:
@@ -133,9 +136,10 @@ def _write_inertia(system: System, momentum: Vector, data: Numbers, row: Numbers
     data[0], data[1] = float(MASS), 0.0
     data[ENTRY], data[ENTRY + 1] = float(LOAD), float(MASS_COLUMNS)
     data[2 * ENTRY], data[2 * ENTRY + 1] = float(LAST), float(MASS_COLUMNS + LOAD_COLUMNS)
-    row[0], row[1] = scene.mass, system.run.moment / scene.mass
-    row[2], row[3] = scene.center.x, scene.center.y
-    row[4], row[5], row[6] = momentum.x, momentum.y, momentum.spin
+    body, load = MassRow(row), LoadRow(row[MASS_COLUMNS:])
+    body.mass, body.gyration = scene.mass, system.run.moment / scene.mass
+    body.center_x, body.center_y = scene.center.x, scene.center.y
+    load.x, load.y, load.torque = momentum.x, momentum.y, momentum.spin
 
 
 def _strike(

@@ -6,7 +6,8 @@ from math import fabs, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.numbers import UNKNOWN
-from planar_pushing.core.supports.rows import Effects, Resistance, resistance
+from planar_pushing.core.supports.resistance import Resistance, resistance
+from planar_pushing.core.supports.rows import Effects
 from planar_pushing.core.supports.tolerances import ALIGNED
 
 

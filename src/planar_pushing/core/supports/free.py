@@ -16,16 +16,18 @@ from math import copysign, fabs, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.numbers import EPSILON, INFINITY
-from planar_pushing.core.supports.rows import (
-    NO_POINT,
-    Effects,
+from planar_pushing.core.supports.resistance import (
     Resistance,
-    Vector,
-    foot_position,
     kinetic_energy,
     load_wrench,
     resistance,
     rough_mass,
+)
+from planar_pushing.core.supports.rows import (
+    NO_POINT,
+    Effects,
+    Vector,
+    foot_position,
     scale_effects,
 )
 from planar_pushing.core.supports.tolerances import RESOLUTION, ROUNDING, SHARE, SLIGHTEST_LOAD

@@ -24,6 +24,7 @@ from planar_pushing.core.numbers import GAUSS_NODES, GAUSS_WEIGHTS, INFINITY, UN
 from planar_pushing.core.supports.contact import Contact, resistance_about
 from planar_pushing.core.supports.pieces import ATOMS, COLUMNS, RINGS, SEGMENTS, place_of
 from planar_pushing.core.supports.potential import Psi, potential_at, unknown_psi
+from planar_pushing.core.supports.resistance import Resistance, load_wrench, rough_mass
 from planar_pushing.core.supports.roots import (
     ITERATIONS,
     best_number,
@@ -36,12 +37,10 @@ from planar_pushing.core.supports.rows import (
     NO_POINT,
     SUPPORT,
     Effects,
-    Resistance,
+    SupportRow,
     column_of,
     kind_of,
-    load_wrench,
     pressure_of,
-    rough_mass,
 )
 from planar_pushing.core.supports.tolerances import ALIGNED, BESIDE_LINE, INSET, RESOLVED, SLIGHT
 
@@ -152,9 +151,9 @@ def _ends_of(effects: Effects, number: int) -> Ends:
             pressure = pressure_of(effects, effect)
             first = place_of(pressure, ATOMS) + COLUMNS * number
             if first < place_of(pressure, RINGS):
-                numbers = effects.row[column_of(effects.data, effect) :]
+                support = SupportRow(effects.row[column_of(effects.data, effect) :])
                 piece = pressure.data[first:]
-                weight, extent = effects.one * numbers[0], numbers[1]
+                weight, extent = effects.one * support.weight, support.extent
                 x, y = extent * piece[0], extent * piece[1]
                 if first < place_of(pressure, SEGMENTS):
                     return Ends(x, y, end_x=x, end_y=y, friction=weight * piece[2])

@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 from planar_pushing.core.numbers import UNKNOWN
 from planar_pushing.core.supports.contact import Contact, resistance_about
-from planar_pushing.core.supports.rows import NO_POINT, Effects, Resistance
+from planar_pushing.core.supports.resistance import Resistance
+from planar_pushing.core.supports.rows import NO_POINT, Effects
 from planar_pushing.core.supports.tolerances import ROUNDING
 
 

@@ -18,17 +18,19 @@ from planar_pushing.core.supports.free import free_twist
 from planar_pushing.core.supports.line import rotation_on_line
 from planar_pushing.core.supports.pivot import pivot_psi, pivot_spin, refine_psi
 from planar_pushing.core.supports.potential import Psi, held_potential, potential_at, unknown_psi
-from planar_pushing.core.supports.roots import is_last
-from planar_pushing.core.supports.rows import (
-    NO_POINT,
-    Effects,
+from planar_pushing.core.supports.resistance import (
     Resistance,
-    Vector,
-    foot_position,
     has_friction,
     kinetic_energy,
     load_wrench,
     rough_mass,
+)
+from planar_pushing.core.supports.roots import is_last
+from planar_pushing.core.supports.rows import (
+    NO_POINT,
+    Effects,
+    Vector,
+    foot_position,
     scale_effects,
 )
 from planar_pushing.core.supports.tolerances import ALIGNED, BARELY, ROUNDING, SHARE
