@@ -14,12 +14,12 @@ from planar_pushing.core.motion.impact import add_impulse, collide
 from planar_pushing.core.motion.instant import load_power
 from planar_pushing.core.motion.mode import NO_MODE, REST, Mode, contact_mode_of, is_preferred
 from planar_pushing.core.motion.posing import pose_at_start
+from planar_pushing.core.motion.rolling import has_finger
 from planar_pushing.core.motion.shapes import (
     center_motion,
     clearance_of,
     contact_motion,
     from_world,
-    has_finger,
     kinetic_energy_of,
     pose_of,
     pusher_acceleration,
@@ -125,7 +125,7 @@ def enter_span(system: System, index: int, state: RunState, current: int, policy
     if index > 0:
         previous = span_at(system.fence, index - 1)
         before_x, before_y = fence_velocity(system.fence, previous, previous.end)
-    jump_x, jump_y = from_world(system, state.angle, before_x - after_x, before_y - after_y)
+    jump_x, jump_y = from_world(system, state, before_x - after_x, before_y - after_y)
     state.slip_speed += jump_x
     state.normal_speed += jump_y
     slack = SLACK * system.run.speed

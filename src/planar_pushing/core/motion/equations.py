@@ -30,15 +30,14 @@ from planar_pushing.core.motion.instant import (
 )
 from planar_pushing.core.motion.mode import REST, Mode, contact_mode_of
 from planar_pushing.core.motion.reaction import edge_angle
+from planar_pushing.core.motion.rolling import frame_angle, travel_rate
 from planar_pushing.core.motion.shapes import (
     Pose,
-    frame_angle,
     hold_pose,
     pose_of,
     pusher_velocity,
     to_body,
     to_contact,
-    travel_rate,
 )
 from planar_pushing.core.motion.system import (
     RunState,
@@ -189,7 +188,7 @@ def store_rates(
     system: System, mode: Mode, state: RunState, instant: Instant, rates: RunState
 ) -> None:
     """Store the derivative of the state, from the motion at an instant."""
-    rates.along = travel_rate(system, instant.slip, instant.spin)
+    rates.along = travel_rate(system, state.gap, instant.slip, instant.spin)
     rates.gap, rates.angle = instant.normal_speed, instant.spin
     # The contact does not slip while the slider rests or is in flight.
     rates.slipped = instant.slip if contact_mode_of(mode) != SEPARATE else 0.0
@@ -197,6 +196,6 @@ def store_rates(
     rates.work = instant.f_x * instant.fence_x + instant.f_y * instant.fence_y
     if is_massive(system):
         rates.slip_speed, rates.normal_speed, rates.spin = instant.a_x, instant.a_y, instant.turn
-    angle = frame_angle(system, state.angle)
+    angle = frame_angle(system, state)
     x, y = to_body(Rod(1.0, angle, cos(angle), sin(angle)), instant.v_x, instant.v_y)
     write_powers(system, x, y, instant.spin, instant.dissipated, energies_of(system, rates))

@@ -39,13 +39,13 @@ from planar_pushing.core.motion.fence import end_of_fence, fence_displacement, s
 from planar_pushing.core.motion.guards import write_guards
 from planar_pushing.core.motion.log import end_log, has_room_for_rows, next_log_row, write_instant
 from planar_pushing.core.motion.mode import NO_MODE, Mode
+from planar_pushing.core.motion.rolling import has_finger
 from planar_pushing.core.motion.run import (
     Run,
 )
 from planar_pushing.core.motion.shapes import (
     center_height,
     confine_finger,
-    has_finger,
     is_outlined,
     longest_step,
     put_initial_state,

@@ -52,7 +52,7 @@ MASS_COLUMNS, LOAD_COLUMNS = size_of(MassRow), size_of(LoadRow)
 
 def add_impulse(system: System, state: RunState, p_x: float, p_y: float) -> None:
     """Add an impulse at the contact to those that the next row of the log contains."""
-    x, y = to_world(system, state.angle, p_x, p_y)
+    x, y = to_world(system, state, p_x, p_y)
     system.run.impulse.x += x
     system.run.impulse.y += y
 

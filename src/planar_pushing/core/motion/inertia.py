@@ -29,6 +29,7 @@ from planar_pushing.core.motion.reaction import (
     reaction_of,
     reaction_of_side,
 )
+from planar_pushing.core.motion.rolling import rates_of_contact, sticking_acceleration
 from planar_pushing.core.motion.shapes import (
     Pose,
     center_motion,
@@ -36,9 +37,7 @@ from planar_pushing.core.motion.shapes import (
     pose_of,
     pusher_acceleration,
     pusher_velocity,
-    rates_of_contact,
     size_of_twist,
-    sticking_acceleration,
     to_body,
     to_contact,
 )
@@ -81,7 +80,7 @@ class Hinge(NamedTuple):
 
 def _hinged_motion(
     system: System, pose: Pose, contact: int, q_x: float, q_y: float,
-    a_x: float, a_y: float, turn: float, slip: float, normal_speed: float, spin: float,
+    a_x: float, a_y: float, turn: float, gap: float, slip: float, normal_speed: float, spin: float,
     b_x: float, b_y: float,
 ) -> Hinge:  # fmt: skip
     """Accelerations of a slider that friction holds at a support point like a hinge, free or in a slip.
@@ -96,8 +95,8 @@ def _hinged_motion(
         Vector from the center of mass to the hinge.
     a_x, a_y, turn : float
         Acceleration of the center of mass and angular acceleration without hinge and contact.
-    slip, normal_speed, spin : float
-        Velocity of the contact relative to the pusher, and angular velocity.
+    gap, slip, normal_speed, spin : float
+        Distance and velocity of the contact relative to the pusher, and angular velocity.
     b_x, b_y : float
         Acceleration of the pusher.
     """
@@ -108,7 +107,7 @@ def _hinged_motion(
     torque = moment * turn - mass * (q_x * a_y - q_y * a_x)
     free_turn = torque / total
     along, lift = _rates_about_hinge(
-        system, slip, normal_speed, spin, free_turn, d_x, d_y, b_x, b_y
+        system, gap, slip, normal_speed, spin, free_turn, d_x, d_y, b_x, b_y
     )
     f_x, f_y, rate_x, rate_y, turn = 0.0, 0.0, along, lift, free_turn
     if contact != SEPARATE:
@@ -117,7 +116,9 @@ def _hinged_motion(
         lever = d_x * e_y - d_y * e_x
         size = (total * turn - torque) / lever if lever != 0.0 else 0.0
         f_x, f_y, rate_y = size * e_x, size * e_y, 0.0
-        rate_x, _ = _rates_about_hinge(system, slip, normal_speed, spin, turn, d_x, d_y, b_x, b_y)
+        rate_x, _ = _rates_about_hinge(
+            system, gap, slip, normal_speed, spin, turn, d_x, d_y, b_x, b_y
+        )
     # The center of mass rotates about the hinge.
     c_x, c_y = turn * q_y + square * q_x, -turn * q_x + square * q_y
     p_x, p_y = mass * (c_x - a_x) - f_x, mass * (c_y - a_y) - f_y
@@ -125,13 +126,13 @@ def _hinged_motion(
 
 
 def _rates_about_hinge(
-    system: System, slip: float, normal_speed: float, spin: float, turn: float,
+    system: System, gap: float, slip: float, normal_speed: float, spin: float, turn: float,
     d_x: float, d_y: float, b_x: float, b_y: float,
 ) -> tuple[float, float]:  # fmt: skip
     """Rates of the velocity, relative to the pusher, of a contact at (d_x, d_y) from the hinge."""
     square = spin * spin
     a_x, a_y = -turn * d_y - square * d_x, turn * d_x - square * d_y
-    return rates_of_contact(system, spin, slip, normal_speed, a_x=a_x - b_x, a_y=a_y - b_y)
+    return rates_of_contact(system, gap, spin, slip, normal_speed, a_x=a_x - b_x, a_y=a_y - b_y)
 
 
 def slowest_motion(system: System) -> float:
@@ -231,7 +232,20 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: RunState
         dissipated -= p_x * w_x + p_y * w_y
     elif turns:
         hinge = _hinged_motion(
-            system, pose, mode.contact, q_x, q_y, a_x, a_y, turn, slip, normal_speed, spin, b_x, b_y
+            system,
+            pose,
+            mode.contact,
+            q_x,
+            q_y,
+            a_x,
+            a_y,
+            turn,
+            state.gap,
+            slip,
+            normal_speed,
+            spin,
+            b_x,
+            b_y,
         )
         f_x, f_y, rate_x, rate_y, hinged_turn, lift = (
             hinge.f_x, hinge.f_y, hinge.a_x, hinge.a_y, hinge.turn, hinge.lift,
@@ -260,7 +274,7 @@ def motion_with_inertia(system: System, mode: Mode, time: float, state: RunState
     else:
         free_x, free_y = _acceleration_of_contact(pose, a_x, a_y, turn, spin)
         free_x, lift = rates_of_contact(
-            system, spin, slip, normal_speed, a_x=free_x - b_x, a_y=free_y - b_y
+            system, state.gap, spin, slip, normal_speed, a_x=free_x - b_x, a_y=free_y - b_y
         )
         reaction = reaction_of(system, pose, mode.contact, x=free_x, y=lift)
         f_x, f_y, rate_x, rate_y = reaction.f_x, reaction.f_y, reaction.x, reaction.y

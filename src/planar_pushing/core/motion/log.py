@@ -6,17 +6,12 @@ from planar_pushing.core.instant.directions import spin_ratio
 from planar_pushing.core.instant.solution import SEPARATE
 from planar_pushing.core.motion.drag import load_work
 from planar_pushing.core.motion.instant import Instant
+from planar_pushing.core.motion.rolling import has_finger
 from planar_pushing.core.motion.run import (
     LOG_ROW,
     LogRow,
 )
-from planar_pushing.core.motion.shapes import (
-    center_position,
-    has_finger,
-    kinetic_energy_of,
-    pose_of,
-    to_world,
-)
+from planar_pushing.core.motion.shapes import center_position, kinetic_energy_of, pose_of, to_world
 from planar_pushing.core.motion.system import (
     RunState,
     System,
@@ -98,7 +93,7 @@ def write_state(
     x, y = center_position(system, pose, state, row.pusher.x, row.pusher.y)
     row.position.x, row.position.y = x, y
     row.load_work = load_work(system, angle, x, y)
-    w_x, w_y = to_world(system, angle, v_x, v_y)
+    w_x, w_y = to_world(system, state, v_x, v_y)
     row.twist.x, row.twist.y, row.twist.spin = w_x, w_y, spin
     row.ratio = spin_ratio(v_x, v_y, spin)
     row.kinetic = kinetic_energy_of(system, pose, v_x, v_y, spin)
@@ -137,7 +132,7 @@ def write_instant(
     row.stopped = system.run.stopped
     write_state(system, state, instant.v_x, instant.v_y, instant.spin, row)
     row.pivot = instant.pivot
-    f_x, f_y = to_world(system, state.angle, instant.f_x, instant.f_y)
+    f_x, f_y = to_world(system, state, instant.f_x, instant.f_y)
     row.force.x, row.force.y = f_x, f_y
     write_impulse(system, row)
     write_place_of_force(system, state, instant.offset, row)

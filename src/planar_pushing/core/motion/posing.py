@@ -15,12 +15,8 @@ from planar_pushing.core.motion.drag import (
     put_mass,
     scale_films,
 )
-from planar_pushing.core.motion.shapes import (
-    Pose,
-    frame_angle,
-    pose_with_rod,
-    to_body,
-)
+from planar_pushing.core.motion.rolling import frame_angle
+from planar_pushing.core.motion.shapes import Pose, pose_with_rod, to_body
 from planar_pushing.core.motion.system import (
     RunState,
     System,
@@ -32,7 +28,7 @@ from planar_pushing.core.supports.rows import Vector
 
 def pose_at_start(system: System, state: RunState) -> Pose:
     """Pose of the slider, exact if body x is at 90 degrees."""
-    return pose_with_rod(system, rod_at(1.0, frame_angle(system, state.angle)), state)
+    return pose_with_rod(system, rod_at(1.0, frame_angle(system, state)), state)
 
 
 def prepare_start(system: System, state: RunState, size: float) -> None:

@@ -152,6 +152,33 @@ class LogRow(Record):
     impulse: Pair
 
 
+class Wall(Record):
+    """The piece of the slider's outline that is at the contact: a side, an arc, or a corner.
+
+    Attributes
+    ----------
+    piece : int
+        Its number, -1 if it is not known or the contact is open.
+    anchor : Pair
+        In the body frame: the center of an arc, the corner, or the point of a side at the position `base`.
+    radius : float
+        Of curvature: infinite for a side, 0 for a corner, and negative for a hollow arc.
+    base, angle, rod : float, float, Pair
+        A position of the contact, and the angle and direction of body x in the contact frame there.
+    start, end : float
+        Its ends, along the pusher's path on the outline, from the contact at time 0 toward +x.
+    """
+
+    piece: int
+    anchor: Pair
+    radius: float
+    base: float
+    angle: float
+    rod: Pair
+    start: float
+    end: float
+
+
 class Run(Record):
     """The memory of a run, at the beginning of a row of results.
 
@@ -218,6 +245,8 @@ class Run(Record):
         Place of the force of a step from the contact.
     impulse : Pair
         Sum of the impulses at the contact since the last row of the log, along the axes of the world.
+    wall : Wall
+        At the contact.
     """
 
     ended: bool
@@ -282,6 +311,7 @@ class Run(Record):
     floor: float
     offset: float
     impulse: Pair
+    wall: Wall
 
 
 #: Number of series of a piece.

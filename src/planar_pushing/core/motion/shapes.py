@@ -24,6 +24,7 @@ from planar_pushing.core.instant.directions import Rod
 from planar_pushing.core.instant.solution import SEPARATE
 from planar_pushing.core.motion.fence import Span, fence_acceleration, fence_velocity
 from planar_pushing.core.motion.mode import REST, Mode
+from planar_pushing.core.motion.rolling import contact_in_body, frame_angle, has_finger
 from planar_pushing.core.motion.system import RunState, System, is_massive
 from planar_pushing.core.motion.touch import (
     count_points,
@@ -69,33 +70,17 @@ def hold_pose(pose: Pose) -> Pose:
     return Pose(pose.rod, hold_rotation(pose.contact, 0.0), pose.x, pose.y, pose.arm_x, pose.arm_y)
 
 
-def has_finger(system: System) -> bool:
-    """Whether the pusher is a finger."""
-    return system.scene.finger
-
-
-def frame_angle(system: System, angle: float) -> float:
-    """Angle of body x in the contact frame."""
-    return system.scene.angle if has_finger(system) else angle
-
-
 def pose_of(system: System, state: RunState) -> Pose:
     """Pose of the slider in a state."""
-    angle = frame_angle(system, state.angle)
+    angle = frame_angle(system, state)
     return pose_with_rod(system, Rod(1.0, angle, cos(angle), sin(angle)), state)
 
 
 def pose_with_rod(system: System, rod: Rod, state: RunState) -> Pose:
     """Pose of the slider in a state, for a known direction of body x."""
-    scene, run = system.scene, system.run
-    contact = contact_at(run.contact.x, run.contact.y)
-    if has_finger(system):
-        length = scene.length
-        # The contact is at (-along, -gap) from the end of the rod.
-        r_x, r_y, along, gap = (
-            run.rod.x, run.rod.y, state.along, state.gap,
-        )  # fmt: skip
-        contact = contact_at(-length - (along * r_x + gap * r_y), along * r_y - gap * r_x)
+    scene = system.scene
+    c_x, c_y = contact_in_body(system, state, rod.x, rod.y)
+    contact = contact_at(c_x, c_y)
     x, y = to_contact(rod, -contact.x, -contact.y)
     arm_x, arm_y = to_contact(rod, scene.center.x - contact.x, scene.center.y - contact.y)
     return Pose(rod, contact, x, y, arm_x, arm_y)
@@ -111,19 +96,26 @@ def to_contact(rod: Rod, x: float, y: float) -> tuple[float, float]:
     return x * rod.x - y * rod.y, x * rod.y + y * rod.x
 
 
-def from_world(system: System, angle: float, x: float, y: float) -> tuple[float, float]:
-    """A vector of the world in the contact frame, at a rod angle."""
+def frame_turn(system: System, state: RunState) -> float:
+    """Angle of the contact frame in the world."""
+    return state.angle - frame_angle(system, state)
+
+
+def from_world(system: System, state: RunState, x: float, y: float) -> tuple[float, float]:
+    """A vector of the world in the contact frame."""
     if not has_finger(system):
         return x, y
-    c, s = cos(angle - system.scene.angle), sin(angle - system.scene.angle)
+    turn = frame_turn(system, state)
+    c, s = cos(turn), sin(turn)
     return c * x + s * y, c * y - s * x
 
 
-def to_world(system: System, angle: float, x: float, y: float) -> tuple[float, float]:
-    """A vector of the contact frame in the world, at a rod angle."""
+def to_world(system: System, state: RunState, x: float, y: float) -> tuple[float, float]:
+    """A vector of the contact frame in the world."""
     if not has_finger(system):
         return x, y
-    c, s = cos(angle - system.scene.angle), sin(angle - system.scene.angle)
+    turn = frame_turn(system, state)
+    c, s = cos(turn), sin(turn)
     return c * x - s * y, c * y + s * x
 
 
@@ -132,7 +124,7 @@ def pusher_velocity(
 ) -> tuple[float, float]:
     """Velocity of the pusher in the contact frame."""
     x, y = fence_velocity(system.fence, during, time)
-    return from_world(system, state.angle, x, y)
+    return from_world(system, state, x, y)
 
 
 def pusher_acceleration(
@@ -140,7 +132,7 @@ def pusher_acceleration(
 ) -> tuple[float, float]:
     """Acceleration of the pusher along the axes of the contact frame."""
     x, y = fence_acceleration(system.fence, during, time)
-    return from_world(system, state.angle, x, y)
+    return from_world(system, state, x, y)
 
 
 def contact_motion(pose: Pose, v_x: float, v_y: float, spin: float) -> tuple[float, float]:
@@ -165,41 +157,14 @@ def kinetic_energy_of(system: System, pose: Pose, v_x: float, v_y: float, spin: 
     return (energy + system.run.moment * spin * spin) / 2.0
 
 
-def travel_rate(system: System, slip: float, spin: float) -> float:
-    """Rate of the contact's position along the pusher; a finger also rolls along its side."""
-    return slip + system.scene.radius * spin if has_finger(system) else slip
-
-
-def rates_of_contact(
-    system: System, spin: float, slip: float, normal_speed: float, a_x: float, a_y: float
-) -> tuple[float, float]:
-    """Rates of the contact's velocity relative to the pusher, from its relative acceleration.
-
-    They include the Coriolis term of a rotating frame, and a term for the travel of a rolling contact.
-    """
-    if not has_finger(system):
-        return a_x, a_y
-    rolling = system.scene.radius * spin * spin
-    return a_x + 2.0 * spin * normal_speed, a_y - 2.0 * spin * slip - rolling
-
-
-def sticking_acceleration(
-    system: System, spin: float, a_x: float, a_y: float
-) -> tuple[float, float]:
-    """Acceleration of the slider's point at a contact that sticks, from the pusher's."""
-    if not has_finger(system):
-        return a_x, a_y
-    return a_x, a_y + system.scene.radius * spin * spin
-
-
 def center_position(
     system: System, pose: Pose, state: RunState, x: float, y: float
 ) -> tuple[float, float]:
     """Position of the slider's center in the world, from the displacement of the pusher."""
     if not has_finger(system):
         return x + state.along + pose.x, y + state.gap + pose.y
-    w_x, w_y = to_world(system, state.angle, pose.x, pose.y)
-    turn, radius = state.angle - system.scene.angle, system.scene.radius
+    w_x, w_y = to_world(system, state, pose.x, pose.y)
+    turn, radius = frame_turn(system, state), system.scene.radius
     half = sin(turn / 2.0)
     # Seen from the finger's center, the contact rotates with the side.
     x, y = x - radius * sin(turn), y - 2.0 * radius * half * half
@@ -218,13 +183,15 @@ def contact_after_flight(
         c, s = cos(turn) - 1.0, sin(turn)
         x, y = x - (c * pose.x - s * pose.y), y - (s * pose.x + c * pose.y)
         return state.along + (x - path_x), state.gap + (y - path_y)
-    c, s, radius, length = cos(turn), sin(turn), system.scene.radius, system.scene.length
+    c, s, radius, wall = cos(turn), sin(turn), system.scene.radius, system.run.wall
     x, y = pose.x + x - path_x, pose.y + y - path_y
     along, across = c * x + s * y, c * y - s * x
     half = sin(turn / 2.0)
     # The side rotates about the finger's center, and the contact is again one radius above the center.
     along, across = along + radius * s, across - 2.0 * radius * half * half
-    return along - length * system.run.rod.x, across - length * system.run.rod.y
+    a_x, a_y = wall.anchor.x, wall.anchor.y
+    along += wall.base + (a_x * wall.rod.x - a_y * wall.rod.y)
+    return along, across + (a_x * wall.rod.y + a_y * wall.rod.x)
 
 
 def is_steady_pusher(system: System, during: Span) -> bool:
@@ -254,7 +221,8 @@ def room_on_side(system: System, along: float) -> float:
     """Distance from the contact to the nearer end of a finger's side, NaN for a side without ends."""
     if not has_finger(system):
         return UNKNOWN
-    room = min(system.scene.side_end + along, -along - system.scene.side_start)
+    wall = system.run.wall
+    room = min(wall.end + along, -along - wall.start)
     return room if room < INFINITY else UNKNOWN
 
 

@@ -311,9 +311,9 @@ def _solve_step(
     Returns their number and unit.
     """
     run = system.run
-    h, gap, angle = run.until - run.time, state.gap, state.angle
-    v_x, v_y = from_world(system, angle, run.twist.x, run.twist.y)
-    x, y = from_world(system, angle, run.path.x, run.path.y)
+    h, gap = run.until - run.time, state.gap
+    v_x, v_y = from_world(system, state, run.twist.x, run.twist.y)
+    x, y = from_world(system, state, run.path.x, run.path.y)
     if count_points(system) > 0 and fabs(gap) <= SHARE:
         gap = 0.0
     x, y = x / h, (y - gap) / h
@@ -338,13 +338,13 @@ def _prepare_step(system: System, pose: Pose, h: float, size: float, before: flo
     `size` is the speed of the pusher and `before` that of the contact. Inertia acts toward the previous
     twist: the momentum is a load.
     """
-    scene, run, angle = system.scene, system.run, vector_of(system, STATE).angle
+    scene, run, state = system.scene, system.run, vector_of(system, STATE)
     if not is_massive(system):
         scale_films(system, size)
-        put_loads_at(system, angle)
+        put_loads_at(system, state.angle)
         return size
-    load = load_at(system, angle)
-    v_x, v_y = from_world(system, angle, run.twist.x, run.twist.y)
+    load = load_at(system, state.angle)
+    v_x, v_y = from_world(system, state, run.twist.x, run.twist.y)
     momentum = momentum_over(system, pose.rod, v_x, v_y, run.twist.spin, h)
     push = h * sqrt(load.x * load.x + load.y * load.y) / scene.mass
     unit = max(max(size, before), push)

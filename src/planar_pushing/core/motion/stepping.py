@@ -40,6 +40,7 @@ from planar_pushing.core.motion.log import (
     write_state,
 )
 from planar_pushing.core.motion.mode import NO_MODE
+from planar_pushing.core.motion.rolling import has_finger, travel_rate
 from planar_pushing.core.motion.shapes import (
     Pose,
     center_height,
@@ -48,7 +49,6 @@ from planar_pushing.core.motion.shapes import (
     contact_after_flight,
     contact_motion,
     from_world,
-    has_finger,
     is_outlined,
     kinetic_energy_of,
     outline_height,
@@ -58,7 +58,6 @@ from planar_pushing.core.motion.shapes import (
     to_body,
     to_contact,
     to_world,
-    travel_rate,
 )
 from planar_pushing.core.motion.step_choice import CHOSEN, choose_twist
 from planar_pushing.core.motion.system import (
@@ -163,9 +162,9 @@ def _choose(system: System) -> bool:
         run.mode, run.stopped = NO_MODE, INCONSISTENT
         run.push.x, run.push.y = 0.0, 0.0
         return True
-    unit, angle = choice.unit, vector_of(system, STATE).angle
-    v_x, v_y = to_world(system, angle, unit * chosen.twist.x, unit * chosen.twist.y)
-    f_x, f_y = to_world(system, angle, chosen.force.x, chosen.force.y)
+    unit, state = choice.unit, vector_of(system, STATE)
+    v_x, v_y = to_world(system, state, unit * chosen.twist.x, unit * chosen.twist.y)
+    f_x, f_y = to_world(system, state, chosen.force.x, chosen.force.y)
     run.new_twist.x, run.new_twist.y = unit * chosen.twist.x, unit * chosen.twist.y
     run.new_twist.spin = unit * chosen.twist.spin
     run.mode, run.pivot = choice.contact, chosen.pivot
@@ -181,7 +180,7 @@ def _account(system: System, pose: Pose) -> None:
     run, state, rates = system.run, vector_of(system, STATE), vector_of(system, RATES)
     v_x, v_y, spin = run.new_twist.x, run.new_twist.y, run.new_twist.spin
     h = run.until - run.time
-    x, y = from_world(system, state.angle, run.twist.x, run.twist.y)
+    x, y = from_world(system, state, run.twist.x, run.twist.y)
     work = run.push.x * run.path.x + run.push.y * run.path.y
     rest = work + kinetic_energy_of(system, pose, v_x=x, v_y=y, spin=run.twist.spin)
     rest -= kinetic_energy_of(system, pose, v_x, v_y, spin)
@@ -202,7 +201,8 @@ def _move(system: System, pose: Pose) -> None:
     h, contact = run.until - run.time, run.mode
     confine_finger(system, state)
     v_x, v_y, spin = run.new_twist.x, run.new_twist.y, run.new_twist.spin
-    path_x, path_y = from_world(system, state.angle, run.path.x, run.path.y)
+    w_x, w_y = to_world(system, state, v_x, v_y)
+    path_x, path_y = from_world(system, state, run.path.x, run.path.y)
     if contact == SEPARATE:
         along, gap = contact_after_flight(
             system, pose, state, x=h * v_x, y=h * v_y, path_x=path_x, path_y=path_y, turn=h * spin
@@ -214,16 +214,19 @@ def _move(system: System, pose: Pose) -> None:
             u_x, _ = contact_motion(pose, v_x, v_y, spin)
             slip = h * u_x - path_x
         state.slipped += slip
-        state.along += travel_rate(system, slip, h * spin)
-    _turn(system, pose, h, v_x, v_y, spin)
+        state.along += travel_rate(system, 0.0, slip, h * spin)
+    _turn(system, h, w_x, w_y, spin)
     run.pusher.x += run.path.x
     run.pusher.y += run.path.y
     run.time = run.until
     _add_load_work(system)
 
 
-def _turn(system: System, pose: Pose, h: float, v_x: float, v_y: float, spin: float) -> None:
-    """Rotate the slider; with inertia, the motion of the center of mass is preserved."""
+def _turn(system: System, h: float, v_x: float, v_y: float, spin: float) -> None:
+    """Rotate the slider, whose center has a velocity in the world.
+
+    With inertia, the motion of the center of mass is preserved.
+    """
     run, state, scene = system.run, vector_of(system, STATE), system.scene
     angle = state.angle
     turned = angle + h * spin
@@ -231,7 +234,6 @@ def _turn(system: System, pose: Pose, h: float, v_x: float, v_y: float, spin: fl
     after = Rod(1.0, turned, cos(turned), sin(turned))
     x, y = to_contact(before, scene.center.x, scene.center.y)
     new_x, new_y = to_contact(after, scene.center.x, scene.center.y)
-    v_x, v_y = to_world(system, angle, v_x, v_y)
     run.twist.x, run.twist.y = v_x + spin * (new_y - y), v_y - spin * (new_x - x)
     run.twist.spin, state.angle = spin, turned
 
@@ -284,6 +286,6 @@ def _log_step(system: System) -> None:
         run.stopped,
         -1,
     )
-    v_x, v_y = from_world(system, state.angle, run.twist.x, run.twist.y)
+    v_x, v_y = from_world(system, state, run.twist.x, run.twist.y)
     write_state(system, state, v_x, v_y, run.twist.spin, row)
     write_place_of_force(system, state, run.offset, row)

@@ -268,6 +268,12 @@ def prepare_system(system: System) -> None:
     run.left.x, run.left.y = unit_x(scene.left), unit_y(scene.left)
     run.rod.x, run.rod.y = cos(scene.angle), sin(scene.angle)
     run.low, run.high = -INFINITY, INFINITY
+    wall = run.wall
+    wall.piece, wall.radius = NO_POINT, INFINITY if scene.finger else 0.0
+    wall.base, wall.angle = 0.0, scene.angle
+    wall.anchor.x, wall.anchor.y = -scene.length, 0.0
+    wall.rod.x, wall.rod.y = run.rod.x, run.rod.y
+    wall.start, wall.end = scene.side_start, scene.side_end
     run.contact.x, run.contact.y = -scene.length, 0.0
     run.point, run.other_end = NO_POINT, NO_POINT
 
