@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.core.motion.run import INPUTS, Inputs
+from planar_pushing.core.supports.chain import CHAIN_PIECE, ChainPiece
 from planar_pushing.core.supports.rows import LOAD, MASS
+from planar_pushing.mechanics.kernels.arrays import Output, map_kernel
 from planar_pushing.mechanics.kernels.columns import Columns, row_of
 from planar_pushing.mechanics.pressure.table import Table, joined_data
 from planar_pushing.mechanics.rows import Entry, unit_vector
@@ -128,6 +131,7 @@ def numbers_of(
     is_finger, finger_radius = problem.shape == Shape.FINGER, problem.pusher.radius
     effects, columns = _effects_of(entries, scene, method)
     data, corners = joined_data(effects, len(columns)), _corners_of(slider)
+    chain, (wall, place) = _chain_of(corners), _wall_of(corners, slider)
     load, cross, dot = _load_of(scene)
     right, left, slips, closed, rough = scene.law
     side_start, side_end = slider.side
@@ -141,13 +145,15 @@ def numbers_of(
         twist=(v_x / radius, v_y / radius, omega), gap=problem.gap / radius, finger=is_finger,
         radius=finger_radius / radius, side_start=side_start / radius, side_end=side_end / radius,
         fine=_fineness(problem), corners=len(corners), corners_place=len(data),
+        chain=len(chain), chain_place=len(data) + corners.size, frame=(0.0, 0.0), axis=(1.0, 0.0),
+        turn=0.0, wall=wall, place=place,
         frictions=sum(entry.degree == 1 for entry in entries), resisting=len(entries),
         tolerance=problem.rtol, pieces=0.0, coefficients=0.0, times=0.0, logs_events=0.0,
         flush=slider.flush,
     )  # fmt: skip
     columns += [radius, problem.duration]
     columns += [part for _, velocity in problem.pusher.velocities for part in velocity]
-    return np.concatenate([data, corners.ravel()]) if len(corners) else data, columns
+    return np.concatenate([data, corners.ravel(), chain.ravel()]) if len(corners) else data, columns
 
 
 def _scale_forces(entries: list[Entry], inputs: Array) -> Array:
@@ -198,6 +204,64 @@ def _corners_of(slider: Slider) -> Array:
     if slider.outline is None:
         return np.empty((0, 2))
     return np.array(slider.outline) / depth_tolerance(slider.outline)
+
+
+def _chain_of(corners: Array) -> Array:
+    """Rows of pieces of an outline: a side and a corner for each vertex."""
+    if not len(corners):
+        return np.empty((0, CHAIN_PIECE))
+    count = len(corners)
+    along = np.roll(corners, -1, axis=0) - corners
+    length = np.hypot(*along.T)
+    angle = np.arctan2(along[:, 1], along[:, 0])
+    turn = (np.roll(angle, -1) - angle + np.pi) % (2.0 * np.pi) - np.pi
+    first = angle[0] + np.concatenate([[0.0], turn[:-1].cumsum()])
+    start = np.concatenate([[0.0], length[:-1].cumsum()])
+    numbers = 2 * np.arange(count)
+    rows = np.zeros((count, 2, CHAIN_PIECE))
+    side, corner = Columns(ChainPiece, rows[:, 0]), Columns(ChainPiece, rows[:, 1])
+    side.x, side.y = corners.T
+    corner.x, corner.y = np.roll(corners, -1, axis=0).T
+    side.radius, side.length = np.inf, length
+    side.first, side.last, corner.first, corner.last = first, first, first, first + turn
+    side.start, corner.start = start, start + length
+    side.next, corner.next = numbers + 1, (numbers + 2) % (2 * count)
+    side.before, corner.before = (numbers - 1) % (2 * count), numbers
+    for piece in (side, corner):
+        piece.along_x, piece.along_y = (along / length[:, None]).T
+    return rows.reshape(-1, CHAIN_PIECE)
+
+
+def _wall_of(corners: Array, slider: Slider) -> tuple[int, float]:
+    """The piece at the contact at time 0, -1 if it is not known, and its place."""
+    if not len(corners) or np.ndim(slider.rod_length) or np.ndim(slider.rod_angle):
+        return -1, 0.0
+    fine = slider.radius / depth_tolerance(slider.outline)
+    x, y = -slider.rod_length / slider.radius * fine, 0.0
+    chain, output = _chain_of(corners), [Output("piece"), Output("place"), Output("distance")]
+    direction = -math.radians(slider.rod_angle) if False else -slider.rod_angle
+    place = map_kernel("nearest_places", chain.ravel(), [x, y, len(chain), 0], output)
+    number = int(place[0])
+    piece = Columns(ChainPiece, chain)
+    for corner in range(1, len(chain), 2):
+        away = math.hypot(piece.x[corner] - x, piece.y[corner] - y)
+        if away < 1e3:
+            turned = (
+                piece.first[corner]
+                + (direction - piece.first[corner] + 1e-6) % (2 * math.pi)
+                - 1e-6
+            )
+            if piece.last[corner] > piece.first[corner]:
+                number, width = corner, piece.last[corner] - piece.first[corner]
+                if 1e-6 < turned - piece.first[corner] < width - 1e-6:
+                    return corner, turned
+                side = int(
+                    piece.before[corner]
+                    if turned - piece.first[corner] <= 1e-6
+                    else piece.next[corner]
+                )
+                return side, float(piece.length[side] if side == piece.before[corner] else 0.0)
+    return number, float(place[1])
 
 
 def _fineness(problem: Problem) -> Number:

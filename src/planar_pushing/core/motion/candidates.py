@@ -30,13 +30,7 @@ from planar_pushing.core.motion.inertia import motion_beside_push, push_in_mode,
 from planar_pushing.core.motion.instant import Instant
 from planar_pushing.core.motion.mode import Mode, moving_mode, slip_side
 from planar_pushing.core.motion.posing import pose_at_start, pusher_along
-from planar_pushing.core.motion.shapes import (
-    center_motion,
-    clearance_of,
-    pose_of,
-    pusher_velocity,
-    size_of_twist,
-)
+from planar_pushing.core.motion.shapes import center_motion, pose_of, pusher_velocity, size_of_twist
 from planar_pushing.core.motion.side import MOST_OF_SIDE, modes_at_contact
 from planar_pushing.core.motion.starts import (
     push_at_start,
@@ -66,6 +60,7 @@ from planar_pushing.core.motion.touch import (
     side_length,
     side_on_fence,
 )
+from planar_pushing.core.motion.wall import clearance_of
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.supports.roots import MOST_ROOTS
 from planar_pushing.core.supports.rows import NO_POINT

@@ -17,7 +17,6 @@ from planar_pushing.core.motion.posing import pose_at_start
 from planar_pushing.core.motion.rolling import has_finger
 from planar_pushing.core.motion.shapes import (
     center_motion,
-    clearance_of,
     contact_motion,
     from_world,
     kinetic_energy_of,
@@ -53,6 +52,7 @@ from planar_pushing.core.motion.touch import (
     settle_on_fence,
     take_lowest_point,
 )
+from planar_pushing.core.motion.wall import clearance_of, land_on_wall
 from planar_pushing.core.supports.rows import foot_position
 from planar_pushing.core.supports.tolerances import NEAR_ZERO, RATTLES, SLACK
 
@@ -241,6 +241,7 @@ def change_state(
     if not is_massive(system):
         if cause == TOUCHES or (cause == PENETRATES and not has_finger(system)):
             land_on_fence(system, state)
+            land_on_wall(system, mode.during, time, state)
         elif state.gap <= SLACK:
             state.gap = 0.0
         return time, GOES_ON
@@ -254,6 +255,7 @@ def change_state(
         stop_slowest_foot(system, mode, time, state)
     if cause == TOUCHES:
         land_on_fence(system, state)
+        land_on_wall(system, mode.during, time, state)
     meets: bool = cause == PENETRATES and not has_finger(system)
     if meets:
         land_on_fence(system, state)

@@ -14,7 +14,6 @@ from planar_pushing.core.motion.mode import (
     contact_mode_of,
     is_preferred,
 )
-from planar_pushing.core.motion.shapes import clearance_of
 from planar_pushing.core.motion.system import (
     CANDIDATE,
     CAUSES,
@@ -35,6 +34,7 @@ from planar_pushing.core.motion.system import (
     with_candidates,
 )
 from planar_pushing.core.motion.touch import hold_candidate, put_contact, state_at_candidate
+from planar_pushing.core.motion.wall import clearance_of
 from planar_pushing.core.numbers import INFINITY, zeros
 from planar_pushing.core.supports.tolerances import NEAR_ZERO, NO_TREND, SLACK
 

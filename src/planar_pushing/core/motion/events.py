@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from math import sqrt
 
+from planar_pushing.core.instant.solution import SEPARATE
 from planar_pushing.core.motion.candidates import note_slip
 from planar_pushing.core.motion.changes import (
     change_state,
@@ -38,19 +39,12 @@ from planar_pushing.core.motion.explicit import (
 from planar_pushing.core.motion.fence import end_of_fence, fence_displacement, span_at
 from planar_pushing.core.motion.guards import write_guards
 from planar_pushing.core.motion.log import end_log, has_room_for_rows, next_log_row, write_instant
-from planar_pushing.core.motion.mode import NO_MODE, Mode
+from planar_pushing.core.motion.mode import NO_MODE, Mode, contact_mode_of
 from planar_pushing.core.motion.rolling import has_finger
 from planar_pushing.core.motion.run import (
     Run,
 )
-from planar_pushing.core.motion.shapes import (
-    center_height,
-    confine_finger,
-    is_outlined,
-    longest_step,
-    put_initial_state,
-    room_on_side,
-)
+from planar_pushing.core.motion.shapes import center_height, is_outlined, put_initial_state
 from planar_pushing.core.motion.system import (
     CAUSES,
     CENTER_DOWN,
@@ -61,7 +55,6 @@ from planar_pushing.core.motion.system import (
     KINK,
     LAID_DOWN,
     LAST_RATES,
-    MET_OUTLINE,
     NO_PROGRESS,
     PASSING,
     PENETRATES,
@@ -75,6 +68,7 @@ from planar_pushing.core.motion.system import (
     TOO_MANY_EVENTS,
     TOO_MUCH_WORK,
     TOUCHES,
+    TWO_CONTACTS,
     VALUES,
     RunState,
     System,
@@ -86,6 +80,17 @@ from planar_pushing.core.motion.system import (
     vector_of,
 )
 from planar_pushing.core.motion.touch import count_points, name_contact
+from planar_pushing.core.motion.wall import (
+    begin_at_wall,
+    confine_finger,
+    follows_chain,
+    go_to_next_piece,
+    leave_corner,
+    longest_step,
+    open_wall,
+    touch_wall,
+    room_on_side,
+)
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.supports.tolerances import RATTLES, SLACK
 
@@ -149,6 +154,7 @@ def _begin(system: System) -> None:
     """Begin a run, with the state at time 0."""
     prepare_system(system)
     scale_state(system)
+    begin_at_wall(system)
     put_initial_state(system, vector_of(system, STATE))
     name_contact(system, vector_of(system, STATE))
     run = system.run
@@ -248,8 +254,10 @@ def _begin_mode(system: System, excluded: int) -> None:
     state, policy = vector_of(system, STATE), current_policy(system)
     during = span_at(system.fence, run.piece)
     point, other_end = run.point, run.other_end
-    confine_finger(system, vector_of(system, STATE))
+    touch_wall(system, during, run.time, state)
     reason = _settle_and_choose(system, SLACK, excluded, point, other_end)
+    if reason == GOES_ON and leave_corner(system, during, run.time, state, run.mode):
+        reason = _settle_and_choose(system, SLACK, NO_MODE, point, other_end)
     if reason == INCONSISTENT and count_points(system) > 0:
         # The ends of a side can meet the fence in turn, faster and faster, until it lies there.
         reason = _settle_and_choose(system, RATTLES, NO_MODE, point, other_end)
@@ -264,6 +272,9 @@ def _begin_mode(system: System, excluded: int) -> None:
         run.stopped = reason
         return
     run.mode_began, run.fresh = run.time, True
+    if contact_mode_of(current_mode(system)) == SEPARATE:
+        open_wall(system, state)
+    confine_finger(system, state)
     # The motion is not smooth after a kink.
     run.kink, run.kink_side = run.time, (1 if run.cause == KINK else 0)
     values, signs = guards_of(system, VALUES), guards_of(system, SIGNS)
@@ -385,8 +396,17 @@ def _go_to_event(system: System) -> None:
         cause = TOUCHES  # the pusher has left the slider at rest before
         run.cause = cause
     # A finger leaves its side, or passes beside it.
+    chained: bool = follows_chain(system)
     passes: bool = cause == TOUCHES and room_on_side(system, state.along) < -SLACK
-    if cause == END_OF_SIDE or passes:
+    if chained and cause == END_OF_SIDE:
+        reason = _pass_end(system, state)
+    elif chained and cause == PENETRATES and state.gap > SLACK:
+        open_wall(system, state)
+        time, reason = change_state(
+            system, TOUCHES, mode, run.event_time, state, current_policy(system)
+        )
+        run.time = time
+    elif cause == END_OF_SIDE or passes:
         run.parted = not is_outlined(system)
         reason = SIDE_ENDED if is_outlined(system) else GOES_ON
     else:
@@ -396,8 +416,16 @@ def _go_to_event(system: System) -> None:
         run.time = time
     if cause == CENTER_DOWN:
         reason = LAID_DOWN
-    elif cause == PENETRATES and has_finger(system):
-        reason = MET_OUTLINE
+    elif cause == PENETRATES and has_finger(system) and state.gap <= SLACK:
+        reason = TWO_CONTACTS
     run.phase = CHANGES
     if reason != GOES_ON:
         _stop(run, reason)
+
+
+def _pass_end(system: System, state: RunState) -> int:
+    """Go past the end of a piece; return `GOES_ON` or why the run ends."""
+    if state.gap > SLACK:
+        open_wall(system, state)
+        return GOES_ON
+    return GOES_ON if go_to_next_piece(system, state) else TWO_CONTACTS

@@ -25,14 +25,7 @@ from planar_pushing.core.motion.instant import (
 )
 from planar_pushing.core.motion.mode import REST, Mode, contact_mode_of, slip_side
 from planar_pushing.core.motion.reaction import cone_margin, edge_of_slip
-from planar_pushing.core.motion.shapes import (
-    center_height,
-    clearance_of,
-    is_steady_pusher,
-    outline_height,
-    pose_of,
-    room_on_side,
-)
+from planar_pushing.core.motion.shapes import center_height, is_steady_pusher, pose_of
 from planar_pushing.core.motion.system import (
     CAUSES,
     CENTER_AT_POINT,
@@ -55,6 +48,13 @@ from planar_pushing.core.motion.system import (
     is_massive,
 )
 from planar_pushing.core.motion.touch import is_flush
+from planar_pushing.core.motion.wall import (
+    clearance_of,
+    follows_chain,
+    gap_of_finger,
+    outline_height,
+    room_on_side,
+)
 from planar_pushing.core.numbers import UNKNOWN, Numbers
 from planar_pushing.core.supports.tolerances import NO_FORCE, PUSHES, SLACK
 
@@ -87,16 +87,17 @@ def _write_guards(
     is_open: bool = mode.contact == SEPARATE or (rests and not rests_on_pusher)
     if mode.touches:
         # It leaves the slider, and returns, within the mode.
-        guards[TOUCHES] = state.gap if fabs(state.gap) > SLACK else 0.0
+        gap = gap_of_finger(system, state)
+        guards[TOUCHES] = gap if fabs(gap) > SLACK else 0.0
         guards[PUSH_STARTS] = 1.0
     if rests_on_pusher:
         guards[PUSH_STARTS] = PUSHES - instant.fence_y / system.run.speed
     elif is_open and not system.run.parted:
-        guards[TOUCHES] = state.gap
+        guards[TOUCHES] = gap_of_finger(system, state)
     if not rests:
         guards[CENTER_DOWN] = center_height(system, state)
     is_open = is_open or state.gap > SLACK
-    if not is_open:
+    if not is_open or (follows_chain(system) and system.run.wall.piece >= 0):
         guards[END_OF_SIDE] = room_on_side(system, state.along)
     guards[PENETRATES] = outline_height(system, state, not is_open)
     if is_massive(system):

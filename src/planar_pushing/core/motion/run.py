@@ -37,6 +37,15 @@ class Inputs(Record):
     fine, corners, corners_place : float, int, int
         Slider's radius in tolerances of its outline, zero without an outline; number of the outline's
         corners, zero if they are not given, and their place in the data, in units of its tolerance.
+    chain, chain_place : int, int
+        Number of the pieces of the outline, and their place in the data, in the frame of the outline and in
+        units of its tolerance.
+    frame, axis, turn : Pair, Pair, float
+        Origin of the body frame in that of the outline, in the same unit, and direction of body x there,
+        as a unit vector and as an angle.
+    wall, place : int, float
+        The piece at the contact at time 0, -1 if it is not known, and its place: distance from the start of
+        a side, or direction of the tangent.
     frictions, resisting : int
         Numbers of the effects that are friction, and of those that resist: friction and viscous friction.
     tolerance : float
@@ -72,6 +81,13 @@ class Inputs(Record):
     fine: float
     corners: int
     corners_place: int
+    chain: int
+    chain_place: int
+    frame: Pair
+    axis: Pair
+    turn: float
+    wall: int
+    place: float
     frictions: int
     resisting: int
     tolerance: float
@@ -163,8 +179,11 @@ class Wall(Record):
         In the body frame: the center of an arc, the corner, or the point of a side at the position `base`.
     radius : float
         Of curvature: infinite for a side, 0 for a corner, and negative for a hollow arc.
-    base, angle, rod : float, float, Pair
-        A position of the contact, and the angle and direction of body x in the contact frame there.
+    base, place : float, float
+        A position of the contact, and its place on the piece: distance from the start of a side, or
+        direction of the tangent.
+    angle, rod : float, Pair
+        Angle and direction of body x in the contact frame there.
     start, end : float
         Its ends, along the pusher's path on the outline, from the contact at time 0 toward +x.
     """
@@ -173,6 +192,7 @@ class Wall(Record):
     anchor: Pair
     radius: float
     base: float
+    place: float
     angle: float
     rod: Pair
     start: float

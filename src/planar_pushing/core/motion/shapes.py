@@ -21,25 +21,14 @@ from math import cos, fabs, sin, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.instant.directions import Rod
-from planar_pushing.core.instant.solution import SEPARATE
 from planar_pushing.core.motion.fence import Span, fence_acceleration, fence_velocity
-from planar_pushing.core.motion.mode import REST, Mode
 from planar_pushing.core.motion.rolling import contact_in_body, frame_angle, has_finger
 from planar_pushing.core.motion.system import RunState, System, is_massive
 from planar_pushing.core.motion.touch import (
     count_points,
-    height_above_pusher,
-    is_flush,
-    lowest_point,
 )
-from planar_pushing.core.numbers import INFINITY, UNKNOWN
+from planar_pushing.core.numbers import UNKNOWN
 from planar_pushing.core.supports.contact import Contact, contact_at, hold_rotation
-from planar_pushing.core.supports.outline import distance_to_outline, free_stretch
-from planar_pushing.core.supports.tolerances import SLACK
-
-#: Distance, in tolerances of the outline, that a free finger may move in a step beyond that to the outline;
-#: it is a thousandth of the outline's extent.
-STRIDE = 1e6
 
 
 class Pose(NamedTuple):
@@ -199,11 +188,6 @@ def is_steady_pusher(system: System, during: Span) -> bool:
     return not has_finger(system) and during.constant
 
 
-def clearance_of(system: System, state: RunState) -> float:
-    """Height of the slider above the pusher, infinite if the contact has ended permanently."""
-    return INFINITY if system.run.parted else height_above_pusher(system, state)
-
-
 def center_height(system: System, state: RunState) -> float:
     """Height of the slider's center above a fence, relative to the rod; NaN if it is not limited.
 
@@ -217,15 +201,6 @@ def center_height(system: System, state: RunState) -> float:
     return state.gap / length + sin(state.angle)
 
 
-def room_on_side(system: System, along: float) -> float:
-    """Distance from the contact to the nearer end of a finger's side, NaN for a side without ends."""
-    if not has_finger(system):
-        return UNKNOWN
-    wall = system.run.wall
-    room = min(wall.end + along, -along - wall.start)
-    return room if room < INFINITY else UNKNOWN
-
-
 def has_outline(system: System) -> bool:
     """Whether the slider has an outline."""
     return system.scene.corners > 0
@@ -234,73 +209,6 @@ def has_outline(system: System) -> bool:
 def is_outlined(system: System) -> bool:
     """Whether the slider is known to have an outline, even if its corners are not given."""
     return system.scene.fine > 0.0
-
-
-def confine_finger(system: System, state: RunState) -> None:
-    """Store the stretch of the side on which a finger meets no other point of the outline."""
-    scene, run = system.scene, system.run
-    run.low, run.high = -INFINITY, INFINITY
-    if has_finger(system) and has_outline(system):
-        fine, corners = scene.fine, system.data[scene.corners_place :]
-        stretch = free_stretch(
-            corners,
-            scene.corners,
-            x=-(fine * scene.length),
-            y=0.0,
-            t_x=run.rod.x,
-            t_y=-run.rod.y,
-            radius=fine * scene.radius,
-            depth=1.0,
-            position=-fine * state.along,
-        )
-        run.low, run.high = stretch.low / fine, stretch.high / fine
-
-
-def outline_height(system: System, state: RunState, touching: bool) -> float:
-    """Distance of the outline from the pusher, NaN without an outline.
-
-    For a finger, it is in units of the outline's tolerance, and positive until another point than the
-    contact is as deep as the tolerance; in contact, it is the distance along the side to such a meeting.
-    For a fence, it is the height of the lowest point besides the contact. If both touch at once, the
-    contact comes first.
-    """
-    scene, run = system.scene, system.run
-    if not has_finger(system):
-        if is_flush(system) or count_points(system) == 0:
-            return UNKNOWN
-        height = lowest_point(system, state, True).height - run.floor
-        if not touching and height > state.gap - SLACK:
-            height += SLACK
-        return height if height < INFINITY else UNKNOWN
-    if not has_outline(system):
-        return UNKNOWN
-    fine, length, gap, count = scene.fine, scene.length, state.gap, scene.corners
-    corners = system.data[scene.corners_place :]
-    along = state.along
-    if touching:
-        room = min(run.high + along, -along - run.low)
-        return fine * room if room < INFINITY else UNKNOWN
-    across = max(gap, 0.0) + scene.radius
-    x = -length - (along * run.rod.x + across * run.rod.y)
-    y = along * run.rod.y - across * run.rod.x
-    distance = distance_to_outline(corners, count, fine * x, fine * y)
-    return distance - fine * scene.radius + 1.0
-
-
-def longest_step(system: System, mode: Mode, height: float, speed: float) -> float:
-    """Longest step of a finger free of the slider, which cannot pass through a part of the outline.
-
-    The arguments are its distance from the outline and its speed relative to the slider.
-    """
-    rests: bool = mode.contact == REST and mode.f_x == 0.0 and mode.f_y == 0.0
-    if not has_finger(system) or not (mode.contact == SEPARATE or rests):
-        return INFINITY
-    # The speed is constant while the slider rests and the pusher's velocity is constant.
-    if mode.contact == SEPARATE or not mode.during.constant:
-        speed += system.run.speed
-    if height == height and speed > 0.0:
-        return (height + STRIDE) / (system.scene.fine * speed)
-    return INFINITY
 
 
 def put_initial_state(system: System, state: RunState) -> None:

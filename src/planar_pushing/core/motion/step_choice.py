@@ -25,7 +25,6 @@ from planar_pushing.core.motion.mode import NO_MODE, is_preferred
 from planar_pushing.core.motion.posing import momentum_over
 from planar_pushing.core.motion.shapes import (
     Pose,
-    clearance_of,
     contact_motion,
     from_world,
     pose_of,
@@ -55,6 +54,7 @@ from planar_pushing.core.motion.touch import (
     take_lowest_point,
     touch_tolerance,
 )
+from planar_pushing.core.motion.wall import clearance_of
 from planar_pushing.core.numbers import INFINITY, Numbers, zeros
 from planar_pushing.core.supports.rows import NO_POINT, Vector
 from planar_pushing.core.supports.tolerances import COINCIDENT, SHARE, SLACK

@@ -45,16 +45,13 @@ from planar_pushing.core.motion.shapes import (
     Pose,
     center_height,
     center_position,
-    confine_finger,
     contact_after_flight,
     contact_motion,
     from_world,
     is_outlined,
     kinetic_energy_of,
-    outline_height,
     pose_of,
     put_initial_state,
-    room_on_side,
     to_body,
     to_contact,
     to_world,
@@ -76,6 +73,7 @@ from planar_pushing.core.motion.system import (
     vector_of,
 )
 from planar_pushing.core.motion.touch import name_contact
+from planar_pushing.core.motion.wall import confine_finger, outline_height, room_on_side
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.supports.rows import NO_POINT
 from planar_pushing.core.supports.tolerances import SLACK

@@ -62,6 +62,7 @@ END_VALUES, MIDDLE_VALUES, TRIAL_GUARDS, LATER_GUARDS, GUARD_SETS = range(5, 10)
 #: Reasons of an early end (`Stop`).
 GOES_ON, INCONSISTENT, LAID_DOWN, NO_IMPULSE, SINGULAR_MOTION = range(5)
 TOO_MANY_EVENTS, NO_PROGRESS, MET_OUTLINE, SIDE_ENDED, TOO_MUCH_WORK = range(5, 10)
+TWO_CONTACTS = 10
 
 
 class RunState(Record):
@@ -270,7 +271,7 @@ def prepare_system(system: System) -> None:
     run.low, run.high = -INFINITY, INFINITY
     wall = run.wall
     wall.piece, wall.radius = NO_POINT, INFINITY if scene.finger else 0.0
-    wall.base, wall.angle = 0.0, scene.angle
+    wall.base, wall.place, wall.angle = 0.0, 0.0, scene.angle
     wall.anchor.x, wall.anchor.y = -scene.length, 0.0
     wall.rod.x, wall.rod.y = run.rod.x, run.rod.y
     wall.start, wall.end = scene.side_start, scene.side_end

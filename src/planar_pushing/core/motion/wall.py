@@ -1,0 +1,282 @@
+"""The piece of the outline at a finger's contact, and how it changes.
+
+A finger goes from piece to piece where the contact reaches an end of one. The contact frame is then the
+same; only the radius of curvature changes. While the contact is open, the wall is a straight line, in whose
+frame the slider is seen, and the finger can meet any piece. A point at an outer corner has no radius of
+curvature at all: sticking, it keeps the direction of its normal in the world, until one side is along the
+fence frame; slipping, it goes on to the side at once.
+"""
+
+from __future__ import annotations
+
+from math import cos, sin
+
+from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, SLIP_RIGHT
+from planar_pushing.core.motion.fence import Span
+from planar_pushing.core.motion.mode import REST, Mode
+from planar_pushing.core.motion.rolling import frame_angle, has_finger, is_straight, unit_of_place
+from planar_pushing.core.motion.shapes import (
+    center_motion,
+    contact_motion,
+    from_world,
+    pose_of,
+    pusher_velocity,
+    to_world,
+)
+from planar_pushing.core.motion.system import RunState, System, is_massive
+from planar_pushing.core.motion.touch import (
+    count_points,
+    height_above_pusher,
+    is_flush,
+    lowest_point,
+)
+from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers
+from planar_pushing.core.supports.chain import (
+    ChainPiece,
+    NearestPlace,
+    chain_piece,
+    is_inner_corner,
+    is_side,
+    nearest_on_chain,
+    stretch_of_piece,
+)
+from planar_pushing.core.supports.rows import NO_POINT, Position
+from planar_pushing.core.supports.tolerances import SLACK
+
+#: Distance, in tolerances of the outline, that a free finger may move in a step beyond that to the outline;
+#: it is a thousandth of the outline's extent.
+STRIDE = 1e6
+
+
+def follows_chain(system: System) -> bool:
+    """Whether a finger follows the pieces of an outline."""
+    return system.scene.finger and system.scene.chain > 0
+
+
+def chain_of(system: System) -> Numbers:
+    """The pieces of the outline."""
+    return system.data[system.scene.chain_place :]
+
+
+def put_wall(system: System, number: int, place: float, along: float) -> None:
+    """Make a piece the wall, with a position of the contact at a place of it."""
+    scene, wall, piece = system.scene, system.run.wall, chain_piece(chain_of(system), number)
+    x, y, fine = piece.x, piece.y, scene.fine
+    wall.piece, wall.base, wall.place = number, along, place
+    wall.radius = INFINITY if is_side(piece) else piece.radius / fine
+    if is_side(piece):
+        x, y = x + place * piece.along_x, y + place * piece.along_y
+        wall.angle = scene.turn - piece.first
+        wall.start, wall.end = -along - place / fine, -along + (piece.length - place) / fine
+    else:
+        unit = unit_of_place(system)
+        wall.angle = scene.turn - place
+        wall.start = -along + unit * (piece.first - place)
+        wall.end = -along + unit * (piece.last - place)
+        if piece.next == number:  # a whole disc
+            wall.start, wall.end = -INFINITY, INFINITY
+    x, y = x - scene.frame.x, y - scene.frame.y
+    wall.anchor.x = (x * scene.axis.x + y * scene.axis.y) / fine
+    wall.anchor.y = (y * scene.axis.x - x * scene.axis.y) / fine
+    wall.rod.x, wall.rod.y = cos(wall.angle), sin(wall.angle)
+
+
+def begin_at_wall(system: System) -> None:
+    """Make the piece at the contact at time 0 the wall."""
+    scene = system.scene
+    if follows_chain(system) and scene.wall >= 0:
+        put_wall(system, scene.wall, scene.place, 0.0)
+
+
+def place_on_wall(system: System, along: float) -> float:
+    """The place of the contact on the piece that is the wall."""
+    wall = system.run.wall
+    unit = 1.0 / system.scene.fine if is_straight(wall) else unit_of_place(system)
+    return wall.place + (wall.base - along) / unit
+
+
+def go_to_next_piece(system: System, state: RunState) -> bool:
+    """Make the piece after the end that the contact has reached the wall; return whether there is one.
+
+    Beside an inner corner there is none: a disc would touch both sides.
+    """
+    wall = system.run.wall
+    forward: bool = wall.end + state.along < -state.along - wall.start
+    piece = chain_piece(chain_of(system), wall.piece)
+    number = piece.next if forward else piece.before
+    neighbor = chain_piece(chain_of(system), number)
+    if is_inner_corner(neighbor):
+        return False
+    put_wall(system, number, place=_end_of(neighbor, forward), along=state.along)
+    return True
+
+
+def _end_of(piece: ChainPiece, is_start: bool) -> float:
+    """The place of a piece at its start or at its end."""
+    if is_side(piece):
+        return 0.0 if is_start else piece.length
+    return piece.first if is_start else piece.last
+
+
+def is_sharp(system: System) -> bool:
+    """Whether a point is at a corner."""
+    return follows_chain(system) and system.run.wall.radius + system.scene.radius == 0.0
+
+
+def leave_corner(system: System, during: Span, time: float, state: RunState, contact: int) -> bool:
+    """Let a point that slips at a corner go on to the side; return whether it does."""
+    slips: bool = contact == SLIP_LEFT or contact == SLIP_RIGHT
+    if not slips or not is_sharp(system):
+        return False
+    piece = chain_piece(chain_of(system), system.run.wall.piece)
+    forward: bool = contact == SLIP_LEFT
+    number = piece.next if forward else piece.before
+    neighbor = chain_piece(chain_of(system), number)
+    move_to_place(system, during, time, state, number, _end_of(neighbor, forward))
+    return True
+
+
+def open_wall(system: System, state: RunState) -> None:
+    """Make the tangent of the outline at the contact the wall, which a finger leaves."""
+    wall = system.run.wall
+    if not follows_chain(system) or wall.piece < 0:
+        return
+    pose, angle = pose_of(system, state), frame_angle(system, state)
+    c, s, gap = pose.rod.x, pose.rod.y, state.gap
+    wall.anchor.x, wall.anchor.y = pose.contact.x + gap * s, pose.contact.y + gap * c
+    wall.piece, wall.radius, wall.base, wall.angle = NO_POINT, INFINITY, state.along, angle
+    wall.rod.x, wall.rod.y = c, s
+    wall.start, wall.end = -INFINITY, INFINITY
+
+
+def finger_center(system: System, state: RunState) -> Position:
+    """The center of a finger in the frame of the outline, in units of its tolerance."""
+    scene, pose = system.scene, pose_of(system, state)
+    x = scene.fine * (pose.contact.x - scene.radius * pose.rod.y)
+    y = scene.fine * (pose.contact.y - scene.radius * pose.rod.x)
+    c, s = scene.axis.x, scene.axis.y
+    return Position(scene.frame.x + (x * c - y * s), scene.frame.y + (x * s + y * c))
+
+
+def nearest_wall(system: System, state: RunState) -> NearestPlace:
+    """The place of the outline nearest to a finger, and its distance from the center of the finger."""
+    center = finger_center(system, state)
+    return nearest_on_chain(chain_of(system), system.scene.chain, center.x, center.y)
+
+
+def gap_of_finger(system: System, state: RunState) -> float:
+    """Distance of a finger from the slider's outline, or from the wall without one."""
+    if not follows_chain(system) or system.run.wall.piece >= 0:
+        return state.gap
+    return nearest_wall(system, state).distance / system.scene.fine - system.scene.radius
+
+
+def move_to_place(
+    system: System, during: Span, time: float, state: RunState, number: int, place: float
+) -> None:
+    """Close the contact at a place of a piece, which becomes the wall; the motion is the same."""
+    if not is_massive(system):
+        put_wall(system, number, place, state.along)
+        state.gap = 0.0
+        return
+    fence_x, fence_y = pusher_velocity(system, during, time, state)
+    u_x, u_y = fence_x + state.slip_speed, fence_y + state.normal_speed
+    v_x, v_y = center_motion(pose_of(system, state), u_x, u_y, state.spin)
+    v_x, v_y = to_world(system, state, v_x, v_y)
+    put_wall(system, number, place, state.along)
+    state.gap = 0.0
+    v_x, v_y = from_world(system, state, v_x, v_y)
+    u_x, u_y = contact_motion(pose_of(system, state), v_x, v_y, state.spin)
+    fence_x, fence_y = pusher_velocity(system, during, time, state)
+    state.slip_speed, state.normal_speed = u_x - fence_x, u_y - fence_y
+
+
+def land_on_wall(system: System, during: Span, time: float, state: RunState) -> None:
+    """Close the contact of a finger, at the place of the outline nearest to it."""
+    if follows_chain(system) and system.run.wall.piece < 0:
+        nearest = nearest_wall(system, state)
+        move_to_place(system, during, time, state, nearest.piece, nearest.place)
+    state.gap = 0.0
+
+
+def touch_wall(system: System, during: Span, time: float, state: RunState) -> None:
+    """Make the piece that a finger touches the wall, if it is not known."""
+    if follows_chain(system) and system.run.wall.piece < 0:
+        if nearest_wall(system, state).distance <= system.scene.fine * (system.scene.radius + SLACK):
+            land_on_wall(system, during, time, state)
+
+
+def confine_finger(system: System, state: RunState) -> None:
+    """Store the stretch of the wall on which a finger meets no other piece of the outline."""
+    scene, run, wall = system.scene, system.run, system.run.wall
+    run.low, run.high = -INFINITY, INFINITY
+    if not follows_chain(system) or wall.piece < 0:
+        return
+    place, unit = place_on_wall(system, state.along), 1.0 / scene.fine
+    if not is_straight(wall):
+        unit = unit_of_place(system)
+    stretch = stretch_of_piece(
+        chain_of(system), scene.chain, wall.piece, scene.fine * scene.radius, place
+    )
+    run.low = unit * (stretch.low - wall.place) - wall.base
+    run.high = unit * (stretch.high - wall.place) - wall.base
+    if unit < 0.0:
+        run.low, run.high = run.high, run.low
+
+
+def clearance_of(system: System, state: RunState) -> float:
+    """Height of the slider above the pusher, infinite if the contact has ended permanently."""
+    if system.run.parted:
+        return INFINITY
+    return (
+        gap_of_finger(system, state) if has_finger(system) else height_above_pusher(system, state)
+    )
+
+
+def room_on_side(system: System, along: float) -> float:
+    """Distance from the contact to the nearer end of a finger's side, NaN for a side without ends."""
+    if not has_finger(system):
+        return UNKNOWN
+    wall = system.run.wall
+    room = min(wall.end + along, -along - wall.start)
+    return room if room < INFINITY else UNKNOWN
+
+
+def outline_height(system: System, state: RunState, touching: bool) -> float:
+    """Distance of the outline from the pusher, NaN without an outline.
+
+    For a finger, it is in units of the outline's tolerance, and positive until another point than the
+    contact is as deep as the tolerance; in contact, it is the distance along the side to such a meeting.
+    For a fence, it is the height of the lowest point besides the contact. If both touch at once, the
+    contact comes first.
+    """
+    scene, run = system.scene, system.run
+    if not has_finger(system):
+        if is_flush(system) or count_points(system) == 0:
+            return UNKNOWN
+        height = lowest_point(system, state, True).height - run.floor
+        if not touching and height > state.gap - SLACK:
+            height += SLACK
+        return height if height < INFINITY else UNKNOWN
+    if not follows_chain(system):
+        return UNKNOWN
+    if touching:
+        room = min(run.high + state.along, -state.along - run.low)
+        return scene.fine * room if room < INFINITY else UNKNOWN
+    return nearest_wall(system, state).distance - scene.fine * scene.radius + 1.0
+
+
+def longest_step(system: System, mode: Mode, height: float, speed: float) -> float:
+    """Longest step of a finger free of the slider, which cannot pass through a part of the outline.
+
+    The arguments are its distance from the outline and its speed relative to the slider.
+    """
+    rests: bool = mode.contact == REST and mode.f_x == 0.0 and mode.f_y == 0.0
+    if not has_finger(system) or not (mode.contact == SEPARATE or rests):
+        return INFINITY
+    # The speed is constant while the slider rests and the pusher's velocity is constant.
+    if mode.contact == SEPARATE or not mode.during.constant:
+        speed += system.run.speed
+    if height == height and speed > 0.0:
+        return (height + STRIDE) / (system.scene.fine * speed)
+    return INFINITY
