@@ -44,8 +44,8 @@ REASONS: Mapping[Stop, Reason] = {
     Stop.EVENTS: Reason("without any time between them", STEPS),
     Stop.PROGRESS: Reason("thousands of steps make no progress", STEPS),
     Stop.EVALUATIONS: Reason("millions of steps are not enough", STEPS),
-    Stop.PENETRATES: Reason(
-        "another point of the outline meets the finger",
+    Stop.TWO_CONTACTS: Reason(
+        "the finger touches the object at two places",
         "a finger has one contact: end the push before, or push at another place or with a smaller finger",
     ),
     Stop.END_OF_SIDE: Reason(

@@ -15,13 +15,13 @@ from planar_pushing.core.motion.system import (
     GOES_ON,
     INCONSISTENT,
     LAID_DOWN,
-    MET_OUTLINE,
     NO_IMPULSE,
     NO_PROGRESS,
     SIDE_ENDED,
     SINGULAR_MOTION,
     TOO_MANY_EVENTS,
     TOO_MUCH_WORK,
+    TWO_CONTACTS,
 )
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import Outcome
@@ -45,7 +45,7 @@ class Stop(IntEnum):
     SINGULAR = SINGULAR_MOTION
     EVENTS = TOO_MANY_EVENTS
     PROGRESS = NO_PROGRESS
-    PENETRATES = MET_OUTLINE
+    TWO_CONTACTS = TWO_CONTACTS
     END_OF_SIDE = SIDE_ENDED
     EVALUATIONS = TOO_MUCH_WORK
 

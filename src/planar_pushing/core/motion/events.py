@@ -88,8 +88,8 @@ from planar_pushing.core.motion.wall import (
     leave_corner,
     longest_step,
     open_wall,
-    touch_wall,
     room_on_side,
+    touch_wall,
 )
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.supports.tolerances import RATTLES, SLACK

@@ -21,7 +21,8 @@ from planar_pushing.core.motion.system import (
     logs_events,
     memory_of,
 )
-from planar_pushing.core.motion.touch import height_above_pusher, is_flush, side_on_fence
+from planar_pushing.core.motion.touch import is_flush, side_on_fence
+from planar_pushing.core.motion.wall import gap_above_pusher
 from planar_pushing.core.supports.rows import NO_POINT
 from planar_pushing.core.supports.tolerances import SLACK
 
@@ -86,7 +87,7 @@ def write_state(
     pose, angle, run = pose_of(system, state), state.angle, system.run
     row.angle, row.slip, row.gap = angle, state.slipped, state.gap
     if state.gap > SLACK:
-        row.gap = height_above_pusher(system, state)
+        row.gap = gap_above_pusher(system, state)
     row.work, row.contact_dissipated = state.work, state.lost
     row.evaluations = run.evaluations
     copy_numbers(row[LOG_ROW:], energies_of(system, state), system.scene.resisting)

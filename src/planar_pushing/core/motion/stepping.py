@@ -61,10 +61,10 @@ from planar_pushing.core.motion.system import (
     GOES_ON,
     INCONSISTENT,
     LAID_DOWN,
-    MET_OUTLINE,
     RATES,
     SIDE_ENDED,
     STATE,
+    TWO_CONTACTS,
     System,
     energies_of,
     is_massive,
@@ -260,7 +260,7 @@ def _end_contact(system: System) -> None:
     if center_height(system, state) <= 0.0:
         run.stopped = LAID_DOWN
     elif has_finger(system) and outline_height(system, state, run.mode != SEPARATE) <= 0.0:
-        run.stopped = MET_OUTLINE
+        run.stopped = TWO_CONTACTS
 
 
 def _count_step(system: System) -> None:

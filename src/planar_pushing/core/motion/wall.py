@@ -202,7 +202,9 @@ def land_on_wall(system: System, during: Span, time: float, state: RunState) -> 
 def touch_wall(system: System, during: Span, time: float, state: RunState) -> None:
     """Make the piece that a finger touches the wall, if it is not known."""
     if follows_chain(system) and system.run.wall.piece < 0:
-        if nearest_wall(system, state).distance <= system.scene.fine * (system.scene.radius + SLACK):
+        if nearest_wall(system, state).distance <= system.scene.fine * (
+            system.scene.radius + SLACK
+        ):
             land_on_wall(system, during, time, state)
 
 
@@ -224,13 +226,16 @@ def confine_finger(system: System, state: RunState) -> None:
         run.low, run.high = run.high, run.low
 
 
-def clearance_of(system: System, state: RunState) -> float:
-    """Height of the slider above the pusher, infinite if the contact has ended permanently."""
-    if system.run.parted:
-        return INFINITY
+def gap_above_pusher(system: System, state: RunState) -> float:
+    """Distance of the slider from the pusher: its height above a fence, or that of its outline."""
     return (
         gap_of_finger(system, state) if has_finger(system) else height_above_pusher(system, state)
     )
+
+
+def clearance_of(system: System, state: RunState) -> float:
+    """Distance of the slider from the pusher, infinite if the contact has ended permanently."""
+    return INFINITY if system.run.parted else gap_above_pusher(system, state)
 
 
 def room_on_side(system: System, along: float) -> float:
