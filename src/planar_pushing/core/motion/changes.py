@@ -52,14 +52,14 @@ from planar_pushing.core.motion.touch import (
     settle_on_fence,
     take_lowest_point,
 )
-from planar_pushing.core.motion.wall import clearance_of, land_on_wall
+from planar_pushing.core.motion.wall import clearance_of, is_closed, land_on_wall
 from planar_pushing.core.supports.rows import foot_position
 from planar_pushing.core.supports.tolerances import NEAR_ZERO, RATTLES, SLACK
 
 
 def _set_off(system: System, mode: Mode, time: float, state: RunState, policy: int) -> int:
     """Set a slider at rest in motion with a fence that starts to push it; return `GOES_ON` or a reason."""
-    state.gap = 0.0
+    land_on_wall(system, mode.during, time, state)
     current, chosen, contact = contact_mode_of(mode), -1, NO_MODE
     for i in range(write_starts(system, mode.during, time, state)):
         start = candidate_at(system, i, mode.during.first)
@@ -107,7 +107,7 @@ def _come_to_rest(system: System, mode: Mode, time: float, state: RunState) -> f
     state.gap -= fence_y * half
     slack = SLACK * system.run.speed
     if clearance_of(system, state) <= SLACK and fabs(state.normal_speed) <= slack:
-        state.gap = 0.0
+        land_on_wall(system, during, time, state)
     last_x, last_y = pusher_velocity(system, during, time + 2.0 * half, state)
     state.slip_speed, state.normal_speed, state.spin = -last_x, -last_y, 0.0
     return time + 2.0 * half
@@ -196,7 +196,8 @@ def close_contact(system: System, during: Span, time: float, state: RunState, po
     speed = fabs(state.normal_speed)
     if speed > RATTLES * run.speed or speed <= SLACK * run.speed:
         return False
-    state.gap, state.normal_speed = 0.0, -speed
+    land_on_wall(system, during, time, state)
+    state.normal_speed = -speed
     return collide(system, during, time, state, SEPARATE, policy) == GOES_ON
 
 
@@ -242,8 +243,8 @@ def change_state(
         if cause == TOUCHES or (cause == PENETRATES and not has_finger(system)):
             land_on_fence(system, state)
             land_on_wall(system, mode.during, time, state)
-        elif state.gap <= SLACK:
-            state.gap = 0.0
+        elif is_closed(system, state):
+            land_on_wall(system, mode.during, time, state)
         return time, GOES_ON
     contact = contact_mode_of(mode)
     if mode.hinged:
@@ -271,6 +272,6 @@ def change_state(
     if touches:
         take_lowest_point(system, state)
     if touches and state.normal_speed < -SLACK * system.run.speed:
-        state.gap = 0.0
+        land_on_wall(system, mode.during, time, state)
         return time, collide(system, mode.during, time, state, contact, policy)
     return time, GOES_ON

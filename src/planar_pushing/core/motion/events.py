@@ -85,6 +85,7 @@ from planar_pushing.core.motion.wall import (
     confine_finger,
     follows_chain,
     go_to_next_piece,
+    is_closed,
     leave_corner,
     longest_step,
     open_wall,
@@ -400,7 +401,7 @@ def _go_to_event(system: System) -> None:
     passes: bool = cause == TOUCHES and room_on_side(system, state.along) < -SLACK
     if chained and cause == END_OF_SIDE:
         reason = _pass_end(system, state)
-    elif chained and cause == PENETRATES and state.gap > SLACK:
+    elif chained and cause == PENETRATES and not is_closed(system, state):
         open_wall(system, state)
         time, reason = change_state(
             system, TOUCHES, mode, run.event_time, state, current_policy(system)
@@ -416,7 +417,7 @@ def _go_to_event(system: System) -> None:
         run.time = time
     if cause == CENTER_DOWN:
         reason = LAID_DOWN
-    elif cause == PENETRATES and has_finger(system) and state.gap <= SLACK:
+    elif cause == PENETRATES and has_finger(system):
         reason = TWO_CONTACTS
     run.phase = CHANGES
     if reason != GOES_ON:
@@ -425,7 +426,7 @@ def _go_to_event(system: System) -> None:
 
 def _pass_end(system: System, state: RunState) -> int:
     """Go past the end of a piece; return `GOES_ON` or why the run ends."""
-    if state.gap > SLACK:
+    if not is_closed(system, state):
         open_wall(system, state)
         return GOES_ON
     return GOES_ON if go_to_next_piece(system, state) else TWO_CONTACTS

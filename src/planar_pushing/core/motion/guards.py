@@ -52,6 +52,7 @@ from planar_pushing.core.motion.wall import (
     clearance_of,
     follows_chain,
     gap_of_finger,
+    is_closed,
     outline_height,
     room_on_side,
 )
@@ -96,7 +97,7 @@ def _write_guards(
         guards[TOUCHES] = gap_of_finger(system, state)
     if not rests:
         guards[CENTER_DOWN] = center_height(system, state)
-    is_open = is_open or state.gap > SLACK
+    is_open = is_open or not is_closed(system, state)
     if not is_open or (follows_chain(system) and system.run.wall.piece >= 0):
         guards[END_OF_SIDE] = room_on_side(system, state.along)
     guards[PENETRATES] = outline_height(system, state, not is_open)

@@ -22,7 +22,7 @@ from planar_pushing.core.motion.system import (
     memory_of,
 )
 from planar_pushing.core.motion.touch import is_flush, side_on_fence
-from planar_pushing.core.motion.wall import gap_above_pusher
+from planar_pushing.core.motion.wall import gap_above_pusher, is_closed
 from planar_pushing.core.supports.rows import NO_POINT
 from planar_pushing.core.supports.tolerances import SLACK
 
@@ -86,7 +86,7 @@ def write_state(
     """Store state, position, twist and energies in a row that already contains the pusher."""
     pose, angle, run = pose_of(system, state), state.angle, system.run
     row.angle, row.slip, row.gap = angle, state.slipped, state.gap
-    if state.gap > SLACK:
+    if not is_closed(system, state):
         row.gap = gap_above_pusher(system, state)
     row.work, row.contact_dissipated = state.work, state.lost
     row.evaluations = run.evaluations

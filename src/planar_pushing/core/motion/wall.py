@@ -191,6 +191,13 @@ def move_to_place(
     state.slip_speed, state.normal_speed = u_x - fence_x, u_y - fence_y
 
 
+def is_closed(system: System, state: RunState) -> bool:
+    """Whether a slider touches the pusher, at its contact or as a finger meets its outline."""
+    if follows_chain(system) and system.run.wall.piece < 0:
+        return gap_of_finger(system, state) <= SLACK
+    return state.gap <= SLACK
+
+
 def land_on_wall(system: System, during: Span, time: float, state: RunState) -> None:
     """Close the contact of a finger, at the place of the outline nearest to it."""
     if follows_chain(system) and system.run.wall.piece < 0:
