@@ -235,14 +235,21 @@ def close_on_foot(system: System, during: Span, time: float, state: RunState) ->
     return True
 
 
+def _land(system: System, during: Span, time: float, state: RunState) -> None:
+    """Close the contact, where the slider meets the pusher."""
+    if has_finger(system):
+        land_on_wall(system, during, time, state)
+    else:
+        land_on_fence(system, state)
+
+
 def change_state(
     system: System, cause: int, mode: Mode, time: float, state: RunState, policy: int
 ) -> tuple[float, int]:
     """Change the state just after an event; return the time, and `GOES_ON` or why the run ends."""
     if not is_massive(system):
         if cause == TOUCHES or (cause == PENETRATES and not has_finger(system)):
-            land_on_fence(system, state)
-            land_on_wall(system, mode.during, time, state)
+            _land(system, mode.during, time, state)
         elif is_closed(system, state):
             land_on_wall(system, mode.during, time, state)
         return time, GOES_ON
@@ -255,8 +262,7 @@ def change_state(
     if passes and contact == STICK and not is_flush(system):
         stop_slowest_foot(system, mode, time, state)
     if cause == TOUCHES:
-        land_on_fence(system, state)
-        land_on_wall(system, mode.during, time, state)
+        _land(system, mode.during, time, state)
     meets: bool = cause == PENETRATES and not has_finger(system)
     if meets:
         land_on_fence(system, state)
