@@ -234,12 +234,13 @@ def _chain_of(corners: Array) -> Array:
 
 def _wall_of(corners: Array, slider: Slider) -> tuple[int, float]:
     """The piece at the contact at time 0, -1 if it is not known, and its place."""
-    if not len(corners) or np.ndim(slider.rod_length) or np.ndim(slider.rod_angle):
+    numbers = slider.rod_length, slider.rod_angle, slider.radius
+    if not len(corners) or any(map(np.ndim, numbers)):
         return -1, 0.0
     fine = slider.radius / depth_tolerance(slider.outline)
     x, y = -slider.rod_length / slider.radius * fine, 0.0
     chain, output = _chain_of(corners), [Output("piece"), Output("place"), Output("distance")]
-    direction = -math.radians(slider.rod_angle) if False else -slider.rod_angle
+    direction = -slider.rod_angle
     place = map_kernel("nearest_places", chain.ravel(), [x, y, len(chain), 0], output)
     number = int(place[0])
     piece = Columns(ChainPiece, chain)
