@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 import pytest
 
-from planar_pushing.core.supports import rows
+from planar_pushing.core.supports import resistance, rows
 from planar_pushing.core.supports.ring import ring_response
 from planar_pushing.mechanics.kernels import calls as kernels
 from planar_pushing.mechanics.solve import solve
@@ -63,7 +63,7 @@ def test_the_core_evaluates_what_is_listed_and_nothing_else(monkeypatch, run, na
     scene, evaluated, integrals = effects.pushed_slider(STUDY, names), Counter(), Counter()
 
     def note(frame, event, _):
-        if event == "call" and frame.f_code is rows.effect_resistance.__code__:
+        if event == "call" and frame.f_code is resistance.effect_resistance.__code__:
             given = frame.f_locals
             evaluated[KINDS[rows.kind_of(given["effects"].data, given["effect"])]] += 1
         elif event == "call":
