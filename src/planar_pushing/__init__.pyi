@@ -38,6 +38,7 @@ from .mechanics.force.derivatives import Derivatives, ForceDerivatives, Smoothne
 from .mechanics.force.force_motion import ForceMotion, motion_of_force
 from .mechanics.force.limit_curve import LimitCurve, limit_curve
 from .mechanics.force.wrench import potential, wrench
+from .mechanics.outline.outline import Outline, rounded
 from .mechanics.plane import Placement
 from .mechanics.scene import Scene
 from .mechanics.slider import Slider
