@@ -116,7 +116,7 @@ def _read_drawing(ring: tuple[tuple[float, float], ...], is_read: bool, name: st
         require_simple(name, vertices[kept], kept)
     drawn = vertices[kept]
     if not is_read:
-        aligned = _put_on_hull(drawn)
+        aligned = _put_on_sides(drawn)
         still = corners_of_drawing(aligned) if aligned is not drawn else np.arange(len(kept))
         # Corners that are now doubled, or on a straight side, are none.
         kept, drawn = kept[still], aligned[still]
@@ -128,46 +128,33 @@ def _read_drawing(ring: tuple[tuple[float, float], ...], is_read: bool, name: st
     return Drawing(vertices, Corners.of(corners), kept, side)
 
 
-def _put_on_hull(corners: Array) -> Array:
-    """Corners, of which those within the tolerance of a side of the convex hull are moved onto it.
+def _put_on_sides(corners: Array) -> Array:
+    """Corners, of which those within the tolerance of the line of an outer side are moved onto it.
 
-    A fence along such a side touches all of them. Nothing is moved that is exact to rounding.
+    A fence along such a side, with all corners on one side of its line, touches all of them. Longer sides
+    come first. Nothing is moved that is exact to rounding.
     """
-    hull = _hull(corners)
-    if len(hull) == len(corners):
-        return corners
-    ends = corners[hull]
-    ends = ends[corners_of_drawing(ends)]
-    along = np.roll(ends, -1, axis=0) - ends
+    along = np.roll(corners, -1, axis=0) - corners
     length = np.hypot(along[:, 0], along[:, 1])
     normal = np.stack([-along[:, 1], along[:, 0]], axis=-1) / length[:, None]
-    heights = ((corners[:, None] - ends) * normal).sum(axis=-1)
-    rounding = ROUNDING * 2.0 * float(np.abs(corners).max())
-    is_off = (np.abs(heights) > rounding) & (np.abs(heights) <= DRAWN * size(corners))
-    away = np.hypot(*np.moveaxis(corners[:, None] - ends, -1, 0))
-    is_off &= (away.min(axis=1) > 0.0)[:, None]
-    if not is_off.any():
+    if (counterclockwise(corners)[0] != corners[0]).any():
+        normal = -normal
+    heights = corners @ normal.T - (corners * normal).sum(axis=1)
+    tolerance, rounding = DRAWN * size(corners), 2.0 * ROUNDING * float(np.abs(corners).max())
+    is_outer = heights.min(axis=0) >= -tolerance
+    is_off = (np.abs(heights) > rounding) & (np.abs(heights) <= tolerance) & is_outer
+    sides = np.flatnonzero(is_off.any(axis=0))
+    if not len(sides):
         return corners
-    shift: Array = (np.where(is_off, heights, 0.0)[..., None] * normal).sum(axis=1)
-    return corners - shift
-
-
-def _hull(points: Array) -> npt.NDArray[np.intp]:
-    """Numbers of the points that are corners of the convex hull, counterclockwise (Andrew's chains)."""
-    x, y = points.T.tolist()
-    order = np.lexsort(points.T[::-1]).tolist()
-    chains = []
-    for numbers in (order, order[::-1]):
-        chain: list[int] = []
-        for k in numbers:
-            while len(chain) > 1:
-                i, j = chain[-2:]
-                if (x[j] - x[i]) * (y[k] - y[i]) > (y[j] - y[i]) * (x[k] - x[i]):
-                    break
-                chain.pop()
-            chain.append(k)
-        chains += chain[:-1]
-    return np.array(chains)
+    aligned, is_free = corners.copy(), np.ones(len(corners), dtype=bool)
+    for side in sides[np.argsort(-length[sides], kind="stable")]:
+        ends = [side, (side + 1) % len(corners)]
+        if is_free[ends].all():
+            moved = is_off[:, side] & is_free
+            aligned[moved] -= heights[moved, side][:, None] * normal[side]
+            is_free[moved] = False
+            is_free[ends] = False
+    return aligned
 
 
 def size(corners: Array) -> float:

@@ -367,12 +367,9 @@ def straight_corners(outline: Outline, name: str = "outline") -> Corners:
 
 
 def _require_kind(value: Any, name: str) -> None:
-    """Refuse numbers, words and supports that have no outline."""
-    if isinstance(value, (str, bytes, int, float)) or value is None or hasattr(value, "geoms"):
-        if hasattr(value, "geoms"):
-            return
-        raise InvalidValue(name, value, ALLOWED, REMEDY)
-    if hasattr(value, "pieces") and not hasattr(value, "vertices"):
+    """Refuse supports that have no outline, and numbers."""
+    is_support = hasattr(value, "pieces") and not hasattr(value, "vertices")
+    if value is None or isinstance(value, (int, float)) or is_support:
         raise InvalidValue(name, value, ALLOWED, REMEDY)
 
 
