@@ -187,7 +187,11 @@ def nearest_place(outline: Outline, points: Array) -> Places:
     choice = np.where(at_corner.any(axis=1), at_corner.argmax(axis=1), distance.argmin(axis=1))
     each = np.arange(len(points))
     found = Places(
-        choice, beta[each, choice], position[each, choice], spots[each, choice], distance[each, choice]
+        choice,
+        beta[each, choice],
+        position[each, choice],
+        spots[each, choice],
+        distance[each, choice],
     )
     return found._replace(gap=np.where(_are_inside(pieces, found, points), -1.0, 1.0) * found.gap)
 

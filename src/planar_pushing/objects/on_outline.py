@@ -227,7 +227,9 @@ def _side_of_drawing(side: Any, outline: Any) -> int:
     drawing = read_drawing(outline)
     _require_number(side, len(drawing.vertices))
     corners = np.array(drawing.corners)
-    _require_long(int(side), drawing.vertices, corners, outline_of_corners(drawing.corners).tolerance)
+    _require_long(
+        int(side), drawing.vertices, corners, outline_of_corners(drawing.corners).tolerance
+    )
     return int(drawing.side[side])
 
 

@@ -8,8 +8,8 @@ from pydantic import WithJsonSchema, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
 from planar_pushing.mechanics.entries import scene_entry
-from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.outline.entries import OUTLINE, WORDS, outline_of_entry
+from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports.base import POSITION, positions
 from planar_pushing.objects.scene_at import place_object
 from planar_pushing.scenes.entries import ContactEntry, EffectEntry, UnitsEntry

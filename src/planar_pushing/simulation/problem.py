@@ -210,9 +210,7 @@ def _height_of_outline(slider: Slider, corners: Corners, gap: Number) -> float:
     return min(float(np.min(np.asarray(height))) for height in heights)
 
 
-def _distance_of_outline(
-    slider: Slider, outline: Corners, gap: Number, radius: Number
-) -> float:
+def _distance_of_outline(slider: Slider, outline: Corners, gap: Number, radius: Number) -> float:
     """Distance of the outline from the finger, the minimum over several sliders."""
     corners = np.array(outline)
 

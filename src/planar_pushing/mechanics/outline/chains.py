@@ -284,4 +284,6 @@ def require_chains(rows: Array) -> None:
 
 
 def _refused(allowed: str) -> InvalidValue:
-    return InvalidValue("pieces", "rows that are no outline", allowed, "copy them from Outline.pieces")
+    return InvalidValue(
+        "pieces", "rows that are no outline", allowed, "copy them from Outline.pieces"
+    )

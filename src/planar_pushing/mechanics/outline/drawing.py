@@ -185,9 +185,7 @@ def corners_of_drawing(vertices: Array) -> npt.NDArray[np.intp]:
     return np.sort((np.array(kept) + first) % count)
 
 
-def divide_chains(
-    vertices: Array, chains: list[tuple[int, int]], tolerance: float
-) -> list[int]:
+def divide_chains(vertices: Array, chains: list[tuple[int, int]], tolerance: float) -> list[int]:
     """Numbers of the vertices that are corners between the ends of chains, each a start and an end."""
     kept, chains = [], list(chains)
     while chains:

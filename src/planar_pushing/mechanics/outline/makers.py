@@ -156,7 +156,11 @@ def rounded_chain(drawing: Drawing, radius: Any, tolerance: float) -> Array:
 def _required_radii(value: Any, count: int) -> Array:
     """One radius, or one for each of a number of vertices."""
     radii = as_array(value)
-    if radii is None or radii.shape not in ((), (count,)) or not ((radii >= 0.0) & (radii < math.inf)).all():
+    if (
+        radii is None
+        or radii.shape not in ((), (count,))
+        or not ((radii >= 0.0) & (radii < math.inf)).all()
+    ):
         raise InvalidValue(
             "radius", value, f"a number >= 0, or {count} of them, one for each vertex",
             "give it in the unit of the corners",
