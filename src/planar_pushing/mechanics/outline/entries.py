@@ -72,17 +72,27 @@ def entry_of_outline(outline: Outline) -> Any:
     return {"pieces": outline.pieces.tolist()}
 
 
+#: JSON schema: corners, or one shape.
+SCHEMA: dict[str, Any] = {
+    "anyOf": [
+        CORNERS,
+        {
+            "type": "object", "minProperties": 1, "maxProperties": 1, "additionalProperties": False,
+            "properties": {
+                "disc": {"type": "object"}, "rounded": {"type": "object"}, "ellipse": {"type": "object"},
+                "bulges": {"type": "array", "items": {"type": "array", "items": NUMBER}},
+                "pieces": {"type": "array"},
+            },
+        },
+    ]
+}  # fmt: skip
+
+
 class OutlineDeclaration(Declaration):
     """An outline, as a parameter and in files."""
 
     words = WORDS
-    schema = {"anyOf": [CORNERS, {"type": "object", "minProperties": 1, "maxProperties": 1,
-                                  "properties": {"disc": {"type": "object"}, "rounded": {"type": "object"},
-                                                 "bulges": {"type": "array",
-                                                            "items": {"type": "array", "items": NUMBER}},
-                                                 "ellipse": {"type": "object"},
-                                                 "pieces": {"type": "array"}},
-                                  "additionalProperties": False}]}  # fmt: skip
+    schema = SCHEMA
 
     def require(self, name: str, value: Any) -> Outline:
         return require_outline(value, name)
