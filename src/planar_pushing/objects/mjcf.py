@@ -139,7 +139,8 @@ def _require_representable(scene: Scene) -> tuple[Coulomb, Array]:
             "outline", None, "the corners of the slider in order",
             "give Slider(outline=...): MuJoCo needs a shape to push",
         )  # fmt: skip
-    return scene.contact, np.array(straight_corners(scene.slider.outline_in_body()), dtype=float)
+    outline: Any = scene.slider.outline_in_body()
+    return scene.contact, np.array(straight_corners(outline))
 
 
 def _required_count(value: Any) -> int:

@@ -195,7 +195,9 @@ def corners_of(slider: Slider) -> Corners | None:
         )  # fmt: skip
     if np.ndim(slider.outline_frame.origin[0]):
         return None
-    return slider.outline_in_body().exterior.corners
+    body: Any = slider.outline_in_body()
+    corners: Corners | None = body.exterior.corners
+    return corners
 
 
 def depth_tolerance(outline: Corners) -> float:

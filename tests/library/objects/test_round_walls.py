@@ -27,9 +27,8 @@ def test_nearest_places_are_those_of_many_samples(outline):
         beta = beta0 + part * (beta1 - beta0)
         along = part * length if math.isinf(rho) else 0.0 * part
         rho = 0.0 if math.isinf(rho) else rho
-        samples.append(
-            np.stack([x + along * np.cos(beta) + rho * np.sin(beta), y + along * np.sin(beta) - rho * np.cos(beta)], -1)
-        )  # fmt: skip
+        c, s = np.cos(beta), np.sin(beta)
+        samples.append(np.stack([x + along * c + rho * s, y + along * s - rho * c], -1))
     samples = np.concatenate(samples)
     spot = nearest_place(outline, points)
     brute = np.hypot(*np.moveaxis(points[:, None] - samples, -1, 0)).min(axis=1)

@@ -110,7 +110,10 @@ def circle(x: float, y: float, radius: float) -> Array:
 def points_at(pieces: Array, beta: Array) -> Array:
     """Points of arcs at directions of the tangent; of a corner, the corner."""
     rho = pieces[..., RHO]
-    return pieces[..., :2] + rho[..., None] * np.stack([np.sin(beta), -np.cos(beta)], axis=-1)
+    points: Array = pieces[..., :2] + rho[..., None] * np.stack(
+        [np.sin(beta), -np.cos(beta)], axis=-1
+    )
+    return points
 
 
 def starts_of(pieces: Array) -> Array:

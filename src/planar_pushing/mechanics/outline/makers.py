@@ -125,10 +125,7 @@ def rounded_chain(drawing: Drawing, radius: Any, tolerance: float) -> Array:
     length, beta = np.hypot(along[:, 0], along[:, 1]), np.arctan2(along[:, 1], along[:, 0])
     turn = wrap(beta - np.roll(beta, 1))
     radii = _required_radii(radius, len(drawing.vertices))
-    if radii.ndim:
-        radii = radii[drawing.vertex]
-    else:
-        radii = np.where(turn > 0.0, radii, 0.0)
+    radii = radii[drawing.vertex] if radii.ndim else np.where(turn > 0.0, radii, 0.0)
     cut = radii * np.abs(np.tan(turn / 2.0))
     rest = length - cut - np.roll(cut, -1)
     if rest.min() < -tolerance:

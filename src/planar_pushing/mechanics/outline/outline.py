@@ -386,7 +386,9 @@ def outline_of_corners(corners: Corners) -> Outline:
 
 @cache_results(KEPT)
 def _of_disc(disc: Disc) -> Outline:
-    return outline_of_pieces(number_chains([circle(*disc.center, disc.radius)]))
+    return outline_of_pieces(
+        number_chains([circle(float(disc.center[0]), float(disc.center[1]), disc.radius)])
+    )
 
 
 def _of_rings(corners: Corners, holes: Sequence[Any]) -> Outline:
