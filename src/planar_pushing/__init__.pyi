@@ -38,6 +38,7 @@ from .mechanics.force.derivatives import Derivatives, ForceDerivatives, Smoothne
 from .mechanics.force.force_motion import ForceMotion, motion_of_force
 from .mechanics.force.limit_curve import LimitCurve, limit_curve
 from .mechanics.force.wrench import potential, wrench
+from .mechanics.outline.outline import Outline, rounded
 from .mechanics.plane import Placement
 from .mechanics.scene import Scene
 from .mechanics.slider import Slider
@@ -117,6 +118,7 @@ __all__ = [
     "LimitCurve",
     "Load",
     "Outcome",
+    "Outline",
     "PerfectlyRough",
     "Placement",
     "PlainCoreWarning",
@@ -174,6 +176,7 @@ __all__ = [
     "pushes_from_poses",
     "read_mit",
     "read_three_feet",
+    "rounded",
     "save_pushes",
     "save_scene",
     "scene_at",

@@ -234,16 +234,22 @@ def require_ending(output: Path, endings: Sequence[str]) -> None:
 
 def read_outline(path: Path) -> Any:
     """Corners of an object from a file, which are not checked."""
+    from planar_pushing.mechanics.outline.entries import SHAPES, outline_of_entry
     from planar_pushing.scenes.yaml_text import read_yaml
 
     content = read_yaml(path)
-    if isinstance(content, dict):
+    if isinstance(content, dict) and not {*content} <= {*SHAPES}:
         entry = content.get("object")
         content = entry.get("outline") if isinstance(entry, dict) else None
     if content is None:
         allowed = "a list of corners [x, y], or a scene file with object.outline"
         raise InvalidFile(f"{path}: holds no outline; allowed: {allowed}; choose another file")
-    return content
+    if not isinstance(content, dict):
+        return content
+    try:
+        return outline_of_entry(content)
+    except InvalidValue as error:
+        raise InvalidFile(f"{path}: {error}") from None
 
 
 def chosen_pushes(args: argparse.Namespace) -> xr.Dataset:

@@ -92,7 +92,7 @@ def _bounds(support: Any, outline: tuple[tuple[float, float], ...]) -> Array:
 
 def body_of(scene: Scene) -> Body:
     """Slider of a scene; an outline equal to the support's is drawn with the support."""
-    support, outline = support_of(scene), scene.slider.outline or ()
+    support, outline = support_of(scene), _drawn(scene)
     if isinstance(support, Polygon) and set(support.vertices) == set(outline):
         outline = ()
     if scene.isotropic:
@@ -105,6 +105,14 @@ def body_of(scene: Scene) -> Body:
     off_origin = any(np.hypot(*center) > near for center in centers.values())
     marked = tuple(centers.items()) if off_origin else ()
     return Body(support=support, centers=marked, outline=outline)
+
+
+def _drawn(scene: Scene) -> tuple[tuple[float, float], ...]:
+    """Vertices of a scene's outline in the body frame; none without an outline."""
+    outline = scene.slider.outline_in_body()
+    if outline is None:
+        return ()
+    return outline.corners or tuple(map(tuple, outline.vertices().tolist()))
 
 
 def body_in(data: xr.Dataset) -> Body:

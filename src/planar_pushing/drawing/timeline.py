@@ -14,6 +14,7 @@ from pydantic import ValidationError
 from planar_pushing.drawing.body import Body, body_in
 from planar_pushing.drawing.supports import Pose
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.outline.entries import outline_of_entry
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Ring
 from planar_pushing.terms.errors import InvalidFile, InvalidValue
@@ -206,13 +207,18 @@ def corners_of(slider: dict[str, Any]) -> xr.DataArray:
     along = slider["side"] if slider.get("flush") else (0.0,)
     tangent = _unit(-np.deg2rad(slider["rod_angle"]))
     ends = np.multiply.outer(along, tangent) - (slider["rod_length"], 0.0)
-    points = np.concatenate([ends, np.reshape(slider.get("outline", ()), (-1, 2))])
+    points = np.concatenate([ends, _drawn(slider.get("outline"))])
     differ = np.hypot(*np.moveaxis(points[:, None] - points, -1, 0)) > LEVEL * np.ptp(points)
     points = points[
         np.triu(~differ, 1).sum(axis=0) == 0
     ]  # a point that is listed again is one point
     names = describe("length", "points that can touch the fence, in the body frame")
     return xr.DataArray(points, dims=("corner", "xy"), attrs=names)
+
+
+def _drawn(entry: Any) -> Array:
+    """Vertices of an outline in a file's form, shape (n, 2); none without an outline."""
+    return np.empty((0, 2)) if entry is None else outline_of_entry(entry).vertices()
 
 
 def _unit(angle: Array) -> Array:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 from typing import Any
 
 from planar_pushing.explorer.state import Start, State
+from planar_pushing.mechanics.outline.entries import outline_of_entry
 from planar_pushing.scenes.simulate import arguments
 
 
@@ -22,7 +24,7 @@ def _scene(state: State) -> Iterator[str]:
     parts += [f"radius={slider.radius!r}"] if slider.radius is not None else []
     parts += [f"side={code(slider.side)}"] if slider.side is not None else []
     parts += ["flush=True"] if slider.flush else []
-    parts += [f"outline={code(slider.outline)}"] if slider.outline is not None else []
+    parts += [f"outline={_outline(slider.outline)}"] if slider.outline is not None else []
     yield "import numpy as np"
     yield "import planar_pushing as pp"
     yield ""
@@ -34,6 +36,13 @@ def _scene(state: State) -> Iterator[str]:
         if getattr(state.scene, name) is not None:
             yield f"    {name}={code(getattr(state.scene, name))},"
     yield ")"
+
+
+def _outline(entry: Any) -> str:
+    """An outline in a file's form as an expression."""
+    if not isinstance(entry, dict):
+        return code(entry)
+    return re.sub(r"\b(Outline|Disc)\b", r"pp.\1", repr(outline_of_entry(entry)))
 
 
 def _solve(state: State) -> Iterator[str]:

@@ -10,6 +10,7 @@ from typing import Any
 
 from planar_pushing.mechanics.contact import LAWS
 from planar_pushing.mechanics.effects import EFFECTS, Inertia
+from planar_pushing.mechanics.outline.entries import OUTLINE
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import SHAPES
 from planar_pushing.mechanics.supports.base import SUPPORT, SUPPORTS
@@ -88,6 +89,8 @@ def entry(value: Any) -> dict[str, Any]:
     content: dict[str, Any] = dict(TAGS.get(kind, {}))
     for name, (declaration, default) in declarations_of(kind).items():
         parameter = getattr(value, name)
+        if declaration is OUTLINE and parameter is not None:
+            parameter = value.outline_in_body()
         if parameter is None or parameter is default is False:
             continue
         if isinstance(default, tuple) and parameter == default:

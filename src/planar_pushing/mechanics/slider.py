@@ -10,13 +10,16 @@ import numpy as np
 
 from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.outline import (
-    DRAWN,
-    ROUNDING,
+    KEPT,
     Corners,
-    is_at_inner_corner,
+    Outline,
+    outline_of_corners,
     put_on_line,
-    require_outline,
 )
+from planar_pushing.mechanics.outline.chains import BETA0, BETA1, RHO
+from planar_pushing.mechanics.outline.entries import OUTLINE
+from planar_pushing.mechanics.plane import Frame
+from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.declared import (
     NUMBER,
     PAIR,
@@ -31,7 +34,7 @@ from planar_pushing.terms.declared import (
 )
 from planar_pushing.terms.domain import Number, require_ratio
 from planar_pushing.terms.errors import InvalidValue, require_flag
-from planar_pushing.terms.numbers import pair_of
+from planar_pushing.terms.numbers import Array, pair_of
 
 #: The angle of the rod; the slider's center is above the fence.
 ROD_ANGLE = Degrees(
@@ -44,8 +47,6 @@ ROD_ANGLE = Degrees(
     ),
 )  # fmt: skip
 RADIUS = positive("give it in the unit of the rod length")
-#: Number of corners up to which floats are compared faster than arrays.
-FEW = 32
 ENDS = (
     "(start, end) with start <= 0 <= end, infinite for a side without an end",
     "measure both ends along the side from the contact, which is between them, the one toward -x first",
@@ -82,10 +83,8 @@ class Side(Declaration):
 
 SIDE = Side()
 FLAG = Read(require_flag, "true or false", {"type": "boolean"})
-OUTLINE = Read(
-    lambda name, value: require_outline(value, name), "the corners of a simple polygon, in order",
-    {"type": "array", "minItems": 3, "items": PAIR},
-)  # fmt: skip
+#: The body frame is that of the outline.
+SAME = Frame((0.0, 0.0), (1.0, 0.0))
 
 
 def _is_long(side: tuple[Number, Number]) -> bool:
@@ -117,11 +116,13 @@ class Slider:
     flush : bool
         Whether the side lies on the fence: the contact is the whole side, between its ends, which must be
         finite. Its place, from which the rod goes, is then only the origin of the ends.
-    outline : sequence of pairs, optional
-        Corners of the slider in the body frame, in order, exact to a millionth of the outline's size: those
-        that close to the fence are put on it. By default the outline is unknown. In a
+    outline : sequence of pairs, Polygon, Disc or Outline, optional
+        The outline of the slider, in the object's frame. By default it is unknown. In a
         simulation a fence touches every corner and side of the outline. Under a finger, the simulation ends
         when another point of the outline meets the finger, or when this reaches the end of its side.
+    outline_frame : Frame, optional
+        Origin and direction of the x axis of the body frame in the object's frame, of floats or arrays; by
+        default both frames are the same.
 
     Raises
     ------
@@ -138,6 +139,7 @@ class Slider:
     side: Annotated[tuple[Number, Number], SIDE] = (-math.inf, math.inf)
     flush: Annotated[bool, FLAG] = False
     outline: Annotated[Any, OUTLINE] = None
+    outline_frame: Frame = SAME
 
     def __post_init__(self) -> None:
         require_declared(self)
@@ -147,49 +149,64 @@ class Slider:
                 "measure both ends along the fence, or leave flush out",
             )  # fmt: skip
         if self.outline is not None:
-            object.__setattr__(self, "outline", self._outline_on_fence())
+            self._require_outer()
         if self.radius is not None:
             _ = self.length_ratio
 
     def __eq__(self, other: object) -> Any:
-        return same(self, other)
+        """Whether all numbers are the same, and the outlines in the body frames."""
+        if not isinstance(other, Slider):
+            return NotImplemented
+        if self.outline is None or other.outline is None or self._is_array or other._is_array:
+            return same(self, other)
+        one, two = (
+            replace_checked(slider, outline=slider.outline_in_body(), outline_frame=SAME)
+            for slider in (self, other)
+        )
+        return same(one, two)
 
-    def _outline_on_fence(self) -> Corners:
-        """The outline with the corners on the line of the fence that are drawn on it.
+    @property
+    def _is_array(self) -> bool:
+        """Whether the body frame is an array of frames."""
+        frame = self.outline_frame
+        return bool(np.ndim(frame.origin[0]) or np.ndim(frame.axis[0]))
 
-        At an inner corner a contact is refused, because a pusher would touch two sides there.
-        """
-        corners: Corners = self.outline
-        if self._is_apart(corners):
-            return corners
-        vertices = np.array(corners)
-        if not self.flush and is_at_inner_corner(vertices, np.ravel(self.rod_length)):
+    def _require_outer(self) -> None:
+        """Refuse a contact at an inner corner, because a pusher would touch two sides there."""
+        inner = inner_corners(self.outline)
+        if self.flush or not len(inner):
+            return
+        length = np.asarray(self.rod_length, dtype=float)
+        ends = self.outline_frame.point_out(np.stack([-length, 0.0 * length], axis=-1))
+        away = np.reshape(ends, (-1, 1, 2)) - inner
+        if (np.hypot(away[..., 0], away[..., 1]) <= self.outline.tolerance).any():
             raise InvalidValue(
                 "outline", "an inner corner at the contact", "one whose inner corners are elsewhere",
                 "a pusher there touches two sides; move the contact off the corner",
             )  # fmt: skip
-        if np.ndim(self.rod_length) or np.ndim(self.rod_angle):
-            return corners
-        normal = np.array([math.sin(self.rod_angle), math.cos(self.rod_angle)])
-        return put_on_line(vertices, np.array([-self.rod_length, 0.0]), normal) or corners
 
-    def _is_apart(self, corners: Corners) -> bool:
-        """Whether no corner is at the contact or has to be moved onto the fence, by comparisons of floats.
+    def outline_in_body(self) -> Outline | None:
+        """The outline of one slider in its body frame; None without an outline.
 
-        It is said of corners that are clearly so, and of few of them, for which this is faster.
+        Corners within a millionth of the outline's size of the fence are on it.
+
+        Raises
+        ------
+        InvalidValue
+            If the body frame is an array of frames.
         """
-        length, angle = self.rod_length, self.rod_angle
-        if len(corners) > FEW or not type(length) is type(angle) is float:
-            return False
-        x, y = zip(*corners, strict=True)
-        near = 2.0 * DRAWN * max(max(x) - min(x), max(y) - min(y))
-        n_x, n_y = math.sin(angle), math.cos(angle)
-        exact = 0.5 * ROUNDING * (max(map(abs, (*x, *y))) + length)
-        for p, q in zip(x, y, strict=True):
-            height = abs((p + length) * n_x + q * n_y)
-            if exact < height < near or (abs(p + length) < near and abs(q) < near):
-                return False
-        return True
+        if self.outline is None:
+            return None
+        if self._is_array:
+            raise InvalidValue(
+                "slider", "an array of body frames", "one body frame",
+                "take the scenes one by one: the outline is the same, in the object's frame",
+            )  # fmt: skip
+        frame = self.outline_frame
+        moved = self.outline if frame == SAME else self.outline.moved(frame)
+        if moved.corners is None or np.ndim(self.rod_length) or np.ndim(self.rod_angle):
+            return moved  # type: ignore[no-any-return]
+        return _put_on_fence(moved.corners, float(self.rod_length), float(self.rod_angle))
 
     def with_radius(self, radius: Number) -> Slider:
         """The slider with its radius, which a scene fills in."""
@@ -206,3 +223,20 @@ class Slider:
                 "radius", None, "a number, given or filled in by a scene", "ask the slider of a scene",
             )  # fmt: skip
         return require_ratio("length_ratio", self.rod_length / self.radius)
+
+
+@cache_results(KEPT)
+def inner_corners(outline: Outline) -> Array:
+    """The inner corners of an outline, shape (n, 2)."""
+    pieces = outline.pieces
+    is_inner = (pieces[:, RHO] == 0.0) & (pieces[:, BETA1] < pieces[:, BETA0])
+    return np.asarray(pieces[is_inner, :2])
+
+
+@cache_results(KEPT)
+def _put_on_fence(corners: Corners, length: float, angle: float) -> Outline:
+    """An outline in the body frame with the corners on the fence that are drawn on it."""
+    normal = np.array([math.sin(angle), math.cos(angle)])
+    return outline_of_corners(
+        put_on_line(np.array(corners), np.array([-length, 0.0]), normal) or corners
+    )

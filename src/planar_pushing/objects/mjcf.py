@@ -11,6 +11,7 @@ from xml.etree.ElementTree import Element, SubElement
 import numpy as np
 
 from planar_pushing.mechanics.contact import Coulomb
+from planar_pushing.mechanics.outline import straight_corners
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, require_one_point, require_scene, require_single
 from planar_pushing.objects.feet import Feet, feet_of, force_errors
@@ -138,7 +139,8 @@ def _require_representable(scene: Scene) -> tuple[Coulomb, Array]:
             "outline", None, "the corners of the slider in order",
             "give Slider(outline=...): MuJoCo needs a shape to push",
         )  # fmt: skip
-    return scene.contact, np.array(scene.slider.outline, dtype=float)
+    outline: Any = scene.slider.outline_in_body()
+    return scene.contact, np.array(straight_corners(outline))
 
 
 def _required_count(value: Any) -> int:

@@ -7,9 +7,24 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.outline import DRAWN, KEPT, Corners, read_drawing
+from planar_pushing.mechanics.outline import (
+    DRAWN,
+    KEPT,
+    Corners,
+    Outline,
+    outline_of_corners,
+    read_drawing,
+    require_outline,
+)
+from planar_pushing.mechanics.outline.chains import BEFORE, BETA0, BETA1, LENGTH, NEXT, RHO, wrap
+from planar_pushing.mechanics.outline.plate import extreme_points
 from planar_pushing.mechanics.plane import Array, Placement
-from planar_pushing.objects.boundary import Sides, nearest_unsigned, sides_between
+from planar_pushing.objects.boundary import (
+    Sides,
+    nearest_place,
+    nearest_unsigned,
+    sides_between,
+)
 from planar_pushing.objects.many import Contacts
 from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.domain import Number
@@ -21,12 +36,13 @@ ALIGNED = 1e-3
 FEW = 128
 
 
-def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[Number, Number]]:
+def on_outline(contacts: Contacts, outline: Outline) -> tuple[Placement, tuple[Number, Number]]:
     """The placements of contacts, and the ends of their sides relative to them.
 
     A point is moved onto the outline, and onto a corner that is within the tolerance of drawings. Away from
-    corners, the normal is replaced by that of the side. At a corner it is replaced if with it a side lies
-    on the fence, which then ends at the contact; otherwise the side has no length.
+    corners, the normal is replaced by that of the side or of the arc. At a corner it is replaced if with it
+    a side lies on the fence, which then ends at the contact; otherwise, and on an arc, the side has no
+    length. An instant depends on an arc by its normal alone.
 
     Raises
     ------
@@ -34,6 +50,9 @@ def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[N
         If a point is not on the outline or is at an inner corner, or a fence with its normal would pass
         through the object. The error names the first contact that the failing check refuses.
     """
+    corners = outline.corners
+    if corners is None:
+        return _on_chain(contacts, outline)
     if not contacts.shape and (answer := _on_one_side(contacts, corners)) is not None:
         return answer
     points, sides = contacts.points, sides_between(corners)
@@ -46,7 +65,7 @@ def on_outline(contacts: Contacts, corners: Corners) -> tuple[Placement, tuple[N
     at_corner = np.asarray(is_near.any(axis=1))
     pushes_corner = bool(at_corner.any())
     if pushes_corner:
-        _require_outer(contacts, is_near, sides)
+        _require_outer(contacts, is_near, sides.convex)
     _require_aligned(contacts, ~at_corner, inward)
     height = ((points - sides.start[spot.side]) * inward).sum(axis=1)
     points = points - height[:, None] * inward
@@ -100,15 +119,67 @@ def _numbers_of_sides(corners: Corners) -> tuple[float, list[list[float]]]:
     return DRAWN * sides.scale, few
 
 
-def side_on_fence(side: Any, outline: Any) -> tuple[Placement, tuple[float, float], Corners]:
-    """The placement of a fence along a side of an outline, the ends of the contact, and the corners.
+def _on_chain(contacts: Contacts, outline: Outline) -> tuple[Placement, tuple[Number, Number]]:
+    """As `on_outline`, for an outline with arcs or holes."""
+    points, pieces, tolerance = contacts.points, outline.pieces, outline.tolerance
+    spot = nearest_place(outline, points)
+    _require_on(contacts, np.abs(spot.gap) <= tolerance, spot.point)
+    rows = pieces[spot.piece]
+    corner = np.flatnonzero(pieces[:, RHO] == 0.0)
+    away = points[:, None] - pieces[corner, :2]
+    distance = np.hypot(away[..., 0], away[..., 1])
+    is_near = np.asarray(distance <= tolerance)
+    at_corner = np.asarray(is_near.any(axis=1))
+    convex = pieces[corner, BETA1] > pieces[corner, BETA0]
+    if at_corner.any():
+        _require_outer(contacts, is_near, convex)
+    normals = spot.normal + 0.0
+    _require_aligned(contacts, ~at_corner, normals)
+    is_side = np.isinf(rows[:, RHO])
+    lengths = np.where(is_side, rows[:, LENGTH] - spot.position, 0.0)
+    ends = np.stack([np.where(is_side, -spot.position, 0.0), lengths], axis=-1)
+    points = spot.point.copy()
+    for i in np.flatnonzero(at_corner):
+        nearest_corner = int(corner[distance[i].argmin()])
+        points[i] = pieces[nearest_corner, :2]
+        normals[i], ends[i] = _at_joint(outline, nearest_corner, contacts.normals[i])
+    return Placement(contacts.pair(points), contacts.pair(normals)), contacts.pair(ends)
+
+
+def _at_joint(outline: Outline, corner: int, normal: Array) -> tuple[Array, Array]:
+    """Normal of a contact at a corner of an outline with arcs, and the ends of its side."""
+    pieces, ends = outline.pieces, np.zeros(2)
+    beta0, beta1 = pieces[corner, [BETA0, BETA1]]
+    middle = (beta0 + beta1) / 2.0
+    beta = middle + float(wrap(np.arctan2(-normal[0], normal[1]) - middle))
+    if not beta0 - ALIGNED <= beta <= beta1 + ALIGNED:
+        raise InvalidValue(
+            "normal", tuple(normal.tolist()), "a normal between those of the corner's sides",
+            "with this one the fence would pass through the object",
+        )  # fmt: skip
+    sides = (
+        (beta - beta0, int(pieces[corner, BEFORE]), 0, -1.0),
+        (beta1 - beta, int(pieces[corner, NEXT]), 1, 1.0),
+    )
+    lean, side, end, sign = min(sides)
+    length, rho = pieces[side, LENGTH], pieces[side, RHO]
+    if np.isinf(rho) and lean < ALIGNED and length * lean <= outline.tolerance:
+        direction = pieces[side, BETA0]
+        ends[end] = sign * length
+        return np.array([-np.sin(direction), np.cos(direction)]) + 0.0, ends
+    return normal, ends
+
+
+def side_on_fence(side: Any, outline: Any) -> tuple[Placement, tuple[float, float], Outline]:
+    """The placement of a fence along a side of an outline, the ends of the contact, and the outline.
 
     Parameters
     ----------
     side : int
         Number of the side, which goes from the corner with this number to the next one, counted from 0 in
-        the order of the outline. A side that is a part of a longer straight side stands for all of it.
-    outline : sequence of pairs, or an object with `coords` or `exterior`
+        the order of the outline. A side that is a part of a longer straight side stands for all of it. In
+        an `Outline` with arcs, the sides of the exterior are counted.
+    outline : sequence of pairs, Polygon, Outline, or an object with `coords` or `exterior`
 
     Returns
     -------
@@ -117,39 +188,70 @@ def side_on_fence(side: Any, outline: Any) -> tuple[Placement, tuple[float, floa
     ends : (start, end)
         Of all points of the outline on the fence, along it from the midpoint: those of the side, unless
         another part of the outline is on the same line.
-    corners : tuple of pairs
-        As of `require_outline`.
+    outline : Outline
 
     Raises
     ------
     InvalidValue
         If there is no such side, or the fence would pass through the object.
     """
-    drawing = read_drawing(outline)
-    count, sides = len(drawing.vertices), sides_between(drawing.corners)
-    if isinstance(side, bool) or not isinstance(side, (int, np.integer)) or not 0 <= side < count:
-        raise InvalidValue(
-            "side", side, f"a whole number from 0 to {count - 1}",
-            "give the number of the corner at which the side begins, in the order of the outline",
-        )  # fmt: skip
-    tolerance = DRAWN * sides.scale
-    _require_long(int(side), drawing.vertices, sides.start, tolerance)
-    number = int(drawing.side[side])
-    tangent, normal = sides.tangent[number], sides.normal[number]
-    origin = sides.start[number] + sides.length[number] / 2.0 * tangent
-    heights = (sides.start - origin) @ normal
-    if heights.min() < -tolerance:
+    whole = require_outline(outline)
+    corners = whole.exterior.corners
+    if corners is None:
+        start, tangent, length = _side_of_chain(side, whole.exterior)
+        points = extreme_points(whole.exterior.pieces, float(np.arctan2(tangent[0], -tangent[1])))
+    else:
+        number = _side_of_drawing(side, corners if isinstance(outline, Outline) else outline)
+        sides = sides_between(corners)
+        start, tangent, length = sides.start[number], sides.tangent[number], sides.length[number]
+        points = sides.start
+    normal = np.array([-tangent[1], tangent[0]]) + 0.0
+    origin = start + length / 2.0 * tangent
+    heights = (points - origin) @ normal
+    if heights.min() < -whole.tolerance:
         raise InvalidValue(
             "side", side, "a side with the whole object on one side of its line",
             "the fence would pass through the object; push the side at a point, with a finger",
         )  # fmt: skip
     # The fence's +x is along the side, because the object is to the left of it.
-    along = ((sides.start - origin) @ tangent)[heights <= tolerance]
-    start, end = float(along.min()), float(along.max())
+    along = ((points - origin) @ tangent)[heights <= whole.tolerance]
+    ends = float(along.min()), float(along.max())
     placement = Placement(
         (float(origin[0]), float(origin[1])), (float(normal[0]), float(normal[1]))
     )
-    return placement, (start, end), drawing.corners
+    return placement, ends, whole
+
+
+def _side_of_drawing(side: Any, outline: Any) -> int:
+    """The side of an outline for that of its drawing."""
+    drawing = read_drawing(outline)
+    _require_number(side, len(drawing.vertices))
+    corners = np.array(drawing.corners)
+    _require_long(
+        int(side), drawing.vertices, corners, outline_of_corners(drawing.corners).tolerance
+    )
+    return int(drawing.side[side])
+
+
+def _side_of_chain(side: Any, outline: Outline) -> tuple[Array, Array, float]:
+    """Start, tangent and length of a side of an outline with arcs."""
+    rows = outline.pieces[np.isinf(outline.pieces[:, RHO])]
+    if not len(rows):
+        raise InvalidValue(
+            "side", side, "an outline with sides", "push a round object at a point of its wall"
+        )
+    _require_number(side, len(rows))
+    row = rows[int(side)]
+    return row[:2], np.array([np.cos(row[BETA0]), np.sin(row[BETA0])]), float(row[LENGTH])
+
+
+def _require_number(side: Any, count: int) -> None:
+    """Refuse what is not the number of a side."""
+    if isinstance(side, bool) or not isinstance(side, (int, np.integer)) or not 0 <= side < count:
+        raise InvalidValue(
+            "side", side, f"a whole number from 0 to {count - 1}",
+            "give the number of the corner at which the side begins, in the order of the outline",
+        )  # fmt: skip
 
 
 def _require_long(side: int, vertices: Array, corners: Array, tolerance: float) -> None:
@@ -189,9 +291,11 @@ def _require_aligned(contacts: Contacts, beside: npt.NDArray[np.bool_], inward: 
         )  # fmt: skip
 
 
-def _require_outer(contacts: Contacts, is_near: npt.NDArray[np.bool_], sides: Sides) -> None:
+def _require_outer(
+    contacts: Contacts, is_near: npt.NDArray[np.bool_], convex: npt.NDArray[np.bool_]
+) -> None:
     """Refuse a contact at an inner corner, and one at an outer corner without a normal."""
-    is_inner = (is_near & ~sides.convex).any(axis=1)
+    is_inner = (is_near & ~convex).any(axis=1)
     if is_inner.any():
         raise InvalidValue(
             "point", contacts.original("point", int(is_inner.argmax())),

@@ -14,11 +14,11 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.effects import Effect, Inertia, SupportFriction, Viscous
-from planar_pushing.mechanics.outline import Corners
+from planar_pushing.mechanics.outline import Outline
 from planar_pushing.mechanics.pressure.assembly import measure_support
 from planar_pushing.mechanics.pressure.pieces import Array, Pieces
 from planar_pushing.mechanics.supports import Polygon, Ring
-from planar_pushing.objects.boundary import Sides, nearest, sides_between
+from planar_pushing.objects.boundary import Sides, nearest, nearest_place, sides_between
 from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.errors import SceneWarning, warn_user
 from planar_pushing.terms.numbers import is_lazy
@@ -40,7 +40,7 @@ GOLDEN = pi * (3.0 - sqrt(5.0))
 KEPT = 64
 
 
-def warn_of_doubts(effects: Sequence[Effect], contact: Any, corners: Corners | None = None) -> None:
+def warn_of_doubts(effects: Sequence[Effect], contact: Any, outline: Outline | None = None) -> None:
     """Warn if an object is probably not meant as given.
 
     Parameters
@@ -48,8 +48,7 @@ def warn_of_doubts(effects: Sequence[Effect], contact: Any, corners: Corners | N
     effects : sequence of effects
         With supports and centers in the frame of the outline.
     contact : ContactLaw, or array of laws
-    corners : tuple of pairs, optional
-        Of the outline, as of `require_outline`.
+    outline : Outline, optional
 
     Warns
     -----
@@ -57,24 +56,24 @@ def warn_of_doubts(effects: Sequence[Effect], contact: Any, corners: Corners | N
         If more than a hundredth of a support's pressure lies outside the outline, a radius of gyration is
         far from those of support and outline, two effects are equal, or a friction coefficient exceeds 10.
     """
-    for message in _doubts(tuple(effects), contact, corners):
+    for message in _doubts(tuple(effects), contact, outline):
         warn_user(SceneWarning(message))
 
 
 @cache_results(KEPT)
-def _doubts(effects: tuple[Effect, ...], contact: Any, corners: Corners | None) -> tuple[str, ...]:
+def _doubts(effects: tuple[Effect, ...], contact: Any, outline: Outline | None) -> tuple[str, ...]:
     """The doubts about an object, each with its remedy; they are found once for all of its contacts."""
-    return tuple(_find_doubts(effects, contact, corners))
+    return tuple(_find_doubts(effects, contact, outline))
 
 
-def _find_doubts(effects: Sequence[Effect], contact: Any, corners: Corners | None) -> Iterator[str]:
+def _find_doubts(effects: Sequence[Effect], contact: Any, outline: Outline | None) -> Iterator[str]:
     """The doubts about an object, one by one."""
     kinds = SupportFriction | Viscous
     supports = [effect.support for effect in effects if isinstance(effect, kinds)]
     supports = [support for support in supports if not _is_unknown(support)]
-    if corners is not None:
-        yield from _outside(supports, corners)
-    yield from _masses(effects, supports, corners)
+    if outline is not None:
+        yield from _outside(supports, outline)
+    yield from _masses(effects, supports, outline)
     for one, other in itertools.combinations(effects, 2):
         if one == other:
             yield (
@@ -84,10 +83,10 @@ def _find_doubts(effects: Sequence[Effect], contact: Any, corners: Corners | Non
     yield from _rough(contact)
 
 
-def _outside(supports: Sequence[Any], corners: Corners) -> Iterator[str]:
+def _outside(supports: Sequence[Any], outline: Outline) -> Iterator[str]:
     """Supports that are not under the object."""
     for support in dict.fromkeys(map(_Same, supports)):
-        share = share_outside(support.value, corners)
+        share = share_outside(support.value, outline)
         if share:
             yield (
                 f"support: {100.0 * share:.0f} % of the pressure lies outside the outline; give both in "
@@ -109,14 +108,14 @@ class _Same:
 
 
 def _masses(
-    effects: Sequence[Effect], supports: Sequence[Any], corners: Corners | None
+    effects: Sequence[Effect], supports: Sequence[Any], outline: Outline | None
 ) -> Iterator[str]:
     """Masses that reach much farther than the object, or not nearly as far."""
     masses = [effect for effect in effects if isinstance(effect, Inertia)]
     if not masses:
         return
     sizes = [spread_of(support) for support in supports]
-    sizes += [] if corners is None else [_spread_of_outline(corners)]
+    sizes += [] if outline is None else [spread_of_outline(outline)]
     radius = max(sizes, default=0.0)
     if not radius:
         return
@@ -160,24 +159,31 @@ def spread_of(support: Any) -> float:
 
 
 @cache_results(KEPT)
-def _spread_of_outline(corners: Corners) -> float:
+def spread_of_outline(outline: Outline) -> float:
     """Radius of gyration of the area of an outline."""
-    return spread_of(Polygon(corners))
+    if outline.corners is None:
+        return outline.gyration_radius
+    return spread_of(Polygon(outline.corners))
 
 
 @cache_results(KEPT)
-def share_outside(support: Any, corners: Corners) -> float:
+def share_outside(support: Any, outline: Outline) -> float:
     """Share of a support's pressure outside an outline; 0 if it is small or no farther outside than drawn.
 
     The pressure is sampled at points that fill each piece evenly, unless the whole support is inside a
     convex outline. The share of thousands of points is within about a thousandth of the exact one.
     """
-    pieces, sides = support.pieces(), sides_between(corners)
-    if _is_inside(pieces, sides):
+    pieces, corners = support.pieces(), outline.exterior.corners
+    if corners is not None and _is_inside(pieces, sides_between(corners)):
         return 0.0
     points, shares = sample_pressure(pieces)
-    gap = nearest(sides, points).gap
-    if shares[gap > BESIDE * sides.scale].sum() <= OUTSIDE:
+    # Pressure under a hole is not beside the object.
+    exterior = outline.exterior
+    if corners is None:
+        gap = nearest_place(exterior, points).gap
+    else:
+        gap = nearest(sides_between(corners), points).gap
+    if shares[gap > BESIDE * exterior.size].sum() <= OUTSIDE:
         return 0.0
     return float(shares[gap > 0.0].sum())
 

@@ -13,7 +13,7 @@ from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.force.wrench import wrench
-from planar_pushing.mechanics.outline import Corners
+from planar_pushing.mechanics.outline import Outline
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.pressure.assembly import scale_shares
 from planar_pushing.mechanics.pressure.pieces import ATOMS, Pieces
@@ -194,7 +194,7 @@ def mass_center(effects: Sequence[Any]) -> tuple[Number, Number]:
     return _mean_position([effect.mass for effect in masses], [effect.center for effect in masses])
 
 
-def with_mass_centers(effects: Sequence[Any], corners: Corners | None = None) -> tuple[Any, ...]:
+def with_mass_centers(effects: Sequence[Any], outline: Outline | None = None) -> tuple[Any, ...]:
     """Effects in which a mass without a center is at the center of pressure.
 
     Without friction, it is at the centroid of the outline, or without one at the origin.
@@ -203,13 +203,20 @@ def with_mass_centers(effects: Sequence[Any], corners: Corners | None = None) ->
         return tuple(effects)
     center = center_of_pressure(effects)
     if center is None:
-        center = (0.0, 0.0) if corners is None else Polygon(corners).center_of_pressure
+        center = (0.0, 0.0) if outline is None else centroid_of(outline)
     return tuple(
         replace(effect, center=center)
         if isinstance(effect, Inertia) and effect.center is None
         else effect
         for effect in effects
     )
+
+
+def centroid_of(outline: Outline) -> tuple[float, float]:
+    """Centroid of the area of an outline."""
+    if outline.corners is None:
+        return outline.centroid
+    return Polygon(outline.corners).center_of_pressure
 
 
 def _mean_position(

@@ -12,11 +12,11 @@ import numpy.typing as npt
 from planar_pushing.mechanics.contact import ContactLaw
 from planar_pushing.mechanics.effects import Effect, Inertia, Load, SupportFriction, Viscous
 from planar_pushing.mechanics.kernels.arrays import require_alike
-from planar_pushing.mechanics.outline import Corners, require_outline
+from planar_pushing.mechanics.outline import Outline, require_outline
 from planar_pushing.mechanics.plane import Array, Frame, Placement, positions_in_frame
 from planar_pushing.mechanics.rows import extents
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.mechanics.slider import Slider
+from planar_pushing.mechanics.slider import SAME, Slider
 from planar_pushing.mechanics.supports import Ring
 from planar_pushing.objects.many import Contacts, require_contacts
 from planar_pushing.objects.on_outline import on_outline, side_on_fence
@@ -66,8 +66,9 @@ def scene_at(
         centroid of the outline, or without one at the origin. Parameters can be arrays that broadcast
         against the points.
     contact : ContactLaw
-    outline : sequence of pairs, or an object with `coords` or `exterior`, optional
-        Corners of the object in order. The contact must be on the outline, and the normal that of its side.
+    outline : sequence of pairs, Polygon, Disc, Outline, or an object with `coords` or `exterior`, optional
+        Corners of the object in order, or its round outline. The contact must be on the outline, and the
+        normal that of its side or arc.
         The outline is exact to a millionth of its size: a vertex that close to the one before, or to a
         straight side, is no corner, and a contact that close to a corner is there. At an inner corner a
         pusher would touch two sides.
@@ -80,8 +81,7 @@ def scene_at(
         In the fence frame: origin at the contact, +y along the normal, +x the normal rotated by -90
         degrees. A side on the fence has its origin at its midpoint; the scene's slider is then flush, and
         its side ends where the outline leaves the fence's line. Use `Scene.to_object` to transform results
-        back. An array of scenes has no outline, because the outline differs between body frames; it has the
-        ends of the sides.
+        back. All scenes of an array have the object's outline, each with its own body frame.
 
     Warns
     -----
@@ -103,8 +103,8 @@ def scene_at(
     it is not above the fence, as for a hook, c is instead the point above the contact at the height of the
     support's extent. The rod goes from the contact to c.
     """
-    scene, corners = place_object(point, normal, side, effects, contact, outline, units)
-    warn_of_doubts(effects, contact, corners)
+    scene, whole = place_object(point, normal, side, effects, contact, outline, units)
+    warn_of_doubts(effects, contact, whole)
     return scene
 
 
@@ -116,21 +116,21 @@ def place_object(
     contact: Any,
     outline: Any,
     units: Any = None,
-) -> tuple[Scene, Corners | None]:
-    """The scene of `scene_at`, and the corners of the outline in the object's frame; without warnings."""
-    flush, corners = side is not None, None
+) -> tuple[Scene, Outline | None]:
+    """The scene of `scene_at`, and the outline in the object's frame; without warnings."""
+    flush, whole = side is not None, None
     if flush:
         _require_side_alone(point, normal, outline)
-        placement, ends, corners = side_on_fence(side, outline)
+        placement, ends, whole = side_on_fence(side, outline)
         contacts = Contacts(placement, placement.point, placement.normal)
     else:
         contacts = require_contacts(*_required_point(point, normal))
         if outline is None:
             placement, ends = _free(contacts)
         else:
-            corners = require_outline(outline)
-            placement, ends = on_outline(contacts, corners)
-    acting = _required_effects(effects, corners)
+            whole = require_outline(outline)
+            placement, ends = on_outline(contacts, whole)
+    acting = _required_effects(effects, whole)
     require_alike([placement.point[0], *_numbers_of(acting), *_numbers_of_law(contact)])
     contacts = contacts._replace(placement=placement)
     center, extent = measure_object(acting)
@@ -147,12 +147,13 @@ def place_object(
         radius=extent if many or not any(hasattr(effect, "support") for effect in acting) else None,
         side=ends,
         flush=flush,
-        outline=None if many or corners is None else Corners(positions_in_frame(corners, body)),
+        outline=whole,
+        outline_frame=SAME if whole is None else body,
     )
     loaded = [_with_center(effect, center, acting) for effect in acting]
     moved = tuple(effect.moved(body, placement.fence) for effect in loaded)
     scene = Scene(slider=slider, contact=contact, effects=moved, placement=placement, units=units)
-    return scene, corners
+    return scene, whole
 
 
 class Rods(NamedTuple):
@@ -248,7 +249,7 @@ def _free(contacts: Contacts) -> tuple[Placement, tuple[Number, Number]]:
     return contacts.placement, contacts.pair(np.full(contacts.points.shape, (-np.inf, np.inf)))
 
 
-def _required_effects(value: Any, corners: Corners | None) -> tuple[Any, ...]:
+def _required_effects(value: Any, outline: Outline | None) -> tuple[Any, ...]:
     """Effects that can be moved, all with supports and centers, or `InvalidValue`."""
     effects = tuple(value) if isinstance(value, (list, tuple)) else ()
     if not effects or not all(hasattr(effect, "moved") for effect in effects):
@@ -256,24 +257,24 @@ def _required_effects(value: Any, corners: Corners | None) -> tuple[Any, ...]:
             "effects", value, "a sequence of SupportFriction, Viscous, Inertia and Load",
             "list what resists the motion; for a ring give the radius: SupportFriction(support=Ring(1.0))",
         )  # fmt: skip
-    return _acting_effects(effects, corners)
+    return _acting_effects(effects, outline)
 
 
 @cache_results(KEPT)
-def _acting_effects(effects: tuple[Any, ...], corners: Corners | None) -> tuple[Any, ...]:
+def _acting_effects(effects: tuple[Any, ...], outline: Outline | None) -> tuple[Any, ...]:
     """Effects with centers of mass, found once for all contacts of an object; errors of their supports."""
     for effect in effects:
-        _require_one_support(effect, corners)
-    return with_mass_centers(effects, corners)
+        _require_one_support(effect, outline)
+    return with_mass_centers(effects, outline)
 
 
-def _require_one_support(effect: Any, corners: Corners | None) -> None:
+def _require_one_support(effect: Any, outline: Outline | None) -> None:
     """Refuse an array of supports, and a ring whose radius nothing tells."""
     support = getattr(effect, "support", None)
     if np.ndim(np.array(support, dtype=object)):
         raise InvalidValue("support", support, "one support", "make the scenes one by one")
     if isinstance(support, Ring) and support.radius is None:
-        whole = "" if corners is None else ", or support=Polygon(outline) for the whole outline"
+        whole = "" if outline is None else ", or support=Polygon(outline) for the whole outline"
         raise InvalidValue(
             "support", support, "the object's support, which has no default",
             f"give it: a ring with its radius, as in support=Ring(1.0){whole}",

@@ -51,7 +51,7 @@ def load_scene_file(path: PathLike) -> SceneFile:
     else:
         file = load_model(path, SceneFile)
     scene = file.build()
-    warn_of_doubts(scene.effects, scene.contact, scene.slider.outline)
+    warn_of_doubts(scene.effects, scene.contact, scene.slider.outline_in_body())
     return file
 
 

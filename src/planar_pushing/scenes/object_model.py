@@ -8,16 +8,29 @@ from pydantic import WithJsonSchema, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
 from planar_pushing.mechanics.entries import scene_entry
+from planar_pushing.mechanics.outline.entries import OUTLINE, WORDS, outline_of_entry
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.mechanics.supports.base import POSITION, POSITIONS
+from planar_pushing.mechanics.supports.base import POSITION, positions
 from planar_pushing.objects.scene_at import place_object
 from planar_pushing.scenes.entries import ContactEntry, EffectEntry, UnitsEntry
 from planar_pushing.scenes.fields import FileModel, NotEmpty, Positive, Text
 from planar_pushing.scenes.scene_model import SceneFile, require_inertia
 from planar_pushing.scenes.simulate_model import SimulateEntry
+from planar_pushing.terms.declared import Read
 from planar_pushing.terms.errors import InvalidValue
 
 Point = Annotated[Any, POSITION]
+
+
+def _read_outline(name: str, value: Any) -> Any:
+    """An outline in the form of the file, if it has a shape, or vertices."""
+    if isinstance(value, dict):
+        outline_of_entry(value, name)
+        return value
+    return positions(name, value)
+
+
+OBJECT_OUTLINE = Read(_read_outline, WORDS, OUTLINE.schema)
 #: The number of a side; `scene_at` checks it.
 SideNumber = Annotated[Any, WithJsonSchema({"type": "integer", "minimum": 0})]
 #: Types of effects that have a support.
@@ -54,9 +67,15 @@ class ObjectEntry(FileModel):
     Effects without a support act on the feet or, without feet, on the whole outline with uniform pressure.
     """
 
-    outline: Annotated[Any, POSITIONS] | None = None
+    outline: Annotated[Any, OBJECT_OUTLINE] | None = None
     feet: Annotated[tuple[FootEntry, ...], NotEmpty] | None = None
     contact: PlaceEntry
+
+    @property
+    def built_outline(self) -> Any:
+        """The outline; its corners as they were drawn, because their sides are numbered."""
+        is_shape = isinstance(self.outline, dict)
+        return outline_of_entry(self.outline) if is_shape else self.outline
 
 
 class ObjectFile(FileModel):
@@ -112,7 +131,7 @@ class ObjectFile(FileModel):
             contact.side,
             effects=[effect.build() for effect in self.effects],
             contact=self.contact.build(),
-            outline=self.object.outline,
+            outline=self.object.built_outline,
             units=None if self.units is None else self.units.build(),
         )
         return scene
@@ -137,4 +156,9 @@ def _support(entry: Any) -> dict[str, Any] | None:
             "weights": [foot.get("weight", 1.0) for foot in feet],
             **({"names": names} if all(names) else {}),
         }
-    return {"shape": "polygon", "vertices": outline} if outline and not feet else None
+    if not outline or feet:
+        return None
+    if isinstance(outline, dict):
+        disc = outline.get("disc")
+        return {"shape": "disc"} | disc if isinstance(disc, dict) else None
+    return {"shape": "polygon", "vertices": outline}

@@ -24,7 +24,7 @@ from planar_pushing.simulation.motion import (
     starts_of,
     write_policies,
 )
-from planar_pushing.simulation.problem import Problem, depth_tolerance
+from planar_pushing.simulation.problem import Problem, corners_of, depth_tolerance
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Method, Shape
@@ -201,9 +201,10 @@ def _effects_of(
 
 def _corners_of(slider: Slider) -> Array:
     """Corners of the outline in units of its tolerance, shape (corners, 2); empty without an outline."""
-    if slider.outline is None:
+    corners = corners_of(slider)
+    if corners is None:
         return np.empty((0, 2))
-    return np.array(slider.outline) / depth_tolerance(slider.outline)
+    return np.array(corners) / depth_tolerance(corners)
 
 
 def _chain_of(corners: Array) -> Array:
@@ -268,9 +269,10 @@ def _wall_of(corners: Array, slider: Slider) -> tuple[int, float]:
 def _fineness(problem: Problem) -> Number:
     """Radius in units of the outline's tolerance; 0 without an outline, 1 for one that is not kept."""
     slider = problem.scene.slider
-    if slider.outline is None:
+    corners = corners_of(slider)
+    if corners is None:
         return float(problem.has_lost_outline)
-    return slider.radius / depth_tolerance(slider.outline)
+    return slider.radius / depth_tolerance(corners)
 
 
 def _load_of(scene: Scene) -> tuple[list[Number], Number, Number]:

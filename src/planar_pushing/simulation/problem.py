@@ -22,7 +22,7 @@ from planar_pushing.core.supports.rows import RING, SUPPORT
 from planar_pushing.mechanics.effects import Viscous
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.kernels.arrays import Output, map_kernel
-from planar_pushing.mechanics.outline import Corners, size
+from planar_pushing.mechanics.outline import Corners, Outline, size
 from planar_pushing.mechanics.rows import Entry, entries_of
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
@@ -91,17 +91,18 @@ class Problem:
     def _require_outside(self) -> None:
         """Reject an outline of which a part is initially in the pusher, in at least one scene."""
         slider, is_fence = self.scene.slider, self.shape == Shape.FENCE
-        if slider.outline is None:
+        corners = corners_of(slider)
+        if corners is None:
             return
         try:
             if is_fence:
-                distance = _height_of_outline(slider, self.gap)
+                distance = _height_of_outline(slider, corners, self.gap)
             else:
-                distance = _distance_of_outline(slider, self.gap, self.pusher.radius)
+                distance = _distance_of_outline(slider, corners, self.gap, self.pusher.radius)
         except ValueError:  # mismatched shapes, which the batch rejects itself
             return
         # A run ends at the full tolerance; the initial position must be within half of it.
-        if distance >= -depth_tolerance(slider.outline) / 2:
+        if distance >= -depth_tolerance(corners) / 2:
             return
         if is_fence:
             raise InvalidValue(
@@ -132,14 +133,9 @@ class Problem:
 
     @property
     def has_lost_outline(self) -> bool:
-        """Whether the contacts are on an outline, which `scene_at` does not keep for an array of scenes.
-
-        Without an outline it gives sides without ends.
-        """
+        """Whether the contacts are an array on an outline, which a run does not follow."""
         slider, placement = self.scene.slider, self.scene.placement
-        if slider.outline is not None or placement is None or not np.ndim(placement.point[0]):
-            return False
-        return all(bool(np.isfinite(end).all()) for end in map(np.asarray, slider.side))
+        return slider.outline is not None and placement is not None and corners_of(slider) is None
 
     @property
     def follows_function(self) -> bool:
@@ -181,21 +177,44 @@ def _required_twist(value: Any, scene: Scene) -> tuple[Number, ...]:
     return twist
 
 
+def corners_of(slider: Slider) -> Corners | None:
+    """Corners of the outline in the body frame; None without one, or for an array of body frames.
+
+    Raises
+    ------
+    InvalidValue
+        If the outline has arcs.
+    """
+    outline: Outline | None = slider.outline
+    if outline is None:
+        return None
+    if outline.exterior.has_arcs:
+        raise InvalidValue(
+            "outline", "one with arcs", "straight sides for a motion over time",
+            "a round wall is pushed at an instant only: call solve, or give Outline.vertices(tolerance)",
+        )  # fmt: skip
+    if np.ndim(slider.outline_frame.origin[0]):
+        return None
+    body: Any = slider.outline_in_body()
+    corners: Corners | None = body.exterior.corners
+    return corners
+
+
 def depth_tolerance(outline: Corners) -> float:
     """Allowed depth of the outline in the pusher, in the outline's unit."""
     return DEPTH * size(np.array(outline))
 
 
-def _height_of_outline(slider: Slider, gap: Number) -> float:
+def _height_of_outline(slider: Slider, corners: Corners, gap: Number) -> float:
     """Height of the lowest corner above the fence, the minimum over several sliders."""
     c, s = np.cos(slider.rod_angle), np.sin(slider.rod_angle)
-    heights = (gap + (slider.rod_length + x) * s + y * c for x, y in slider.outline)
+    heights = (gap + (slider.rod_length + x) * s + y * c for x, y in corners)
     return min(float(np.min(np.asarray(height))) for height in heights)
 
 
-def _distance_of_outline(slider: Slider, gap: Number, radius: Number) -> float:
+def _distance_of_outline(slider: Slider, outline: Corners, gap: Number, radius: Number) -> float:
     """Distance of the outline from the finger, the minimum over several sliders."""
-    corners = np.array(slider.outline)
+    corners = np.array(outline)
 
     def distances(x: Array, y: Array) -> Array:
         """Distances of points from the outline."""
@@ -226,7 +245,7 @@ def warn_of_doubts(problem: Problem) -> None:
 def _of_fence(scene: Scene) -> Iterator[str]:
     """A contact of `scene_at` at an inner point of a side."""
     slider = scene.slider
-    if scene.placement is None or slider.outline is None or slider.flush:
+    if scene.placement is None or corners_of(slider) is None or slider.flush:
         return
     start, end = slider.side
     if -np.inf < start < 0.0 < end < np.inf:
@@ -245,7 +264,8 @@ def _of_finger(scene: Scene, radius: Number) -> Iterator[str]:
             "outline: none given, so the finger moves along a straight wall without ends; give scene_at "
             "the outline of the object, or Scene a Slider with the ends of its side"
         )
-    extent = 2.0 * slider.radius if slider.outline is None else _diameter(np.array(slider.outline))
+    corners = corners_of(slider)
+    extent = 2.0 * slider.radius if corners is None else _diameter(np.array(corners))
     if is_lazy(radius) or is_lazy(extent):
         return
     larger = np.ravel(radius > extent)

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactLaw
-from planar_pushing.mechanics.outline import require_outline
+from planar_pushing.mechanics.outline import require_corners
 from planar_pushing.mechanics.plane import Array, Frame
 from planar_pushing.objects.on_outline import side_on_fence
 from planar_pushing.stability.any_pressure import cone_sides
@@ -118,7 +118,7 @@ def _required_side(region: Any, value: Any) -> FlatSide:
             "give the number of a side of the outline, or its start and end with the object on the left",
         )  # fmt: skip
     try:
-        require_outline(region)
+        require_corners(region)
     except InvalidValue:
         raise InvalidValue(
             "side", value, "the two ends of the side for a region that is not an outline",

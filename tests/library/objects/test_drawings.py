@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.mechanics.outline import DRAWN, require_outline, size
+from planar_pushing.mechanics.outline import DRAWN, require_corners, size
 
 pytestmark = [
     pytest.mark.filterwarnings("ignore::planar_pushing.EarlyEndWarning"),
@@ -102,7 +102,7 @@ def test_a_chamfer_within_the_tolerance_is_a_corner(e, which):
 def test_fine_curves_keep_their_shape(count, width):
     angle = np.linspace(0, 2 * np.pi, count, endpoint=False)
     drawn = np.column_stack([np.cos(angle), width * np.sin(angle)])
-    corners = require_outline(drawn)
+    corners = require_corners(drawn)
     assert len(corners) == count if count == 36 else 1000 < len(corners) <= 2100
     worst = max(
         distances(part, corners).max() for part in np.array_split(drawn, max(count // 500, 1))
@@ -127,10 +127,10 @@ def test_vertices_of_random_drawings():
             sides += [k] * (len(part) + 1)
         drawn = np.array(drawn) + 1e-8 * random.normal(size=(len(drawn), 2))
         way = random.choice([1, -1])
-        kept = np.array(require_outline(drawn[::way]))
+        kept = np.array(require_corners(drawn[::way]))
         assert len(kept) == count
         assert np.abs(kept[:, None] - corners).max(axis=2).min(axis=0).max() < 2e-7
-        assert require_outline(kept) == tuple(map(tuple, kept.tolist()))
+        assert require_corners(kept) == tuple(map(tuple, kept.tolist()))
 
 
 def test_sides_have_the_numbers_of_the_drawing():
@@ -147,7 +147,7 @@ def test_sides_have_the_numbers_of_the_drawing():
                 continue
             scene = pp.scene_at(side=number, **given)
             assert scene.placement.normal == pytest.approx(normals[side], abs=1e-8)
-            assert len(scene.slider.outline) == 4
+            assert len(scene.slider.outline_in_body().corners) == 4
 
 
 @pytest.mark.parametrize(("depth", "refused"), [(-9e-7, False), (9e-7, False), (-2e-6, True)])
@@ -178,4 +178,4 @@ def test_corners_near_the_line_of_a_fence_are_on_it(depth, refused):
 )
 def test_drawings_without_an_area_or_with_crossings_are_refused(outline, said):
     with pytest.raises(pp.InvalidValue, match=said):
-        require_outline(outline)
+        require_corners(outline)

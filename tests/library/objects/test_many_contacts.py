@@ -256,7 +256,8 @@ class TestOutline:
         assert flat(many.placement.normal) == [list(one.placement.normal) for one in ones]
         assert flat(many.slider.side) == [list(one.slider.side) for one in ones]
         assert many.slider.rod_angle.tolist() == [one.slider.rod_angle for one in ones]
-        assert many.slider.outline is None
+        assert many.slider.outline == ones[0].slider.outline
+        assert np.shape(many.slider.outline_frame.origin[0]) == (len(self.POINTS),)
         sides = [(-2, 2), (-0.7, 0.3), (-2, 1), (-1, 1), (-0.5, 0.5), (0, 0), (0, 0), (-3, 0)]
         assert np.column_stack(many.slider.side) == pytest.approx(np.array(sides))
         assert flat(many.placement.point)[:4] == [[2.0, 0.0], [0.0, 0.3], [1.0, 1.0], [3.0, 2.0]]

@@ -64,7 +64,7 @@ def test_springs_and_coefficient_give_each_foot_its_share(tree):
 def test_sides_join_the_corners_of_the_outline(tree):
     body, scene = tree.find("worldbody/body[@name='slider']"), box()
     ends = np.array([numbers(each, "fromto") for each in body.findall("geom")])
-    np.testing.assert_allclose(ends[:, :2], scene.slider.outline, atol=1e-12)
+    np.testing.assert_allclose(ends[:, :2], scene.slider.outline_in_body().corners, atol=1e-12)
     np.testing.assert_allclose(ends[:, 3:5], np.roll(ends[:, :2], -1, axis=0), atol=1e-12)
     assert len([each for each in tree.iter("pair") if each.get("geom1") == "pusher"]) == 4
 

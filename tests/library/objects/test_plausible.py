@@ -54,12 +54,14 @@ def segment_of_disc(height):
     ],
 )  # fmt: skip
 def test_the_share_outside_is_that_of_the_area(support, outline, share):
-    assert share_outside(support, outline) == pytest.approx(share, abs=3e-3)
+    assert share_outside(support, pp.Outline(outline)) == pytest.approx(share, abs=3e-3)
     # A rotation and a shift of both change nothing.
     axis = (0.6, 0.8)
     placed = pp.Placement(point=(0.3, -0.2), normal=axis).fence
     corners = tuple(map(tuple, placed.point_in(outline).tolist()))
-    assert share_outside(support.moved(placed), corners) == pytest.approx(share, abs=5e-3)
+    assert share_outside(support.moved(placed), pp.Outline(corners)) == pytest.approx(
+        share, abs=5e-3
+    )
 
 
 @pytest.mark.parametrize(

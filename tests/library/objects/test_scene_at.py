@@ -188,7 +188,7 @@ class TestOutline:
         corners = [(-1, -1), (0, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]
         scene = scene_of((0, -1), outline=corners[::-1])
         assert scene.slider.side == pytest.approx((-1.0, 1.0))
-        assert len(scene.slider.outline) == 4
+        assert len(scene.slider.outline_in_body().corners) == 4
 
     def test_a_normal_that_is_measured_becomes_that_of_the_side(self):
         scene = scene_of((0.5, -1 - 1e-7), (1e-4, 2.0), outline=SQUARE)
@@ -209,7 +209,7 @@ class TestOutline:
         own = (corners - center) @ np.array(
             [[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]]
         )
-        assert np.array(scene.slider.outline) == pytest.approx(own)
+        assert np.array(scene.slider.outline_in_body().corners) == pytest.approx(own)
 
 
 REFUSED = [

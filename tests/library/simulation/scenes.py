@@ -446,7 +446,9 @@ class Image:
 
     def slider(self, slider):
         ends = sorted(self.flip * self.length * end for end in slider.side)
-        outline = None if slider.outline is None else [*map(self.place, slider.outline)]
+        outline = (
+            None if slider.outline is None else [*map(self.place, slider.outline_in_body().corners)]
+        )
         psi = slider.rod_angle if self.flip > 0 else math.pi - slider.rod_angle
         return pp.Slider(
             rod_length=self.length * slider.rod_length, rod_angle=psi, side=tuple(ends),

@@ -119,7 +119,7 @@ def test_a_contact_at_an_inner_corner_is_refused(point, normal):
 def test_a_slider_with_an_inner_corner_at_its_contact_is_refused():
     corners = [(-1, 0), (-0.8, 0.2), (-0.8, 1), (1, 1), (1, -1), (-0.8, -1), (-0.8, -0.2)]
     outer = pp.Slider(rod_length=1.0, rod_angle=np.pi / 2, outline=corners)
-    assert len(outer.outline) == 7
+    assert len(outer.outline.corners) == 7
     dented = [(0.5, 0) if corner == (-1, 0) else corner for corner in corners]
     for length in (-0.5 + 1e-7, np.array([0.1, -0.5])):
         slider = {"rod_angle": np.pi / 2, "outline": [(x - 2, y) for x, y in dented]}
@@ -206,7 +206,7 @@ class TestArraysOfContacts:
         laws = pp.scene_at(
             (0.03, -0.1), effects=FRICTION, contact=pp.Coulomb(np.array([0.1, 0.2])), outline=BOX
         )
-        assert len(laws.slider.outline) == 4
+        assert len(laws.slider.outline_in_body().corners) == 4
         fence = pp.simulate_batch(laws, pp.Pusher(velocity=(0, 0.05)), duration=1.0)
         assert (fence.rod_angle == fence.initial_rod_angle).all()
 

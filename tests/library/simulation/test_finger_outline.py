@@ -54,7 +54,7 @@ def pushed(scene, velocity, radius, duration=3.0, **options):
 def depths(log, scene, radius):
     """Depth of the disc in the outline at each instant, by complex numbers; negative outside."""
     spin = np.exp(1j * np.deg2rad(log.rod_angle.values))
-    own = np.asarray(scene.slider.outline) @ (1, 1j)
+    own = np.asarray(scene.slider.outline_in_body().corners) @ (1, 1j)
     start = (log.position.values @ (1, 1j))[:, None] + spin[:, None] * own
     end, center = np.roll(start, -1, axis=1), (log.pusher.values @ (1, 1j) - 1j * radius)[:, None]
     part = np.clip(((center - start) / (end - start)).real, 0, 1)

@@ -166,7 +166,7 @@ def points_on_fence(case, log, row):
     along = slider.side if slider.flush else ()
     points += [points[0] + (x, 0.0) for x in along]
     turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
-    outline = () if slider.outline is None else slider.outline
+    outline = () if slider.outline is None else slider.outline_in_body().corners
     points += [log.position.values[row] + turn @ corner for corner in np.asarray(outline)]
     height = log.pusher.values[row][1]
     return [x for x, y in points if abs(y - height) < 1e-6]

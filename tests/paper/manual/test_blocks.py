@@ -13,7 +13,7 @@ from manual.pages import PAGES, blocks, name
 from ruamel.yaml import YAML
 
 from planar_pushing.commands import main
-from planar_pushing.mechanics.outline import require_outline
+from planar_pushing.mechanics.outline import require_corners
 from planar_pushing.scenes.files import load_scene
 from pulling_by_pushing.study.study_file import load_study
 from shown import FLAGS, Checker, agrees
@@ -80,7 +80,7 @@ def read_yaml(text, names, capsys):
     path.write_text(before + text, encoding="utf-8")
     content = YAML(typ="safe", pure=True).load(path)
     if isinstance(content, list):
-        require_outline(content)
+        require_corners(content)
     elif "jobs" in content:
         check_schema(path)
     else:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.outline import require_outline
+from planar_pushing.mechanics.outline import require_corners
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.logs.schema import NOISE, VARIABLES, require_pushes
 from planar_pushing.terms.errors import InvalidValue, require_name, require_path
@@ -48,7 +48,7 @@ def of_object(pushes: xr.Dataset, name: str) -> xr.Dataset:
 def with_outline(pushes: xr.Dataset, outline: Any) -> xr.Dataset:
     """Pushes of one object with another outline, checked again: the contacts must be on it."""
     variable = VARIABLES["outline"]
-    corners = np.array(require_outline(outline))[None]
+    corners = np.array(require_corners(outline))[None]
     changed = pushes.drop_vars("outline")
     changed["outline"] = variable.dims, corners, pushes["outline"].attrs
     return require_pushes(changed)

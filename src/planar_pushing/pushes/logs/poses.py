@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.mechanics.outline import Corners, require_outline, size
+from planar_pushing.mechanics.outline import Corners, require_corners, size
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.logs.arguments import (
     noise_attributes,
@@ -127,7 +127,7 @@ def pushes_from_poses(
         object moves farther than the finger's work permits, as after a confusion of symmetric poses. The
         message counts pushes from 0.
     """
-    corners, names = require_outline(outline), require_units(units)
+    corners, names = require_corners(outline), require_units(units)
     frames = _frames(
         rows_of("poses_before", poses_before, 3), rows_of("poses_after", poses_after, 3)
     )

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.outline import require_outline
+from planar_pushing.mechanics.outline import require_corners
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.logs import checks
 from planar_pushing.terms.errors import InvalidValue
@@ -241,7 +241,7 @@ def _outlines(outlines: Array, names: list[str]) -> Array:
     rings = []
     for name, corners in zip(names, outlines, strict=True):
         try:
-            rings.append(np.array(require_outline(without_padding(corners))))
+            rings.append(np.array(require_corners(without_padding(corners))))
         except InvalidValue as error:
             raise InvalidValue(
                 f"outline of {name}", error.given, error.allowed, error.remedy

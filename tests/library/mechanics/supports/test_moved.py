@@ -10,7 +10,7 @@ from mechanics.supports.cases import SUPPORTS
 
 import planar_pushing as pp
 from planar_pushing.mechanics.entries import entry
-from planar_pushing.mechanics.outline import require_outline
+from planar_pushing.mechanics.outline import require_corners
 from planar_pushing.mechanics.plane import Frame
 from planar_pushing.scenes.scene_model import SceneFile
 from pulling_by_pushing.oracle.shapes import support as enclosed_support
@@ -181,10 +181,10 @@ def test_the_holes_of_shapely_are_holes_of_a_support_and_not_of_an_outline():
     assert pp.Polygon(Shapely(ring), [Ring(hole)]) == frame != pp.Polygon(ring)
     both = pp.Polygon(ring, [hole, other])
     assert pp.Polygon(Shapely(ring, hole), [other]) == pp.Polygon(frame, [other]) == both
-    assert require_outline(Shapely(ring, hole)) == require_outline(ring)
+    assert require_corners(Shapely(ring, hole)) == require_corners(ring)
 
 
-@pytest.mark.parametrize("use", [pp.Polygon, require_outline])
+@pytest.mark.parametrize("use", [pp.Polygon, require_corners])
 def test_several_polygons_are_none(use):
     parts = Several(Shapely([(0, 0), (1, 0), (0, 1)]), Shapely([(2, 0), (3, 0), (2, 1)]))
     with pytest.raises(pp.InvalidValue, match=r"one polygon.* Composite\(.* in shape\.geoms\]\)"):
@@ -198,6 +198,6 @@ def test_an_outline_far_from_the_origin_keeps_its_direction(away):
     for turn in np.random.default_rng(3).uniform(0, 2 * np.pi, 50):
         corners = box + away * np.array([np.cos(turn), np.sin(turn)])
         for given in (corners, corners[::-1]):
-            found = np.array(require_outline(given))
+            found = np.array(require_corners(given))
             (a, b), (c, d) = found[1] - found[0], found[2] - found[0]
             assert a * d - b * c > 0

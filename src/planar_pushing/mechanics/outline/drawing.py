@@ -1,8 +1,9 @@
-"""The outline of an object: the corners and sides of a drawing, exact to a millionth of its size.
+"""The drawing of a polygon: its corners and sides, exact to a millionth of its size.
 
 A drawing has vertices that are no corners: doubled ones, those on a straight side, and those of a curve
 that is finer than the drawing is exact. `corners_of_drawing` leaves them out, so that every vertex is
-within the tolerance of the outline that remains.
+within the tolerance of the outline that remains. Corners on the line of another side, as of the legs of a
+table, are put on it.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ ROUNDING = 64.0 * float(np.finfo(float).eps)
 
 
 class Corners(tuple[tuple[float, float], ...]):
-    """Corners of an outline, counterclockwise, as `require_outline` returns them and leaves them."""
+    """Corners of a polygon, counterclockwise, that were read from a drawing and are not read again."""
 
     __slots__ = ()
 
@@ -53,6 +54,8 @@ class Drawing(NamedTuple):
     vertices : ndarray, shape (n, 2)
         As drawn.
     corners : Corners
+    vertex : ndarray of int, shape (corners,)
+        The number of the vertex that is each corner.
     side : ndarray of int, shape (n,)
         For each edge of the drawing, from the vertex with its number to the next one, the side of the
         outline that it is a part of. Side k goes from corner k to the next one.
@@ -60,22 +63,18 @@ class Drawing(NamedTuple):
 
     vertices: Array
     corners: Corners
+    vertex: npt.NDArray[np.intp]
     side: npt.NDArray[np.intp]
 
 
-def require_outline(value: Any, name: str = "outline") -> Corners:
-    """Corners of a simple polygon, counterclockwise, without vertices that are no corners.
+def read_drawing(value: Any, name: str = "outline") -> Drawing:
+    """The drawing of a polygon, whose corners are counterclockwise; its holes are left out.
 
     Raises
     ------
     InvalidValue
-        If the outline is not a simple polygon.
+        If it is not a simple polygon.
     """
-    return value if isinstance(value, Corners) else read_drawing(value, name).corners
-
-
-def read_drawing(value: Any, name: str = "outline") -> Drawing:
-    """The drawing of an outline; errors as in `require_outline`."""
     if isinstance(value, (Corners, Polygon)):
         ring = value.vertices if isinstance(value, Polygon) else tuple(value)
     else:
@@ -115,12 +114,47 @@ def _read_drawing(ring: tuple[tuple[float, float], ...], is_read: bool, name: st
                 "an outline is exact to a millionth of its size; draw one that is wider than that",
             )  # fmt: skip
         require_simple(name, vertices[kept], kept)
+    drawn = vertices[kept]
+    if not is_read:
+        aligned = _put_on_sides(drawn)
+        still = corners_of_drawing(aligned) if aligned is not drawn else np.arange(len(kept))
+        # Corners that are now doubled, or on a straight side, are none.
+        kept, drawn = kept[still], aligned[still]
     edges = np.arange(len(vertices))
     side = (np.searchsorted(kept, edges, side="right") - 1) % len(kept)
-    corners = counterclockwise(vertices[kept])
-    if (corners[0] != vertices[kept[0]]).any():  # clockwise: corner k is the last but k
-        side = (len(kept) - 2 - side) % len(kept)
-    return Drawing(vertices, Corners.of(corners), side)
+    corners = counterclockwise(drawn)
+    if (corners[0] != drawn[0]).any():  # clockwise: corner k is the last but k
+        kept, side = kept[::-1], (len(kept) - 2 - side) % len(kept)
+    return Drawing(vertices, Corners.of(corners), kept, side)
+
+
+def _put_on_sides(corners: Array) -> Array:
+    """Corners, of which those within the tolerance of the line of an outer side are moved onto it.
+
+    A fence along such a side, with all corners on one side of its line, touches all of them. Longer sides
+    come first. Nothing is moved that is exact to rounding.
+    """
+    along = np.roll(corners, -1, axis=0) - corners
+    length = np.hypot(along[:, 0], along[:, 1])
+    normal = np.stack([-along[:, 1], along[:, 0]], axis=-1) / length[:, None]
+    if (counterclockwise(corners)[0] != corners[0]).any():
+        normal = -normal
+    heights = corners @ normal.T - (corners * normal).sum(axis=1)
+    tolerance, rounding = DRAWN * size(corners), 2.0 * ROUNDING * float(np.abs(corners).max())
+    is_outer = heights.min(axis=0) >= -tolerance
+    is_off = (np.abs(heights) > rounding) & (np.abs(heights) <= tolerance) & is_outer
+    sides = np.flatnonzero(is_off.any(axis=0))
+    if not len(sides):
+        return corners
+    aligned, is_free = corners.copy(), np.ones(len(corners), dtype=bool)
+    for side in sides[np.argsort(-length[sides], kind="stable")]:
+        ends = [side, (side + 1) % len(corners)]
+        if is_free[ends].all():
+            moved = is_off[:, side] & is_free
+            aligned[moved] -= heights[moved, side][:, None] * normal[side]
+            is_free[moved] = False
+            is_free[ends] = False
+    return aligned
 
 
 def size(corners: Array) -> float:
@@ -146,19 +180,25 @@ def corners_of_drawing(vertices: Array) -> npt.NDArray[np.intp]:
     ring = np.roll(vertices, -first, axis=0)
     ring = np.concatenate([ring, ring[:1]])
     middle = (opposite - first) % count
-    kept, chains = [0, middle], [(0, middle), (middle, count)]
+    inner = divide_chains(ring, [(0, middle), (middle, count)], tolerance)
+    kept = _without_needless(ring[:-1], sorted([0, middle, *inner]), tolerance)
+    return np.sort((np.array(kept) + first) % count)
+
+
+def divide_chains(vertices: Array, chains: list[tuple[int, int]], tolerance: float) -> list[int]:
+    """Numbers of the vertices that are corners between the ends of chains, each a start and an end."""
+    kept, chains = [], list(chains)
     while chains:
         start, end = chains.pop()
         if end - start < 2:
             continue
-        distances = _distances(ring[start + 1 : end], ring[start], ring[end])
+        distances = _distances(vertices[start + 1 : end], vertices[start], vertices[end])
         farthest = int(distances.argmax())
         if distances[farthest] > tolerance:
             corner = start + 1 + farthest
             kept.append(corner)
             chains += [(start, corner), (corner, end)]
-    kept = _without_needless(ring[:-1], sorted(kept), tolerance)
-    return np.sort((np.array(kept) + first) % count)
+    return kept
 
 
 def _without_needless(ring: Array, kept: list[int], tolerance: float) -> list[int]:
@@ -185,20 +225,6 @@ def _distances(points: Array, starts: Array, ends: Array) -> Array:
     part = (away * along).sum(axis=-1) / np.where(square > 0.0, square, 1.0)
     apart = away - np.clip(part, 0.0, 1.0)[..., None] * along
     return np.asarray(np.hypot(apart[..., 0], apart[..., 1]))
-
-
-def is_at_inner_corner(vertices: Array, rod_lengths: Array) -> bool:
-    """Whether the end of a rod, at x = -length in the frame of the outline, is at an inner corner."""
-    away = np.hypot(vertices[:, 0] + np.asarray(rod_lengths)[:, None], vertices[:, 1])
-    is_near = (away <= DRAWN * size(vertices)).any(axis=0)
-    if not is_near.any():
-        return False
-    before, behind = (
-        vertices - np.roll(vertices, 1, axis=0),
-        np.roll(vertices, -1, axis=0) - vertices,
-    )
-    is_inner = before[:, 0] * behind[:, 1] < before[:, 1] * behind[:, 0]
-    return bool((is_near & is_inner).any())
 
 
 def put_on_line(vertices: Array, point: Array, normal: Array) -> Corners | None:
