@@ -17,14 +17,10 @@ from planar_pushing.mechanics.outline import (
     require_outline,
 )
 from planar_pushing.mechanics.outline.chains import BEFORE, BETA0, BETA1, LENGTH, NEXT, RHO, wrap
+from planar_pushing.mechanics.outline.places import nearest_place
 from planar_pushing.mechanics.outline.plate import extreme_points
 from planar_pushing.mechanics.plane import Array, Placement
-from planar_pushing.objects.boundary import (
-    Sides,
-    nearest_place,
-    nearest_unsigned,
-    sides_between,
-)
+from planar_pushing.objects.boundary import Sides, nearest_unsigned, sides_between
 from planar_pushing.objects.many import Contacts
 from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.domain import Number

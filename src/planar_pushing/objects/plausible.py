@@ -15,10 +15,11 @@ import numpy as np
 
 from planar_pushing.mechanics.effects import Effect, Inertia, SupportFriction, Viscous
 from planar_pushing.mechanics.outline import Outline
+from planar_pushing.mechanics.outline.places import nearest_place
 from planar_pushing.mechanics.pressure.assembly import measure_support
 from planar_pushing.mechanics.pressure.pieces import Array, Pieces
 from planar_pushing.mechanics.supports import Polygon, Ring
-from planar_pushing.objects.boundary import Sides, nearest, nearest_place, sides_between
+from planar_pushing.objects.boundary import Sides, nearest, sides_between
 from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.errors import SceneWarning, warn_user
 from planar_pushing.terms.numbers import is_lazy

@@ -81,8 +81,8 @@ def simulate_batch(
     SceneWarning
         If a fence pushes at an inner point of a side, all of which lies on it; if a finger pushes an object
         that `scene_at` made without an outline, whose wall is then straight and without ends; if the
-        finger's radius is larger than the object; or if an array of contacts does not keep an outline that
-        could meet the finger, which stops at the end of its side.
+        finger's radius is larger than the object; or if a fence pushes an array of contacts at corners, of
+        which it meets no other one.
     EarlyEndWarning
         Once, if the motion of some scenes could not continue.
 
@@ -135,9 +135,6 @@ def _require_same_without_outline(problem: Problem) -> None:
     if not problem.has_lost_outline:
         return
     remedy = "simulate the scenes one by one"
-    if problem.shape == Shape.FINGER:
-        _warn(f"the finger stops at the end of its side, but meets no other side; {remedy}")
-        return
     start, end = map(np.asarray, problem.scene.slider.side)
     if bool(np.any(end > start)):
         raise InvalidValue(

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-import math
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
+import xarray as xr
 
 from planar_pushing.core.motion.run import INPUTS, Inputs
 from planar_pushing.core.supports.chain import CHAIN_PIECE, ChainPiece
 from planar_pushing.core.supports.rows import LOAD, MASS
-from planar_pushing.mechanics.kernels.arrays import Output, map_kernel
 from planar_pushing.mechanics.kernels.columns import Columns, row_of
+from planar_pushing.mechanics.outline import Outline
+from planar_pushing.mechanics.outline.chains import RHO, TURN, Piece
+from planar_pushing.mechanics.outline.places import places_with_normals
+from planar_pushing.mechanics.plane import Frame, direction
 from planar_pushing.mechanics.pressure.table import Table, joined_data
 from planar_pushing.mechanics.rows import Entry, unit_vector
 from planar_pushing.mechanics.scene import Scene
@@ -28,6 +32,10 @@ from planar_pushing.simulation.problem import Problem, corners_of, depth_toleran
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Method, Shape
+
+
+#: Inputs of the piece at the contact.
+WALL = ("wall", "place", "turn")
 
 
 class Scenes(NamedTuple):
@@ -130,8 +138,11 @@ def numbers_of(
     radius, (mass, gyration), (v_x, v_y, omega) = slider.radius, scene.inertia, problem.twist
     is_finger, finger_radius = problem.shape == Shape.FINGER, problem.pusher.radius
     effects, columns = _effects_of(entries, scene, method)
-    data, corners = joined_data(effects, len(columns)), _corners_of(slider)
-    chain, (wall, place) = _chain_of(corners), _wall_of(corners, slider)
+    data, corners, chain = (
+        joined_data(effects, len(columns)),
+        _corners_of(problem),
+        _chain_of(slider),
+    )
     load, cross, dot = _load_of(scene)
     right, left, slips, closed, rough = scene.law
     side_start, side_end = slider.side
@@ -145,15 +156,14 @@ def numbers_of(
         twist=(v_x / radius, v_y / radius, omega), gap=problem.gap / radius, finger=is_finger,
         radius=finger_radius / radius, side_start=side_start / radius, side_end=side_end / radius,
         fine=_fineness(problem), corners=len(corners), corners_place=len(data),
-        chain=len(chain), chain_place=len(data) + corners.size, frame=(0.0, 0.0), axis=(1.0, 0.0),
-        turn=0.0, wall=wall, place=place,
+        chain=len(chain), chain_place=len(data) + corners.size, **_wall_of(slider),
         frictions=sum(entry.degree == 1 for entry in entries), resisting=len(entries),
         tolerance=problem.rtol, pieces=0.0, coefficients=0.0, times=0.0, logs_events=0.0,
         flush=slider.flush,
     )  # fmt: skip
     columns += [radius, problem.duration]
     columns += [part for _, velocity in problem.pusher.velocities for part in velocity]
-    return np.concatenate([data, corners.ravel(), chain.ravel()]) if len(corners) else data, columns
+    return np.concatenate([data, corners.ravel(), chain.ravel()]), columns
 
 
 def _scale_forces(entries: list[Entry], inputs: Array) -> Array:
@@ -199,80 +209,78 @@ def _effects_of(
     return effects, columns
 
 
-def _corners_of(slider: Slider) -> Array:
-    """Corners of the outline in units of its tolerance, shape (corners, 2); empty without an outline."""
-    corners = corners_of(slider)
+def _corners_of(problem: Problem) -> Array:
+    """Corners that a fence can meet, in units of the tolerance, shape (corners, 2); empty if not known."""
+    slider = problem.scene.slider
+    corners = None if problem.shape == Shape.FINGER else corners_of(slider)
     if corners is None:
         return np.empty((0, 2))
-    return np.array(corners) / depth_tolerance(corners)
+    return np.array(corners) / depth_tolerance(slider.outline)
 
 
-def _chain_of(corners: Array) -> Array:
-    """Rows of pieces of an outline: a side and a corner for each vertex."""
-    if not len(corners):
+def _chain_of(slider: Slider) -> Array:
+    """Rows of the pieces of the outline, in its own frame and in units of its tolerance."""
+    outline = slider.outline
+    if outline is None:
         return np.empty((0, CHAIN_PIECE))
-    count = len(corners)
-    along = np.roll(corners, -1, axis=0) - corners
-    length = np.hypot(*along.T)
-    angle = np.arctan2(along[:, 1], along[:, 0])
-    turn = (np.roll(angle, -1) - angle + np.pi) % (2.0 * np.pi) - np.pi
-    first = angle[0] + np.concatenate([[0.0], turn[:-1].cumsum()])
-    start = np.concatenate([[0.0], length[:-1].cumsum()])
-    numbers = 2 * np.arange(count)
-    rows = np.zeros((count, 2, CHAIN_PIECE))
-    side, corner = Columns(ChainPiece, rows[:, 0]), Columns(ChainPiece, rows[:, 1])
-    side.x, side.y = corners.T
-    corner.x, corner.y = np.roll(corners, -1, axis=0).T
-    side.radius, side.length = np.inf, length
-    side.first, side.last, corner.first, corner.last = first, first, first, first + turn
-    side.start, corner.start = start, start + length
-    side.next, corner.next = numbers + 1, (numbers + 2) % (2 * count)
-    side.before, corner.before = (numbers - 1) % (2 * count), numbers
-    for piece in (side, corner):
-        piece.along_x, piece.along_y = (along / length[:, None]).T
-    return rows.reshape(-1, CHAIN_PIECE)
+    piece, unit = Piece(*outline.pieces.T), depth_tolerance(outline)
+    rows = np.empty((len(outline.pieces), CHAIN_PIECE))
+    row = Columns(ChainPiece, rows)
+    row.x, row.y, row.radius = piece.x / unit, piece.y / unit, piece.rho / unit
+    row.first, row.last = piece.beta0, piece.beta1
+    row.length, row.start = piece.length / unit, piece.start / unit
+    row.next, row.before = piece.next, piece.before
+    row.along_x, row.along_y = direction(piece.beta0).T
+    return rows
 
 
-def _wall_of(corners: Array, slider: Slider) -> tuple[int, float]:
-    """The piece at the contact at time 0, -1 if it is not known, and its place."""
-    numbers = slider.rod_length, slider.rod_angle, slider.radius
-    if not len(corners) or any(map(np.ndim, numbers)):
-        return -1, 0.0
-    fine = slider.radius / depth_tolerance(slider.outline)
-    x, y = -slider.rod_length / slider.radius * fine, 0.0
-    chain, output = _chain_of(corners), [Output("piece"), Output("place"), Output("distance")]
-    direction = -slider.rod_angle
-    place = map_kernel("nearest_places", chain.ravel(), [x, y, len(chain), 0], output)
-    number = int(place[0])
-    piece = Columns(ChainPiece, chain)
-    for corner in range(1, len(chain), 2):
-        away = math.hypot(piece.x[corner] - x, piece.y[corner] - y)
-        if away < 1e3:
-            turned = (
-                piece.first[corner]
-                + (direction - piece.first[corner] + 1e-6) % (2 * math.pi)
-                - 1e-6
-            )
-            if piece.last[corner] > piece.first[corner]:
-                number, width = corner, piece.last[corner] - piece.first[corner]
-                if 1e-6 < turned - piece.first[corner] < width - 1e-6:
-                    return corner, turned
-                side = int(
-                    piece.before[corner]
-                    if turned - piece.first[corner] <= 1e-6
-                    else piece.next[corner]
-                )
-                return side, float(piece.length[side] if side == piece.before[corner] else 0.0)
-    return number, float(place[1])
+def _wall_of(slider: Slider) -> dict[str, Any]:
+    """Inputs of the body frame in that of the outline, and of the piece at the contact at time 0."""
+    outline, ((x, y), (c, s)) = slider.outline, slider.outline_frame
+    wall: Any = (-1.0, 0.0, 0.0)
+    if outline is None:
+        return {"frame": (0.0, 0.0), "axis": (c, s)} | dict(zip(WALL, wall, strict=True))
+    rod = slider.rod_length, slider.rod_angle
+    try:
+        wall = xr.apply_ufunc(
+            partial(_walls_at, outline), *rod, x, y, c, s, output_core_dims=[[]] * 3, dask="allowed"
+        )
+    except ValueError:  # mismatched shapes, which the batch rejects itself
+        pass
+    unit = depth_tolerance(outline)
+    return {"frame": (x / unit, y / unit), "axis": (c, s)} | dict(zip(WALL, wall, strict=True))
+
+
+def _walls_at(
+    outline: Outline, length: Number, angle: Number, x: Number, y: Number, c: Number, s: Number
+) -> tuple[Array, Array, Array]:
+    """Pieces at the ends of rods, their places there, and angles of the body frames.
+
+    The arguments after the outline are length and angle of the rods, and origin and axis of the body frames
+    in the frame of the outline. A piece has the normal of the fence; it is -1 off the outline.
+    """
+    arrays = np.broadcast_arrays(*(np.asarray(part, float) for part in (length, angle, x, y, c, s)))
+    length, angle, x, y, c, s = (array.ravel() for array in arrays)
+    body = Frame((x, y), (c, s))
+    contacts = body.point_out(np.stack([-length, 0.0 * length], axis=-1))
+    normals = body.vector_out(np.stack([np.sin(angle), np.cos(angle)], axis=-1))
+    spots = places_with_normals(outline, contacts, normals)
+    is_side = np.isinf(outline.pieces[spots.piece, RHO])
+    piece = np.where(spots.gap <= 2.0 * outline.tolerance, spots.piece, -1.0)
+    place = np.where(is_side, spots.position / depth_tolerance(outline), spots.beta)
+    turn = np.arctan2(s, c)
+    # The rod's angle is that of the body frame less that of the piece, not a full turn more or less.
+    turn = turn + TURN * np.round((angle + spots.beta - turn) / TURN)
+    piece, place, turn = (part.reshape(arrays[0].shape) for part in (piece, place, turn))
+    return piece, place, turn
 
 
 def _fineness(problem: Problem) -> Number:
     """Radius in units of the outline's tolerance; 0 without an outline, 1 for one that is not kept."""
     slider = problem.scene.slider
-    corners = corners_of(slider)
-    if corners is None:
+    if slider.outline is None or problem.has_lost_outline:
         return float(problem.has_lost_outline)
-    return slider.radius / depth_tolerance(corners)
+    return slider.radius / depth_tolerance(slider.outline)
 
 
 def _load_of(scene: Scene) -> tuple[list[Number], Number, Number]:

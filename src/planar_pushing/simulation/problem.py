@@ -4,9 +4,9 @@ The fence is the line ``y = Y(t)`` in a frame with its origin at the contact at 
 is ``(X, Y)``. The rod angle can be any real number. Without an outline only the rod's free end, or both
 ends of a flush side, can touch the fence, so the model is valid as long as the slider's center is above the
 fence, and the simulation stops when it reaches the fence. Otherwise the corners of the outline can touch
-it. A finger is the point ``(X, Y)``, or a disc with its center one radius below the contact at time 0; it
-pushes a side of the slider that is along x at time 0. If the slider has an outline, the simulation stops
-when another point of the outline meets the finger.
+it. A finger is the point ``(X, Y)``, or a disc with its center one radius below the contact at time 0.
+Without an outline it pushes a side of the slider that is along x at time 0. Otherwise it follows the
+outline, and the simulation stops when it touches the outline at two places.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ import xarray as xr
 from planar_pushing.core.supports.rows import RING, SUPPORT
 from planar_pushing.mechanics.effects import Viscous
 from planar_pushing.mechanics.force.held import require_held
-from planar_pushing.mechanics.kernels.arrays import Output, map_kernel
-from planar_pushing.mechanics.outline import Corners, Outline, size
+from planar_pushing.mechanics.outline import Corners, Outline
+from planar_pushing.mechanics.outline.places import nearest_place
 from planar_pushing.mechanics.rows import Entry, entries_of
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
@@ -91,18 +91,18 @@ class Problem:
     def _require_outside(self) -> None:
         """Reject an outline of which a part is initially in the pusher, in at least one scene."""
         slider, is_fence = self.scene.slider, self.shape == Shape.FENCE
-        corners = corners_of(slider)
-        if corners is None:
+        corners = corners_of(slider) if is_fence else None
+        if slider.outline is None or (is_fence and corners is None):
             return
         try:
-            if is_fence:
+            if corners is not None:
                 distance = _height_of_outline(slider, corners, self.gap)
             else:
-                distance = _distance_of_outline(slider, corners, self.gap, self.pusher.radius)
+                distance = _distance_of_outline(slider, self.gap, self.pusher.radius)
         except ValueError:  # mismatched shapes, which the batch rejects itself
             return
         # A run ends at the full tolerance; the initial position must be within half of it.
-        if distance >= -depth_tolerance(corners) / 2:
+        if distance >= -depth_tolerance(slider.outline) / 2:
             return
         if is_fence:
             raise InvalidValue(
@@ -133,9 +133,9 @@ class Problem:
 
     @property
     def has_lost_outline(self) -> bool:
-        """Whether the contacts are an array on an outline, which a run does not follow."""
-        slider, placement = self.scene.slider, self.scene.placement
-        return slider.outline is not None and placement is not None and corners_of(slider) is None
+        """Whether the contacts are an array on an outline, which a fence does not follow."""
+        slider, is_fence = self.scene.slider, self.shape == Shape.FENCE
+        return slider.outline is not None and is_fence and corners_of(slider) is None
 
     @property
     def follows_function(self) -> bool:
@@ -178,7 +178,7 @@ def _required_twist(value: Any, scene: Scene) -> tuple[Number, ...]:
 
 
 def corners_of(slider: Slider) -> Corners | None:
-    """Corners of the outline in the body frame; None without one, or for an array of body frames.
+    """Corners in the body frame that a fence can meet; None without them, or for an array of frames.
 
     Raises
     ------
@@ -190,8 +190,8 @@ def corners_of(slider: Slider) -> Corners | None:
         return None
     if outline.exterior.has_arcs:
         raise InvalidValue(
-            "outline", "one with arcs", "straight sides for a motion over time",
-            "a round wall is pushed at an instant only: call solve, or give Outline.vertices(tolerance)",
+            "outline", "one with arcs under a fence", "straight sides, or a finger",
+            'give the corners Outline.vertices(tolerance), or push with Pusher(shape="finger")',
         )  # fmt: skip
     if np.ndim(slider.outline_frame.origin[0]):
         return None
@@ -200,9 +200,9 @@ def corners_of(slider: Slider) -> Corners | None:
     return corners
 
 
-def depth_tolerance(outline: Corners) -> float:
+def depth_tolerance(outline: Outline) -> float:
     """Allowed depth of the outline in the pusher, in the outline's unit."""
-    return DEPTH * size(np.array(outline))
+    return DEPTH * outline.size
 
 
 def _height_of_outline(slider: Slider, corners: Corners, gap: Number) -> float:
@@ -212,17 +212,19 @@ def _height_of_outline(slider: Slider, corners: Corners, gap: Number) -> float:
     return min(float(np.min(np.asarray(height))) for height in heights)
 
 
-def _distance_of_outline(slider: Slider, outline: Corners, gap: Number, radius: Number) -> float:
+def _distance_of_outline(slider: Slider, gap: Number, radius: Number) -> float:
     """Distance of the outline from the finger, the minimum over several sliders."""
-    corners = np.array(outline)
 
     def distances(x: Array, y: Array) -> Array:
-        """Distances of points from the outline."""
-        output = [Output("distance")]
-        return map_kernel("outline_distances", corners.ravel(), [x, y, len(corners), 0], output)[0]
+        """Distances of points in the object's frame from the outline."""
+        points = np.stack(np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float)), axis=-1)
+        spots = nearest_place(slider.outline, points.reshape(-1, 2))
+        return spots.gap.reshape(points.shape[:-1])
 
     across, angle = radius + gap, slider.rod_angle
     x, y = -slider.rod_length - across * np.sin(angle), -across * np.cos(angle)
+    (origin_x, origin_y), (c, s) = slider.outline_frame
+    x, y = origin_x + x * c - y * s, origin_y + x * s + y * c
     distance = xr.apply_ufunc(distances, x, y, dask="allowed") - radius
     return float(np.min(np.asarray(distance)))
 
@@ -264,8 +266,8 @@ def _of_finger(scene: Scene, radius: Number) -> Iterator[str]:
             "outline: none given, so the finger moves along a straight wall without ends; give scene_at "
             "the outline of the object, or Scene a Slider with the ends of its side"
         )
-    corners = corners_of(slider)
-    extent = 2.0 * slider.radius if corners is None else _diameter(np.array(corners))
+    is_known = slider.outline is not None
+    extent = _diameter(slider.outline.vertices()) if is_known else 2.0 * slider.radius
     if is_lazy(radius) or is_lazy(extent):
         return
     larger = np.ravel(radius > extent)
@@ -278,7 +280,7 @@ def _of_finger(scene: Scene, radius: Number) -> Iterator[str]:
 
 
 def _diameter(corners: Array) -> float:
-    """Largest distance between two corners, which does not depend on the frame."""
+    """Largest distance between two corners."""
     x, y = corners.T
     return float(np.hypot(x[:, None] - x, y[:, None] - y).max())
 

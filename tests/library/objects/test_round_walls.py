@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.objects.boundary import nearest_place, places_with_normals
+from planar_pushing.mechanics.outline.places import nearest_place, places_with_normals
 
 SQUARE = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
 BOX = pp.rounded(SQUARE, 0.3)
