@@ -27,6 +27,8 @@ from planar_pushing.terms.numbers import Array, as_array
 CROSSING = 1e-5
 #: Number of arcs of an ellipse, and the largest ratio of its half axes.
 ARCS, SLENDER = (8, 1024), 100.0
+#: Largest rounding error of where two of its arcs join, in half axes: directions differ by it over a radius.
+ROUNDING = 1e-9
 BULGES = (
     "at least two vertices (x, y, bulge) of finite numbers",
     "give the bulge 0 for a straight line to the next vertex, and tan(angle / 4) for an arc",
@@ -187,7 +189,7 @@ def ellipse_pieces(a: Any, b: Any, arcs: Any) -> Array:
     u = 2.0 * math.pi * np.arange(arcs // 2) / (arcs // 2)
     points = np.stack([a * np.cos(u), b * np.sin(u)], axis=-1)
     smooth = _biarcs(points, np.arctan2(b * np.cos(u), -a * np.sin(u)))
-    return number_chains([join_pieces(smooth, 0.0)])
+    return number_chains([join_pieces(smooth, ROUNDING * float(max(a, b)))])
 
 
 def _biarcs(points: Array, beta: Array) -> Array:
