@@ -98,14 +98,15 @@ def place_on_wall(system: System, along: float) -> float:
 def go_to_next_piece(system: System, state: RunState) -> bool:
     """Make the piece after the end that the contact has reached the wall; return whether there is one.
 
-    Beside an inner corner there is none: a disc would touch both sides.
+    Beside an inner corner there is none, nor at a hollow arc that a disc fills: it would touch both sides.
     """
     wall = system.run.wall
     forward: bool = wall.end + state.along < -state.along - wall.start
     piece = chain_piece(chain_of(system), wall.piece)
     number = piece.next if forward else piece.before
     neighbor = chain_piece(chain_of(system), number)
-    if is_inner_corner(neighbor):
+    fills: bool = neighbor.radius < 0.0 and neighbor.radius + system.scene.fine * system.scene.radius > -1.0
+    if is_inner_corner(neighbor) or fills:
         return False
     put_wall(system, number, place=_end_of(neighbor, forward), along=state.along)
     return True
