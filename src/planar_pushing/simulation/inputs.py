@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -32,7 +33,6 @@ from planar_pushing.simulation.problem import Problem, corners_of, depth_toleran
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Method, Shape
-
 
 #: Inputs of the piece at the contact.
 WALL = ("wall", "place", "turn")
@@ -241,12 +241,10 @@ def _wall_of(slider: Slider) -> dict[str, Any]:
     if outline is None:
         return {"frame": (0.0, 0.0), "axis": (c, s)} | dict(zip(WALL, wall, strict=True))
     rod = slider.rod_length, slider.rod_angle
-    try:
+    with suppress(ValueError):  # of mismatched shapes, which the batch rejects itself
         wall = xr.apply_ufunc(
             partial(_walls_at, outline), *rod, x, y, c, s, output_core_dims=[[]] * 3, dask="allowed"
         )
-    except ValueError:  # mismatched shapes, which the batch rejects itself
-        pass
     unit = depth_tolerance(outline)
     return {"frame": (x / unit, y / unit), "axis": (c, s)} | dict(zip(WALL, wall, strict=True))
 

@@ -11,6 +11,7 @@ outline, and the simulation stops when it touches the outline at two places.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Annotated, Any
@@ -22,6 +23,7 @@ from planar_pushing.core.supports.rows import RING, SUPPORT
 from planar_pushing.mechanics.effects import Viscous
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.outline import Corners, Outline
+from planar_pushing.mechanics.outline.chains import RHO, X, Y
 from planar_pushing.mechanics.outline.places import nearest_place
 from planar_pushing.mechanics.rows import Entry, entries_of
 from planar_pushing.mechanics.scene import Scene
@@ -94,13 +96,20 @@ class Problem:
         corners = corners_of(slider) if is_fence else None
         if slider.outline is None or (is_fence and corners is None):
             return
+        fills = False
         try:
             if corners is not None:
                 distance = _height_of_outline(slider, corners, self.gap)
             else:
                 distance = _distance_of_outline(slider, self.gap, self.pusher.radius)
+                fills = _fills_arc(slider, self.gap, self.pusher.radius)
         except ValueError:  # mismatched shapes, which the batch rejects itself
             return
+        if fills:
+            raise InvalidValue(
+                "radius", self.pusher.radius, "a finger that touches the object at one place",
+                "this one fills the hollow arc at the contact; choose another radius",
+            )  # fmt: skip
         # A run ends at the full tolerance; the initial position must be within half of it.
         if distance >= -depth_tolerance(slider.outline) / 2:
             return
@@ -212,6 +221,14 @@ def _height_of_outline(slider: Slider, corners: Corners, gap: Number) -> float:
     return min(float(np.min(np.asarray(height))) for height in heights)
 
 
+def _finger_centers(slider: Slider, gap: Number, radius: Number) -> tuple[Number, Number]:
+    """Position of the finger's center at time 0, in the object's frame."""
+    across, angle = radius + gap, slider.rod_angle
+    x, y = -slider.rod_length - across * np.sin(angle), -across * np.cos(angle)
+    (origin_x, origin_y), (c, s) = slider.outline_frame
+    return origin_x + x * c - y * s, origin_y + x * s + y * c
+
+
 def _distance_of_outline(slider: Slider, gap: Number, radius: Number) -> float:
     """Distance of the outline from the finger, the minimum over several sliders."""
 
@@ -221,12 +238,21 @@ def _distance_of_outline(slider: Slider, gap: Number, radius: Number) -> float:
         spots = nearest_place(slider.outline, points.reshape(-1, 2))
         return spots.gap.reshape(points.shape[:-1])
 
-    across, angle = radius + gap, slider.rod_angle
-    x, y = -slider.rod_length - across * np.sin(angle), -across * np.cos(angle)
-    (origin_x, origin_y), (c, s) = slider.outline_frame
-    x, y = origin_x + x * c - y * s, origin_y + x * s + y * c
+    x, y = _finger_centers(slider, gap, radius)
     distance = xr.apply_ufunc(distances, x, y, dask="allowed") - radius
     return float(np.min(np.asarray(distance)))
+
+
+def _fills_arc(slider: Slider, gap: Number, radius: Number) -> bool:
+    """Whether a finger is all along a hollow arc of its radius, in at least one scene."""
+    x, y = _finger_centers(slider, gap, radius)
+    depth = depth_tolerance(slider.outline)
+    for center_x, center_y, rho in slider.outline.pieces[:, [X, Y, RHO]].tolist():
+        if -math.inf < rho < 0.0:
+            away, slack = np.hypot(x - center_x, y - center_y), abs(radius + rho)
+            if np.any(np.asarray((away <= depth) & (slack <= depth))):
+                return True
+    return False
 
 
 def warn_of_doubts(problem: Problem) -> None:

@@ -105,7 +105,9 @@ def go_to_next_piece(system: System, state: RunState) -> bool:
     piece = chain_piece(chain_of(system), wall.piece)
     number = piece.next if forward else piece.before
     neighbor = chain_piece(chain_of(system), number)
-    fills: bool = neighbor.radius < 0.0 and neighbor.radius + system.scene.fine * system.scene.radius > -1.0
+    fills: bool = (
+        neighbor.radius < 0.0 and neighbor.radius + system.scene.fine * system.scene.radius > -1.0
+    )
     if is_inner_corner(neighbor) or fills:
         return False
     put_wall(system, number, place=_end_of(neighbor, forward), along=state.along)
@@ -126,11 +128,10 @@ def is_sharp(system: System) -> bool:
 
 def leave_corner(system: System, during: Span, time: float, state: RunState, contact: int) -> bool:
     """Let a point that slips at a corner go on to the side; return whether it does."""
-    slips: bool = contact == SLIP_LEFT or contact == SLIP_RIGHT
-    if not slips or not is_sharp(system):
+    forward: bool = contact == SLIP_LEFT
+    if (contact != SLIP_RIGHT and not forward) or not is_sharp(system):
         return False
     piece = chain_piece(chain_of(system), system.run.wall.piece)
-    forward: bool = contact == SLIP_LEFT
     number = piece.next if forward else piece.before
     neighbor = chain_piece(chain_of(system), number)
     move_to_place(system, during, time, state, number, _end_of(neighbor, forward))
@@ -209,11 +210,11 @@ def land_on_wall(system: System, during: Span, time: float, state: RunState) -> 
 
 def touch_wall(system: System, during: Span, time: float, state: RunState) -> None:
     """Make the piece that a finger touches the wall, if it is not known."""
-    if follows_chain(system) and system.run.wall.piece < 0:
-        if nearest_wall(system, state).distance <= system.scene.fine * (
-            system.scene.radius + SLACK
-        ):
-            land_on_wall(system, during, time, state)
+    if not follows_chain(system) or system.run.wall.piece >= 0:
+        return
+    reach = system.scene.fine * (system.scene.radius + SLACK)
+    if nearest_wall(system, state).distance <= reach:
+        land_on_wall(system, during, time, state)
 
 
 def confine_finger(system: System, state: RunState) -> None:

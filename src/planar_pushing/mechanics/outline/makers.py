@@ -27,7 +27,7 @@ from planar_pushing.terms.numbers import Array, as_array
 CROSSING = 1e-5
 #: Number of arcs of an ellipse, and the largest ratio of its half axes.
 ARCS, SLENDER = (8, 1024), 100.0
-#: Largest rounding error of where two of its arcs join, in half axes: directions differ by it over a radius.
+#: Largest rounding error where two of its arcs join, in half axes.
 ROUNDING = 1e-9
 BULGES = (
     "at least two vertices (x, y, bulge) of finite numbers",
