@@ -11,7 +11,7 @@ from planar_pushing.core.motion.run import INPUTS, Inputs
 from planar_pushing.core.supports.rows import LOAD, MASS
 from planar_pushing.mechanics.kernels.columns import Columns, row_of
 from planar_pushing.mechanics.pressure.table import Table, joined_data
-from planar_pushing.mechanics.rows import Entry, unit_vector
+from planar_pushing.mechanics.rows import FORMS, EffectColumns, unit_vector
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
 from planar_pushing.simulation.motion import (
@@ -150,7 +150,7 @@ def numbers_of(
     return np.concatenate([data, corners.ravel()]) if len(corners) else data, columns
 
 
-def _scale_forces(entries: list[Entry], inputs: Array) -> Array:
+def _scale_forces(entries: list[EffectColumns], inputs: Array) -> Array:
     """Divide the forces of rows of inputs by their units, which are returned."""
     places: dict[int, list[int]] = {1: [], 2: []}
     position, scene = 0, inputs.shape[1] - INPUTS
@@ -172,7 +172,7 @@ def _scale_forces(entries: list[Entry], inputs: Array) -> Array:
 
 
 def _effects_of(
-    entries: list[Entry], scene: Scene, method: Method
+    entries: list[EffectColumns], scene: Scene, method: Method
 ) -> tuple[list[tuple[int, int, Table | None]], list[Number]]:
     """Kinds, first columns and tables of effects, and their columns.
 
@@ -186,10 +186,10 @@ def _effects_of(
         columns += [*(force * factor for force in entry.forces), *entry.others]
     massive = scene.stores_energy
     loaded = bool(scene.loads) or (massive and method == Method.TIME_STEPPING)
-    for kind, width, listed in ((MASS, 4, massive), (LOAD, 3, loaded)):
+    for kind, listed in ((MASS, massive), (LOAD, loaded)):
         if listed:
             effects.append((kind, len(columns), None))
-            columns += [0.0] * width
+            columns += [0.0] * FORMS[kind][0].size
     return effects, columns
 
 

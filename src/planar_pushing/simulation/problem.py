@@ -23,7 +23,7 @@ from planar_pushing.mechanics.effects import Viscous
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.kernels.arrays import Output, map_kernel
 from planar_pushing.mechanics.outline import Corners, size
-from planar_pushing.mechanics.rows import Entry, entries_of
+from planar_pushing.mechanics.rows import EffectColumns, entries_of
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
 from planar_pushing.simulation.motion import require_policies
@@ -147,7 +147,7 @@ class Problem:
         return not self.pusher.velocities
 
     @property
-    def entries(self) -> list[Entry]:
+    def entries(self) -> list[EffectColumns]:
         """The effects that resist, in the form of the core: friction, then viscous friction."""
         effects = [(i, effect) for i, effect in enumerate(self.scene.effects)]
         viscous = [(i, effect) for i, effect in effects if isinstance(effect, Viscous)]
