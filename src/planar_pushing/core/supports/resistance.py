@@ -150,10 +150,15 @@ def effect_resistance(
             spin=spin,
         )
     one, load = effects.one, LoadRow(numbers)
+    return constant_wrench(-(one * load.x), -(one * load.y), -(one * load.torque))
+
+
+def constant_wrench(f_x: float, f_y: float, torque: float) -> Resistance:
+    """The `Resistance` of a wrench that does not depend on the motion."""
     return Resistance(
-        f_x=-(one * load.x),
-        f_y=-(one * load.y),
-        torque=-(one * load.torque),
+        f_x,
+        f_y,
+        torque,
         xx=0.0,
         xy=0.0,
         yy=0.0,
