@@ -222,9 +222,9 @@ def store_center(data: Numbers, row: MeasureRow, measures: SupportMeasures) -> N
         share = plate.share
         x, y, total = x + share * plate.x, y + share * plate.y, total + share
     if total == 0.0:
-        measures.x, measures.y = UNKNOWN, UNKNOWN
+        measures.center.x, measures.center.y = UNKNOWN, UNKNOWN
         return
-    measures.x, measures.y = x / total, y / total
+    measures.center.x, measures.center.y = x / total, y / total
 
 
 def circle_at(data: Numbers, row: MeasureRow, number: int) -> CircleRow:
@@ -236,7 +236,7 @@ def circle_at(data: Numbers, row: MeasureRow, number: int) -> CircleRow:
 
 def store_spread(data: Numbers, row: MeasureRow, measures: SupportMeasures) -> None:
     """Store the means of x x, x y and y y about the center of pressure."""
-    x, y, spread = measures.x, measures.y, measures.spread
+    x, y, spread = measures.center.x, measures.center.y, measures.spread
     spread.xx, spread.xy, spread.yy = 0.0, 0.0, 0.0
     for i in range(row.atom_count):
         atom = PointRow(data[row.atoms + POINT * i :])
@@ -278,7 +278,7 @@ def add_line(
 
 def store_reach(data: Numbers, row: MeasureRow, measures: SupportMeasures, reach: Numbers) -> None:
     """Store the vectors from the center of pressure to the extreme points of a support."""
-    x, y = measures.x, measures.y
+    x, y = measures.center.x, measures.center.y
     for i in range(row.atom_count):
         atom = PointRow(data[row.atoms + POINT * i :])
         store_vector(reach, atom.x - x, atom.y - y, 0.0)
@@ -318,7 +318,7 @@ def store_pressures(
         row = PressureRow(rows[i * columns :])
         head, unit = PressureHead(results[row.head :]), row.unit
         measures, square = row.measures, unit * unit
-        head.center_x, head.center_y = measures.x / unit, measures.y / unit
+        head.center.x, head.center.y = measures.center.x / unit, measures.center.y / unit
         spread, stored = measures.spread, head.spread
         stored.xx, stored.xy = spread.xx / square, spread.xy / square
         stored.yy = spread.yy / square

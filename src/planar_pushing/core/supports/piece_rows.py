@@ -5,6 +5,13 @@ from __future__ import annotations
 from planar_pushing.core._record import Record, size_of
 
 
+class CenterRow(Record):
+    """A center of pressure."""
+
+    x: float
+    y: float
+
+
 class Spread(Record):
     """Means of x x, x y and y y about a center of pressure."""
 
@@ -18,8 +25,7 @@ class PressureHead(Record):
 
     Attributes
     ----------
-    center_x, center_y : float
-        Center of pressure.
+    center : CenterRow
     spread : Spread
     atoms, segments, rings, discs, plates, edges : int
         Places at which the rows of each kind begin, and those of the kind before end.
@@ -29,8 +35,7 @@ class PressureHead(Record):
         Place at which the edges end.
     """
 
-    center_x: float
-    center_y: float
+    center: CenterRow
     spread: Spread
     atoms: int
     segments: int
@@ -121,8 +126,7 @@ class StoredPlate(CircleRow):
 class SupportMeasures(Record):
     """Center and second moments of a support."""
 
-    x: float
-    y: float
+    center: CenterRow
     spread: Spread
 
 

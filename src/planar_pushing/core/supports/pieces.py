@@ -85,7 +85,7 @@ class Moments(NamedTuple):
 def pressure_at(data: Numbers, place: int) -> Pressure:
     """The pressure whose head is at a place in `data`."""
     head = PressureHead(data[place:])
-    return Pressure(data, place, head.center_x, head.center_y)
+    return Pressure(data, place, head.center.x, head.center.y)
 
 
 def head_of(pressure: Pressure) -> PressureHead:

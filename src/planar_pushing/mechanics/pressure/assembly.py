@@ -117,8 +117,8 @@ class Gathered(NamedTuple):
     @property
     def centers(self) -> Array:
         """Centers of pressure, shape (supports, 2)."""
-        measures = Columns(SupportMeasures, self.measured)
-        return np.stack([measures.x, measures.y], axis=1)
+        centers: Array = Columns(SupportMeasures, self.measured).center
+        return centers
 
     @property
     def spreads(self) -> Array:

@@ -71,8 +71,8 @@ class Table:
     @property
     def centers(self) -> Array:
         """Centers of pressure, shape (count, 2)."""
-        head = self.head
-        return np.stack([head.center_x, head.center_y], axis=1)
+        centers: Array = self.head.center
+        return centers
 
     @property
     def spreads(self) -> Array:
