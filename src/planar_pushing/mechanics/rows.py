@@ -12,9 +12,22 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.core.supports.rows import LOAD, MASS, RING, SUPPORT
+from planar_pushing.core._record import Record
+from planar_pushing.core.instant.flush_solutions import SideRow
+from planar_pushing.core.instant.kernels import PushRow
+from planar_pushing.core.supports.rows import (
+    LOAD,
+    MASS,
+    RING,
+    SUPPORT,
+    LoadRow,
+    MassRow,
+    RingRow,
+    SupportRow,
+)
 from planar_pushing.mechanics.contact import Law
 from planar_pushing.mechanics.effects import Inertia, Load, Viscous
+from planar_pushing.mechanics.kernels.columns import row_of
 from planar_pushing.mechanics.pressure.support_in_frames import (
     KINDS,
     SupportInFrames,
@@ -31,8 +44,13 @@ from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.terms.domain import Number, require_ratio
 from planar_pushing.terms.numbers import Array
 
+#: Form of the numbers of each kind of effect, in the order of a row, and degree of its potential.
+FORMS: dict[int, tuple[type[Record], int]] = {
+    LOAD: (LoadRow, 1), SUPPORT: (SupportRow, 1), RING: (RingRow, 1), MASS: (MassRow, 2),
+}  # fmt: skip
 
-class Entry(NamedTuple):
+
+class EffectColumns(NamedTuple):
     """An effect in the form of the core.
 
     Attributes
@@ -59,6 +77,19 @@ class Entry(NamedTuple):
     number: int
     table: Table | None = None
 
+    @classmethod
+    def of(cls, kind: int, number: int, table: Table | None = None, **values: Any) -> EffectColumns:
+        """An effect from its numbers by name: those of a load are forces, others begin with one."""
+        record, degree = FORMS[kind]
+        columns = row_of(record, **values)
+        forces = len(columns) if kind == LOAD else 1
+        return cls(kind, degree, columns[:forces], columns[forces:], number, table)
+
+    @property
+    def values(self) -> dict[str, Number]:
+        """All columns by name."""
+        return dict(zip(FORMS[self.kind][0].places, self.columns, strict=True))
+
     @property
     def columns(self) -> list[Number]:
         """All columns."""
@@ -71,7 +102,7 @@ class Entry(NamedTuple):
 
 
 #: Order of the kinds in a row.
-ORDER = {LOAD: 0, SUPPORT: 1, RING: 2, MASS: 3}
+ORDER = {kind: place for place, kind in enumerate(FORMS)}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -80,7 +111,7 @@ class Rows:
 
     Attributes
     ----------
-    entries : tuple of Entry
+    entries : tuple of EffectColumns
         The effects, grouped by kind.
     data : ndarray
         Numbers that the rows of a call share: the kinds, and the pressures of the supports.
@@ -97,9 +128,11 @@ class Rows:
         Whether all potentials have one degree, so that directions do not depend on magnitudes.
     strengths : list of float
         As of `strengths_of`, for a single scene; empty for an array of scenes.
+    push : list of float
+        As of `row_of_push` for a pusher at rest, for a single scene; empty for an array of scenes.
     """
 
-    entries: tuple[Entry, ...]
+    entries: tuple[EffectColumns, ...]
     data: Array
     body: tuple[Number, Number, Number]
     ends: tuple[Number, ...]
@@ -108,6 +141,7 @@ class Rows:
     is_single: bool
     is_steady: bool
     strengths: list[float]
+    push: list[float]
 
     @classmethod
     def of(cls, scene: Any) -> Rows:
@@ -124,9 +158,11 @@ class Rows:
             body = float(body[0]), float(body[1]), float(body[2])
         steady = len({entry.degree for entry in entries}) == 1
         strengths = strengths_of(entries, columns) if single else []
+        push = row_of_push(body[0], body[1], scene.law, 0.0, False, ends) if single else []
         return cls(
-            entries, data_of(entries), body, ends, scene.law, columns, single, steady, strengths
-        )
+            entries, data_of(entries), body, ends, scene.law, columns, single, steady, strengths,
+            push,
+        )  # fmt: skip
 
     def strength(self, degree: int) -> Number:
         """Sum of the strengths of the effects of a degree, without loads; 0 if there are none."""
@@ -135,13 +171,27 @@ class Rows:
         )
 
 
-def entries_of(effects: Iterable[tuple[int, Any]], scene: Any) -> tuple[Entry, ...]:
+def row_of_push(
+    length: Any, angle: Any, law: Law, toward: Any, moves: Any, ends: Sequence[Any]
+) -> list[Any]:
+    """The columns of a push, which follow those of the effects; `ends` are empty for a point."""
+    values = {
+        "length": length, "angle": angle, "right": law.right, "left": law.left, "slips": law.slips,
+        "closed": law.closed, "rough": law.rough, "pusher": toward, "moves": moves,
+    }  # fmt: skip
+    if not ends:
+        return row_of(PushRow, **values)
+    start, end = ends
+    return row_of(SideRow, **values, start=start, end=end)
+
+
+def entries_of(effects: Iterable[tuple[int, Any]], scene: Any) -> tuple[EffectColumns, ...]:
     """The entries of numbered effects of a scene, grouped by kind."""
     entries = [_entry(effect, scene, number) for number, effect in effects]
     return tuple(sorted(entries, key=lambda entry: ORDER[entry.kind]))
 
 
-def data_of(entries: Sequence[Entry]) -> Array:
+def data_of(entries: Sequence[EffectColumns]) -> Array:
     """Numbers that the rows of a call share: kinds, columns and tables of the entries."""
     column, effects = 0, []
     for entry in entries:
@@ -151,13 +201,16 @@ def data_of(entries: Sequence[Entry]) -> Array:
 
 
 def scale_forces(
-    entries: Sequence[Entry], columns: Sequence[Any], factors: Sequence[Any], units: Sequence[Any]
+    entries: Sequence[EffectColumns],
+    columns: Sequence[Any],
+    factors: Sequence[Any],
+    units: Sequence[Any],
 ) -> list[Any]:
     """Dimensionless columns of effects.
 
     Parameters
     ----------
-    entries : sequence of Entry
+    entries : sequence of EffectColumns
     columns : sequence
         The columns of the entries, as numbers or arrays.
     factors, units : sequence of two
@@ -173,7 +226,7 @@ def scale_forces(
     return scaled
 
 
-def strengths_of(entries: Sequence[Entry], columns: Sequence[Any]) -> list[Any]:
+def strengths_of(entries: Sequence[EffectColumns], columns: Sequence[Any]) -> list[Any]:
     """The strength of each effect: its weight, mass or coefficient, and the magnitude of a load."""
     strengths, index = [], 0
     for entry in entries:
@@ -184,7 +237,7 @@ def strengths_of(entries: Sequence[Entry], columns: Sequence[Any]) -> list[Any]:
 
 
 def in_units(
-    entries: Sequence[Entry], columns: Sequence[Any], strengths: Sequence[Any], size: Any
+    entries: Sequence[EffectColumns], columns: Sequence[Any], strengths: Sequence[Any], size: Any
 ) -> tuple[Any, list[Any]]:
     """Unit of force, and the columns of effects in this unit, for motions in units of `size`.
 
@@ -198,25 +251,34 @@ def in_units(
     return unit, scale_forces(entries, columns, (1.0, size), (unit, unit))
 
 
-def _entry(effect: Any, scene: Any, number: int) -> Entry:
+def _entry(effect: Any, scene: Any, number: int) -> EffectColumns:
     radius = scene.slider.radius
     if isinstance(effect, Inertia):
         ratio = require_ratio("gyration_ratio", effect.gyration_radius / radius)
         center = [coordinate / radius for coordinate in effect.center]
-        return Entry(MASS, 2, [effect.mass], [ratio**2, *center], number)
+        return _mass_columns(number, effect.mass, ratio**2, center)
     if isinstance(effect, Viscous):
         x, y, square = _spread_of(effect.support, radius)
-        return Entry(MASS, 2, [effect.coefficient], [square, x, y], number)
+        return _mass_columns(number, effect.coefficient, square, (x, y))
     if isinstance(effect, Load):
-        return Entry(LOAD, 1, _wrench_of(effect, scene), [], number)
+        x, y, torque = _wrench_of(effect, scene)
+        return EffectColumns.of(LOAD, number, x=x, y=y, torque=torque)
     if is_own_ring(effect.support, radius):
-        return Entry(RING, 1, [effect.weight], [], number)
+        return EffectColumns.of(RING, number, weight=effect.weight)
     support = effect.support
     pressure: Any = 0.0
     if type(support) not in KINDS:
         pressure = alike(support, np.arange(float(np.size(support))).reshape(np.shape(support)))
-    others = [extents(support) / radius, pressure]
-    return Entry(SUPPORT, 1, [effect.weight], others, number, table_of(flatten_supports(support)))
+    return EffectColumns.of(
+        SUPPORT, number, table_of(flatten_supports(support)),
+        weight=effect.weight, extent=extents(support) / radius, pressure=pressure,
+    )  # fmt: skip
+
+
+def _mass_columns(number: int, mass: Number, gyration: Number, center: Any) -> EffectColumns:
+    """The columns of inertia, or of viscous friction in the form of a mass."""
+    x, y = center
+    return EffectColumns.of(MASS, number, mass=mass, gyration=gyration, center_x=x, center_y=y)
 
 
 def _wrench_of(load: Load, scene: Any) -> list[Number]:

@@ -10,15 +10,15 @@ import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.core.instant.flush_solutions import SideResult
-from planar_pushing.core.instant.kernels import PushResult
-from planar_pushing.mechanics.contact import ContactMode, Status
+from planar_pushing.core.instant.kernels import PushResult, PushResults, PushRow
+from planar_pushing.mechanics.contact import ContactMode, Law, Status
 from planar_pushing.mechanics.force.derivatives import require_unlabeled, solution_derivatives
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.kernels.arrays import Output, elementwise, is_labeled, map_kernel
 from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of
+from planar_pushing.mechanics.rows import EffectColumns, Rows, in_units, row_of_push, strengths_of
 from planar_pushing.mechanics.scene import Scene, require_scene
 from planar_pushing.mechanics.solution_arrays import SolutionArrays, as_dataset, solutions_from
 from planar_pushing.mechanics.solutions import Solution, Solutions
@@ -36,6 +36,7 @@ XY = ("xy", 2)
 MODES = tuple(ContactMode)
 #: Places of the fields of a solution in its columns of results.
 PLACES = SideResult.places
+PUSHER, MOVES = PushRow.places["pusher"], PushRow.places["moves"]
 
 
 @functools.cache
@@ -69,9 +70,10 @@ def _decode(results: Array, columns: Sequence[Any], outputs: Sequence[npt.NDArra
     counts, status, mode, force, end, twist, motion, ratio, center, pivot, continuum, *on_side = (
         outputs
     )
-    counts[:], status[:] = results[:, 0], results[:, 1]
+    head = Columns(PushResults, results)
+    counts[:], status[:] = head.count, head.status
     record = SideResult if on_side else PushResult
-    rows = results[:, 2:].reshape(len(results), mode.shape[1], record.size)
+    rows = results[:, PushResults.size :].reshape(len(results), mode.shape[1], record.size)
     solutions = Columns(record, rows)
     vectors = (
         (force, solutions.force, unit), (end, solutions.force_end, unit),
@@ -93,7 +95,7 @@ def _decode(results: Array, columns: Sequence[Any], outputs: Sequence[npt.NDArra
         np.multiply(solutions.end_forces, unit[..., None], out=flat)
 
 
-def _require_ratio(entries: Sequence[Entry], strengths: Sequence[Any], size: Any) -> None:
+def _require_ratio(entries: Sequence[EffectColumns], strengths: Sequence[Any], size: Any) -> None:
     """Refuse friction and inertia out of proportion under a moving pusher; loads can have any magnitude."""
     by_degree: dict[int, Any] = {}
     for entry, strength in zip(entries, strengths, strict=True):
@@ -108,7 +110,7 @@ def _require_ratio(entries: Sequence[Entry], strengths: Sequence[Any], size: Any
         require_ratio("force_ratio", ratio)
 
 
-def _size_of_fall(entries: Sequence[Entry], strengths: Sequence[Any]) -> Any:
+def _size_of_fall(entries: Sequence[EffectColumns], strengths: Sequence[Any]) -> Any:
     """Unit of motion for a pusher at rest: motion of the mass under the loads alone, 1 without loads."""
     load: Any = 0.0
     mass: Any = 0.0
@@ -145,14 +147,21 @@ def solve_arrays(rows: Rows, *arguments: npt.ArrayLike) -> list[npt.NDArray[Any]
     moves = np.asarray(size) > 0
     size = np.where(moves, size, _size_of_fall(rows.entries, strengths))
     unit, scaled = in_units(rows.entries, columns, strengths, size)
-    scaled += [length, angle, right, left, slips, closed, rough, toward, moves]
-    scaled += [*ends, size, unit, radius]
-    kernel, width = "solve", 2 + SOLUTIONS[rows.is_steady] * PushResult.size
-    if ends:
-        kernel, width = "solve_flush", 2 + FLUSH_SOLUTIONS[rows.is_steady] * SideResult.size
+    law = Law(right, left, slips, closed, rough)
+    scaled += row_of_push(length, angle, law, toward, moves, ends)
+    scaled += [size, unit, radius]
+    kernel, room, result = _kernel_of(rows)
+    width = PushResults.size + room * result.size
     return map_kernel(
         kernel, rows.data, scaled, outputs(rows.is_steady, bool(ends)), width, _decode
     )
+
+
+def _kernel_of(rows: Rows) -> tuple[str, int, type[PushResult]]:
+    """Name of the kernel of a push, room for its solutions, and their form."""
+    if rows.ends:
+        return "solve_flush", FLUSH_SOLUTIONS[rows.is_steady], SideResult
+    return "solve", SOLUTIONS[rows.is_steady], PushResult
 
 
 def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> Solutions:
@@ -161,13 +170,15 @@ def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> S
     moves = magnitude > 0.0
     size = magnitude if moves else float(_size_of_fall(rows.entries, rows.strengths))
     unit, row = in_units(rows.entries, rows.columns, rows.strengths, size)
-    row += [*rows.body[:2], *rows.law, angle, moves, *rows.ends]
-    kernel, room, width = "solve", SOLUTIONS[rows.is_steady], PushResult.size
-    if rows.ends:
-        kernel, room, width = "solve_flush", FLUSH_SOLUTIONS[rows.is_steady], SideResult.size
-    results = run(kernel, rows.data, [row], 2 + room * width)[0].tolist()
-    radius, solutions = rows.body[2], []
-    for first in range(2, 2 + width * int(results[0]), width):
+    first, radius = len(row), rows.body[2]
+    row += rows.push
+    row[first + PUSHER], row[first + MOVES] = angle, moves
+    kernel, room, result = _kernel_of(rows)
+    head, width = PushResults.size, result.size
+    results = run(kernel, rows.data, [row], head + room * width)[0].tolist()
+    count, status = map(int, results[:head])
+    solutions = []
+    for first in range(head, head + width * count, width):
         numbers = results[first : first + width]
         v_x, v_y, spin = numbers[PLACES["twist"]]
         solutions.append(
@@ -184,7 +195,7 @@ def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> S
                 **(_on_side(numbers, unit, radius) if rows.ends else {}),
             )
         )
-    return Solutions(tuple(solutions), Status(int(results[1])), (scene, angle, magnitude))
+    return Solutions(tuple(solutions), Status(status), (scene, angle, magnitude))
 
 
 def _on_side(numbers: Sequence[float], unit: float, radius: float) -> dict[str, Any]:

@@ -24,10 +24,8 @@ from planar_pushing.terms import quantities
 from planar_pushing.terms.domain import SAMPLE_COUNT
 from planar_pushing.terms.errors import (
     InvalidValue,
-    SceneWarning,
     require_flag,
     require_kind,
-    warn_user,
 )
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Policy, PolicyName, Shape
@@ -98,7 +96,6 @@ def simulate_batch(
         scene=require_scene(scene), pusher=pusher, duration=duration, twist=twist, gap=gap,
         rtol=rtol, on_ambiguity=on_ambiguity,
     )  # fmt: skip
-    _require_same_without_outline(problem)
     warn_of_doubts(problem)
     data, numbers = numbers_of(problem)
     columns, over = _broadcast(numbers)
@@ -128,26 +125,6 @@ def simulate_batch(
             attributes = variable_attributes(table, str(label), problem.scene.units)
             variable.attrs = attributes or variable.attrs
     return without_fill_values(dataset)
-
-
-def _require_same_without_outline(problem: Problem) -> None:
-    """Refuse contacts whose outline is not kept if a fence would lie on their sides, and warn of others."""
-    if not problem.has_lost_outline:
-        return
-    remedy = "simulate the scenes one by one"
-    start, end = map(np.asarray, problem.scene.slider.side)
-    if bool(np.any(end > start)):
-        raise InvalidValue(
-            "pusher", "a fence on the side of an outline, for an array of contacts",
-            'a finger, or contacts at corners with normals between those of their sides',
-            f"the array has no outline, which would lie on the fence; {remedy}, or give shape=\"finger\"",
-        )  # fmt: skip
-    _warn(f"the fence meets no other corner; {remedy}")
-
-
-def _warn(consequence: str) -> None:
-    """Warn that an array of contacts has no outline."""
-    warn_user(SceneWarning(f"an array of contacts does not keep its outline: {consequence}"))
 
 
 class Over(NamedTuple):

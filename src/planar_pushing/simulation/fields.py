@@ -26,7 +26,7 @@ from planar_pushing.core.motion.system import (
 from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import Outcome
 from planar_pushing.mechanics.kernels.columns import Columns
-from planar_pushing.simulation.problem import Problem, corners_of
+from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms import quantities
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Method, Shape
@@ -57,7 +57,7 @@ def _is_finger(problem: Problem) -> bool:
 def _can_lie(problem: Problem) -> bool:
     """Whether a side of the slider can lie on the fence."""
     slider = problem.scene.slider
-    return not _is_finger(problem) and (slider.flush or corners_of(slider) is not None)
+    return not _is_finger(problem) and (slider.flush or slider.outline is not None)
 
 
 def _has_position(problem: Problem) -> bool:

@@ -19,7 +19,7 @@ from planar_pushing.mechanics.outline.chains import RHO, TURN, Piece
 from planar_pushing.mechanics.outline.places import places_with_normals
 from planar_pushing.mechanics.plane import Frame, direction
 from planar_pushing.mechanics.pressure.table import Table, joined_data
-from planar_pushing.mechanics.rows import Entry, unit_vector
+from planar_pushing.mechanics.rows import FORMS, EffectColumns, unit_vector
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
 from planar_pushing.simulation.motion import (
@@ -29,7 +29,7 @@ from planar_pushing.simulation.motion import (
     starts_of,
     write_policies,
 )
-from planar_pushing.simulation.problem import Problem, corners_of, depth_tolerance
+from planar_pushing.simulation.problem import Problem, depth_tolerance
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Method, Shape
@@ -138,11 +138,7 @@ def numbers_of(
     radius, (mass, gyration), (v_x, v_y, omega) = slider.radius, scene.inertia, problem.twist
     is_finger, finger_radius = problem.shape == Shape.FINGER, problem.pusher.radius
     effects, columns = _effects_of(entries, scene, method)
-    data, corners, chain = (
-        joined_data(effects, len(columns)),
-        _corners_of(problem),
-        _chain_of(slider),
-    )
+    data, chain = joined_data(effects, len(columns)), _chain_of(slider)
     load, cross, dot = _load_of(scene)
     right, left, slips, closed, rough = scene.law
     side_start, side_end = slider.side
@@ -155,18 +151,17 @@ def numbers_of(
         right=right, left=left, slips=slips, closed=closed, rough=rough,
         twist=(v_x / radius, v_y / radius, omega), gap=problem.gap / radius, finger=is_finger,
         radius=finger_radius / radius, side_start=side_start / radius, side_end=side_end / radius,
-        fine=_fineness(problem), corners=len(corners), corners_place=len(data),
-        chain=len(chain), chain_place=len(data) + corners.size, **_wall_of(slider),
+        fine=_fineness(slider), chain=len(chain), chain_place=len(data), **_wall_of(slider),
         frictions=sum(entry.degree == 1 for entry in entries), resisting=len(entries),
         tolerance=problem.rtol, pieces=0.0, coefficients=0.0, times=0.0, logs_events=0.0,
         flush=slider.flush,
     )  # fmt: skip
     columns += [radius, problem.duration]
     columns += [part for _, velocity in problem.pusher.velocities for part in velocity]
-    return np.concatenate([data, corners.ravel(), chain.ravel()]), columns
+    return np.concatenate([data, chain.ravel()]), columns
 
 
-def _scale_forces(entries: list[Entry], inputs: Array) -> Array:
+def _scale_forces(entries: list[EffectColumns], inputs: Array) -> Array:
     """Divide the forces of rows of inputs by their units, which are returned."""
     places: dict[int, list[int]] = {1: [], 2: []}
     position, scene = 0, inputs.shape[1] - INPUTS
@@ -188,7 +183,7 @@ def _scale_forces(entries: list[Entry], inputs: Array) -> Array:
 
 
 def _effects_of(
-    entries: list[Entry], scene: Scene, method: Method
+    entries: list[EffectColumns], scene: Scene, method: Method
 ) -> tuple[list[tuple[int, int, Table | None]], list[Number]]:
     """Kinds, first columns and tables of effects, and their columns.
 
@@ -202,20 +197,11 @@ def _effects_of(
         columns += [*(force * factor for force in entry.forces), *entry.others]
     massive = scene.stores_energy
     loaded = bool(scene.loads) or (massive and method == Method.TIME_STEPPING)
-    for kind, width, listed in ((MASS, 4, massive), (LOAD, 3, loaded)):
+    for kind, listed in ((MASS, massive), (LOAD, loaded)):
         if listed:
             effects.append((kind, len(columns), None))
-            columns += [0.0] * width
+            columns += [0.0] * FORMS[kind][0].size
     return effects, columns
-
-
-def _corners_of(problem: Problem) -> Array:
-    """Corners that a fence can meet, in units of the tolerance, shape (corners, 2); empty if not known."""
-    slider = problem.scene.slider
-    corners = None if problem.shape == Shape.FINGER else corners_of(slider)
-    if corners is None:
-        return np.empty((0, 2))
-    return np.array(corners) / depth_tolerance(slider.outline)
 
 
 def _chain_of(slider: Slider) -> Array:
@@ -273,11 +259,10 @@ def _walls_at(
     return piece, place, turn
 
 
-def _fineness(problem: Problem) -> Number:
-    """Radius in units of the outline's tolerance; 0 without an outline, 1 for one that is not kept."""
-    slider = problem.scene.slider
-    if slider.outline is None or problem.has_lost_outline:
-        return float(problem.has_lost_outline)
+def _fineness(slider: Slider) -> Number:
+    """Radius in units of the outline's tolerance; 0 without an outline."""
+    if slider.outline is None:
+        return 0.0
     return slider.radius / depth_tolerance(slider.outline)
 
 

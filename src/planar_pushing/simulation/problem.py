@@ -22,10 +22,10 @@ import xarray as xr
 from planar_pushing.core.supports.rows import RING, SUPPORT
 from planar_pushing.mechanics.effects import Viscous
 from planar_pushing.mechanics.force.held import require_held
-from planar_pushing.mechanics.outline import Corners, Outline
+from planar_pushing.mechanics.outline import Outline
 from planar_pushing.mechanics.outline.chains import RHO, X, Y
 from planar_pushing.mechanics.outline.places import nearest_place
-from planar_pushing.mechanics.rows import Entry, entries_of
+from planar_pushing.mechanics.rows import EffectColumns, entries_of
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
 from planar_pushing.simulation.motion import require_policies
@@ -93,13 +93,12 @@ class Problem:
     def _require_outside(self) -> None:
         """Reject an outline of which a part is initially in the pusher, in at least one scene."""
         slider, is_fence = self.scene.slider, self.shape == Shape.FENCE
-        corners = corners_of(slider) if is_fence else None
-        if slider.outline is None or (is_fence and corners is None):
+        if slider.outline is None:
             return
         fills = False
         try:
-            if corners is not None:
-                distance = _height_of_outline(slider, corners, self.gap)
+            if is_fence:
+                distance = _height_of_outline(slider, self.gap)
             else:
                 distance = _distance_of_outline(slider, self.gap, self.pusher.radius)
                 fills = _fills_arc(slider, self.gap, self.pusher.radius)
@@ -115,8 +114,8 @@ class Problem:
             return
         if is_fence:
             raise InvalidValue(
-                "outline", f"a corner {-distance:.6g} below the fence",
-                "corners on the fence or above it",
+                "outline", f"a point {-distance:.6g} below the fence",
+                "an outline on the fence or above it",
                 "rotate the slider, raise it by gap, or put the contact on the outline",
             )  # fmt: skip
         raise InvalidValue(
@@ -141,18 +140,12 @@ class Problem:
         return Shape(self.pusher.shape)
 
     @property
-    def has_lost_outline(self) -> bool:
-        """Whether the contacts are an array on an outline, which a fence does not follow."""
-        slider, is_fence = self.scene.slider, self.shape == Shape.FENCE
-        return slider.outline is not None and is_fence and corners_of(slider) is None
-
-    @property
     def follows_function(self) -> bool:
         """Whether the pusher's velocity is a function of time."""
         return not self.pusher.velocities
 
     @property
-    def entries(self) -> list[Entry]:
+    def entries(self) -> list[EffectColumns]:
         """The effects that resist, in the form of the core: friction, then viscous friction."""
         effects = [(i, effect) for i, effect in enumerate(self.scene.effects)]
         viscous = [(i, effect) for i, effect in effects if isinstance(effect, Viscous)]
@@ -186,39 +179,26 @@ def _required_twist(value: Any, scene: Scene) -> tuple[Number, ...]:
     return twist
 
 
-def corners_of(slider: Slider) -> Corners | None:
-    """Corners in the body frame that a fence can meet; None without them, or for an array of frames.
-
-    Raises
-    ------
-    InvalidValue
-        If the outline has arcs.
-    """
-    outline: Outline | None = slider.outline
-    if outline is None:
-        return None
-    if outline.exterior.has_arcs:
-        raise InvalidValue(
-            "outline", "one with arcs under a fence", "straight sides, or a finger",
-            'give the corners Outline.vertices(tolerance), or push with Pusher(shape="finger")',
-        )  # fmt: skip
-    if np.ndim(slider.outline_frame.origin[0]):
-        return None
-    body: Any = slider.outline_in_body()
-    corners: Corners | None = body.exterior.corners
-    return corners
-
-
 def depth_tolerance(outline: Outline) -> float:
     """Allowed depth of the outline in the pusher, in the outline's unit."""
     return DEPTH * outline.size
 
 
-def _height_of_outline(slider: Slider, corners: Corners, gap: Number) -> float:
-    """Height of the lowest corner above the fence, the minimum over several sliders."""
-    c, s = np.cos(slider.rod_angle), np.sin(slider.rod_angle)
-    heights = (gap + (slider.rod_length + x) * s + y * c for x, y in corners)
-    return min(float(np.min(np.asarray(height))) for height in heights)
+def _height_of_outline(slider: Slider, gap: Number) -> float:
+    """Height of the outline above the fence, the minimum over several sliders."""
+    length, angle, (_, (c, s)) = slider.rod_length, slider.rod_angle, slider.outline_frame
+    x, y = slider.outline_frame.point_out((-length, 0.0 * length))
+    n_x, n_y = np.sin(angle), np.cos(angle)
+    n_x, n_y = c * n_x - s * n_y, s * n_x + c * n_y
+
+    def lowest(x: Array, y: Array, n_x: Array, n_y: Array) -> Array:
+        """Smallest heights of the outline over points, along directions."""
+        points = slider.outline.vertices(depth_tolerance(slider.outline) / 4.0)
+        heights = np.multiply.outer(n_x, points[:, 0]) + np.multiply.outer(n_y, points[:, 1])
+        return np.asarray(heights.min(axis=-1) - (n_x * x + n_y * y))
+
+    height = gap + xr.apply_ufunc(lowest, x, y, n_x, n_y, dask="allowed")
+    return float(np.min(np.asarray(height)))
 
 
 def _finger_centers(slider: Slider, gap: Number, radius: Number) -> tuple[Number, Number]:
@@ -273,10 +253,11 @@ def warn_of_doubts(problem: Problem) -> None:
 def _of_fence(scene: Scene) -> Iterator[str]:
     """A contact of `scene_at` at an inner point of a side."""
     slider = scene.slider
-    if scene.placement is None or corners_of(slider) is None or slider.flush:
+    if scene.placement is None or slider.outline is None or slider.flush:
         return
     start, end = slider.side
-    if -np.inf < start < 0.0 < end < np.inf:
+    inner = (start > -np.inf) & (start < 0.0) & (end > 0.0) & (end < np.inf)
+    if np.any(np.asarray(inner)):
         yield (
             "pusher: a fence at an inner point of a side, while the whole side lies on it; push the point "
             'with Pusher(shape="finger"), or make the scene with scene_at(side=...)'

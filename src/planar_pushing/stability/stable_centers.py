@@ -222,7 +222,9 @@ def _steady_effects(scene: Scene) -> tuple[Effect, ...]:
         return effects_in_fence(scene)
     radius, masses = scene.slider.radius, []
     for entry in scene.rows.entries:
-        (coefficient,), (square, x, y) = entry.forces, entry.others
+        body = entry.values
+        coefficient, square = body["mass"], body["gyration"]
+        x, y = body["center_x"], body["center_y"]
         mass = Inertia(
             mass=coefficient, gyration_radius=radius * square**0.5, center=(radius * x, radius * y)
         )

@@ -41,9 +41,9 @@ def test_coefficients_of_a_distant_disc_are_those_of_its_series():
 def terms_of(vertices):
     """Terms of a polygon as complex numbers, and whether each m counts; its vertices in radii."""
     table = table_of([Polygon(vertices)])
-    plate = int(table.heads[0, pieces.PLATES])
+    plate = int(table.head.plates[0])
     x, y, radius = table.data[plate : plate + 3]
-    numbers = table.data[int(table.heads[0, pieces.SERIES]) :].reshape(ROWS, 2)
+    numbers = table.data[int(table.head.series[0]) :].reshape(ROWS, 2)
     size = Polygon(vertices).extent
     placed = (np.array(Polygon(vertices).vertices) / size - [x, y]) / radius
     return numbers @ [1, 1j], numbers[TERMS:, 0], placed
@@ -93,7 +93,7 @@ def test_only_the_orders_of_a_symmetry_count(half_width, symmetry):
 
 def test_results_do_not_depend_on_what_was_in_their_memory():
     table = table_of([FRAME, SQUARE])
-    plates = table.heads[:, pieces.PLATES].astype(int)  # one for each support
+    plates = table.head.plates.astype(int)  # one for each support
     rows = table.data[plates[:, None] + [2, 4, 5]]
     results = np.full((2, 2 * ROWS), np.nan)
     multipole.plate_terms(
@@ -104,7 +104,7 @@ def test_results_do_not_depend_on_what_was_in_their_memory():
         memoryview(results.ravel()),
         2 * ROWS,
     )
-    assert np.array_equal(results.ravel(), table.data[int(table.heads[0, pieces.SERIES]) :])
+    assert np.array_equal(results.ravel(), table.data[int(table.head.series[0]) :])
 
 
 def pressure_of(support):
@@ -127,9 +127,10 @@ def test_a_blurred_center_is_on_every_atom_within_the_blur():
     pressure, size = pressure_of(support), support.extent
     assert pieces.count_atoms(pressure) == 4
     for i, (x, y) in enumerate(support.positions):
-        place = pieces.place_of_atom(pressure, i)
-        row = list(pressure.data[place : place + 3])
-        assert row == pytest.approx([x / size, y / size, 0.25], rel=1e-15, abs=0)
+        atom = pieces.atom_of(pressure, i)
+        assert (atom.x, atom.y, atom.share) == pytest.approx(
+            (x / size, y / size, 0.25), rel=1e-15, abs=0
+        )
     offsets = np.array(support.positions) - [4e-4, 0.0]
     away = np.hypot(*offsets.T)
     # The last atom within the blur is named, and none of them has a direction.

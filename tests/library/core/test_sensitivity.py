@@ -12,18 +12,29 @@ from planar_pushing.core.instant import elimination, sensitivity
 from planar_pushing.core.numbers import zeros
 from planar_pushing.core.supports import rows
 from planar_pushing.mechanics.kernels.calls import run
+from planar_pushing.mechanics.kernels.columns import row_of
+from planar_pushing.mechanics.pressure.table import joined_data
 
 SIDE = elimination.SIDE
 LEVERS = [0.0, 1e-3, 1.0, 1e3, 1e6]
 GYRATION = 0.49
-#: A mass of 2 at the origin, in columns 0 to 3.
-MASS = [rows.MASS, 0, 0, 0, rows.LAST, 4, 0, 0], [2.0, GYRATION, 0.0, 0.0]
+#: A mass of 2 at the origin.
+MASS = row_of(rows.MassRow, mass=2.0, gyration=GYRATION, center_x=0.0, center_y=0.0)
+
+
+def responses(kind, numbers, width, **solution):
+    """A row of results for one effect and a solution without a pivot."""
+    row = row_of(sensitivity.ResponseRow, pivot=-1, changes=0, place=0.0, held=0, **solution)
+    data = joined_data([(kind, 0, None)], len(numbers))
+    return run("responses", data, [[*numbers, *row]], width)[0]
 
 
 def derivatives(condition, lever, twist, force, edge):
     """Status, and derivatives of the twist and the force of a mass whose rod is along the fence."""
-    solution = [lever, 0.0, *twist, *force, edge, condition, -1, 0, 0.0, 0]
-    (result,) = run("responses", MASS[0], [[*MASS[1], *solution]], 1 + 5 * 6)
+    result = responses(
+        rows.MASS, MASS, 1 + 5 * 6, length=lever, angle=0.0, twist=[*twist], force=[*force],
+        edge=edge, condition=condition,
+    )  # fmt: skip
     return int(result[0]), result[1:].reshape(5, 6)
 
 
@@ -69,10 +80,11 @@ def test_a_mass_that_sticks_has_derivatives_in_closed_form(lever):
 
 def test_a_slip_whose_contact_moves_along_the_fence_has_no_derivatives():
     """Along the edge nothing determines the motion: the force is along the motion of the ring's center."""
-    data, twist = [rows.RING, 0, 0, 0, rows.LAST, 1, 0, 0], [1.0, 0.0, 0.0]
     for condition, status in ((sensitivity.SLIP_CASE, 4), (sensitivity.STICK_CASE, 1)):
-        row = [1.0, 2.0, 0.0, *twist, 1.0, 0.0, 0.0, condition, -1, 0, 0.0, 0]
-        (result,) = run("responses", data, [row], 31)
+        result = responses(
+            rows.RING, [1.0], 31, length=2.0, angle=0.0, twist=[1.0, 0.0, 0.0], force=[1.0, 0.0],
+            edge=0.0, condition=condition,
+        )  # fmt: skip
         assert result[0] == status
         assert np.isnan(result[1:]).all() == (status == sensitivity.CHANGE)
 

@@ -8,7 +8,7 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.core.motion import run
-from planar_pushing.core.supports.rows import ENTRY, LAST, LOAD, MASS, RING, SUPPORT
+from planar_pushing.core.supports.rows import EFFECT, LAST, LOAD, MASS, RING, SUPPORT
 from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.simulation.inputs import Scenes, numbers_of
 from planar_pushing.simulation.problem import DEPTH, Problem
@@ -42,7 +42,7 @@ def inputs_of(problem, method=Method.EVENT_DRIVEN):
 
 def kinds_of(data):
     """Kinds of the effects, and their first columns."""
-    entries = [data[place : place + 2].astype(int) for place in range(0, len(data) - 1, ENTRY)]
+    entries = [data[place : place + 2].astype(int) for place in range(0, len(data) - 1, EFFECT)]
     kinds = [int(kind) for kind, _ in entries]
     kinds = kinds[: kinds.index(LAST) + 1]
     return kinds, [int(column) for _, column in entries[: len(kinds)]]

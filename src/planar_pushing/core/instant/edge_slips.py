@@ -21,7 +21,7 @@ from planar_pushing.core.instant.force import (
     sticking_motion,
 )
 from planar_pushing.core.instant.path import Path, Sample, first_sample, hinge_on_edge, sample_of
-from planar_pushing.core.instant.slips import SLIP, SLIPS, find_slips
+from planar_pushing.core.instant.slips import SLIP, SLIPS, Slip, find_slips
 from planar_pushing.core.instant.solution import (
     MOST_SOLUTIONS,
     SLIP_RIGHT,
@@ -193,8 +193,8 @@ def write_slips(
     hinge = pivot.point if pivots else NO_POINT
     number, flat = find_slips(path, unit, first, end, roots)
     for i in range(number):
-        s, spin, point = roots[SLIP * i], roots[SLIP * i + 1], int(roots[SLIP * i + 3])
-        motion = motion_at_root(path, s, spin, roots[SLIP * i + 2] != 0.0, point)
+        root = Slip(roots[SLIP * i :])
+        motion = motion_at_root(path, root.s, root.spin, root.continuum, root.pivot)
         motion = _snap_to_rest(search, edge, normal, motion)
         if pivots and _coincide(search, pivot, motion):
             continue

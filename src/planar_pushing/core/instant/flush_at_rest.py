@@ -129,113 +129,45 @@ def _least_friction(flush: FlushPush, mode: int, edge: Direction) -> Hold:
     It is on the boundary of those that the law transmits, because it is not opposite to the loads: on an
     edge, or at an end of the side.
     """
-    law, side = flush.law, flush.side
-    a, b, wide = side.start, side.end, law.right.y == 0.0
+    law, a, b = flush.law, flush.side.start, flush.side.end
     if mode != STICK:
-        return _minimum_on_facet(
-            flush,
-            Facet(
-                one_x=edge.x,
-                one_y=edge.y,
-                one_position=a,
-                other_x=edge.x,
-                other_y=edge.y,
-                other_position=b,
-                any_sign=False,
-            ),
-            edge.y > 0.0,
-        )
-    if wide:
-        best = _minimum_on_facet(
-            flush,
-            Facet(
-                one_x=1.0,
-                one_y=0.0,
-                one_position=0.0,
-                other_x=0.0,
-                other_y=1.0,
-                other_position=a,
-                any_sign=True,
-            ),
-            True,
-        )
-        return _smaller_share(
-            best,
-            _minimum_on_facet(
-                flush,
-                Facet(
-                    one_x=1.0,
-                    one_y=0.0,
-                    one_position=0.0,
-                    other_x=0.0,
-                    other_y=1.0,
-                    other_position=b,
-                    any_sign=True,
-                ),
-                True,
-            ),
-        )
+        return _minimum_on_facet(flush, _facet_between(edge, a, edge, b), edge.y > 0.0)
     right, left = law.right, law.left
-    best = _minimum_on_facet(
-        flush,
-        Facet(
-            one_x=right.x,
-            one_y=right.y,
-            one_position=a,
-            other_x=right.x,
-            other_y=right.y,
-            other_position=b,
-            any_sign=False,
-        ),
-        True,
+    if right.y == 0.0:
+        best = _minimum_on_facet(flush, _facet_at(a), True)
+        return _smaller_share(best, _minimum_on_facet(flush, _facet_at(b), True))
+    best = _minimum_on_facet(flush, _facet_between(right, a, right, b), True)
+    # The other edge of the cone, and the cones at both ends.
+    for k in range(0 if right.x == left.x else 3):
+        one, here, there = left if k == 0 else right, b if k == 2 else a, a if k == 1 else b
+        facet = _facet_between(one, here, left, there)
+        best = _smaller_share(best, _minimum_on_facet(flush, facet, True))
+    return best
+
+
+def _facet_between(one: Direction, position: float, other: Direction, there: float) -> Facet:
+    """The forces between one along an edge at a position and one along an edge at another position."""
+    return Facet(
+        one_x=one.x,
+        one_y=one.y,
+        one_position=position,
+        other_x=other.x,
+        other_y=other.y,
+        other_position=there,
+        any_sign=False,
     )
-    if right.x == left.x:
-        return best
-    other = _minimum_on_facet(
-        flush,
-        Facet(
-            one_x=left.x,
-            one_y=left.y,
-            one_position=a,
-            other_x=left.x,
-            other_y=left.y,
-            other_position=b,
-            any_sign=False,
-        ),
-        True,
-    )
-    best = _smaller_share(best, other)
-    best = _smaller_share(
-        best,
-        _minimum_on_facet(
-            flush,
-            Facet(
-                one_x=right.x,
-                one_y=right.y,
-                one_position=a,
-                other_x=left.x,
-                other_y=left.y,
-                other_position=a,
-                any_sign=False,
-            ),
-            True,
-        ),
-    )
-    return _smaller_share(
-        best,
-        _minimum_on_facet(
-            flush,
-            Facet(
-                one_x=right.x,
-                one_y=right.y,
-                one_position=b,
-                other_x=left.x,
-                other_y=left.y,
-                other_position=b,
-                any_sign=False,
-            ),
-            True,
-        ),
+
+
+def _facet_at(position: float) -> Facet:
+    """All forces at a position, and those along the fence."""
+    return Facet(
+        one_x=1.0,
+        one_y=0.0,
+        one_position=0.0,
+        other_x=0.0,
+        other_y=1.0,
+        other_position=position,
+        any_sign=True,
     )
 
 

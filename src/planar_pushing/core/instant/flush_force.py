@@ -181,8 +181,8 @@ def write_flush(
     solution.twist.x = force.s - spin * c_y
     solution.twist.y, solution.twist.spin = y + spin * c_x, spin
     solution.motion.x, solution.motion.y = force.s, y
-    for k in range(0, 3, 2):
-        solution.force[k], solution.force[k + 1] = force.f_x, force.f_y
+    solution.force.x, solution.force.y = force.f_x, force.f_y
+    solution.force_end.x, solution.force_end.y = force.f_x, force.f_y
     noise = noise_at_ends(flush, force)
     at_start, at_end = force_at_start(flush.side, force), force_at_end(flush.side, force)
     solution.start_force = 0.0 if fabs(at_start) <= noise else at_start

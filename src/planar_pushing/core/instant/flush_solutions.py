@@ -17,7 +17,13 @@ from planar_pushing.core.instant.flush_force import (
     resist_translation,
     translation_force,
 )
-from planar_pushing.core.instant.kernels import PushResult, pushing_problem, write_results
+from planar_pushing.core.instant.kernels import (
+    HEAD_OF_RESULTS,
+    PushResult,
+    PushRow,
+    pushing_problem,
+    write_results,
+)
 from planar_pushing.core.instant.modes import contact_modes
 from planar_pushing.core.instant.solution import (
     MOST_SOLUTIONS,
@@ -63,6 +69,13 @@ class End(NamedTuple):
     rest_y: float
 
 
+class SideRow(PushRow):
+    """A push from rest of a side, whose ends are measured along the fence from the contact."""
+
+    start: float
+    end: float
+
+
 class SideSolution(Solution):
     """A solution of a push of a side: whether it is flush, and where it touches the fence."""
 
@@ -104,24 +117,24 @@ def solve_flush(
 ) -> None:
     """Every consistent solution of each push of a side that lies on the fence.
 
-    After the columns of `solve`, a row holds the ends of the side, measured along the fence from the
-    contact of `solve`. A row of results holds what that of `solve` does, with `SIDE_RESULT` columns for
-    each solution. The motion of the contact is that of the end that touches the fence, if only one does.
+    After the effects, a row holds a `SideRow`. A row of results holds what that of `solve` does, with each
+    solution as `SideResult`. The motion of the contact is that of the end that touches the fence, if only
+    one does.
     """
     first = count_columns(data)
     solutions = zeros(MOST_ON_SIDE * SIDE_SOLUTION)
     for i in range(count):
         row, result = rows[i * columns :], results[i * width :]
-        inputs = row[first:]
+        inputs = SideRow(row[first:])
         problem = pushing_problem(read_effects(data, row), inputs)
-        side = FlatSide(inputs[9], inputs[10])
+        side = FlatSide(inputs.start, inputs.end)
         number = side_modes(problem.push, side, problem.law, problem.pusher, solutions)
         number = write_results(
             problem.rod, solutions, SIDE_SOLUTION, number, False, result, width, SIDE_RESULT
         )
         for j in range(number):
             solution = SideSolution(solutions[j * SIDE_SOLUTION :])
-            written = SideResult(result[2 + j * SIDE_RESULT :])
+            written = SideResult(result[HEAD_OF_RESULTS + j * SIDE_RESULT :])
             written.flush, written.position = solution.is_flush, _position_of_force(side, solution)
             _write_end_forces(problem.law, solution, written.end_forces)
 

@@ -53,10 +53,64 @@ from planar_pushing.core.supports.tolerances import RESOLUTION
 
 #: Status of the solutions of a row.
 NONE, CONSISTENT, PIVOTS, CONTINUA, NOT_SOLVED = range(5)
-#: Number of columns of a motion in the results of `force_motions`.
-MOTION_WIDTH = 13
 #: Distance, in radii, at which a force replaces a pure couple.
 FAR = 1e6
+
+
+class RodRow(Record):
+    """Length and angle of the rod, with which the columns after the effects begin."""
+
+    length: float
+    angle: float
+
+
+class PushRow(RodRow):
+    """A push from rest.
+
+    Attributes
+    ----------
+    right, left : float
+        Angles of the edges of the law.
+    slips, closed, rough : bool
+        As in `Law`.
+    pusher : float
+        Angle of the pusher's motion.
+    moves : bool
+        Whether the pusher moves.
+    """
+
+    right: float
+    left: float
+    slips: bool
+    closed: bool
+    rough: bool
+    pusher: float
+    moves: bool
+
+
+class ForceRow(RodRow):
+    """A force through the contact.
+
+    Attributes
+    ----------
+    force : float
+        Its angle.
+    norm : int
+        What fixes the magnitude of the motion, `UNIT_MOTION` to `FORCE_SIZE`.
+    magnitude : float
+        Magnitude of the force for `FORCE_SIZE`.
+    """
+
+    force: float
+    norm: int
+    magnitude: float
+
+
+class ConeRow(RodRow):
+    """Angles of the right and of the left edge of a friction cone."""
+
+    right: float
+    left: float
 
 
 class PushResult(Record):
@@ -87,7 +141,58 @@ class PushResult(Record):
     continuum: bool
 
 
-RESULT = size_of(PushResult)
+class PushResults(Record):
+    """Head of a row of results of `solve`: how many solutions follow it, and their status."""
+
+    count: int
+    status: int
+
+
+class MotionResult(Record):
+    """A motion in the results of `force_motions`, in the frame of the contact.
+
+    Attributes
+    ----------
+    status : int
+    twist, motion : Twist, Pair
+        Of the slider's center, and of the contact.
+    force : Pair
+    angle : float
+        Of the contact's motion.
+    pivot : int
+    spin_ratio : float
+    center : Pair
+        Motion center relative to the slider's center.
+    """
+
+    status: int
+    twist: Twist
+    motion: Pair
+    force: Pair
+    angle: float
+    pivot: int
+    spin_ratio: float
+    center: Pair
+
+
+class ConeResult(Record):
+    """Edges of a motion cone, whether they are reached, and status."""
+
+    right: float
+    left: float
+    reached: bool
+    status: int
+
+
+class WrenchRow(Record):
+    """A force and a torque in the body frame."""
+
+    x: float
+    y: float
+    torque: float
+
+
+HEAD_OF_RESULTS, RESULT, MOTION = size_of(PushResults), size_of(PushResult), size_of(MotionResult)
 
 
 class PushingProblem(NamedTuple):
@@ -104,15 +209,14 @@ def solve(
 ) -> None:
     """Every consistent solution of each push.
 
-    After the effects, a row holds: length and angle of the rod; the edges of the law, right and left, and
-    whether it slips, is closed, and is rough; angle of the pusher's motion; whether the pusher moves. A row
-    of results holds: number of solutions; status; and as many solutions as fit, as `PushResult`, or NaN.
+    After the effects, a row holds a `PushRow`. A row of results holds `PushResults` and as many solutions
+    as fit, as `PushResult`, or NaN.
     """
     first = count_columns(data)
     solutions = zeros(MOST_SOLUTIONS * SOLUTION)
     for i in range(count):
         row, result = rows[i * columns :], results[i * width :]
-        problem = pushing_problem(read_effects(data, row), row[first:])
+        problem = pushing_problem(read_effects(data, row), PushRow(row[first:]))
         number, flat = contact_modes(problem.push, problem.law, problem.pusher, solutions)
         write_results(
             problem.rod,
@@ -126,19 +230,19 @@ def solve(
         )
 
 
-def pushing_problem(effects: Effects, inputs: Numbers) -> PushingProblem:
-    """The problem of a row of `solve`, from the numbers after its effects."""
-    rod = rod_at(inputs[0], inputs[1])
+def pushing_problem(effects: Effects, inputs: PushRow) -> PushingProblem:
+    """The problem of a row of `solve`."""
+    rod = rod_at(inputs.length, inputs.angle)
     law = Law(
-        right=direction_at(rod, inputs[2]),
-        left=direction_at(rod, inputs[3]),
-        slips=inputs[4] != 0.0,
-        closed=inputs[5] != 0.0,
-        rough=inputs[6] != 0.0,
+        right=direction_at(rod, inputs.right),
+        left=direction_at(rod, inputs.left),
+        slips=inputs.slips,
+        closed=inputs.closed,
+        rough=inputs.rough,
     )
-    pusher = direction_at(rod, inputs[7])
-    if inputs[8] == 0.0:
-        pusher = Direction(angle=inputs[7], x=0.0, y=0.0, along=0.0, across=0.0)
+    pusher = direction_at(rod, inputs.pusher)
+    if not inputs.moves:
+        pusher = Direction(angle=inputs.pusher, x=0.0, y=0.0, along=0.0, across=0.0)
     push = Push(effects, contact_at(-rod.length, 0.0), rod.x, -rod.y)
     return PushingProblem(push, law, pusher, rod)
 
@@ -152,9 +256,9 @@ def write_results(
     Each solution has `size` numbers in the core, and `columns_of_each` of the `width` columns of results.
     """
     status = CONTINUA if flat else NONE if number == 0 else CONSISTENT
-    if number < 0 or 2 + number * columns_of_each > width:
+    if number < 0 or HEAD_OF_RESULTS + number * columns_of_each > width:
         number, status = 0, NOT_SOLVED
-    for k in range(2, width):
+    for k in range(HEAD_OF_RESULTS, width):
         result[k] = UNKNOWN
     for j in range(number):
         solution = Solution(solutions[j * size :])
@@ -162,8 +266,9 @@ def write_results(
             status = CONTINUA
         elif solution.pivot >= 0 and status == CONSISTENT:
             status = PIVOTS
-        _write_result(rod, solution, PushResult(result[2 + j * columns_of_each :]))
-    result[0], result[1] = float(number), float(status)
+        _write_result(rod, solution, PushResult(result[HEAD_OF_RESULTS + j * columns_of_each :]))
+    head = PushResults(result)
+    head.count, head.status = number, status
     return number
 
 
@@ -188,23 +293,16 @@ def force_motions(
 ) -> None:
     """The motion under each force.
 
-    After the effects, a row holds: length and angle of the rod; angle of the force; the norm that fixes the
-    magnitude of the motion, `UNIT_MOTION` to `UNIT_ENERGY`, and the magnitude of the force for
-    `FORCE_SIZE`. A row of results holds: status, `NONE` if friction holds the slider; twist of the origin;
-    motion of the contact; force; angle of the contact's motion; number of the pivot; spin ratio; motion
-    center relative to the slider's center. Without a motion, all of them but the status are NaN.
+    After the effects, a row holds a `ForceRow`, and a row of results a `MotionResult`. If friction holds
+    the slider, the status is `NONE`; without a motion, all of the result but the status is NaN.
     """
     first = count_columns(data)
     for i in range(count):
-        row, result = rows[i * columns :], results[i * width :]
-        inputs = row[first:]
-        effects, rod = read_effects(data, row), rod_at(inputs[0], inputs[1])
-        contact, force, norm = (
-            contact_at(-rod.length, 0.0),
-            direction_at(rod, inputs[2]),
-            int(inputs[3]),
-        )
-        e_x, e_y = force.along, -force.across
+        row, numbers = rows[i * columns :], results[i * width :]
+        inputs, result = ForceRow(row[first:]), MotionResult(numbers)
+        effects, rod = read_effects(data, row), rod_at(inputs.length, inputs.angle)
+        contact, force = contact_at(-rod.length, 0.0), direction_at(rod, inputs.force)
+        norm, e_x, e_y = inputs.norm, force.along, -force.across
         status = CONSISTENT
         if norm == UNIT_SPEED and is_ring_alone(effects):
             motion = motion_on_ring(rod, contact, force)
@@ -216,19 +314,16 @@ def force_motions(
                 if ends.first.continuum:
                     status, motion = CONTINUA, motion_under_force(effects, contact, e_x, e_y, 1.0)
             else:
-                motion = motion_with_norm(effects, contact, force, norm, inputs[4])
+                motion = motion_with_norm(effects, contact, force, norm, inputs.magnitude)
             angle = force.angle + angle_from_force(motion, e_x, e_y)
         if status != CONTINUA and motion.point >= 0:
             status = PIVOTS
-        result[0], result[8], result[9] = float(status), angle, float(motion.point)
-        _write_motion(rod, motion, result[1:])
-        center = motion_center(result[1], result[2], result[3])
-        result[10] = _signed_spin_ratio(motion)
-        result[11], result[12] = center.x, center.y
+        _write_motion(rod, motion, result)
+        result.angle, result.status = angle, status
         if not motion.converged:
-            result[0] = float(NONE if inputs[4] > 0.0 else NOT_SOLVED)
-            for k in range(1, width):
-                result[k] = UNKNOWN
+            for k in range(width):
+                numbers[k] = UNKNOWN
+            result.status = NONE if inputs.magnitude > 0.0 else NOT_SOLVED
 
 
 def _signed_spin_ratio(motion: ContactMotion) -> float:
@@ -239,17 +334,20 @@ def _signed_spin_ratio(motion: ContactMotion) -> float:
     return INFINITY if motion.spin > 0.0 else -INFINITY
 
 
-def _write_motion(rod: Rod, motion: ContactMotion, result: Numbers) -> None:
-    """Write twist, motion of the contact, and force."""
-    _write_vector(rod, motion.v_x, motion.v_y, result)
-    result[2] = motion.spin
-    _write_vector(rod, motion.u_x, motion.u_y, result[3:])
-    _write_vector(rod, motion.f_x, motion.f_y, result[5:])
+def _write_motion(rod: Rod, motion: ContactMotion, result: MotionResult) -> None:
+    """Write twist, motion of the contact, force, pivot, spin ratio and motion center."""
+    _write_vector(rod, motion.v_x, motion.v_y, result.twist)
+    result.twist.spin = motion.spin
+    _write_vector(rod, motion.u_x, motion.u_y, result.motion)
+    _write_vector(rod, motion.f_x, motion.f_y, result.force)
+    center = motion_center(result.twist.x, result.twist.y, result.twist.spin)
+    result.pivot, result.spin_ratio = motion.point, _signed_spin_ratio(motion)
+    result.center.x, result.center.y = center.x, center.y
 
 
-def _write_vector(rod: Rod, x: float, y: float, result: Numbers) -> None:
+def _write_vector(rod: Rod, x: float, y: float, result: Pair) -> None:
     """Write a vector of the body frame in the frame of the contact."""
-    result[0], result[1] = rod.x * x - rod.y * y, rod.x * y + rod.y * x
+    result.x, result.y = rod.x * x - rod.y * y, rod.x * y + rod.y * x
 
 
 def motion_cones(
@@ -257,26 +355,25 @@ def motion_cones(
 ) -> None:
     """The motion cone between two angles of forces.
 
-    After the effects, a row holds: length and angle of the rod; angles of the right and the left edge of
-    the friction cone. A row of results holds: right and left edge, whether they are reached, status.
+    After the effects, a row holds a `ConeRow`, and a row of results a `ConeResult`.
     """
     first = count_columns(data)
     for i in range(count):
-        row, result = rows[i * columns :], results[i * width :]
-        inputs = row[first:]
-        effects, rod = read_effects(data, row), rod_at(inputs[0], inputs[1])
+        row, result = rows[i * columns :], ConeResult(results[i * width :])
+        inputs = ConeRow(row[first:])
+        effects, rod = read_effects(data, row), rod_at(inputs.length, inputs.angle)
         contact = contact_at(-rod.length, 0.0)
-        low = motion_angles(effects, rod, contact, direction_at(rod, inputs[2]))
-        high = motion_angles(effects, rod, contact, direction_at(rod, inputs[3]))
+        low = motion_angles(effects, rod, contact, direction_at(rod, inputs.right))
+        high = motion_angles(effects, rod, contact, direction_at(rod, inputs.left))
         continuum: bool = low.continuum or high.continuum
         spread = max(low.largest - low.smallest, high.largest - high.smallest)
         status = CONTINUA if continuum else PIVOTS if low.pivots or high.pivots else CONSISTENT
         # Rounding can swap the edges of a long rod's cone, which can be narrower than an ulp.
-        result[0], result[1] = min(low.smallest, high.largest), high.largest
-        result[2] = 1.0 if continuum or spread <= RESOLUTION else 0.0
-        result[3] = float(status)
+        result.right, result.left = min(low.smallest, high.largest), high.largest
+        result.reached, result.status = continuum or spread <= RESOLUTION, status
         if not (low.converged and high.converged):
-            result[0], result[1], result[2], result[3] = UNKNOWN, UNKNOWN, 0.0, float(NOT_SOLVED)
+            result.right, result.left = UNKNOWN, UNKNOWN
+            result.reached, result.status = False, NOT_SOLVED
 
 
 def wrenches(
@@ -284,18 +381,18 @@ def wrenches(
 ) -> None:
     """The wrench in the body frame that sustains each twist; at rest, that of the loads alone.
 
-    After the effects, a row holds the twist of the origin. A row of results holds force and torque.
+    After the effects, a row holds the `Twist` of the origin, and a row of results a `WrenchRow`.
     """
     first = count_columns(data)
     for i in range(count):
-        row, result = rows[i * columns :], results[i * width :]
-        effects, twist = read_effects(data, row), row[first:]
-        if twist[0] != 0.0 or twist[1] != 0.0 or twist[2] != 0.0:
-            total = resistance(effects, x=twist[0], y=twist[1], spin=twist[2], blur=0.0)
-            result[0], result[1], result[2] = total.f_x, total.f_y, total.torque
+        row, result = rows[i * columns :], WrenchRow(results[i * width :])
+        effects, twist = read_effects(data, row), Twist(row[first:])
+        if twist.x != 0.0 or twist.y != 0.0 or twist.spin != 0.0:
+            total = resistance(effects, x=twist.x, y=twist.y, spin=twist.spin, blur=0.0)
+            result.x, result.y, result.torque = total.f_x, total.f_y, total.torque
         else:
             load = load_wrench(effects)
-            result[0], result[1], result[2] = -load.x, -load.y, -load.spin
+            result.x, result.y, result.torque = -load.x, -load.y, -load.spin
 
 
 def load_ratios(
@@ -303,13 +400,13 @@ def load_ratios(
 ) -> None:
     """The ratio of each load to the largest one that friction holds.
 
-    After the effects of friction, a row holds the wrench of the load. A row of results holds the ratio.
+    After the effects of friction, a row holds the load as a `WrenchRow`. A row of results holds the ratio.
     """
     first = count_columns(data)
     for i in range(count):
         row = rows[i * columns :]
-        effects, load = read_effects(data, row), row[first:]
-        x, y, torque = load[0], load[1], load[2]
+        effects, load = read_effects(data, row), WrenchRow(row[first:])
+        x, y, torque = load.x, load.y, load.torque
         if fabs(x) + fabs(y) <= fabs(torque) / FAR:
             x, y = fabs(torque) / FAR, 0.0
         size = sqrt(x * x + y * y)
@@ -328,5 +425,5 @@ def unit_vectors(
 ) -> None:
     """The unit vector at each angle, exact at multiples of 90 degrees."""
     for i in range(count):
-        angle, result = rows[i * columns], results[i * width :]
-        result[0], result[1] = unit_x(angle), unit_y(angle)
+        angle, result = rows[i * columns], Pair(results[i * width :])
+        result.x, result.y = unit_x(angle), unit_y(angle)

@@ -41,6 +41,7 @@ from planar_pushing.core.supports.rows import (
     NO_POINT,
     RING,
     Effects,
+    MassRow,
     Vector,
     column_of,
     is_steady,
@@ -274,8 +275,8 @@ def _is_isotropic(effects: Effects) -> bool:
     """
     if effects.length != 2 or kind_of(effects.data, 0) != RING or kind_of(effects.data, 1) != MASS:
         return False
-    mass = effects.row[column_of(effects.data, 1) :]
-    return mass[2] == 0.0 and mass[3] == 0.0
+    body = MassRow(effects.row[column_of(effects.data, 1) :])
+    return body.center_x == 0.0 and body.center_y == 0.0
 
 
 def _angle_to(line: ForceLine, sense: float, z: float) -> float:

@@ -15,8 +15,11 @@ from __future__ import annotations
 from math import fabs, sqrt
 from typing import NamedTuple
 
+from planar_pushing.core._record import Record
 from planar_pushing.core.instant.directions import Rod, direction_at, rod_at
 from planar_pushing.core.instant.elimination import SIDE, SQUARE, factor_matrix, solve_factored
+from planar_pushing.core.instant.kernels import RodRow
+from planar_pushing.core.instant.solution import Pair, Twist
 from planar_pushing.core.numbers import UNKNOWN, Numbers, cross, zeros
 from planar_pushing.core.supports.resistance import (
     FAR_CENTER,
@@ -53,6 +56,42 @@ FIRST = 5
 #: Step of the rotation in fourth-order differences, in units of speed per extent, and their coefficients.
 TURN_STEP = 1e-3
 STENCIL = (1.0, 8.0, -1.0, -8.0, 2.0, -1.0, -2.0, 1.0)
+
+
+class ResponseRow(RodRow):
+    """A solution whose derivatives are sought, in the frame of the contact.
+
+    Attributes
+    ----------
+    twist, force : Twist, Pair
+    edge : float
+        Angle of the force.
+    condition : int
+        `STICK_CASE` to `FREE_CASE`.
+    pivot : int
+        Number of the support point about which the slider pivots.
+    changes : bool
+        Whether the mode is about to change.
+    place : float
+        Position of the contact along the fence, from the end of the rod.
+    held : bool
+        Whether a side stays on the fence.
+    """
+
+    twist: Twist
+    force: Pair
+    edge: float
+    condition: int
+    pivot: int
+    changes: bool
+    place: float
+    held: bool
+
+
+class ResponseHead(Record):
+    """Status of derivatives, `SMOOTH` to `CHANGE`, with which a row of results begins."""
+
+    status: int
 
 
 class State(NamedTuple):
@@ -112,48 +151,50 @@ def responses(
 ) -> None:
     """Derivatives of each solution with respect to each parameter.
 
-    After the effects, a row holds: length and angle of the rod; twist and force; angle of the edge;
-    condition, `STICK_CASE` to `FREE_CASE`; number of the pivot; whether the mode changes; the place of the
-    contact along the fence, from the end of the rod; whether a side stays on the fence. A row of results
-    holds: status, `SMOOTH` to `CHANGE`; for each component of the twist, then for each of the force, its
-    derivatives with respect to the motion of the pusher along and across the fence (for a given force: its
-    magnitude, and nothing), the position of the contact likewise, the angle of the force, a factor of each
-    effect, and the weight on each support point. Derivatives that do not exist are NaN.
+    After the effects, a row holds a `ResponseRow`. A row of results holds a `ResponseHead`; then for each
+    component of the twist, and for each of the force, its derivatives with respect to the motion of the
+    pusher along and across the fence (for a given force: its magnitude, and nothing), the position of the
+    contact likewise, the angle of the force, a factor of each effect, and the weight on each support point.
+    Derivatives that do not exist are NaN.
     """
     first, parameters = count_columns(data), (width - 1) // 5
     for i in range(count):
         row, result = rows[i * columns :], results[i * width :]
-        solution = row[first:]
-        result[0] = float(CHANGE)
-        for k in range(1, width):
+        solution, head = ResponseRow(row[first:]), ResponseHead(result)
+        for k in range(width):
             result[k] = UNKNOWN
-        effects = read_effects(data, row)
+        head.status = CHANGE
+        effects, twist = read_effects(data, row), solution.twist
         known = min(parameters, FIRST + effects.length + effects.feet)
-        if solution[10] != 0.0:
+        if solution.changes:
             continue
-        if solution[2] == 0.0 and solution[3] == 0.0 and solution[4] == 0.0:
-            result[0] = float(SMOOTH)
+        if twist.x == 0.0 and twist.y == 0.0 and twist.spin == 0.0:
+            head.status = SMOOTH
             for k in range(known):
                 for component in range(5):
                     result[1 + component * parameters + k] = 0.0
         else:
-            state = _state_at(effects, rod_at(solution[0], solution[1]), solution)
+            state = _state_at(effects, rod_at(solution.length, solution.angle), solution)
             if not _is_changing(state):
                 _write_responses(state, known, parameters, result)
 
 
-def _state_at(effects: Effects, rod: Rod, solution: Numbers) -> State:
+def _state_at(effects: Effects, rod: Rod, solution: ResponseRow) -> State:
     """The solution in the columns after the effects."""
-    t_x, t_y, condition = rod.x, -rod.y, int(solution[8])
-    contact = Position(solution[11] * t_x - rod.length, solution[11] * t_y)
-    x, y = t_x * solution[2] - t_y * solution[3], t_y * solution[2] + t_x * solution[3]
-    spin = solution[4]
-    pivots: bool = solution[9] >= 0.0
+    t_x, t_y, condition, place = rod.x, -rod.y, solution.condition, solution.place
+    contact, twist, force = (
+        Position(place * t_x - rod.length, place * t_y),
+        solution.twist,
+        solution.force,
+    )
+    x, y = t_x * twist.x - t_y * twist.y, t_y * twist.x + t_x * twist.y
+    spin = twist.spin
+    pivots: bool = solution.pivot >= 0
     pivot = Position(0.0, 0.0)
     if pivots:
-        pivot = foot_position(effects, int(solution[9]))
+        pivot = foot_position(effects, solution.pivot)
         x, y = spin * pivot.y, -spin * pivot.x
-    edge = direction_at(rod, solution[7])
+    edge = direction_at(rod, solution.edge)
     m_x, m_y = -t_y, t_x
     if condition == LINE_CASE:
         m_x, m_y = x - spin * contact.y, y + spin * contact.x
@@ -168,11 +209,11 @@ def _state_at(effects: Effects, rod: Rod, solution: Numbers) -> State:
         spin,
         blur,
         contact,
-        solution[12] != 0.0,
+        solution.held,
         t_x,
         t_y,
-        f_x=t_x * solution[5] - t_y * solution[6],
-        f_y=t_y * solution[5] + t_x * solution[6],
+        f_x=t_x * force.x - t_y * force.y,
+        f_y=t_y * force.x + t_x * force.y,
         e_x=edge.along,
         e_y=-edge.across,
         m_x=m_x,
@@ -265,7 +306,8 @@ def _write_responses(state: State, known: int, parameters: int, result: Numbers)
     if not factor_matrix(matrix, noise, order):
         return
     open_force: bool = state.pivots and state.condition == STICK_CASE
-    result[0] = float(OPEN if open_force else ABOUT_POINT if state.pivots else SMOOTH)
+    head = ResponseHead(result)
+    head.status = OPEN if open_force else ABOUT_POINT if state.pivots else SMOOTH
     for k in range(known):
         _write_change(state, k, right)
         if open_force and _makes_point_slide(state, right[3], right[4]):

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from math import asinh, ceil, fabs, sinh
 
+from planar_pushing.core._record import Record, size_of
 from planar_pushing.core.instant.path import (
     Path,
     Sample,
@@ -36,10 +37,30 @@ FEWEST_CELLS = 3
 AT_START, OUTSIDE, INSIDE = range(3)
 #: Maximum number of times that a dip is halved.
 HALVINGS = 60
-#: Maximum number of slips under one edge, and number of columns of a slip: s, rotation, whether it is an
-#: end of a continuum, number of its pivot.
+#: Maximum number of slips under one edge.
 SLIPS = 8
-SLIP = 4
+
+
+class Slip(Record):
+    """A slip under an edge.
+
+    Attributes
+    ----------
+    s, spin : float
+        Position on the path, and rotation.
+    continuum : bool
+        Whether it is an end of a continuum.
+    pivot : int
+        Number of its pivot.
+    """
+
+    s: float
+    spin: float
+    continuum: bool
+    pivot: int
+
+
+SLIP = size_of(Slip)
 
 
 def _count_cells(path: Path, unit: float, first: float, last: float) -> int:
@@ -118,16 +139,16 @@ def _insert_hinges(
             continue
         sample, place, kept, flat = sample_path(path, kink.s, kink.spin, i), 0, 0, False
         for k in range(count):
-            slip = slips[SLIP * k :]
-            flat = flat or (slip[2] != 0.0 and _is_same_root(path, unit, sample, slip[0]))
+            slip = Slip(slips[SLIP * k :])
+            flat = flat or (slip.continuum and _is_same_root(path, unit, sample, slip.s))
         if flat or not (sample.converged and _vanishes(sample)):
             continue
         for k in range(count):
-            slip = slips[SLIP * k :]
-            if _is_same_root(path, unit, sample, slip[0]):
+            slip = Slip(slips[SLIP * k :])
+            if _is_same_root(path, unit, sample, slip.s):
                 continue
-            place = kept + 1 if slip[0] < kink.s else place
-            _copy_slip(slips[SLIP * kept :], slip)
+            place = kept + 1 if slip.s < kink.s else place
+            _copy_slip(slips[SLIP * kept :], slips[SLIP * k :])
             kept += 1
         if kept == SLIPS:
             return -1
@@ -177,14 +198,14 @@ def _write_slip(unit: float, sample: Sample, continuum: bool, slips: Numbers, co
     Two cells that meet at a kink can both find the same slip.
     """
     if count > 0:
-        distance = fabs(sample.s - slips[SLIP * (count - 1)])
+        distance = fabs(sample.s - Slip(slips[SLIP * (count - 1) :]).s)
         if distance <= COINCIDENT * (fabs(sample.s) + unit):
             return count
     if count < 0 or count == SLIPS or not sample.converged:
         return -1
-    slip = slips[SLIP * count :]
-    slip[0], slip[1], slip[2] = sample.s, sample.spin, 1.0 if continuum else 0.0
-    slip[3] = float(sample.point)
+    slip = Slip(slips[SLIP * count :])
+    slip.s, slip.spin = sample.s, sample.spin
+    slip.continuum, slip.pivot = continuum, sample.point
     return count + 1
 
 

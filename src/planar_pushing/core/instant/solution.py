@@ -28,11 +28,9 @@ class Pair(Record):
     y: float
 
 
-class Twist(Record):
+class Twist(Pair):
     """A twist: the velocity of a point, and the angular velocity."""
 
-    x: float
-    y: float
     spin: float
 
 

@@ -7,7 +7,12 @@ from typing import NamedTuple
 
 from planar_pushing.core.motion.system import System, is_loaded
 from planar_pushing.core.numbers import INFINITY, Numbers
-from planar_pushing.core.supports.resistance import Resistance, effect_resistance, resistance
+from planar_pushing.core.supports.resistance import (
+    Resistance,
+    constant_wrench,
+    effect_resistance,
+    resistance,
+)
 from planar_pushing.core.supports.rows import (
     NO_POINT,
     Effects,
@@ -104,20 +109,7 @@ def drag(system: System, x: float, y: float, spin: float) -> Resistance:
     """`Resistance` of friction and viscous friction, 0 at rest, without points at the center."""
     effects = resisting_effects(system)
     if effects.length == 0 or (x == 0.0 and y == 0.0 and spin == 0.0):
-        return Resistance(
-            f_x=0.0,
-            f_y=0.0,
-            torque=0.0,
-            xx=0.0,
-            xy=0.0,
-            yy=0.0,
-            xs=0.0,
-            ys=0.0,
-            ss=0.0,
-            limit=0.0,
-            point=NO_POINT,
-            terms=0.0,
-        )
+        return constant_wrench(0.0, 0.0, 0.0)
     return resistance(effects, x, y, spin, ROUNDING * (fabs(x) + fabs(y)))
 
 

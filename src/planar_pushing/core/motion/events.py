@@ -89,7 +89,8 @@ from planar_pushing.core.motion.wall import (
     leave_corner,
     longest_step,
     open_wall,
-    room_on_side,
+    roll_on_to_next,
+    room_on_piece,
     touch_wall,
 )
 from planar_pushing.core.numbers import Numbers
@@ -398,8 +399,10 @@ def _go_to_event(system: System) -> None:
         run.cause = cause
     # A finger leaves its side, or passes beside it.
     chained: bool = follows_chain(system)
-    passes: bool = cause == TOUCHES and room_on_side(system, state.along) < -SLACK
-    if chained and cause == END_OF_SIDE:
+    passes: bool = cause == TOUCHES and room_on_piece(system, state) < -SLACK
+    if cause == END_OF_SIDE and not has_finger(system):
+        reason = GOES_ON if roll_on_to_next(system, state) else INCONSISTENT
+    elif chained and cause == END_OF_SIDE:
         reason = _pass_end(system, state)
     elif chained and cause == PENETRATES and not is_closed(system, state):
         open_wall(system, state)

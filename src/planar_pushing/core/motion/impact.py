@@ -34,11 +34,12 @@ from planar_pushing.core.motion.system import GOES_ON, NO_IMPULSE, RunState, Sys
 from planar_pushing.core.motion.touch import hold_contact, offset_of, side_on_fence
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.supports.rows import (
-    ENTRY,
+    EFFECT,
     LAST,
     LOAD,
     MASS,
     NO_POINT,
+    EffectHead,
     LoadRow,
     MassRow,
     Vector,
@@ -98,7 +99,7 @@ def _choose_blow(
     current: int, policy: int, other: int,
 ) -> tuple[int, int]:  # fmt: skip
     """The preferred mode of an impact, or another one, and where it touches a side of a length."""
-    data, row = zeros(3 * ENTRY), zeros(MASS_COLUMNS + LOAD_COLUMNS)
+    data, row = zeros(3 * EFFECT), zeros(MASS_COLUMNS + LOAD_COLUMNS)
     solutions = zeros(MOST_ON_SIDE * SIDE_SOLUTION)
     pose, spin, size = (
         pose_of(system, state),
@@ -133,9 +134,14 @@ def _choose_blow(
 def _write_inertia(system: System, momentum: Vector, data: Numbers, row: Numbers) -> None:
     """Write the effects of an impact: a mass, and its momentum as a load."""
     scene = system.scene
-    data[0], data[1] = float(MASS), 0.0
-    data[ENTRY], data[ENTRY + 1] = float(LOAD), float(MASS_COLUMNS)
-    data[2 * ENTRY], data[2 * ENTRY + 1] = float(LAST), float(MASS_COLUMNS + LOAD_COLUMNS)
+    inertia, moving, last = (
+        EffectHead(data),
+        EffectHead(data[EFFECT:]),
+        EffectHead(data[2 * EFFECT :]),
+    )
+    inertia.kind, inertia.column = MASS, 0
+    moving.kind, moving.column = LOAD, MASS_COLUMNS
+    last.kind, last.column = LAST, MASS_COLUMNS + LOAD_COLUMNS
     body, load = MassRow(row), LoadRow(row[MASS_COLUMNS:])
     body.mass, body.gyration = scene.mass, system.run.moment / scene.mass
     body.center_x, body.center_y = scene.center.x, scene.center.y

@@ -34,12 +34,9 @@ class Inputs(Record):
         At time 0.
     finger, radius, side_start, side_end : bool, float, float, float
         Whether the pusher is a finger; its radius; ends of its side, relative to the contact.
-    fine, corners, corners_place : float, int, int
-        Slider's radius in tolerances of its outline, zero without an outline; number of the outline's
-        corners, zero if they are not given, and their place in the data, in units of its tolerance.
-    chain, chain_place : int, int
-        Number of the pieces of the outline, and their place in the data, in the frame of the outline and in
-        units of its tolerance.
+    fine, chain, chain_place : float, int, int
+        Slider's radius in tolerances of its outline, zero without an outline; number of the pieces of the
+        outline, and their place in the data, in the frame of the outline and in units of its tolerance.
     frame, axis, turn : Pair, Pair, float
         Origin of the body frame in that of the outline, in the same unit, and direction of body x there,
         as a unit vector and as an angle.
@@ -79,8 +76,6 @@ class Inputs(Record):
     side_start: float
     side_end: float
     fine: float
-    corners: int
-    corners_place: int
     chain: int
     chain_place: int
     frame: Pair

@@ -169,8 +169,9 @@ def contact_after_flight(
     Displacements (x, y) and (path_x, path_y) are in the contact frame before the rotation.
     """
     if not has_finger(system):
-        c, s = cos(turn) - 1.0, sin(turn)
-        x, y = x - (c * pose.x - s * pose.y), y - (s * pose.x + c * pose.y)
+        # The center of an arc, which is above the contact, stays above it.
+        c, s, up = cos(turn) - 1.0, sin(turn), pose.y - system.run.wall.radius
+        x, y = x - (c * pose.x - s * up), y - (s * pose.x + c * up)
         return state.along + (x - path_x), state.gap + (y - path_y)
     c, s, radius, wall = cos(turn), sin(turn), system.scene.radius, system.run.wall
     x, y = pose.x + x - path_x, pose.y + y - path_y
@@ -203,7 +204,7 @@ def center_height(system: System, state: RunState) -> float:
 
 def has_outline(system: System) -> bool:
     """Whether the slider has an outline."""
-    return system.scene.corners > 0
+    return system.scene.chain > 0
 
 
 def is_outlined(system: System) -> bool:

@@ -73,7 +73,7 @@ from planar_pushing.core.motion.system import (
     vector_of,
 )
 from planar_pushing.core.motion.touch import name_contact
-from planar_pushing.core.motion.wall import confine_finger, outline_height, room_on_side
+from planar_pushing.core.motion.wall import confine_finger, outline_height, room_on_piece
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.supports.rows import NO_POINT
 from planar_pushing.core.supports.tolerances import SLACK
@@ -252,7 +252,7 @@ def _add_load_work(system: System) -> None:
 def _end_contact(system: System) -> None:
     """End the contact at the end of a finger's side; with an outline, stop there or at a fence."""
     run, state = system.run, vector_of(system, STATE)
-    if state.gap <= SLACK and room_on_side(system, state.along) < -SLACK:
+    if state.gap <= SLACK and room_on_piece(system, state) < -SLACK:
         if is_outlined(system):
             run.stopped = SIDE_ENDED
         else:

@@ -1,9 +1,10 @@
 """The points of a slider that can touch a fence, and the one that is its contact.
 
-They are the corners of the outline and the rod's end, or both ends of a side that lies on the fence. The
-contact is a body point that changes: where another point reaches the fence, the contact is the left end of
-the side between them, and the other end is known, too. Points below the fence by less than the tolerance of
-the outline are on it.
+They are the corners and the arcs of the outline, and the rod's end or both ends of a side that lies on the
+fence, unless these are places of the outline. The point of an arc is the one at which it is parallel to the
+fence, or else the end of a side beside it. The contact is a point that changes: where another point reaches
+the fence, the contact is the left end of the side between them, and the other end is known, too. Points
+below the fence by less than the tolerance of the outline are on it.
 """
 
 from __future__ import annotations
@@ -12,6 +13,8 @@ from math import atan2, cos, fabs, sin
 from typing import NamedTuple
 
 from planar_pushing.core.instant.directions import nearest_integer
+from planar_pushing.core.motion.rolling import contact_in_body
+from planar_pushing.core.motion.run import Inputs
 from planar_pushing.core.motion.system import (
     ELSEWHERE,
     RunState,
@@ -22,6 +25,13 @@ from planar_pushing.core.motion.system import (
     vector_of,
 )
 from planar_pushing.core.numbers import INFINITY
+from planar_pushing.core.supports.chain import (
+    FULL_TURN,
+    ChainPiece,
+    chain_piece,
+    is_inner_corner,
+    is_side,
+)
 from planar_pushing.core.supports.rows import NO_POINT, Position
 from planar_pushing.core.supports.tolerances import RESOLUTION, SLACK
 
@@ -43,48 +53,110 @@ def count_points(system: System) -> int:
     scene = system.scene
     if scene.finger:
         return 0
-    corners = scene.corners
     if scene.flush:
-        return corners + 2
-    return corners + 1 if corners > 0 else 0
+        return scene.chain + 2
+    if scene.chain == 0:
+        return 0
+    return scene.chain if begins_on_round(system) else scene.chain + 1
 
 
-def point_position(system: System, point: int) -> Position:
-    """A point in the body frame: the corners, then both ends of a flush side, or the rod's end."""
-    scene, run = system.scene, system.run
-    number = point - scene.corners
+def begins_on_round(system: System) -> bool:
+    """Whether the contact at time 0 is a corner or on an arc of the outline."""
+    scene = system.scene
+    return scene.wall >= 0 and not scene.flush and _is_round(_piece_of(system, scene.wall))
+
+
+def _piece_of(system: System, number: int) -> ChainPiece:
+    """A piece of the outline."""
+    return chain_piece(system.data[system.scene.chain_place :], number)
+
+
+def _is_round(piece: ChainPiece) -> bool:
+    """Whether a piece is an outer corner or an arc that is not hollow."""
+    return 0.0 <= piece.radius < INFINITY and not is_inner_corner(piece)
+
+
+def direction_under(system: System, piece: ChainPiece, state: RunState) -> float:
+    """Direction of the tangent at which a piece is parallel to the fence, nearest to its directions."""
+    middle = (piece.first + piece.last) / 2.0
+    apart = system.scene.turn - state.angle - middle
+    return middle + (apart - FULL_TURN * nearest_integer(apart / FULL_TURN))
+
+
+def can_touch(system: System, point: int, state: RunState) -> bool:
+    """Whether a point can touch the fence; a side cannot, and the end of an arc only beside a side."""
+    if point >= system.scene.chain:
+        return True
+    piece = _piece_of(system, point)
+    if not _is_round(piece):
+        return False
+    if piece.radius == 0.0 or piece.next == point:
+        return True
+    direction = direction_under(system, piece, state)
+    if piece.first <= direction <= piece.last:
+        return True
+    return is_side(_piece_of(system, piece.next if direction > piece.last else piece.before))
+
+
+def point_position(system: System, point: int, state: RunState) -> Position:
+    """A point in the body frame: of the outline, then both ends of a flush side, or the rod's end."""
+    scene = system.scene
+    number = point - scene.chain
     if number < 0:
-        corner = system.data[scene.corners_place + 2 * point :]
-        return Position(corner[0] / scene.fine, corner[1] / scene.fine)
-    along = 0.0
+        piece = _piece_of(system, point)
+        x, y = piece.x, piece.y
+        if piece.radius > 0.0:
+            direction = direction_under(system, piece, state)
+            direction = min(max(direction, piece.first), piece.last)
+            x, y = x + piece.radius * sin(direction), y - piece.radius * cos(direction)
+        return position_in_body(scene, x, y)
+    return end_position(system, number)
+
+
+def end_position(system: System, number: int) -> Position:
+    """An end of a flush side, or the rod's end, in the body frame."""
+    scene, rod, along = system.scene, system.run.rod, 0.0
     if scene.flush:
         along = scene.side_start if number == 0 else scene.side_end
-    return Position(along * run.rod.x - scene.length, -(along * run.rod.y))
+    return Position(along * rod.x - scene.length, -(along * rod.y))
+
+
+def position_in_body(scene: Inputs, x: float, y: float) -> Position:
+    """A position in the frame of the outline, in units of its tolerance, in the body frame."""
+    x, y = x - scene.frame.x, y - scene.frame.y
+    return Position(
+        (x * scene.axis.x + y * scene.axis.y) / scene.fine,
+        (y * scene.axis.x - x * scene.axis.y) / scene.fine,
+    )
 
 
 def touch_tolerance(system: System) -> float:
     """Distance from the fence within which a point is on it."""
     scene = system.scene
-    if scene.corners > 0:
+    if scene.chain > 0:
         return 1.0 / scene.fine
     return DEPTH_OF_SIDE * (scene.side_end - scene.side_start)
 
 
 def offset_of(system: System, state: RunState, point: int) -> Position:
     """Vector from the contact to a point, in the fence frame."""
-    position, c, s = point_position(system, point), cos(state.angle), sin(state.angle)
-    x, y = position.x - system.run.contact.x, position.y - system.run.contact.y
+    position, c, s = point_position(system, point, state), cos(state.angle), sin(state.angle)
+    c_x, c_y = contact_in_body(system, state, c, s)
+    x, y = position.x - c_x, position.y - c_y
     return Position(x * c - y * s, x * s + y * c)
 
 
 def lowest_point(system: System, state: RunState, others: bool) -> Lowest:
     """The lowest point, or the lowest of those apart from the contact; infinitely high without any."""
-    run, slack = system.run, touch_tolerance(system)
+    slack = touch_tolerance(system)
     c, s = cos(state.angle), sin(state.angle)
+    c_x, c_y = contact_in_body(system, state, c, s)
     lowest, height = NO_POINT, INFINITY
     for point in range(count_points(system)):
-        position = point_position(system, point)
-        x, y = position.x - run.contact.x, position.y - run.contact.y
+        if not can_touch(system, point, state):
+            continue
+        position = point_position(system, point, state)
+        x, y = position.x - c_x, position.y - c_y
         counts: bool = not others or fabs(x) > slack or fabs(y) > slack
         if counts and x * s + y * c < height:
             lowest, height = point, x * s + y * c
@@ -124,11 +196,18 @@ def move_contact(system: System, state: RunState, point: int) -> None:
 
 
 def put_contact(system: System, point: int, other_end: int) -> None:
-    """Store the contact and its other end, but not the state there; without a point, the rod's end."""
-    run, position = system.run, Position(-system.scene.length, 0.0)
-    if point >= 0:
-        position = point_position(system, point)
-    run.contact.x, run.contact.y = position.x, position.y
+    """Store the contact and its other end, but not the state there; without a point, the rod's end.
+
+    Of an arc its center and its radius are stored.
+    """
+    scene, run = system.scene, system.run
+    position, radius = Position(-scene.length, 0.0), 0.0
+    if 0 <= point < scene.chain:
+        piece = _piece_of(system, point)
+        position, radius = position_in_body(scene, piece.x, piece.y), piece.radius / scene.fine
+    elif point >= 0:
+        position = end_position(system, point - scene.chain)
+    run.contact.x, run.contact.y, run.wall.radius = position.x, position.y, radius
     run.point, run.other_end = point, other_end
 
 
@@ -156,7 +235,8 @@ def leave_side(system: System, index: int) -> None:
 def name_contact(system: System, state: RunState) -> None:
     """Let the contact at time 0 be one of the points: the rod's end, or the start of a side."""
     if count_points(system) > 0:
-        move_contact(system, state, system.scene.corners)
+        scene = system.scene
+        move_contact(system, state, scene.wall if begins_on_round(system) else scene.chain)
         state.gap = system.scene.gap
 
 
@@ -207,11 +287,14 @@ def side_on_fence(system: System, state: RunState) -> tuple[int, int]:
     left, right, first, last = NO_POINT, NO_POINT, INFINITY, -INFINITY
     slack = touch_tolerance(system)
     for point in range(count_points(system)):
-        offset = offset_of(system, state, point)
+        if not can_touch(system, point, state):
+            continue
+        # The ends of a given side can be places of the outline, which come first.
+        offset, more = offset_of(system, state, point), 0.0 if point < system.scene.chain else slack
         if fabs(state.gap + offset.y) <= slack:
-            if offset.x < first:
+            if offset.x < first - more:
                 left, first = point, offset.x
-            if offset.x > last:
+            if offset.x > last + more:
                 right, last = point, offset.x
     if last - first > 2.0 * slack:
         return left, right
@@ -239,7 +322,7 @@ def _rests_on_side(system: System, state: RunState, left: int, right: int, slack
 def _level_side(system: System, state: RunState, left: int, right: int) -> None:
     """Make a side the contact, exactly parallel to the fence and without rotation."""
     hold_contact(system, state, left, right)
-    start, end = point_position(system, left), point_position(system, right)
+    start, end = point_position(system, left, state), point_position(system, right, state)
     angle = -atan2(end.y - start.y, end.x - start.x)
     angle += 2.0 * HALF_TURN * nearest_integer((state.angle - angle) / (2.0 * HALF_TURN))
     # An angle that is exact to rounding stays as it is.

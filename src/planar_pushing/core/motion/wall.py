@@ -26,9 +26,12 @@ from planar_pushing.core.motion.shapes import (
 from planar_pushing.core.motion.system import RunState, System, is_massive
 from planar_pushing.core.motion.touch import (
     count_points,
+    direction_under,
     height_above_pusher,
     is_flush,
     lowest_point,
+    position_in_body,
+    put_contact,
 )
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers
 from planar_pushing.core.supports.chain import (
@@ -75,9 +78,8 @@ def put_wall(system: System, number: int, place: float, along: float) -> None:
         wall.end = -along + unit * (piece.last - place)
         if piece.next == number:  # a whole disc
             wall.start, wall.end = -INFINITY, INFINITY
-    x, y = x - scene.frame.x, y - scene.frame.y
-    wall.anchor.x = (x * scene.axis.x + y * scene.axis.y) / fine
-    wall.anchor.y = (y * scene.axis.x - x * scene.axis.y) / fine
+    anchor = position_in_body(scene, x, y)
+    wall.anchor.x, wall.anchor.y = anchor.x, anchor.y
     wall.rod.x, wall.rod.y = cos(wall.angle), sin(wall.angle)
 
 
@@ -247,13 +249,45 @@ def clearance_of(system: System, state: RunState) -> float:
     return INFINITY if system.run.parted else gap_above_pusher(system, state)
 
 
-def room_on_side(system: System, along: float) -> float:
-    """Distance from the contact to the nearer end of a finger's side, NaN for a side without ends."""
-    if not has_finger(system):
-        return UNKNOWN
+def room_on_piece(system: System, state: RunState) -> float:
+    """Distance from the contact to the nearer end of its piece, NaN for a piece without ends.
+
+    A side beside an arc lies down on a fence, where its other end arrives.
+    """
     wall = system.run.wall
-    room = min(wall.end + along, -along - wall.start)
+    room = min(wall.end + state.along, -state.along - wall.start)
+    if not has_finger(system):
+        room = _room_on_arc(system, state)
     return room if room < INFINITY else UNKNOWN
+
+
+def _room_on_arc(system: System, state: RunState) -> float:
+    """Distance that an arc rolls on a fence until another arc or a corner does; infinite at a point."""
+    wall, number = system.run.wall, system.run.point
+    if wall.radius == 0.0 or is_flush(system):
+        return INFINITY
+    piece = chain_piece(chain_of(system), number)
+    if piece.next == number:
+        return INFINITY
+    direction, room = direction_under(system, piece, state), INFINITY
+    if not is_side(chain_piece(chain_of(system), piece.next)):
+        room = piece.last - direction
+    if not is_side(chain_piece(chain_of(system), piece.before)):
+        room = min(room, direction - piece.first)
+    return wall.radius * room
+
+
+def roll_on_to_next(system: System, state: RunState) -> bool:
+    """Let an arc at whose end the fence touches roll on to its neighbor; return whether there is one."""
+    piece = chain_piece(chain_of(system), system.run.point)
+    direction = direction_under(system, piece, state)
+    forward: bool = piece.last - direction < direction - piece.first
+    number = piece.next if forward else piece.before
+    neighbor = chain_piece(chain_of(system), number)
+    if not 0.0 <= neighbor.radius < INFINITY or is_inner_corner(neighbor):
+        return False
+    put_contact(system, number, NO_POINT)
+    return True
 
 
 def outline_height(system: System, state: RunState, touching: bool) -> float:

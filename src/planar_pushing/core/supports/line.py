@@ -22,7 +22,8 @@ from typing import NamedTuple
 
 from planar_pushing.core.numbers import GAUSS_NODES, GAUSS_WEIGHTS, INFINITY, UNKNOWN
 from planar_pushing.core.supports.contact import Contact, resistance_about
-from planar_pushing.core.supports.pieces import ATOMS, COLUMNS, RINGS, SEGMENTS, place_of
+from planar_pushing.core.supports.piece_rows import COLUMNS, AtomRow, LineRow
+from planar_pushing.core.supports.pieces import head_of
 from planar_pushing.core.supports.potential import Psi, potential_at, unknown_psi
 from planar_pushing.core.supports.resistance import Resistance, load_wrench, rough_mass
 from planar_pushing.core.supports.roots import (
@@ -139,8 +140,8 @@ def _count_pieces(effects: Effects) -> int:
     count = 0
     for effect in range(effects.length):
         if kind_of(effects.data, effect) == SUPPORT:
-            pressure = pressure_of(effects, effect)
-            count += (place_of(pressure, RINGS) - place_of(pressure, ATOMS)) // COLUMNS
+            head = head_of(pressure_of(effects, effect))
+            count += (head.rings - head.atoms) // COLUMNS
     return count
 
 
@@ -149,20 +150,20 @@ def _ends_of(effects: Effects, number: int) -> Ends:
     for effect in range(effects.length):
         if kind_of(effects.data, effect) == SUPPORT:
             pressure = pressure_of(effects, effect)
-            first = place_of(pressure, ATOMS) + COLUMNS * number
-            if first < place_of(pressure, RINGS):
+            head = head_of(pressure)
+            first = head.atoms + COLUMNS * number
+            if first < head.rings:
                 support = SupportRow(effects.row[column_of(effects.data, effect) :])
-                piece = pressure.data[first:]
                 weight, extent = effects.one * support.weight, support.extent
-                x, y = extent * piece[0], extent * piece[1]
-                if first < place_of(pressure, SEGMENTS):
-                    return Ends(x, y, end_x=x, end_y=y, friction=weight * piece[2])
-                half = extent * piece[4]
-                t_x, t_y = half * piece[2], half * piece[3]
-                return Ends(
-                    x=x - t_x, y=y - t_y, end_x=x + t_x, end_y=y + t_y, friction=weight * piece[5]
-                )
-            number -= (place_of(pressure, RINGS) - place_of(pressure, ATOMS)) // COLUMNS
+                if first < head.segments:
+                    atom = AtomRow(pressure.data[first:])
+                    x, y = extent * atom.x, extent * atom.y
+                    return Ends(x, y, end_x=x, end_y=y, friction=weight * atom.share)
+                line = LineRow(pressure.data[first:])
+                x, y, half = extent * line.x, extent * line.y, extent * line.half
+                t_x, t_y, friction = half * line.t_x, half * line.t_y, weight * line.share
+                return Ends(x - t_x, y - t_y, end_x=x + t_x, end_y=y + t_y, friction=friction)
+            number -= (head.rings - head.atoms) // COLUMNS
     return Ends(x=0.0, y=0.0, end_x=0.0, end_y=0.0, friction=0.0)
 
 

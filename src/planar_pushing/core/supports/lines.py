@@ -10,6 +10,7 @@ from __future__ import annotations
 from math import fabs, log, sqrt
 
 from planar_pushing.core.numbers import Numbers
+from planar_pushing.core.supports.piece_rows import COLUMNS, LineRow
 from planar_pushing.core.supports.ring import polynomial
 from planar_pushing.core.supports.sums import Piece
 
@@ -108,8 +109,9 @@ def plate_piece(data: Numbers, first: int, last: int, x: float, y: float) -> Pie
     distance, g_x, g_y, xx, xy, yy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     i = first
     while i < last:
-        t_x, t_y, half = data[i + 2], data[i + 3], data[i + 4]
-        r_x, r_y, weight = data[i] - x, data[i + 1] - y, 2.0 * half * data[i + 5]
+        line = LineRow(data[i:])
+        t_x, t_y, half = line.t_x, line.t_y, line.half
+        r_x, r_y, weight = line.x - x, line.y - y, 2.0 * half * line.share
         s, h = r_x * t_x + r_y * t_y, r_x * t_y - r_y * t_x
         one, other = distance_to_end(s - half, h), distance_to_end(s + half, h)
         both, inverse = one + other, mean_inverse(s, h, half, one, other)
@@ -120,7 +122,7 @@ def plate_piece(data: Numbers, first: int, last: int, x: float, y: float) -> Pie
         xx += weight * t_y * (across * t_y + along * t_x)
         xy += weight * t_y * (along * t_y - across * t_x)
         yy += weight * t_x * (across * t_x - along * t_y)
-        i += 6
+        i += COLUMNS
     return Piece(
         distance, unit_x=g_x, unit_y=g_y, torque=distance + (x * g_x + y * g_y), xx=xx, xy=xy, yy=yy
     )

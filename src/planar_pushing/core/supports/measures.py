@@ -1,11 +1,9 @@
 """From the pieces of supports, in a unit of length of the user, to pressures as `pieces` describes them.
 
 `data` holds the pieces of all supports, kind by kind and within a kind one support after the other: atoms
-x, y, share; segments x and y of both ends, share; rings and discs x and y of the center, radius, share;
-plates; and the edges of the plates, x and y of both ends and the jump of the pressure. The five numbers of
-a plate are the sums over its edges of what `plate_loads` stores, an unused one, and its number of edges.
-`measure_supports` replaces them by its center of pressure, room for the largest distance from it, its
-share, and the same.
+as `PointRow`, segments as `EndsRow`, rings and discs as `CircleRow`, plates as `PlateSums` of what
+`plate_loads` stores, and the edges of the plates as `EndsRow`. `measure_supports` replaces the sums by a
+`PlateRow`, whose radius is left to the caller.
 
 Distances are left to the caller, since a compiled square root of a sum of squares is not the function
 `hypot` of a library: `measure_supports` stores the vectors, and `store_pressures` stores those along lines
@@ -18,31 +16,41 @@ from math import fabs
 
 from planar_pushing.core._record import Record
 from planar_pushing.core.numbers import UNKNOWN, Numbers
-from planar_pushing.core.supports.pieces import (
-    ATOMS,
-    CENTER,
+from planar_pushing.core.supports.piece_rows import (
+    CIRCLE,
     COLUMNS,
-    DISCS,
-    EDGES,
-    END,
-    HEAD,
-    PLATES,
-    RINGS,
-    SEGMENTS,
-    SERIES,
-    SPREAD,
+    LINE,
+    PLATE,
+    POINT,
+    REACH,
+    AtomRow,
+    CircleRow,
+    EdgeLoad,
+    EndsRow,
+    LineRow,
+    PlateRow,
+    PlateSums,
+    PointRow,
+    PressureHead,
+    ReachRow,
+    Spread,
+    StoredPlate,
+    SupportMeasures,
 )
 
-#: Numbers of an atom, a line and a circle, of a plate, and of an edge in the sums of plates.
-ATOM, LINE, CIRCLE, PLATE, EDGE_LOAD = 3, 5, 4, 5, 3
 #: Mean square of a coordinate from the center of a ring and of a disc, in squares of the radius.
 RING_SPREAD, DISC_SPREAD = 1 / 2, 1 / 4
 #: A center of rotation closer to an atom than this, relative to the numbers in its computation, counts as
 #: on it.
 ATOM_ROUNDING = 1e-15
-#: Numbers of a support in the results of `measure_supports`, the center and its second moments; and of a
-#: vector there, x, y and what is added to the length.
-MEASURED, REACH = 5, 3
+
+
+class PlateEdges(Record):
+    """Edges of a plate: place in the data, number, and the row of results of the first one."""
+
+    edges: int
+    count: int
+    first: int
 
 
 class PieceRows(Record):
@@ -74,9 +82,9 @@ class MeasureRow(PieceRows):
     Attributes
     ----------
     measured : int
-        `MEASURED` numbers of the support.
+        `SupportMeasures`.
     plate_reach, reach : int
-        `REACH` numbers of each end of an edge, from the center of its plate; and of each extreme point,
+        A `ReachRow` of each end of an edge, from the center of its plate; and of each extreme point,
         from the center of pressure.
     """
 
@@ -90,19 +98,16 @@ class PressureRow(PieceRows):
 
     Attributes
     ----------
-    center_x, center_y, xx, xy, yy, extent : float
-        Its measures, in the unit of the data.
+    measures : SupportMeasures
+    extent : float
+        In the unit of the data, as the measures.
     unit : float
         The unit of the pressure.
     head, first, series, end : int
         Places in the results of its head, its rows and the terms of its plates, and of the end of its rows.
     """
 
-    center_x: float
-    center_y: float
-    xx: float
-    xy: float
-    yy: float
+    measures: SupportMeasures
     extent: float
     unit: float
     head: int
@@ -120,32 +125,30 @@ def plate_loads(
     ----------
     data : array
     rows : array
-        For each plate: place of its edges in the data, their number, and the row of results of the first.
+        As `PlateEdges`.
     results : array
-        For each edge the load, and the load times the sums of x and of y of its ends.
+        An `EdgeLoad` for each edge.
     """
     for i in range(count):
-        row = rows[i * columns :]
-        edges, length, k = data[int(row[0]) :], int(row[1]), int(row[2]) * width
+        row = PlateEdges(rows[i * columns :])
+        edges, length, first = data[row.edges :], row.count, row.first
         middle_x, middle_y = middle_of(edges, length)
         for j in range(length):
-            edge = edges[LINE * j :]
-            x, y = edge[0] - middle_x, edge[1] - middle_y
-            end_x, end_y = edge[2] - middle_x, edge[3] - middle_y
-            load = (x * end_y - y * end_x) / 2.0 * edge[4]
-            results[k], results[k + 1], results[k + 2] = (
-                load,
-                load * (x + end_x),
-                load * (y + end_y),
-            )
-            k += width
+            edge, result = EndsRow(edges[LINE * j :]), EdgeLoad(results[(first + j) * width :])
+            x, y = edge.x - middle_x, edge.y - middle_y
+            end_x, end_y = edge.end_x - middle_x, edge.end_y - middle_y
+            load = (x * end_y - y * end_x) / 2.0 * edge.share
+            result.load = load
+            result.load_x, result.load_y = load * (x + end_x), load * (y + end_y)
 
 
 def middle_of(edges: Numbers, count: int) -> tuple[float, float]:
     """Middle of the rectangle around the starts of edges."""
-    low_x, low_y, high_x, high_y = edges[0], edges[1], edges[0], edges[1]
+    edge = EndsRow(edges)
+    low_x, low_y, high_x, high_y = edge.x, edge.y, edge.x, edge.y
     for j in range(1, count):
-        x, y = edges[LINE * j], edges[LINE * j + 1]
+        edge = EndsRow(edges[LINE * j :])
+        x, y = edge.x, edge.y
         low_x, low_y, high_x, high_y = min(low_x, x), min(low_y, y), max(high_x, x), max(high_y, y)
     return (low_x + high_x) / 2.0, (low_y + high_y) / 2.0
 
@@ -165,139 +168,137 @@ def measure_supports(
     """
     for i in range(count):
         row = MeasureRow(rows[i * columns :])
-        measured = results[row.measured :]
+        measures = SupportMeasures(results[row.measured :])
         measure_plates(results, row, results[row.plate_reach :])
-        store_center(results, row, measured)
-        store_spread(results, row, measured)
-        store_reach(results, row, measured, results[row.reach :])
+        store_center(results, row, measures)
+        store_spread(results, row, measures)
+        store_reach(results, row, measures, results[row.reach :])
 
 
 def measure_plates(data: Numbers, row: MeasureRow, reach: Numbers) -> None:
     """Store centers and shares of the plates, and the vectors to the ends of their edges."""
     edges = row.edges
     for i in range(row.plate_count):
-        plate = data[row.plates + PLATE * i :]
-        length, share = int(plate[4]), plate[0]
+        place = row.plates + PLATE * i
+        sums, plate = PlateSums(data[place:]), PlateRow(data[place:])
+        length, share = sums.edges, sums.load
         x, y = middle_of(data[edges:], length)
         if share == 0.0:
             x, y = UNKNOWN, UNKNOWN
         else:
-            x, y = x + plate[1] / (3.0 * share), y + plate[2] / (3.0 * share)
-        plate[0], plate[1], plate[3] = x, y, share
+            x, y = x + sums.load_x / (3.0 * share), y + sums.load_y / (3.0 * share)
+        plate.x, plate.y, plate.share = x, y, share
         for j in range(length):
-            place = edges + LINE * j
-            store_vector(reach, data[place] - x, data[place + 1] - y, 0.0)
-            reach = reach[REACH:]
-            store_vector(reach, data[place + 2] - x, data[place + 3] - y, 0.0)
-            reach = reach[REACH:]
+            store_ends(reach, EndsRow(data[edges + LINE * j :]), x, y)
+            reach = reach[2 * REACH :]
         edges += LINE * length
 
 
 def store_vector(reach: Numbers, x: float, y: float, more: float) -> None:
     """Store a vector, and what is added to its length."""
-    reach[0], reach[1], reach[2] = x, y, more
+    row = ReachRow(reach)
+    row.x, row.y, row.more = x, y, more
 
 
-def store_center(data: Numbers, row: MeasureRow, measured: Numbers) -> None:
+def store_center(data: Numbers, row: MeasureRow, measures: SupportMeasures) -> None:
     """Store the center of pressure of a support, kind by kind as sums in their order."""
     x, y, total = 0.0, 0.0, 0.0
     for i in range(row.atom_count):
-        k = row.atoms + ATOM * i
-        share = data[k + 2]
-        x, y, total = x + share * data[k], y + share * data[k + 1], total + share
+        atom = PointRow(data[row.atoms + POINT * i :])
+        share = atom.share
+        x, y, total = x + share * atom.x, y + share * atom.y, total + share
     for i in range(row.segment_count):
-        k = row.segments + LINE * i
-        share = data[k + 4]
-        x += share * ((data[k] + data[k + 2]) / 2.0)
-        y += share * ((data[k + 1] + data[k + 3]) / 2.0)
+        line = EndsRow(data[row.segments + LINE * i :])
+        share = line.share
+        x += share * ((line.x + line.end_x) / 2.0)
+        y += share * ((line.y + line.end_y) / 2.0)
         total += share
-    for i in range(row.ring_count):
-        k = row.rings + CIRCLE * i
-        share = data[k + 3]
-        x, y, total = x + share * data[k], y + share * data[k + 1], total + share
-    for i in range(row.disc_count):
-        k = row.discs + CIRCLE * i
-        share = data[k + 3]
-        x, y, total = x + share * data[k], y + share * data[k + 1], total + share
+    for i in range(row.ring_count + row.disc_count):
+        circle = circle_at(data, row, i)
+        share = circle.share
+        x, y, total = x + share * circle.x, y + share * circle.y, total + share
     for i in range(row.plate_count):
-        k = row.plates + PLATE * i
-        share = data[k + 3]
-        x, y, total = x + share * data[k], y + share * data[k + 1], total + share
+        plate = PlateRow(data[row.plates + PLATE * i :])
+        share = plate.share
+        x, y, total = x + share * plate.x, y + share * plate.y, total + share
     if total == 0.0:
-        measured[0], measured[1] = UNKNOWN, UNKNOWN
+        measures.center.x, measures.center.y = UNKNOWN, UNKNOWN
         return
-    measured[0], measured[1] = x / total, y / total
+    measures.center.x, measures.center.y = x / total, y / total
 
 
-def store_spread(data: Numbers, row: MeasureRow, measured: Numbers) -> None:
+def circle_at(data: Numbers, row: MeasureRow, number: int) -> CircleRow:
+    """A ring or, after all rings of the support, a disc."""
+    if number < row.ring_count:
+        return CircleRow(data[row.rings + CIRCLE * number :])
+    return CircleRow(data[row.discs + CIRCLE * (number - row.ring_count) :])
+
+
+def store_spread(data: Numbers, row: MeasureRow, measures: SupportMeasures) -> None:
     """Store the means of x x, x y and y y about the center of pressure."""
-    x, y = measured[0], measured[1]
-    measured[2], measured[3], measured[4] = 0.0, 0.0, 0.0
-    spread = measured[2:]
+    x, y, spread = measures.center.x, measures.center.y, measures.spread
+    spread.xx, spread.xy, spread.yy = 0.0, 0.0, 0.0
     for i in range(row.atom_count):
-        atom = data[row.atoms + ATOM * i :]
-        a, b = atom[0] - x, atom[1] - y
-        add_line(spread, share=atom[2], a=a, b=b, c=a, d=b, more=0.0)
+        atom = PointRow(data[row.atoms + POINT * i :])
+        a, b = atom.x - x, atom.y - y
+        add_line(spread, share=atom.share, a=a, b=b, c=a, d=b, more=0.0)
     for i in range(row.segment_count):
-        line = data[row.segments + LINE * i :]
-        a, b, c, d = line[0] - x, line[1] - y, line[2] - x, line[3] - y
-        add_line(spread, share=line[4], a=a, b=b, c=c, d=d, more=0.0)
+        line = EndsRow(data[row.segments + LINE * i :])
+        a, b, c, d = line.x - x, line.y - y, line.end_x - x, line.end_y - y
+        add_line(spread, share=line.share, a=a, b=b, c=c, d=d, more=0.0)
     for i in range(row.ring_count):
-        add_circle(spread, data[row.rings + CIRCLE * i :], x, y, part=RING_SPREAD)
+        add_circle(spread, CircleRow(data[row.rings + CIRCLE * i :]), x, y, part=RING_SPREAD)
     for i in range(row.disc_count):
-        add_circle(spread, data[row.discs + CIRCLE * i :], x, y, part=DISC_SPREAD)
+        add_circle(spread, CircleRow(data[row.discs + CIRCLE * i :]), x, y, part=DISC_SPREAD)
     for i in range(row.edge_count):
-        edge = data[row.edges + LINE * i :]
-        a, b, c, d = edge[0] - x, edge[1] - y, edge[2] - x, edge[3] - y
+        edge = EndsRow(data[row.edges + LINE * i :])
+        a, b, c, d = edge.x - x, edge.y - y, edge.end_x - x, edge.end_y - y
         # Moments of the triangle from the center to the edge, weighted by its share of the pressure.
-        add_line(spread, share=edge[4] * (a * d - b * c) / 4.0, a=a, b=b, c=c, d=d, more=0.0)
+        share = edge.share * (a * d - b * c) / 4.0
+        add_line(spread, share=share, a=a, b=b, c=c, d=d, more=0.0)
 
 
-def add_circle(spread: Numbers, circle: Numbers, x: float, y: float, part: float) -> None:
+def add_circle(spread: Spread, circle: CircleRow, x: float, y: float, part: float) -> None:
     """Add a ring or a disc to second moments about (x, y)."""
-    a, b = circle[0] - x, circle[1] - y
-    more = part * (circle[2] * circle[2])
-    add_line(spread, share=circle[3], a=a, b=b, c=a, d=b, more=more)
+    a, b = circle.x - x, circle.y - y
+    more = part * (circle.radius * circle.radius)
+    add_line(spread, share=circle.share, a=a, b=b, c=a, d=b, more=more)
 
 
 def add_line(
-    spread: Numbers, share: float, a: float, b: float, c: float, d: float, more: float
+    spread: Spread, share: float, a: float, b: float, c: float, d: float, more: float
 ) -> None:
     """Add a uniform line from (a, b) to (c, d) to second moments; `more` is that of its width."""
     xx, yy = (a * a + a * c + c * c) / 3.0, (b * b + b * d + d * d) / 3.0
     xy = (2.0 * a * b + a * d + b * c + 2.0 * c * d) / 6.0
-    spread[0] += share * (xx + more)
-    spread[1] += share * xy
-    spread[2] += share * (yy + more)
+    spread.xx += share * (xx + more)
+    spread.xy += share * xy
+    spread.yy += share * (yy + more)
 
 
-def store_reach(data: Numbers, row: MeasureRow, measured: Numbers, reach: Numbers) -> None:
+def store_reach(data: Numbers, row: MeasureRow, measures: SupportMeasures, reach: Numbers) -> None:
     """Store the vectors from the center of pressure to the extreme points of a support."""
-    x, y = measured[0], measured[1]
+    x, y = measures.center.x, measures.center.y
     for i in range(row.atom_count):
-        k = row.atoms + ATOM * i
-        store_vector(reach, data[k] - x, data[k + 1] - y, 0.0)
+        atom = PointRow(data[row.atoms + POINT * i :])
+        store_vector(reach, atom.x - x, atom.y - y, 0.0)
         reach = reach[REACH:]
     for i in range(row.segment_count):
-        store_ends(reach, data[row.segments + LINE * i :], x, y)
+        store_ends(reach, EndsRow(data[row.segments + LINE * i :]), x, y)
         reach = reach[2 * REACH :]
-    for i in range(row.ring_count):
-        k = row.rings + CIRCLE * i
-        store_vector(reach, data[k] - x, data[k + 1] - y, data[k + 2])
-        reach = reach[REACH:]
-    for i in range(row.disc_count):
-        k = row.discs + CIRCLE * i
-        store_vector(reach, data[k] - x, data[k + 1] - y, data[k + 2])
+    for i in range(row.ring_count + row.disc_count):
+        circle = circle_at(data, row, i)
+        store_vector(reach, circle.x - x, circle.y - y, circle.radius)
         reach = reach[REACH:]
     for i in range(row.edge_count):
-        store_ends(reach, data[row.edges + LINE * i :], x, y)
+        store_ends(reach, EndsRow(data[row.edges + LINE * i :]), x, y)
         reach = reach[2 * REACH :]
 
 
-def store_ends(reach: Numbers, line: Numbers, x: float, y: float) -> None:
+def store_ends(reach: Numbers, line: EndsRow, x: float, y: float) -> None:
     """Store the vectors from (x, y) to both ends of a line."""
-    store_vector(reach, line[0] - x, line[1] - y, 0.0)
-    store_vector(reach[REACH:], line[2] - x, line[3] - y, 0.0)
+    store_vector(reach, line.x - x, line.y - y, 0.0)
+    store_vector(reach[REACH:], line.end_x - x, line.end_y - y, 0.0)
 
 
 def store_pressures(
@@ -315,50 +316,55 @@ def store_pressures(
     """
     for i in range(count):
         row = PressureRow(rows[i * columns :])
-        head, unit = results[row.head :], row.unit
-        for j in range(HEAD):
-            head[j] = 0.0
-        head[CENTER], head[CENTER + 1] = row.center_x / unit, row.center_y / unit
-        square = unit * unit
-        head[SPREAD], head[SPREAD + 1] = row.xx / square, row.xy / square
-        head[SPREAD + 2] = row.yy / square
+        head, unit = PressureHead(results[row.head :]), row.unit
+        measures, square = row.measures, unit * unit
+        head.center.x, head.center.y = measures.center.x / unit, measures.center.y / unit
+        spread, stored = measures.spread, head.spread
+        stored.xx, stored.xy = spread.xx / square, spread.xy / square
+        stored.yy = spread.yy / square
         k = row.first
-        head[ATOMS] = float(k)
+        head.atoms = k
         k = store_atoms(data, row, results, k)
-        head[SEGMENTS] = float(k)
+        head.segments = k
         for j in range(row.segment_count):
-            line = data[row.segments + LINE * j :]
-            store_line(results[k:], line, 0.0, 0.0, unit, share=line[4])
+            line = EndsRow(data[row.segments + LINE * j :])
+            store_line(results[k:], line, 0.0, 0.0, unit, share=line.share)
             k += COLUMNS
-        head[RINGS] = float(k)
+        head.rings = k
         k = store_circles(data[row.rings :], row.ring_count, unit, results, k)
-        head[DISCS] = float(k)
+        head.discs = k
         k = store_circles(data[row.discs :], row.disc_count, unit, results, k)
-        head[PLATES] = float(k)
-        head[EDGES] = float(k + COLUMNS * row.plate_count)
+        head.plates, head.edges = k, k + COLUMNS * row.plate_count
         store_plates(data, row, results, k)
-        head[SERIES], head[END] = float(row.series), float(row.end)
+        head.series, head.end = row.series, row.end
 
 
 def store_atoms(data: Numbers, row: PressureRow, results: Numbers, k: int) -> int:
     """Store the atoms of a support; the place after them is returned."""
     extent = row.extent / row.unit
     for i in range(row.atom_count):
-        atom, stored = data[row.atoms + ATOM * i :], results[k:]
-        x, y = atom[0] / row.unit, atom[1] / row.unit
+        clear_row(results[k:])
+        atom, stored = PointRow(data[row.atoms + POINT * i :]), AtomRow(results[k:])
+        x, y = atom.x / row.unit, atom.y / row.unit
         blur = ATOM_ROUNDING * (extent + (fabs(x) + fabs(y)))
-        stored[0], stored[1], stored[2], stored[3] = x, y, atom[2], blur * blur
-        stored[4], stored[5] = 0.0, 0.0
+        stored.x, stored.y, stored.share, stored.square = x, y, atom.share, blur * blur
         k += COLUMNS
     return k
+
+
+def clear_row(stored: Numbers) -> None:
+    """Store zeros in the row of a piece."""
+    for j in range(COLUMNS):
+        stored[j] = 0.0
 
 
 def store_circles(circles: Numbers, count: int, unit: float, results: Numbers, k: int) -> int:
     """Store rings or discs; the place after them is returned."""
     for i in range(count):
-        circle, stored = circles[CIRCLE * i :], results[k:]
-        stored[0], stored[1] = circle[0] / unit, circle[1] / unit
-        stored[2], stored[3], stored[4], stored[5] = circle[2] / unit, circle[3], 0.0, 0.0
+        clear_row(results[k:])
+        circle, stored = CircleRow(circles[CIRCLE * i :]), CircleRow(results[k:])
+        stored.x, stored.y = circle.x / unit, circle.y / unit
+        stored.radius, stored.share = circle.radius / unit, circle.share
         k += COLUMNS
     return k
 
@@ -367,25 +373,26 @@ def store_plates(data: Numbers, row: PressureRow, results: Numbers, k: int) -> N
     """Store the plates of a support, and their edges behind all of them."""
     unit, begin, edges = row.unit, k + COLUMNS * row.plate_count, row.edges
     for i in range(row.plate_count):
-        plate, stored = data[row.plates + PLATE * i :], results[k:]
-        length, end = int(plate[4]), begin
+        plate, stored = PlateRow(data[row.plates + PLATE * i :]), StoredPlate(results[k:])
+        length, end = plate.edges, begin
         for j in range(length):
-            edge = data[edges + LINE * j :]
-            jump = edge[4] * (unit * unit) / plate[3]
-            store_line(results[end:], edge, plate[0], plate[1], unit, share=jump)
+            edge = EndsRow(data[edges + LINE * j :])
+            jump = edge.share * (unit * unit) / plate.share
+            store_line(results[end:], edge, plate.x, plate.y, unit, share=jump)
             end += COLUMNS
-        stored[0], stored[1], stored[2] = plate[0] / unit, plate[1] / unit, plate[2] / unit
-        stored[3], stored[4], stored[5] = plate[3], float(begin), float(end)
+        stored.x, stored.y, stored.radius = plate.x / unit, plate.y / unit, plate.radius / unit
+        stored.share, stored.first, stored.last = plate.share, begin, end
         begin, edges = end, edges + LINE * length
         k += COLUMNS
 
 
 def store_line(
-    stored: Numbers, line: Numbers, x: float, y: float, unit: float, share: float
+    numbers: Numbers, line: EndsRow, x: float, y: float, unit: float, share: float
 ) -> None:
     """Store the midpoint of a line from (x, y), the vector along it, and its share or jump."""
-    start_x, start_y = (line[0] - x) / unit, (line[1] - y) / unit
-    end_x, end_y = (line[2] - x) / unit, (line[3] - y) / unit
-    stored[0], stored[1] = (start_x + end_x) / 2.0, (start_y + end_y) / 2.0
-    stored[2], stored[3] = end_x - start_x, end_y - start_y
-    stored[4], stored[5] = 0.0, share
+    start_x, start_y = (line.x - x) / unit, (line.y - y) / unit
+    end_x, end_y = (line.end_x - x) / unit, (line.end_y - y) / unit
+    stored = LineRow(numbers)
+    stored.x, stored.y = (start_x + end_x) / 2.0, (start_y + end_y) / 2.0
+    stored.t_x, stored.t_y = end_x - start_x, end_y - start_y
+    stored.half, stored.share = 0.0, share

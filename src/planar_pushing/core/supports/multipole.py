@@ -17,7 +17,9 @@ from __future__ import annotations
 from math import fabs, log, sqrt
 from typing import NamedTuple
 
+from planar_pushing.core._record import Record
 from planar_pushing.core.numbers import EPSILON, Numbers, zeros
+from planar_pushing.core.supports.piece_rows import COLUMNS, LineRow
 from planar_pushing.core.supports.sums import Piece
 
 #: Half of the highest power n, which is enough for 1e-16 beyond `PLATE_FAR` of `pieces`.
@@ -34,6 +36,14 @@ DIGITS = 28.0
 MOMENT_STEP = 2 * (HALF_ORDER + 1)
 MOMENT_COUNT = MOMENT_STEP * (ORDER + 1)
 POWER_COUNT = 2 * (ORDER + 1)
+
+
+class PlateTerms(Record):
+    """Radius of a plate, and the places in the data at which its edges begin and end."""
+
+    radius: float
+    first: int
+    last: int
 
 
 class PowerSums(NamedTuple):
@@ -144,7 +154,7 @@ def plate_terms(
     data : array
         Edges of the plates, as in the layout of a pressure.
     rows : array
-        For each plate: radius, places in `data` at which its edges begin and end.
+        A `PlateTerms` for each plate.
     results : array
         ``2 * ROWS`` numbers for each plate: real and imaginary parts of its terms, and for each m a pair
         whose first number tells whether the terms count.
@@ -157,33 +167,39 @@ def plate_terms(
     for j in range(1, ORDER + 1):
         roots[j] = roots[j - 1] * ((2 * j - 3) / (2.0 * j))
     for i in range(count):
-        row = rows[i * columns :]
-        radius, k, last = row[0], int(row[1]), int(row[2])
+        row = PlateTerms(rows[i * columns :])
+        radius, k, last = row.radius, row.first, row.last
         for j in range(MOMENT_COUNT):
             sums[j] = 0.0
         while k < last:
             add_edge(
-                sums, data[k:], radius, means=means, starts=starts, powers=powers, squares=squares
+                sums,
+                LineRow(data[k:]),
+                radius,
+                means=means,
+                starts=starts,
+                powers=powers,
+                squares=squares,
             )
-            k += 6
+            k += COLUMNS
         store_terms(sums, roots, results[i * width :])
 
 
 def add_edge(
-    sums: Numbers, edge: Numbers, radius: float,
+    sums: Numbers, edge: LineRow, radius: float,
     means: Numbers, starts: Numbers, powers: Numbers, squares: Numbers,
 ) -> None:  # fmt: skip
     """Add an edge's contribution to the moments, over the triangle of the edge and the center.
 
     The means of z^j conj(z)^k over the edge follow from those of lower powers by integration by parts.
     """
-    x, y, t_x, t_y, half = edge[0], edge[1], edge[2], edge[3], edge[4]
+    x, y, t_x, t_y, half = edge.x, edge.y, edge.t_x, edge.t_y, edge.half
     along_x, along_y = t_x * half / radius, t_y * half / radius
     start_x, start_y = x / radius - along_x, y / radius - along_y
     store_powers(x / radius + along_x, y / radius + along_y, powers, squares)
     for n in range(ORDER + 1):
         starts[2 * n], starts[2 * n + 1] = n * start_x, n * start_y
-    area = (x * t_y - y * t_x) * (2.0 * half) * edge[5]
+    area = (x * t_y - y * t_x) * (2.0 * half) * edge.share
     for n in range(ORDER + 1):
         # A product is faster than a division.
         part, share, k = 1.0 / (n + 1.0), area / (n + 2.0), n // 2

@@ -1,23 +1,16 @@
 """Moments of a pressure that determine friction for a center of rotation (manual: theory, any support).
 
-A pressure is stored in `data`, an array that the supports of a call share, as a head and rows of pieces.
-All places are indices into `data`.
+A pressure is stored in `data`, an array that the supports of a call share, as a `PressureHead` and rows of
+pieces, all of one width, whose unused numbers are zero:
 
-The head has the center of pressure x, y; the means of x x, x y and y y about it; the places at which the
-rows of each kind begin, `ATOMS` to `EDGES`, where each kind ends at the beginning of the next one; the
-place at which the terms of the plates begin, ``2 * ROWS`` numbers per plate; and the place at which the
-edges end.
-
-A row has six numbers, of which unused ones are zero:
-
-- Atoms are points: x, y, share, and the square of the distance below which a center of rotation is on the
-  point. No two are at the same place.
-- Segments are uniform lines: x and y of the midpoint, unit tangent, half length, share.
-- Rings and discs are uniform: x and y of the center, radius, share. A hole has a negative share.
-- Plates are areas with uniform pressure between edges: x and y of the center of pressure, largest distance
-  of an edge from it, share, and the places at which its edges begin and end.
-- Edges of the plates: x and y of the midpoint from the plate's center, unit tangent, half length, and the
+- Atoms are points, as `AtomRow`. No two are at the same place.
+- Segments are uniform lines, as `LineRow`.
+- Rings and discs are uniform, as `CircleRow`. A hole has a negative share.
+- Plates are areas with uniform pressure between edges, as `StoredPlate`, around their center of pressure.
+- Edges of the plates, as `LineRow`: midpoints are relative to the plate's center, and a jump is the
   pressure on the left of the tangent minus that on the right, per unit share.
+
+All places are indices into `data`.
 """
 
 from __future__ import annotations
@@ -25,26 +18,21 @@ from __future__ import annotations
 from math import sqrt
 from typing import NamedTuple
 
+from planar_pushing.core._record import Record
 from planar_pushing.core.numbers import Numbers
 from planar_pushing.core.supports.circles import disc_piece, ring_piece
 from planar_pushing.core.supports.lines import plate_piece, segment_piece, turn_piece
 from planar_pushing.core.supports.multipole import ROWS, distant_piece
+from planar_pushing.core.supports.piece_rows import (
+    COLUMNS,
+    AtomRow,
+    CircleRow,
+    LineRow,
+    PressureHead,
+    StoredPlate,
+)
 from planar_pushing.core.supports.sums import Piece, add_piece
 
-#: Numbers in the head of a pressure, and in a row.
-HEAD = 16
-COLUMNS = 6
-#: Fields of a head.
-CENTER = 0
-SPREAD = 2
-ATOMS = 5
-SEGMENTS = 6
-RINGS = 7
-DISCS = 8
-PLATES = 9
-EDGES = 10
-SERIES = 11
-END = 12
 #: Beyond this distance, in radii of the plate, `distant_piece` is used.
 PLATE_FAR = 1.7
 
@@ -94,25 +82,26 @@ class Moments(NamedTuple):
     atom: int
 
 
-def pressure_at(data: Numbers, head: int) -> Pressure:
+def pressure_at(data: Numbers, place: int) -> Pressure:
     """The pressure whose head is at a place in `data`."""
-    return Pressure(data, head, data[head + CENTER], data[head + CENTER + 1])
+    head = PressureHead(data[place:])
+    return Pressure(data, place, head.center.x, head.center.y)
 
 
-def place_of(pressure: Pressure, field: int) -> int:
-    """Place in `data` that a field of the head holds: ATOMS for the first atom, and so on."""
-    return int(pressure.data[pressure.head + field])
+def head_of(pressure: Pressure) -> PressureHead:
+    """The head of a pressure."""
+    return PressureHead(pressure.data[pressure.head :])
 
 
 def count_atoms(pressure: Pressure) -> int:
     """Number of atoms of a pressure."""
-    head = pressure.data[pressure.head :]
-    return int((head[SEGMENTS] - head[ATOMS]) / COLUMNS)
+    head = head_of(pressure)
+    return (head.segments - head.atoms) // COLUMNS
 
 
-def place_of_atom(pressure: Pressure, number: int) -> int:
-    """Place in `data` of the row of an atom: x, y, share."""
-    return place_of(pressure, ATOMS) + COLUMNS * number
+def atom_of(pressure: Pressure, number: int) -> AtomRow:
+    """An atom of a pressure."""
+    return AtomRow(pressure.data[head_of(pressure).atoms + COLUMNS * number :])
 
 
 def pressure_moments(pressure: Pressure, x: float, y: float, blur: float) -> Moments:
@@ -157,12 +146,14 @@ def sum_atoms(pressure: Pressure, x: float, y: float, blur: float) -> Moments:
     moves: bool
     data, hit, number = pressure.data, -1, 0
     distance, unit_x, unit_y, torque, xx, xy, yy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    i, end = place_of(pressure, ATOMS), place_of(pressure, SEGMENTS)
+    head = head_of(pressure)
+    i, end = head.atoms, head.segments
     while i < end:
-        q_x, q_y, share = data[i], data[i + 1], data[i + 2]
+        atom = AtomRow(data[i:])
+        q_x, q_y, share = atom.x, atom.y, atom.share
         r_x, r_y = q_x - x, q_y - y
         square = r_x * r_x + r_y * r_y
-        moves = square > max(data[i + 3], blur)
+        moves = square > max(atom.square, blur)
         hit = max(hit, -1 if moves else number)
         # The square root and the division are independent, so the processor overlaps them.
         away, bend = sqrt(square), (1.0 if moves else 0.0) / (square if moves else 1.0)
@@ -182,14 +173,16 @@ def sum_atoms(pressure: Pressure, x: float, y: float, blur: float) -> Moments:
 def add_segments(total: Piece, pressure: Pressure, x: float, y: float) -> Piece:
     """Add the segments to the totals, whose torque is about the center of pressure."""
     data, p_x, p_y = pressure.data, pressure.center_x, pressure.center_y
-    i, end = place_of(pressure, SEGMENTS), place_of(pressure, RINGS)
+    head = head_of(pressure)
+    i, end = head.segments, head.rings
     while i < end:
-        q_x, q_y, t_x, t_y = data[i], data[i + 1], data[i + 2], data[i + 3]
+        line = LineRow(data[i:])
+        q_x, q_y, t_x, t_y = line.x, line.y, line.t_x, line.t_y
         r_x, r_y = q_x - x, q_y - y
-        piece = segment_piece(r_x * t_x + r_y * t_y, r_x * t_y - r_y * t_x, data[i + 4])
+        piece = segment_piece(r_x * t_x + r_y * t_y, r_x * t_y - r_y * t_x, line.half)
         total = add_piece(
             total,
-            share=data[i + 5],
+            share=line.share,
             piece=turn_piece(piece, t_x, t_y),
             arm_x=q_x - p_x,
             arm_y=q_y - p_y,
@@ -201,15 +194,17 @@ def add_segments(total: Piece, pressure: Pressure, x: float, y: float) -> Piece:
 def add_circles(total: Piece, pressure: Pressure, x: float, y: float) -> Piece:
     """Add the rings and the discs, which follow them."""
     data, p_x, p_y = pressure.data, pressure.center_x, pressure.center_y
-    i, end = place_of(pressure, RINGS), place_of(pressure, PLATES)
-    first_disc = place_of(pressure, DISCS)
+    head = head_of(pressure)
+    i, end = head.rings, head.plates
+    first_disc = head.discs
     while i < end:
-        q_x, q_y, radius = data[i], data[i + 1], data[i + 2]
+        circle = CircleRow(data[i:])
+        q_x, q_y, radius = circle.x, circle.y, circle.radius
         if i < first_disc:
             piece = ring_piece(x - q_x, y - q_y, radius)
         else:
             piece = disc_piece(x - q_x, y - q_y, radius)
-        total = add_piece(total, share=data[i + 3], piece=piece, arm_x=q_x - p_x, arm_y=q_y - p_y)
+        total = add_piece(total, share=circle.share, piece=piece, arm_x=q_x - p_x, arm_y=q_y - p_y)
         i += COLUMNS
     return total
 
@@ -217,31 +212,50 @@ def add_circles(total: Piece, pressure: Pressure, x: float, y: float) -> Piece:
 def add_plates(total: Piece, pressure: Pressure, x: float, y: float) -> Piece:
     """Add the polygons and the cells of pressure maps."""
     data, p_x, p_y = pressure.data, pressure.center_x, pressure.center_y
-    i, end, terms = (
-        place_of(pressure, PLATES),
-        place_of(pressure, EDGES),
-        place_of(pressure, SERIES),
-    )
+    head = head_of(pressure)
+    i, end, terms = head.plates, head.edges, head.series
     while i < end:
-        q_x, q_y, radius = data[i], data[i + 1], data[i + 2]
+        plate = StoredPlate(data[i:])
+        q_x, q_y, radius = plate.x, plate.y, plate.radius
         r_x, r_y, far = x - q_x, y - q_y, PLATE_FAR * radius
         if r_x * r_x + r_y * r_y < far * far:
-            piece = plate_piece(data, first=int(data[i + 4]), last=int(data[i + 5]), x=r_x, y=r_y)
+            piece = plate_piece(data, first=plate.first, last=plate.last, x=r_x, y=r_y)
         else:
             piece = distant_piece(data, terms, x=r_x, y=r_y, radius=radius)
-        total = add_piece(total, share=data[i + 3], piece=piece, arm_x=q_x - p_x, arm_y=q_y - p_y)
+        total = add_piece(total, share=plate.share, piece=piece, arm_x=q_x - p_x, arm_y=q_y - p_y)
         i += COLUMNS
         terms += 2 * ROWS
     return total
 
 
+class PlaceRow(Record):
+    """A center of rotation in the frame of a pressure, whose head is at a place in the data."""
+
+    head: int
+    x: float
+    y: float
+
+
+class MomentsRow(Record):
+    """The numbers of `Moments`."""
+
+    distance: float
+    unit_x: float
+    unit_y: float
+    torque: float
+    xx: float
+    xy: float
+    yy: float
+    atom: int
+
+
 def moments(
     data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
 ) -> None:
-    """Moments of pressures; a row holds the place of a head and x, y of a center, the results `Moments`."""
+    """Moments of pressures: of each `PlaceRow` a `MomentsRow`."""
     for i in range(count):
-        row, result = rows[i * columns :], results[i * width :]
-        total = pressure_moments(pressure_at(data, int(row[0])), row[1], row[2], 0.0)
-        result[0], result[1], result[2] = total.distance, total.unit_x, total.unit_y
-        result[3], result[4], result[5] = total.torque, total.xx, total.xy
-        result[6], result[7] = total.yy, float(total.atom)
+        row, result = PlaceRow(rows[i * columns :]), MomentsRow(results[i * width :])
+        total = pressure_moments(pressure_at(data, row.head), row.x, row.y, 0.0)
+        result.distance, result.unit_x, result.unit_y = total.distance, total.unit_x, total.unit_y
+        result.torque, result.xx, result.xy = total.torque, total.xx, total.xy
+        result.yy, result.atom = total.yy, total.atom

@@ -1,12 +1,40 @@
 """Areas of polygons, and edges that cross or touch.
 
-`data` holds x and y of the vertices of all polygons, one vertex after the other. A row identifies a polygon
-by the index of its first vertex and by its number of vertices.
+`data` holds x and y of the vertices of all polygons, one vertex after the other. A row is a `PolygonRow`.
 """
 
 from __future__ import annotations
 
+from planar_pushing.core._record import Record
 from planar_pushing.core.numbers import Numbers
+
+
+class PolygonRow(Record):
+    """A polygon: index of its first vertex, and number of vertices."""
+
+    first: int
+    count: int
+
+
+class PolygonPair(PolygonRow):
+    """Two polygons."""
+
+    other_first: int
+    other_count: int
+
+
+class EdgePair(Record):
+    """Numbers of two edges, or -1 twice."""
+
+    one: int
+    other: int
+
+
+class Vertex(Record):
+    """A vertex of a polygon."""
+
+    x: float
+    y: float
 
 
 def polygon_area(
@@ -14,8 +42,8 @@ def polygon_area(
 ) -> None:
     """Areas of polygons, positive if counterclockwise; accurate even far from the origin."""
     for i in range(count):
-        row = rows[i * columns :]
-        results[i * width] = area_of(data[2 * int(row[0]) :], int(row[1]))
+        row = PolygonRow(rows[i * columns :])
+        results[i * width] = area_of(data[2 * row.first :], row.count)
 
 
 def crossing_edges(
@@ -23,9 +51,8 @@ def crossing_edges(
 ) -> None:
     """Numbers of the first two edges that meet anywhere but at a common vertex, or -1 twice."""
     for i in range(count):
-        row = rows[i * columns :]
-        one, other = find_crossing(data[2 * int(row[0]) :], int(row[1]))
-        results[i * width], results[i * width + 1] = float(one), float(other)
+        row, result = PolygonRow(rows[i * columns :]), EdgePair(results[i * width :])
+        result.one, result.other = find_crossing(data[2 * row.first :], row.count)
 
 
 def touching_edges(
@@ -33,18 +60,18 @@ def touching_edges(
 ) -> None:
     """Numbers of an edge of one polygon and one of another that have a point in common, or -1 twice."""
     for i in range(count):
-        row = rows[i * columns :]
-        vertices, others = data[2 * int(row[0]) :], data[2 * int(row[2]) :]
-        one, other = find_touching(vertices, int(row[1]), others, int(row[3]))
-        results[i * width], results[i * width + 1] = float(one), float(other)
+        row, result = PolygonPair(rows[i * columns :]), EdgePair(results[i * width :])
+        vertices, others = data[2 * row.first :], data[2 * row.other_first :]
+        result.one, result.other = find_touching(vertices, row.count, others, row.other_count)
 
 
 def area_of(vertices: Numbers, count: int) -> float:
     """Area of a polygon, as a sum over triangles at its first vertex."""
-    total, corner_x, corner_y = 0.0, vertices[0], vertices[1]
+    total, corner = 0.0, Vertex(vertices)
     for i in range(1, count - 1):
-        x, y = vertices[2 * i] - corner_x, vertices[2 * i + 1] - corner_y
-        next_x, next_y = vertices[2 * i + 2] - corner_x, vertices[2 * i + 3] - corner_y
+        here, there = Vertex(vertices[2 * i :]), Vertex(vertices[2 * i + 2 :])
+        x, y = here.x - corner.x, here.y - corner.y
+        next_x, next_y = there.x - corner.x, there.y - corner.y
         total += x * next_y - y * next_x
     return total / 2.0
 
@@ -53,10 +80,10 @@ def find_crossing(vertices: Numbers, count: int) -> tuple[int, int]:
     """Numbers of two edges of a polygon that meet anywhere but at a common vertex, or -1."""
     meets: bool
     for i in range(count - 1):
-        start, end = vertices[2 * i :], vertices[2 * i + 2 :]
+        start, end = Vertex(vertices[2 * i :]), Vertex(vertices[2 * i + 2 :])
         for j in range(i + 1, count):
             k = j + 1 if j + 1 < count else 0
-            corner, last = vertices[2 * j :], vertices[2 * k :]
+            corner, last = Vertex(vertices[2 * j :]), Vertex(vertices[2 * k :])
             # The first and the last edge also have a common vertex.
             if j == i + 1:
                 meets = edge_folds(start, corner, last)
@@ -75,15 +102,15 @@ def find_touching(
     """Numbers of an edge of one polygon and one of another that have a point in common, or -1."""
     for i in range(count):
         k = i + 1 if i + 1 < count else 0
-        start, end = vertices[2 * i :], vertices[2 * k :]
+        start, end = Vertex(vertices[2 * i :]), Vertex(vertices[2 * k :])
         for j in range(other_count):
             k = j + 1 if j + 1 < other_count else 0
-            if edges_meet(start, end, others[2 * j :], others[2 * k :]):
+            if edges_meet(start, end, Vertex(others[2 * j :]), Vertex(others[2 * k :])):
                 return i, j
     return -1, -1
 
 
-def edges_meet(start: Numbers, end: Numbers, first: Numbers, last: Numbers) -> bool:
+def edges_meet(start: Vertex, end: Vertex, first: Vertex, last: Vertex) -> bool:
     """Whether two edges have a point in common."""
     splits: bool
     for k in range(2):
@@ -95,18 +122,18 @@ def edges_meet(start: Numbers, end: Numbers, first: Numbers, last: Numbers) -> b
     return splits and side_of(first, last, start) * side_of(first, last, end) <= 0.0
 
 
-def side_of(start: Numbers, end: Numbers, point: Numbers) -> float:
+def side_of(start: Vertex, end: Vertex, point: Vertex) -> float:
     """Side of a line on which a point lies: 1 on the left, -1 on the right, 0 on the line."""
-    along, across = end[0] - start[0], end[1] - start[1]
-    left = along * (point[1] - start[1]) - across * (point[0] - start[0])
+    along, across = end.x - start.x, end.y - start.y
+    left = along * (point.y - start.y) - across * (point.x - start.x)
     if left > 0.0:
         return 1.0
     return -1.0 if left < 0.0 else 0.0
 
 
-def edge_folds(first: Numbers, corner: Numbers, last: Numbers) -> bool:
+def edge_folds(first: Vertex, corner: Vertex, last: Vertex) -> bool:
     """Whether an edge runs back along the one before it, or has no length."""
-    one_x, one_y = corner[0] - first[0], corner[1] - first[1]
-    other_x, other_y = last[0] - corner[0], last[1] - corner[1]
+    one_x, one_y = corner.x - first.x, corner.y - first.y
+    other_x, other_y = last.x - corner.x, last.y - corner.y
     turn = one_x * other_y - one_y * other_x
     return turn == 0.0 and one_x * other_x + one_y * other_y <= 0.0

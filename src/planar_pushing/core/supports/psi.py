@@ -20,6 +20,7 @@ from planar_pushing.core.supports.pivot import pivot_psi, pivot_spin, refine_psi
 from planar_pushing.core.supports.potential import Psi, held_potential, potential_at, unknown_psi
 from planar_pushing.core.supports.resistance import (
     Resistance,
+    constant_wrench,
     has_friction,
     kinetic_energy,
     load_wrench,
@@ -84,20 +85,7 @@ def _psi_at_rest(effects: Effects, contact: Contact) -> Psi:
         force = Vector(-load.x, -load.y, 0.0)
         if not _holds_couple(effects, contact, load):
             force = _middle_force(effects, contact, load)
-        total = Resistance(
-            f_x=force.x,
-            f_y=force.y,
-            torque=0.0,
-            xx=0.0,
-            xy=0.0,
-            yy=0.0,
-            xs=0.0,
-            ys=0.0,
-            ss=0.0,
-            limit=0.0,
-            point=NO_POINT,
-            terms=0.0,
-        )
+        total = constant_wrench(force.x, force.y, 0.0)
     else:
         blur = ALIGNED * contact.reach * fabs(spin)
         total = resistance_about(
@@ -267,20 +255,7 @@ def _psi_of_motion(
     p_x, p_y = x - along * contact.a_x, y - along * contact.a_y
     q, low, high, last = guess - start, -INFINITY, INFINITY, INFINITY
     spin, v_x, v_y = start, x, y
-    total = Resistance(
-        f_x=0.0,
-        f_y=0.0,
-        torque=0.0,
-        xx=0.0,
-        xy=0.0,
-        yy=0.0,
-        xs=0.0,
-        ys=0.0,
-        ss=0.0,
-        limit=0.0,
-        point=NO_POINT,
-        terms=0.0,
-    )
+    total = constant_wrench(0.0, 0.0, 0.0)
     for _ in range(ROTATIONS):
         spin, carried = start + q, rest + contact.reach * q
         v_x, v_y = p_x + carried * contact.a_x, p_y + carried * contact.a_y

@@ -6,9 +6,9 @@ from math import copysign, fabs, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core.supports.pieces import (
-    SPREAD,
     Pressure,
-    place_of_atom,
+    atom_of,
+    head_of,
     pressure_moments,
 )
 from planar_pushing.core.supports.ring import ring_response
@@ -21,6 +21,7 @@ from planar_pushing.core.supports.rows import (
     Effects,
     LoadRow,
     MassRow,
+    RingRow,
     SupportRow,
     Vector,
     column_of,
@@ -126,7 +127,7 @@ def effect_resistance(
     """`Resistance` of one effect; arguments as in `resistance`."""
     kind, numbers = kind_of(effects.data, effect), effects.row[column_of(effects.data, effect) :]
     if kind == RING:
-        return _ring_resistance(effects.one * SupportRow(numbers).weight, x, y, spin)
+        return _ring_resistance(effects.one * RingRow(numbers).weight, x, y, spin)
     if kind == SUPPORT:
         pressure = pressure_of(effects, effect)
         return support_resistance(
@@ -149,10 +150,15 @@ def effect_resistance(
             spin=spin,
         )
     one, load = effects.one, LoadRow(numbers)
+    return constant_wrench(-(one * load.x), -(one * load.y), -(one * load.torque))
+
+
+def constant_wrench(f_x: float, f_y: float, torque: float) -> Resistance:
+    """The `Resistance` of a wrench that does not depend on the motion."""
     return Resistance(
-        f_x=-(one * load.x),
-        f_y=-(one * load.y),
-        torque=-(one * load.torque),
+        f_x,
+        f_y,
+        torque,
         xx=0.0,
         xy=0.0,
         yy=0.0,
@@ -226,7 +232,7 @@ def support_resistance(
     moments = pressure_moments(pressure, p_x + c_x, p_y + c_y, blur / fabs(turn))
     limit = 0.0
     if moments.atom >= 0:
-        limit = weight * pressure.data[place_of_atom(pressure, moments.atom) + 2]
+        limit = weight * atom_of(pressure, moments.atom).share
     sign, part = copysign(weight, turn), weight / fabs(turn)
     f_x, f_y = -sign * moments.unit_y, sign * moments.unit_x
     xx, xy, yy = part * moments.yy, -part * moments.xy, part * moments.xx
@@ -258,8 +264,8 @@ def support_resistance(
 
 def _spread_along(pressure: Pressure, x: float, y: float) -> float:
     """Mean square of the positions along a direction: the stiffness of a translation to rotation."""
-    spread = pressure.data[pressure.head + SPREAD :]
-    return spread[0] * x * x + 2.0 * spread[1] * x * y + spread[2] * y * y
+    spread = head_of(pressure).spread
+    return spread.xx * x * x + 2.0 * spread.xy * x * y + spread.yy * y * y
 
 
 def rough_mass(effects: Effects, speed: float, x: float, y: float) -> Mass:
@@ -279,12 +285,12 @@ def _rough_mass_of(effects: Effects, effect: int, speed: float, x: float, y: flo
     """`rough_mass` of one effect."""
     kind, numbers = kind_of(effects.data, effect), effects.row[column_of(effects.data, effect) :]
     if kind == RING:
-        return mass_at(effects.one * SupportRow(numbers).weight / speed, 1.0, -x, -y)
+        return mass_at(effects.one * RingRow(numbers).weight / speed, 1.0, -x, -y)
     if kind == SUPPORT:
         support, pressure = SupportRow(numbers), pressure_of(effects, effect)
         weight, extent = support.weight, support.extent
-        spread = pressure.data[pressure.head + SPREAD :]
-        gyration = (spread[0] + spread[2]) * extent * extent
+        spread = head_of(pressure).spread
+        gyration = (spread.xx + spread.yy) * extent * extent
         c_x, c_y = extent * pressure.center_x, extent * pressure.center_y
         return mass_at(effects.one * weight / speed, gyration, c_x - x, c_y - y)
     if kind == MASS:

@@ -17,6 +17,7 @@ from __future__ import annotations
 from math import fabs, log, sqrt
 from typing import NamedTuple
 
+from planar_pushing.core._record import Record
 from planar_pushing.core.numbers import INFINITY, Coefficients, Numbers
 
 TWO_BY_PI = 2.0 / 3.141592653589793
@@ -220,16 +221,23 @@ def ring_spin_ratio(arm: float) -> float:
     return k if arm >= 0.0 else -k
 
 
+class RingProfile(Record):
+    """Force along the motion and torque of a ring, per unit weight and radius."""
+
+    force: float
+    torque: float
+
+
 def ring_profiles(
     data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
 ) -> None:
     """Force along the motion and torque at spin ratios, one per row; a ratio can be infinite."""
     for i in range(count):
-        k, result = rows[i * columns], results[i * width :]
-        result[0], result[1] = 0.0, 1.0 if k > 0.0 else -1.0
+        k, result = rows[i * columns], RingProfile(results[i * width :])
+        result.force, result.torque = 0.0, 1.0 if k > 0.0 else -1.0
         if fabs(k) < INFINITY:
             curve = ring_wrench(1.0, k)
-            result[0], result[1] = curve.force, curve.torque
+            result.force, result.torque = curve.force, curve.torque
 
 
 def ring_spin_ratios(

@@ -1,26 +1,22 @@
 """The effects of a scene as rows of numbers.
 
-A call has one flat array `data` for all its scenes, and a row of numbers for each. The data begin with four
-numbers for each effect: its kind; the column of the row at which its numbers begin; for a support, the
-place at which its table of pressures begins; and an unused one. Places in a table are relative to its
-beginning. The kind `LAST` ends the list, and its column is the first one after the effects. Only the listed
-effects are evaluated: an absent effect takes no time.
+A call has one flat array `data` for all its scenes, and a row of numbers for each. The data begin with an
+`EffectHead` for each effect. The kind `LAST` ends the list, and its column is the first one after the
+effects. Only the listed effects are evaluated: an absent effect takes no time.
 """
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-from planar_pushing.core._record import Record
+from planar_pushing.core._record import Record, size_of
 from planar_pushing.core.numbers import Numbers
+from planar_pushing.core.supports.piece_rows import HEAD
 from planar_pushing.core.supports.pieces import (
-    EDGES,
-    HEAD,
-    RINGS,
     Pressure,
+    atom_of,
     count_atoms,
-    place_of,
-    place_of_atom,
+    head_of,
     pressure_at,
 )
 
@@ -28,8 +24,6 @@ from planar_pushing.core.supports.pieces import (
 #: mass, which is also the form of viscous friction.
 RING, SUPPORT, LOAD, MASS = range(4)
 LAST = -1
-#: Number of entries of an effect at the beginning of the data.
-ENTRY = 4
 #: Number of a support point if there is none.
 NO_POINT = -1
 
@@ -63,16 +57,47 @@ class Effects(NamedTuple):
     two: float
 
 
-class SupportRow(Record):
-    """The numbers of a support with friction; the slider's own ring has the first one only.
+class EffectHead(Record):
+    """An effect in the list with which the data begin.
+
+    Attributes
+    ----------
+    kind : int
+        `RING` to `MASS`, or `LAST`.
+    column : int
+        Column of the row at which its numbers begin.
+    table : int
+        Place in the data at which the table of pressures of a support begins; places in a table are
+        relative to it.
+    """
+
+    kind: int
+    column: int
+    table: int
+
+
+#: Numbers of an effect at the beginning of the data.
+EFFECT = size_of(EffectHead)
+
+
+class RingRow(Record):
+    """The weight on the slider's own ring."""
+
+    weight: float
+
+
+class SupportRow(RingRow):
+    """The numbers of a support with friction.
 
     Attributes
     ----------
     weight, extent : float
+    pressure : int
+        Number of its pressure in the table.
     """
 
-    weight: float
     extent: float
+    pressure: int
 
 
 class MassRow(Record):
@@ -134,7 +159,8 @@ def read_effects(data: Numbers, row: Numbers) -> Effects:
         if kind == SUPPORT:
             pressure = pressure_in(data, row, count)
             feet += count_atoms(pressure)
-            linear = linear and place_of(pressure, RINGS) == place_of(pressure, EDGES)
+            head = head_of(pressure)
+            linear = linear and head.rings == head.edges
         elif kind != LOAD:
             linear = False
         count += 1
@@ -151,18 +177,18 @@ def count_columns(data: Numbers) -> int:
 
 def kind_of(data: Numbers, effect: int) -> int:
     """Kind of an effect."""
-    return int(data[ENTRY * effect])
+    return EffectHead(data[EFFECT * effect :]).kind
 
 
 def column_of(data: Numbers, effect: int) -> int:
     """Column at which the numbers of an effect begin."""
-    return int(data[ENTRY * effect + 1])
+    return EffectHead(data[EFFECT * effect :]).column
 
 
 def pressure_in(data: Numbers, row: Numbers, effect: int) -> Pressure:
     """The pressure of a support; its places are indices into the support's table of pressures."""
-    table = data[int(data[ENTRY * effect + 2]) :]
-    return pressure_at(table, HEAD * int(row[column_of(data, effect) + 2]))
+    head = EffectHead(data[EFFECT * effect :])
+    return pressure_at(data[head.table :], HEAD * SupportRow(row[head.column :]).pressure)
 
 
 def pressure_of(effects: Effects, effect: int) -> Pressure:
@@ -205,7 +231,7 @@ def foot_position(effects: Effects, number: int) -> Position:
             count = count_atoms(pressure)
             if number < count:
                 extent = SupportRow(effects.row[column_of(effects.data, effect) :]).extent
-                atom = pressure.data[place_of_atom(pressure, number) :]
-                return Position(extent * atom[0], extent * atom[1])
+                atom = atom_of(pressure, number)
+                return Position(extent * atom.x, extent * atom.y)
             number -= count
     return Position(0.0, 0.0)

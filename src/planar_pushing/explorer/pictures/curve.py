@@ -103,7 +103,10 @@ def level(scene: Scene, solution: Solution | None) -> float:
     energy = total = 0.0
     for entry in scene.rows.entries:
         if entry.degree == 2:
-            (mass,), (ratio, x, y) = entry.forces, entry.others
+            body = entry.values
+            mass, ratio, x, y = (
+                body[name] for name in ("mass", "gyration", "center_x", "center_y")
+            )
             arm_x, arm_y = np.cos(turn) * x - np.sin(turn) * y, np.sin(turn) * x + np.cos(turn) * y
             square = (v_x - spin * arm_y) ** 2 + (v_y + spin * arm_x) ** 2 + ratio * spin**2
             energy, total = energy + mass * square, total + mass

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
-from planar_pushing.core.instant.kernels import MOTION_WIDTH
+from planar_pushing.core.instant.kernels import MotionResult
 from planar_pushing.core.supports.tolerances import COINCIDENT
 from planar_pushing.mechanics.angles import AngleInterval, interval
 from planar_pushing.mechanics.force.cones import force_columns
 from planar_pushing.mechanics.kernels.arrays import Output, elementwise, evaluate_kernel, is_labeled
+from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene, require_point_scene
 from planar_pushing.terms.domain import Number, Numbers, Scalar, require_ratio
@@ -39,7 +40,8 @@ CONE = (Output("conservative_cone_right"), Output("conservative_cone_left"))
 def _decode(results: Array, columns: Sequence[Any], outputs: Sequence[Any]) -> None:
     """Centers in the user's unit; the last columns of a row are the radius and the contact's position."""
     radius, reach, angle = (np.asarray(column)[..., None] for column in columns[-3:])
-    outputs[0][:] = radius * (results[:, 11:13] + reach * direction(angle[..., 0]))
+    centers = Columns(MotionResult, results).center
+    outputs[0][:] = radius * (centers + reach * direction(angle[..., 0]))
 
 
 @overload
@@ -106,7 +108,7 @@ def motion_centers(
     reach, angle = scene.rows.body[0] if origin == Origin.CONTACT else 0.0, scene.slider.rod_angle
     columns += [scene.slider.radius, reach, angle]
     centers = evaluate_kernel(
-        "force_motions", scene.rows.data, columns, CENTER, MOTION_WIDTH, _decode
+        "force_motions", scene.rows.data, columns, CENTER, MotionResult.size, _decode
     )[0]
     return named_units(centers, scene.units) if is_labeled(centers) else centers
 

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Any, Protocol, overload
 
 import numpy as np
 
-from planar_pushing.core.instant.kernels import MOTION_WIDTH
+from planar_pushing.core.instant.kernels import ConeRow, ForceRow, MotionResult
 from planar_pushing.core.instant.magnitude import FORCE_SIZE, UNIT_SPEED
 from planar_pushing.mechanics.angles import RESOLUTION, AngleInterval, interval
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.kernels.arrays import Output, evaluate_kernel, label_result
+from planar_pushing.mechanics.kernels.columns import Columns, row_of
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import scale_forces
 from planar_pushing.mechanics.scene import Scene, require_point_scene, require_scene
@@ -88,7 +89,7 @@ def friction_cone(scene: Scene) -> AngleInterval:
 
 
 def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> list[Number]:
-    """Columns of the effects in units of their forces in a translation, then those of the rod.
+    """Columns of the effects in units of their forces in a translation.
 
     If there are effects of degrees 1 and 2, those of degree 2 have the share `inertia_share` of the force.
     """
@@ -101,7 +102,15 @@ def unit_columns(scene: Scene, inertia_share: Number = 0.5) -> list[Number]:
         )  # fmt: skip
     shares = (1.0, 1.0) if rows.is_steady else (1.0 - inertia_share, inertia_share)
     units = [rows.strength(degree) for degree in (1, 2)]
-    return [*scale_forces(rows.entries, rows.columns, shares, units), *rows.body[:2]]
+    return scale_forces(rows.entries, rows.columns, shares, units)
+
+
+def row_of_force(scene: Scene, force_angle: Number, norm: int, size: Number) -> list[Any]:
+    """The columns of a force, which follow those of the effects."""
+    length, angle, _ = scene.rows.body
+    return row_of(
+        ForceRow, length=length, angle=angle, force=force_angle, norm=norm, magnitude=size
+    )
 
 
 def force_columns(
@@ -111,8 +120,8 @@ def force_columns(
     share, ratio = _required_magnitude(scene, inertia_share, force_ratio)
     norm = UNIT_SPEED if force_ratio is None else FORCE_SIZE
     # With shares of one half, the weight is half the unit of force.
-    force = [require_in_range("force_angle", force_angle), float(norm), np.divide(ratio, 2)]
-    return [*unit_columns(scene, share), *force]
+    angle = require_in_range("force_angle", force_angle)
+    return [*unit_columns(scene, share), *row_of_force(scene, angle, norm, np.divide(ratio, 2))]
 
 
 def _required_magnitude(
@@ -188,7 +197,7 @@ def spin_ratio(
     ``h / R = (t(k) + s (rho/R)^2 k) / (f(k) + s)``.
     """
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
-    return _of_motion(scene, columns, "spin_ratio", 10)
+    return _of_motion(scene, columns, "spin_ratio", "spin_ratio")
 
 
 @of_force
@@ -214,7 +223,7 @@ def motion_angle(
         Of the type of the arguments; an array for an array of scenes, a DataArray for a labeled scene.
     """
     columns = force_columns(scene, force_angle, inertia_share, force_ratio)
-    return _of_motion(scene, columns, "motion_angle", 8)
+    return _of_motion(scene, columns, "motion_angle", "angle")
 
 
 def angle_under_force(scene: Scene, force_angle: float) -> float:
@@ -226,15 +235,15 @@ def angle_under_force(scene: Scene, force_angle: float) -> float:
     return float(np.rad2deg(motion_angle(scene, in_radians(force_angle), share)))
 
 
-def _of_motion(scene: Scene, columns: Sequence[Any], name: str, column: int) -> Number:
-    """One column of the results of `force_motions`."""
+def _of_motion(scene: Scene, columns: Sequence[Any], name: str, field: str) -> Number:
+    """One field of the results of `force_motions`."""
 
     def decode(results: Array, columns: Sequence[Any], outputs: Sequence[Any]) -> None:
-        outputs[0][:] = results[:, column]
+        outputs[0][:] = getattr(Columns(MotionResult, results), field)
 
     outputs = [Output(name)]
     value: Number = evaluate_kernel(
-        "force_motions", scene.rows.data, columns, outputs, MOTION_WIDTH, decode
+        "force_motions", scene.rows.data, columns, outputs, MotionResult.size, decode
     )[0]
     return value
 
@@ -249,7 +258,9 @@ def motion_cone(scene: Scene) -> AngleInterval:
     `friction_cone`.
     """
     law = require_point_scene(scene).law
-    columns = [*unit_columns(scene), law.right, law.left]
+    length, angle, _ = scene.rows.body
+    edges = row_of(ConeRow, length=length, angle=angle, right=law.right, left=law.left)
+    columns = [*unit_columns(scene), *edges]
     right, left, reached, status = evaluate_kernel("motion_cones", scene.rows.data, columns, CONE)
     cone: AngleInterval = interval(right, left, law.closed & reached, status)
     return cone

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.instant.kernels import MOTION_WIDTH
+from planar_pushing.core.instant.kernels import MotionResult
 from planar_pushing.core.instant.magnitude import FORCE_SIZE, UNIT_MOTION
 from planar_pushing.core.instant.sensitivity import FIRST, FORCE_CASE, LINE_CASE
 from planar_pushing.mechanics.contact import Status
-from planar_pushing.mechanics.force.cones import is_magnitude_open, unit_columns
+from planar_pushing.mechanics.force.cones import is_magnitude_open, row_of_force, unit_columns
 from planar_pushing.mechanics.force.derivatives import ForceDerivatives, require_unlabeled
 from planar_pushing.mechanics.force.parameters import (
     Motions,
@@ -31,8 +31,9 @@ from planar_pushing.mechanics.kernels.arrays import (
     is_labeled,
     same,
 )
+from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.rows import Entry
+from planar_pushing.mechanics.rows import EffectColumns
 from planar_pushing.mechanics.scene import Scene, require_point_scene
 from planar_pushing.terms.domain import require_in_range
 from planar_pushing.terms.errors import InvalidValue, require_flag
@@ -84,19 +85,17 @@ def _decode(results: Array, columns: Sequence[Any], outputs: Sequence[Any]) -> N
     With potentials of one degree the contact moves at unit speed.
     """
     motion, force, radius, degree = (np.asarray(column)[..., None] for column in columns[-4:])
-    u = results[:, 4:6]
+    motions = Columns(MotionResult, results)
+    u = motions.motion
     speed = np.sqrt(u[:, :1] * u[:, :1] + u[:, 1:] * u[:, 1:])
     factor = np.where(degree > 0.0, 1.0 / np.where(speed > 0.0, speed, np.nan), 1.0)
     motion, force = factor * motion, np.where(degree == 2.0, factor, 1.0) * force
     status, twist, forces, contact_motion, pivot = outputs
-    status[:], twist[:], forces[:] = (
-        results[:, 0],
-        motion * results[:, 1:4],
-        force * results[:, 6:8],
-    )
+    status[:] = motions.status
+    twist[:], forces[:] = motion * motions.twist, force * motions.force
     twist[:, 2:] /= radius
     contact_motion[:] = motion * u
-    pivot[:] = np.where(np.isnan(results[:, 9]), -1.0, results[:, 9])
+    pivot[:] = np.where(np.isnan(motions.pivot), -1.0, motions.pivot)
 
 
 def motion_of_force(
@@ -141,12 +140,14 @@ def motion_of_force(
     angle = require_in_range("force_angle", force_angle)
     norm = FORCE_SIZE if is_magnitude_open(scene) else UNIT_MOTION
     # With shares of one half, the weight is half the unit of force.
-    columns = [*unit_columns(scene), angle, float(norm), np.divide(ratio, 2)]
+    columns = [*unit_columns(scene), *row_of_force(scene, angle, norm, np.divide(ratio, 2))]
     columns += [*_units(scene), scene.slider.radius, _degree(scene)]
     if require_flag("derivatives", derivatives):
         require_unlabeled(columns)
     rows = scene.rows
-    results = evaluate_kernel("force_motions", rows.data, columns, OUTPUTS, MOTION_WIDTH, _decode)
+    results = evaluate_kernel(
+        "force_motions", rows.data, columns, OUTPUTS, MotionResult.size, _decode
+    )
     if is_labeled(results[0]):
         motions = dataset(results).assign_coords(component_labels())
         return named_units(motions, scene.units, inertia=scene.stores_energy)
@@ -209,7 +210,7 @@ def _derivatives(scene: Scene, angle: Any, ratio: Any, fields: dict[str, Any]) -
     )  # fmt: skip
 
 
-def _hold_ratio(entries: Sequence[Entry], response: Response, ratio: Array) -> None:
+def _hold_ratio(entries: Sequence[EffectColumns], response: Response, ratio: Array) -> None:
     """Add the change of the force with the weight, at a fixed ratio of the two."""
     feet = FIRST + len(entries)
     friction = [i for i, entry in enumerate(entries) if entry.degree == 1 and entry.resists]

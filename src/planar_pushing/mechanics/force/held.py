@@ -6,8 +6,11 @@ from typing import Any
 
 import numpy as np
 
+from planar_pushing.core.instant.kernels import WrenchRow
+from planar_pushing.core.supports.rows import LoadRow
 from planar_pushing.mechanics.effects import Load, RingFriction, SupportFriction
 from planar_pushing.mechanics.kernels.arrays import Output, broadcast_numbers, map_kernel
+from planar_pushing.mechanics.kernels.columns import row_of
 from planar_pushing.mechanics.rows import data_of, entries_of
 from planar_pushing.terms.errors import InvalidValue
 
@@ -24,12 +27,12 @@ def require_held(scene: Any) -> None:
         return
     loads = entries_of(_select_effects(scene, Load), scene)
     friction = entries_of(_select_effects(scene, (SupportFriction, RingFriction)), scene)
-    total = [sum(load.forces[k] for load in loads) for k in range(3)]
+    total = {name: sum(load.values[name] for load in loads) for name in LoadRow.places}
     ratio = np.array(np.inf)
     if friction:
         columns = [column for entry in friction for column in entry.columns]
         data = data_of(friction)
-        columns = broadcast_numbers(*columns, *total)
+        columns = broadcast_numbers(*columns, *row_of(WrenchRow, **total))
         ratio = map_kernel("load_ratios", data, columns, [Output("ratio")])[0]
     if np.any(~(ratio < 1.0)):
         raise InvalidValue(

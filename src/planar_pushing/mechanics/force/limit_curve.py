@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
-from planar_pushing.core.instant.kernels import MOTION_WIDTH
+from planar_pushing.core.instant.kernels import ForceRow, MotionResult
 from planar_pushing.core.instant.magnitude import UNIT_ENERGY
-from planar_pushing.mechanics.force.cones import is_magnitude_open
+from planar_pushing.mechanics.force.cones import is_magnitude_open, row_of_force
 from planar_pushing.mechanics.force.held import require_held
 from planar_pushing.mechanics.kernels.arrays import (
     Output,
@@ -25,6 +25,7 @@ from planar_pushing.mechanics.kernels.arrays import (
     is_labeled,
     same,
 )
+from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.mechanics.plane import Array, direction
 from planar_pushing.mechanics.scene import Scene, require_point_scene
 from planar_pushing.terms.domain import Number, Numbers, Scalar, require_in_range
@@ -81,9 +82,11 @@ class LimitCurve:
 def _decode(results: Array, columns: Sequence[Any], outputs: Sequence[Any]) -> None:
     """Write the outputs of a block of results of `force_motions`."""
     angle, magnitude, ratio, motion_angle, status = outputs
-    f_x, f_y = results[:, 6], results[:, 7]
-    angle[:], magnitude[:] = columns[-3], np.sqrt(f_x * f_x + f_y * f_y)
-    ratio[:], motion_angle[:], status[:] = results[:, 10], results[:, 8], results[:, 0]
+    motions = Columns(MotionResult, results)
+    inputs = dict(zip(ForceRow.places, columns[-ForceRow.size :], strict=True))
+    f_x, f_y = motions.force.T
+    angle[:], magnitude[:] = inputs["force"], np.sqrt(f_x * f_x + f_y * f_y)
+    ratio[:], motion_angle[:], status[:] = motions.spin_ratio, motions.angle, motions.status
 
 
 @overload
@@ -132,8 +135,10 @@ def curve_of_unit_motions(scene: Scene, force_angle: Number) -> Any:
     scene, angle = require_point_scene(scene), require_in_range("force_angle", force_angle)
     require_held(scene)
     rows = scene.rows
-    columns = [*rows.columns, *rows.body[:2], angle, float(UNIT_ENERGY), 0.0]
-    arrays = evaluate_kernel("force_motions", rows.data, columns, OUTPUTS, MOTION_WIDTH, _decode)
+    columns = [*rows.columns, *row_of_force(scene, angle, UNIT_ENERGY, 0.0)]
+    arrays = evaluate_kernel(
+        "force_motions", rows.data, columns, OUTPUTS, MotionResult.size, _decode
+    )
     if is_labeled(arrays[0]):
         return named_units(dataset(arrays[1:]), scene.units, inertia=scene.stores_energy)
     return LimitCurve(**dict(zip(LimitCurve.__slots__, arrays, strict=True)))

@@ -8,10 +8,11 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.instant.sensitivity import FIRST, FORCE_CASE
+from planar_pushing.core.instant.sensitivity import FIRST, FORCE_CASE, ResponseRow
 from planar_pushing.mechanics.kernels.arrays import Output, map_kernel
+from planar_pushing.mechanics.kernels.columns import row_of
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.rows import Entry, Rows, in_units, strengths_of
+from planar_pushing.mechanics.rows import EffectColumns, Rows, in_units, strengths_of
 from planar_pushing.mechanics.scene import Scene
 
 #: A motion of this size or less counts as about to change, because derivatives of its force overflow.
@@ -86,10 +87,12 @@ def responses(rows: Rows, columns: Sequence[Any], motions: Motions) -> Response:
     unit, scaled = in_units(rows.entries, numbers, strengths, size)
     unit = np.broadcast_to(unit, size.shape)
     motion, force = np.column_stack([size, size, size / radius]), np.column_stack([unit, unit])
-    scaled += [
-        length, angle, *(motions.twist / motion).T, *(motions.force / force).T, *motions[2:5], changes,
-        motions.place / radius, np.asarray(motions.held, dtype=float),
-    ]  # fmt: skip
+    scaled += row_of(
+        ResponseRow, length=length, angle=angle,
+        twist=[*(motions.twist / motion).T], force=[*(motions.force / force).T],
+        edge=motions.edge, condition=motions.condition, pivot=motions.pivot, changes=changes,
+        place=motions.place / radius, held=motions.held,
+    )  # fmt: skip
     count = (("parameter", FIRST + len(rows.entries) + _count_feet(rows.entries)),)
     outputs = (
         Output("status", (), "i1"),
@@ -107,7 +110,7 @@ def responses(rows: Rows, columns: Sequence[Any], motions: Motions) -> Response:
     return Response(status, by_twist * motion[..., None] / by, by_force * force[..., None] / by)
 
 
-def _count_feet(entries: Sequence[Entry]) -> int:
+def _count_feet(entries: Sequence[EffectColumns]) -> int:
     """Number of support points; for an array of supports, the maximum."""
     return sum(entry.table.most_atoms for entry in entries if entry.table is not None)
 

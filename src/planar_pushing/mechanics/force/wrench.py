@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
+from planar_pushing.core.instant.solution import Twist
 from planar_pushing.mechanics.contact import PerfectlyRough
 from planar_pushing.mechanics.effects import Effect, Load
 from planar_pushing.mechanics.kernels.arrays import Output, map_kernel
+from planar_pushing.mechanics.kernels.columns import row_of
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import data_of, entries_of
 from planar_pushing.mechanics.scene import Scene
@@ -53,7 +55,7 @@ def wrench(effect: Effect, twist: npt.ArrayLike, slider: Slider | None = None) -
     _, size = np.frexp(np.abs(twists).max(axis=-1, keepdims=True))
     v_x, v_y, omega = np.moveaxis(np.ldexp(twists, -size), -1, 0)
     entries = entries_of(enumerate(scene.effects), scene)
-    columns = [*entries[0].columns, v_x, v_y, radius * omega]
+    columns = [*entries[0].columns, *row_of(Twist, x=v_x, y=v_y, spin=radius * omega)]
     wrenches = map_kernel("wrenches", data_of(entries), columns, WRENCH)[0]
     wrenches[..., 2] *= radius
     return np.asarray(np.ldexp(wrenches, (effect.degree - 1) * size))

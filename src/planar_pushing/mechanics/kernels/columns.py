@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 from planar_pushing.core._record import Record
@@ -36,9 +35,14 @@ class Columns:
 
 def row_of(record: type[Record], **values: Any) -> list[Any]:
     """The numbers of a record, in its order, from a value, or several components, of each field."""
-    assert {*values} == {*record.places}, {*values} ^ {*record.places}
+    assert values.keys() == record.places.keys(), values.keys() ^ record.places.keys()
+    if len(record.places) == record.size:
+        return [values[name] for name in record.places]
     row: list[Any] = []
     for name in record.places:
         value = values[name]
-        row += value if isinstance(value, Sequence) and not isinstance(value, str) else [value]
+        if isinstance(value, (list, tuple)):
+            row += value
+        else:
+            row.append(value)
     return row

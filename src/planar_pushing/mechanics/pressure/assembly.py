@@ -7,19 +7,28 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.core.supports.measures import (
+from planar_pushing.core.supports.measures import MeasureRow, PlateEdges, PressureRow
+from planar_pushing.core.supports.multipole import ROWS, PlateTerms
+from planar_pushing.core.supports.piece_rows import (
+    CIRCLE,
+    COLUMNS,
     EDGE_LOAD,
+    HEAD,
+    LINE,
     MEASURED,
     PLATE,
+    POINT,
     REACH,
-    MeasureRow,
-    PressureRow,
+    LineRow,
+    PlateRow,
+    PlateSums,
+    ReachRow,
+    StoredPlate,
+    SupportMeasures,
 )
-from planar_pushing.core.supports.multipole import ROWS
-from planar_pushing.core.supports.pieces import COLUMNS, HEAD
 from planar_pushing.mechanics.kernels.arrays import in_threads
 from planar_pushing.mechanics.kernels.calls import run_into
-from planar_pushing.mechanics.kernels.columns import Columns
+from planar_pushing.mechanics.kernels.columns import Columns, row_of
 from planar_pushing.mechanics.pressure.pieces import (
     ATOMS,
     DISCS,
@@ -33,12 +42,12 @@ from planar_pushing.mechanics.pressure.pieces import (
 from planar_pushing.terms.caches import cache_results
 
 #: Numbers of a piece in the data of `core.supports.measures`, and of its extreme points, by kind.
-WIDTHS = np.array([3, 5, 4, 4, PLATE, 5])
+WIDTHS = np.array([POINT, LINE, CIRCLE, CIRCLE, PLATE, LINE])
 EXTREMES = np.array([1, 2, 1, 1, 0, 2])
 #: Plates per block of terms: a few milliseconds of work.
 BLOCK = 512
 #: Columns of a plate that `plate_terms` reads, and first column of measures in a row of `store_pressures`.
-READ, FIRST = np.array([2, COLUMNS - 2, COLUMNS - 1]), PressureRow.places["center_x"]
+READ = np.array([StoredPlate.places[name] for name in PlateTerms.places])
 #: Number of supports whose measures are kept.
 KEPT = 16
 
@@ -108,12 +117,14 @@ class Gathered(NamedTuple):
     @property
     def centers(self) -> Array:
         """Centers of pressure, shape (supports, 2)."""
-        return self.measured[:, :2]
+        centers: Array = Columns(SupportMeasures, self.measured).center
+        return centers
 
     @property
     def spreads(self) -> Array:
         """Means of x x, x y and y y about the centers of pressure, shape (supports, 3)."""
-        return self.measured[:, 2:]
+        spreads: Array = Columns(SupportMeasures, self.measured).spread
+        return spreads
 
     def rows(self, kind: int) -> Array:
         """The rows of a kind: as in `Pieces`, and for plates center, extent, share and number of edges."""
@@ -124,7 +135,7 @@ class Gathered(NamedTuple):
         """Sum of the shares of all pieces, which is that of the supports."""
         kinds = (ATOMS, SEGMENTS, RINGS, DISCS)
         shares = sum(float(self.rows(kind)[:, -1].sum()) for kind in kinds)
-        return shares + float(self.rows(PLATES)[:, 3].sum())
+        return shares + float(Columns(PlateRow, self.rows(PLATES)).share.sum())
 
 
 def scale_shares(pieces: Pieces, share: float) -> Pieces:
@@ -208,7 +219,8 @@ def lay_out(counts: Any, lengths: Any) -> Layout:
     fields.reach = behind + REACH * first_end
     results = behind - begin_results + REACH * int(2 * lengths.sum() + ends.sum())
     first = lengths.cumsum() - lengths
-    loads = np.column_stack([begin[EDGES] + WIDTHS[EDGES] * first, lengths, first]).astype(float)
+    edges_of = {"edges": begin[EDGES] + WIDTHS[EDGES] * first, "count": lengths, "first": first}
+    loads = np.column_stack(row_of(PlateEdges, **edges_of)).astype(float)
     # The table: heads, rows, and terms.
     rows = counts.sum(axis=1)
     first_row = rows.cumsum() - rows
@@ -254,15 +266,18 @@ def measure_pieces(rows: list[Array], layout: Layout) -> Gathered:
     if len(lengths):
         loads = np.empty((len(rows[-1]), EDGE_LOAD))
         run_into("plate_loads", data, layout.loads, loads)
-        plates[:, :EDGE_LOAD], plates[:, 4] = np.add.reduceat(loads, layout.first), lengths
+        plates[:, :EDGE_LOAD] = np.add.reduceat(loads, layout.first)
+        Columns(PlateSums, plates).edges = lengths
     column = data[:, None]
     run_into("measure_supports", data, layout.measures, column)
     results = data[len(data) - layout.results :]
     vectors = results[MEASURED * count :].reshape(-1, REACH)
-    reach = np.hypot(vectors[:, 0], vectors[:, 1]) + vectors[:, 2]
+    ends = Columns(ReachRow, vectors)
+    reach = np.hypot(ends.x, ends.y) + ends.more
     extents = np.maximum.reduceat(reach, layout.ends)
     if len(lengths):
-        plates[:, 2] = np.maximum.reduceat(reach[: layout.ends[0]], 2 * layout.first)
+        radii = np.maximum.reduceat(reach[: layout.ends[0]], 2 * layout.first)
+        Columns(PlateRow, plates).radius = radii
     return Gathered(data, layout, results[: MEASURED * count].reshape(count, MEASURED), extents)
 
 
@@ -299,15 +314,15 @@ def stack(group: Gathered, radii: Array, front: int = 0) -> Stack:
     memory = np.empty(front + end + 2 * ROWS * len(layout.lengths))
     data = memory[front:]
     rows = layout.pressures.copy()
-    rows[:, FIRST : FIRST + MEASURED] = group.measured
-    rows[:, FIRST + MEASURED], rows[:, FIRST + MEASURED + 1] = group.extents, radii
+    stored = Columns(PressureRow, rows)
+    stored.measures, stored.extent, stored.unit = group.measured, group.extents, radii
     run_into("store_pressures", group.data, rows, data[:, None])
     pieces = data[HEAD * count : end].reshape(-1, COLUMNS)
     lines = pieces[layout.lines]
     if len(lines):
-        length = np.hypot(lines[:, 2], lines[:, 3])
-        lines[:, 2:4] /= length[:, None]
-        lines[:, 4] = length / 2
+        line = Columns(LineRow, lines)
+        length = np.hypot(line.t_x, line.t_y)
+        line.t_x, line.t_y, line.half = line.t_x / length, line.t_y / length, length / 2
         if type(layout.lines) is not slice:  # else these are views
             pieces[layout.lines] = lines
     terms = data[end:].reshape(-1, 2 * ROWS)

@@ -10,16 +10,11 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.supports.pieces import (
-    ATOMS,
-    CENTER,
-    COLUMNS,
-    HEAD,
-    SEGMENTS,
-    SPREAD,
-)
-from planar_pushing.core.supports.rows import ENTRY, LAST
+from planar_pushing.core.supports.piece_rows import COLUMNS, HEAD, PointRow, PressureHead
+from planar_pushing.core.supports.pieces import MomentsRow, PlaceRow
+from planar_pushing.core.supports.rows import EFFECT, LAST, EffectHead
 from planar_pushing.mechanics.kernels.calls import run
+from planar_pushing.mechanics.kernels.columns import Columns, row_of
 from planar_pushing.mechanics.pressure.assembly import (
     Gathered,
     gather_pieces,
@@ -35,7 +30,7 @@ from planar_pushing.terms.errors import InvalidValue
 #: Rounding error of a center of pressure, relative to its coordinates.
 ROUNDING = 1e-14
 #: Room in front of a table for the entries of 15 effects.
-FRONT = 16 * ENTRY
+FRONT = 16 * EFFECT
 #: Maximum number of supports in a small tuple, and number of small tuples whose results are cached.
 FEW, KEPT = 1000, 16
 Found = TypeVar("Found")
@@ -69,29 +64,31 @@ class Table:
     most_atoms: int
 
     @property
-    def heads(self) -> Array:
-        """The heads, shape (count, HEAD)."""
-        return self.data[: HEAD * self.count].reshape(self.count, HEAD)
+    def head(self) -> Columns:
+        """The heads by name, each of shape (count,): `PressureHead`."""
+        return Columns(PressureHead, self.data[: HEAD * self.count].reshape(self.count, HEAD))
 
     @property
     def centers(self) -> Array:
         """Centers of pressure, shape (count, 2)."""
-        return self.heads[:, CENTER : CENTER + 2]
+        centers: Array = self.head.center
+        return centers
 
     @property
     def spreads(self) -> Array:
         """Means of x x, x y and y y from the centers of pressure, shape (count, 3)."""
-        return self.heads[:, SPREAD : SPREAD + 3]
+        spreads: Array = self.head.spread
+        return spreads
 
     @property
     def atom_counts(self) -> Any:
         """Numbers of atoms, shape (count,)."""
-        return ((self.heads[:, SEGMENTS] - self.heads[:, ATOMS]) / COLUMNS).astype(np.int64)
+        return ((self.head.segments - self.head.atoms) / COLUMNS).astype(np.int64)
 
     def atoms(self, number: int) -> Array:
         """Positions and shares of the atoms of a support, shape (n, 3)."""
-        first, last = self.heads[number, [ATOMS, SEGMENTS]].astype(int)
-        return self.data[first:last].reshape(-1, COLUMNS)[:, :3]
+        first, last = int(self.head.atoms[number]), int(self.head.segments[number])
+        return self.data[first:last].reshape(-1, COLUMNS)[:, : PointRow.size]
 
     def behind(self, entries: Array) -> Array:
         """Entries followed by the data, in the table's own memory if they equal the first entries."""
@@ -200,10 +197,9 @@ def joined_data(effects: Sequence[tuple[int, int, Table | None]], columns: int) 
     Returns
     -------
     ndarray
-        ``ENTRY`` numbers for each effect: kind, column, and for a support the place of its table, to which
-        places in the table are relative; the kind ``LAST`` and the number of columns; then the tables. It
-        is cached while the effects are the same, with tables compared by identity, and must not be written
-        to.
+        An `EffectHead` for each effect, that of the kind ``LAST`` with the number of columns, and then the
+        tables. It is cached while the effects are the same, with tables compared by identity, and must not
+        be written to.
     """
     key = tuple(effects)
     count = sum(table.count for _, _, table in key if table is not None)
@@ -211,15 +207,18 @@ def joined_data(effects: Sequence[tuple[int, int, Table | None]], columns: int) 
 
 
 def _join_data(effects: tuple[tuple[int, int, Table | None], ...], columns: int) -> Array:
-    entries = np.zeros((len(effects) + 1, ENTRY))
+    entries: list[float] = []
     tables = [table for _, _, table in effects if table is not None]
-    entries[-1, :2], offset = (LAST, columns), entries.size
-    for i, (kind, column, table) in enumerate(effects):
-        entries[i, :3] = kind, column, 0.0 if table is None else offset
+    offset = EFFECT * (len(effects) + 1)
+    for kind, column, table in effects:
+        place = 0 if table is None else offset
+        entries += row_of(EffectHead, kind=kind, column=column, table=place)
         offset += 0 if table is None else len(table.data)
+    entries += row_of(EffectHead, kind=LAST, column=columns, table=0)
+    front = np.array(entries, dtype=float)
     if len(tables) == 1:
-        return tables[0].behind(entries.ravel())
-    return np.concatenate([entries.ravel(), *(table.data for table in tables)])
+        return tables[0].behind(front)
+    return np.concatenate([front, *(table.data for table in tables)])
 
 
 _few_joined, _many_joined = cache_results(KEPT)(_join_data), cache_results(1)(_join_data)
@@ -263,7 +262,7 @@ def moments(table: Table, x: npt.ArrayLike, y: npt.ArrayLike, number: int = 0) -
     number : int, optional
         Number of the support.
     """
-    columns = np.broadcast_arrays(float(HEAD * number), x, y)
+    columns = np.broadcast_arrays(*row_of(PlaceRow, head=float(HEAD * number), x=x, y=y))
     rows = np.stack([column.ravel() for column in columns], axis=1)
-    results = run("moments", table.data, rows, len(Moments._fields))
+    results = run("moments", table.data, rows, MomentsRow.size)
     return Moments(*(moment.reshape(columns[0].shape)[()] for moment in results.T))

@@ -7,7 +7,9 @@ from typing import Annotated, Any
 
 import numpy as np
 
+from planar_pushing.core.supports.polygons import EdgePair, PolygonPair, PolygonRow
 from planar_pushing.mechanics.kernels.calls import run
+from planar_pushing.mechanics.kernels.columns import row_of
 from planar_pushing.mechanics.plane import Frame, positions_in_frame
 from planar_pushing.mechanics.pressure.pieces import Array, Pieces
 from planar_pushing.mechanics.supports.base import (
@@ -144,7 +146,8 @@ def _net_area(outer: Array, inner: list[Array]) -> float:
 
 def _area(vertices: Array) -> float:
     """Area, positive where the vertices turn counterclockwise; also far from the origin."""
-    return float(run("polygon_area", vertices, [[0, len(vertices)]], 1)[0, 0])
+    row = row_of(PolygonRow, first=0, count=len(vertices))
+    return float(run("polygon_area", vertices, [row], 1)[0, 0])
 
 
 def simple_ring(name: str, value: Any) -> Array:
@@ -252,12 +255,13 @@ def _edge(vertices: Array, i: int) -> str:
 
 def _crossing(vertices: Array) -> tuple[int, int]:
     """Numbers of two edges that meet anywhere but at a common vertex, or -1."""
-    i, j = run("crossing_edges", vertices, [[0, len(vertices)]], 2)[0]
+    row = row_of(PolygonRow, first=0, count=len(vertices))
+    i, j = run("crossing_edges", vertices, [row], EdgePair.size)[0]
     return int(i), int(j)
 
 
 def _touching(one: Array, other: Array) -> tuple[int, int]:
     """Numbers of an edge of one polygon and one of another that have a point in common, or -1."""
-    rows = [[0, len(one), len(one), len(other)]]
-    i, j = run("touching_edges", np.concatenate([one, other]), rows, 2)[0]
+    row = row_of(PolygonPair, first=0, count=len(one), other_first=len(one), other_count=len(other))
+    i, j = run("touching_edges", np.concatenate([one, other]), [row], EdgePair.size)[0]
     return int(i), int(j)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from planar_pushing.core.supports.pieces import COLUMNS
+from planar_pushing.core.supports.piece_rows import COLUMNS, PressureHead
 from planar_pushing.mechanics.supports.annulus import Annulus
 from planar_pushing.mechanics.supports.composite import Composite
 from planar_pushing.mechanics.supports.disc import Disc
@@ -17,7 +17,8 @@ from planar_pushing.mechanics.supports.segment import Segment
 
 def rows_of(table, kind):
     """Rows of one kind of pieces but edges, by the name of their place in the head of a pressure."""
-    first, last = table.heads[0, kind : kind + 2].astype(int)
+    place = PressureHead.places[kind]
+    first, last = table.head.numbers[0, place : place + 2].astype(int)
     return table.data[first:last].reshape(-1, COLUMNS)
 
 

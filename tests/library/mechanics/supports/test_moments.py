@@ -12,7 +12,7 @@ from mechanics.supports.cases import SQUARE, SUPPORTS, TRIPOD, hard_centers, row
 from mechanics.supports.exact import about, exact_moments
 from mpmath import mp, mpf
 
-from planar_pushing.core.supports.pieces import ATOMS, COLUMNS, END
+from planar_pushing.core.supports.piece_rows import COLUMNS
 from planar_pushing.mechanics.pressure.table import moments, table_of_pieces
 from planar_pushing.mechanics.supports.disc import Disc
 from planar_pushing.mechanics.supports.points import Points
@@ -71,7 +71,7 @@ def test_moments_to_1e_14_wherever_the_slider_turns(name):
     support, aspect = SUPPORTS[name]
     table, size = table_of_pieces(support.pieces(), 1.0), support.extent
     allowed = 1e-14 * max(1.0, aspect / 20)
-    pieces = (table.heads[0, END] - table.heads[0, ATOMS]) / COLUMNS
+    pieces = (table.head.end[0] - table.head.atoms[0]) / COLUMNS
     for c in hard_centers(support, 12 if pieces > 20 else 36):
         found = moments(table, *c)
         if found.atom < 0:
@@ -151,7 +151,7 @@ def test_calls_keep_no_reference_to_the_arrays():
 def test_atoms_at_one_place_are_one():
     double = Points([(1.0, 0.0), (0.0, 0.0), (1.0, 0.0)], [1.0, 2.0, 3.0])
     table = table_of_pieces(double.pieces(), 1.0)
-    assert rows_of(table, ATOMS)[:, :3].tolist() == [[1.0, 0.0, 4 / 6], [0.0, 0.0, 2 / 6]]
+    assert rows_of(table, "atoms")[:, :3].tolist() == [[1.0, 0.0, 4 / 6], [0.0, 0.0, 2 / 6]]
     assert at(double, (1.0, 0.0)).atom == 0
 
 

@@ -8,7 +8,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mechanics.supports.cases import regular, rows_of
 
-from planar_pushing.core.supports.pieces import ATOMS
 from planar_pushing.mechanics.pressure.table import moments, table_of_pieces
 from planar_pushing.mechanics.supports.composite import Composite
 from planar_pushing.mechanics.supports.disc import Disc
@@ -116,7 +115,7 @@ def test_rotation_and_reflection(support, c, angle):
                 [
                     1.0,
                     *np.hypot(
-                        *(rows_of(table_of_pieces(support.pieces(), 1.0), ATOMS)[:, :2] - c).T
+                        *(rows_of(table_of_pieces(support.pieces(), 1.0), "atoms")[:, :2] - c).T
                     ),
                 ]
             )

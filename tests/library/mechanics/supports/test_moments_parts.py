@@ -18,7 +18,6 @@ from mechanics.supports.test_moments_invariants import (
     supports,
 )
 
-from planar_pushing.core.supports.pieces import ATOMS
 from planar_pushing.mechanics.pressure.table import table_of_pieces
 from planar_pushing.mechanics.supports.annulus import Annulus
 from planar_pushing.mechanics.supports.composite import Composite
@@ -35,7 +34,7 @@ def agree(parts, support, c):
     """Whether a mixture of parts has the moments of the support, away from where they jump."""
     together = Composite(parts)
     assert together.center_of_pressure == pytest.approx(support.center_of_pressure, abs=1e-14)
-    atoms = rows_of(table_of_pieces(support.pieces(), 1.0), ATOMS)[:, :2]
+    atoms = rows_of(table_of_pieces(support.pieces(), 1.0), "atoms")[:, :2]
     if not len(atoms) or np.hypot(*(atoms - c).T).min() > 1e-6:
         found, expected = at(together, c), at(support, c)
         same(found[:4], expected[:4], np.hypot(*c))

@@ -9,7 +9,6 @@ import pytest
 from mechanics.supports.cases import SUPPORTS, TRIPOD, rectangle, rows_of
 
 import planar_pushing as pp
-from planar_pushing.core.supports.pieces import ATOMS, DISCS, END, PLATES, RINGS, SEGMENTS
 from planar_pushing.mechanics.pressure.table import extents_of, moments, table_of_pieces
 from planar_pushing.mechanics.supports.annulus import Annulus
 from planar_pushing.mechanics.supports.base import Support
@@ -69,14 +68,14 @@ def test_supports_are_plain_values(name):
 @pytest.mark.parametrize("name", SUPPORTS)
 def test_shares_add_to_1(name):
     table = table_of_pieces(SUPPORTS[name][0].pieces(), 1.0)
-    shares = {ATOMS: 2, SEGMENTS: 5, RINGS: 3, DISCS: 3, PLATES: 3}
+    shares = {"atoms": 2, "segments": 5, "rings": 3, "discs": 3, "plates": 3}
     whole = sum(rows_of(table, kind)[:, column].sum() for kind, column in shares.items())
     assert whole == pytest.approx(1.0, rel=1e-14, abs=0)
 
 
 def test_a_ring_is_the_unit_of_length_or_has_its_own_radius():
     for ring, radius in ((Ring(), 1.0), (Ring(3.5), 3.5)):
-        (row,) = rows_of(table_of_pieces(ring.pieces(), 1.0), RINGS).tolist()
+        (row,) = rows_of(table_of_pieces(ring.pieces(), 1.0), "rings").tolist()
         assert row == [0.0, 0.0, radius, 1.0, 0.0, 0.0]
 
 
@@ -90,7 +89,7 @@ def test_the_direction_of_a_polygon_and_the_unit_of_weights_do_not_matter():
     loud = table_of_pieces(PressureMap([0, 1, 3], [0, 2], [[1e-300, 2e-300]]).pieces(), 1.0)
     quiet = table_of_pieces(PressureMap([0, 1, 3], [0, 2], [[1e300, 2e300]]).pieces(), 1.0)
     assert np.allclose(
-        *(each.data[: int(each.heads[0, END])] for each in (loud, quiet)), rtol=1e-14, atol=0
+        *(each.data[: int(each.head.end[0])] for each in (loud, quiet)), rtol=1e-14, atol=0
     )
 
 

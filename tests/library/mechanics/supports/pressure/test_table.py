@@ -5,8 +5,8 @@ import pytest
 
 import planar_pushing as pp
 from planar_pushing.core.supports.multipole import ROWS
-from planar_pushing.core.supports.pieces import ATOMS, COLUMNS, EDGES, END, HEAD, SERIES
-from planar_pushing.core.supports.rows import ENTRY, LAST
+from planar_pushing.core.supports.piece_rows import COLUMNS, HEAD
+from planar_pushing.core.supports.rows import EFFECT, LAST
 from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.mechanics.pressure.table import (
     FEW,
@@ -51,17 +51,18 @@ def test_tables_of_few_supports_are_kept_and_of_many_the_last_alone():
 
 def test_the_pieces_fill_the_array_without_gaps():
     table = table_of(SUPPORTS)
-    heads = table.heads.astype(int)
-    assert heads[0, ATOMS] == HEAD * len(SUPPORTS)
-    assert heads[1:, ATOMS].tolist() == heads[:-1, END].tolist()
-    counts = np.diff(heads[:, [*range(ATOMS, EDGES + 1), END]]) // COLUMNS
+    head = table.head
+    kinds = head.atoms, head.segments, head.rings, head.discs, head.plates, head.edges
+    assert head.atoms[0] == HEAD * len(SUPPORTS)
+    assert head.atoms[1:].tolist() == head.end[:-1].tolist()
+    counts = np.diff(np.column_stack([*kinds, head.end])) // COLUMNS
     assert counts.tolist() == [
         [0, 0, 0, 0, 1, 4], [3, 0, 0, 0, 0, 0], [0, 0, 1, 0, 2, 7], [0, 0, 0, 2, 0, 0],
         [0, 1, 0, 0, 0, 0],
     ]  # fmt: skip
-    terms = heads[-1, END] + 2 * ROWS * np.array([0, 1, 1, 3, 3])
-    assert heads[:, SERIES].tolist() == terms.tolist()
-    assert len(table.data) == heads[-1, END] + 2 * ROWS * 3
+    terms = int(head.end[-1]) + 2 * ROWS * np.array([0, 1, 1, 3, 3])
+    assert head.series.tolist() == terms.tolist()
+    assert len(table.data) == int(head.end[-1]) + 2 * ROWS * 3
     assert table.atom_counts.tolist() == [0, 3, 0, 0, 0]
     places = np.array(SUPPORTS[1].positions) / SUPPORTS[1].extent
     assert table.atoms(1) == pytest.approx(np.column_stack([places, [0.2, 0.3, 0.5]]), rel=1e-15)
@@ -73,9 +74,9 @@ def test_joined_tables_hold_the_effects_and_every_pressure():
     tables = table_of(SUPPORTS), None, table_of(SUPPORTS[:1]), table_of(SUPPORTS[1:3])
     effects = [(7, 3 * i, table) for i, table in enumerate(tables)]
     data = joined_data(effects, 12)
-    heads = data[: ENTRY * 5].reshape(5, ENTRY).astype(int).tolist()
+    heads = data[: EFFECT * 5].reshape(5, EFFECT).astype(int).tolist()
     assert [each[:2] for each in heads] == [[7, 0], [7, 3], [7, 6], [7, 9], [LAST, 12]]
-    for table, (_, _, place, _) in zip(tables, heads[:-1], strict=True):
+    for table, (_, _, place) in zip(tables, heads[:-1], strict=True):
         for i in range(table.count if table else 0):
             rows = [[HEAD * i, x, y] for x, y in CENTERS]
             expected = np.array([moments(table, x, y, i) for x, y in CENTERS])
@@ -86,8 +87,8 @@ def test_as_many_effects_as_one_likes_precede_a_table():
     for count in (13, 14, 15, 40):
         table = table_of([*SUPPORTS, pp.Disc(float(count))])  # in whose memory nothing is yet
         data = joined_data([*[(1, i, None) for i in range(count)], (2, count, table)], count + 1)
-        place = ENTRY * (count + 2)
-        assert data[place - 2 * ENTRY : place - ENTRY].tolist() == [2.0, count, place, 0.0]
+        place = EFFECT * (count + 2)
+        assert data[place - 2 * EFFECT : place - EFFECT].tolist() == [2.0, count, place]
         assert np.array_equal(data[place:], table.data)
 
 
@@ -101,7 +102,7 @@ def test_joined_tables_are_kept_while_tables_and_kinds_are_the_same():
     assert joined_data([(1, 0, None), (2, 1, table)], 5) is not data
     assert np.array_equal(table.data, before)
     assert np.array_equal(data, first)
-    assert joined_data([], 0).tolist() == [LAST, 0.0, 0.0, 0.0]
+    assert joined_data([], 0).tolist() == [LAST, 0.0, 0.0]
 
 
 POINT = pp.Points([(1, 2), (1, 2)], [1, 3])
