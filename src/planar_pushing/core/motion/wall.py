@@ -79,6 +79,8 @@ def put_wall(system: System, number: int, place: float, along: float) -> None:
     wall.anchor.x = (x * scene.axis.x + y * scene.axis.y) / fine
     wall.anchor.y = (y * scene.axis.x - x * scene.axis.y) / fine
     wall.rod.x, wall.rod.y = cos(wall.angle), sin(wall.angle)
+    # The stretch of another piece says nothing about this one.
+    system.run.low, system.run.high = -INFINITY, INFINITY
 
 
 def begin_at_wall(system: System) -> None:
@@ -167,10 +169,15 @@ def nearest_wall(system: System, state: RunState) -> NearestPlace:
 
 
 def gap_of_finger(system: System, state: RunState) -> float:
-    """Distance of a finger from the slider's outline, or from the wall without one."""
-    if not follows_chain(system) or system.run.wall.piece >= 0:
+    """Distance of a finger from the slider's outline, or from the wall without one.
+
+    A finger that goes to the end of the wall touches it there, although it may graze the outline only.
+    """
+    is_known: bool = system.run.wall.piece >= 0
+    if not follows_chain(system) or (is_known and state.gap <= SLACK):
         return state.gap
-    return nearest_wall(system, state).distance / system.scene.fine - system.scene.radius
+    distance = nearest_wall(system, state).distance / system.scene.fine - system.scene.radius
+    return min(state.gap, distance) if is_known else distance
 
 
 def move_to_place(
@@ -201,8 +208,8 @@ def is_closed(system: System, state: RunState) -> bool:
 
 
 def land_on_wall(system: System, during: Span, time: float, state: RunState) -> None:
-    """Close the contact of a finger, at the place of the outline nearest to it."""
-    if follows_chain(system) and system.run.wall.piece < 0:
+    """Close the contact of a finger, at the wall or at the place of the outline nearest to it."""
+    if follows_chain(system) and (system.run.wall.piece < 0 or state.gap > SLACK):
         nearest = nearest_wall(system, state)
         move_to_place(system, during, time, state, nearest.piece, nearest.place)
     state.gap = 0.0
