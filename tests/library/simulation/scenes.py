@@ -107,7 +107,7 @@ LEFT, RIGHT, JERK = (0.3, 1.0), (-0.3, 1.0), [(0, (0.1, 1.0)), (0.3, (0.9, 0.5))
 #: A square with a step down at the right of its lower side.
 NOTCHED = ((-1.0, -1.0), (0.6, -1.0), (0.6, -1.3), (1.0, -1.3), (1.0, 1.0), (-1.0, 1.0))
 STOPS = "the slider's center comes down to the fence"
-FINGER_MEETS = "another point of the outline meets the finger"
+FINGER_MEETS = "the finger touches the object at two places"
 SIDE_ENDS = "the finger comes to the end of the side"
 
 

@@ -40,7 +40,7 @@ from planar_pushing.core.motion.fence import end_of_fence, fence_displacement, s
 from planar_pushing.core.motion.guards import write_guards
 from planar_pushing.core.motion.log import end_log, has_room_for_rows, next_log_row, write_instant
 from planar_pushing.core.motion.mode import NO_MODE, Mode, contact_mode_of
-from planar_pushing.core.motion.rolling import has_finger
+from planar_pushing.core.motion.rolling import has_finger, is_straight
 from planar_pushing.core.motion.run import (
     Run,
 )
@@ -274,7 +274,8 @@ def _begin_mode(system: System, excluded: int) -> None:
         run.stopped = reason
         return
     run.mode_began, run.fresh = run.time, True
-    if contact_mode_of(current_mode(system)) == SEPARATE:
+    separates: bool = contact_mode_of(current_mode(system)) == SEPARATE
+    if separates and (is_closed(system, state) or not is_straight(run.wall)):
         open_wall(system, state)
     confine_finger(system, state)
     # The motion is not smooth after a kink.
@@ -399,7 +400,7 @@ def _go_to_event(system: System) -> None:
         run.cause = cause
     # A finger leaves its side, or passes beside it.
     chained: bool = follows_chain(system)
-    passes: bool = cause == TOUCHES and room_on_piece(system, state) < -SLACK
+    passes: bool = cause == TOUCHES and not chained and room_on_piece(system, state) < -SLACK
     if cause == END_OF_SIDE and not has_finger(system):
         reason = GOES_ON if roll_on_to_next(system, state) else INCONSISTENT
     elif chained and cause == END_OF_SIDE:
@@ -432,4 +433,4 @@ def _pass_end(system: System, state: RunState) -> int:
     if not is_closed(system, state):
         open_wall(system, state)
         return GOES_ON
-    return GOES_ON if go_to_next_piece(system, state) else TWO_CONTACTS
+    return GOES_ON if go_to_next_piece(system, state, state.along) else TWO_CONTACTS

@@ -99,7 +99,7 @@ def _write_guards(
         guards[CENTER_DOWN] = center_height(system, state)
     is_open = is_open or not is_closed(system, state)
     if not is_open or (follows_chain(system) and system.run.wall.piece >= 0):
-        guards[END_OF_SIDE] = room_on_piece(system, state)
+        guards[END_OF_SIDE] = room_on_piece(system, state) + (SLACK if is_open else 0.0)
     guards[PENETRATES] = outline_height(system, state, not is_open)
     if is_massive(system):
         _guard_moving_contact(system, mode, state, instant, guards)

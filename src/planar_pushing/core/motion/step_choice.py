@@ -46,6 +46,7 @@ from planar_pushing.core.motion.system import (
     vector_of,
 )
 from planar_pushing.core.motion.touch import (
+    can_touch,
     count_points,
     move_contact,
     offset_of,
@@ -158,6 +159,8 @@ def _next_of_chain(system: System, state: RunState, sense: float) -> int:
     """The next point of the chain on the right (1) or on the left (-1), -1 without one."""
     following, steepest, slack = NO_POINT, INFINITY, touch_tolerance(system)
     for point in range(count_points(system)):
+        if not can_touch(system, point, state):
+            continue
         offset = offset_of(system, state, point)
         if sense * offset.x > slack and offset.y / (sense * offset.x) < steepest:
             following, steepest = point, offset.y / (sense * offset.x)
@@ -296,6 +299,8 @@ def _sinking_side(
     h, spin = run.until - run.time, unit * solution.twist.spin
     side, lowest = 0.0, -SLACK
     for point in range(count_points(system)):
+        if not can_touch(system, point, state):
+            continue
         offset = offset_of(system, state, point)
         across = h * (unit * solution.twist.y + spin * (offset.x - pose.x)) - run.path.y
         if state.gap + offset.y + across < lowest:

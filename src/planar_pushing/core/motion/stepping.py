@@ -48,7 +48,6 @@ from planar_pushing.core.motion.shapes import (
     contact_after_flight,
     contact_motion,
     from_world,
-    is_outlined,
     kinetic_energy_of,
     pose_of,
     put_initial_state,
@@ -62,7 +61,6 @@ from planar_pushing.core.motion.system import (
     INCONSISTENT,
     LAID_DOWN,
     RATES,
-    SIDE_ENDED,
     STATE,
     TWO_CONTACTS,
     System,
@@ -73,7 +71,15 @@ from planar_pushing.core.motion.system import (
     vector_of,
 )
 from planar_pushing.core.motion.touch import name_contact
-from planar_pushing.core.motion.wall import confine_finger, outline_height, room_on_piece
+from planar_pushing.core.motion.wall import (
+    begin_at_wall,
+    confine_finger,
+    leave_corner,
+    outline_height,
+    pass_ends,
+    room_on_piece,
+    seat_finger,
+)
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.supports.rows import NO_POINT
 from planar_pushing.core.supports.tolerances import SLACK
@@ -110,6 +116,7 @@ def _begin_steps(system: System) -> None:
     """Begin a run, with the state at time 0."""
     run = system.run
     prepare_system(system)
+    begin_at_wall(system)
     put_initial_state(system, vector_of(system, STATE))
     name_contact(system, vector_of(system, STATE))
     run.phase, run.mode, run.pivot = 1, NO_MODE, NO_POINT
@@ -121,6 +128,7 @@ def _begin_steps(system: System) -> None:
 def _step(system: System) -> None:
     """Take one step, and log the instants at which the mode changes or an interval ends."""
     run = system.run
+    seat_finger(system, vector_of(system, STATE))
     if _choose(system):
         _log_step(system)
     if run.stopped == GOES_ON:
@@ -154,13 +162,16 @@ def _choose(system: System) -> bool:
     room = zeros(CHOSEN)
     chosen = Solution(room[0:])
     current, before = run.mode, run.solutions
-    choice = choose_twist(system, current, policy_at(system.fence, piece), chosen)
+    policy, state = policy_at(system.fence, piece), vector_of(system, STATE)
+    choice = choose_twist(system, current, policy, chosen)
+    if leave_corner(system, span_at(system.fence, piece), run.time, state, choice.contact):
+        choice = choose_twist(system, current, policy, chosen)
     run.solutions = max(choice.number, 0)
     if choice.number <= 0:
         run.mode, run.stopped = NO_MODE, INCONSISTENT
         run.push.x, run.push.y = 0.0, 0.0
         return True
-    unit, state = choice.unit, vector_of(system, STATE)
+    unit = choice.unit
     v_x, v_y = to_world(system, state, unit * chosen.twist.x, unit * chosen.twist.y)
     f_x, f_y = to_world(system, state, chosen.force.x, chosen.force.y)
     run.new_twist.x, run.new_twist.y = unit * chosen.twist.x, unit * chosen.twist.y
@@ -250,17 +261,20 @@ def _add_load_work(system: System) -> None:
 
 
 def _end_contact(system: System) -> None:
-    """End the contact at the end of a finger's side; with an outline, stop there or at a fence."""
+    """Go past the ends of pieces, end the contact at that of a side without an outline, or stop."""
     run, state = system.run, vector_of(system, STATE)
-    if state.gap <= SLACK and room_on_piece(system, state) < -SLACK:
-        if is_outlined(system):
-            run.stopped = SIDE_ENDED
-        else:
-            run.parted = True
+    closed: bool = state.gap <= SLACK
+    if closed and system.scene.chain > 0:
+        seat_finger(system, state)
+        if not pass_ends(system, state):
+            run.stopped = TWO_CONTACTS
+        confine_finger(system, state)
+        if has_finger(system) and outline_height(system, state, True) <= 0.0:
+            run.stopped = TWO_CONTACTS
+    elif closed and room_on_piece(system, state) < -SLACK:
+        run.parted = True
     if center_height(system, state) <= 0.0:
         run.stopped = LAID_DOWN
-    elif has_finger(system) and outline_height(system, state, run.mode != SEPARATE) <= 0.0:
-        run.stopped = TWO_CONTACTS
 
 
 def _count_step(system: System) -> None:

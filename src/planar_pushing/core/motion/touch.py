@@ -207,7 +207,9 @@ def put_contact(system: System, point: int, other_end: int) -> None:
         position, radius = position_in_body(scene, piece.x, piece.y), piece.radius / scene.fine
     elif point >= 0:
         position = end_position(system, point - scene.chain)
-    run.contact.x, run.contact.y, run.wall.radius = position.x, position.y, radius
+    run.contact.x, run.contact.y = position.x, position.y
+    if not scene.finger:
+        run.wall.radius = radius
     run.point, run.other_end = point, other_end
 
 

@@ -81,6 +81,8 @@ def put_wall(system: System, number: int, place: float, along: float) -> None:
     anchor = position_in_body(scene, x, y)
     wall.anchor.x, wall.anchor.y = anchor.x, anchor.y
     wall.rod.x, wall.rod.y = cos(wall.angle), sin(wall.angle)
+    # The stretch of another piece says nothing about this one.
+    system.run.low, system.run.high = -INFINITY, INFINITY
 
 
 def begin_at_wall(system: System) -> None:
@@ -97,10 +99,11 @@ def place_on_wall(system: System, along: float) -> float:
     return wall.place + (wall.base - along) / unit
 
 
-def go_to_next_piece(system: System, state: RunState) -> bool:
+def go_to_next_piece(system: System, state: RunState, joint: float) -> bool:
     """Make the piece after the end that the contact has reached the wall; return whether there is one.
 
-    Beside an inner corner there is none, nor at a hollow arc that a disc fills: it would touch both sides.
+    The pieces join at the position `joint`. Beside an inner corner there is none, nor at a hollow arc that a
+    disc fills: it would touch both sides.
     """
     wall = system.run.wall
     forward: bool = wall.end + state.along < -state.along - wall.start
@@ -112,8 +115,40 @@ def go_to_next_piece(system: System, state: RunState) -> bool:
     )
     if is_inner_corner(neighbor) or fills:
         return False
-    put_wall(system, number, place=_end_of(neighbor, forward), along=state.along)
+    put_wall(system, number, place=_end_of(neighbor, forward), along=joint)
     return True
+
+
+def pass_ends(system: System, state: RunState) -> bool:
+    """Go to the piece on which the contact is after a step beyond ends; return whether there is one."""
+    for _ in range(system.scene.chain):
+        if not room_on_piece(system, state) < -SLACK:
+            break
+        wall = system.run.wall
+        if not has_finger(system):
+            if not roll_on_to_next(system, state):
+                return False
+            continue
+        forward: bool = wall.end + state.along < -state.along - wall.start
+        joint = -wall.end if forward else -wall.start
+        if not go_to_next_piece(system, state, joint):
+            return False
+        if is_sharp(system):
+            state.along = joint
+    return True
+
+
+def seat_finger(system: System, state: RunState) -> None:
+    """Let a finger that is free of the outline face the place nearest to it, or touch it there."""
+    if not follows_chain(system) or (system.run.wall.piece >= 0 and state.gap <= SLACK):
+        return
+    nearest = nearest_wall(system, state)
+    put_wall(system, nearest.piece, nearest.place, state.along)
+    state.gap = nearest.distance / system.scene.fine - system.scene.radius
+    if state.gap <= SLACK:
+        state.gap = 0.0
+    else:
+        open_wall(system, state)
 
 
 def _end_of(piece: ChainPiece, is_start: bool) -> float:
@@ -169,10 +204,15 @@ def nearest_wall(system: System, state: RunState) -> NearestPlace:
 
 
 def gap_of_finger(system: System, state: RunState) -> float:
-    """Distance of a finger from the slider's outline, or from the wall without one."""
-    if not follows_chain(system) or system.run.wall.piece >= 0:
+    """Distance of a finger from the slider's outline, or from the wall without one.
+
+    A finger that goes to the end of the wall touches it there, although it may graze the outline only.
+    """
+    is_known: bool = system.run.wall.piece >= 0
+    if not follows_chain(system) or (is_known and state.gap <= SLACK):
         return state.gap
-    return nearest_wall(system, state).distance / system.scene.fine - system.scene.radius
+    distance = nearest_wall(system, state).distance / system.scene.fine - system.scene.radius
+    return min(state.gap, distance) if is_known else distance
 
 
 def move_to_place(
@@ -203,8 +243,8 @@ def is_closed(system: System, state: RunState) -> bool:
 
 
 def land_on_wall(system: System, during: Span, time: float, state: RunState) -> None:
-    """Close the contact of a finger, at the place of the outline nearest to it."""
-    if follows_chain(system) and system.run.wall.piece < 0:
+    """Close the contact of a finger, at the wall or at the place of the outline nearest to it."""
+    if follows_chain(system) and (system.run.wall.piece < 0 or state.gap > SLACK):
         nearest = nearest_wall(system, state)
         move_to_place(system, during, time, state, nearest.piece, nearest.place)
     state.gap = 0.0
