@@ -153,8 +153,9 @@ def test_a_run_that_meets_nothing_is_that_without_an_outline(name, method):
     end = log.time.values[-1]
     if "flush" in log and log.flush.any():
         end = log.time.values[log.flush.values.argmax()]
-    if (log.gap > 0.0).any():
-        end = log.time.values[(log.gap > 0.0).values.argmax()]
+    passes = log.event.values == pp.Event.END_OF_SIDE
+    if passes.any():
+        end = log.time.values[passes.argmax()]
     short = replace(case, duration=float(0.9 * end))
     bare = replace(case.scene, slider=replace(case.scene.slider, outline=None))
     alone = replace(short, scene=bare).log(method)
