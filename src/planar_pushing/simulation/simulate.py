@@ -115,9 +115,9 @@ def simulate(
         `force`, and zero elsewhere: where the pusher meets the slider, a side arrives, or the pusher's
         velocity jumps, also at the start; the force of a step of time-stepping includes it. Without an
         outline only the contact, or the given side, touches a fence, and the run ends when the slider's
-        center reaches it. When a finger leaves the side at its end, the contact
-        ends permanently, and `parted` is true from then on; with an outline the run ends there, and also
-        when another point of the outline meets the finger.
+        center reaches it. A finger goes round an outline, over its corners and arcs, leaves it and meets
+        it again, and the run ends where it touches two places. Without an outline, the contact ends
+        permanently where it leaves the side at its end, and `parted` is true from then on.
 
     Warns
     -----

@@ -195,7 +195,8 @@ class TestArraysOfContacts:
                 (batch.rod_angle - batch.initial_rod_angle)[i].item()
             ) == pytest.approx(turn, abs=1e-12)
             assert batch.gap[i].item() == pytest.approx(log.gap[-1].item(), abs=1e-12)
-            assert not batch.stopped[i].item() and not batch.parted[i].item()
+            assert not batch.stopped[i].item()
+            assert not batch.parted[i].item()
 
     @pytest.mark.parametrize("points", [POINTS, POINTS[:1], POINTS[None]])
     def test_a_fence_on_a_side_is_refused(self, points):

@@ -8,22 +8,22 @@ import warnings
 
 import numpy as np
 import pytest
-from simulation.scenes import NO_EDGE, SIDE_ENDS, STOPS, box, scene
+from simulation.scenes import FINGER_MEETS, NO_EDGE, NOTCHED, STOPS, box, scene
 
 import planar_pushing as pp
 from planar_pushing.simulation.early_end import REASONS, quietly
 from planar_pushing.simulation.fields import Stop
 
 LAID_DOWN = (scene(mu=2.0, psi=0.35), pp.Pusher(velocity=(0.2, 1.0)))
-RUNS_OFF = (
-    box((0.3, -1.0), mu=0.1, outlined=True, side=(-1.3, 0.7)),
-    pp.Pusher(velocity=(0.5, 1.0), shape="finger"),
+MEETS_TWO = (
+    box((0.3, -1.0), mu=0.1, corners=NOTCHED, outlined=True, side=(-1.3, 0.3)),
+    pp.Pusher(velocity=(0.9, 0.2), shape="finger", radius=0.2),
 )
 NO_MOTION = (scene(mu=NO_EDGE), pp.Pusher(velocity=(-1.0, 0.2)))
 #: Scene, pusher, reason, and a word of the remedy.
 ENDS = {
     "no outline": (*LAID_DOWN, STOPS, "outline"),
-    "end of the side": (*RUNS_OFF, SIDE_ENDS, "units"),
+    "two contacts": (*MEETS_TWO, FINGER_MEETS, "one contact"),
     "no mode": (*NO_MOTION, "no contact mode is consistent", "time-stepping"),
 }
 SCENE_FILE = """

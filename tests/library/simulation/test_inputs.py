@@ -42,7 +42,9 @@ def inputs_of(problem, method=Method.EVENT_DRIVEN):
 
 def kinds_of(data):
     """Kinds of the effects, and their first columns."""
-    entries = [data[place : place + 2].astype(int) for place in range(0, len(data) - 1, EFFECT)]
+    # The pieces of the outline, with infinite radii, are behind them.
+    places = range(0, np.flatnonzero(np.isinf(data))[0] - 1, EFFECT)
+    entries = [data[place : place + 2].astype(int) for place in places]
     kinds = [int(kind) for kind, _ in entries]
     kinds = kinds[: kinds.index(LAST) + 1]
     return kinds, [int(column) for _, column in entries[: len(kinds)]]
@@ -57,20 +59,27 @@ def test_numbers_of_a_scene():
     assert effects[columns[1]] == 0.2 / unit
     assert effects[columns[2] : columns[3]] == pytest.approx([0.4 * 0.5 / unit, 0.25, 0, 0])
     assert not effects[columns[3] :].any()
+    chain = data[-88:].reshape(8, 11)
+    sides = np.flatnonzero(np.isinf(chain[:, 2]))
+    corners = chain[sides, :2] * 2 * DEPTH
+    assert sorted(map(tuple, corners.round(9))) == sorted(BOX)
+    # The contact is at the middle of the side that goes down from the upper left corner.
+    wall = sides[np.hypot(*(corners - (-1, 1)).T).argmin()]
+    first = chain[wall, 3]
     expected = {
         "weight": 0.9 / unit, "mass": 1.5 / unit, "gyration": 2.25, "center": [0.2, -0.4],
         "load": [-0.3 / unit, 0.0], "cross": 0.3 / unit, "dot": -0.15 / unit, "length": 2.0,
         "angle": np.pi / 2, "right": 0.0, "left": np.pi, "slips": 1.0, "closed": 1.0, "rough": 0.0,
         "twist": [1.0, -2.0, 2.0], "gap": 0.6, "finger": 1.0, "radius": 0.4, "side_start": -2.0,
-        "side_end": 1.5, "fine": 0.5 / (2 * DEPTH), "corners": 4, "corners_place": len(data) - 8,
+        "side_end": 1.5, "fine": 0.5 / (2 * DEPTH), "corners": 0, "corners_place": len(data) - 88,
+        "chain": 8, "chain_place": len(data) - 88, "frame": [0.0, 0.0], "axis": [1.0, 0.0],
+        "turn": first + np.pi / 2, "wall": wall, "place": 0.5 / DEPTH,
         "frictions": 2, "resisting": 3, "tolerance": 1e-8, "pieces": 2, "coefficients": 1,
         "times": 5, "logs_events": 1, "flush": 0,
     }  # fmt: skip
     assert {*expected} == {*run.Inputs.places}
     for name, number in expected.items():
         assert scene[run.Inputs.places[name]] == pytest.approx(number, rel=1e-14, abs=1e-16), name
-    corners = data[-8:].reshape(4, 2) * 2 * DEPTH
-    assert sorted(map(tuple, corners.round(9))) == sorted(BOX)
     assert scene[run.INPUTS :][:5].tolist() == [0, 1, 2, 3, 4]
 
 
