@@ -75,6 +75,7 @@ from planar_pushing.core.motion.wall import (
     begin_at_wall,
     confine_finger,
     leave_corner,
+    open_wall,
     outline_height,
     pass_ends,
     room_on_piece,
@@ -213,6 +214,7 @@ def _move(system: System, pose: Pose) -> None:
     w_x, w_y = to_world(system, state, v_x, v_y)
     path_x, path_y = from_world(system, state, run.path.x, run.path.y)
     if contact == SEPARATE:
+        open_wall(system, state)
         along, gap = contact_after_flight(
             system, pose, state, x=h * v_x, y=h * v_y, path_x=path_x, path_y=path_y, turn=h * spin
         )
@@ -266,10 +268,8 @@ def _end_contact(system: System) -> None:
     closed: bool = state.gap <= SLACK
     if closed and system.scene.chain > 0:
         seat_finger(system, state)
-        if not pass_ends(system, state):
-            run.stopped = TWO_CONTACTS
-        confine_finger(system, state)
-        if has_finger(system) and outline_height(system, state, True) <= 0.0:
+        meets: bool = has_finger(system) and outline_height(system, state, True) <= 0.0
+        if meets or not pass_ends(system, state):
             run.stopped = TWO_CONTACTS
     elif closed and room_on_piece(system, state) < -SLACK:
         run.parted = True

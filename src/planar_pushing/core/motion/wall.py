@@ -102,8 +102,8 @@ def place_on_wall(system: System, along: float) -> float:
 def go_to_next_piece(system: System, state: RunState, joint: float) -> bool:
     """Make the piece after the end that the contact has reached the wall; return whether there is one.
 
-    The pieces join at the position `joint`. Beside an inner corner there is none, nor at a hollow arc that a
-    disc fills: it would touch both sides.
+    The pieces join at the position `joint`. Beside an inner corner there is none, nor at a hollow arc that
+    a disc fills: it would touch both sides.
     """
     wall = system.run.wall
     forward: bool = wall.end + state.along < -state.along - wall.start
