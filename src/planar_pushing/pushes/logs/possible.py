@@ -58,7 +58,7 @@ LISTED = 8
 REMEDY = "check units, frame and order of the poses, or leave the push out"
 
 
-class Motion(NamedTuple):
+class PushMotions(NamedTuple):
     """Motions of n pushes: the finger's center along its path, and the object's displacement.
 
     `center` has shape (n, PARTS + 1, 2), for equal parts of the path, and `length` is the path's length.
@@ -130,7 +130,7 @@ def require_possible(pushes: xr.Dataset, sides: Sides, numbers: Any) -> None:
     )  # fmt: skip
 
 
-def _motion(pushes: xr.Dataset) -> Motion:
+def _motion(pushes: xr.Dataset) -> PushMotions:
     """Motions of the pushes of a dataset."""
     radius, end = pushes["finger_radius"].values, pushes["finger_displacement"].values
     start = pushes["contact"].values - radius[:, None] * pushes["normal"].values
@@ -146,7 +146,7 @@ def _motion(pushes: xr.Dataset) -> Motion:
             path[row] = np.column_stack(
                 [np.interp(parts * along[-1], along, column) for column in known.T]
             )
-    return Motion(
+    return PushMotions(
         start[:, None] + path, length, radius, pushes["displacement"].values,
         np.deg2rad(pushes["rotation"].values),
     )  # fmt: skip
@@ -175,7 +175,7 @@ def _carriers(pushes: xr.Dataset) -> tuple[Array | None, Array | None]:
     return feet[known], shares if shares is not None and np.isfinite(shares).all() else None
 
 
-def _least_within(motion: Motion, sides: Sides) -> Array:
+def _least_within(motion: PushMotions, sides: Sides) -> Array:
     """Smallest distance by which a point within the outline moves, shape (n,).
 
     Displacements are a similar image of the outline. The smallest is its distance from the origin, or zero
