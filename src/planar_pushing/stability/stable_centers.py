@@ -226,7 +226,7 @@ def _steady_effects(scene: Scene) -> tuple[Effect, ...]:
         mass = Inertia(
             mass=coefficient, gyration_radius=radius * square**0.5, center=(radius * x, radius * y)
         )
-        masses.append(mass.moved(fence_in_body(scene), FENCE))
+        masses.append(mass.in_frames(fence_in_body(scene), FENCE))
     return tuple(masses)
 
 

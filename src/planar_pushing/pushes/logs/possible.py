@@ -70,7 +70,7 @@ class PushMotions(NamedTuple):
     displacement: Array
     rotation: Array
 
-    def moved(self, points: Array) -> Array:
+    def distances(self, points: Array) -> Array:
         """Distances by which points of shape (m, 2) of the object move, shape (n, m)."""
         c, s = np.cos(self.rotation)[:, None] - 1.0, np.sin(self.rotation)[:, None]
         (x, y), (d_x, d_y) = points.T, self.displacement.T[..., None]
@@ -102,7 +102,7 @@ def require_possible(pushes: xr.Dataset, sides: Sides, numbers: Any) -> None:
         "at most {:.4g}, for errors of measurement",
     )  # fmt: skip
     apart = gaps.min(axis=1) - motion.length / (2.0 * PARTS)
-    still = motion.moved(sides.start).max(axis=1) <= slack
+    still = motion.distances(sides.start).max(axis=1) <= slack
     _refuse(
         np.where(still, 0.0, apart), slack, numbers,
         "an object that ends {:.4g} away from the finger's path",
@@ -112,16 +112,16 @@ def require_possible(pushes: xr.Dataset, sides: Sides, numbers: Any) -> None:
     if points is None:
         least = _least_within(motion, sides)
     elif shares is None:
-        least = motion.moved(points).min(axis=1)
+        least = motion.distances(points).min(axis=1)
     else:
-        least = motion.moved(points) @ shares
+        least = motion.distances(points) @ shares
     limit = "a finger moves an object on its support no farther than itself, {:.4g} with errors"
     _refuse(least, motion.length + slack, numbers, "an object that moves by {:.4g}", limit)
     if points is not None:
         return
     normal = pushes["normal"].values
     turned = (normal * sides.normal[side[:, -1]]).sum(axis=1) < ELSEWHERE
-    mean = np.where(turned, motion.moved(_cells(sides)).mean(axis=1), 0.0)
+    mean = np.where(turned, motion.distances(_cells(sides)).mean(axis=1), 0.0)
     _refuse(
         mean, motion.length + CONCENTRATED * size + slack - ERROR * size, numbers,
         "points of the object that move by {:.4g} on average, and a finger that ends at another side",
