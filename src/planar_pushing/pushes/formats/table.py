@@ -228,8 +228,8 @@ def _require_unit(file: Path, table: PushTable, angles: str, sides: Sides, radiu
     gap, instead = (_gap(table, unit, sides, radius) for unit in (angles, other))
     if gap > max(NEARER * instead, ON_OUTLINE * sides.scale):
         raise InvalidFile(
-            f"{file}: angles seem to be in {other}: after the pushes, the finger is {instead:.4g} away "
-            f"from the object, but {gap:.4g} with {angles} (medians); {remedy}"
+            f"{file}: the angles seem to be in {other}: the median gap between finger and object after a "
+            f"push is {instead:.4g} with angles in {other} and {gap:.4g} with angles in {angles}; {remedy}"
         )
     _require_alike(file, table, angles, remedy)
 
@@ -241,11 +241,12 @@ def _require_alike(file: Path, table: PushTable, angles: str, remedy: str) -> No
     if len(far):
         row, turn = int(far[0]), 2.0 * math.pi / ANGLES[angles]
         likely = before[row] + math.remainder(after[row] - before[row], turn)
-        ranges = " or ".join(f"{low:.6g} to {low + turn:.6g}" for low in (-turn / 2.0, 0.0))
+        ranges = " or ".join(f"from {low:.6g} to {low + turn:.6g}" for low in (-turn / 2.0, 0.0))
         raise InvalidFile(
             f"{file}: line {table.lines[row]}: angle_after: {after[row]:.6g} given, which differs from "
             f"angle_before by {after[row] - before[row]:.6g} {angles}; allowed: at most half a turn; write "
-            f"{likely:.6g}, or wrap all angles to {ranges}; if they are in the other unit, {remedy}"
+            f"{likely:.6g}, or wrap all angles to the range {ranges}; if they are in the other unit, "
+            f"{remedy}"
         )
 
 
