@@ -64,6 +64,7 @@ class Parser(argparse.ArgumentParser):
         self._negative_number_matcher = re.compile(r"-\.?\d|-inf$|-nan$", re.IGNORECASE)
         self.register("type", float, _number)
         self.register("type", int, _whole_number)
+        self.register("type", Path, _path)
 
     @property
     def options(self) -> list[str]:
@@ -134,6 +135,12 @@ def _number(text: str) -> float:
         return float(text)
     except ValueError:
         raise argparse.ArgumentTypeError(f"{text!r} given; allowed: a number") from None
+
+
+def _path(text: str) -> Path:
+    if not text:  # of which `Path` would make the current folder
+        raise argparse.ArgumentTypeError("'' given; allowed: a path; name a file or a folder")
+    return Path(text)
 
 
 def _whole_number(text: str) -> int:

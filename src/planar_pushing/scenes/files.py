@@ -124,7 +124,8 @@ def load_model(path: PathLike, model: type[Model]) -> Model:
     path = Path(require_path("path", path))
     content = read_yaml(path)
     if not isinstance(content, dict):
-        raise InvalidFile(f"{path}: holds no keys; allowed: {', '.join(model.model_fields)}")
+        keys = ", ".join(model.model_fields)
+        raise InvalidFile(f"{path}: holds no keys; allowed: {keys}; write them as key: value")
     try:
         return model.model_validate(content)
     except ValidationError as error:
