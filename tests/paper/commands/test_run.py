@@ -53,7 +53,7 @@ def test_snakemake_is_called_with_the_workflow_of_the_package(run, folder, calle
     assert words[:3] == [sys.executable, "-m", "snakemake"]
     assert words[words.index("--snakefile") + 1] == str(snakefile())
     assert words[-6:] == [
-        "--cores", "1", "--dry-run", "--config", 'study="tiny.yaml"', 'results="my results"'
+        "--cores", "1", "--dry-run", "--config", "study=tiny.yaml", "results=my results"
     ]  # fmt: skip
     assert "SNAKEMAKE_PROFILE" not in options["env"]
     assert out == ("results: my results/studies/tiny\nbuilt: nothing (dry run)\n")
