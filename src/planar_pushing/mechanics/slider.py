@@ -53,7 +53,7 @@ ENDS = (
 START, END = Within(lambda x: x <= 0, *ENDS), Within(lambda x: x >= 0, *ENDS)
 
 
-class Side(Declaration):
+class SideEnds(Declaration):
     """Ends of a side, measured along it from the contact, which is between them."""
 
     words = ENDS[0]
@@ -80,7 +80,7 @@ class Side(Declaration):
         return ends if any(map(math.isfinite, ends)) else None
 
 
-SIDE = Side()
+SIDE = SideEnds()
 FLAG = Read(require_flag, "true or false", {"type": "boolean"})
 OUTLINE = Read(
     lambda name, value: require_outline(value, name), "the corners of a simple polygon, in order",
