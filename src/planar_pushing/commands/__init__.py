@@ -142,6 +142,7 @@ def _check_words(words: Sequence[str], top: Parser, commands: Mapping[str, Parse
     name = words[0] if words else "--"
     if name in commands:
         commands[name].require_known(words[1:])
+        commands[name].require_once(words[1:])
     elif not name.startswith("-"):
         remedy = suggestion(name, commands, "choose one of these")
         top.error(f"{name!r} given; allowed: {', '.join(commands)}; {remedy}")
@@ -150,10 +151,11 @@ def _check_words(words: Sequence[str], top: Parser, commands: Mapping[str, Parse
 
 
 def _check_output(args: argparse.Namespace) -> None:
-    """Reject an output file in a missing folder, whose path may be mistyped."""
+    """Reject an output file in a missing folder, whose path may be mistyped, or in a file."""
     output = getattr(args, "output", None)
-    if output is not None and not output.parent.exists():
-        remedy = f"create the folder {output.parent}, or choose another file"
+    if output is not None and not output.parent.is_dir():
+        create = f"create the folder {output.parent}, or " if not output.parent.exists() else ""
+        remedy = f"{create}choose another file"
         raise InvalidValue("output", str(output), "a file in an existing folder", remedy)
 
 

@@ -61,9 +61,10 @@ class Parser(argparse.ArgumentParser):
     def __init__(self, *args: Any, **options: Any) -> None:
         super().__init__(*args, **options)
         # Words that begin like a negative number are values, such as the range -90:90:5.
-        self._negative_number_matcher = re.compile(r"-\.?\d")
+        self._negative_number_matcher = re.compile(r"-\.?\d|-inf$|-nan$", re.IGNORECASE)
         self.register("type", float, _number)
         self.register("type", int, _whole_number)
+        self.register("type", Path, _path)
 
     @property
     def options(self) -> list[str]:
@@ -80,6 +81,19 @@ class Parser(argparse.ArgumentParser):
             if name.startswith("--") and name not in self.options:
                 remedy = suggestion(name, self.options, "choose one of these")
                 self.error(f"{name} given; allowed: {', '.join(self.options)}; {remedy}")
+
+    def require_once(self, words: Sequence[str]) -> None:
+        """Reject an option with a value that is given twice, of which argparse would use the last."""
+        before = set()
+        for word in words:
+            if word == "--":
+                return
+            name = word.partition("=")[0] if word.startswith("--") else word[:2]
+            action = self._option_string_actions.get(name)
+            if action is not None and action.nargs != 0:
+                if action.dest in before:
+                    self.error(f"{name} given twice; allowed: once; remove one of them")
+                before.add(action.dest)
 
     def split(self, words: Sequence[str]) -> tuple[list[str], list[str]]:
         """Words that the parser reads, and the other options of an open command with their values."""
@@ -106,6 +120,13 @@ class Parser(argparse.ArgumentParser):
             self.error(f"{given!r} given; allowed: nothing more; {remedy or 'remove it'}")
 
     def error(self, message: str) -> NoReturn:
+        without_value = re.fullmatch(r"argument (\S+): expected .*", message)
+        if without_value:
+            name = without_value[1].rpartition("/")[2]
+            action = self._option_string_actions[name]
+            values = action.metavar if isinstance(action.metavar, tuple) else (action.metavar,)
+            form = " ".join(map(str, values))
+            message = f"{name}: value missing; allowed: {name} {form}; add what is missing"
         self.exit(2, f"{self.prog}: {message}; see {self.prog} --help\n")
 
 
@@ -114,6 +135,12 @@ def _number(text: str) -> float:
         return float(text)
     except ValueError:
         raise argparse.ArgumentTypeError(f"{text!r} given; allowed: a number") from None
+
+
+def _path(text: str) -> Path:
+    if not text:  # of which `Path` would make the current folder
+        raise argparse.ArgumentTypeError("'' given; allowed: a path; name a file or a folder")
+    return Path(text)
 
 
 def _whole_number(text: str) -> int:

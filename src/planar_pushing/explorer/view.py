@@ -15,7 +15,7 @@ from planar_pushing.drawing.canvas.marks import Picture, Sheet
 from planar_pushing.drawing.words import outcome, row
 from planar_pushing.explorer.pictures import curve, maps
 from planar_pushing.explorer.pictures.following import (
-    Motion,
+    FollowedMotion,
     follow,
     push_at,
     push_to_follow,
@@ -24,7 +24,7 @@ from planar_pushing.explorer.pictures.following import (
 )
 from planar_pushing.explorer.pictures.pictures import (
     TIME_BOX,
-    Push,
+    SolvedPush,
     chip,
     handles,
     instant_picture,
@@ -58,8 +58,8 @@ class View(NamedTuple):
     """Markup by id, the push that is shown, and, over time, the motion and the push at the instant."""
 
     markup: dict[str, str]
-    push: Push | None = None
-    motion: Motion | None = None
+    push: SolvedPush | None = None
+    motion: FollowedMotion | None = None
     instant: State | None = None
 
 
@@ -85,7 +85,7 @@ def _push(order: Order) -> View:
     return View(content | _of_push(order, push), push)
 
 
-def _of_push(order: Order, push: Push) -> dict[str, str]:
+def _of_push(order: Order, push: SolvedPush) -> dict[str, str]:
     """Markup of the limit curve, the cross on the map, and the table for a push."""
     scene, symbol = push.state.scene, push.sketch.symbol
     picture = curve.curve_picture(scene, push.solutions, push.chosen, symbol)

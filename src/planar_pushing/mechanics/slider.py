@@ -54,7 +54,7 @@ ENDS = (
 START, END = Within(lambda x: x <= 0, *ENDS), Within(lambda x: x >= 0, *ENDS)
 
 
-class Side(Declaration):
+class SideEnds(Declaration):
     """Ends of a side, measured along it from the contact, which is between them."""
 
     words = ENDS[0]
@@ -81,7 +81,7 @@ class Side(Declaration):
         return ends if any(map(math.isfinite, ends)) else None
 
 
-SIDE = Side()
+SIDE = SideEnds()
 FLAG = Read(require_flag, "true or false", {"type": "boolean"})
 #: The body frame is that of the outline.
 SAME = Frame((0.0, 0.0), (1.0, 0.0))
@@ -203,7 +203,7 @@ class Slider:
                 "take the scenes one by one: the outline is the same, in the object's frame",
             )  # fmt: skip
         frame = self.outline_frame
-        moved = self.outline if frame == SAME else self.outline.moved(frame)
+        moved = self.outline if frame == SAME else self.outline.in_frame(frame)
         if moved.corners is None or np.ndim(self.rod_length) or np.ndim(self.rod_angle):
             return moved  # type: ignore[no-any-return]
         return _put_on_fence(moved.corners, float(self.rod_length), float(self.rod_angle))

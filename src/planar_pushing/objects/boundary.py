@@ -12,7 +12,7 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.caches import cache_results
 
 
-class Side(NamedTuple):
+class OutlineSide(NamedTuple):
     """A side of an outline.
 
     Attributes
@@ -31,7 +31,7 @@ class Side(NamedTuple):
     length: float
 
 
-def sides(outline: Any) -> list[Side]:
+def sides(outline: Any) -> list[OutlineSide]:
     """Sides of an outline, in order; adjacent sides on one straight line count as one.
 
     Raises
@@ -43,13 +43,13 @@ def sides(outline: Any) -> list[Side]:
     return [_side(*ends) for ends in zip(corners, np.roll(corners, -1, axis=0), strict=True)]
 
 
-def _side(start: Array, end: Array) -> Side:
+def _side(start: Array, end: Array) -> OutlineSide:
     along = end - start
     length = float(np.hypot(*along))
     tangent = along / length
     # Without negative zeros, which would be printed.
     normal = np.array([-tangent[1], tangent[0]]) + 0.0
-    return Side(start, end, tangent, normal, length)
+    return OutlineSide(start, end, tangent, normal, length)
 
 
 class Sides(NamedTuple):

@@ -15,7 +15,7 @@ from math import copysign, hypot, inf, sqrt
 from typing import NamedTuple
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.objects.boundary import Side
+from planar_pushing.objects.boundary import OutlineSide
 from planar_pushing.objects.wrench_set import WrenchSet
 from planar_pushing.terms.domain import ROUGHEST
 
@@ -50,7 +50,7 @@ class Stretch(NamedTuple):
     end: Contact
 
 
-class Disc(NamedTuple):
+class ForceDisc(NamedTuple):
     """The forces of a set relative to a side: center, radius p, height h, torque M, and the side's ends."""
 
     along: float
@@ -62,7 +62,7 @@ class Disc(NamedTuple):
     high: float
 
 
-def stretches(side: Side, loads: WrenchSet) -> list[Stretch]:
+def stretches(side: OutlineSide, loads: WrenchSet) -> list[Stretch]:
     """The contacts on a side at which a push exerts a load of the set, in order along the side."""
     force, torque = loads.offset[:2], float(loads.offset[2])
     along, normal = float(force @ side.tangent), float(force @ side.normal)
@@ -70,7 +70,7 @@ def stretches(side: Side, loads: WrenchSet) -> list[Stretch]:
     if loads.foot is None:
         return _meeting(along, normal, torque - _cross(side.start, force), slack, side.length)
     low = float((side.start - loads.foot) @ side.tangent)
-    disc = Disc(
+    disc = ForceDisc(
         along, normal, loads.radius, float((loads.foot - side.start) @ side.normal),
         torque - _cross(loads.foot, force), low, low + side.length,
     )  # fmt: skip
@@ -105,7 +105,7 @@ def _meeting(
     return [Stretch(contact, contact, contact)]
 
 
-def _stretches(disc: Disc, slack: float) -> list[Stretch]:
+def _stretches(disc: ForceDisc, slack: float) -> list[Stretch]:
     """Intervals of contacts on a side, between its ends and the lines tangent to the disc."""
     low, high = disc.low - slack, disc.high + slack
     cuts = [low, *(x for x in _touching(disc) if low < x < high), high]
@@ -118,7 +118,7 @@ def _stretches(disc: Disc, slack: float) -> list[Stretch]:
     return intervals
 
 
-def _touching(disc: Disc) -> list[float]:
+def _touching(disc: ForceDisc) -> list[float]:
     """Places whose line of forces is tangent to the disc, ``(h f_t + x f_n - M)^2 = p^2 (h^2 + x^2)``."""
     offset = disc.height * disc.along - disc.torque
     lead = (disc.normal - disc.radius) * (disc.normal + disc.radius)
@@ -133,13 +133,13 @@ def _touching(disc: Disc) -> list[float]:
     return sorted(top / bottom for top, bottom in fractions if bottom != 0.0)
 
 
-def _meets(disc: Disc, x: float) -> bool:
+def _meets(disc: ForceDisc, x: float) -> bool:
     """Whether the line of forces at x meets the disc."""
     away = disc.height * disc.along + x * disc.normal - disc.torque
     return abs(away) <= disc.radius * hypot(disc.height, x)
 
 
-def _best_contact(disc: Disc, x: float) -> Contact:
+def _best_contact(disc: ForceDisc, x: float) -> Contact:
     """Contact at x, where the line of forces meets the disc, with the force that needs least friction."""
     size = hypot(disc.height, x)
     if size == 0.0:
@@ -157,7 +157,7 @@ def _best_contact(disc: Disc, x: float) -> Contact:
     return Contact(x, along, normal, friction(along, normal))
 
 
-def _stretch(disc: Disc, start: float, end: float) -> Stretch:
+def _stretch(disc: ForceDisc, start: float, end: float) -> Stretch:
     """An interval of contacts, with its contact of least friction.
 
     The coefficient is monotone along a chord, so its minimum is zero or on the rim: where a line through
@@ -171,7 +171,7 @@ def _stretch(disc: Disc, start: float, end: float) -> Stretch:
     return Stretch(best, *ends)
 
 
-def _extreme(disc: Disc) -> list[Contact]:
+def _extreme(disc: ForceDisc) -> list[Contact]:
     """Contacts with forces whose direction is tangent to the disc."""
     square = disc.along * disc.along + disc.normal * disc.normal
     inner = square - disc.radius * disc.radius
@@ -187,7 +187,7 @@ def _extreme(disc: Disc) -> list[Contact]:
     return contacts
 
 
-def _frictionless(disc: Disc, start: float, end: float) -> list[Contact]:
+def _frictionless(disc: ForceDisc, start: float, end: float) -> list[Contact]:
     """The middle of the contacts with forces along the normal, where ``x f_n = M``."""
     if abs(disc.along) >= disc.radius:
         return []

@@ -11,7 +11,7 @@ import numpy.typing as npt
 from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.objects.boundary import Side, sides
+from planar_pushing.objects.boundary import OutlineSide, sides
 from planar_pushing.objects.contacts import Contact, Stretch, stretches
 from planar_pushing.objects.resistance import motion_at, require_effects, require_friction
 from planar_pushing.objects.wrench_set import require_twist, wrench_set
@@ -110,13 +110,13 @@ def pushes_for(effects: tuple[Effect, ...], twist: npt.ArrayLike, outline: Any) 
     return tuple(sorted(pushes, key=lambda push: push.friction_coefficient))
 
 
-def _push(side: Side, twist: Array, stretch: Stretch) -> Push:
+def _push(side: OutlineSide, twist: Array, stretch: Stretch) -> Push:
     best, *ends = stretch
     several = ends[0].position < ends[1].position
     return _push_at(side, twist, best, (_push_at(side, twist, end) for end in ends if several))
 
 
-def _push_at(side: Side, twist: Array, contact: Contact, ends: Iterable[Push] = ()) -> Push:
+def _push_at(side: OutlineSide, twist: Array, contact: Contact, ends: Iterable[Push] = ()) -> Push:
     point = side.start + contact.position * side.tangent
     if contact.position == side.length:
         point = side.end

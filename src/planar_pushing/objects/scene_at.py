@@ -143,7 +143,7 @@ def place_object(
     slider = Slider(
         rod_length=length,
         rod_angle=angle,
-        # The default is the extent of the moved support, which is the same at every contact.
+        # The default is the extent of the support in the body frame, which is the same at every contact.
         radius=extent if many or not any(hasattr(effect, "support") for effect in acting) else None,
         side=ends,
         flush=flush,
@@ -151,8 +151,10 @@ def place_object(
         outline_frame=SAME if whole is None else body,
     )
     loaded = [_with_center(effect, center, acting) for effect in acting]
-    moved = tuple(effect.moved(body, placement.fence) for effect in loaded)
-    scene = Scene(slider=slider, contact=contact, effects=moved, placement=placement, units=units)
+    scene_effects = tuple(effect.in_frames(body, placement.fence) for effect in loaded)
+    scene = Scene(
+        slider=slider, contact=contact, effects=scene_effects, placement=placement, units=units
+    )
     return scene, whole
 
 
@@ -250,9 +252,9 @@ def _free(contacts: Contacts) -> tuple[Placement, tuple[Number, Number]]:
 
 
 def _required_effects(value: Any, outline: Outline | None) -> tuple[Any, ...]:
-    """Effects that can be moved, all with supports and centers, or `InvalidValue`."""
+    """Effects of an object, all with supports and centers, or `InvalidValue`."""
     effects = tuple(value) if isinstance(value, (list, tuple)) else ()
-    if not effects or not all(hasattr(effect, "moved") for effect in effects):
+    if not effects or not all(hasattr(effect, "in_frames") for effect in effects):
         raise InvalidValue(
             "effects", value, "a sequence of SupportFriction, Viscous, Inertia and Load",
             "list what resists the motion; for a ring give the radius: SupportFriction(support=Ring(1.0))",

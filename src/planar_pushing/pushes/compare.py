@@ -11,7 +11,7 @@ import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points, Polygon, fit_ellipsoid
-from planar_pushing.mechanics.supports.base import require_support
+from planar_pushing.mechanics.supports.base import require_in_frame, require_support
 from planar_pushing.pushes.fit.ellipsoid import Ellipsoid
 from planar_pushing.pushes.fit.fitted import fitted_ellipsoid
 from planar_pushing.pushes.fit.friction import contact_friction
@@ -252,6 +252,7 @@ def _required_models(models: Any) -> dict[str, Callable[[Half], tuple[Model, flo
         return {name: MODELS[name] for name in dict.fromkeys((*names, REFERENCE))}
     for name, support in models.items():
         require_support("models", support)
+        require_in_frame("models", support)
         if name in MODELS:
             raise InvalidValue(
                 "models", {name: support}, "supports under names of your own",

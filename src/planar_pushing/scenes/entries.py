@@ -26,7 +26,7 @@ from planar_pushing.terms.units import Units
 ABSENT = (None, (), (-float("inf"), float("inf")))
 
 
-class Entry(FileModel):
+class Section(FileModel):
     """A section of a file in the file's form, and what it describes."""
 
     #: Class, or function, that takes the declared parameters.
@@ -88,7 +88,7 @@ def entry_of(maker: Callable[..., Any], tag: Mapping[str, str] | None = None) ->
             absent = default is False or default in ABSENT
             fields[name] = (Optional[kind], None) if absent else (kind, default)  # noqa: UP045
     about = (inspect.getdoc(maker) or "").partition("\n\n")[0]
-    model = create_model(maker.__name__, __base__=Entry, __doc__=about, **fields)
+    model = create_model(maker.__name__, __base__=Section, __doc__=about, **fields)
     model.maker = maker
     return model
 

@@ -47,7 +47,13 @@ def load_scene_file(path: PathLike) -> SceneFile:
     """Read a scene file or an object file as a scene file; errors and warnings as in `load_scene`."""
     content = read_yaml(Path(require_path("path", path)))
     if isinstance(content, dict) and "object" in content:
-        file = load_model(path, ObjectFile).scene_file()
+        entry = load_model(path, ObjectFile)
+        try:
+            file = entry.scene_file()
+        except (
+            ValidationError
+        ) as error:  # far from its origin, an object is lost in rounding errors
+            raise _refusal(Path(path), error) from None
     else:
         file = load_model(path, SceneFile)
     scene = file.build()
@@ -118,13 +124,19 @@ def load_model(path: PathLike, model: type[Model]) -> Model:
     path = Path(require_path("path", path))
     content = read_yaml(path)
     if not isinstance(content, dict):
-        raise InvalidFile(f"{path}: holds no keys; allowed: {', '.join(model.model_fields)}")
+        keys = ", ".join(model.model_fields)
+        raise InvalidFile(f"{path}: holds no keys; allowed: {keys}; write them as key: value")
     try:
         return model.model_validate(content)
     except ValidationError as error:
-        lines = [explain(path, detail) for detail in error.errors()]
-        more = [f"{path}: and {len(lines) - 5} more"] if len(lines) > 5 else []
-        raise InvalidFile("\n".join(lines[:5] + more)) from None
+        raise _refusal(path, error) from None
+
+
+def _refusal(path: Path, error: ValidationError) -> InvalidFile:
+    """The errors of a file, one a line, of which the first five are told."""
+    lines = [explain(path, detail) for detail in error.errors()]
+    more = [f"{path}: and {len(lines) - 5} more"] if len(lines) > 5 else []
+    return InvalidFile("\n".join(lines[:5] + more))
 
 
 def _key(location: tuple[int | str, ...]) -> str:

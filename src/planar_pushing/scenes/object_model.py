@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import re
 from typing import Annotated, Any, Self
 
-from pydantic import WithJsonSchema, field_validator, model_validator
+from pydantic import ValidationError, WithJsonSchema, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
 from planar_pushing.mechanics.entries import scene_entry
 from planar_pushing.mechanics.outline.entries import OUTLINE, WORDS, outline_of_entry
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.supports import SHAPES
 from planar_pushing.mechanics.supports.base import POSITION, positions
 from planar_pushing.objects.scene_at import place_object
-from planar_pushing.scenes.entries import ContactEntry, EffectEntry, UnitsEntry
+from planar_pushing.scenes.entries import ContactEntry, EffectEntry, UnitsEntry, is_point
 from planar_pushing.scenes.fields import FileModel, NotEmpty, Positive, Text
 from planar_pushing.scenes.scene_model import SceneFile, require_inertia
 from planar_pushing.scenes.simulate_model import SimulateEntry
@@ -35,6 +37,8 @@ OBJECT_OUTLINE = Read(_read_outline, WORDS, OUTLINE.schema)
 SideNumber = Annotated[Any, WithJsonSchema({"type": "integer", "minimum": 0})]
 #: Types of effects that have a support.
 RESTING = ("support_friction", "viscous")
+#: Stands in for the support of an object that is refused itself, so that effects are not refused as well.
+STAND_IN = {"shape": "disc", "radius": 1.0}
 #: Keys of a file for the parameters that `scene_at` can reject.
 PLACES = {
     **dict.fromkeys(("point", "normal", "side"), "object.contact."), "outline": "object.",
@@ -92,20 +96,14 @@ class ObjectFile(FileModel):
     @classmethod
     def _rests(cls, content: Any) -> Any:
         """Give the object's support to effects without one."""
-        support = (
-            _support(content["object"])
-            if isinstance(content, dict) and "object" in content
-            else None
-        )
         effects = content.get("effects") if isinstance(content, dict) else None
-        if support is None or not isinstance(effects, list):
+        if not isinstance(effects, list) or not any(map(_rests_on_object, effects)):
+            return content
+        support = _support(content.get("object"))
+        if support is None:
             return content
         filled = [
-            effect | {"support": support}
-            if isinstance(effect, dict)
-            and effect.get("type") in RESTING
-            and "support" not in effect
-            else effect
+            effect | {"support": support} if _rests_on_object(effect) else effect
             for effect in effects
         ]
         return content | {"effects": filled}
@@ -144,8 +142,43 @@ class ObjectFile(FileModel):
         )
 
 
+def _rests_on_object(effect: Any) -> bool:
+    """Whether the entry of an effect leaves out its support, which is then that of the object."""
+    is_resting = isinstance(effect, dict) and effect.get("type") in RESTING
+    return is_resting and "support" not in effect
+
+
 def _support(entry: Any) -> dict[str, Any] | None:
-    """Entry of an object's support, if it has feet or an outline."""
+    """Entry of an object's support, if it has feet or an outline; errors name the keys of the object."""
+    try:
+        ObjectEntry.model_validate(entry)
+    except ValidationError:
+        return STAND_IN
+    support = _support_entry(entry)
+    if support is None:
+        return None
+    try:
+        _require_support(support)
+    except InvalidValue as error:
+        key = error.name.replace("vertices", "outline")
+        key = re.sub(r"^(position|weight|name)s((?:\[\d+\])?)", r"feet\2.\1", key)
+        about = vars(error) | {"name": f"object.{key}"}
+        raise PydanticCustomError("refused", "{allowed}", about) from None
+    return support
+
+
+def _require_support(entry: dict[str, Any]) -> None:
+    """Refuse the support of an object that is none, or that is a point."""
+    parameters = {key: value for key, value in entry.items() if key != "shape"}
+    if is_point(SHAPES[entry["shape"]](**parameters)):
+        raise InvalidValue(
+            "positions", entry["positions"],
+            "at least two points of support, because a single point resists no rotation", "list all feet",
+        )  # fmt: skip
+
+
+def _support_entry(entry: Any) -> dict[str, Any] | None:
+    """Entry of a support on feet or on an outline."""
     content = entry if isinstance(entry, dict) else {}
     feet, outline = content.get("feet"), content.get("outline")
     if isinstance(feet, list) and feet and all(isinstance(foot, dict) for foot in feet):

@@ -120,4 +120,5 @@ def _text(path: Path) -> str:
 def _where(error: YAMLError) -> str:
     mark = getattr(error, "problem_mark", None)
     problem = getattr(error, "problem", None) or str(error).partition("\n")[0]
+    problem = problem.removeprefix("but ")  # of a second document, the parser tells half a sentence
     return f"line {mark.line + 1}, column {mark.column + 1}: {problem}" if mark else problem

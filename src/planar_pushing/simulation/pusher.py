@@ -28,7 +28,7 @@ Option = TypeVar("Option", bound=StrEnum)
 Vector = tuple[float, float]
 #: A velocity, or the velocities of many pushers.
 Vectors = tuple[npt.ArrayLike, npt.ArrayLike]
-Motion = Callable[[float], Vector]
+VelocityFunction = Callable[[float], Vector]
 
 #: Allowed values of `velocity` and `waypoints`, and remedies.
 ALLOWED = (
@@ -87,7 +87,7 @@ class Pusher:
         the radius is negative or given for a fence, or not exactly one of velocity and waypoints is given.
     """
 
-    velocity: Vectors | Sequence[tuple[float, Vectors]] | Motion | None = None
+    velocity: Vectors | Sequence[tuple[float, Vectors]] | VelocityFunction | None = None
     waypoints: Sequence[tuple[float, Vector]] | None = None
     acceleration: InitVar[Any] = None
     breakpoints: Sequence[float] = ()
@@ -129,7 +129,7 @@ class Pusher:
 
     def velocity_at(self, time: float) -> Vector:
         """Velocity of a pusher that follows a function; errors as in `require_velocity`."""
-        function: Motion = self.velocity  # type: ignore[assignment]
+        function: VelocityFunction = self.velocity  # type: ignore[assignment]
         return require_velocity(function(time))
 
     def in_fence_frame(self, fence: Frame) -> Pusher:

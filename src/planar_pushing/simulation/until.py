@@ -28,7 +28,7 @@ ALLOWED = "an Event or a ContactMode or its name, an Until, or a function of an 
 #: Number of times that the bracket is narrowed by a factor of 65, enough to reach rounding error.
 PASSES = 20
 #: Values at one or many instants, by the names of the log's variables.
-Values = dict[str, Any]
+LogValues = dict[str, Any]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -72,7 +72,7 @@ class Until:
 class Condition(NamedTuple):
     """Condition that ends a run: a function of the log's variables at many instants, and its text."""
 
-    holds: Callable[[Values], Array]
+    holds: Callable[[LogValues], Array]
     reason: str
 
 
@@ -97,7 +97,7 @@ def require_condition(until: Any, problem: Problem, method: str) -> Condition:
     raise InvalidValue("until", until, ALLOWED, remedy)
 
 
-def _are_reached(goals: dict[str, float], values: Values, problem: Problem) -> Array:
+def _are_reached(goals: dict[str, float], values: LogValues, problem: Problem) -> Array:
     """Whether one of the goals of an `Until` is reached at each instant."""
     slider = problem.scene.slider
     angle, length = float(slider.rod_angle), float(slider.rod_length)
@@ -110,7 +110,7 @@ def _are_reached(goals: dict[str, float], values: Values, problem: Problem) -> A
     return np.asarray(np.any([reached[name] >= goal for name, goal in goals.items()], axis=0))
 
 
-def _results(function: Callable[[Values], Any], values: Values) -> Array:
+def _results(function: Callable[[LogValues], Any], values: LogValues) -> Array:
     """Results of a function of an instant, one for each instant."""
     instants = (
         {name: numbers[i] for name, numbers in values.items()} for i in range(len(values["time"]))

@@ -114,7 +114,9 @@ def _required_twists(value: Any) -> Array:
 def effects_in_fence(scene: Scene) -> tuple[Effect, ...]:
     """The effects of a scene without inertia, with supports and points in the fence frame."""
     fence = fence_in_body(scene)
-    return tuple(_with_own_geometry(effect, scene).moved(fence, FENCE) for effect in scene.effects)
+    return tuple(
+        _with_own_geometry(effect, scene).in_frames(fence, FENCE) for effect in scene.effects
+    )
 
 
 def fence_in_body(scene: Scene) -> Frame:

@@ -168,7 +168,7 @@ def stable_centers(scene: Scene) -> StableCenters:
     return StableCenters(scene=flush, curves=_curves(motions, twists))
 
 
-class Motions(NamedTuple):
+class FaceMotions(NamedTuple):
     """Motions under lines of force on the faces of the cone.
 
     Attributes
@@ -190,13 +190,13 @@ class Motions(NamedTuple):
         """Distances between successive twists."""
         return np.asarray(np.linalg.norm(np.diff(self.twist, axis=0), axis=-1))
 
-    def insert(self, before: npt.NDArray[np.intp], other: Motions) -> Motions:
+    def insert(self, before: npt.NDArray[np.intp], other: FaceMotions) -> FaceMotions:
         """These motions, with other ones inserted after those with the given numbers."""
         pairs = zip(self, other, strict=True)
-        return Motions(*(np.insert(array, before + 1, new, axis=0) for array, new in pairs))
+        return FaceMotions(*(np.insert(array, before + 1, new, axis=0) for array, new in pairs))
 
 
-def _boundary(scene: Scene) -> Motions:
+def _boundary(scene: Scene) -> FaceMotions:
     """Motions once around the rectangle, as close as `STEP` except at jumps."""
     effects = _steady_effects(scene)
     # Without friction at the contact, two sides coincide and the others are points.
@@ -228,11 +228,11 @@ def _steady_effects(scene: Scene) -> tuple[Effect, ...]:
         mass = Inertia(
             mass=coefficient, gyration_radius=radius * square**0.5, center=(radius * x, radius * y)
         )
-        masses.append(mass.moved(fence_in_body(scene), FENCE))
+        masses.append(mass.in_frames(fence_in_body(scene), FENCE))
     return tuple(masses)
 
 
-def _motions(scene: Scene, effects: tuple[Effect, ...], position: Array) -> Motions:
+def _motions(scene: Scene, effects: tuple[Effect, ...], position: Array) -> FaceMotions:
     """Motions under the lines of force at places on the boundary of the rectangle."""
     (start, end), law = scene.slider.side, scene.law
     # Lines along the fence are the same wherever they cross it.
@@ -249,10 +249,10 @@ def _motions(scene: Scene, effects: tuple[Effect, ...], position: Array) -> Moti
     twist[:, :2] /= scene.slider.radius
     twist = twist / np.linalg.norm(twist, axis=-1, keepdims=True)
     twist[np.abs(twist[:, 2]) <= SAME, 2] = 0.0
-    return Motions(position, twist, np.asarray(motion.pivot) >= 0)
+    return FaceMotions(position, twist, np.asarray(motion.pivot) >= 0)
 
 
-def _with_translations(motions: Motions) -> Motions:
+def _with_translations(motions: FaceMotions) -> FaceMotions:
     """The motions with those of a jump, which are on a line, and with the translations between senses."""
     turn = motions.twist[:, 2]
     crosses = turn[:-1] * turn[1:] < 0.0
@@ -268,15 +268,17 @@ def _with_translations(motions: Motions) -> Motions:
     return motions.insert(before, _motions_between(motions, before, np.concatenate([[], *shares])))
 
 
-def _motions_between(motions: Motions, before: npt.NDArray[np.intp], share: Array) -> Motions:
+def _motions_between(
+    motions: FaceMotions, before: npt.NDArray[np.intp], share: Array
+) -> FaceMotions:
     """Motions between some of the motions and the next ones, at their places."""
     one, other = motions.twist[before], motions.twist[before + 1]
     twist = one + share[:, None] * (other - one)
     twist = twist / np.linalg.norm(twist, axis=-1, keepdims=True)
-    return Motions(motions.position[before], twist, np.zeros(len(before), dtype=bool))
+    return FaceMotions(motions.position[before], twist, np.zeros(len(before), dtype=bool))
 
 
-def _curves(motions: Motions, twists: Array) -> tuple[StableCurve, ...]:
+def _curves(motions: FaceMotions, twists: Array) -> tuple[StableCurve, ...]:
     """The motions as curves of one reason and one sense; lines with the same motion belong to none."""
     sides = np.minimum(0.5 * (motions.position[:-1] + motions.position[1:]), 3.0).astype(int)
     turn = motions.twist[:-1, 2] + motions.twist[1:, 2]

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import json
 import os
 import shlex
 import signal
 import subprocess
 import sys
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -88,6 +88,16 @@ def snakefile() -> Path:
     raise InvalidFile(f"{candidates[0]}: no such file; reinstall planar-pushing")
 
 
+def config_path(path: Path) -> str:
+    """A path in Snakemake's configuration, where 2026 is a number, even in quotation marks."""
+    text = str(path)
+    is_word = text in ("True", "False")
+    with suppress(ValueError):
+        float(text)
+        is_word = True
+    return f"./{text}" if is_word else text
+
+
 def _snakemake(args: argparse.Namespace) -> int:
     """Run Snakemake, which handles Ctrl-C and ends its own jobs; return the exit code."""
     file = snakefile()
@@ -101,8 +111,7 @@ def _snakemake(args: argparse.Namespace) -> int:
         *(("--cores", str(args.cores)) if args.cores else ()),
         *(("--dry-run",) if args.dry_run else ()),
         "--config",
-        # Quoted, because Snakemake would read a path such as 2026 as a number.
-        *(f"{key}={json.dumps(str(getattr(args, key)))}" for key in ("study", "results")),
+        *(f"{key}={config_path(getattr(args, key))}" for key in ("study", "results")),
     ]
     environment = {key: value for key, value in os.environ.items() if key != "SNAKEMAKE_PROFILE"}
     heard: list[int] = []

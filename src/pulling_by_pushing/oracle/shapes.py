@@ -11,15 +11,16 @@ from flint import fmpq
 from pulling_by_pushing.oracle.balls import Position, rational, rational_pair
 from pulling_by_pushing.oracle.support import ONE, Circle, Line, Point, Profile, Support, disc, ring
 
-Entry = Mapping[str, Any]
+#: A support in the form of a scene file.
+SupportEntry = Mapping[str, Any]
 
 
-def support(entry: Entry) -> Support:
+def support(entry: SupportEntry) -> Support:
     """The support of an entry in a scene file, with a ring's radius 1 if it states none."""
     return _SHAPES[entry["shape"]](entry)
 
 
-def _points(entry: Entry) -> Support:
+def _points(entry: SupportEntry) -> Support:
     loads: dict[Position, fmpq] = {}
     for point, weight in zip(map(rational_pair, entry["positions"]), entry["weights"], strict=True):
         loads[point] = loads.get(point, fmpq(0)) + rational(weight)
@@ -27,20 +28,20 @@ def _points(entry: Entry) -> Support:
     return Support(points=tuple(Point(point, load / total) for point, load in loads.items()))
 
 
-def _circle(profile: Profile, entry: Entry, radius: Any, share: fmpq = ONE) -> Circle:
+def _circle(profile: Profile, entry: SupportEntry, radius: Any, share: fmpq = ONE) -> Circle:
     return Circle(profile, rational_pair(entry.get("center") or (0, 0)), rational(radius), share)
 
 
-def _ring(entry: Entry) -> Support:
+def _ring(entry: SupportEntry) -> Support:
     radius = entry.get("radius")
     return Support(circles=(_circle(ring, entry, 1 if radius is None else radius),))
 
 
-def _disc(entry: Entry) -> Support:
+def _disc(entry: SupportEntry) -> Support:
     return Support(circles=(_circle(disc, entry, entry["radius"]),))
 
 
-def _annulus(entry: Entry) -> Support:
+def _annulus(entry: SupportEntry) -> Support:
     outer, inner = (rational(entry[name]) ** 2 for name in ("outer", "inner"))
     shares = (("outer", outer / (outer - inner)), ("inner", -inner / (outer - inner)))
     return Support(
@@ -48,13 +49,13 @@ def _annulus(entry: Entry) -> Support:
     )
 
 
-def _segment(entry: Entry) -> Support:
+def _segment(entry: SupportEntry) -> Support:
     return Support(
         lines=(Line(rational_pair(entry["start"]), rational_pair(entry["end"]), ONE, plate=False),)
     )
 
 
-def _polygon(entry: Entry) -> Support:
+def _polygon(entry: SupportEntry) -> Support:
     holes = [line for hole in entry.get("holes") or () for line in _boundary(hole, -1)]
     return Support(lines=_plates([*_boundary(entry["vertices"], 1), *holes]))
 
@@ -67,7 +68,7 @@ def _boundary(vertices: Sequence[Sequence[float]], pressure: int) -> list[Line]:
     return [line._replace(share=line.share * sense) for line in edges]
 
 
-def _pressure_map(entry: Entry) -> Support:
+def _pressure_map(entry: SupportEntry) -> Support:
     x, y = (list(map(rational, entry[name])) for name in "xy")
     steps: dict[tuple[Position, Position], fmpq] = {}
     for j, row in enumerate(entry["pressure"]):
@@ -101,7 +102,7 @@ def _plates(edges: Sequence[Line]) -> tuple[Line, ...]:
     return tuple(line._replace(share=line.share / load) for line in edges)
 
 
-def _composite(entry: Entry) -> Support:
+def _composite(entry: SupportEntry) -> Support:
     members = [
         (support(member["support"]), rational(member["share"])) for member in entry["members"]
     ]
@@ -122,7 +123,7 @@ def together(members: Iterable[tuple[Support, fmpq]]) -> Support:
     return Support(tuple(Point(*item) for item in points.items()), tuple(circles), tuple(lines))
 
 
-_SHAPES: Mapping[str, Callable[[Entry], Support]] = {
+_SHAPES: Mapping[str, Callable[[SupportEntry], Support]] = {
     "points": _points,
     "segment": _segment,
     "ring": _ring,

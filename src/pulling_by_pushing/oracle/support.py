@@ -8,7 +8,7 @@ of plates) with exact shares of one load; shares of holes are negative.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -24,7 +24,6 @@ from pulling_by_pushing.oracle.balls import (
     remember,
 )
 
-Entry = Mapping[str, Any]
 #: D, its gradient (x, y), and its Hessian (xx, xy, yy).
 Six = tuple[arb, arb, arb, arb, arb, arb]
 #: Of a unit circle at the square of a distance: D, g and g', where the gradient at c is g(c^2) c.

@@ -41,8 +41,6 @@ from planar_pushing.terms.domain import Number
 from planar_pushing.terms.options import STUDIED
 from pulling_by_pushing.study.catalog import AXIS_KEYS, CONTACT_LAWS, DATASETS, contact_labels
 
-Values = tuple[float, ...]
-
 
 def _require_entries(entries: object) -> object:
     if not isinstance(entries, dict) or not entries:

@@ -11,7 +11,7 @@ from pulling_by_pushing.study.catalog import COUNTS, DATASETS, SIMULATIONS
 from pulling_by_pushing.study.model import Part, PushEntry, StudyFile
 
 #: Plain values of a study: parameters, and the values along each axis under `grid`.
-Values = Mapping[str, Any]
+StudyValues = Mapping[str, Any]
 #: A range along each dimension that is split; the others are whole.
 Ranges = Mapping[str, slice]
 
@@ -50,22 +50,22 @@ def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
     return {"slider": study.slider.model_dump(), **parts, "grid": grid}
 
 
-def part_of(values: Values) -> Part:
+def part_of(values: StudyValues) -> Part:
     """Validate plain values as part of a study."""
     return Part.model_validate(values)
 
 
-def pushes(values: Values) -> dict[str, PushEntry]:
+def pushes(values: StudyValues) -> dict[str, PushEntry]:
     """Scenes of a slice of a study."""
     return {name: PushEntry.model_validate(push) for name, push in values["scenes"].items()}
 
 
-def sizes(name: str, values: Values) -> dict[str, int]:
+def sizes(name: str, values: StudyValues) -> dict[str, int]:
     """Lengths of the dimensions along which a slice can be split; empty for the scenes."""
     return {dim: len(values["grid"][dim]) for dim in DATASETS[name].dims}
 
 
-def select_ranges(values: Values, ranges: Ranges) -> dict[str, Any]:
+def select_ranges(values: StudyValues, ranges: Ranges) -> dict[str, Any]:
     """Part of a slice with only the values in a range of each axis."""
     part = dict(values)
     if ranges:
@@ -89,6 +89,6 @@ def split_ranges(lengths: Mapping[str, int], steps: Mapping[str, int]) -> Iterat
         yield dict(zip(steps, part, strict=True))
 
 
-def points(name: str, values: Values) -> int:
+def points(name: str, values: StudyValues) -> int:
     """Number of grid points of a slice."""
     return math.prod(sizes(name, values).values())

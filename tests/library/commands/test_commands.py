@@ -96,6 +96,18 @@ def test_every_command_has_an_example_that_it_takes(name):
     (["solve", SCENE, "--pusher-angle", "east"],
      "--pusher-angle: 'east' given; allowed: a number, or START:STOP:STEP "),
     (["animate", "log.nc", "-o", "a.gif", "--frames", "1.5"], "'1.5' given; allowed: a whole number; "),
+    (["solve", SCENE, "--pusher-angle"],
+     "solve: --pusher-angle: value missing; allowed: --pusher-angle DEGREES|START:STOP:STEP; add "),
+    (["simulate", SCENE, "--duration", "1", "-o"], "--output: value missing; allowed: --output LOG.nc; "),
+    (["convert", "csv", "a.csv", "-o", "a.nc", "--units", "mm"],
+     "--units: value missing; allowed: --units LENGTH FORCE; add what is missing; see "),
+    (["solve", SCENE, "--pusher-angle", "1", "--pusher-angle=2"],
+     "solve: --pusher-angle given twice; allowed: once; remove one of them; see "),
+    (["draw", SCENE, "-o", "a.svg", "--output", "b.svg"], "draw: --output given twice; allowed: once"),
+    (["draw", SCENE, "-oa.svg", "-o", "b.svg"], "draw: -o given twice; allowed: once; remove"),
+    (["cone", ""], "cone: argument SCENE.yaml: '' given; allowed: a path; name a file or a folder; see "),
+    (["draw", SCENE, "-o", ""], "argument -o/--output: '' given; allowed: a path; name a file "),
+    (["init", ""], "init: argument FOLDER: '' given; allowed: a path; name a file or a folder; see "),
     (["solf"], "planar-pushing: 'solf' given; allowed: solve, cone, "),
     (["Solv"], ", run; did you mean solve?; see planar-pushing --help"),
     ([], "the following arguments are required: command; see planar-pushing --help"),
@@ -128,3 +140,23 @@ def test_a_folder_that_is_not_there_is_named_and_not_made(refused, tmp_path, com
     )
     refused([*command, "-o", f"{place}/file.svg"], said)
     assert not place.parent.exists()
+
+
+@pytest.mark.parametrize("command", [
+    ["draw", SCENE], ["simulate", SCENE], ["animate", "log.nc"], ["compare", "pushes.nc"],
+], ids=str)  # fmt: skip
+def test_a_file_in_place_of_a_folder_is_named(refused, tmp_path, command):
+    file = tmp_path / "text"
+    file.write_text("kept", encoding="utf-8")
+    said = (
+        f"output: '{file}/log.nc' given; allowed: a file in an existing folder; choose another file"
+    )
+    refused([*command, "-o", f"{file}/log.nc"], said)
+    assert file.read_text(encoding="utf-8") == "kept"
+
+
+@pytest.mark.parametrize("option", ["--pusher-angle", "--pusher-magnitude"])
+def test_values_that_are_no_finite_numbers_are_values(refused, option):
+    for value in ("-inf", "inf", "nan", "-NaN"):
+        name = option[2:].replace("-", "_")
+        refused(["solve", SCENE, option, value], f"{name}: ")

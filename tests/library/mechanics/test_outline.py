@@ -87,7 +87,7 @@ def test_areas_and_moments_are_those_of_many_small_steps(outline):
 @NAMED
 def test_other_frames_change_no_invariant(outline):
     frame = pp.Placement(point=(0.7, -0.3), normal=(0.6, 0.8)).fence
-    moved = outline.moved(frame)
+    moved = outline.in_frame(frame)
     assert moved.area == pytest.approx(outline.area, rel=1e-12)
     assert moved.gyration_radius == pytest.approx(outline.gyration_radius, rel=1e-12)
     assert moved.pieces[:, 5] == pytest.approx(outline.pieces[:, 5])

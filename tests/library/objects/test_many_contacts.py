@@ -33,10 +33,10 @@ NORMALS = np.array([
 ANGLES = np.array([0.3, np.pi / 2, 2.5])[:, None, None]
 
 
-def own_kind(support, hash_of=object.__hash__, moves_as=None):
+def own_kind(support, hash_of=object.__hash__, in_frame_as=None):
     """The same support as a class of a user, with no more than the manual asks for.
 
-    It can become another one when it is moved.
+    It can become another one in another frame.
     """
 
     class Own:
@@ -46,8 +46,8 @@ def own_kind(support, hash_of=object.__hash__, moves_as=None):
         def pieces(self):
             return support.pieces()
 
-        def moved(self, frame):
-            return own_kind((moves_as or support).moved(frame), hash_of)
+        def in_frame(self, frame):
+            return own_kind((in_frame_as or support).in_frame(frame), hash_of)
 
     return Own()
 
@@ -92,7 +92,7 @@ def test_every_number_of_a_scene_is_that_of_its_contact(name):
 
 
 @pytest.mark.parametrize("name", PLACED)
-def test_wrenches_are_those_of_the_moved_supports(name):
+def test_wrenches_are_those_of_the_supports_in_each_frame(name):
     """With centers of rotation on the support, beside it and far from it.
 
     Exactly, but for plates, and for rings, which have formulas of their own about the slider's center.
@@ -168,8 +168,8 @@ def test_arrays_of_loads_and_masses_are_those_of_the_contacts(shape, outline):
             )
 
 
-def test_a_support_of_a_user_is_moved_to_each_contact():
-    otherwise = own_kind(SQUARE, moves_as=pp.Disc(1.0))
+def test_a_support_of_a_user_is_expressed_at_each_contact():
+    otherwise = own_kind(SQUARE, in_frame_as=pp.Disc(1.0))
     for own in (own_kind(SQUARE), otherwise, pp.Composite([(1.0, SQUARE), (2.0, otherwise)])):
         given = {"effects": effects_of(own), "contact": pp.Coulomb(0.5)}
         found = pp.solve(pp.scene_at(POINTS, NORMALS, **given), ANGLES)
@@ -180,7 +180,7 @@ def test_a_support_of_a_user_is_moved_to_each_contact():
             assert found.twist[:, *there] == pytest.approx(own, abs=near, nan_ok=True)
 
 
-def test_supports_that_cannot_be_moved_are_one_line():
+def test_supports_without_another_frame_are_one_line():
     class Fixed:
         center_of_pressure, extent = (0.0, 0.0), 1.0
 
@@ -189,8 +189,8 @@ def test_supports_that_cannot_be_moved_are_one_line():
 
     given = {"contact": pp.Coulomb(0.5)}
     for support, said in (
-        (Fixed(), "a method moved"),
-        (pp.Composite([(1.0, Fixed())]), "a method moved"),
+        (Fixed(), "a method in_frame"),
+        (pp.Composite([(1.0, Fixed())]), "a method in_frame"),
         (pp.Ring(), "a ring with its radius"),
     ):
         with pytest.raises(pp.InvalidValue, match=said):

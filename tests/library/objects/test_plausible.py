@@ -59,7 +59,7 @@ def test_the_share_outside_is_that_of_the_area(support, outline, share):
     axis = (0.6, 0.8)
     placed = pp.Placement(point=(0.3, -0.2), normal=axis).fence
     corners = tuple(map(tuple, placed.point_in(outline).tolist()))
-    assert share_outside(support.moved(placed), pp.Outline(corners)) == pytest.approx(
+    assert share_outside(support.in_frame(placed), pp.Outline(corners)) == pytest.approx(
         share, abs=5e-3
     )
 

@@ -102,18 +102,21 @@ def test_angles_within_two_turns_are_told_by_the_place_of_the_finger(tmp_path, m
     file = written(tmp_path / "box.csv", rows)
     assert read_table(file, angles=other, **OPTIONS).sizes["push"] == len(rows)
     with pytest.raises(
-        pp.InvalidFile, match=f"angles seem to be in {other}: .*; give --angles {other}$"
+        pp.InvalidFile,
+        match=f"the angles seem to be in {other}: .* after a push is .* in {unit}; give --angles {other}$",
     ):
         read_table(file, angles=unit, **OPTIONS)
 
 
 @pytest.mark.parametrize(("unit", "before", "after", "said"), [
     ("degrees", 350.0, -8.0, "angle_after: -8 given, which differs from angle_before by -358 degrees; "
-     "allowed: at most half a turn; write 352, or wrap all angles to -180 to 180 or 0 to 360; "),
+     "allowed: at most half a turn; write 352, or wrap all angles to the range "
+     "from -180 to 180 or from 0 to 360; "),
     ("degrees", -200.0, 155.0, "angle_after: 155 given, which differs from angle_before by 355 degrees; "
      "allowed: at most half a turn; write -205, "),
     ("radians", 6.25, -0.125, "angle_after: -0.125 given, which differs from angle_before by -6.375 "
-     "radians; allowed: at most half a turn; write 6.15819, or wrap all angles to -3.14159 to 3.14159 or "),
+     "radians; allowed: at most half a turn; write 6.15819, or wrap all angles "
+     "to the range from -3.14159 to 3.14159 or from "),
 ])  # fmt: skip
 def test_angles_that_are_not_wrapped_alike_are_named(tmp_path, measured, unit, before, after, said):
     rows = measured[1][unit].copy()

@@ -76,13 +76,43 @@ REFUSED = {
     ("[200, 0]}", "[200, 0], normal: [0, 0]}"): "object.contact.normal: (0.0, 0.0) given; allowed",
     ("[200, 0]}", "[0, 0]}"): "object.contact.normal: None given; allowed",
     ("{point: [200, 0]}", "{pint: [200, 0]}"): "did you mean point?",
-    ("[300, 200], [0, 200]", "[0, 200], [300, 200]"): "a simple polygon",
+    ("[300, 200], [0, 200]", "[0, 200], [300, 200]"): "yaml: object.outline: 'edges 1 and 3, from (300, ",
+    (", [300, 200], [0, 200]]", "]"): "yaml: object.outline: [[0, 0], [300, 0]] given; allowed: at least",
+    ("[300, 200]", "[300, .nan]"): "yaml: object.outline[2][1]: nan given",
+    ("[[0, 0], [300, 0], [300, 200], [0, 200]]", "box"): "yaml: object.outline: 'box' given",
     ("  outline: [[0, 0], [300, 0], [300, 200], [0, 200]]\n", ""): "effects[0].support: missing",
     ("  contact: {point: [200, 0]}\n", ""): "object.contact: missing",
     ("support_friction", "ring_friction"): "yaml: effects: [RingFriction(weight=3.53)] given",
     ("length: mm", "length: 3"): "units.length: 3 given; allowed: the name of a unit",
     ("title: A box", "slider: {rod_length: 1}"): "given; allowed: the keys title, object",
 }  # fmt: skip
+
+
+#: Wrong feet of an object, on which an effect rests, and the beginning of each line of the message.
+WRONG_FEET = {
+    "[{position: [0, 0]}]": ["object.feet.position: [[0, 0]] given; allowed: at least two points"],
+    "[{position: [0, 0]}, {position: [1, .nan]}]": ["object.feet[1].position[1]: nan given; allowed"],
+    "[{position: [0, 0]}, {position: [1e-200, 0]}]": ["object.feet.position: 1e-200 given; allowed"],
+    "[{position: [0, 0]}, {weight: 2}]": ["object.feet[1].position: missing; allowed: a value"],
+    "[{position: [1, 0], weight: -1}]": ["object.feet[0].weight: -1 given; allowed: a finite number > 0"],
+    "[{position: [0, 0], weight: 1e308}, {position: [1, 0], weight: 1e308}]":
+        ["object.feet.weight: 1e+308 given; allowed: numbers with a finite sum"],
+    "[{position: [0, 0], name: a}, {position: [1, 0], name: a}]":
+        ["object.feet.name: ['a', 'a'] given; allowed: distinct names"],
+    "[{position: [0, 0], mass: 1}]": ["object.feet[0].mass: 1 given; allowed: the keys position, weight"],
+    "[[0, 0], [1, 0]]": ["object.feet[0]: [0, 0] given", "object.feet[1]: [1, 0] given"],
+    "[{position: [0, 0]}, {position: [1e22, 0]}]": ["slider.outline: [["],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("feet", "said"), WRONG_FEET.items())
+def test_wrong_feet_are_named_by_the_key_in_the_file(tmp_path, feet, said):
+    with pytest.raises(pp.InvalidFile) as caught:
+        load(tmp_path, BOX.replace("  contact: {p", f"  feet: {feet}\n  contact: {{p"))
+    lines = str(caught.value).splitlines()
+    assert len(lines) == len(said)
+    for line, words in zip(lines, said, strict=True):
+        assert line.partition("scene.yaml: ")[2].startswith(words), line
 
 
 @pytest.mark.parametrize(("change", "said"), REFUSED.items())

@@ -158,8 +158,8 @@ def test_empty_effects(tmp_path):
 
 @pytest.mark.parametrize("text", ["", "[]", "3"])
 def test_no_keys(tmp_path, text):
-    said = "holds no keys; allowed: title, slider, contact, effects, simulate, placement, units"
-    assert message(tmp_path, text) == said
+    keys = "title, slider, contact, effects, simulate, placement, units"
+    assert message(tmp_path, text) == f"holds no keys; allowed: {keys}; write them as key: value"
 
 
 def test_missing_file(tmp_path):

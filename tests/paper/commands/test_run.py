@@ -7,8 +7,9 @@ import sys
 from pathlib import Path
 
 import pytest
+from snakemake.cli import parse_config
 
-from pulling_by_pushing.commands.run import snakefile
+from pulling_by_pushing.commands.run import config_path, snakefile
 
 TINY = """title: Two rods
 slider: {rod_angle: 45}
@@ -52,7 +53,7 @@ def test_snakemake_is_called_with_the_workflow_of_the_package(run, folder, calle
     assert words[:3] == [sys.executable, "-m", "snakemake"]
     assert words[words.index("--snakefile") + 1] == str(snakefile())
     assert words[-6:] == [
-        "--cores", "1", "--dry-run", "--config", 'study="tiny.yaml"', 'results="my results"'
+        "--cores", "1", "--dry-run", "--config", "study=tiny.yaml", "results=my results"
     ]  # fmt: skip
     assert "SNAKEMAKE_PROFILE" not in options["env"]
     assert out == ("results: my results/studies/tiny\nbuilt: nothing (dry run)\n")
@@ -126,3 +127,12 @@ def test_a_study_is_built_in_any_folder(run, folder):
     code, out, _ = run("query", "motion_cones", "--study", "tiny", *asked)
     assert code == 0
     assert "148.610391" in out
+
+
+@pytest.mark.parametrize(
+    "path", ["results", "my results", "2026", "1e3", "-7", "nan", "True", "it's/a.yaml"]
+)
+def test_snakemake_reads_paths_as_text(path):
+    (read,) = parse_config([f"results={config_path(Path(path))}"]).values()
+    assert isinstance(read, str)
+    assert Path(read) == Path(path)

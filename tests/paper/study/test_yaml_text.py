@@ -30,7 +30,7 @@ LAUGHS = "a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n" + "".join(
         ("<<: 3", "not YAML: line 1, column 5: expected a mapping"),
         ("\0", "not YAML: unacceptable character #x0000"),
         ('? "' + "k" * 900 + '"\n: 3', "kkkk"),
-        ("a: 1\n---\nb: 2", "not YAML: line 2, column 1: but found another document"),
+        ("a: 1\n---\nb: 2", "not YAML: line 2, column 1: found another document; correct the line"),
         ("#" + "x" * yaml_text.BYTES, "is too large; allowed: files of at most 262144 bytes; "),
     ],
 )  # fmt: skip

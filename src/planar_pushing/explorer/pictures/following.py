@@ -66,7 +66,7 @@ SAME_SIDE = 1e-3
 CLOSED = 1e-6
 
 
-class Motion(NamedTuple):
+class FollowedMotion(NamedTuple):
     """A log, its plotted data, its times, its runs of one mode, and the box around the motion."""
 
     log: xr.Dataset
@@ -76,7 +76,7 @@ class Motion(NamedTuple):
     box: Array
 
 
-def follow(state: State) -> Motion:
+def follow(state: State) -> FollowedMotion:
     """Simulate the push of a state."""
     return _simulate_push(push_to_follow(state))
 
@@ -87,10 +87,10 @@ def push_to_follow(state: State) -> State:
 
 
 @lru_cache(maxsize=4)
-def _simulate_push(state: State) -> Motion:
+def _simulate_push(state: State) -> FollowedMotion:
     log = quietly(simulate)(state.scene, **_options(state))
     data = path_data(log)
-    return Motion(log, data, data["time"].values, tuple(runs(data)), box(data))
+    return FollowedMotion(log, data, data["time"].values, tuple(runs(data)), box(data))
 
 
 def _options(state: State) -> dict[str, Any]:
@@ -105,14 +105,14 @@ def _options(state: State) -> dict[str, Any]:
     return options
 
 
-def row_at(motion: Motion, time: float) -> int:
+def row_at(motion: FollowedMotion, time: float) -> int:
     """Row of the log at a time."""
     return int(
         np.clip(np.searchsorted(motion.times, time, side="right") - 1, 0, len(motion.times) - 1)
     )
 
 
-def push_at(state: State, motion: Motion, time: float) -> State | None:
+def push_at(state: State, motion: FollowedMotion, time: float) -> State | None:
     """Push at an instant as a state; None if the motion there is not that of a single push.
 
     There is none with inertia, because the motion depends on its past; with a finger, because the side has
@@ -137,7 +137,7 @@ def push_at(state: State, motion: Motion, time: float) -> State | None:
     return replace(turned, angle=wrap_angle(piece.angle), magnitude=piece.speed, shown=name)
 
 
-def solution_at(state: State, motion: Motion, time: float) -> tuple[Solution, Array] | None:
+def solution_at(state: State, motion: FollowedMotion, time: float) -> tuple[Solution, Array] | None:
     """The motion at a time as a solution, and the velocity of the contact minus its slip.
 
     None if no motion is consistent.
@@ -161,7 +161,7 @@ def solution_at(state: State, motion: Motion, time: float) -> tuple[Solution, Ar
     return solution, velocity - [slip, 0.0]
 
 
-def _on_side(motion: Motion, row: int) -> dict[str, Any]:
+def _on_side(motion: FollowedMotion, row: int) -> dict[str, Any]:
     """Position of the force on a side that lies on the fence at a row, from the side's midpoint."""
     side = side_on_fence(motion.data, row)
     if side is None:
@@ -179,13 +179,13 @@ def _pusher_velocity(state: State, time: float) -> Array:
     return np.array([velocity for start, velocity in pieces if start <= time][-1])
 
 
-def run_at(motion: Motion, time: float) -> Run:
+def run_at(motion: FollowedMotion, time: float) -> Run:
     """Run of one mode at a time."""
     row = row_at(motion, time)
     return next(run for run in reversed(motion.runs) if run.start <= row)
 
 
-def sentence_at(motion: Motion, time: float) -> str:
+def sentence_at(motion: FollowedMotion, time: float) -> str:
     """Sentence on the contact at a time."""
     row, data = row_at(motion, time), motion.data
     mode, count = (int(data[f"path_{name}"].values[row]) for name in ("mode", "solutions"))
@@ -195,7 +195,7 @@ def sentence_at(motion: Motion, time: float) -> str:
     return f"At time {time:.3f} {does}{more}."
 
 
-def choices_at(state: State, motion: Motion, time: float) -> tuple[str, ...]:
+def choices_at(state: State, motion: FollowedMotion, time: float) -> tuple[str, ...]:
     """Consistent contact modes at a time; empty unless there are several.
 
     They are found by simulation: a policy that prefers a mode takes it whenever it is consistent.
@@ -242,7 +242,7 @@ def _with_policies(state: State, policies: Any) -> State:
     return replace(with_simulation(state, on_ambiguity=policies), time=state.time)
 
 
-def energies(motion: Motion) -> dict[str, Any]:
+def energies(motion: FollowedMotion) -> dict[str, Any]:
     """Work and its distribution over time."""
     log = motion.log
     return {

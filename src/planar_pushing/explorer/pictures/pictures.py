@@ -28,7 +28,7 @@ from planar_pushing.drawing.scene import (
 )
 from planar_pushing.drawing.sketch import FAR, Sketch
 from planar_pushing.drawing.words import best
-from planar_pushing.explorer.pictures.following import Motion, energies, row_at
+from planar_pushing.explorer.pictures.following import FollowedMotion, energies, row_at
 from planar_pushing.explorer.pictures.handles import arrow_length, frame_of, handle_positions
 from planar_pushing.explorer.state import State
 from planar_pushing.mechanics.force.cones import is_magnitude_open
@@ -44,7 +44,7 @@ LONG, TOP = 5.0, 1.5
 TIME_BOX = np.array([(-0.5, -0.38), (LONG + 0.1, TOP + 0.05)])
 
 
-class Push(NamedTuple):
+class SolvedPush(NamedTuple):
     """A push with its consistent solutions and their sketch."""
 
     state: State
@@ -58,7 +58,7 @@ class Push(NamedTuple):
         return None if self.chosen < 0 else self.solutions[self.chosen].force
 
 
-def solve_push(state: State) -> Push:
+def solve_push(state: State) -> SolvedPush:
     """Solve the push of a state."""
     scene, angle = state.scene, float(np.deg2rad(state.angle))
     solutions = solve(scene, angle, state.magnitude)
@@ -70,10 +70,10 @@ def solve_push(state: State) -> Push:
         finger_radius=state.finger_radius,
         pusher_length=arrow_length(state),
     )  # fmt: skip
-    return Push(state, consistent, chosen, sketch)
+    return SolvedPush(state, consistent, chosen, sketch)
 
 
-def push_picture(push: Push) -> Picture:
+def push_picture(push: SolvedPush) -> Picture:
     """Picture of slider, pusher and cones, with the chosen solution in full and the others pale."""
     picture, sketch = Picture(), push.sketch
     half = HALF * sketch.reach
@@ -104,7 +104,7 @@ def push_box(state: State) -> Array:
     return np.array([around.min(axis=0), around.max(axis=0)])
 
 
-def handles(push: Push, sheet: Sheet) -> str:
+def handles(push: SolvedPush, sheet: Sheet) -> str:
     """Markup of the handles as circles, with a mark on the one that the keys move."""
     circles = ""
     for name, position in handle_positions(push.state, push.force).items():
@@ -115,7 +115,7 @@ def handles(push: Push, sheet: Sheet) -> str:
     return circles
 
 
-def instant_picture(motion: Motion, time: float) -> Picture:
+def instant_picture(motion: FollowedMotion, time: float) -> Picture:
     """Picture of slider and pusher at a time, with the first pusher, past paths and the motion center."""
     picture, data, row = Picture(), motion.data, row_at(motion, time)
     add_first_pusher(picture, data, row)
@@ -129,7 +129,7 @@ def instant_picture(motion: Motion, time: float) -> Picture:
     return picture
 
 
-def time_picture(motion: Motion) -> Picture:
+def time_picture(motion: FollowedMotion) -> Picture:
     """Picture of the contact modes as a bar, a line above it if several are consistent, and energies.
 
     Strokes on the bar mark a side that lies on the fence.
@@ -151,7 +151,7 @@ def time_picture(motion: Motion) -> Picture:
     return picture
 
 
-def _energies(picture: Picture, motion: Motion, end: float) -> None:
+def _energies(picture: Picture, motion: FollowedMotion, end: float) -> None:
     """Add the energies over time, on an axis of height 1."""
     curves = energies(motion)
     low = min(0.0, *(float(values.min()) for values in curves.values()))
@@ -171,7 +171,7 @@ def _energies(picture: Picture, motion: Motion, end: float) -> None:
         picture.line(np.stack(points, axis=-1), ENERGIES[name], width=width)
 
 
-def time_line_picture(motion: Motion, time: float) -> Picture:
+def time_line_picture(motion: FollowedMotion, time: float) -> Picture:
     """Picture of a line at a time."""
     picture, x = Picture(), LONG * min(time / (float(motion.times[-1]) or 1.0), 1.0)
     picture.line([(x, 0.0), (x, TOP)], DARK, width=1.4)

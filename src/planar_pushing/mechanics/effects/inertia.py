@@ -50,7 +50,7 @@ class Inertia:
     def __eq__(self, other: object) -> Any:
         return same(self, other)
 
-    def moved(self, body: Frame, fence: Frame) -> Inertia:
+    def in_frames(self, body: Frame, fence: Frame) -> Inertia:
         """The same effect expressed in the body frame instead of the object's frame."""
         center = None if self.center is None else position_in_frame(self.center, body)
         return replace_checked(self, center=center)

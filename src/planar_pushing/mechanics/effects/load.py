@@ -41,7 +41,7 @@ class Load:
     def __eq__(self, other: object) -> Any:
         return same(self, other)
 
-    def moved(self, body: Frame, fence: Frame) -> Load:
+    def in_frames(self, body: Frame, fence: Frame) -> Load:
         """The same effect, with force in the fence frame and center in the body frame."""
         force = vector_in_frame(self.force, fence)
         center = None if self.center is None else position_in_frame(self.center, body)

@@ -9,7 +9,7 @@ import numpy as np
 
 from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.plane import Frame
-from planar_pushing.mechanics.supports.base import SUPPORTS, moved_support
+from planar_pushing.mechanics.supports.base import SUPPORTS, support_in_frame
 from planar_pushing.mechanics.supports.even_ring import Ring
 from planar_pushing.terms.declared import positive, replace_checked, require_declared
 from planar_pushing.terms.domain import Number, require_in_range, require_ratio
@@ -46,9 +46,9 @@ class SupportFriction:
     def __eq__(self, other: object) -> Any:
         return same(self, other)
 
-    def moved(self, body: Frame, fence: Frame) -> SupportFriction:
+    def in_frames(self, body: Frame, fence: Frame) -> SupportFriction:
         """The same effect expressed in the body frame instead of the object's frame."""
-        return replace_checked(self, support=moved_support(self.support, body))
+        return replace_checked(self, support=support_in_frame(self.support, body))
 
     @property
     def degree(self) -> int:

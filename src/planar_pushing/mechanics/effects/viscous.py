@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar
 
 from planar_pushing.mechanics.kernels.arrays import same
 from planar_pushing.mechanics.plane import Frame
-from planar_pushing.mechanics.supports.base import SUPPORT, moved_support
+from planar_pushing.mechanics.supports.base import SUPPORT, support_in_frame
 from planar_pushing.terms.declared import positive, replace_checked, require_declared
 from planar_pushing.terms.numbers import Number
 from planar_pushing.terms.options import EffectKind
@@ -45,9 +45,9 @@ class Viscous:
     def __eq__(self, other: object) -> Any:
         return same(self, other)
 
-    def moved(self, body: Frame, fence: Frame) -> Viscous:
+    def in_frames(self, body: Frame, fence: Frame) -> Viscous:
         """The same effect expressed in the body frame instead of the object's frame."""
-        return replace_checked(self, support=moved_support(self.support, body))
+        return replace_checked(self, support=support_in_frame(self.support, body))
 
     @property
     def degree(self) -> int:

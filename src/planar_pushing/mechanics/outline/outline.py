@@ -271,7 +271,7 @@ class Outline:
             )
         return sample_chain(split_chains(self.pieces)[0], deviation)
 
-    def moved(self, frame: Frame) -> Outline:
+    def in_frame(self, frame: Frame) -> Outline:
         """The same outline expressed in another frame."""
         return _moved(self, frame)
 

@@ -17,13 +17,13 @@ KINDS: set[type] = set()
 class SupportInFrames:
     """An array of supports: one support, expressed in each of an array of frames.
 
-    The mechanics reads the support and the frames. Everything else sees the array of moved supports, or the
+    The mechanics reads the support and the frames. Everything else sees the array of supports, or the
     DataArray if the frames are labeled.
 
     Parameters
     ----------
     support : Support
-        With a method `moved`.
+        With a method `in_frame`.
     frame : Frame
         Its numbers are arrays of one shape.
     """
@@ -58,7 +58,7 @@ class SupportInFrames:
 
     @property
     def is_rigid(self) -> bool:
-        """Whether the pieces of the moved supports are the moved pieces of the support."""
+        """Whether the pieces of the supports are those of the support, expressed in the frames."""
         return _is_rigid(self.support)
 
     @property
@@ -70,7 +70,7 @@ class SupportInFrames:
     @cached_property
     def supports(self) -> list[Any]:
         """The supports, in a flat list."""
-        return [self.support.moved(frame) for frame in self.frames]
+        return [self.support.in_frame(frame) for frame in self.frames]
 
     @cached_property
     def array(self) -> Any:

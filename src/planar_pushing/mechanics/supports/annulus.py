@@ -59,7 +59,7 @@ class Annulus(Pictured):
     def extent(self) -> float:
         return self.outer
 
-    def moved(self, frame: Frame) -> Annulus:
+    def in_frame(self, frame: Frame) -> Annulus:
         """The same annulus expressed in another frame."""
         return replace_checked(self, center=position_in_frame(self.center, frame))
 

@@ -65,24 +65,30 @@ class InPieces(Pictured):
         return float(measure_support(self).extents[0])
 
 
-def moved_support(support: Any, frame: Frame) -> Any:
+def support_in_frame(support: Any, frame: Frame) -> Any:
     """A support expressed in another frame, or in each of an array of frames.
 
     Raises
     ------
     InvalidValue
-        If the support is of a user-defined kind without a method `moved`, or cannot be moved.
+        If the support is of a user-defined kind without a method `in_frame`, or is a ring of the slider's
+        radius.
     """
-    if not hasattr(support, "moved"):
-        raise InvalidValue(
-            "support", support, "a support with a method moved(frame)",
-            "add one that returns the support with its positions transformed by frame.point_in",
-        )  # fmt: skip
+    require_in_frame("support", support)
     if not frame.shape:
-        return support.moved(frame)
-    moved = SupportInFrames(support, frame)
-    support.moved(moved.frames[0])
-    return moved
+        return support.in_frame(frame)
+    supports = SupportInFrames(support, frame)
+    support.in_frame(supports.frames[0])
+    return supports
+
+
+def require_in_frame(name: str, support: Any) -> None:
+    """Refuse a support of a user-defined kind that cannot be expressed in another frame."""
+    if not hasattr(support, "in_frame"):
+        remedy = "add one that returns the support with its positions transformed by frame.point_in"
+        if hasattr(support, "moved"):
+            remedy = "rename its method moved, the former name, to in_frame"
+        raise InvalidValue(name, support, "a support with a method in_frame(frame)", remedy)
 
 
 def require_support(name: str, value: Any) -> Any:

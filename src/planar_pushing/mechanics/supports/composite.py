@@ -13,8 +13,8 @@ from planar_pushing.mechanics.pressure.assembly import (
 from planar_pushing.mechanics.pressure.pieces import Pieces
 from planar_pushing.mechanics.supports.base import (
     InPieces,
-    moved_support,
     require_support,
+    support_in_frame,
     weights,
 )
 from planar_pushing.mechanics.supports.even_ring import Ring
@@ -67,9 +67,9 @@ class Composite(InPieces):
     def __post_init__(self) -> None:
         require_declared(self)
 
-    def moved(self, frame: Frame) -> Composite:
+    def in_frame(self, frame: Frame) -> Composite:
         """The same supports expressed in another frame."""
-        members = ((share, moved_support(support, frame)) for share, support in self.members)
+        members = ((share, support_in_frame(support, frame)) for share, support in self.members)
         return replace_checked(self, members=tuple(members))
 
     def pieces(self) -> Pieces:

@@ -45,7 +45,7 @@ class Disc(Pictured):
     def extent(self) -> float:
         return self.radius
 
-    def moved(self, frame: Frame) -> Disc:
+    def in_frame(self, frame: Frame) -> Disc:
         """The same disc expressed in another frame."""
         return replace_checked(self, center=position_in_frame(self.center, frame))
 

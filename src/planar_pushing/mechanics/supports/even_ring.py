@@ -53,7 +53,7 @@ class Ring(Pictured):
         """The radius; without one, 1: the slider's radius is then the unit of length."""
         return 1.0 if self.radius is None else self.radius
 
-    def moved(self, frame: Frame) -> Ring:
+    def in_frame(self, frame: Frame) -> Ring:
         """The same ring expressed in another frame."""
         if self.radius is None:
             raise InvalidValue(

@@ -95,7 +95,7 @@ class Points(InPieces):
         """Equal feet spread evenly over a disc: one at the center and rings of 6, 12, 18, ... around it."""
         return cls(placed_corners(disc_places(rings, radius), center, 0.0))
 
-    def moved(self, frame: Frame) -> Points:
+    def in_frame(self, frame: Frame) -> Points:
         """The same points expressed in another frame."""
         return replace_checked(self, positions=positions_in_frame(self.positions, frame))
 

@@ -103,7 +103,7 @@ class Polygon(InPieces):
         """A regular polygon with `count` corners at a radius, the first at an angle from x, in radians."""
         return cls(placed_corners(regular_corners(count, radius), center, angle))
 
-    def moved(self, frame: Frame) -> Polygon:
+    def in_frame(self, frame: Frame) -> Polygon:
         """The same polygon expressed in another frame."""
         vertices, *holes = (
             positions_in_frame(ring, frame) for ring in (self.vertices, *self.holes)

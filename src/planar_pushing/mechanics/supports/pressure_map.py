@@ -111,7 +111,7 @@ class PressureMap(InPieces):
         """The frame of x and y in the body frame."""
         return Frame(self.origin or (0.0, 0.0), self.axis or (1.0, 0.0))
 
-    def moved(self, frame: Frame) -> PressureMap:
+    def in_frame(self, frame: Frame) -> PressureMap:
         """The same map expressed in another frame."""
         map_frame = self.frame
         x, y = frame.vector_in(map_frame.axis).tolist()

@@ -42,7 +42,7 @@ class Segment(InPieces):
             )  # fmt: skip
         require_size("end", math.dist(self.start, self.end))
 
-    def moved(self, frame: Frame) -> Segment:
+    def in_frame(self, frame: Frame) -> Segment:
         """The same line expressed in another frame."""
         return Segment(position_in_frame(self.start, frame), position_in_frame(self.end, frame))
 

@@ -34,7 +34,7 @@ class OnSupport:
         frames = body_frames(
             contacts, np.array(self.support.center_of_pressure), self.support.extent
         )
-        supports = [self.support.moved(placement) for placement in frames.every]
+        supports = [self.support.in_frame(placement) for placement in frames.every]
         return simulate_contacts(
             contacts, frames, supports, np.full(len(supports), friction), self.support.extent
         )

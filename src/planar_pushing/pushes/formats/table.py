@@ -48,7 +48,7 @@ BINARY = (b"\x89HDF", b"PK", b"%PDF", b"\xff\xfe", b"\xfe\xff")
 NEARER = 4.0
 
 
-class Table(NamedTuple):
+class PushTable(NamedTuple):
     """The numbers of a file: a row for each push, by column, and the line of each row."""
 
     columns: dict[str, Array]
@@ -122,7 +122,7 @@ def read_table(
     return concat_pushes(parts)
 
 
-def _read(file: Path) -> Table:
+def _read(file: Path) -> PushTable:
     """The numbers of a table, or `InvalidFile`."""
     rows = _rows(file)
     line, names = next(rows, (0, []))
@@ -142,7 +142,7 @@ def _read(file: Path) -> Table:
         lines.append(line)
     if not values:
         raise InvalidFile(f"{file}: holds no push below the names of its columns; add rows")
-    return Table(dict(zip(names, np.array(values).T, strict=True)), lines)
+    return PushTable(dict(zip(names, np.array(values).T, strict=True)), lines)
 
 
 def _rows(file: Path) -> Iterator[tuple[int, list[str]]]:
@@ -212,7 +212,7 @@ def _number(file: Path, line: int, column: str, cell: str) -> float:
     return number
 
 
-def _require_unit(file: Path, table: Table, angles: str, sides: Sides, radius: float) -> None:
+def _require_unit(file: Path, table: PushTable, angles: str, sides: Sides, radius: float) -> None:
     """Refuse angles that are in the other unit: too large, or at odds with where the finger ends."""
     (other,) = (unit for unit in ANGLES if unit != angles)
     remedy = f"give --angles {other}"
@@ -228,28 +228,29 @@ def _require_unit(file: Path, table: Table, angles: str, sides: Sides, radius: f
     gap, instead = (_gap(table, unit, sides, radius) for unit in (angles, other))
     if gap > max(NEARER * instead, ON_OUTLINE * sides.scale):
         raise InvalidFile(
-            f"{file}: angles seem to be in {other}: after the pushes, the finger is {instead:.4g} away "
-            f"from the object, but {gap:.4g} with {angles} (medians); {remedy}"
+            f"{file}: the angles seem to be in {other}: the median gap between finger and object after a "
+            f"push is {instead:.4g} with angles in {other} and {gap:.4g} with angles in {angles}; {remedy}"
         )
     _require_alike(file, table, angles, remedy)
 
 
-def _require_alike(file: Path, table: Table, angles: str, remedy: str) -> None:
+def _require_alike(file: Path, table: PushTable, angles: str, remedy: str) -> None:
     """Refuse two angles of a push that are more than 180 degrees apart, because only one is wrapped."""
     before, after = (table.columns[name] for name in ("angle_before", "angle_after"))
     far = ambiguous_turns(before * ANGLES[angles], after * ANGLES[angles])
     if len(far):
         row, turn = int(far[0]), 2.0 * math.pi / ANGLES[angles]
         likely = before[row] + math.remainder(after[row] - before[row], turn)
-        ranges = " or ".join(f"{low:.6g} to {low + turn:.6g}" for low in (-turn / 2.0, 0.0))
+        ranges = " or ".join(f"from {low:.6g} to {low + turn:.6g}" for low in (-turn / 2.0, 0.0))
         raise InvalidFile(
             f"{file}: line {table.lines[row]}: angle_after: {after[row]:.6g} given, which differs from "
             f"angle_before by {after[row] - before[row]:.6g} {angles}; allowed: at most half a turn; write "
-            f"{likely:.6g}, or wrap all angles to {ranges}; if they are in the other unit, {remedy}"
+            f"{likely:.6g}, or wrap all angles to the range {ranges}; if they are in the other unit, "
+            f"{remedy}"
         )
 
 
-def _gap(table: Table, unit: str, sides: Sides, radius: float) -> float:
+def _gap(table: PushTable, unit: str, sides: Sides, radius: float) -> float:
     """Median distance or overlap of finger and object after the pushes."""
     poses = table.of(COLUMNS["after"])
     places = rotate(table.of(COLUMNS["end"]) - poses[:, :2], -poses[:, 2] * ANGLES[unit])

@@ -58,7 +58,7 @@ LISTED = 8
 REMEDY = "check units, frame and order of the poses, or leave the push out"
 
 
-class Motion(NamedTuple):
+class PushMotions(NamedTuple):
     """Motions of n pushes: the finger's center along its path, and the object's displacement.
 
     `center` has shape (n, PARTS + 1, 2), for equal parts of the path, and `length` is the path's length.
@@ -70,7 +70,7 @@ class Motion(NamedTuple):
     displacement: Array
     rotation: Array
 
-    def moved(self, points: Array) -> Array:
+    def distances(self, points: Array) -> Array:
         """Distances by which points of shape (m, 2) of the object move, shape (n, m)."""
         c, s = np.cos(self.rotation)[:, None] - 1.0, np.sin(self.rotation)[:, None]
         (x, y), (d_x, d_y) = points.T, self.displacement.T[..., None]
@@ -102,7 +102,7 @@ def require_possible(pushes: xr.Dataset, sides: Sides, numbers: Any) -> None:
         "at most {:.4g}, for errors of measurement",
     )  # fmt: skip
     apart = gaps.min(axis=1) - motion.length / (2.0 * PARTS)
-    still = motion.moved(sides.start).max(axis=1) <= slack
+    still = motion.distances(sides.start).max(axis=1) <= slack
     _refuse(
         np.where(still, 0.0, apart), slack, numbers,
         "an object that ends {:.4g} away from the finger's path",
@@ -112,16 +112,16 @@ def require_possible(pushes: xr.Dataset, sides: Sides, numbers: Any) -> None:
     if points is None:
         least = _least_within(motion, sides)
     elif shares is None:
-        least = motion.moved(points).min(axis=1)
+        least = motion.distances(points).min(axis=1)
     else:
-        least = motion.moved(points) @ shares
+        least = motion.distances(points) @ shares
     limit = "a finger moves an object on its support no farther than itself, {:.4g} with errors"
     _refuse(least, motion.length + slack, numbers, "an object that moves by {:.4g}", limit)
     if points is not None:
         return
     normal = pushes["normal"].values
     turned = (normal * sides.normal[side[:, -1]]).sum(axis=1) < ELSEWHERE
-    mean = np.where(turned, motion.moved(_cells(sides)).mean(axis=1), 0.0)
+    mean = np.where(turned, motion.distances(_cells(sides)).mean(axis=1), 0.0)
     _refuse(
         mean, motion.length + CONCENTRATED * size + slack - ERROR * size, numbers,
         "points of the object that move by {:.4g} on average, and a finger that ends at another side",
@@ -130,7 +130,7 @@ def require_possible(pushes: xr.Dataset, sides: Sides, numbers: Any) -> None:
     )  # fmt: skip
 
 
-def _motion(pushes: xr.Dataset) -> Motion:
+def _motion(pushes: xr.Dataset) -> PushMotions:
     """Motions of the pushes of a dataset."""
     radius, end = pushes["finger_radius"].values, pushes["finger_displacement"].values
     start = pushes["contact"].values - radius[:, None] * pushes["normal"].values
@@ -146,7 +146,7 @@ def _motion(pushes: xr.Dataset) -> Motion:
             path[row] = np.column_stack(
                 [np.interp(parts * along[-1], along, column) for column in known.T]
             )
-    return Motion(
+    return PushMotions(
         start[:, None] + path, length, radius, pushes["displacement"].values,
         np.deg2rad(pushes["rotation"].values),
     )  # fmt: skip
@@ -175,7 +175,7 @@ def _carriers(pushes: xr.Dataset) -> tuple[Array | None, Array | None]:
     return feet[known], shares if shares is not None and np.isfinite(shares).all() else None
 
 
-def _least_within(motion: Motion, sides: Sides) -> Array:
+def _least_within(motion: PushMotions, sides: Sides) -> Array:
     """Smallest distance by which a point within the outline moves, shape (n,).
 
     Displacements are a similar image of the outline. The smallest is its distance from the origin, or zero

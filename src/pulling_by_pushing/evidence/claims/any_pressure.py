@@ -49,7 +49,7 @@ RIGHT_OF_START = 2.0e-9, 0.3162277690780, -0.3162277655425
 LEFT_OF_END = 0.95, -1.0292239515436, 0.4407052351943
 
 
-class Motion(NamedTuple):
+class RigidMotion(NamedTuple):
     """A motion: the velocity of a point of the object, and the rotation."""
 
     point: Pair
@@ -64,7 +64,7 @@ class Load(NamedTuple):
     torque: fmpq
 
 
-def part(motion: Motion, load: Load, x: arb_series, y: arb_series) -> arb_series:
+def part(motion: RigidMotion, load: Load, x: arb_series, y: arb_series) -> arb_series:
     """Contribution of unit pressure at (x, y) to a load; NaN where its speed may be zero."""
     x, y = x - motion.point[0], y - motion.point[1]
     (u_x, u_y), omega, (d_x, d_y), k = motion.velocity, motion.rotation, load.along, load.torque
@@ -75,7 +75,7 @@ def part(motion: Motion, load: Load, x: arb_series, y: arb_series) -> arb_series
     return ((d_x - k * y) * v_x + (d_y + k * x) * v_y) / speed
 
 
-def positive_sum(motion: Motion, load: Load, affine: tuple[float, ...]) -> Evidence:
+def positive_sum(motion: RigidMotion, load: Load, affine: tuple[float, ...]) -> Evidence:
     """Evidence that an affine function is below the part of each point, and positive at the center.
 
     On a box of a side the difference is bounded by its Taylor polynomial at the middle.
@@ -102,11 +102,14 @@ def positive_sum(motion: Motion, load: Load, affine: tuple[float, ...]) -> Evide
 
 def torque(rotation: float, point: tuple[float, float]) -> arb:
     """Torque about the contact from one half of the pressure at a point and one half opposite."""
-    motion, load = Motion(POINT, VELOCITY, rational(rotation)), Load((fmpq(0), fmpq(0)), fmpq(1))
+    motion, load = (
+        RigidMotion(POINT, VELOCITY, rational(rotation)),
+        Load((fmpq(0), fmpq(0)), fmpq(1)),
+    )
     return _opposite(motion, load, point)
 
 
-def _opposite(motion: Motion, load: Load, point: tuple[float, float]) -> arb:
+def _opposite(motion: RigidMotion, load: Load, point: tuple[float, float]) -> arb:
     """The load of one half of the pressure at a point and one half opposite."""
     x, y = map(rational, point)
     ends = (
@@ -136,8 +139,12 @@ def rotation_for_any_pressure(low: float, high: float, within: float) -> Evidenc
     """The rotations of the push at (0.5, -1) with the velocity (0, 1): both ends, to within an accuracy."""
     no_force, moment = (fmpq(0), fmpq(0)), fmpq(1)
     outer = [
-        positive_sum(Motion(POINT, VELOCITY, rational(LOW[0])), Load(no_force, -moment), LOW[1]),
-        positive_sum(Motion(POINT, VELOCITY, rational(HIGH[0])), Load(no_force, moment), HIGH[1]),
+        positive_sum(
+            RigidMotion(POINT, VELOCITY, rational(LOW[0])), Load(no_force, -moment), LOW[1]
+        ),
+        positive_sum(
+            RigidMotion(POINT, VELOCITY, rational(HIGH[0])), Load(no_force, moment), HIGH[1]
+        ),
     ]
     # Pressures that balance at a rotation between the proved end and this one.
     inner = LOW[0] + END_GAP, HIGH[0] - END_GAP
@@ -156,8 +163,8 @@ def stable_for_any_pressure(center: float, friction: float, within: float) -> Ev
     c, mu = rational(CENTER_X), rational(COEFFICIENT)
     zero, one = fmpq(0), fmpq(1)
 
-    def about(x: int, y: int, center_x: fmpq = c) -> Motion:
-        return Motion((fmpq(x), fmpq(y)), (fmpq(y), center_x - x), -one)
+    def about(x: int, y: int, center_x: fmpq = c) -> RigidMotion:
+        return RigidMotion((fmpq(x), fmpq(y)), (fmpq(y), center_x - x), -one)
 
     stays = [
         positive_sum(about(0, 0), Load((-one, mu), zero), INSIDE_RIGHT),

@@ -52,7 +52,8 @@ from pulling_by_pushing.oracle.balls import Undecided, precise, rational
 Id = Annotated[str, Field(pattern="^[a-z0-9-]+$")]
 Text = Annotated[str, Field(min_length=1)]
 PaperNumbers = tuple[Annotated[int, Field(ge=1, le=13)], ...]
-Values = dict[str, float | str]
+#: Numbers and words of a statement, or of a scene, by name.
+ClaimValues = dict[str, float | str]
 _SCENE_KEYS = frozenset(part.name for part in fields(Scene))
 
 
@@ -66,10 +67,10 @@ class CheckEntry(FileModel):
     name: Id | None = None
     statement: Text | None = None
     check: str | None = None
-    claimed: Values = Field(default_factory=dict)
+    claimed: ClaimValues = Field(default_factory=dict)
     number: str | None = None
     modes: tuple[str, ...] | None = None
-    at: Values = Field(default_factory=dict)
+    at: ClaimValues = Field(default_factory=dict)
     near: Number | None = None
     within: Number | None = None
     equals: Number | None = None
@@ -114,7 +115,7 @@ class CheckEntry(FileModel):
         ask = self._modes if self.number is None else self._number
         return ask(mechanics, Scene(**parameters), further).at_most(Verdict.ENCLOSED)
 
-    def _number(self, mechanics: Mechanics, scene: Scene, further: Values) -> Evidence:
+    def _number(self, mechanics: Mechanics, scene: Scene, further: ClaimValues) -> Evidence:
         function, component, unit = NUMBERS[str(self.number)]
         numbers = function(mechanics, scene, **further)
         value = numbers if component is None else numbers[component]

@@ -18,7 +18,7 @@ from tqdm import tqdm
 
 from planar_pushing.terms.errors import InvalidResult
 from pulling_by_pushing.evidence.golden.cells import contacts, ring, supports
-from pulling_by_pushing.evidence.golden.cells.sliders import CENTERS, Record, Values
+from pulling_by_pushing.evidence.golden.cells.sliders import CENTERS, Record, StudyValues
 from pulling_by_pushing.evidence.golden.enclosures import EXACT, RADIUS, holds_radii, is_exact
 from pulling_by_pushing.oracle.balls import FINE, Number, Undecided, Vector, precise
 from pulling_by_pushing.oracle.integrals import distance_and_gradient
@@ -105,7 +105,7 @@ FEW_POINTS = 100
 
 
 def evaluate(
-    cell: Cell, values: Values, second: Callable[[Point], bool], point: Point
+    cell: Cell, values: StudyValues, second: Callable[[Point], bool], point: Point
 ) -> Record | str:
     """Record of a point with each number as midpoint and exponent, or the reason why there is none.
 
@@ -119,7 +119,7 @@ def evaluate(
 
 
 @precise
-def _record(cell: Cell, values: Values, point: Point, twice: bool) -> Record:
+def _record(cell: Cell, values: StudyValues, point: Point, twice: bool) -> Record:
     record = cell.function(values, *point)
     centers = record.pop(CENTERS, [])
     count = sum(map(_agrees, centers)) if twice else 0
@@ -165,7 +165,7 @@ def _store_nested(value: Any) -> Any:
 
 def records(
     cell: Cell,
-    values: Values,
+    values: StudyValues,
     points: Sequence[Point],
     processes: int,
     second: Callable[[Point], bool] = is_never,
@@ -187,7 +187,7 @@ def points(dataset: xr.Dataset, dims: Iterable[str]) -> list[Point]:
 
 
 def certify(
-    name: str, values: Values, template: xr.Dataset, processes: int
+    name: str, values: StudyValues, template: xr.Dataset, processes: int
 ) -> tuple[xr.Dataset, int]:
     """A dataset with certified values instead of its own, and the exponents of their radii.
 

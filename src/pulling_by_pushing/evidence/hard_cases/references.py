@@ -7,8 +7,7 @@ the magnitudes of its terms if it is a sum over the members of a support, such a
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from typing import Any
+from collections.abc import Callable
 
 from flint import arb, ctx, fmpq
 
@@ -26,13 +25,12 @@ from pulling_by_pushing.oracle.body import Body
 from pulling_by_pushing.oracle.modes import Law, Mode, contact_modes
 from pulling_by_pushing.oracle.motions import ray, stick, unit_motion
 from pulling_by_pushing.oracle.prove import Proved, Slider, State
-from pulling_by_pushing.oracle.shapes import support
+from pulling_by_pushing.oracle.shapes import SupportEntry, support
 from pulling_by_pushing.oracle.support import Support, friction
 
-Entry = Mapping[str, Any]
 #: A number of a motion, with the direction of the force.
 Measure = Callable[[State, Direction], arb]
-RING: Entry = {"shape": "ring"}
+RING: SupportEntry = {"shape": "ring"}
 #: Relative error, in bits, of the rational numbers of degrees that stand for radians.
 BITS = 1024
 QUARTER = math.pi / 2
@@ -61,7 +59,7 @@ def slider(
     psi: fmpq,
     share: float | fmpq | None,
     rho: float | fmpq = ONE,
-    entry: Entry = RING,
+    entry: SupportEntry = RING,
 ) -> Slider:
     """A slider with friction and inertia in these shares of one unit; None for one unit of each."""
     mass = ONE if share is None else rational(share)
@@ -138,7 +136,7 @@ def _of(measure: Measure, rod: Slider, angle: Direction, motion: Proved) -> Numb
 # --- Rotations ----------------------------------------------------------------------------------------
 
 
-def rotation(part: int, entry: Entry, x: fmpq, y: fmpq) -> Number:
+def rotation(part: int, entry: SupportEntry, x: fmpq, y: fmpq) -> Number:
     """Mean distance (part 0), force (1) or torque about the origin (2) of a rotation about a center.
 
     The force of a foot at the center is the subgradient closest to zero.

@@ -20,10 +20,11 @@ from pulling_by_pushing.evidence.hard_cases import references
 from pulling_by_pushing.evidence.hard_cases.case import PSI, QUARTER, Case, Function, spin_of_stick
 from pulling_by_pushing.evidence.hard_cases.references import direction, slider
 from pulling_by_pushing.oracle.balls import Number
+from pulling_by_pushing.oracle.shapes import SupportEntry
 
 #: Feet of a tripod; the first one is on the rod's line.
 FEET = ((1.0, 0.0), (-0.5, 0.75), (-0.5, -0.875))
-SUPPORTS: dict[str, references.Entry] = {
+SUPPORTS: dict[str, SupportEntry] = {
     "tripod": {"shape": "points", "positions": FEET, "weights": (1.0, 1.0, 1.0)},
     "heavy foot": {"shape": "points", "positions": FEET, "weights": (1.0, 1e-9, 1e-9)},
     "quadruped": {
@@ -100,12 +101,12 @@ MOTIONS: tuple[tuple[int, str, str, tuple[float, float, float], tuple[str, ...]]
 )
 
 
-def _effect(entry: references.Entry) -> SupportFriction:
+def _effect(entry: SupportEntry) -> SupportFriction:
     shape = {key: value for key, value in entry.items() if key != "shape"}
     return SupportFriction(support=SHAPES[entry["shape"]](**shape))
 
 
-def _rotation(part: int, entry: references.Entry, x: float, y: float) -> float:
+def _rotation(part: int, entry: SupportEntry, x: float, y: float) -> float:
     effect, twist = _effect(entry), [y, -x, 1.0]
     if part == 0:
         return float(potential(effect, twist))
@@ -113,12 +114,12 @@ def _rotation(part: int, entry: references.Entry, x: float, y: float) -> float:
     return float(np.hypot(f_x, f_y) if part == 1 else torque)
 
 
-def _scene(entry: references.Entry, length: float, psi: float) -> Scene:
+def _scene(entry: SupportEntry, length: float, psi: float) -> Scene:
     rod = Slider(rod_length=length, rod_angle=psi, radius=1.0)
     return Scene(slider=rod, contact=PerfectlyRough(), effects=(_effect(entry),))
 
 
-def _push(quantity: str, entry: references.Entry, length: float, psi: float, angle: float) -> float:
+def _push(quantity: str, entry: SupportEntry, length: float, psi: float, angle: float) -> float:
     scene = _scene(entry, length, psi)
     if quantity == "spin_ratio":
         return spin_of_stick(scene, angle)
@@ -135,9 +136,7 @@ ROUTES: dict[str, tuple[Callable[..., Number], references.Measure]] = {
 }
 
 
-def _exact_push(
-    quantity: str, entry: references.Entry, length: fmpq, psi: fmpq, angle: fmpq
-) -> Number:
+def _exact_push(quantity: str, entry: SupportEntry, length: fmpq, psi: fmpq, angle: fmpq) -> Number:
     motion, measure = ROUTES[quantity]
     return motion(measure, slider(length, psi, 0.0, entry=entry), direction(angle))
 

@@ -20,8 +20,8 @@ from pulling_by_pushing.oracle.logs.phases import (
     TOUCHES,
     Margins,
     Massive,
-    Motion,
     Phase,
+    PhaseMotion,
     Slider,
     State,
     line,
@@ -161,7 +161,7 @@ class Instant(NamedTuple):
 
     state: State
     phase: Phase
-    motion: Motion
+    motion: PhaseMotion
     solutions: int
     event: int
     time: arb

@@ -32,7 +32,7 @@ from pulling_by_pushing.oracle.shapes import support
 
 File = Mapping[str, Any]
 #: Dimensions, and nested lists of balls, or of flags.
-Values = dict[str, tuple[tuple[str, ...], Any]]
+LogVariables = dict[str, tuple[tuple[str, ...], Any]]
 #: Two schemes of different orders; the result is from the first.
 SCHEMES = Scheme(16, arb(2) ** -122), Scheme(12, arb(2) ** -100)
 #: Largest difference of the two runs, and the least radius, both over the largest number of a variable.
@@ -42,7 +42,7 @@ FRICTIONS = "ring_friction", "support_friction"
 VECTORS = {"position": "xy", "pusher": "xy", "force": "xy", "twist": "twist_component"}
 
 
-def log_values(scene: File, times: Sequence[float]) -> Values:
+def log_values(scene: File, times: Sequence[float]) -> LogVariables:
     """Every value of the log of a scene at its stored instants, without the code that wrote the log.
 
     Parameters
@@ -90,7 +90,7 @@ def log_values(scene: File, times: Sequence[float]) -> Values:
         }
 
 
-def _columns(scene: File, times: list[fmpq], scheme: Scheme) -> Values:
+def _columns(scene: File, times: list[fmpq], scheme: Scheme) -> LogVariables:
     """Every variable of the log, from one run of the integrator."""
     section, slider, pieces = scene["simulate"], _slider(scene), _pieces(scene["simulate"])
     if not (times[0] >= 0 and times[-1] <= pieces[-1].end):
@@ -106,7 +106,7 @@ def _columns(scene: File, times: list[fmpq], scheme: Scheme) -> Values:
         _row(slider, radius, _fence_position(pieces, time, gap), instant)
         for time, instant in zip(times, instants, strict=True)
     ]
-    values: Values = {}
+    values: LogVariables = {}
     for name in rows[0]:
         dims = (VECTORS[name],) if name in VECTORS else ()
         values[name] = ("time", *dims), [row[name] for row in rows]

@@ -63,7 +63,7 @@ class Phase(NamedTuple):
     side: int = 0
 
 
-class Motion(NamedTuple):
+class PhaseMotion(NamedTuple):
     """Contact's velocity; force; rotation; power of friction; margins; rates of the state's rates."""
 
     contact: Vector
@@ -106,7 +106,7 @@ class Slider(ABC):
     body: Body | None
 
     @abstractmethod
-    def move(self, state: State, phase: Phase) -> Motion:
+    def move(self, state: State, phase: Phase) -> PhaseMotion:
         """Velocities, force and margins of a state in a phase."""
 
     @abstractmethod
@@ -169,12 +169,14 @@ class Massive(Slider):
     moment: fmpq
     center: Position
 
-    def move(self, state: State, phase: Phase) -> Motion:
+    def move(self, state: State, phase: Phase) -> PhaseMotion:
         fence, mode = phase.fence, phase.mode
         u, edge = self.velocity(state, fence), self.edge(mode)
         margins: Margins = ((TOUCHES, state.gap),)
         if _rests(u, state):
-            return Motion(ZERO_VECTOR, ZERO_VECTOR, arb(0), arb(0), margins if fence[1] > 0 else ())
+            return PhaseMotion(
+                ZERO_VECTOR, ZERO_VECTOR, arb(0), arb(0), margins if fence[1] > 0 else ()
+            )
         friction, torque = self._friction(state, u)
         free, turn = self._free(state, friction, torque)
         force = self._force(state.angle, mode, free)
@@ -189,7 +191,7 @@ class Massive(Slider):
             (turn + self._torque(state.angle, force) / self.moment).mid(),
         )
         power = (dot(friction, u) + torque * state.spin).mid()
-        return Motion(u, force, state.spin, power, margins, changes)
+        return PhaseMotion(u, force, state.spin, power, margins, changes)
 
     def phases(self, state: State, fence: Vector) -> list[Phase]:
         u = self.velocity(state, fence)

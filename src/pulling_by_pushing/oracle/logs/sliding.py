@@ -21,8 +21,8 @@ from pulling_by_pushing.oracle.logs.phases import (
     TOUCHES,
     ZERO_VECTOR,
     Margins,
-    Motion,
     Phase,
+    PhaseMotion,
     Slider,
     State,
     turn,
@@ -91,10 +91,10 @@ class Sliding(Slider):
     body: Body
     guesses: dict[Mode, tuple[int, Row]] = field(default_factory=dict)
 
-    def move(self, state: State, phase: Phase) -> Motion:
+    def move(self, state: State, phase: Phase) -> PhaseMotion:
         fence, mode, foot, side = phase
         if mode is Mode.SEPARATE:
-            return Motion(
+            return PhaseMotion(
                 ZERO_VECTOR,
                 ZERO_VECTOR,
                 arb(0),
@@ -107,13 +107,13 @@ class Sliding(Slider):
             margins: Margins = (LEAVES_CONE, low), (LEAVES_CONE, high)
             if side:
                 margins = (*margins, (KINK, side * self._center_outside(state.angle, fence, spin)))
-            return Motion(fence, force, spin, dot(force, fence), margins)
+            return PhaseMotion(fence, force, spin, dot(force, fence), margins)
         ray, (x, y) = self._ray(state.angle, mode, foot), self.edge(mode)
         scale = fence[1] / ray.contact[1]
         contact, force = ((scale * ray.contact[0]).mid(), fence[1]), (ray.force * x, ray.force * y)
         slip_rate = SENSE[mode] * (contact[0] - fence[0])
         margins = (KINK, ray.margin), (SLIP_ENDS, slip_rate)
-        return Motion(contact, force, (scale * ray.spin).mid(), dot(force, contact), margins)
+        return PhaseMotion(contact, force, (scale * ray.spin).mid(), dot(force, contact), margins)
 
     def phases(self, state: State, fence: Vector) -> list[Phase]:
         if state.gap > 0:

@@ -21,15 +21,14 @@ from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.study.catalog import DATASETS
 from pulling_by_pushing.study.chunks import blocks, chunk_name, open_chunks
 from pulling_by_pushing.study.describe import add_study_attributes, apply_declaration
-from pulling_by_pushing.study.slices import part_of, pushes, select_ranges, sizes
+from pulling_by_pushing.study.slices import StudyValues, part_of, pushes, select_ranges, sizes
 from pulling_by_pushing.study.store import index_of
 
 Built = xr.Dataset | dict[str, xr.Dataset]
-Values = dict[str, Any]
 Attributes = Mapping[str, str]
 
 
-def build_dataset(name: str, values: Values) -> Built:
+def build_dataset(name: str, values: StudyValues) -> Built:
     """Build a dataset, or one for each group, from a slice of a study or part of a slice."""
     module = import_module(f"pulling_by_pushing.study.datasets.{DATASETS[name].module}")
     build = getattr(module, name)
@@ -41,7 +40,12 @@ def build_dataset(name: str, values: Values) -> Built:
 
 
 def dataset(
-    path: PathLike, *, name: str, study: Values, marks: Attributes | None = None, threads: int = 1
+    path: PathLike,
+    *,
+    name: str,
+    study: StudyValues,
+    marks: Attributes | None = None,
+    threads: int = 1,
 ) -> None:
     """Write a dataset, or a chunk of one, from its slice of the study.
 
@@ -68,7 +72,12 @@ def dataset(
 
 
 def gather(
-    path: PathLike, *, chunks: Sequence[str], name: str, chunking: Values, marks: Attributes
+    path: PathLike,
+    *,
+    chunks: Sequence[str],
+    name: str,
+    chunking: Mapping[str, Any],
+    marks: Attributes,
 ) -> None:
     """Write the chunks of a dataset into one file."""
     with _open_one_by_one(
@@ -78,7 +87,12 @@ def gather(
 
 
 def index(
-    path: PathLike, *, chunks: Sequence[str], name: str, chunking: Values, marks: Attributes
+    path: PathLike,
+    *,
+    chunks: Sequence[str],
+    name: str,
+    chunking: Mapping[str, Any],
+    marks: Attributes,
 ) -> None:
     """Write the index of a dataset that is stored in chunks."""
     with _open_one_by_one(

@@ -89,11 +89,11 @@ def test_a_class_that_extends_one_of_the_package_is_ones_own(tmp_path):
         pp.save_scene(own, tmp_path / "scene.yaml")
 
 
-class Moved(Own):
+class Framed(Own):
     """A support that can be expressed in another frame."""
 
-    def moved(self, frame):
-        return Moved(self.like.moved(frame))
+    def in_frame(self, frame):
+        return Framed(self.like.in_frame(frame))
 
 
 BOX, TWIST = [(-1, -1), (1, -1), (1, 1), (-1, 1)], (0.0, 1.0, 0.1)
@@ -141,20 +141,43 @@ CALLS = {
 @pytest.mark.parametrize("call", CALLS.values(), ids=CALLS)
 def test_it_is_as_good_as_one_of_the_package(call):
     support = pp.Polygon([(-0.5, -1), (1, -1), (1, 1), (-1, 1)])
-    np.testing.assert_allclose(call(Moved(support)), call(support), rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(call(Framed(support)), call(support), rtol=1e-9, atol=1e-12)
 
 
 def test_it_is_drawn_and_compared():
-    support = Moved(pp.Disc(1.0))
+    support = Framed(pp.Disc(1.0))
     assert scene(support)._repr_svg_()
     assert pp.draw(scene(support), 1.2, limit_curve=True).figure
     pushes = pp.simulate_pushes(friction(pp.Disc(1.0)), BOX, 8)
     assert "mine" in pp.compare(pushes, {"mine": support}, resamples=2)["model"]
 
 
-def test_without_a_method_moved_it_is_in_the_body_frame_only():
-    with pytest.raises(pp.InvalidValue, match=r"a support with a method moved\(frame\); add one"):
-        placed(Own(pp.Disc(1.0)))
+class Outdated(Own):
+    """A support whose method has the name of an earlier version."""
+
+    def moved(self, frame):
+        return Outdated(self.like.in_frame(frame))
+
+
+@pytest.mark.parametrize(("kind", "remedy"), [
+    (Own, "add one that returns the support with its positions transformed by frame.point_in"),
+    (Outdated, "rename its method moved, the former name, to in_frame"),
+])  # fmt: skip
+def test_without_a_method_in_frame_it_is_in_the_body_frame_only(kind, remedy):
+    support = kind(pp.Disc(1.0))
+    allowed = f"a support with a method in_frame(frame); {remedy}"
+    pushes = pp.simulate_pushes(friction(pp.Disc(1.0)), BOX, 8)
+    assert pp.solve(scene(support), 1.2)
+    for use in (
+        lambda: placed(support),
+        lambda: placed(support, np.array([(0.0, -1), (0.2, -1)])),
+        lambda: placed(pp.Composite([(1, support)])),
+        lambda: pp.compare(pushes, {"mine": support}, resamples=2),
+    ):
+        with pytest.raises(pp.InvalidValue) as error:
+            use()
+        assert str(error.value).endswith(allowed), str(error.value)
+        assert "\n" not in str(error.value)
 
 
 @pytest.mark.parametrize(

@@ -60,7 +60,7 @@ def test_center_of_pressure_and_extent(support, center, extent):
 @pytest.mark.parametrize("name", SUPPORTS)
 def test_supports_are_plain_values(name):
     support, _ = SUPPORTS[name]
-    again = eval(repr(support), vars(pp))
+    again = eval(repr(support), {name: getattr(pp, name) for name in pp.__all__})
     assert again == support
     assert hash(again) == hash(support)
 

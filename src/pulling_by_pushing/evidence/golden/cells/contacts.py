@@ -7,7 +7,7 @@ from typing import Any
 
 from flint import arb
 
-from pulling_by_pushing.evidence.golden.cells.sliders import Record, Values
+from pulling_by_pushing.evidence.golden.cells.sliders import Record, StudyValues
 from pulling_by_pushing.oracle.balls import (
     in_degrees,
     rational,
@@ -32,7 +32,7 @@ def labeled_law(label: str) -> Law:
     return LAWS[label] if label in LAWS else Law(float(label.removeprefix("coulomb_")))
 
 
-def contact_laws(values: Values, label: str) -> Record:
+def contact_laws(values: StudyValues, label: str) -> Record:
     """Cell of the axis `contact`; NaN for a perfectly rough contact."""
     law = labeled_law(label)
     return {
@@ -40,7 +40,7 @@ def contact_laws(values: Values, label: str) -> Record:
     }
 
 
-def coefficients(values: Values, mu: float) -> Record:
+def coefficients(values: StudyValues, mu: float) -> Record:
     """Cell of the axis `friction_coefficient`."""
     return {"friction_angle": friction_angle(mu)}
 

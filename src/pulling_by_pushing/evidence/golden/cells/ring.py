@@ -14,7 +14,7 @@ from pulling_by_pushing.evidence.golden.cells.sliders import (
     EDGES,
     FRICTION,
     Record,
-    Values,
+    StudyValues,
     ring_slider,
     shares,
     slider_at_share,
@@ -54,7 +54,7 @@ from pulling_by_pushing.oracle.motions import (
 
 
 def limit_point_values(
-    values: Values, effects: str, length: float, angle: float, force_angle: float
+    values: StudyValues, effects: str, length: float, angle: float, force_angle: float
 ) -> Record:
     """Point of the limit curve at a force angle."""
     slider, force = ring_slider(values, effects, length, angle), at_degrees(force_angle)
@@ -73,7 +73,7 @@ def limit_point_values(
     }
 
 
-def curve_point(values: Values, effects: str, length: float, force_angle: float) -> Record:
+def curve_point(values: StudyValues, effects: str, length: float, force_angle: float) -> Record:
     """Point of the limit curve at the study's rod angle."""
     angle = values["slider"]["rod_angle"]
     record = limit_point_values(values, effects, length, angle, force_angle)
@@ -84,7 +84,9 @@ def _components(force: Direction, size: arb) -> list[arb]:
     return [size * part for part in force.ball]
 
 
-def motion_cone(values: Values, effects: str, length: float, angle: float, mu: float) -> Record:
+def motion_cone(
+    values: StudyValues, effects: str, length: float, angle: float, mu: float
+) -> Record:
     """Friction cone, motion cone, and the quantities derived from them."""
     record: Record = {CENTERS: []}
     signs = []
@@ -113,7 +115,12 @@ def motion_cone(values: Values, effects: str, length: float, angle: float, mu: f
 
 
 def ring_solutions(
-    values: Values, effects: str, contact: str, length: float, magnitude: float, pusher_angle: float
+    values: StudyValues,
+    effects: str,
+    contact: str,
+    length: float,
+    magnitude: float,
+    pusher_angle: float,
 ) -> Record:
     """Every consistent solution of a push."""
     slider, pusher = ring_slider(values, effects, length), at_degrees(pusher_angle)
@@ -122,7 +129,12 @@ def ring_solutions(
 
 
 def mode_set(
-    values: Values, effects: str, contact: str, length: float, magnitude: float, pusher_angle: float
+    values: StudyValues,
+    effects: str,
+    contact: str,
+    length: float,
+    magnitude: float,
+    pusher_angle: float,
 ) -> Record:
     """Code of the set of consistent modes of a push."""
     slider, pusher = ring_slider(values, effects, length), at_degrees(pusher_angle)
@@ -135,7 +147,7 @@ def mode_set(
 
 
 def sticking_force(
-    values: Values, effects: str, length: float, magnitude: float, pusher_angle: float
+    values: StudyValues, effects: str, length: float, magnitude: float, pusher_angle: float
 ) -> Record:
     """Angle of the force under which the contact moves with the pusher."""
     slider, pusher = ring_slider(values, effects, length), at_degrees(pusher_angle)
@@ -144,7 +156,7 @@ def sticking_force(
 
 
 def furthest_pull(
-    values: Values, effects: str, contact: str, length: float, magnitude: float
+    values: StudyValues, effects: str, contact: str, length: float, magnitude: float
 ) -> Record:
     """Pusher angle at which the sticking force is on the right edge of the friction cone."""
     law = labeled_law(contact)
@@ -158,7 +170,9 @@ def furthest_pull(
     return {"furthest_pull": motion_angle(slider, force, motion)}
 
 
-def acceleration_center(values: Values, length: float, force_angle: float, share: float) -> Record:
+def acceleration_center(
+    values: StudyValues, length: float, force_angle: float, share: float
+) -> Record:
     """Acceleration center relative to the contact, and motion, at a share of inertia."""
     slider, force = slider_at_share(values, length, None, share), at_degrees(force_angle)
     motion = unit_motion(slider, force)
@@ -172,7 +186,7 @@ def acceleration_center(values: Values, length: float, force_angle: float, share
     }
 
 
-def region_ends(values: Values, length: float, angle: float, force_angle: float) -> Record:
+def region_ends(values: StudyValues, length: float, angle: float, force_angle: float) -> Record:
     """Ends of both regions of centers under one line of force, relative to the contact (Sec. 4).
 
     The ends of the exact region are friction alone and inertia alone.
@@ -190,7 +204,7 @@ def region_ends(values: Values, length: float, angle: float, force_angle: float)
     return record
 
 
-def acceleration_cones(values: Values, length: float) -> Record:
+def acceleration_cones(values: StudyValues, length: float) -> Record:
     """The paper's bound and the exact cone under infinite friction."""
     slider = ring_slider(values, BOTH, length)
     bound = bounds.conservative_cone(slider, rational(values["slider"]["radius"]))

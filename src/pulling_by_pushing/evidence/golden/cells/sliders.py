@@ -22,7 +22,7 @@ from pulling_by_pushing.oracle.support import Support
 #: Name of a variable: its value at a point. The entry CENTERS lists supports and centers of rotation.
 Record = dict[str, Any]
 #: Plain values of a study, or of the part of one from which a dataset is built.
-Values = Mapping[str, Any]
+StudyValues = Mapping[str, Any]
 CENTERS = ""
 ONE = fmpq(1)
 FRICTION, INERTIA, BOTH = "support_friction", "inertia", "support_friction+inertia"
@@ -30,7 +30,9 @@ FRICTION, INERTIA, BOTH = "support_friction", "inertia", "support_friction+inert
 EDGES = (("right", 1), ("left", -1))
 
 
-def ring_slider(values: Values, effects: str, length: float, angle: float | None = None) -> Slider:
+def ring_slider(
+    values: StudyValues, effects: str, length: float, angle: float | None = None
+) -> Slider:
     """The ring of a study with a rod, and the effects of a label."""
     return _ring_slider(
         json.dumps([values["slider"], values.get(FRICTION), values.get(INERTIA)]),
@@ -60,12 +62,12 @@ def _support(entry: str) -> Support:
     return support(json.loads(entry))
 
 
-def support_of(values: Values, name: str) -> Support:
+def support_of(values: StudyValues, name: str) -> Support:
     """Exact pieces of the support with this name; the same object for the same entry."""
     return _support(json.dumps(values["supports"][name]))
 
 
-def ring_of(values: Values) -> Support:
+def ring_of(values: StudyValues) -> Support:
     """Exact ring with the radius of the study's slider."""
     return _support(json.dumps({"shape": "ring", "radius": values["slider"]["radius"]}))
 
@@ -81,7 +83,9 @@ def shares(effects: str) -> list[str]:
     return [FRICTION, INERTIA] if effects == BOTH else [effects]
 
 
-def slider_at_share(values: Values, length: float, angle: float | None, share: float) -> Slider:
+def slider_at_share(
+    values: StudyValues, length: float, angle: float | None, share: float
+) -> Slider:
     """The ring of a study with a share of inertia in all resistance; the rest is friction."""
     return _shared_slider(json.dumps([values["slider"], values[INERTIA]]), length, angle, share)
 

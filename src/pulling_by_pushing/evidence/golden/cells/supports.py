@@ -12,7 +12,7 @@ from pulling_by_pushing.evidence.golden.cells.sliders import (
     EDGES,
     ONE,
     Record,
-    Values,
+    StudyValues,
     ring_of,
     support_of,
     support_slider,
@@ -49,7 +49,7 @@ from pulling_by_pushing.oracle.prove import Proved, Slider, State
 from pulling_by_pushing.oracle.support import Support
 
 
-def support_wrench(values: Values, name: str, x: float, y: float) -> Record:
+def support_wrench(values: StudyValues, name: str, x: float, y: float) -> Record:
     """Mean distance, and the wrench about the origin for a counterclockwise rotation."""
     pieces, center = support_of(values, name), rational_pair((x, y))
     c = arb(center[0]), arb(center[1])
@@ -64,7 +64,7 @@ def support_wrench(values: Values, name: str, x: float, y: float) -> Record:
     }
 
 
-def support_numbers(values: Values, name: str) -> Record:
+def support_numbers(values: StudyValues, name: str) -> Record:
     """Numbers of a support as a whole; the errors of its ellipsoid are stored as computed."""
     pieces = support_of(values, name)
     (x, y), extent = pieces.center, pieces.extent
@@ -79,7 +79,9 @@ def support_numbers(values: Values, name: str) -> Record:
     }
 
 
-def support_cone(values: Values, name: str, length: float, angle: float, friction: float) -> Record:
+def support_cone(
+    values: StudyValues, name: str, length: float, angle: float, friction: float
+) -> Record:
     """Edges of a motion cone, the feet about which they pivot, and the quantities derived from them."""
     slider = support_slider(support_of(values, name), length, angle)
     (right, left), motions = edges(slider, friction)
@@ -103,7 +105,7 @@ def edges(slider: Slider, friction: float) -> tuple[list[Number], list[Proved]]:
 
 
 def support_solutions(
-    values: Values, name: str, length: float, angle: float, friction: float, pusher: float
+    values: StudyValues, name: str, length: float, angle: float, friction: float, pusher: float
 ) -> Record:
     """Every consistent solution of a push."""
     pieces = support_of(values, name)
@@ -112,7 +114,7 @@ def support_solutions(
     return solutions(slider, modes, pieces.extent)
 
 
-def support_curve(values: Values, name: str, force_angle: float) -> Record:
+def support_curve(values: StudyValues, name: str, force_angle: float) -> Record:
     """Point of the limit curve of a support, for the rod of the study."""
     size, motion, slider = _curve_point(values, support_of(values, name), force_angle)
     return {
@@ -123,13 +125,13 @@ def support_curve(values: Values, name: str, force_angle: float) -> Record:
     }
 
 
-def ring_curve(values: Values, force_angle: float) -> Record:
+def ring_curve(values: StudyValues, force_angle: float) -> Record:
     """Point of the limit curve of the ring, for the rod of the study."""
     return {"ring_force": _curve_point(values, ring_of(values), force_angle)[0]}
 
 
 def _curve_point(
-    values: Values, pieces: Support, force_angle: float
+    values: StudyValues, pieces: Support, force_angle: float
 ) -> tuple[Number, Proved, Slider]:
     rod = values["slider"]
     slider = support_slider(pieces, rod["rod_length"], rod["rod_angle"])
@@ -137,7 +139,7 @@ def _curve_point(
     return motion.numbers(slider, lambda s: [norm(s.f_x, s.f_y)])[0], motion, slider
 
 
-def swept_rod(values: Values, index: int) -> tuple[float, float]:
+def swept_rod(values: StudyValues, index: int) -> tuple[float, float]:
     """Length and angle of a rod: all lengths at the slider's angle precede all angles at its length."""
     rod, lengths, angles = (
         values["slider"],
@@ -149,7 +151,7 @@ def swept_rod(values: Values, index: int) -> tuple[float, float]:
     return rod["rod_length"], angles[index - len(lengths)]
 
 
-def support_rod(values: Values, name: str, index: int) -> Record:
+def support_rod(values: StudyValues, name: str, index: int) -> Record:
     """Cone of infinite friction of a support with a rod, and the friction that pulling needs."""
     slider = support_slider(support_of(values, name), *swept_rod(values, index))
     angles, motions = edges(slider, math.inf)
@@ -160,7 +162,7 @@ def support_rod(values: Values, name: str, index: int) -> Record:
     }
 
 
-def ring_rod(values: Values, index: int) -> Record:
+def ring_rod(values: StudyValues, index: int) -> Record:
     """A rod, and the same of the ring; with inertia alone, too."""
     length, angle = swept_rod(values, index)
     slider = support_slider(ring_of(values), length, angle)
