@@ -64,6 +64,10 @@ def _has_position(problem: Problem) -> bool:
     return _is_finger(problem) or _can_lie(problem)
 
 
+def _has_outline(problem: Problem) -> bool:
+    return problem.scene.slider.outline is not None
+
+
 def _has_impacts(problem: Problem) -> bool:
     return problem.scene.stores_energy
 
@@ -130,6 +134,8 @@ FIELDS = (
     Field("evaluations", "evaluations", EFFECT, "i8"),
     Field("stopped", "stopped", (), "i1", lambda problem: False, sampled=True),
     Field("contact_position", "contact_position", logged=_has_position, sampled=True),
+    Field("contact_normal", "contact_normal", logged=_has_outline, sampled=True),
+    Field("contact_piece", "contact_piece", (), "i4", _has_outline, sampled=True),
     Field("flush", "flush", (), "?", _can_lie, sampled=True),
     Field("parted", "parted", (), "?", _is_finger, sampled=True),
     Field("impulse", "impulse", XY, logged=_has_impacts, sampled=True, stepped=False),
@@ -224,13 +230,22 @@ def _outcome(rows: Array, problem: Problem, field: Field) -> Any:
 
 
 def _adhesive(rows: Array, problem: Problem, field: Field) -> Any:
-    """Whether the normal force pulls; the normal of a finger's side rotates with the slider."""
+    """Whether the normal force pulls; the normal at a finger rotates with the contact frame."""
     x, normal = np.moveaxis(Columns(LogRow, rows).force, -1, 0)
     size = np.hypot(x, normal)
     if problem.shape == Shape.FINGER:
-        rotation = Columns(LogRow, rows).angle - problem.scene.slider.rod_angle
+        rotation = Columns(LogRow, rows).contact_normal
         normal = normal * np.cos(rotation) - x * np.sin(rotation)
     return normal < -RESOLUTION * size
+
+
+def _contact_normal(rows: Array, problem: Problem, field: Field) -> Any:
+    """Angle of the inward normal at the contact: in the world, or from the pusher's tangent at time 0."""
+    angle = Columns(LogRow, rows).contact_normal + np.pi / 2
+    if problem.world is not None:
+        c, s = problem.world.fence.axis
+        angle = angle + np.arctan2(s, c)
+    return np.rad2deg(angle)
 
 
 def _dissipation(rows: Array, problem: Problem, field: Field) -> Any:
@@ -265,6 +280,7 @@ def _pusher_position(rows: Array, problem: Problem, field: Field) -> Any:
 #: Functions of the fields that are computed from the numbers of a row.
 COMPUTED: dict[str, Callable[[Array, Problem, Field], Any]] = {
     "rod_angle": _degrees,
+    "contact_normal": _contact_normal,
     "outcome": _outcome,
     "adhesive": _adhesive,
     "dissipated": _dissipation,

@@ -151,6 +151,11 @@ LOG: Quantities = {
         "length",
         "where the contact force acts along the fence, from the fence's point at the contact at time 0",
     ),
+    "contact_normal": (
+        "degree",
+        "direction of the inward normal at the contact, in the world or from the fence's line at time 0",
+    ),
+    "contact_piece": ("1", "number of the outline's piece at the contact, -1 where there is none"),
     "dissipated": ("force length", "energy dissipated by each effect, accumulated"),
     "effect": ("1", "effect that resists the motion"),
     "evaluations": ("1", "number of evaluations of the motion under each effect, accumulated"),
@@ -184,7 +189,7 @@ FINGER: Quantities = {
     "adhesive": ("1", "whether the finger pulls on the slider"),
     "contact_position": (
         "length",
-        "position of the finger along the side, from the contact at time 0",
+        "arc length of the outline, or of a straight side, at the finger, from the contact at time 0",
     ),
     "pusher": ("length", "displacement of the finger"),
     "force": ("force", "force of the finger on the slider"),

@@ -11,7 +11,13 @@ from planar_pushing.core.motion.run import (
     LOG_ROW,
     LogRow,
 )
-from planar_pushing.core.motion.shapes import center_position, kinetic_energy_of, pose_of, to_world
+from planar_pushing.core.motion.shapes import (
+    center_position,
+    frame_turn,
+    kinetic_energy_of,
+    pose_of,
+    to_world,
+)
 from planar_pushing.core.motion.system import (
     RunState,
     System,
@@ -22,7 +28,12 @@ from planar_pushing.core.motion.system import (
     memory_of,
 )
 from planar_pushing.core.motion.touch import is_flush, side_on_fence
-from planar_pushing.core.motion.wall import gap_above_pusher, is_closed
+from planar_pushing.core.motion.wall import (
+    gap_above_pusher,
+    is_closed,
+    piece_at_contact,
+    position_on_outline,
+)
 from planar_pushing.core.supports.rows import NO_POINT
 from planar_pushing.core.supports.tolerances import SLACK
 
@@ -98,7 +109,8 @@ def write_state(
     row.twist.x, row.twist.y, row.twist.spin = w_x, w_y, spin
     row.ratio = spin_ratio(v_x, v_y, spin)
     row.kinetic = kinetic_energy_of(system, pose, v_x, v_y, spin)
-    row.contact_position, row.parted = 0.0 - state.along, run.parted
+    row.contact_position, row.parted = position_on_outline(system, state.along), run.parted
+    row.contact_normal, row.contact_piece = frame_turn(system, state), piece_at_contact(system)
 
 
 def write_place_of_force(system: System, state: RunState, offset: float, row: LogRow) -> None:

@@ -132,8 +132,9 @@ class LogRow(Record):
         Of the slider's center in the world; the angle is that of the rod in radians.
     pusher : Pair
         Displacement of the pusher.
-    contact_position : float
-        Where the force acts along the pusher.
+    contact_position, contact_normal, contact_piece : float, float, int
+        Where the force acts along a fence, or the contact is along the outline; rotation of the contact
+        frame since time 0; and the piece of the outline at the contact, -1 if it is not known.
     impulse : Pair
         Sum of the impulses since the row before.
     """
@@ -158,6 +159,8 @@ class LogRow(Record):
     evaluations: int
     stopped: int
     contact_position: float
+    contact_normal: float
+    contact_piece: int
     parted: bool
     flush: bool
     impulse: Pair
@@ -181,6 +184,8 @@ class Wall(Record):
         Angle and direction of body x in the contact frame there.
     start, end : float
         Its ends, along the pusher's path on the outline, from the contact at time 0 toward +x.
+    position : float
+        Arc length of the outline at the position `base`, from the contact at time 0.
     """
 
     piece: int
@@ -192,6 +197,7 @@ class Wall(Record):
     rod: Pair
     start: float
     end: float
+    position: float
 
 
 class Run(Record):

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from math import cos, sin
 
+from planar_pushing.core.instant.directions import nearest_integer
 from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, SLIP_RIGHT
 from planar_pushing.core.motion.fence import Span
 from planar_pushing.core.motion.mode import REST, Mode
@@ -37,9 +38,11 @@ from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers
 from planar_pushing.core.supports.chain import (
     ChainPiece,
     NearestPlace,
+    arc_length_at,
     chain_piece,
     is_inner_corner,
     is_side,
+    length_of_chain,
     nearest_on_chain,
     stretch_of_piece,
 )
@@ -65,7 +68,9 @@ def put_wall(system: System, number: int, place: float, along: float) -> None:
     """Make a piece the wall, with a position of the contact at a place of it."""
     scene, wall, piece = system.scene, system.run.wall, chain_piece(chain_of(system), number)
     x, y, fine = piece.x, piece.y, scene.fine
+    position = position_on_outline(system, along)
     wall.piece, wall.base, wall.place = number, along, place
+    wall.position = _position_near(system, piece, place, position)
     wall.radius = INFINITY if is_side(piece) else piece.radius / fine
     if is_side(piece):
         x, y = x + place * piece.along_x, y + place * piece.along_y
@@ -83,6 +88,24 @@ def put_wall(system: System, number: int, place: float, along: float) -> None:
     wall.rod.x, wall.rod.y = cos(wall.angle), sin(wall.angle)
     # The stretch of another piece says nothing about this one.
     system.run.low, system.run.high = -INFINITY, INFINITY
+
+
+def position_on_outline(system: System, along: float) -> float:
+    """Arc length of the outline at the contact, from that at time 0, or along the tangent if it is open."""
+    wall, travel = system.run.wall, system.run.wall.base - along
+    if not is_straight(wall):
+        travel = wall.radius * (travel / unit_of_place(system))
+    return wall.position + travel
+
+
+def _position_near(system: System, piece: ChainPiece, place: float, position: float) -> float:
+    """The arc length at a place of a piece, from that at time 0, that is nearest to a position."""
+    scene = system.scene
+    start = chain_piece(chain_of(system), scene.wall if scene.wall >= 0 else 0)
+    length = arc_length_at(piece, place) - arc_length_at(start, scene.place)
+    whole = length_of_chain(chain_of(system), system.run.wall.piece)
+    turns = nearest_integer((scene.fine * position - length) / whole)
+    return (length + whole * turns) / scene.fine
 
 
 def begin_at_wall(system: System) -> None:
@@ -156,6 +179,14 @@ def _end_of(piece: ChainPiece, is_start: bool) -> float:
     if is_side(piece):
         return 0.0 if is_start else piece.length
     return piece.first if is_start else piece.last
+
+
+def piece_at_contact(system: System) -> int:
+    """The piece of the outline at the contact, or at the left end of a side on a fence; -1 without one."""
+    run, scene = system.run, system.scene
+    if scene.finger:
+        return run.wall.piece if scene.chain > 0 else NO_POINT
+    return run.point if run.point < scene.chain else NO_POINT
 
 
 def is_sharp(system: System) -> bool:

@@ -86,6 +86,23 @@ def chain_piece(chain: Numbers, number: int) -> ChainPiece:
     return ChainPiece(chain[number * CHAIN_PIECE :])
 
 
+def arc_length_at(piece: ChainPiece, place: float) -> float:
+    """Arc length of a chain at a place of a piece."""
+    if is_side(piece):
+        return piece.start + place
+    return piece.start + piece.radius * (place - piece.first)
+
+
+def length_of_chain(chain: Numbers, number: int) -> float:
+    """Arc length of the closed chain that has a piece."""
+    piece = chain_piece(chain, number)
+    length, k = piece.length, piece.next
+    while k != number:
+        piece = chain_piece(chain, k)
+        length, k = length + piece.length, piece.next
+    return length
+
+
 def is_side(piece: ChainPiece) -> bool:
     """Whether a piece is a side."""
     return piece.radius == INFINITY
