@@ -11,13 +11,17 @@ import numpy.typing as npt
 import xarray as xr
 
 from planar_pushing.core.motion.run import INPUTS, Inputs
-from planar_pushing.core.supports.chain import CHAIN_PIECE, ChainPiece
+from planar_pushing.core.supports.chain import CHAIN_PIECE
 from planar_pushing.core.supports.rows import LOAD, MASS
 from planar_pushing.mechanics.kernels.columns import Columns, row_of
 from planar_pushing.mechanics.outline import Outline
-from planar_pushing.mechanics.outline.chains import RHO, TURN, Piece
-from planar_pushing.mechanics.outline.places import places_with_normals
-from planar_pushing.mechanics.plane import Frame, direction
+from planar_pushing.mechanics.outline.chains import RHO, TURN
+from planar_pushing.mechanics.outline.places import (
+    chain_rows,
+    depth_tolerance,
+    places_with_normals,
+)
+from planar_pushing.mechanics.plane import Frame
 from planar_pushing.mechanics.pressure.table import Table, joined_data
 from planar_pushing.mechanics.rows import FORMS, EffectColumns, unit_vector
 from planar_pushing.mechanics.scene import Scene
@@ -29,7 +33,7 @@ from planar_pushing.simulation.motion import (
     starts_of,
     write_policies,
 )
-from planar_pushing.simulation.problem import Problem, depth_tolerance
+from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Method, Shape
@@ -138,7 +142,8 @@ def numbers_of(
     radius, (mass, gyration), (v_x, v_y, omega) = slider.radius, scene.inertia, problem.twist
     is_finger, finger_radius = problem.shape == Shape.FINGER, problem.pusher.radius
     effects, columns = _effects_of(entries, scene, method)
-    data, chain = joined_data(effects, len(columns)), _chain_of(slider)
+    data, outline = joined_data(effects, len(columns)), slider.outline
+    chain = np.empty((0, CHAIN_PIECE)) if outline is None else chain_rows(outline)
     load, cross, dot = _load_of(scene)
     right, left, slips, closed, rough = scene.law
     side_start, side_end = slider.side
@@ -202,22 +207,6 @@ def _effects_of(
             effects.append((kind, len(columns), None))
             columns += [0.0] * FORMS[kind][0].size
     return effects, columns
-
-
-def _chain_of(slider: Slider) -> Array:
-    """Rows of the pieces of the outline, in its own frame and in units of its tolerance."""
-    outline = slider.outline
-    if outline is None:
-        return np.empty((0, CHAIN_PIECE))
-    piece, unit = Piece(*outline.pieces.T), depth_tolerance(outline)
-    rows = np.empty((len(outline.pieces), CHAIN_PIECE))
-    row = Columns(ChainPiece, rows)
-    row.x, row.y, row.radius = piece.x / unit, piece.y / unit, piece.rho / unit
-    row.first, row.last = piece.beta0, piece.beta1
-    row.length, row.start = piece.length / unit, piece.start / unit
-    row.next, row.before = piece.next, piece.before
-    row.along_x, row.along_y = direction(piece.beta0).T
-    return rows
 
 
 def _wall_of(slider: Slider) -> dict[str, Any]:

@@ -22,9 +22,12 @@ import xarray as xr
 from planar_pushing.core.supports.rows import RING, SUPPORT
 from planar_pushing.mechanics.effects import Viscous
 from planar_pushing.mechanics.force.held import require_held
-from planar_pushing.mechanics.outline import Outline
 from planar_pushing.mechanics.outline.chains import RHO, X, Y
-from planar_pushing.mechanics.outline.places import nearest_place
+from planar_pushing.mechanics.outline.places import (
+    depth_tolerance,
+    lowest_heights,
+    nearest_place,
+)
 from planar_pushing.mechanics.rows import EffectColumns, entries_of
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
@@ -39,9 +42,6 @@ from planar_pushing.terms.options import Policy, PusherFrame, Shape
 
 #: Allowed initial twists.
 TWIST = f"three finite numbers of at most {SPEEDS[1]:g}"
-#: Allowed depth of the outline in the pusher, in extents of the outline. It is far above rounding error, so
-#: that a side lying on the fence does not end a run without rotation.
-DEPTH = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -179,11 +179,6 @@ def _required_twist(value: Any, scene: Scene) -> tuple[Number, ...]:
     return twist
 
 
-def depth_tolerance(outline: Outline) -> float:
-    """Allowed depth of the outline in the pusher, in the outline's unit."""
-    return DEPTH * outline.size
-
-
 def _height_of_outline(slider: Slider, gap: Number) -> float:
     """Height of the outline above the fence, the minimum over several sliders."""
     length, angle, (_, (c, s)) = slider.rod_length, slider.rod_angle, slider.outline_frame
@@ -193,9 +188,10 @@ def _height_of_outline(slider: Slider, gap: Number) -> float:
 
     def lowest(x: Array, y: Array, n_x: Array, n_y: Array) -> Array:
         """Smallest heights of the outline over points, along directions."""
-        points = slider.outline.vertices(depth_tolerance(slider.outline) / 4.0)
-        heights = np.multiply.outer(n_x, points[:, 0]) + np.multiply.outer(n_y, points[:, 1])
-        return np.asarray(heights.min(axis=-1) - (n_x * x + n_y * y))
+        x, y, n_x, n_y = np.broadcast_arrays(x, y, n_x, n_y)
+        normals = np.stack([np.asarray(n_x, float), n_y], axis=-1)
+        heights = lowest_heights(slider.outline, normals.reshape(-1, 2))
+        return np.asarray(heights.reshape(x.shape) - (n_x * x + n_y * y))
 
     height = gap + xr.apply_ufunc(lowest, x, y, n_x, n_y, dask="allowed")
     return float(np.min(np.asarray(height)))

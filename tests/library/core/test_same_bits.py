@@ -163,6 +163,6 @@ def test_every_kernel_is_compared():
         "solve", "solve_flush", "force_motions", "motion_cones", "load_ratios", "responses", "wrenches",
         "unit_vectors", "moments", "plate_terms", "plate_loads",
         "measure_supports", "store_pressures", "ring_profiles", "ring_spin_ratios",
-        "polygon_area", "crossing_edges", "touching_edges", "outline_distances", "free_stretches",
+        "polygon_area", "crossing_edges", "touching_edges", "stretches_of_pieces",
         "run_events", "run_steps",
     }  # fmt: skip

@@ -14,7 +14,6 @@ from typing import NamedTuple
 
 from planar_pushing.core._record import Record, size_of
 from planar_pushing.core.numbers import INFINITY, UNKNOWN, Numbers
-from planar_pushing.core.supports.outline import Stretch
 
 #: A full turn.
 FULL_TURN = 6.283185307179586
@@ -70,6 +69,13 @@ class NearestPlace(NamedTuple):
     piece: int
     place: float
     distance: float
+
+
+class Stretch(NamedTuple):
+    """An interval of places on a piece, empty if `low` is greater than `high`."""
+
+    low: float
+    high: float
 
 
 class Crossings(NamedTuple):
@@ -296,29 +302,28 @@ def _crossings_of_circles(
     return Crossings(x - across * d_y, y + across * d_x, x + across * d_y, y - across * d_x)
 
 
-def nearest_places(
-    data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
-) -> None:
-    """The place of an outline nearest to each point: its piece, its place there, and the distance.
+class StretchRow(Record):
+    """A disc that touches a piece of an outline at a place, and the number and the place of its pieces."""
 
-    A row holds the point, the number of pieces, and their place in the data.
-    """
-    for i in range(count):
-        row = rows[i * columns :]
-        place = nearest_on_chain(data[int(row[3]) :], int(row[2]), row[0], row[1])
-        result = results[i * width :]
-        result[0], result[1], result[2] = float(place.piece), place.place, place.distance
+    piece: int
+    radius: float
+    place: float
+    count: int
+    first: int
+
+
+class StretchResult(Record):
+    """The places between which the disc meets no other piece."""
+
+    low: float
+    high: float
 
 
 def stretches_of_pieces(
     data: Numbers, rows: Numbers, count: int, columns: int, results: Numbers, width: int
 ) -> None:
-    """The stretch of a piece on which each disc meets no other piece of an outline.
-
-    A row holds the number of the piece, the radius of the disc, the place, the number of pieces, and their
-    place in the data.
-    """
+    """The stretch of a piece on which each disc meets no other piece: of each `StretchRow`."""
     for i in range(count):
-        row, result = rows[i * columns :], results[i * width :]
-        stretch = stretch_of_piece(data[int(row[4]) :], int(row[3]), int(row[0]), row[1], row[2])
-        result[0], result[1] = stretch.low, stretch.high
+        row, result = StretchRow(rows[i * columns :]), StretchResult(results[i * width :])
+        stretch = stretch_of_piece(data[row.first :], row.count, row.piece, row.radius, row.place)
+        result.low, result.high = stretch.low, stretch.high

@@ -7,11 +7,18 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.outline.chains import BETA0, BETA1, LENGTH, RHO, wrap
+from planar_pushing.core.supports.chain import CHAIN_PIECE, ChainPiece
+from planar_pushing.mechanics.kernels.columns import Columns
+from planar_pushing.mechanics.outline.chains import BETA0, BETA1, LENGTH, RHO, Piece, wrap
 from planar_pushing.mechanics.outline.drawing import KEPT
 from planar_pushing.mechanics.outline.outline import Outline
+from planar_pushing.mechanics.plane import direction
 from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.numbers import Array
+
+#: Allowed depth of the outline in the pusher, in extents of the outline. It is far above rounding error, so
+#: that a side lying on the fence does not end a run without rotation.
+DEPTH = 1e-9
 
 
 class Places(NamedTuple):
@@ -140,3 +147,38 @@ def places_with_normals(outline: Outline, points: Array, normals: Array) -> Plac
     on_arc = np.where(pieces.is_side[choice], 0.0, rows[:, RHO]) * (turned - rows[:, BETA0])
     along = np.where(pieces.is_side[choice], position[each, choice], on_arc)
     return Places(choice, turned, along, spots[each, choice], distance[each, choice])
+
+
+def lowest_heights(outline: Outline, normals: Array) -> Array:
+    """The smallest component of positions on an outline along each of the unit vectors, shape (n,)."""
+    piece = Piece(*outline.pieces.T)
+    is_side = np.isinf(piece.rho)
+    radius = np.where(is_side, 0.0, piece.rho)
+    # Every end of an arc is the start of the next piece.
+    x = piece.x + radius * np.sin(piece.beta0)
+    y = piece.y - radius * np.cos(piece.beta0)
+    heights = normals @ np.stack([x, y])
+    middle = (piece.beta0 + piece.beta1) / 2.0
+    direction = np.arctan2(-normals[:, 0], normals[:, 1])
+    apart = np.abs(wrap(direction[:, None] - middle))
+    lies = (radius > 0.0) & (apart <= np.abs(piece.beta1 - piece.beta0) / 2.0)
+    bottoms = normals @ np.stack([piece.x, piece.y]) - radius
+    return np.asarray(np.where(lies, bottoms, heights).min(axis=1))
+
+
+def depth_tolerance(outline: Outline) -> float:
+    """Allowed depth of the outline in the pusher, in the outline's unit."""
+    return DEPTH * outline.size
+
+
+def chain_rows(outline: Outline) -> Array:
+    """The pieces of an outline in the form of the core: `ChainPiece`, in units of the allowed depth."""
+    piece, unit = Piece(*outline.pieces.T), depth_tolerance(outline)
+    rows = np.empty((len(outline.pieces), CHAIN_PIECE))
+    row = Columns(ChainPiece, rows)
+    row.x, row.y, row.radius = piece.x / unit, piece.y / unit, piece.rho / unit
+    row.first, row.last = piece.beta0, piece.beta1
+    row.length, row.start = piece.length / unit, piece.start / unit
+    row.next, row.before = piece.next, piece.before
+    row.along_x, row.along_y = direction(piece.beta0).T
+    return rows

@@ -12,11 +12,18 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
+from planar_pushing.core.supports.chain import StretchRow
 from planar_pushing.mechanics.kernels.arrays import Output, map_kernel
+from planar_pushing.mechanics.kernels.columns import row_of
+from planar_pushing.mechanics.outline import Outline
+from planar_pushing.mechanics.outline.places import (
+    chain_rows,
+    depth_tolerance,
+    places_with_normals,
+)
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.objects.boundary import Sides, nearest, sides_of
+from planar_pushing.objects.boundary import nearest, sides_of
 from planar_pushing.pushes.logs.measured import Index, Mask, Measured
-from planar_pushing.simulation.problem import DEPTH
 from planar_pushing.terms.errors import SceneWarning, warn_user
 
 #: A finger that leaves a side within this fraction of its path does not push it.
@@ -117,15 +124,20 @@ def contacts_of(pushes: Measured) -> Contacts:
         path=pushes.path[push], radius=np.where(sticks, 0.0, pushes.radius[push]), sticks=sticks,
         aligned=(normal * pushes.normal[push]).sum(axis=1),
     )  # fmt: skip
-    return _within_reach(contacts, sides)
+    return _within_reach(contacts, Outline(pushes.outline))
 
 
-def _within_reach(contacts: Contacts, sides: Sides) -> Contacts:
+def _within_reach(contacts: Contacts, outline: Outline) -> Contacts:
     """Contacts whose sides end where the finger meets another side or corner."""
-    inside, depth, corners = INSIDE * sides.scale, DEPTH * sides.scale, sides.start
-    columns = [*contacts.point.T, *contacts.tangent.T, contacts.radius, depth, 0.0, len(corners), 0]
+    inside, unit, chain = INSIDE * outline.size, depth_tolerance(outline), chain_rows(outline)
+    places = places_with_normals(outline, contacts.point, contacts.normal)
+    columns = row_of(
+        StretchRow, piece=places.piece, radius=contacts.radius / unit,
+        place=places.position / unit, count=len(chain), first=0,
+    )  # fmt: skip
     outputs = [Output("low"), Output("high")]
-    low, high = map_kernel("free_stretches", corners.ravel(), columns, outputs)
+    stretch = map_kernel("stretches_of_pieces", chain.ravel(), columns, outputs)
+    low, high = (unit * end - places.position for end in stretch)
     return replace(
         contacts,
         start=np.maximum(contacts.start, np.minimum(low, -inside)),
