@@ -100,7 +100,7 @@ def test_the_contact_of_a_disc_moves_along_the_fence(law, velocity, place):
 
 @pytest.mark.parametrize("name", RUNS)
 def test_steps_go_over_an_outline_with_an_error_of_first_order(name):
-    """A constant twist is exact. A side lies down within a step, so that the error is bounded by the step."""
+    """A constant twist is exact. A side lies down within a step, so that the step bounds the error."""
     scene, velocity, duration, tilt, pose, _ = RUNS[name]
     for step in (8e-3, 4e-3, 2e-3, 1e-3, 5e-4):
         log = push(scene, velocity, duration, tilt, method="time-stepping", step=step)
