@@ -181,8 +181,9 @@ def _required_twist(value: Any, scene: Scene) -> tuple[Number, ...]:
 
 def _height_of_outline(slider: Slider, gap: Number) -> float:
     """Height of the outline above the fence, the minimum over several sliders."""
-    length, angle, (_, (c, s)) = slider.rod_length, slider.rod_angle, slider.outline_frame
-    x, y = slider.outline_frame.point_out((-length, 0.0 * length))
+    length, angle = slider.rod_length, slider.rod_angle
+    (origin_x, origin_y), (c, s) = slider.outline_frame
+    x, y = origin_x - length * c, origin_y - length * s
     n_x, n_y = np.sin(angle), np.cos(angle)
     n_x, n_y = c * n_x - s * n_y, s * n_x + c * n_y
 

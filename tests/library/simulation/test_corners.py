@@ -198,17 +198,48 @@ class TestArraysOfContacts:
             assert not batch.stopped[i].item()
             assert not batch.parted[i].item()
 
-    @pytest.mark.parametrize("points", [POINTS, POINTS[:1], POINTS[None]])
-    def test_a_fence_on_a_side_is_refused(self, points):
-        with pytest.raises(pp.InvalidValue, match="a fence on the side of an outline"):
-            pp.simulate_batch(self.scenes(points), pp.Pusher(velocity=(0, 0.05)), duration=1)
+    @pytest.mark.parametrize("count", [1, 2, 4])
+    def test_a_fence_pushes_a_side_as_in_a_single_run(self, count):
+        """Any contact of a side that lies on the fence is the side."""
+        points, fence = self.POINTS[:count], pp.Pusher(velocity=(0.05, 0.05))
+        batch = pp.simulate_batch(self.scenes(points), fence, duration=1.0)
+        for i, point in enumerate(points):
+            log = pp.simulate(self.scenes(tuple(point)), fence, duration=1.0)
+            assert log.flush.all()
+            assert (batch.rod_angle == batch.initial_rod_angle)[i].item()
+            for name in ("position", "slip"):
+                wanted = log[name].values[-1]
+                assert batch[name].values[i] == pytest.approx(wanted, rel=0, abs=1e-14)
+            # The cone's edge is 0.1 beside the normal: it slips to the left.
+            assert batch.slip[i].item() == pytest.approx(-0.045, abs=1e-12)
 
-    def test_a_fence_at_corners_meets_no_other_corner(self):
-        points, fence = np.array([BOX[1], BOX[1]]), pp.Pusher(velocity=(0, 0.05))
-        with pytest.warns(pp.SceneWarning, match="the fence meets no other corner"):
-            batch = pp.simulate_batch(self.scenes(points, BISECTOR), fence, duration=0.2)
-        log = pp.simulate(self.scenes(BOX[1], BISECTOR), fence, duration=0.2)
-        assert batch.rod_angle.values == pytest.approx(log.rod_angle[-1].item(), abs=1e-9)
+    def test_arrays_of_more_dimensions_are_refused(self):
+        with pytest.raises(pp.InvalidValue, match=r"shapes: .* allowed: \(\) or \(scenes,\)"):
+            pp.simulate_batch(
+                self.scenes(self.POINTS[None]), pp.Pusher(velocity=(0, 0.05)), duration=1
+            )
+
+    @pytest.mark.parametrize("count", [1, 2, 5])
+    def test_a_fence_at_corners_lies_down_on_sides_as_in_a_single_run(self, count):
+        points, fence = np.array([BOX[1]] * count), pp.Pusher(velocity=(0.01, 0.05))
+        normal = (-np.sin(0.5), np.cos(0.5))
+        batch = pp.simulate_batch(self.scenes(points, normal), fence, duration=3.0)
+        log = pp.simulate(self.scenes(BOX[1], normal), fence, duration=3.0)
+        assert log.flush.any()
+        assert batch.rod_angle.values == pytest.approx(log.rod_angle[-1].item(), rel=0, abs=1e-12)
+
+    @pytest.mark.parametrize("count", [1, 2, 5])
+    def test_a_fence_through_the_object_is_refused(self, count):
+        """In all scenes of the array or in one alone: the stem is below a fence on the bar."""
+        tee = {
+            "effects": (pp.SupportFriction(support=pp.Polygon(TEE)),),
+            "contact": pp.Coulomb(0.2),
+        }
+        fence, through = pp.Pusher(velocity=(0, 0.05)), (30, 0)
+        for points in ([through] * count, [(0, -90)] * (count - 1) + [through]):
+            scenes = pp.scene_at(np.array(points), outline=TEE, **tee)
+            with pytest.raises(pp.InvalidValue, match="a point 90 below the fence"):
+                pp.simulate_batch(scenes, fence, duration=0.2)
 
     def test_sides_of_ones_own_and_arrays_of_laws_are_as_they_were(self):
         slider = pp.Slider(

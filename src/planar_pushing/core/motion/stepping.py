@@ -40,7 +40,7 @@ from planar_pushing.core.motion.log import (
     write_state,
 )
 from planar_pushing.core.motion.mode import NO_MODE
-from planar_pushing.core.motion.rolling import has_finger, travel_rate
+from planar_pushing.core.motion.rolling import travel_rate
 from planar_pushing.core.motion.shapes import (
     Pose,
     center_height,
@@ -74,9 +74,10 @@ from planar_pushing.core.motion.touch import name_contact
 from planar_pushing.core.motion.wall import (
     begin_at_wall,
     confine_finger,
+    is_in_outline,
     leave_corner,
+    meets_in_step,
     open_wall,
-    outline_height,
     pass_ends,
     room_on_piece,
     seat_finger,
@@ -268,8 +269,10 @@ def _end_contact(system: System) -> None:
     closed: bool = state.gap <= SLACK
     if closed and system.scene.chain > 0:
         seat_finger(system, state)
-        meets: bool = has_finger(system) and outline_height(system, state, True) <= 0.0
-        if meets or not pass_ends(system, state):
+        passes: bool = room_on_piece(system, state) < -SLACK
+        if meets_in_step(system, state) or not pass_ends(system, state):
+            run.stopped = TWO_CONTACTS
+        elif passes and is_in_outline(system, state):
             run.stopped = TWO_CONTACTS
     elif closed and room_on_piece(system, state) < -SLACK:
         run.parted = True

@@ -9,7 +9,7 @@ fence frame; slipping, it goes on to the side at once.
 
 from __future__ import annotations
 
-from math import cos, sin
+from math import cos, fabs, sin
 
 from planar_pushing.core.instant.directions import nearest_integer
 from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, SLIP_RIGHT
@@ -109,10 +109,17 @@ def _position_near(system: System, piece: ChainPiece, place: float, position: fl
 
 
 def begin_at_wall(system: System) -> None:
-    """Make the piece at the contact at time 0 the wall."""
-    scene = system.scene
-    if follows_chain(system) and scene.wall >= 0:
-        put_wall(system, scene.wall, scene.place, 0.0)
+    """Make the piece at the contact at time 0 the wall.
+
+    The frame of a side is that of the slider, to the last bit, as without an outline.
+    """
+    scene, run, wall = system.scene, system.run, system.run.wall
+    if not follows_chain(system) or scene.wall < 0:
+        return
+    put_wall(system, scene.wall, scene.place, 0.0)
+    if is_straight(wall) and fabs(wall.angle - scene.angle) <= SLACK:
+        wall.angle, wall.rod.x, wall.rod.y = scene.angle, run.rod.x, run.rod.y
+        wall.anchor.x, wall.anchor.y = -scene.length, 0.0
 
 
 def place_on_wall(system: System, along: float) -> float:
@@ -306,6 +313,25 @@ def confine_finger(system: System, state: RunState) -> None:
     run.high = unit * (stretch.high - wall.place) - wall.base
     if unit < 0.0:
         run.low, run.high = run.high, run.low
+
+
+def meets_in_step(system: System, state: RunState) -> bool:
+    """Whether a finger has met another piece on its wall, before the end of the wall, in a step.
+
+    The stretch of an arc ends beyond it, where the finger would be in its neighbor.
+    """
+    run, wall = system.run, system.run.wall
+    above: bool = run.high <= wall.end and run.high + state.along <= 0.0
+    below: bool = run.low >= wall.start and -state.along - run.low <= 0.0
+    return has_finger(system) and (above or below)
+
+
+def is_in_outline(system: System, state: RunState) -> bool:
+    """Whether a finger that touches its wall is in another piece, by more than the tolerance."""
+    if not follows_chain(system):
+        return False
+    reach = system.scene.fine * system.scene.radius
+    return nearest_wall(system, state).distance < reach - 1.0
 
 
 def gap_above_pusher(system: System, state: RunState) -> float:
