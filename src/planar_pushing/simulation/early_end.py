@@ -48,10 +48,6 @@ REASONS: Mapping[Stop, Reason] = {
         "the finger touches the object at two places",
         "a finger has one contact: end the push before, or push at another place or with a smaller finger",
     ),
-    Stop.END_OF_SIDE: Reason(
-        "the finger comes to the end of the side",
-        "compare the units of the pusher's motion with those of the object, or end the push before",
-    ),
 }  # fmt: skip
 
 

@@ -17,7 +17,6 @@ from planar_pushing.core.motion.system import (
     LAID_DOWN,
     NO_IMPULSE,
     NO_PROGRESS,
-    SIDE_ENDED,
     SINGULAR_MOTION,
     TOO_MANY_EVENTS,
     TOO_MUCH_WORK,
@@ -46,7 +45,6 @@ class Stop(IntEnum):
     EVENTS = TOO_MANY_EVENTS
     PROGRESS = NO_PROGRESS
     TWO_CONTACTS = TWO_CONTACTS
-    END_OF_SIDE = SIDE_ENDED
     EVALUATIONS = TOO_MUCH_WORK
 
 

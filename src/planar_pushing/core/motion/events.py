@@ -44,7 +44,7 @@ from planar_pushing.core.motion.rolling import has_finger, is_straight
 from planar_pushing.core.motion.run import (
     Run,
 )
-from planar_pushing.core.motion.shapes import center_height, is_outlined, put_initial_state
+from planar_pushing.core.motion.shapes import center_height, put_initial_state
 from planar_pushing.core.motion.system import (
     CAUSES,
     CENTER_DOWN,
@@ -60,7 +60,6 @@ from planar_pushing.core.motion.system import (
     PENETRATES,
     PUSH_STARTS,
     REACHED,
-    SIDE_ENDED,
     SIGNS,
     SINGULAR_MOTION,
     SLIDER_STOPS,
@@ -412,8 +411,7 @@ def _go_to_event(system: System) -> None:
         )
         run.time = time
     elif cause == END_OF_SIDE or passes:
-        run.parted = not is_outlined(system)
-        reason = SIDE_ENDED if is_outlined(system) else GOES_ON
+        run.parted = True
     else:
         time, reason = change_state(
             system, cause, mode, run.event_time, state, current_policy(system)

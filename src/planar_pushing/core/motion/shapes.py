@@ -207,11 +207,6 @@ def has_outline(system: System) -> bool:
     return system.scene.chain > 0
 
 
-def is_outlined(system: System) -> bool:
-    """Whether the slider is known to have an outline, even if its corners are not given."""
-    return system.scene.fine > 0.0
-
-
 def put_initial_state(system: System, state: RunState) -> None:
     """Store the state at time 0."""
     scene = system.scene
