@@ -270,9 +270,8 @@ def _end_contact(system: System) -> None:
     if closed and system.scene.chain > 0:
         seat_finger(system, state)
         passes: bool = room_on_piece(system, state) < -SLACK
-        if meets_in_step(system, state) or not pass_ends(system, state):
-            run.stopped = TWO_CONTACTS
-        elif passes and is_in_outline(system, state):
+        goes_on: bool = not meets_in_step(system, state) and pass_ends(system, state)
+        if not goes_on or (passes and is_in_outline(system, state)):
             run.stopped = TWO_CONTACTS
     elif closed and room_on_piece(system, state) < -SLACK:
         run.parted = True
