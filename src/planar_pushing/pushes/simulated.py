@@ -165,7 +165,8 @@ def _push(
     log = quietly(simulate)(
         scene, pusher=pusher, duration=distance, samples=SAMPLES, object_pose=(0.0, 0.0, 0.0)
     )
-    if log.attrs["stopped"] or bool(log["parted"].any()):
+    pieces = log["contact_piece"].values
+    if log.attrs["stopped"] or not np.isin(pieces, (pieces[0], -1)).all():
         return None
     position, angle = log["object_position"].values, np.deg2rad(log["object_angle"].values)
     force = _mean_force(log, distance, drawn, angle)
