@@ -57,7 +57,7 @@ def test_it_reads_back_as_the_scene_of_the_support(found, tmp_path):
 def test_a_single_point_and_too_many_are_refused_and_nothing_is_written(found, tmp_path):
     pushes, path = pp.concat_pushes([small()]), tmp_path / "support.yaml"
     single = replace(found, support=pp.Points([(0.0, 0.0)], [1.0]))
-    with pytest.raises(pp.InvalidFile, match=r"allowed: a support with more than one point, "):
+    with pytest.raises(pp.InvalidFile, match=r"allowed: at least two points of support, "):
         save_support(single, pushes, path)
     places = np.random.default_rng(1).uniform(-1, 1, (3501, 2))
     with pytest.raises(
