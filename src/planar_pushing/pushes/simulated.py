@@ -165,8 +165,7 @@ def _push(
     log = quietly(simulate)(
         scene, pusher=pusher, duration=distance, samples=SAMPLES, object_pose=(0.0, 0.0, 0.0)
     )
-    pieces = log["contact_piece"].values
-    if log.attrs["stopped"] or not np.isin(pieces, (pieces[0], -1)).all():
+    if log.attrs["stopped"] or bool((log["event"] == Event.END_OF_SIDE).any()):
         return None
     position, angle = log["object_position"].values, np.deg2rad(log["object_angle"].values)
     force = _mean_force(log, distance, drawn, angle)
