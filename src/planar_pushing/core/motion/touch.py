@@ -83,6 +83,11 @@ def direction_under(system: System, piece: ChainPiece, state: RunState) -> float
     return middle + (apart - FULL_TURN * nearest_integer(apart / FULL_TURN))
 
 
+def direction_on_arc(system: System, piece: ChainPiece, state: RunState) -> float:
+    """Direction of the tangent of an arc at its point that can touch the fence."""
+    return min(max(direction_under(system, piece, state), piece.first), piece.last)
+
+
 def can_touch(system: System, point: int, state: RunState) -> bool:
     """Whether a point can touch the fence; a side cannot, and the end of an arc only beside a side."""
     if point >= system.scene.chain:
@@ -106,8 +111,7 @@ def point_position(system: System, point: int, state: RunState) -> Position:
         piece = _piece_of(system, point)
         x, y = piece.x, piece.y
         if piece.radius > 0.0:
-            direction = direction_under(system, piece, state)
-            direction = min(max(direction, piece.first), piece.last)
+            direction = direction_on_arc(system, piece, state)
             x, y = x + piece.radius * sin(direction), y - piece.radius * cos(direction)
         return position_in_body(scene, x, y)
     return end_position(system, number)
@@ -146,20 +150,52 @@ def offset_of(system: System, state: RunState, point: int) -> Position:
     return Position(x * c - y * s, x * s + y * c)
 
 
+class FenceLine(NamedTuple):
+    """The normal of a fence, and the contact, in the frame of the outline and in units of its tolerance."""
+
+    n_x: float
+    n_y: float
+    x: float
+    y: float
+
+
+def fence_line(system: System, state: RunState) -> FenceLine:
+    """The fence in the frame of the outline, so that its pieces need not be moved to the body frame."""
+    scene, c, s = system.scene, cos(state.angle), sin(state.angle)
+    c_x, c_y = contact_in_body(system, state, c, s)
+    a_x, a_y, fine = scene.axis.x, scene.axis.y, scene.fine
+    x = scene.frame.x + fine * (c_x * a_x - c_y * a_y)
+    y = scene.frame.y + fine * (c_x * a_y + c_y * a_x)
+    return FenceLine(s * a_x - c * a_y, s * a_y + c * a_x, x, y)
+
+
 def lowest_point(system: System, state: RunState, others: bool) -> Lowest:
     """The lowest point, or the lowest of those apart from the contact; infinitely high without any."""
-    slack = touch_tolerance(system)
-    c, s = cos(state.angle), sin(state.angle)
-    c_x, c_y = contact_in_body(system, state, c, s)
-    lowest, height = NO_POINT, INFINITY
-    for point in range(count_points(system)):
+    fence, lowest, height = fence_line(system, state), NO_POINT, INFINITY
+    count, chain, slack = count_points(system), system.scene.chain, touch_tolerance(system)
+    for point in range(min(count, chain)):
+        piece = _piece_of(system, point)
+        if not 0.0 <= piece.radius < INFINITY:
+            continue
+        x, y = piece.x - fence.x, piece.y - fence.y
+        # Most pieces are higher, also if they are parallel to the fence.
+        if x * fence.n_x + y * fence.n_y - piece.radius >= height:
+            continue
         if not can_touch(system, point, state):
             continue
-        position = point_position(system, point, state)
-        x, y = position.x - c_x, position.y - c_y
-        counts: bool = not others or fabs(x) > slack or fabs(y) > slack
-        if counts and x * s + y * c < height:
-            lowest, height = point, x * s + y * c
+        if piece.radius > 0.0:
+            direction = direction_on_arc(system, piece, state)
+            x, y = x + piece.radius * sin(direction), y - piece.radius * cos(direction)
+        up = x * fence.n_x + y * fence.n_y
+        if up < height and (not others or fabs(x) > 1.0 or fabs(y) > 1.0):
+            lowest, height = point, up
+    if lowest >= 0:
+        height = offset_of(system, state, lowest).y
+    for point in range(chain, count):
+        offset = offset_of(system, state, point)
+        counts: bool = not others or fabs(offset.x) > slack or fabs(offset.y) > slack
+        if counts and offset.y < height:
+            lowest, height = point, offset.y
     return Lowest(lowest, state.gap + height)
 
 
@@ -287,10 +323,20 @@ def settle_on_fence(system: System, state: RunState, slack: float) -> None:
 def side_on_fence(system: System, state: RunState) -> tuple[int, int]:
     """The first and the last of the points on the fence, -1 if they are one point."""
     left, right, first, last = NO_POINT, NO_POINT, INFINITY, -INFINITY
-    slack = touch_tolerance(system)
+    slack, fence, level = (
+        touch_tolerance(system),
+        fence_line(system, state),
+        state.gap * system.scene.fine,
+    )
     for point in range(count_points(system)):
-        if not can_touch(system, point, state):
-            continue
+        if point < system.scene.chain:
+            piece = _piece_of(system, point)
+            up = (piece.x - fence.x) * fence.n_x + (piece.y - fence.y) * fence.n_y
+            # Sides, and pieces that are higher than the tolerance, and more than rounding, are not on it.
+            if is_side(piece) or up - piece.radius + level > 2.0:
+                continue
+            if not can_touch(system, point, state):
+                continue
         # The ends of a given side can be places of the outline, which come first.
         offset, more = offset_of(system, state, point), 0.0 if point < system.scene.chain else slack
         if fabs(state.gap + offset.y) <= slack:
