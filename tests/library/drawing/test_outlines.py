@@ -27,7 +27,7 @@ OUTLINES = {
     "rounded": (pp.rounded(BOX, 0.02), 0.02 - (4 - np.pi) * 0.02**2),
     "tee": (pp.Outline(TEE, holes=HOLES), 120 * 30 + 30 * 90 - 64 * np.pi - 100),
     "ellipse": (pp.Outline.ellipse(0.06, 0.04), np.pi * 0.06 * 0.04),
-    "plate with a round hole": (pp.Outline(pp.Polygon(BOX), holes=[pp.Disc(0.03, (0.05, 0.0))]), 0.02 - 9e-4 * np.pi),
+    "round hole": (pp.Outline(BOX, holes=[pp.Disc(0.03, (0.05, 0.0))]), 0.02 - 9e-4 * np.pi),
 }  # fmt: skip
 
 
