@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import io
+import json
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -25,10 +26,11 @@ from planar_pushing.drawing.canvas.style import paper_style
 from planar_pushing.drawing.motion import box, frame_picture, pose
 from planar_pushing.drawing.timeline import (
     announce_end,
-    contact_corner,
     is_pivot,
     path_data,
     pusher_action,
+    touched_side,
+    touching_wall,
 )
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.errors import InvalidValue, require_number, require_path
@@ -145,12 +147,15 @@ def resample(data: xr.Dataset, count: int) -> xr.Dataset:
         values = data[name].values.reshape(len(time), -1)
         columns = [np.interp(times, time, column) for column in values.T]
         motion[name] = (data[name].dims, np.stack(columns, axis=-1).reshape(motion[name].shape))
+    entry = json.loads(data.attrs["scene"])["slider"].get("outline")
+    if "path_side" in data and entry is not None:
+        motion["path_side"] = touched_side(motion, entry)
     return motion
 
 
 def _force_positions(data: xr.Dataset, times: Array, before: Any) -> Array:
     """Positions of the force along the fence, interpolated between rows with one contact."""
-    along, point = data["path_contact_position"].values, contact_corner(data)
+    along, point = data["path_contact_position"].values, touching_wall(data)
     after = np.minimum(before + 1, len(along) - 1)
     between = np.interp(times, data["time"].values, along)
     smooth = (point[before] == point[after]) & np.isfinite(along[before] + along[after])

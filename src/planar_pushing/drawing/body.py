@@ -24,6 +24,8 @@ from planar_pushing.drawing.canvas.marks import (
 )
 from planar_pushing.drawing.supports import OUTLINE, Ink, Pose, add_support, extents
 from planar_pushing.mechanics.force.rubbing import support_of
+from planar_pushing.mechanics.outline import Outline
+from planar_pushing.mechanics.outline.chains import sample_chain, split_chains
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.supports import Polygon, Ring
@@ -40,12 +42,17 @@ RIM = 0.07
 NAMES = {"pressure": "center of\npressure", "mass": "center\nof mass"}
 #: Strength of the color of an outline's area.
 OBJECT = 0.06
+#: Largest distance of a drawn outline from its arcs, in sizes of the outline.
+FLAT = 1e-4
 #: Width of a side on the fence, in units of the outline's.
 SIDE = 1.5
 #: Drawing order of the disc of a finger.
 FINGER = AREAS + 0.9
 #: Distance between strokes of a fence's hatch, in units of its depth.
 STROKE_SPACING = 0.8
+
+#: Vertices of an outline and of its holes.
+Rings = tuple[tuple[tuple[float, float], ...], ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,7 +61,7 @@ class Body:
 
     support: Any
     centers: tuple[tuple[str, Any], ...] = ()
-    outline: tuple[tuple[float, float], ...] = ()
+    outline: Rings = ()
 
     @property
     def half(self) -> float:
@@ -78,23 +85,24 @@ class Body:
     def box(self, pose: Pose) -> Array:
         """Corners of the upright box around the support and the marks, at a pose."""
         centers = [center for _, center in self.centers]
-        marked = map(pose.to_plane, (*centers, *self.outline))
+        marked = map(pose.to_plane, (*centers, *_exterior(self.outline)))
         points = [*extents(self.support, pose), *marked]
         rim = 0.0 if self.is_ring else RIM * self.half
         return np.array([np.min(points, axis=0) - rim, np.max(points, axis=0) + rim])
 
 
 @cache_results(32)
-def _bounds(support: Any, outline: tuple[tuple[float, float], ...]) -> Array:
-    points = np.array([*extents(support, Pose((0.0, 0.0), 0.0)), *outline])
+def _bounds(support: Any, outline: Rings) -> Array:
+    points = np.array([*extents(support, Pose((0.0, 0.0), 0.0)), *_exterior(outline)])
     return np.array([points.min(axis=0), points.max(axis=0)])
 
 
 def body_of(scene: Scene) -> Body:
     """Slider of a scene; an outline equal to the support's is drawn with the support."""
     support, outline = support_of(scene), _drawn(scene)
-    if isinstance(support, Polygon) and set(support.vertices) == set(outline):
-        outline = ()
+    if isinstance(support, Polygon):
+        rings = support.vertices, *support.holes
+        outline = () if {*map(frozenset, rings)} == {*map(frozenset, outline)} else outline
     if scene.isotropic:
         return Body(support=support, outline=outline)
     pressure = support.center_of_pressure
@@ -107,12 +115,21 @@ def body_of(scene: Scene) -> Body:
     return Body(support=support, centers=marked, outline=outline)
 
 
-def _drawn(scene: Scene) -> tuple[tuple[float, float], ...]:
-    """Vertices of a scene's outline in the body frame; none without an outline."""
+def _drawn(scene: Scene) -> Rings:
+    """Vertices of a scene's outline and of its holes in the body frame; none without an outline."""
     outline = scene.slider.outline_in_body()
-    if outline is None:
-        return ()
-    return outline.corners or tuple(map(tuple, outline.vertices().tolist()))
+    return () if outline is None else _rings(outline)
+
+
+@cache_results(32)
+def _rings(outline: Outline) -> Rings:
+    chains, tolerance = split_chains(outline.pieces), FLAT * outline.size
+    return tuple(tuple(map(tuple, sample_chain(chain, tolerance).tolist())) for chain in chains)
+
+
+def _exterior(outline: Rings) -> tuple[tuple[float, float], ...]:
+    """Vertices of the exterior; none without an outline."""
+    return outline[0] if outline else ()
 
 
 def body_in(data: xr.Dataset) -> Body:
@@ -150,7 +167,7 @@ def add_body(
     """
     ink = ink or Ink()
     if body.outline:
-        add_outline(picture, pose.to_plane(body.outline), ink)
+        add_outline(picture, [pose.to_plane(ring) for ring in body.outline], ink)
     add_support(picture, body.support, pose, ink)
     if side is None:
         add_rod(picture, pose.origin, contact=contact, ink=ink)
@@ -164,11 +181,12 @@ def add_body(
         )
 
 
-def add_outline(picture: Picture, corners: Array, ink: Ink) -> None:
-    """Add the outline of an object: a thin line around a pale area."""
-    picture.area(corners, color=tint(ink.color, OBJECT), order=AREAS)
-    ring = np.vstack([corners, corners[:1]])
-    picture.line(ring, tint(ink.color, 0.6), width=0.4 * ink.width, order=LINES)
+def add_outline(picture: Picture, rings: list[Array], ink: Ink) -> None:
+    """Add the outline of an object and its holes: thin lines around a pale area."""
+    picture.area(*rings, color=tint(ink.color, OBJECT), order=AREAS)
+    for ring in rings:
+        closed = np.vstack([ring, ring[:1]])
+        picture.line(closed, tint(ink.color, 0.6), width=0.4 * ink.width, order=LINES)
 
 
 def add_rod(picture: Picture, center: Positions, *, contact: Positions, ink: Ink) -> None:

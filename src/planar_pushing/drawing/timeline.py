@@ -8,13 +8,17 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 import xarray as xr
 from pydantic import ValidationError
 
-from planar_pushing.drawing.body import Body, body_in
+from planar_pushing.drawing.body import FLAT, Body, body_in
 from planar_pushing.drawing.supports import Pose
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.outline import Outline
+from planar_pushing.mechanics.outline.chains import LENGTH, RHO, sample_chain
 from planar_pushing.mechanics.outline.entries import outline_of_entry
+from planar_pushing.mechanics.outline.places import nearest_place
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Ring
 from planar_pushing.terms.errors import InvalidFile, InvalidValue
@@ -92,9 +96,10 @@ def path_data(log: xr.Dataset) -> xr.Dataset:
     data["radius"].attrs["long_name"] = "radius of the ring"
     data["rod_length"].attrs["long_name"] = "rod length, from the contact to the slider's center"
     if log.attrs.get("pusher_shape") == Shape.FINGER:
-        data["path_side"] = side_of(log, slider)
         if radius := float(log.attrs.get("pusher_radius", 0.0)):
             data["pusher_radius"] = ((), radius, describe("length", "radius of the finger"))
+        entry = slider.get("outline")
+        data["path_side"] = side_of(log, slider) if entry is None else touched_side(data, entry)
     elif "flush" in log:
         data["path_flush"], data["path_contact_position"] = log["flush"], log["contact_position"]
         data["corners"] = corners_of(slider)
@@ -202,23 +207,68 @@ def side_of(log: xr.Dataset, slider: dict[str, Any]) -> xr.DataArray:
     )
 
 
+def touched_side(data: xr.Dataset, entry: Any) -> xr.DataArray:
+    """Both ends of the side of an outline that is nearest to the finger at every row.
+
+    On an arc and at a corner it is a short piece of the tangent.
+    """
+    outline = outline_of_entry(entry)
+    x, y = (finger_center(data) - data["path_position"].values).T
+    c, s = _unit(np.deg2rad(data["path_rod_angle"].values)).T
+    places = nearest_place(outline, np.stack([c * x + s * y, c * y - s * x], axis=-1))
+    rows, short = outline.pieces[places.piece], LEVEL * outline.size
+    is_side = np.isinf(rows[:, RHO])
+    start = np.where(is_side, -places.position, -short)
+    end = np.where(is_side, rows[:, LENGTH] - places.position, short)
+    on_body = (
+        places.point[:, None]
+        + np.stack([start, end], axis=-1)[..., None] * (places.tangent[:, None])
+    )
+    positions = _on_plane(data, on_body)
+    return xr.DataArray(
+        positions, dims=("time", "end", "xy"), attrs=describe("length", "ends of the side")
+    )
+
+
 def corners_of(slider: dict[str, Any]) -> xr.DataArray:
-    """Points of a slider that can touch a fence, in the body frame: its contact, ends and corners."""
+    """Points of a slider that can touch a fence, in the body frame: its contact, ends and corners.
+
+    The points between two sides, which a fence reaches without a jump, have one number `wall`.
+    """
     along = slider["side"] if slider.get("flush") else (0.0,)
     tangent = _unit(-np.deg2rad(slider["rod_angle"]))
     ends = np.multiply.outer(along, tangent) - (slider["rod_length"], 0.0)
-    points = np.concatenate([ends, _drawn(slider.get("outline"))])
+    points, walls = ends, -2 - np.arange(len(ends))
+    if (entry := slider.get("outline")) is not None:
+        outline = outline_of_entry(entry).exterior
+        drawn, numbers = _drawn(outline)
+        apart = np.hypot(*np.moveaxis(ends[:, None] - drawn, -1, 0))
+        on_side = np.isinf(outline.pieces[nearest_place(outline, ends).piece, RHO])
+        is_inner = on_side & (apart.min(axis=1) > LEVEL * outline.size)
+        walls = np.where(is_inner, walls, numbers[apart.argmin(axis=1)])
+        points, walls = np.concatenate([ends, drawn]), np.concatenate([walls, numbers])
     differ = np.hypot(*np.moveaxis(points[:, None] - points, -1, 0)) > LEVEL * np.ptp(points)
-    points = points[
-        np.triu(~differ, 1).sum(axis=0) == 0
-    ]  # a point that is listed again is one point
+    is_new = np.triu(~differ, 1).sum(axis=0) == 0  # a point that is listed again is one point
     names = describe("length", "points that can touch the fence, in the body frame")
-    return xr.DataArray(points, dims=("corner", "xy"), attrs=names)
+    return xr.DataArray(
+        points[is_new], dims=("corner", "xy"), attrs=names,
+        coords={"wall": ("corner", walls[is_new])},
+    )  # fmt: skip
 
 
-def _drawn(entry: Any) -> Array:
-    """Vertices of an outline in a file's form, shape (n, 2); none without an outline."""
-    return np.empty((0, 2)) if entry is None else outline_of_entry(entry).vertices()
+def _drawn(outline: Outline) -> tuple[Array, npt.NDArray[np.intp]]:
+    """Vertices of the exterior, shape (n, 2), and the numbers of their walls between two sides."""
+    is_side = np.isinf(outline.pieces[:, RHO])
+    walls = (np.cumsum(is_side) - is_side) % max(int(is_side.sum()), 1)
+    parts = [
+        (sample_chain(piece[None], FLAT * outline.size), wall)
+        for piece, wall in zip(outline.pieces, walls, strict=True)
+        if piece[RHO]
+    ]
+    counts = [len(points) for points, _ in parts]
+    return np.concatenate([points for points, _ in parts]), np.repeat(
+        [wall for _, wall in parts], counts
+    )
 
 
 def _unit(angle: Array) -> Array:
@@ -248,27 +298,41 @@ def _contact_on_fence(data: xr.Dataset) -> Array:
 
 def corner_positions(data: xr.Dataset) -> Array:
     """Points of the slider that can touch the fence at every row, shape (time, corner, 2)."""
+    return _on_plane(data, data["corners"].values)
+
+
+def _on_plane(data: xr.Dataset, points: Array) -> Array:
+    """Points of the body, shape (count, 2) or (time, count, 2), in the plane at every row."""
     angle = np.deg2rad(data["path_rod_angle"].values)
-    x, y = data["corners"].values.T
     ahead, across = _unit(angle)[:, None], _unit(angle + np.pi / 2)[:, None]
-    turned = x[:, None] * ahead + y[:, None] * across
+    turned = points[..., :1] * ahead + points[..., 1:] * across
     return np.asarray(data["path_position"].values[:, None] + turned)
 
 
-def contact_corner(data: xr.Dataset) -> Array:
-    """Number of the slider's point that is the contact at every row; -1 for a side on the fence."""
+def touching_wall(data: xr.Dataset) -> Array:
+    """Number of the slider's wall that is the contact at every row; -1 for a side on the fence."""
     if "path_flush" not in data:
         return np.zeros(data.sizes["time"], dtype=int)
     from_contact = corner_positions(data) - contact(data)[:, None]
     nearest = np.argmin(np.hypot(*np.moveaxis(from_contact, -1, 0)), axis=1)
-    return np.where(data["path_flush"].values, -1, nearest)
+    return np.where(data["path_flush"].values, -1, data["wall"].values[nearest])
+
+
+def is_at_first_contact(data: xr.Dataset, row: int) -> bool:
+    """Whether the fence touches the slider at the rod's end, or along the side, as at the start."""
+    if "path_flush" not in data:
+        return True
+    flush = data["path_flush"].values
+    size = float(np.ptp(data["corners"].values, axis=0).max())
+    away = contact(data)[row] - rod_end(data)[row]
+    return bool(flush[row] if flush[0] else not flush[row] and np.hypot(*away) <= LEVEL * size)
 
 
 def contact_jumps(data: xr.Dataset) -> Any:
     """Rows at which the contact is not where it was in the slider: at another point, or along a side."""
     if "path_flush" not in data:
         return np.empty(0, dtype=int)
-    point, arm = contact_corner(data), contact(data) - data["path_position"].values
+    point, arm = touching_wall(data), contact(data) - data["path_position"].values
     size = float(np.ptp(corner_positions(data)[0], axis=0).max())
     along = (point[1:] == -1) & (np.hypot(*np.diff(arm, axis=0).T) > MOVES * size)
     return np.asarray(np.flatnonzero((np.diff(point) != 0) | along) + 1)

@@ -40,6 +40,8 @@ PUSHES: dict[str, float | None] = {
     "ellipsoid": 120.0,
     "box": None,
     "box_side": None,
+    "mug": None,
+    "rounded_box": None,
     "plate": None,
     "stool": None,
     "impact": None,

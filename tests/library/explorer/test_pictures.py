@@ -152,7 +152,9 @@ def test_no_motion_is_said_too():
     assert found.markup["words"] == "No motion of the slider is consistent with this push."
 
 
-@pytest.mark.parametrize("name", ["pulling", "tripod", "impact", "box", "box_side"])
+@pytest.mark.parametrize(
+    "name", ["pulling", "tripod", "impact", "box", "box_side", "mug", "rounded_box"]
+)
 def test_a_motion_is_shown_at_every_instant(name):
     motion = follow(preset(name))
     end = float(motion.times[-1])

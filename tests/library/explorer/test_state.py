@@ -87,7 +87,9 @@ def test_a_saved_scene_is_the_same_scene(name, tmp_path):
         assert state_of(file) == state
 
 
-@pytest.mark.parametrize("name", ["figure_03", "tripod", "figure_08", "box_side"])
+@pytest.mark.parametrize(
+    "name", ["figure_03", "tripod", "figure_08", "box_side", "mug", "rounded_box"]
+)
 def test_the_lines_of_python_give_the_same_result(name, capsys):
     state = with_choice(replace(preset(name), time=0.1), "separate")
     found = {}

@@ -1,5 +1,6 @@
 """Outlines as chains of sides, arcs and corners: how pieces join, and the areas that they enclose."""
 
+import json
 import math
 import pickle
 
@@ -7,6 +8,8 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
+from planar_pushing.mechanics.outline.entries import entry_of_outline, outline_of_entry
+from planar_pushing.mechanics.plane import Frame
 
 SQUARE = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
 TEE = [(-60, 0), (-60, 30), (60, 30), (60, 0), (15, 0), (15, -90), (-15, -90), (-15, 0)]
@@ -102,6 +105,21 @@ def test_outlines_are_values(outline):
         assert hash(other) == hash(outline)
     with pytest.raises(ValueError, match="read-only"):
         outline.pieces[0, 0] = 1.0
+
+
+@NAMED
+def test_files_keep_outlines_exactly(outline):
+    entry = entry_of_outline(outline)
+    kept = outline_of_entry(json.loads(json.dumps(entry)))
+    assert kept == outline
+    assert hash(kept) == hash(outline)
+    assert hash(entry) == hash(entry_of_outline(kept))
+
+
+def test_a_disc_is_one_in_files():
+    assert entry_of_outline(OUTLINES["disc"]) == {"disc": {"radius": 0.4, "center": [1.0, -2.0]}}
+    turned = pp.Outline(pp.Disc(2.0)).in_frame(Frame((0.0, 0.0), (0.6, -0.8)))
+    assert entry_of_outline(turned) == {"disc": {"radius": 2.0}}
 
 
 def test_polygons_have_two_rows_a_corner_and_full_circles_one():

@@ -43,6 +43,17 @@ def test_the_cells_run_when_they_are_pasted_into_python(tmp_path, monkeypatch, c
         console.locals["plt"].close("all")
 
 
+def test_the_finger_rolls_along_the_mug_before_it_slips(names):
+    pushed = names["pushed"]
+    # The equation of two states of a ring with a round wall, solved with elliptic integrals.
+    assert pushed.object_position[-1].values == pytest.approx([-0.0222303647, 0.0680912296])
+    assert pushed.object_angle[-1].item() == pytest.approx(49.388399592)
+    assert not pushed.parted.any()
+    slips = pushed.time[pushed.slip.values != 0][0].item()
+    assert slips == pytest.approx(1.12, abs=0.03)
+    assert names["velocity"] == pytest.approx((0.0063775648, 0.0534726706))
+
+
 def test_a_push_along_the_normal_sticks(names):
     (solution,) = names["pp"].solve(names["ring"], np.pi / 2)
     assert solution.mode.name == "STICK"

@@ -13,7 +13,7 @@ from planar_pushing.drawing.motion import box
 from planar_pushing.drawing.timeline import (
     Run,
     contact,
-    contact_corner,
+    is_at_first_contact,
     path_data,
     runs,
     side_on_fence,
@@ -122,7 +122,7 @@ def push_at(state: State, motion: FollowedMotion, time: float) -> State | None:
     gap = float(motion.data["path_gap"].values[row])
     if section is None or state.shape != Shape.FENCE or state.scene.stores_energy:
         return None
-    if contact_corner(motion.data)[row] != (-1 if state.flush else 0):
+    if not is_at_first_contact(motion.data, row):
         return None
     piece = [piece for piece in section.pieces if piece.time <= motion.times[row]][-1]
     angle = float(motion.data["path_rod_angle"].values[row])

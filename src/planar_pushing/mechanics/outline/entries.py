@@ -65,11 +65,22 @@ def outline_of_entry(entry: Any, name: str = "outline") -> Outline:
     return require_outline(maker(**content), name)
 
 
+class ShapeEntry(dict[str, Any]):
+    """The entry of a shape; it is not changed, so that scenes in the form of files are keys of caches."""
+
+    def __hash__(self) -> int:  # type: ignore[override]
+        return hash(repr(self))
+
+
 def entry_of_outline(outline: Outline) -> Any:
-    """The entry of a file for an outline: its corners, or its pieces."""
+    """The entry of a file from which the same outline is read: its corners, a disc, or its pieces."""
     if outline.corners is not None:
         return outline.corners
-    return {"pieces": outline.pieces.tolist()}
+    if len(outline.pieces) == 1:
+        x, y, radius = outline.pieces[0, :3].tolist()
+        center = {"center": [x, y]} if x or y else {}
+        return ShapeEntry(disc={"radius": radius} | center)
+    return ShapeEntry(pieces=outline.pieces.tolist())
 
 
 #: JSON schema: corners, or one shape.

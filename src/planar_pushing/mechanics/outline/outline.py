@@ -90,7 +90,8 @@ class Outline:
         self._set((_with_holes(outline, inner) if inner else outline).pieces)
 
     def _set(self, pieces: Array) -> None:
-        kept = np.array(pieces, dtype=float)
+        # Equal outlines have equal bytes: no zero is negative.
+        kept = np.array(pieces, dtype=float) + 0.0
         kept.flags.writeable = False
         for name, value in (("pieces", kept), ("_hash", hash(kept.tobytes())), ("_kept", {})):
             object.__setattr__(self, name, value)
