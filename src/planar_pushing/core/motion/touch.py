@@ -169,6 +169,20 @@ def fence_line(system: System, state: RunState) -> FenceLine:
     return FenceLine(s * a_x - c * a_y, s * a_y + c * a_x, x, y)
 
 
+def offset_over(system: System, fence: FenceLine, point: int, state: RunState) -> Position:
+    """As `offset_of`, to rounding, for one of many points over the same fence."""
+    scene = system.scene
+    if point >= scene.chain:
+        return offset_of(system, state, point)
+    piece = _piece_of(system, point)
+    x, y = piece.x - fence.x, piece.y - fence.y
+    if piece.radius > 0.0:
+        direction = direction_on_arc(system, piece, state)
+        x, y = x + piece.radius * sin(direction), y - piece.radius * cos(direction)
+    across, up = x * fence.n_y - y * fence.n_x, x * fence.n_x + y * fence.n_y
+    return Position(across / scene.fine, up / scene.fine)
+
+
 def lowest_point(system: System, state: RunState, others: bool) -> Lowest:
     """The lowest point, or the lowest of those apart from the contact; infinitely high without any."""
     fence, lowest, height = fence_line(system, state), NO_POINT, INFINITY
