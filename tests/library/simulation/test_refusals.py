@@ -324,7 +324,7 @@ def test_a_batch_of_whole_numbers():
 def test_an_outline_that_begins_through_the_fence():
     (point,), corners = turned([(0.0, -1.0)], 0.2), turned(SQUARE, 0.2)
     scene = box(point, corners=corners, outlined=True)
-    words = f"outline: 'a corner {np.sin(0.2):.6g} below the fence' given; allowed: corners on"
+    words = f"outline: 'a point {np.sin(0.2):.6g} below the fence' given; allowed: an outline on"
     refused(lambda: pp.simulate(scene, pusher=AHEAD, duration=1.0), "outline", words)
     gaps = {"pusher": AHEAD, "duration": 1.0, "gap": np.array([0.5, 0.1])}
     refused(lambda: pp.simulate_batch(scene, **gaps), "outline", "below the fence")

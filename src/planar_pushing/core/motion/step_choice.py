@@ -48,8 +48,10 @@ from planar_pushing.core.motion.system import (
 from planar_pushing.core.motion.touch import (
     can_touch,
     count_points,
+    fence_line,
     move_contact,
     offset_of,
+    offset_over,
     put_contact,
     side_on_fence,
     take_lowest_point,
@@ -158,10 +160,11 @@ def _follow_chain(
 def _next_of_chain(system: System, state: RunState, sense: float) -> int:
     """The next point of the chain on the right (1) or on the left (-1), -1 without one."""
     following, steepest, slack = NO_POINT, INFINITY, touch_tolerance(system)
+    fence = fence_line(system, state)
     for point in range(count_points(system)):
         if not can_touch(system, point, state):
             continue
-        offset = offset_of(system, state, point)
+        offset = offset_over(system, fence, point, state)
         if sense * offset.x > slack and offset.y / (sense * offset.x) < steepest:
             following, steepest = point, offset.y / (sense * offset.x)
     return following
@@ -298,10 +301,11 @@ def _sinking_side(
     run = system.run
     h, spin = run.until - run.time, unit * solution.twist.spin
     side, lowest = 0.0, -SLACK
+    fence = fence_line(system, state)
     for point in range(count_points(system)):
         if not can_touch(system, point, state):
             continue
-        offset = offset_of(system, state, point)
+        offset = offset_over(system, fence, point, state)
         across = h * (unit * solution.twist.y + spin * (offset.x - pose.x)) - run.path.y
         if state.gap + offset.y + across < lowest:
             side, lowest = offset.x, state.gap + offset.y + across

@@ -169,12 +169,27 @@ def fence_line(system: System, state: RunState) -> FenceLine:
     return FenceLine(s * a_x - c * a_y, s * a_y + c * a_x, x, y)
 
 
+def offset_over(system: System, fence: FenceLine, point: int, state: RunState) -> Position:
+    """As `offset_of`, to rounding, for one of many points over the same fence."""
+    scene = system.scene
+    if point >= scene.chain:
+        return offset_of(system, state, point)
+    piece = _piece_of(system, point)
+    x, y = piece.x - fence.x, piece.y - fence.y
+    if piece.radius > 0.0:
+        direction = direction_on_arc(system, piece, state)
+        x, y = x + piece.radius * sin(direction), y - piece.radius * cos(direction)
+    across, up = x * fence.n_y - y * fence.n_x, x * fence.n_x + y * fence.n_y
+    return Position(across / scene.fine, up / scene.fine)
+
+
 def lowest_point(system: System, state: RunState, others: bool) -> Lowest:
     """The lowest point, or the lowest of those apart from the contact; infinitely high without any."""
     fence, lowest, height = fence_line(system, state), NO_POINT, INFINITY
     count, chain, slack = count_points(system), system.scene.chain, touch_tolerance(system)
+    pieces = system.data[system.scene.chain_place :]
     for point in range(min(count, chain)):
-        piece = _piece_of(system, point)
+        piece = chain_piece(pieces, point)
         if not 0.0 <= piece.radius < INFINITY:
             continue
         x, y = piece.x - fence.x, piece.y - fence.y
@@ -328,9 +343,10 @@ def side_on_fence(system: System, state: RunState) -> tuple[int, int]:
         fence_line(system, state),
         state.gap * system.scene.fine,
     )
+    chain, pieces = system.scene.chain, system.data[system.scene.chain_place :]
     for point in range(count_points(system)):
-        if point < system.scene.chain:
-            piece = _piece_of(system, point)
+        if point < chain:
+            piece = chain_piece(pieces, point)
             up = (piece.x - fence.x) * fence.n_x + (piece.y - fence.y) * fence.n_y
             # Sides, and pieces that are higher than the tolerance, and more than rounding, are not on it.
             if is_side(piece) or up - piece.radius + level > 2.0:
@@ -338,7 +354,7 @@ def side_on_fence(system: System, state: RunState) -> tuple[int, int]:
             if not can_touch(system, point, state):
                 continue
         # The ends of a given side can be places of the outline, which come first.
-        offset, more = offset_of(system, state, point), 0.0 if point < system.scene.chain else slack
+        offset, more = offset_of(system, state, point), 0.0 if point < chain else slack
         if fabs(state.gap + offset.y) <= slack:
             if offset.x < first - more:
                 left, first = point, offset.x
