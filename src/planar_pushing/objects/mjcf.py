@@ -11,7 +11,6 @@ from xml.etree.ElementTree import Element, SubElement
 import numpy as np
 
 from planar_pushing.mechanics.contact import Coulomb
-from planar_pushing.mechanics.outline import straight_corners
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.scene import Scene, require_one_point, require_scene, require_single
 from planar_pushing.objects.feet import Feet, feet_of, force_errors
@@ -27,6 +26,8 @@ from planar_pushing.terms.options import Shape
 #: Lengths in radii: edge rounding of outline and finger, feet, height of the outline, thickness of the
 #: fence. A turning slider rolls on its rounded edge, which moves the contact by this much per radian.
 ROUNDING, FOOT, HEIGHT, THICKNESS = 0.002, 0.02, 0.1, 0.05
+#: Largest distance of the sides from the arcs of an outline, in its sizes: MuJoCo has no arcs.
+FLAT = 1e-3
 #: Half the length of the fence, in extents of the outline.
 FENCE = 10.0
 #: Range of the number of feet for a support: at least three are needed to resist like an area.
@@ -97,7 +98,8 @@ def to_mjcf(
     Each foot is a light body on a vertical joint that a spring presses to the floor. Its load is therefore
     that of the scene, for any number of feet and any height of the pusher's contact. MuJoCo's elliptic cone
     then limits the friction at each foot to its share of W. Only the feet and the floor, and the pusher and
-    the outline, collide. A fence that lies along a side touches both of its ends.
+    the outline, collide. A fence that lies along a side touches both of its ends. Arcs of the outline are
+    chains of sides with ends on the arc, within a thousandth of its size; holes are left out.
     """
     law, outline = _require_representable(scene)
     shape = require_option("pusher", pusher, Shape, "name one of these shapes")
@@ -140,7 +142,7 @@ def _require_representable(scene: Scene) -> tuple[Coulomb, Array]:
             "give Slider(outline=...): MuJoCo needs a shape to push",
         )  # fmt: skip
     outline: Any = scene.slider.outline_in_body()
-    return scene.contact, np.array(straight_corners(outline))
+    return scene.contact, outline.vertices(FLAT * outline.size)
 
 
 def _required_count(value: Any) -> int:

@@ -69,6 +69,21 @@ def test_sides_join_the_corners_of_the_outline(tree):
     assert len([each for each in tree.iter("pair") if each.get("geom1") == "pusher"]) == 4
 
 
+def test_arcs_are_chains_of_sides_within_a_thousandth_of_the_size():
+    law = pp.Coulomb(0.5)
+    friction = pp.SupportFriction(support=FEET, weight=WEIGHT)
+    effects = (friction, pp.Inertia(mass=MASS, gyration_radius=GYRATION))
+    scene = pp.scene_at((0.0, -0.2), effects=effects, contact=law, outline=pp.Disc(0.2))
+    body = ElementTree.fromstring(pp.to_mjcf(scene)).find("worldbody/body[@name='slider']")
+    ends = np.array([numbers(each, "fromto") for each in body.findall("geom")])
+    ends = ends.reshape(-1, 2, 3)[..., :2]
+    ends = np.array([[scene.to_object(end, "point") for end in side] for side in ends])
+    middles = np.hypot(*ends.mean(axis=1).T)
+    on_disc = np.abs(np.hypot(*np.moveaxis(ends, -1, 0)) - 0.2).max(axis=1) < 1e-12
+    assert on_disc.sum() >= 30
+    assert 0.2 - 0.4e-3 <= middles[on_disc].min() < 0.2
+
+
 def test_a_light_slider_of_small_gyration_keeps_a_positive_moment():
     effects = (pp.SupportFriction(support=FEET), pp.Inertia(gyration_radius=1e-3))
     with pytest.warns(pp.SceneWarning, match="gyration_radius: 0.001 beside"):
