@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.kernels.arrays import same
+from planar_pushing.mechanics.outline import require_outline
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.objects.boundary import OutlineArc, OutlineSide, sides_and_arcs
 from planar_pushing.objects.contacts import Contact, Stretch, stretches, stretches_on_arc
@@ -77,7 +78,8 @@ def pushes_for(effects: tuple[Effect, ...], twist: npt.ArrayLike, outline: Any) 
     ----------
     effects : tuple of SupportFriction, Viscous, Inertia and Load
         In the object's own frame; at least one other than a load. With inertia the twist is an initial
-        acceleration from rest, and viscous friction is absent.
+        acceleration from rest, and viscous friction is absent. Masses without a center or a radius of
+        gyration are completed from the outline, as in `scene_at`.
     twist : array_like, shape (3,)
         (v_x, v_y, omega) of the object's frame about its origin, omega in radians per unit of time.
     outline : array_like, shape (n, 2), Polygon, Disc, Outline, or an object with `coords` or `exterior`
@@ -109,9 +111,11 @@ def pushes_for(effects: tuple[Effect, ...], twist: npt.ArrayLike, outline: Any) 
     an interval on an arc are roots of polynomials of fourth degree. Its contact of least friction is found
     by a search that begins with 65 places, so its place is exact to about 1e-8 radians.
     """
-    motion, parts = require_twist(twist), sides_and_arcs(outline)
-    require_friction(require_effects(effects))
-    loads = wrench_set(effects, motion)
+    whole = require_outline(outline)
+    motion, parts = require_twist(twist), sides_and_arcs(whole)
+    acting = require_effects(effects, whole)
+    require_friction(acting)
+    loads = wrench_set(acting, motion)
     pushes: list[Push] = []
     for part in parts:
         is_arc = isinstance(part, OutlineArc)
