@@ -222,7 +222,7 @@ def stretches_on_arc(arc: OutlineArc, loads: WrenchSet) -> list[Stretch]:
     if loads.foot is None:
         slack = ROUNDING * (abs(torque) + hypot(*force) * size)
         return _meeting_arc(arc, force, torque - _cross(arc.center, force), slack)
-    forces = _ArcForces(arc, loads, torque - _cross(loads.foot, force))
+    forces = _ArcForces(arc, loads, loads.foot, torque - _cross(loads.foot, force))
     intervals = forces.stretches(ROUNDING * size / abs(arc.rho))
     return [Stretch(best, *ends[:: 1 if arc.rho > 0.0 else -1]) for best, *ends in intervals]
 
@@ -254,9 +254,9 @@ class _ArcForces:
     With a = q - r from the foot to the place q, their lines are ``a x f = M``.
     """
 
-    def __init__(self, arc: OutlineArc, loads: WrenchSet, torque: float) -> None:
+    def __init__(self, arc: OutlineArc, loads: WrenchSet, foot: Array, torque: float) -> None:
         self.arc, self.torque, self.radius = arc, torque, loads.radius
-        self.force, self.offset = loads.offset[:2], arc.center - loads.foot
+        self.force, self.offset = loads.offset[:2], arc.center - foot
 
     def disc(self, beta: float) -> tuple[ForceDisc, float]:
         """The disc relative to the tangent, and the place on it relative to the foot."""
@@ -361,6 +361,7 @@ class _ArcForces:
     def _roots(self, polynomial: Callable[[Array], Array]) -> list[float]:
         """Zeros in (-pi, pi] of a polynomial of second degree in the cosine and sine."""
         # Five coefficients of exp(i beta) from eight values.
-        coefficients = np.fft.fft(polynomial(2.0 * pi * np.arange(8) / 8.0)) / 8.0
+        values: Array = polynomial(2.0 * pi * np.arange(8, dtype=np.float64) / 8.0)
+        coefficients = np.fft.fft(values) / 8.0
         roots = np.roots(coefficients[[2, 1, 0, -1, -2]])
         return np.angle(roots[np.abs(np.abs(roots) - 1.0) < ON_CIRCLE]).tolist()  # type: ignore[no-any-return]

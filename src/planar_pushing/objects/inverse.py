@@ -118,8 +118,11 @@ def pushes_for(effects: tuple[Effect, ...], twist: npt.ArrayLike, outline: Any) 
     loads = wrench_set(acting, motion)
     pushes: list[Push] = []
     for part in parts:
-        is_arc = isinstance(part, OutlineArc)
-        for stretch in stretches_on_arc(part, loads) if is_arc else stretches(part, loads):
+        for stretch in (
+            stretches_on_arc(part, loads)
+            if isinstance(part, OutlineArc)
+            else stretches(part, loads)
+        ):
             _add(pushes, _push(part, motion, stretch))
     return tuple(sorted(pushes, key=lambda push: push.friction_coefficient))
 

@@ -194,12 +194,13 @@ def test_shapes_and_numbers():
 
 BODY = pp.Slider(rod_length=1.0, rod_angle=1.0, side=(-1.0, 1.0))
 ALONG = replace(BODY, flush=True)
+SMALL = pp.SupportFriction(support=pp.Polygon.rectangle(1.2, 1.2))
 WRONG = {
     "one point of contact": (
         pp.Scene(slider=BODY, contact=FREE, effects=(pp.RingFriction(),)), (0, 1, 0), "scene_at\\(side=",
     ),
     "an arc": (
-        pp.scene_at((1, 0), effects=(rub(SQUARE),), contact=FREE, outline=pp.Disc(1.0)), (0, 1, 0),
+        pp.scene_at((1, 0), effects=(SMALL,), contact=FREE, outline=pp.Disc(1.0)), (0, 1, 0),
         "scene_at\\(side=",
     ),
     "a corner": (
@@ -207,7 +208,7 @@ WRONG = {
         "scene_at\\(side=",
     ),
     "a straight place": (
-        pp.scene_at((0, -1), effects=(rub(SQUARE),), contact=FREE, outline=pp.rounded(SQUARE, 0.3)),
+        pp.scene_at((0, -1), effects=(SMALL,), contact=FREE, outline=pp.rounded(SQUARE, 0.3)),
         (0, 1, 0), "scene_at\\(side=",
     ),
     "inertia": (
@@ -240,7 +241,7 @@ def test_refused_in_one_line(name):
 
 def test_a_side_between_arcs_is_that_of_a_polygon_with_cut_corners():
     twists = np.random.default_rng(3).normal(size=(300, 3))
-    law, effects = pp.Coulomb(0.4), (rub(SQUARE),)
+    law, effects = pp.Coulomb(0.4), (SMALL,)
     corners = [
         (-0.7, -1),
         (0.7, -1),
@@ -267,8 +268,8 @@ def test_an_outline_without_sides_has_none_on_a_fence():
     with pytest.raises(
         pp.InvalidValue, match="an outline with sides; push a round object at a point"
     ):
-        pp.scene_at(side=0, effects=(rub(SQUARE),), contact=FREE, outline=pp.Disc(1.0))
+        pp.scene_at(side=0, effects=(SMALL,), contact=FREE, outline=pp.Disc(1.0))
     with pytest.raises(
         pp.InvalidValue, match="from 0 to 3; count the sides from 0, without the arcs"
     ):
-        pp.scene_at(side=4, effects=(rub(SQUARE),), contact=FREE, outline=pp.rounded(SQUARE, 0.3))
+        pp.scene_at(side=4, effects=(SMALL,), contact=FREE, outline=pp.rounded(SQUARE, 0.3))
