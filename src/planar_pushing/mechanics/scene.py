@@ -91,7 +91,8 @@ class Scene:
                 "a tuple of SupportFriction, RingFriction, Inertia, Viscous and Load",
                 "list what resists the motion, for instance (RingFriction(),)",
             )  # fmt: skip
-        object.__setattr__(self, "effects", tuple(map(_with_center, effects)))
+        effects = tuple(_complete(effect, self.slider) for effect in effects)
+        object.__setattr__(self, "effects", effects)
         if self.slider.radius is None:
             supports = [effect.support for effect in self.effects if hasattr(effect, "support")]
             radius = extents(supports[0]) if supports else 1.0
@@ -247,11 +248,15 @@ class Scene:
         return as_numbers(self.contact)
 
 
-def _with_center(effect: Effect) -> Effect:
-    """A mass without a center has it at the slider's center, the origin of the body frame."""
-    if isinstance(effect, Inertia) and effect.center is None:
-        return replace(effect, center=(0.0, 0.0))
-    return effect
+def _complete(effect: Effect, slider: Slider) -> Effect:
+    """A mass without a center has it at the slider's center, the origin of the body frame.
+
+    Without a radius of gyration, it is a uniform plate in the shape of the slider's outline.
+    """
+    if not isinstance(effect, Inertia):
+        return effect
+    mass = replace(effect, center=(0.0, 0.0)) if effect.center is None else effect
+    return mass.with_gyration(slider.outline, slider.outline_frame)
 
 
 def _is_off(coordinate: Number) -> bool:

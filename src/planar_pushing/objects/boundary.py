@@ -1,4 +1,4 @@
-"""The sides of an outline, and its places nearest to given points."""
+"""The sides and arcs of an outline, and its places nearest to given points."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.outline import KEPT, Corners, require_corners, size
+from planar_pushing.mechanics.outline import KEPT, Corners, require_corners, require_outline, size
+from planar_pushing.mechanics.outline.chains import BETA0, BETA1, NEXT, RHO, starts_of
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.caches import cache_results
 
@@ -30,17 +31,51 @@ class OutlineSide(NamedTuple):
     normal: Array
     length: float
 
+    def frame(self, position: float) -> tuple[Array, Array, Array]:
+        """Point, tangent and inward normal at a distance from the start."""
+        point = self.end if position == self.length else self.start + position * self.tangent
+        return point, self.tangent, self.normal
 
-def sides(outline: Any) -> list[OutlineSide]:
-    """Sides of an outline, in order; adjacent sides on one straight line count as one.
 
-    Raises
-    ------
-    InvalidValue
-        If the outline is not a simple polygon, or has arcs.
+class OutlineArc(NamedTuple):
+    """An arc of an outline.
+
+    Attributes
+    ----------
+    center : ndarray, shape (2,)
+    rho : float
+        Radius of curvature, negative for a hollow arc.
+    low, high : float
+        Least and largest direction of its tangent, in radians.
     """
-    corners = np.array(require_corners(outline))
-    return [_side(*ends) for ends in zip(corners, np.roll(corners, -1, axis=0), strict=True)]
+
+    center: Array
+    rho: float
+    low: float
+    high: float
+
+    def frame(self, beta: float) -> tuple[Array, Array, Array]:
+        """Point, tangent and inward normal where the tangent has a direction."""
+        tangent = np.array([np.cos(beta), np.sin(beta)])
+        normal = np.array([-tangent[1], tangent[0]]) + 0.0
+        return self.center - self.rho * normal, tangent, normal
+
+
+def sides_and_arcs(outline: Any) -> list[OutlineSide | OutlineArc]:
+    """Sides and arcs of an outline and of its holes, in order.
+
+    Adjacent sides on one straight line count as one. Errors are those of `require_outline`.
+    """
+    rows = require_outline(outline).pieces
+    starts, after = starts_of(rows), rows[:, NEXT].astype(int)
+    parts: list[OutlineSide | OutlineArc] = []
+    for k, row in enumerate(rows):
+        if np.isinf(row[RHO]):
+            parts.append(_side(starts[k], starts[after[k]]))
+        elif row[RHO] != 0.0:
+            low, high = sorted(row[[BETA0, BETA1]].tolist())
+            parts.append(OutlineArc(row[:2], float(row[RHO]), low, high))
+    return parts
 
 
 def _side(start: Array, end: Array) -> OutlineSide:

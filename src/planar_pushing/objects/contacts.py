@@ -6,30 +6,41 @@ above it. A force at x has its load in the set if it is in the disc of the foot,
 the torque of the rest about the foot, ``h f_t + x f_n = M``. At each x this line cuts a chord from the
 disc. All lines pass through (M / h, 0), and those tangent to the disc are at the ends of the intervals of
 contacts.
+
+On an arc, the same holds on its tangent at each place, which the direction beta of the tangent describes.
+The ends of intervals are the roots of polynomials of second degree in cos(beta) and sin(beta).
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import pairwise
-from math import copysign, hypot, inf, sqrt
+from math import acos, atan2, copysign, hypot, inf, pi, remainder, sqrt
 from typing import NamedTuple
 
+import numpy as np
+from scipy.optimize import minimize_scalar
+
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.objects.boundary import OutlineSide
+from planar_pushing.objects.boundary import OutlineArc, OutlineSide
 from planar_pushing.objects.wrench_set import WrenchSet
 from planar_pushing.terms.domain import ROUGHEST
 
 #: Rounding error of the torque of a load, relative to its terms.
 ROUNDING = 1e-13
+#: Number of places of an interval on an arc among which the one of least friction is searched.
+PLACES = 64
+#: Largest distance of a root in the complex plane from the unit circle, on which directions are.
+ON_CIRCLE = 1e-6
 
 
 class Contact(NamedTuple):
-    """A contact on a side.
+    """A contact on a side or on an arc.
 
     Attributes
     ----------
     position : float
-        Distance from the start of the side.
+        Distance from the start of the side; on an arc, the direction of its tangent, in radians.
     along, normal : float
         Components of the force that needs the least friction.
     friction : float
@@ -202,3 +213,155 @@ def _frictionless(disc: ForceDisc, start: float, end: float) -> list[Contact]:
     low, high = max(low, start), min(high, end)
     position = (low + high) / 2.0
     return [Contact(position, 0.0, disc.torque / position, 0.0)] if low <= high else []
+
+
+def stretches_on_arc(arc: OutlineArc, loads: WrenchSet) -> list[Stretch]:
+    """As `stretches`, for an arc; the direction of the tangent falls along a hollow one."""
+    force, torque = loads.offset[:2], float(loads.offset[2])
+    size = hypot(*arc.center) + abs(arc.rho)
+    if loads.foot is None:
+        slack = ROUNDING * (abs(torque) + hypot(*force) * size)
+        return _meeting_arc(arc, force, torque - _cross(arc.center, force), slack)
+    forces = _ArcForces(arc, loads, loads.foot, torque - _cross(loads.foot, force))
+    intervals = forces.stretches(ROUNDING * size / abs(arc.rho))
+    return [Stretch(best, *ends[:: 1 if arc.rho > 0.0 else -1]) for best, *ends in intervals]
+
+
+def _meeting_arc(arc: OutlineArc, force: Array, torque: float, slack: float) -> list[Stretch]:
+    """Contact at which the line of action of a load meets an arc, with the torque about its center.
+
+    The torque is rho f_t. Of the two places where the line meets the circle, f_n > 0 at one.
+    """
+    size = hypot(*force)
+    if abs(torque) >= size * abs(arc.rho):
+        return []
+    angle = acos(torque / (arc.rho * size))
+    along, normal = torque / arc.rho, sqrt((size - torque / arc.rho) * (size + torque / arc.rho))
+    coefficient = friction(along, normal)
+    middle, half = (arc.low + arc.high) / 2.0, (arc.high - arc.low) / 2.0
+    turn = remainder(atan2(force[1], force[0]) - angle - middle, 2.0 * pi)
+    error = slack / (abs(arc.rho) * normal) if coefficient < inf else 0.0
+    if coefficient == inf or abs(turn) > half + error:
+        return []
+    near = copysign(half, turn) if abs(abs(turn) - half) <= error else turn
+    contact = Contact(middle + near, along, normal, coefficient)
+    return [Stretch(contact, contact, contact)]
+
+
+class _ArcForces:
+    """Forces of a set at the places of an arc.
+
+    With a = q - r from the foot to the place q, their lines are ``a x f = M``.
+    """
+
+    def __init__(self, arc: OutlineArc, loads: WrenchSet, foot: Array, torque: float) -> None:
+        self.arc, self.torque, self.radius = arc, torque, loads.radius
+        self.force, self.offset = loads.offset[:2], arc.center - foot
+
+    def disc(self, beta: float) -> tuple[ForceDisc, float]:
+        """The disc relative to the tangent, and the place on it relative to the foot."""
+        _, tangent, normal = self.arc.frame(beta)
+        arm = self.offset - self.arc.rho * normal
+        along, across = float(self.force @ tangent), float(self.force @ normal)
+        height, x = -float(arm @ normal), float(arm @ tangent)
+        return ForceDisc(along, across, self.radius, height, self.torque, x, x), x
+
+    def best(self, beta: float) -> Contact:
+        """The contact at a place, with the force that needs the least friction."""
+        return _best_contact(*self.disc(beta))._replace(position=beta)
+
+    def _is_contact(self, beta: float) -> bool:
+        return _meets(*self.disc(beta)) and self.best(beta).friction < inf
+
+    def _touching(self, beta: Array) -> Array:
+        """Zero where the line is tangent to the disc."""
+        tangent, normal = (
+            np.array([np.cos(beta), np.sin(beta)]),
+            np.array([-np.sin(beta), np.cos(beta)]),
+        )
+        moment = _cross(self.offset, self.force) + self.arc.rho * (self.force @ tangent)
+        square = self.offset @ self.offset + self.arc.rho**2
+        square = square - 2.0 * self.arc.rho * (self.offset @ normal)
+        return np.asarray((moment - self.torque) ** 2 - self.radius**2 * square)
+
+    def _on_rim(self, beta: Array, shift: float, rho: float) -> Array:
+        """Zero where the force on the line along a direction of the frame is on the disc's rim."""
+        way = np.array([np.cos(beta + shift), np.sin(beta + shift)])
+        arm = self.offset[0] * way[1] - self.offset[1] * way[0] + rho
+        ahead, gap = self.force @ way, self.force @ self.force - self.radius**2
+        return np.asarray(self.torque**2 - 2.0 * self.torque * ahead * arm + gap * arm * arm)
+
+    def _flat(self, beta: Array) -> Array:
+        """Zero where the force has no component along the normal."""
+        return self._on_rim(beta, 0.0, self.arc.rho)
+
+    def _upright(self, beta: Array) -> Array:
+        """Zero at the ends of places without friction."""
+        return self._on_rim(beta, pi / 2.0, 0.0)
+
+    def stretches(self, slack: float) -> list[Stretch]:
+        """Intervals of contacts, between ends of the arc, lines tangent to the disc, and flat forces."""
+        flat = self._inside(self._flat)
+        cuts = sorted([*self._inside(self._touching), *flat])
+        low, high = self.arc.low - slack, self.arc.high + slack
+        if self.arc.high - self.arc.low >= 2.0 * pi - slack and cuts:
+            low, high = cuts[0], cuts[0] + 2.0 * pi
+        bounds = [low, *(beta for beta in cuts if low < beta < high), high]
+        intervals: list[list[float]] = []
+        for start, end in pairwise(bounds):
+            if not self._is_contact((start + end) / 2.0):
+                continue
+            if intervals and intervals[-1][1] == start:
+                intervals[-1][1] = end
+            else:
+                intervals.append([start, end])
+        return [self._stretch(start, end, flat) for start, end in intervals]
+
+    def _stretch(self, start: float, end: float, flat: list[float]) -> Stretch:
+        limits = [
+            any(abs(remainder(x - beta, 2.0 * pi)) < 1e-12 for x in flat) for beta in (start, end)
+        ]
+        if self.arc.high - self.arc.low < 2.0 * pi - 1e-9:
+            start, end = (min(max(beta, self.arc.low), self.arc.high) for beta in (start, end))
+        # At an end with a flat force, contacts of ever larger friction end.
+        ends = [
+            self.best(beta)._replace(friction=inf) if limit else self.best(beta)
+            for beta, limit in zip((start, end), limits, strict=True)
+        ]
+        return Stretch(min([self._least(start, end), *ends], key=lambda x: x.friction), *ends)
+
+    def _least(self, start: float, end: float) -> Contact:
+        """The contact of least friction in an interval, in the middle of those without friction."""
+        turns = [
+            beta + turn
+            for beta in self._roots(self._upright)
+            for turn in (-2.0 * pi, 0.0, 2.0 * pi)
+        ]
+        cuts = [start, *sorted(beta for beta in turns if start < beta < end), end]
+        middles = [self.best((one + other) / 2.0) for one, other in pairwise(cuts)]
+        places = np.linspace(start, end, PLACES + 1)
+        sampled = min(map(self.best, places.tolist()), key=lambda contact: contact.friction)
+        step = (end - start) / PLACES
+        bounds = max(sampled.position - step, start), min(sampled.position + step, end)
+        if not bounds[0] < bounds[1]:
+            return sampled
+        search = minimize_scalar(
+            lambda beta: self.best(float(beta)).friction, bounds=bounds, method="bounded",
+            options={"xatol": 1e-12},
+        )  # fmt: skip
+        refined = self.best(float(search.x))
+        return min([*middles, refined, sampled], key=lambda contact: contact.friction)
+
+    def _inside(self, polynomial: Callable[[Array], Array]) -> list[float]:
+        """Roots on the arc."""
+        low, span = self.arc.low, self.arc.high - self.arc.low
+        roots = [low + (beta - low) % (2.0 * pi) for beta in self._roots(polynomial)]
+        return [beta for beta in roots if beta < low + span]
+
+    def _roots(self, polynomial: Callable[[Array], Array]) -> list[float]:
+        """Zeros in (-pi, pi] of a polynomial of second degree in the cosine and sine."""
+        # Five coefficients of exp(i beta) from eight values.
+        values: Array = polynomial(2.0 * pi * np.arange(8, dtype=np.float64) / 8.0)
+        coefficients = np.fft.fft(values) / 8.0
+        roots = np.roots(coefficients[[2, 1, 0, -1, -2]])
+        return np.angle(roots[np.abs(np.abs(roots) - 1.0) < ON_CIRCLE]).tolist()  # type: ignore[no-any-return]

@@ -4,15 +4,27 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.kernels.arrays import same
-from planar_pushing.mechanics.outline import DRAWN
+from planar_pushing.mechanics.outline import DRAWN, KEPT, Outline, require_outline
+from planar_pushing.mechanics.outline.chains import (
+    BEFORE,
+    BETA0,
+    BETA1,
+    LENGTH,
+    NEXT,
+    RHO,
+    X,
+    Y,
+    wrap,
+)
+from planar_pushing.mechanics.outline.places import nearest_place
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.objects.boundary import Sides, nearest, sides_of
+from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.errors import InvalidValue, require_number
 from planar_pushing.terms.numbers import require_array
 
@@ -30,10 +42,11 @@ class Touch:
         Touched point of the outline; NaN where the disc does not touch.
     normal : ndarray, shape S + (2,)
         Unit vector into the object, from the disc's center to the contact. For a disc of radius 0, the
-        inward normal of the side, or at a corner the bisector of the normals of its sides.
+        inward normal of the side or arc, or at a corner the bisector of the normals of its sides.
     side : ndarray of int, shape S
-        Number of the side, which goes from corner `side` of the counterclockwise outline to the next one.
-        At a corner, the side that ends there; -1 where the disc does not touch.
+        Number of the side, which goes from corner `side` of the counterclockwise outline to the next one;
+        in an outline with arcs or holes, its number among the sides, in order. At a corner, the side that
+        ends there. It is -1 on an arc, at a corner at which an arc ends, and where the disc does not touch.
     corner : ndarray of bool, shape S
         Whether the contact is at a convex corner.
     fraction : ndarray, shape S
@@ -65,8 +78,8 @@ def first_touch(
 
     Parameters
     ----------
-    outline : array_like, shape (n, 2), or an object with `coords` or `exterior`
-        Corners of a simple polygon, in order.
+    outline : array_like, shape (n, 2), Polygon, Disc, Outline, or an object with `coords` or `exterior`
+        Corners of a simple polygon, in order, or an outline with arcs and holes.
     position : array_like, shape S + (2,)
         Center of the disc at its start, in the frame of the outline.
     displacement : array_like, shape S + (2,)
@@ -86,17 +99,19 @@ def first_touch(
     Raises
     ------
     InvalidValue
-        If the outline is not a simple polygon, a number is not finite, or a radius is negative.
+        If the outline is not one, a number is not finite, or a radius is negative.
 
     Notes
     -----
     At the touch, the center reaches the boundary of the object grown by the radius: sides moved outward by
-    the radius, and circles about the convex corners. At a reflex corner the disc reaches one of the two
-    sides first. As a drawing is, it is exact to a millionth of the outline's size: a disc that close to the
-    object touches it, a contact that close to a convex corner is at the corner, and a disc no larger is a
-    point.
+    the radius, circles about the convex corners, and the arcs with their radii larger by the radius. It
+    enters the circle of an outward arc, and leaves that of a hollow arc, which a larger disc cannot reach.
+    Each of these meetings is the root of a linear or quadratic equation. At a reflex corner the disc
+    reaches one of the two sides first. As a drawing is, it is exact to a millionth of the outline's size:
+    a disc that close to the object touches it, a contact that close to a convex corner is at the corner,
+    and a disc no larger is a point.
     """
-    sides = sides_of(outline)
+    whole = require_outline(outline)
     start, motion = _vectors("position", position), _vectors("displacement", displacement)
     reach = _not_negative("radius", radius)
     slack = require_number(
@@ -112,28 +127,81 @@ def first_touch(
     places, motions = (
         np.broadcast_to(array, (*shape, 2)).reshape(-1, 2) for array in (start, motion)
     )
-    touches = _touch(sides, places, motions, np.broadcast_to(reach, shape).ravel(), slack)
+    touches = _touch(whole, places, motions, np.broadcast_to(reach, shape).ravel(), slack)
     return Touch(
         **{name: values.reshape(shape + values.shape[1:]) for name, values in touches.items()}
     )
 
 
+class _Walls(NamedTuple):
+    """Pieces of an outline, as arrays over its rows.
+
+    Attributes
+    ----------
+    rows : ndarray, shape (n, 9)
+    tangent, normal : ndarray, shape (n, 2)
+        Of sides.
+    normals : ndarray, shape (n, 2, 2)
+        At the starts and ends of pieces.
+    before, after : ndarray of int, shape (n,)
+    outer : ndarray of bool, shape (n,)
+        Whether the piece is a convex corner.
+    number : ndarray of int, shape (n,)
+        Number of a side among the sides; -1 for an arc, and for a corner that of the side that ends there.
+    scale : float
+    """
+
+    rows: Array
+    tangent: Array
+    normal: Array
+    normals: Array
+    before: npt.NDArray[np.intp]
+    after: npt.NDArray[np.intp]
+    outer: npt.NDArray[np.bool_]
+    number: npt.NDArray[np.intp]
+    scale: float
+
+
+@cache_results(KEPT)
+def _walls_of(outline: Outline) -> _Walls:
+    """The walls of an outline; they must not be written to."""
+    rows = outline.pieces
+    before, after = rows[:, BEFORE].astype(int), rows[:, NEXT].astype(int)
+    is_side, is_corner = np.isinf(rows[:, RHO]), rows[:, RHO] == 0.0
+    tangent = np.stack([np.cos(rows[:, BETA0]), np.sin(rows[:, BETA0])], axis=-1)
+    # Between two corners the direction is that of the drawn corners, without the rounding of an angle.
+    drawn = is_side & is_corner[after]
+    chord = rows[after[drawn], :2] - rows[drawn, :2]
+    tangent[drawn] = chord / np.hypot(*chord.T)[:, None]
+    normal = np.stack([-tangent[:, 1], tangent[:, 0]], axis=-1) + 0.0
+    ends = rows[:, [BETA0, BETA1]]
+    normals = np.where(
+        is_side[:, None, None], normal[:, None], np.stack([-np.sin(ends), np.cos(ends)], axis=-1)
+    )
+    number = np.where(is_side, np.cumsum(is_side) - 1, -1)
+    number = np.where(is_corner, number[before], number)
+    outer = is_corner & (rows[:, BETA1] > rows[:, BETA0])
+    return _Walls(rows, tangent, normal, normals, before, after, outer, number, outline.size)
+
+
 def _touch(
-    sides: Sides, start: Array, motion: Array, radius: Array, slack: float
+    outline: Outline, start: Array, motion: Array, radius: Array, slack: float
 ) -> dict[str, Any]:
     """Attributes of `Touch` for pushes of shape (n, 2)."""
-    error = DRAWN * sides.scale + ROUNDING * np.abs(start).max(axis=1, initial=0.0)
-    near = nearest(sides, start)
+    walls = _walls_of(outline)
+    error = DRAWN * walls.scale + ROUNDING * np.abs(start).max(axis=1, initial=0.0)
+    near = nearest_place(outline, start)
     gap = near.gap - radius
-    side, position, fraction = _first_meeting(sides, start, motion, radius, error)
+    piece, position, fraction = _first_meeting(walls, start, motion, radius, error)
     # A disc that starts in contact, or within the tolerance, and moves into the object touches at once.
-    normal = _contact(sides, start, near.side, near.position, radius, error)["normal"]
+    beside, along = _beside_inner_corners(walls, near.piece, near.position, motion)
+    normal = _contact(walls, start, beside, along, radius, error)["normal"]
     into = (normal * motion).sum(axis=1) > 0.0
     at_once = into & (gap <= error) & (gap >= -slack - error)
-    side, position = np.where(at_once, near.side, side), np.where(at_once, near.position, position)
+    piece, position = np.where(at_once, beside, piece), np.where(at_once, along, position)
     fraction = np.where(at_once, 0.0, np.where(gap < -slack - error, np.nan, fraction))
     contact = _contact(
-        sides, start + np.nan_to_num(fraction)[:, None] * motion, side, position, radius, error
+        walls, start + np.nan_to_num(fraction)[:, None] * motion, piece, position, radius, error
     )
     missed = np.isnan(fraction) | ((contact["normal"] * motion).sum(axis=1) <= 0.0)
     return {
@@ -146,78 +214,137 @@ def _touch(
     }
 
 
+def _beside_inner_corners(
+    walls: _Walls, piece: npt.NDArray[np.intp], position: Array, motion: Array
+) -> tuple[npt.NDArray[np.intp], Array]:
+    """Places at inner corners on the neighbor that the motion meets more directly; others stay."""
+    rates = (walls.normals[piece] * motion[:, None]).sum(axis=-1)
+    neighbor = np.where(rates[:, 0] >= rates[:, 1], walls.before[piece], walls.after[piece])
+    end = np.where(neighbor == walls.before[piece], walls.rows[neighbor, LENGTH], 0.0)
+    is_inner = (walls.rows[piece, RHO] == 0.0) & ~walls.outer[piece]
+    return np.where(is_inner, neighbor, piece), np.where(is_inner, end, position)
+
+
 def _first_meeting(
-    sides: Sides, start: Array, motion: Array, radius: Array, error: Array
+    walls: _Walls, start: Array, motion: Array, radius: Array, error: Array
 ) -> tuple[npt.NDArray[np.intp], Array, Array]:
-    """Side, place on it, and fraction of the motion at which the center first reaches the grown object."""
-    fractions, places = _fractions_to_sides(sides, start, motion, radius, error)
-    every = np.concatenate([fractions, _fractions_to_corners(sides, start, motion, radius)], axis=1)
-    rows, which = np.arange(len(start)), np.where(np.isnan(every), np.inf, every).argmin(axis=1)
-    count = len(sides.length)
-    at_circle = which >= count
-    side = np.where(at_circle, which - count, which)
-    return side, np.where(at_circle, 0.0, places[rows, side]), every[rows, which]
+    """Piece, place on it, and fraction of the motion at which the center first reaches the grown object."""
+    is_straight = np.isinf(walls.rows[:, RHO])
+    straight = np.flatnonzero(is_straight)
+    bent = np.flatnonzero(~is_straight & ((walls.rows[:, RHO] != 0.0) | walls.outer))
+    on_sides = _fractions_to_sides(walls, straight, start, motion, radius, error)
+    on_circles = _fractions_to_circles(walls, bent, start, motion, radius, error)
+    fractions, positions = (
+        np.concatenate(pair, axis=1) for pair in zip(on_sides, on_circles, strict=True)
+    )
+    pushes, first = np.arange(len(start)), np.where(np.isnan(fractions), np.inf, fractions)
+    which = first.argmin(axis=1)
+    piece = np.concatenate([straight, bent])[which]
+    return piece, positions[pushes, which], fractions[pushes, which]
 
 
 def _fractions_to_sides(
-    sides: Sides, start: Array, motion: Array, radius: Array, error: Array
-) -> tuple[Array, Array]:
+    walls: _Walls, piece: npt.NDArray[np.intp], start: Array, motion: Array, radius: Array,
+    error: Array,
+) -> tuple[Array, Array]:  # fmt: skip
     """Fractions of the motion at which the center crosses each moved side, or NaN, and the places there."""
-    away = start[:, None] - sides.start
-    height, along = ((away * direction).sum(axis=-1) for direction in (sides.normal, sides.tangent))
-    rate, speed = motion @ sides.normal.T, motion @ sides.tangent.T
+    normal, tangent, length = walls.normal[piece], walls.tangent[piece], walls.rows[piece, LENGTH]
+    away = start[:, None] - walls.rows[piece, :2]
+    height, along = ((away * direction).sum(axis=-1) for direction in (normal, tangent))
+    rate, speed = motion @ normal.T, motion @ tangent.T
     with np.errstate(divide="ignore", invalid="ignore"):
         slack, ahead = error[:, None], -(height + radius[:, None])
         fraction = np.where(np.abs(ahead) <= slack, 0.0, ahead) / rate
         position = along + fraction * speed
         meets = (rate > 0.0) & (fraction >= 0.0) & (fraction <= 1.0)
-        meets &= (position >= -slack) & (position <= sides.length + slack)
-    return np.where(meets, fraction, np.nan), np.clip(np.nan_to_num(position), 0.0, sides.length)
+        meets &= (position >= -slack) & (position <= length + slack)
+    return np.where(meets, fraction, np.nan), np.clip(np.nan_to_num(position), 0.0, length)
 
 
-def _fractions_to_corners(sides: Sides, start: Array, motion: Array, radius: Array) -> Array:
-    """Fractions of the motion at which the center enters the circle about each convex corner, or NaN."""
-    away = start[:, None] - sides.start
+def _fractions_to_circles(
+    walls: _Walls, piece: npt.NDArray[np.intp], start: Array, motion: Array, radius: Array,
+    error: Array,
+) -> tuple[Array, Array]:  # fmt: skip
+    """Fractions at which the center meets the circles about corners and arcs, or NaN, and the places.
+
+    The center meets the circle of a corner or of an outward arc from outside, and that of a hollow arc from
+    inside. On an arc, the contact must be between its ends; beyond those of a corner, a neighbor is met
+    first.
+    """
+    rho, slack = walls.rows[piece, RHO], error[:, None]
+    away = start[:, None] - walls.rows[piece, :2]
+    reach = rho + radius[:, None]
+    is_hollow = rho < 0.0
     square = (motion * motion).sum(axis=1)[:, None]
     middle = (away * motion[:, None]).sum(axis=-1)
     # Distance of the circle's center from the line of motion, without a difference of large squares.
     across = away[..., 0] * motion[:, None, 1] - away[..., 1] * motion[:, None, 0]
-    root = square * (radius * radius)[:, None] - across * across
-    outside = (away * away).sum(axis=-1) - (radius * radius)[:, None]
+    root = square * reach * reach - across * across
+    outside = (away * away).sum(axis=-1) - reach * reach
     with np.errstate(divide="ignore", invalid="ignore"):
-        # The smaller root, as a ratio without cancellation.
-        fraction = outside / (np.sqrt(root) - middle)
-    enters = sides.convex & (root > 0.0) & (middle < 0.0) & (fraction >= 0.0) & (fraction <= 1.0)
-    return np.where(enters, fraction, np.nan)
+        half = np.sqrt(root)
+        # Each root as a sum or as a ratio without cancellation.
+        enters = outside / (half - middle)
+        leaves = np.where(middle < 0.0, (half - middle) / square, -outside / (half + middle))
+    inward = np.where(is_hollow, middle > 0.0, middle < 0.0)
+    touches = np.abs(np.hypot(away[..., 0], away[..., 1]) - np.abs(reach)) <= slack
+    fraction = np.where(is_hollow, leaves, enters)
+    fraction = np.where(touches & inward & (rho != 0.0), 0.0, fraction)
+    meets = (root > 0.0) & ((reach < 0.0) == is_hollow) & (is_hollow | inward)
+    meets &= (fraction >= 0.0) & (fraction <= 1.0)
+    center = away + np.where(meets, fraction, 0.0)[..., None] * motion[:, None]
+    position, is_between = _places_on_arcs(walls, piece, center, reach, slack)
+    meets &= is_between | (rho == 0.0)
+    return np.where(meets, fraction, np.nan), position
+
+
+def _places_on_arcs(
+    walls: _Walls, piece: npt.NDArray[np.intp], away: Array, reach: Array, slack: Array
+) -> tuple[Array, npt.NDArray[np.bool_]]:
+    """Places on arcs toward discs at offsets from their centers, and whether the arcs extend to them."""
+    rows = walls.rows[piece]
+    beta0, beta1 = rows[:, BETA0], rows[:, BETA1]
+    sign = np.where(reach < 0.0, -1.0, 1.0)
+    middle, half = (beta0 + beta1) / 2.0, np.abs(beta1 - beta0) / 2.0
+    turn = wrap(np.arctan2(sign * away[..., 0], -sign * away[..., 1]) - middle)
+    beta = middle + np.clip(turn, -half, half)
+    return rows[:, RHO] * (beta - beta0), (np.abs(turn) - half) * np.abs(reach) <= slack
 
 
 def _contact(
-    sides: Sides, center: Array, side: npt.NDArray[np.intp], position: Array, radius: Array,
+    walls: _Walls, center: Array, piece: npt.NDArray[np.intp], position: Array, radius: Array,
     error: Array,
 ) -> dict[str, Any]:  # fmt: skip
-    """Contact and normal of a disc that touches a side at a given place."""
-    after = (side + 1) % len(sides.length)
-    at_start, at_end = position <= error, position >= sides.length[side] - error
-    vertex = np.where(at_end, after, side)
-    corner = (at_start | at_end) & sides.convex[vertex]
-    point = sides.start[side] + position[:, None] * sides.tangent[side]
+    """Contact and normal of a disc that touches a piece at a given place."""
+    is_corner = walls.rows[piece, RHO] == 0.0
+    before, after = walls.before[piece], walls.after[piece]
+    at_start = ~is_corner & (position <= error) & walls.outer[before]
+    at_end = ~is_corner & (position >= walls.rows[piece, LENGTH] - error) & walls.outer[after]
+    piece = np.where(at_end, after, np.where(at_start, before, piece))
+    rows = walls.rows[piece]
+    is_side, is_corner = np.isinf(rows[:, RHO]), rows[:, RHO] == 0.0
+    rho = np.where(is_side, 0.0, rows[:, RHO])
+    beta = rows[:, BETA0] + np.where(rho != 0.0, position / np.where(rho != 0.0, rho, 1.0), 0.0)
+    upward = np.stack([-np.sin(beta), np.cos(beta)], axis=-1) + 0.0
+    along = np.where(is_side, position, 0.0)[:, None] * walls.tangent[piece]
+    point = rows[:, [X, Y]] + along - rho[:, None] * upward
     # A disc that meets a side near its end has the normal of the side, to the digits of its position.
     offset = np.where((radius > error)[:, None], point - center, 0.0)
+    normal = np.where(is_side[:, None], walls.normal[piece], upward)
+    at_corner = _normals_at_corners(walls.normals[piece], offset)
     return {
-        "contact": np.where(corner[:, None], sides.start[vertex], point),
-        "normal": _normal(sides, offset, side, vertex, corner),
-        "side": np.where(corner, (vertex - 1) % len(sides.length), side),
-        "corner": corner,
+        "contact": point,
+        "normal": np.where(is_corner[:, None], at_corner, normal),
+        "side": walls.number[piece],
+        "corner": is_corner,
     }
 
 
-def _normal(sides: Sides, offset: Array, side: Any, vertex: Any, corner: Any) -> Array:
-    """Normals of the side; at a corner, along the offset from the disc's center, else the bisector."""
-    after, before = sides.normal[vertex], sides.normal[vertex - 1]
-    middle = after + before
-    outside = (offset * middle).sum(axis=1) > 0.0
-    from_center = np.where(outside[:, None], offset, middle)
-    normals = np.where(corner[:, None], from_center, sides.normal[side])
+def _normals_at_corners(ends: Array, offset: Array) -> Array:
+    """Normals along offsets from the disc's centers, or else the bisectors of those of the sides."""
+    bisector = ends.sum(axis=1)
+    outside = (offset * bisector).sum(axis=1) > 0.0
+    normals = np.where(outside[:, None], offset, bisector)
     return np.asarray(normals / np.hypot(*normals.T)[:, None])
 
 

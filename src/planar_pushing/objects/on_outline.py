@@ -236,18 +236,19 @@ def _side_of_chain(side: Any, outline: Outline) -> tuple[Array, Array, float]:
         raise InvalidValue(
             "side", side, "an outline with sides", "push a round object at a point of its wall"
         )
-    _require_number(side, len(rows))
+    _require_number(side, len(rows), "count the sides from 0, without the arcs, in order")
     row = rows[int(side)]
     return row[:2], np.array([np.cos(row[BETA0]), np.sin(row[BETA0])]), float(row[LENGTH])
 
 
-def _require_number(side: Any, count: int) -> None:
+def _require_number(
+    side: Any,
+    count: int,
+    remedy: str = "give the number of the corner at which the side begins, in the order of the outline",
+) -> None:
     """Refuse what is not the number of a side."""
     if isinstance(side, bool) or not isinstance(side, (int, np.integer)) or not 0 <= side < count:
-        raise InvalidValue(
-            "side", side, f"a whole number from 0 to {count - 1}",
-            "give the number of the corner at which the side begins, in the order of the outline",
-        )  # fmt: skip
+        raise InvalidValue("side", side, f"a whole number from 0 to {count - 1}", remedy)
 
 
 def _require_long(side: int, vertices: Array, corners: Array, tolerance: float) -> None:

@@ -121,9 +121,12 @@ def _masses(
     if not radius:
         return
     for mass in masses:
-        if is_lazy(mass.gyration_radius):
+        gyration = mass.gyration_radius
+        if gyration is None and outline is None:
+            gyration = mass.with_gyration(None).gyration_radius
+        if gyration is None or is_lazy(gyration):
             continue
-        ratios = np.ravel(mass.gyration_radius) / radius
+        ratios = np.ravel(gyration) / radius
         doubtful = ratios[(ratios < GYRATION[0]) | (ratios > GYRATION[1])]
         if doubtful.size:
             yield (

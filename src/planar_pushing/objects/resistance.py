@@ -56,7 +56,7 @@ def separate_feet(support: Any) -> tuple[Array, float, Any]:
     return feet, share, Footless(scale_shares(bare, 1.0 / share))
 
 
-def require_effects(value: Any) -> tuple[Any, ...]:
+def require_effects(value: Any, outline: Outline | None = None) -> tuple[Any, ...]:
     """Effects in an object's frame that act in a push from rest.
 
     An object with inertia has no velocity then, and therefore no viscous friction.
@@ -78,7 +78,7 @@ def require_effects(value: Any) -> tuple[Any, ...]:
         )  # fmt: skip
     for effect in effects:
         _require_plain(effect)
-    effects = with_mass_centers(effects)
+    effects = complete_masses(effects, outline)
     moving = any(isinstance(effect, Inertia) for effect in effects)
     return tuple(effect for effect in effects if not (moving and isinstance(effect, Viscous)))
 
@@ -194,19 +194,21 @@ def mass_center(effects: Sequence[Any]) -> tuple[Number, Number]:
     return _mean_position([effect.mass for effect in masses], [effect.center for effect in masses])
 
 
-def with_mass_centers(effects: Sequence[Any], outline: Outline | None = None) -> tuple[Any, ...]:
+def complete_masses(effects: Sequence[Any], outline: Outline | None = None) -> tuple[Any, ...]:
     """Effects in which a mass without a center is at the center of pressure.
 
-    Without friction, it is at the centroid of the outline, or without one at the origin.
+    Without friction, it is at the centroid of the outline, or without one at the origin. A mass without a
+    radius of gyration is a uniform plate in the shape of the outline; without one the radius is 1.
     """
-    if not any(isinstance(effect, Inertia) and effect.center is None for effect in effects):
+    masses = [effect for effect in effects if isinstance(effect, Inertia)]
+    if all(mass.center is not None and mass.gyration_radius is not None for mass in masses):
         return tuple(effects)
     center = center_of_pressure(effects)
     if center is None:
         center = (0.0, 0.0) if outline is None else centroid_of(outline)
     return tuple(
-        replace(effect, center=center)
-        if isinstance(effect, Inertia) and effect.center is None
+        (replace(effect, center=center) if effect.center is None else effect).with_gyration(outline)
+        if isinstance(effect, Inertia)
         else effect
         for effect in effects
     )

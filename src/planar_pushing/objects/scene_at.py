@@ -21,7 +21,7 @@ from planar_pushing.mechanics.supports import Ring
 from planar_pushing.objects.many import Contacts, require_contacts
 from planar_pushing.objects.on_outline import on_outline, side_on_fence
 from planar_pushing.objects.plausible import warn_of_doubts
-from planar_pushing.objects.resistance import center_of_pressure, mass_center, with_mass_centers
+from planar_pushing.objects.resistance import center_of_pressure, complete_masses, mass_center
 from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
@@ -63,8 +63,9 @@ def scene_at(
     effects : sequence of effects
         `SupportFriction`, `Viscous`, `Inertia` and `Load`, with supports, centers and forces in the
         object's frame. A mass without a center is at the center of pressure; without friction, it is at the
-        centroid of the outline, or without one at the origin. Parameters can be arrays that broadcast
-        against the points.
+        centroid of the outline, or without one at the origin. A mass without a radius of gyration has that
+        of a uniform plate in the shape of the outline, about its center of mass, or 1 without an outline.
+        Parameters can be arrays that broadcast against the points.
     contact : ContactLaw
     outline : sequence of pairs, Polygon, Disc, Outline, or an object with `coords` or `exterior`, optional
         Corners of the object in order, or its round outline. The contact must be on the outline, and the
@@ -264,10 +265,10 @@ def _required_effects(value: Any, outline: Outline | None) -> tuple[Any, ...]:
 
 @cache_results(KEPT)
 def _acting_effects(effects: tuple[Any, ...], outline: Outline | None) -> tuple[Any, ...]:
-    """Effects with centers of mass, found once for all contacts of an object; errors of their supports."""
+    """Effects with known masses, found once for all contacts of an object; errors of their supports."""
     for effect in effects:
         _require_one_support(effect, outline)
-    return with_mass_centers(effects, outline)
+    return complete_masses(effects, outline)
 
 
 def _require_one_support(effect: Any, outline: Outline | None) -> None:

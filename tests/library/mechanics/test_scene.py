@@ -101,7 +101,10 @@ def test_scene_turns_a_list_of_effects_into_a_tuple():
     slider = pp.Slider(rod_length=1.0, rod_angle=PSI)
     scene = pp.Scene(slider=slider, contact=pp.Coulomb(1.0), effects=list(BOTH))
     friction, inertia = BOTH
-    assert scene.effects == (friction, dataclasses.replace(inertia, center=(0.0, 0.0)))
+    assert scene.effects == (
+        friction,
+        dataclasses.replace(inertia, gyration_radius=1.0, center=(0.0, 0.0)),
+    )
     assert slider.radius is None
     assert (scene.slider.radius, scene.slider.length_ratio) == (1.0, 1.0)
 

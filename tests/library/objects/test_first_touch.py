@@ -167,3 +167,109 @@ def test_wrong_input(changed, said):
     with pytest.raises(pp.InvalidValue) as error:
         pp.first_touch(**given)
     assert str(error.value).startswith(said)
+
+
+#: Outlines with arcs, of which the largest hollow one has a radius of 1.25.
+ROUND = (
+    pp.Outline(pp.Disc(0.8, center=(0.1, -0.2))),
+    pp.rounded(SQUARE, 0.3),
+    pp.rounded(ELL, [0.2, 0.1, 0.0, 0.25, 0.3, 0.4]),
+    pp.Outline.ellipse(1.0, 0.6, 32),
+    pp.Outline.from_bulges([(-1, -1, 0), (1, -1, 0), (1, 1, -0.5), (-1, 1, 0.7)]),
+    pp.Outline(SQUARE, holes=[pp.Disc(0.6)]),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("radius", [0.0, 0.25, 3.0])
+@pytest.mark.parametrize("offset", [0.0, 0.3, -0.99])
+def test_a_disc_meets_a_disc_at_the_sum_of_their_radii(radius, offset):
+    # Along +x at the height h above the center, they meet at x = -sqrt(D^2 - h^2).
+    reach = 0.8 + radius
+    height = offset * reach
+    away = np.array([-np.sqrt(reach**2 - height**2), height])
+    touch = pp.first_touch(pp.Disc(0.8, center=(0.1, -0.2)), (-9.9, height - 0.2), (20, 0), radius)
+    assert touch.fraction == pytest.approx((away[0] + 10.0) / 20.0, abs=1e-14)
+    assert touch.normal == pytest.approx(-away / reach, abs=1e-13)
+    assert touch.contact == pytest.approx((0.1, -0.2) + 0.8 * away / reach, abs=1e-13)
+    assert (int(touch.side), bool(touch.corner), float(touch.overlap)) == (-1, False, 0.0)
+    past = pp.first_touch(pp.Disc(0.8, center=(0.1, -0.2)), (-9.9, reach - 0.2), (20, 0), radius)
+    assert np.isnan(past.fraction)
+
+
+@pytest.mark.parametrize("radius", [0.0, 0.2, 0.59])
+@pytest.mark.parametrize("start", [(0.0, 0.0), (-0.005, 0.007)])
+def test_a_disc_in_a_round_hole_meets_its_wall_from_inside(radius, start):
+    way = np.array([2.0, 1.0])
+    touch = pp.first_touch(ROUND[5], start, way, radius)
+    fraction = float(touch.fraction)
+    # |start + fraction * way| = 0.6 - r
+    roots = np.roots([way @ way, 2.0 * way @ start, np.dot(start, start) - (0.6 - radius) ** 2])
+    assert fraction == pytest.approx(roots.max(), abs=1e-14)
+    center = start + fraction * way
+    assert touch.normal == pytest.approx(center / np.hypot(*center), abs=1e-12)
+    assert touch.contact == pytest.approx(0.6 * center / np.hypot(*center), abs=1e-12)
+    # From the wall across the hole to the other side of it.
+    across = pp.first_touch(ROUND[5], center, -4.0 * center, radius)
+    assert across.fraction == pytest.approx(0.5, abs=1e-9)
+    again = pp.first_touch(ROUND[5], center, center, radius)
+    assert (float(again.fraction), float(again.overlap)) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("radius", [0.2, 0.5])
+def test_a_hollow_wall_is_met_by_discs_that_fit_into_it(radius):
+    # The wall is a circle of radius 1.25 about (0, 1.75), from (1, 1) to (-1, 1) through (0, 0.5).
+    hollow = pp.Outline.from_bulges([(-1, -1, 0), (1, -1, 0), (1, 1, -0.5), (-1, 1, 0)])
+    touch = pp.first_touch(hollow, (0.3, 3.0), (0, -3.0), radius)
+    depth = 1.75 - np.sqrt((1.25 - radius) ** 2 - 0.09)
+    assert touch.fraction == pytest.approx((3.0 - depth) / 3.0, abs=1e-14)
+    assert touch.normal == pytest.approx(np.array([0.3, depth - 1.75]) / (1.25 - radius), abs=1e-13)
+    # A larger one is stopped by both corners.
+    large = pp.first_touch(hollow, (0.0, 5.0), (0, -5.0), 1.3)
+    assert large.fraction == pytest.approx((4.0 - np.sqrt(0.69)) / 5.0, abs=1e-14)
+    assert bool(large.corner)
+
+
+@pytest.mark.parametrize("radius", [0.0, 0.05, 0.4, 5.0])
+@pytest.mark.parametrize("outline", ROUND[:5])
+def test_round_outlines_against_sampled_distances_from_polygons(outline, radius):
+    polygon = outline.vertices(1e-4)
+    random = np.random.default_rng(int(100 * radius))
+    start = random.normal(size=(60, 2)) * (1.5 + radius)
+    start = start[distances(polygon, start) > radius + 1e-3]
+    motion = random.normal(size=start.shape) - start
+    touch = pp.first_touch(outline, start, motion, radius)
+    assert np.isfinite(touch.fraction).sum() > 5
+    ways = np.linspace(0.0, 1.0, 60)
+    for k, fraction in enumerate(touch.fraction):
+        nearest = distances(polygon, start[k] + ways[:, None] * motion[k])
+        if np.isnan(fraction):
+            assert nearest.min() > radius - 2e-4
+            continue
+        center = start[k] + fraction * motion[k]
+        assert distances(polygon, center[None]) == pytest.approx(radius, abs=2e-4)
+        assert distances(polygon, touch.contact[None, k]) == pytest.approx(0.0, abs=2e-4)
+        assert center + radius * touch.normal[k] == pytest.approx(touch.contact[k], abs=1e-12)
+        assert (nearest[ways < fraction] > radius - 2e-4).all()
+        assert touch.normal[k] @ motion[k] > 0.0
+
+
+def test_sides_of_round_outlines_are_numbered_in_order():
+    box = pp.rounded(SQUARE, 0.3)
+    starts = np.array([[(0, -3), (3, 0)], [(0, 3), (-3, 0)]])
+    touch = pp.first_touch(box, starts, -0.9 * starts, [[0.1, 0.2], [0.0, 0.5]])
+    assert touch.side.tolist() == [[0, 1], [2, 3]]
+    # Where a side joins its arc, as one or the other: no disc passes between them.
+    joints = np.column_stack([np.full(41, -0.7) + np.linspace(-1e-12, 1e-12, 41), np.full(41, -3)])
+    touch = pp.first_touch(box, joints, (0, 4), 0.5)
+    assert touch.fraction == pytest.approx(np.full(41, 0.375), abs=1e-12)
+
+
+@pytest.mark.parametrize(("position", "radius", "contact"), [
+    ((0.0, -0.77), 0.0, (0.0, -0.8)), ((0.0, -1.03), 0.25, (0.0, -0.8)),
+])  # fmt: skip
+def test_one_that_overlaps_an_arc_a_little_touches_it_at_once(position, radius, contact):
+    touch = pp.first_touch(pp.Disc(0.8), position, (0.1, 0.3), radius, tolerance=0.05)
+    assert touch.contact == pytest.approx(contact, abs=1e-15)
+    assert touch.normal == pytest.approx((0, 1), abs=1e-15)
+    assert float(touch.fraction) == 0.0
+    assert np.isnan(pp.first_touch(pp.Disc(0.8), position, (0.1, 0.3), radius).fraction)

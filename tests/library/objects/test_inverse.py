@@ -298,3 +298,111 @@ def test_a_load_that_friction_cannot_hold_is_refused(center):
     with pytest.raises(pp.InvalidValue, match="2 times what friction can hold"):
         pp.pushes_for((weak, load), (0, 1, 0), SQUARE)
     assert pp.pushes_for((weak, load, pp.Inertia()), (0, 1, 0), SQUARE)
+
+
+#: Outlines with an arc of the unit circle about the origin, and whether it is hollow.
+ROUND = {
+    "disc": (pp.Outline(pp.Disc(1.0)), False),
+    "half disc": (pp.Outline.from_bulges([(0, -1, 1), (0, 1, 0)]), False),
+    "hole": (pp.Outline(2.0 * np.array(SQUARE), holes=[pp.Disc(1.0)]), True),
+    "notch": (pp.Outline.from_bulges([(1, 0, 0), (2, 0, 0), (2, 3, 0), (-2, 3, 0), (-2, 0, 0),
+                                      (-1, 0, -1)]), True),
+}  # fmt: skip
+FEET = np.array([[0.3, 0.5], [-0.6, 0.1], [0.2, -0.8], [0.9, 0.7], [0.0, 1.0], [0.0, 0.0]])
+
+
+def on_circle(name, points):
+    """Which points of the unit circle are on the arc."""
+    x, y = np.moveaxis(points, -1, 0)
+    return {"half disc": x >= 0, "notch": y >= 0}.get(name, np.ones(len(x), dtype=bool))
+
+
+@pytest.mark.parametrize("name", ROUND)
+@pytest.mark.parametrize("twist", [(0, 2, 0), (1, 0.5, -0.3), (-1, 0.2, 0.8), (0.3, -1, 2)])
+def test_a_line_of_action_meets_an_arc_at_one_contact(name, twist):
+    outline, hollow = ROUND[name]
+    effects = (pp.SupportFriction(support=pp.Disc(0.7, (0.1, -0.05))),)
+    *force, torque = pp.wrench_set(effects, twist).offset
+    size = np.hypot(*force)
+    way, across = np.array(force) / size, np.array([force[1], -force[0]]) / size
+    # The line enters the disc at one place; it leaves the hole at the other.
+    root = np.sqrt(1.0 - (torque / size) ** 2)
+    place = torque / size * across + (root if hollow else -root) * way
+    pushes = [
+        push for push in pp.pushes_for(effects, twist, outline)
+        if abs(push.normal @ push.point) == pytest.approx(1.0, abs=1e-9)
+        and np.hypot(*push.point) == pytest.approx(1.0, abs=1e-12)
+    ]  # fmt: skip
+    assert len(pushes) == int(on_circle(name, place[None])[0])
+    for push in pushes:
+        assert push.point == pytest.approx(place, abs=1e-12)
+        assert push.normal == pytest.approx(place if hollow else -place, abs=1e-12)
+        assert push.friction_coefficient == pytest.approx(abs(torque / size) / root, abs=1e-12)
+
+
+@pytest.mark.parametrize("name", ROUND)
+@pytest.mark.parametrize("foot", range(len(FEET)))
+@pytest.mark.parametrize("omega", [-1.0, 1.0])
+def test_trials_agree_about_feet_and_arcs(name, foot, omega):
+    outline, hollow = ROUND[name]
+    effects = (pp.SupportFriction(support=pp.Points(FEET, np.arange(1.0, 7.0))),)
+    twist = about(FEET[foot], omega)
+    rows = loads(np.random.default_rng(foot), pp.wrench_set(effects, twist))
+    size = np.hypot(rows[:, 0], rows[:, 1])
+    rows, size = rows[size > 1e-9], size[size > 1e-9]
+    way, distance = rows[:, :2] / size[:, None], rows[:, 2] / size
+    across = np.stack([way[:, 1], -way[:, 0]], axis=-1)
+    meets = np.abs(distance) < 0.9999
+    root = np.sqrt(1.0 - distance[meets] ** 2)
+    places = distance[meets, None] * across[meets]
+    places += (root if hollow else -root)[:, None] * way[meets]
+    friction = np.abs(distance[meets]) / root
+    keep = on_circle(name, places)
+    angles, friction = np.arctan2(places[keep, 1], places[keep, 0]), friction[keep]
+    hit = np.zeros(len(angles), dtype=bool)
+    for push in pp.pushes_for(effects, twist, outline):
+        if (
+            abs(abs(push.normal @ push.point) - 1.0) > 1e-9
+            or abs(np.hypot(*push.point) - 1.0) > 1e-9
+        ):
+            continue
+        first, last = (np.arctan2(*end.point[::-1]) for end in (push.ends or (push, push)))
+        low, span = (last, first - last) if hollow else (first, last - first)
+        span %= 2.0 * np.pi
+        inside = (angles - low + 1e-7) % (2.0 * np.pi) <= span + 2e-7
+        inside |= np.full(len(angles), len(push.ends) > 0 and span < 1e-12)
+        assert (friction[inside] >= push.friction_coefficient * (1 - 1e-9) - 1e-9).all()
+        if inside.sum() > 100 and span > 1e-9:
+            assert friction[inside].min() <= 1.1 * push.friction_coefficient + 0.05
+            turn = (angles[inside] - low) % (2.0 * np.pi)
+            assert turn.min() <= 0.15 * span
+            assert turn.max() >= 0.85 * span
+        assert inside.any() or push.friction_coefficient > 20
+        hit |= inside
+    assert hit.all()
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_solve_gives_the_twist_back_from_arcs(kind):
+    rng = np.random.default_rng(KINDS.index(kind))
+    solved = 0
+    for outline in (*(outline for outline, _ in ROUND.values()), pp.Outline.ellipse(1.2, 0.7, 16)):
+        effects = (pp.SupportFriction(support=support(rng, kind), weight=2.3),)
+        center = rng.normal(size=2)
+        if kind == "points":
+            center = effects[0].support.positions[0]
+        for twist in (about(center), rng.normal(size=3)):
+            for push in pp.pushes_for(effects, twist, outline):
+                if push.friction_coefficient < STEEP:
+                    assert error(push, effects, twist) < 1e-9
+                    solved += 1
+    assert solved > 5
+
+
+def test_a_contact_where_a_side_joins_an_arc_is_one():
+    box = pp.rounded(SQUARE, 0.3)
+    for place in (0.7, -0.7, 0.7 + 1e-12, -0.7 - 1e-12):
+        effects = (pp.SupportFriction(support=pp.Points([(place, 0.5), (place, -0.5)])),)
+        (push,) = pp.pushes_for(effects, (0, 1, 0), box)
+        assert push.point == pytest.approx((place, -1.0), abs=1e-11)
+        assert push.friction_coefficient == pytest.approx(0.0, abs=1e-11)

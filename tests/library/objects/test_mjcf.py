@@ -77,7 +77,7 @@ def test_arcs_are_chains_of_sides_within_a_thousandth_of_the_size():
     body = ElementTree.fromstring(pp.to_mjcf(scene)).find("worldbody/body[@name='slider']")
     ends = np.array([numbers(each, "fromto") for each in body.findall("geom")])
     ends = ends.reshape(-1, 2, 3)[..., :2]
-    ends = np.array([[scene.to_object(end, "point") for end in side] for side in ends])
+    ends = scene.slider.outline_frame.point_out(ends)
     middles = np.hypot(*ends.mean(axis=1).T)
     on_disc = np.abs(np.hypot(*np.moveaxis(ends, -1, 0)) - 0.2).max(axis=1) < 1e-12
     assert on_disc.sum() >= 30

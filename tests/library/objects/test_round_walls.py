@@ -78,12 +78,6 @@ def test_arrays_of_contacts_keep_their_outline():
 @pytest.mark.parametrize(
     "use",
     [
-        lambda: pp.pushes_for(EFFECTS, (0, 1, 0.1), BOX),
-        lambda: pp.first_touch(BOX, (-3, 0), (3, 0)),
-        lambda: pp.simulate(
-            pp.scene_at((0, -1), effects=EFFECTS, contact=pp.Coulomb(0.4), outline=BOX),
-            pp.Pusher(velocity=(0, 1)), duration=1.0,
-        ),
         lambda: pp.scene_at((0, -1), (0.5, 1), effects=EFFECTS, contact=pp.Coulomb(0.4), outline=BOX),
         lambda: pp.scene_at((0, -0.9), effects=EFFECTS, contact=pp.Coulomb(0.4), outline=BOX),
     ],

@@ -507,3 +507,66 @@ def test_an_outline_that_equals_a_known_one_is_checked(wrong):
             (0.5, 0.0), effects=effects, contact=pp.Coulomb(0.3),
             outline=[good[0], (wrong, 0.0), *good[2:]],
         )  # fmt: skip
+
+
+#: Outlines, and the squares of the radii of gyration of uniform plates about their centroids.
+PLATES = {
+    "disc": (pp.Disc(0.8, center=(0.1, 0.2)), 0.8**2 / 2.0),
+    "box": ([(-1, -0.5), (2, -0.5), (2, 0.5), (-1, 0.5)], 10.0 / 12.0),
+    "ring": (pp.Outline(pp.Disc(1.0), holes=[pp.Disc(0.5)]), 1.25 / 2.0),
+}
+
+
+@pytest.mark.parametrize("name", PLATES)
+@pytest.mark.parametrize("center", [None, (0.3, -0.2)])
+def test_a_mass_with_an_outline_is_a_uniform_plate(name, center):
+    outline, square = PLATES[name]
+    whole = pp.Outline(outline)
+    effects, law = (pp.Inertia(mass=2.0, center=center),), pp.Coulomb(0.3)
+    if center is not None:
+        square += (center[0] - whole.centroid[0]) ** 2 + (center[1] - whole.centroid[1]) ** 2
+    points = whole.vertices(0.3 * whole.size)
+    points = 0.5 * (points[:2] + points[1:3]) if name == "box" else points[:2]
+    scenes = [pp.scene_at(point, effects=effects, contact=law, outline=outline) for point in points]
+    scenes.append(pp.scene_at(points, effects=effects, contact=law, outline=outline))
+    # The same scene of a slider, whose center is in the body frame.
+    one = scenes[0]
+    bare = pp.Inertia(mass=2.0, center=one.effects[0].center)
+    scenes.append(pp.Scene(slider=one.slider, contact=law, effects=(bare,)))
+    for scene in scenes:
+        assert scene.effects[0].gyration_radius == pytest.approx(np.sqrt(square), rel=1e-14)
+    free = pp.scene_at((0, 0), (0, 1), effects=(pp.Inertia(center=(0, 1)),), contact=law)
+    assert free.effects[0].gyration_radius == 1.0
+
+
+def test_a_rounded_plate_has_the_gyration_of_a_fine_polygon():
+    box = pp.rounded([(-1, -0.5), (2, -0.5), (2, 0.5), (-1, 0.5)], 0.2)
+    # Sums over a grid of midpoints, and over the triangles of a polygon.
+    x, y = np.meshgrid(np.arange(-1, 2, 1e-3) + 5e-4, np.arange(-0.5, 0.5, 1e-3) + 5e-4)
+    away = np.hypot(np.maximum(np.abs(x - 0.5) - 1.3, 0.0), np.maximum(np.abs(y) - 0.3, 0.0))
+    inside = away <= 0.2
+    square = (((x - 0.5) ** 2 + y**2)[inside]).mean()
+    scene = pp.scene_at((0, -0.5), effects=(pp.Inertia(),), contact=pp.Coulomb(0.3), outline=box)
+    assert scene.effects[0].gyration_radius == pytest.approx(np.sqrt(square), rel=1e-5)
+    fine = pp.scene_at(
+        (0, -0.5), effects=(pp.Inertia(),), contact=pp.Coulomb(0.3), outline=box.vertices(1e-6)
+    )
+    assert fine.effects[0].gyration_radius == pytest.approx(
+        scene.effects[0].gyration_radius, rel=1e-5
+    )
+
+
+@pytest.mark.parametrize(("outline", "radius"), [
+    ("{disc: {radius: 0.8}}", 0.8 / np.sqrt(2.0)),
+    ("[[-1, -0.8], [1, -0.8], [1, 0.8], [-1, 0.8]]", np.sqrt((4.0 + 2.56) / 12.0)),
+])  # fmt: skip
+def test_a_mass_of_a_file_is_a_uniform_plate(tmp_path, outline, radius):
+    path = tmp_path / "plate.yaml"
+    path.write_text(
+        f"object:\n  outline: {outline}\n  contact: {{point: [0, -0.8]}}\n"
+        "contact: {law: coulomb, friction_coefficient: 0.3}\neffects: [{type: inertia, mass: 2}]\n"
+    )
+    scene = pp.load_scene(path)
+    assert scene.effects[0].gyration_radius == pytest.approx(radius, rel=1e-14)
+    pp.save_scene(scene, path)
+    assert pp.load_scene(path).effects[0].gyration_radius == pytest.approx(radius, rel=1e-14)

@@ -194,9 +194,22 @@ def test_shapes_and_numbers():
 
 BODY = pp.Slider(rod_length=1.0, rod_angle=1.0, side=(-1.0, 1.0))
 ALONG = replace(BODY, flush=True)
+SMALL = pp.SupportFriction(support=pp.Polygon.rectangle(1.2, 1.2))
 WRONG = {
     "one point of contact": (
         pp.Scene(slider=BODY, contact=FREE, effects=(pp.RingFriction(),)), (0, 1, 0), "scene_at\\(side=",
+    ),
+    "an arc": (
+        pp.scene_at((1, 0), effects=(SMALL,), contact=FREE, outline=pp.Disc(1.0)), (0, 1, 0),
+        "scene_at\\(side=",
+    ),
+    "a corner": (
+        pp.scene_at((-1, -1), (0.5, 1), effects=(rub(SQUARE),), contact=FREE, outline=SQUARE), (0, 1, 0),
+        "scene_at\\(side=",
+    ),
+    "a straight place": (
+        pp.scene_at((0, -1), effects=(SMALL,), contact=FREE, outline=pp.rounded(SQUARE, 0.3)),
+        (0, 1, 0), "scene_at\\(side=",
     ),
     "inertia": (
         pp.Scene(slider=ALONG, contact=FREE, effects=(pp.RingFriction(), pp.Inertia())), (0, 1, 0),
@@ -224,3 +237,39 @@ def test_refused_in_one_line(name):
     with pytest.raises(pp.InvalidValue, match=words) as caught:
         pp.stable(scene, twist)
     assert "\n" not in str(caught.value)
+
+
+def test_a_side_between_arcs_is_that_of_a_polygon_with_cut_corners():
+    twists = np.random.default_rng(3).normal(size=(300, 3))
+    law, effects = pp.Coulomb(0.4), (SMALL,)
+    corners = [
+        (-0.7, -1),
+        (0.7, -1),
+        (1, -0.7),
+        (1, 0.7),
+        (0.7, 1),
+        (-0.7, 1),
+        (-1, 0.7),
+        (-1, -0.7),
+    ]
+    for number in range(4):
+        one, other = (
+            pp.scene_at(side=side, effects=effects, contact=law, outline=outline)
+            for side, outline in ((number, pp.rounded(SQUARE, 0.3)), (2 * number, corners))
+        )
+        answer = pp.stable(one, twists)
+        assert answer.tolist() == pp.stable(other, twists).tolist()
+        assert 0 < answer.sum() < 300
+        curves = [pp.stable_centers(scene).curves for scene in (one, other)]
+        assert [curve.bound for curve in curves[0]] == [curve.bound for curve in curves[1]]
+
+
+def test_an_outline_without_sides_has_none_on_a_fence():
+    with pytest.raises(
+        pp.InvalidValue, match="an outline with sides; push a round object at a point"
+    ):
+        pp.scene_at(side=0, effects=(SMALL,), contact=FREE, outline=pp.Disc(1.0))
+    with pytest.raises(
+        pp.InvalidValue, match="from 0 to 3; count the sides from 0, without the arcs"
+    ):
+        pp.scene_at(side=4, effects=(SMALL,), contact=FREE, outline=pp.rounded(SQUARE, 0.3))
