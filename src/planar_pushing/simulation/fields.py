@@ -66,6 +66,10 @@ def _has_outline(problem: Problem) -> bool:
     return problem.scene.slider.outline is not None
 
 
+def _has_normal(problem: Problem) -> bool:
+    return _has_outline(problem) and _is_placed(problem)
+
+
 def _has_impacts(problem: Problem) -> bool:
     return problem.scene.stores_energy
 
@@ -132,7 +136,7 @@ FIELDS = (
     Field("evaluations", "evaluations", EFFECT, "i8"),
     Field("stopped", "stopped", (), "i1", lambda problem: False, sampled=True),
     Field("contact_position", "contact_position", logged=_has_position, sampled=True),
-    Field("contact_normal", "contact_normal", logged=_has_outline, sampled=True),
+    Field("contact_normal", "contact_normal", logged=_has_normal),
     Field("contact_piece", "contact_piece", (), "i4", _has_outline, sampled=True),
     Field("flush", "flush", (), "?", _can_lie, sampled=True),
     Field("parted", "parted", (), "?", _is_finger, sampled=True),
@@ -238,12 +242,10 @@ def _adhesive(rows: Array, problem: Problem, field: Field) -> Any:
 
 
 def _contact_normal(rows: Array, problem: Problem, field: Field) -> Any:
-    """Angle of the inward normal at the contact: in the world, or from the pusher's tangent at time 0."""
-    angle = Columns(LogRow, rows).contact_normal + np.pi / 2
-    if problem.world is not None:
-        c, s = problem.world.fence.axis
-        angle = angle + np.arctan2(s, c)
-    return np.rad2deg(angle)
+    """Angle of the inward normal at the contact in the world."""
+    assert problem.world is not None
+    c, s = problem.world.fence.axis
+    return np.rad2deg(Columns(LogRow, rows).contact_normal + np.arctan2(c, -s))
 
 
 def _dissipation(rows: Array, problem: Problem, field: Field) -> Any:

@@ -153,7 +153,7 @@ LOG: Quantities = {
     ),
     "contact_normal": (
         "degree",
-        "direction of the inward normal at the contact, in the world or from the fence's line at time 0",
+        "direction of the inward normal at the contact in the world, unwrapped",
     ),
     "contact_piece": ("1", "number of the outline's piece at the contact, -1 where there is none"),
     "dissipated": ("force length", "energy dissipated by each effect, accumulated"),

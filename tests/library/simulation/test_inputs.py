@@ -10,8 +10,9 @@ import planar_pushing as pp
 from planar_pushing.core.motion import run
 from planar_pushing.core.supports.rows import EFFECT, LAST, LOAD, MASS, RING, SUPPORT
 from planar_pushing.mechanics.kernels.columns import Columns
+from planar_pushing.mechanics.outline.places import DEPTH
 from planar_pushing.simulation.inputs import Scenes, numbers_of
-from planar_pushing.simulation.problem import DEPTH, Problem
+from planar_pushing.simulation.problem import Problem
 from planar_pushing.terms.options import Method
 
 BOX = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)]
