@@ -103,9 +103,9 @@ def _position_near(system: System, piece: ChainPiece, place: float, position: fl
     scene = system.scene
     start = chain_piece(chain_of(system), scene.wall if scene.wall >= 0 else 0)
     length = arc_length_at(piece, place) - arc_length_at(start, scene.place)
-    whole = length_of_chain(chain_of(system), system.run.wall.piece)
-    turns = nearest_integer((scene.fine * position - length) / whole)
-    return (length + whole * turns) / scene.fine
+    perimeter = length_of_chain(chain_of(system), system.run.wall.piece)
+    turns = nearest_integer((scene.fine * position - length) / perimeter)
+    return (length + perimeter * turns) / scene.fine
 
 
 def begin_at_wall(system: System) -> None:

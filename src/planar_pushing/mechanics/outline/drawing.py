@@ -105,27 +105,32 @@ def _ring_of_pairs(pairs: tuple[tuple[float, float], ...]) -> tuple[tuple[float,
 def _read_drawing(ring: tuple[tuple[float, float], ...], is_read: bool, name: str) -> Drawing:
     """The drawing of a closed ring of vertices, which can be the corners of an outline that was read."""
     vertices = np.array(ring)
-    kept = np.arange(len(vertices))
+    corner_numbers = np.arange(len(vertices))
     if not is_read:
-        kept = corners_of_drawing(vertices)
-        if len(kept) < 3:
+        corner_numbers = corners_of_drawing(vertices)
+        if len(corner_numbers) < 3:
             raise InvalidValue(
                 name, vertices.tolist(), "a polygon whose area is not zero",
                 "an outline is exact to a millionth of its size; draw one that is wider than that",
             )  # fmt: skip
-        require_simple(name, vertices[kept], kept)
-    drawn = vertices[kept]
+        require_simple(name, vertices[corner_numbers], corner_numbers)
+    drawn = vertices[corner_numbers]
     if not is_read:
         aligned = _put_on_sides(drawn)
-        still = corners_of_drawing(aligned) if aligned is not drawn else np.arange(len(kept))
+        still = (
+            corners_of_drawing(aligned) if aligned is not drawn else np.arange(len(corner_numbers))
+        )
         # Corners that are now doubled, or on a straight side, are none.
-        kept, drawn = kept[still], aligned[still]
+        corner_numbers, drawn = corner_numbers[still], aligned[still]
     edges = np.arange(len(vertices))
-    side = (np.searchsorted(kept, edges, side="right") - 1) % len(kept)
+    side = (np.searchsorted(corner_numbers, edges, side="right") - 1) % len(corner_numbers)
     corners = counterclockwise(drawn)
     if (corners[0] != drawn[0]).any():  # clockwise: corner k is the last but k
-        kept, side = kept[::-1], (len(kept) - 2 - side) % len(kept)
-    return Drawing(vertices, Corners.of(corners), kept, side)
+        corner_numbers, side = (
+            corner_numbers[::-1],
+            (len(corner_numbers) - 2 - side) % len(corner_numbers),
+        )
+    return Drawing(vertices, Corners.of(corners), corner_numbers, side)
 
 
 def _put_on_sides(corners: Array) -> Array:
@@ -150,9 +155,9 @@ def _put_on_sides(corners: Array) -> Array:
     for side in sides[np.argsort(-length[sides], kind="stable")]:
         ends = [side, (side + 1) % len(corners)]
         if is_free[ends].all():
-            moved = is_off[:, side] & is_free
-            aligned[moved] -= heights[moved, side][:, None] * normal[side]
-            is_free[moved] = False
+            aligns = is_off[:, side] & is_free
+            aligned[aligns] -= heights[aligns, side][:, None] * normal[side]
+            is_free[aligns] = False
             is_free[ends] = False
     return aligned
 
@@ -181,13 +186,13 @@ def corners_of_drawing(vertices: Array) -> npt.NDArray[np.intp]:
     ring = np.concatenate([ring, ring[:1]])
     middle = (opposite - first) % count
     inner = divide_chains(ring, [(0, middle), (middle, count)], tolerance)
-    kept = _without_needless(ring[:-1], sorted([0, middle, *inner]), tolerance)
-    return np.sort((np.array(kept) + first) % count)
+    corners = _without_needless(ring[:-1], sorted([0, middle, *inner]), tolerance)
+    return np.sort((np.array(corners) + first) % count)
 
 
 def divide_chains(vertices: Array, chains: list[tuple[int, int]], tolerance: float) -> list[int]:
     """Numbers of the vertices that are corners between the ends of chains, each a start and an end."""
-    kept, chains = [], list(chains)
+    corners, chains = [], list(chains)
     while chains:
         start, end = chains.pop()
         if end - start < 2:
@@ -196,18 +201,18 @@ def divide_chains(vertices: Array, chains: list[tuple[int, int]], tolerance: flo
         farthest = int(distances.argmax())
         if distances[farthest] > tolerance:
             corner = start + 1 + farthest
-            kept.append(corner)
+            corners.append(corner)
             chains += [(start, corner), (corner, end)]
-    return kept
+    return corners
 
 
-def _without_needless(ring: Array, kept: list[int], tolerance: float) -> list[int]:
+def _without_needless(ring: Array, numbers: list[int], tolerance: float) -> list[int]:
     """Numbers of the corners without those whose absence moves no vertex out of the tolerance."""
-    corners = ring[kept]
+    corners = ring[numbers]
     chords = np.roll(corners, 1, axis=0), np.roll(corners, -1, axis=0)
     doubtful = np.flatnonzero(_distances(corners, *chords) <= tolerance)
-    remaining = list(kept)
-    for corner in (kept[i] for i in doubtful):
+    remaining = list(numbers)
+    for corner in (numbers[i] for i in doubtful):
         i, count = remaining.index(corner), len(remaining)
         if count <= 2:
             break
@@ -237,6 +242,6 @@ def put_on_line(vertices: Array, point: Array, normal: Array) -> Corners | None:
     is_off = (np.abs(heights) > rounding) & (np.abs(heights) <= DRAWN * size(vertices))
     if not is_off.any():
         return None
-    moved = vertices - np.where(is_off, heights, 0.0)[:, None] * normal
+    aligned = vertices - np.where(is_off, heights, 0.0)[:, None] * normal
     # Corners that are now doubled, or on a straight side, are none.
-    return Corners.of(moved[corners_of_drawing(moved)])
+    return Corners.of(aligned[corners_of_drawing(aligned)])

@@ -95,14 +95,14 @@ def _without_needless(rows: Array, strokes: Array, tolerance: float) -> Array:
     rows = np.roll(rows, -int(arcs[0]), axis=0)
     arcs = np.append(np.flatnonzero(rows[:, 2]), len(rows))
     ring = np.concatenate([rows, rows[:1]])
-    kept: list[int] = []
+    corners: list[int] = []
     for arc, behind in zip(arcs[:-1].tolist(), arcs[1:].tolist(), strict=True):
-        kept.append(arc)
+        corners.append(arc)
         start, end = arc + 1, behind
         inner = divide_chains(ring[:, :2], [(start, end)], tolerance)
         if inner or np.hypot(*(ring[end, :2] - ring[start, :2])) > tolerance:
-            kept += [start, *sorted(inner)]
-    return np.asarray(ring[[k for k in kept if k < len(rows)]])
+            corners += [start, *sorted(inner)]
+    return np.asarray(ring[[k for k in corners if k < len(rows)]])
 
 
 def _require_no_crossing(pieces: Array, name: str) -> None:

@@ -91,9 +91,9 @@ class Outline:
 
     def _set(self, pieces: Array) -> None:
         # Equal outlines have equal bytes: no zero is negative.
-        kept = np.array(pieces, dtype=float) + 0.0
-        kept.flags.writeable = False
-        for name, value in (("pieces", kept), ("_hash", hash(kept.tobytes())), ("_kept", {})):
+        rows = np.array(pieces, dtype=float) + 0.0
+        rows.flags.writeable = False
+        for name, value in (("pieces", rows), ("_hash", hash(rows.tobytes())), ("_kept", {})):
             object.__setattr__(self, name, value)
 
     def __setattr__(self, name: str, value: object) -> None:
@@ -309,9 +309,9 @@ def rounded(outline: Any, radius: Any) -> Outline:
     1
     """
     drawing = read_drawing(require_corners(outline) if isinstance(outline, Outline) else outline)
-    whole = require_outline(outline)
-    exterior = rounded_chain(drawing, radius, whole.tolerance)
-    holes = [chain[:, :OWN] for chain in split_chains(whole.pieces)[1:]]
+    drawn = require_outline(outline)
+    exterior = rounded_chain(drawing, radius, drawn.tolerance)
+    holes = [chain[:, :OWN] for chain in split_chains(drawn.pieces)[1:]]
     return outline_of_pieces(number_chains([exterior, *holes]))
 
 

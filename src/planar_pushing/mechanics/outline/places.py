@@ -85,15 +85,17 @@ def nearest_place(outline: Outline, points: Array) -> Places:
     slack = 1e-12 * (best + outline.size)
     at_corner = pieces.is_corner & (distance <= best + slack)
     choice = np.where(at_corner.any(axis=1), at_corner.argmax(axis=1), distance.argmin(axis=1))
-    each = np.arange(len(points))
-    found = Places(
+    rank = np.arange(len(points))
+    places = Places(
         choice,
-        beta[each, choice],
-        position[each, choice],
-        spots[each, choice],
-        distance[each, choice],
+        beta[rank, choice],
+        position[rank, choice],
+        spots[rank, choice],
+        distance[rank, choice],
     )
-    return found._replace(gap=np.where(_are_inside(pieces, found, points), -1.0, 1.0) * found.gap)
+    return places._replace(
+        gap=np.where(_are_inside(pieces, places, points), -1.0, 1.0) * places.gap
+    )
 
 
 def _on_pieces(pieces: _Pieces, points: Array) -> tuple[Array, Array, Array]:
@@ -112,12 +114,12 @@ def _on_pieces(pieces: _Pieces, points: Array) -> tuple[Array, Array, Array]:
     return beta, position, rows[:, :2] + np.where(pieces.is_side[:, None], on_side, offset)
 
 
-def _are_inside(pieces: _Pieces, found: Places, points: Array) -> npt.NDArray[np.bool_]:
+def _are_inside(pieces: _Pieces, places: Places, points: Array) -> npt.NDArray[np.bool_]:
     """Whether points are inside: on the inner side of a piece, or nearest to an inner corner."""
-    rows = pieces.rows[found.piece]
-    heights = ((points - found.point) * found.normal).sum(axis=1)
+    rows = pieces.rows[places.piece]
+    heights = ((points - places.point) * places.normal).sum(axis=1)
     return np.asarray(
-        np.where(pieces.is_corner[found.piece], rows[:, BETA1] < rows[:, BETA0], heights > 0.0)
+        np.where(pieces.is_corner[places.piece], rows[:, BETA1] < rows[:, BETA0], heights > 0.0)
     )
 
 
@@ -142,11 +144,11 @@ def places_with_normals(outline: Outline, points: Array, normals: Array) -> Plac
     order = np.where(pieces.is_side, 0.0, np.where(pieces.is_corner, 2.0, 1.0))
     misfit = np.maximum(np.abs(beta - turned) - 1e-9, 0.0) + 1e-12 * order
     misfit += np.where(distance <= 2.0 * outline.tolerance, 0.0, 1.0 + distance / outline.size)
-    choice, each = misfit.argmin(axis=1), np.arange(len(points))
-    turned, rows = turned[each, choice], pieces.rows[choice]
+    choice, rank = misfit.argmin(axis=1), np.arange(len(points))
+    turned, rows = turned[rank, choice], pieces.rows[choice]
     on_arc = np.where(pieces.is_side[choice], 0.0, rows[:, RHO]) * (turned - rows[:, BETA0])
-    along = np.where(pieces.is_side[choice], position[each, choice], on_arc)
-    return Places(choice, turned, along, spots[each, choice], distance[each, choice])
+    along = np.where(pieces.is_side[choice], position[rank, choice], on_arc)
+    return Places(choice, turned, along, spots[rank, choice], distance[rank, choice])
 
 
 def lowest_heights(outline: Outline, normals: Array) -> Array:
