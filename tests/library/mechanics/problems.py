@@ -76,7 +76,7 @@ def problem_of(scene, angle, magnitude=1.0):
     loads = [each for each in scene.effects if isinstance(each, pp.Load)]
     friction = [each for each in scene.effects if not isinstance(each, pp.Inertia | pp.Load)]
     masses = [each for each in scene.effects if isinstance(each, pp.Inertia)] or [
-        pp.Inertia(mass=1.0, center=(0.0, 0.0))
+        pp.Inertia(mass=1.0, gyration_radius=1.0, center=(0.0, 0.0))
     ]
     absent = 0.0 if len(masses) + len(friction) + len(loads) > len(scene.effects) else 1.0
     given = [
