@@ -33,7 +33,7 @@ pytestmark = pytest.mark.filterwarnings(
 
 METHODS = pytest.mark.parametrize("method", ["event-driven", "time-stepping"])
 PLATE = pp.SupportFriction(support=pp.Polygon(SQUARE))
-MASS = pp.Inertia(mass=1.0)
+MASS = pp.Inertia(mass=1.0, gyration_radius=1.0)
 LAW = pp.Coulomb(0.5)
 STICK, SLIP_RIGHT, SLIP_LEFT = (
     pp.ContactMode.STICK,
