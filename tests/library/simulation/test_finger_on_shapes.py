@@ -190,3 +190,63 @@ def test_an_array_of_contacts_goes_round_the_outline_as_each_alone(shape, massiv
             slack = 1e-8 if shape == "tee" else 0.0
             assert batch[name].values[i] == pytest.approx(log[name].values[-1], rel=0, abs=slack)
     assert passed or shape == "disc"
+
+
+@pytest.mark.parametrize("method", ["event-driven", "time-stepping"])
+@pytest.mark.parametrize("name", ["rounded", "T"])
+def test_the_place_at_the_contact_is_an_arc_length_with_its_normal(name, method):
+    """Against dense samples of the outline; the contact opens, and is made again elsewhere."""
+    stem = [
+        (-0.15, -1.2),
+        (0.15, -1.2),
+        (0.15, -0.3),
+        (0.6, -0.3),
+        (0.6, 0),
+        (-0.6, 0),
+        (-0.6, -0.3),
+    ]
+    outline = {"rounded": pp.rounded(SQUARE, 0.4), "T": pp.Outline([*stem, (-0.15, -0.3)])}[name]
+    point, radius = {"rounded": (0.3, -1.0), "T": (0.0, -1.2)}[name], 0.07
+    scene = pp.scene_at(
+        point, effects=(pp.SupportFriction(support=pp.Disc(0.7)),), contact=pp.Coulomb(0.1),
+        outline=outline,
+    )  # fmt: skip
+    away, back = (0.8, -0.1), (-0.9, 0.4)
+    legs = [(0.0, (0.9, 0.5)), (0.8, away), (1.2, (0.0, 1.2)), (1.8, back)]
+    finger = pp.Pusher(velocity=legs, shape="finger", radius=radius, frame="world")
+    log = pp.simulate(
+        scene, finger, duration=2.5, object_pose=(0, 0, 0), method=method,
+        **({"step": 1e-3} if method == "time-stepping" else {}),
+    )  # fmt: skip
+    boundary = outline.vertices(1e-8)
+    sides = np.roll(boundary, -1, axis=0) - boundary
+    lengths = np.hypot(*sides.T)
+    before = np.cumsum(lengths) - lengths
+
+    def arc_length(place):
+        part = np.clip(((place - boundary) * sides).sum(axis=1) / lengths**2, 0.0, 1.0)
+        apart = np.hypot(*(place - boundary - part[:, None] * sides).T)
+        nearest = apart.argmin()
+        return before[nearest] + part[nearest] * lengths[nearest], apart[nearest]
+
+    start, _ = arc_length(np.array(point))
+    closed = log.gap.values <= 1e-9
+    assert closed.sum() > 5
+    for i in np.flatnonzero(closed):
+        angle, normal = (
+            np.deg2rad(log.object_angle.values[i]),
+            np.deg2rad(log.contact_normal.values[i]),
+        )
+        place = log.pusher_position.values[i] + radius * np.array([cos(normal), sin(normal)])
+        x, y = place - log.object_position.values[i]
+        position, apart = arc_length(
+            np.array([cos(angle) * x + sin(angle) * y, cos(angle) * y - sin(angle) * x])
+        )
+        assert apart < 1e-6
+        turns = (log.contact_position.values[i] - (position - start)) / lengths.sum()
+        assert turns == pytest.approx(round(turns), abs=1e-5)
+    # Where the contact opens, the position goes on along the tangent.
+    for i in np.flatnonzero(closed[:-1] & ~closed[1:]):
+        elapsed = log.time.values[i + 1] - log.time.values[i]
+        change = log.contact_position.values[i + 1] - log.contact_position.values[i]
+        assert abs(change) <= 3.0 * elapsed + 1e-9

@@ -219,6 +219,7 @@ def open_wall(system: System, state: RunState) -> None:
     if not follows_chain(system) or wall.piece < 0:
         return
     pose, angle = pose_of(system, state), frame_angle(system, state)
+    wall.position = position_on_outline(system, state.along)
     c, s, gap = pose.rod.x, pose.rod.y, state.gap
     wall.anchor.x, wall.anchor.y = pose.contact.x + gap * s, pose.contact.y + gap * c
     wall.piece, wall.radius, wall.base, wall.angle = NO_POINT, INFINITY, state.along, angle
