@@ -62,13 +62,24 @@ def contents(study: StudyFile) -> dict[str, Any]:
     """Plain values of a study, with paths of scene files replaced by their contents."""
 
     def scene(path: str) -> dict[str, Any]:
-        return scene_file(path).model_dump(exclude_defaults=True)
+        return _without_unit_gyration(scene_file(path).model_dump(exclude_defaults=True))
 
     values = study.model_dump(exclude=IGNORED_KEYS)
     values["simulations"] = {name: scene(path) for name, path in study.simulations.items()}
     for push in values["scenes"].values():
         push["file"] = scene(push["file"])
     return values
+
+
+def _without_unit_gyration(scene: dict[str, Any]) -> dict[str, Any]:
+    """A scene without the radii of gyration that its masses would have anyway: 1, if it has no outline."""
+    if "outline" in scene["slider"]:
+        return scene
+    effects = [
+        {key: value for key, value in effect.items() if (key, value) != ("gyration_radius", 1.0)}
+        for effect in scene["effects"]
+    ]
+    return scene | {"effects": effects}
 
 
 def _source_values(study: StudyFile, values: dict[str, Any], result: str) -> object:

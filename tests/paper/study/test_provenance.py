@@ -44,6 +44,8 @@ def digests(tmp_path):
         ("config/smoke.yaml", "stop: 360, step: 3}", "stop: 360, step: 5}", {"curves", *COSTS}),
         ("config/smoke.yaml", "force_angle: 54", "force_angle: 55", {"scenes"}),
         ("scenes/figure_02.yaml", "rod_length: 3", "rod_length: 4", {"scenes"}),
+        ("scenes/figure_11.yaml", ", gyration_radius: 1}", "}", set()),
+        ("scenes/figure_11.yaml", "gyration_radius: 1}", "gyration_radius: 2}", {"scenes"}),
         ("scenes/slipping.yaml", "samples: 97", "samples: 11", {"simulations/slipping"}),
     ],
 )  # fmt: skip
