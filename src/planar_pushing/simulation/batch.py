@@ -78,17 +78,15 @@ def simulate_batch(
     -----
     SceneWarning
         If a fence pushes at an inner point of a side, all of which lies on it; if a finger pushes an object
-        that `scene_at` made without an outline, whose wall is then straight and without ends; if the
-        finger's radius is larger than the object; or if a fence pushes an array of contacts at corners, of
-        which it meets no other one.
+        that `scene_at` made without an outline, whose wall is then straight and without ends; or if the
+        finger's radius is larger than the object.
     EarlyEndWarning
         Once, if the motion of some scenes could not continue.
 
     Raises
     ------
     InvalidValue
-        If a value is not allowed, shapes do not match, or a fence would lie on sides of an outline that an
-        array of contacts does not keep.
+        If a value is not allowed, or shapes do not match.
     """
     require_kind("pusher", pusher, Pusher)
     require_flag("progress", progress)
