@@ -58,7 +58,8 @@ def depths(log, scene, radius):
     end, center = np.roll(start, -1, axis=1), (log.pusher.values @ (1, 1j) - 1j * radius)[:, None]
     part = np.clip(((center - start) / (end - start)).real, 0, 1)
     nearest = np.abs(center - start - part * (end - start)).min(axis=1)
-    around = np.angle((end - center) / (start - center)).sum(axis=1)
+    # A point that is on a corner has no winding number; its depth is zero anyway.
+    around = np.angle((end - center) * np.conj(start - center)).sum(axis=1)
     return radius - np.where(np.abs(around) > 3.0, -nearest, nearest)
 
 
