@@ -99,7 +99,7 @@ def _bounds(support: Any, outline: Rings) -> Array:
 
 def body_of(scene: Scene) -> Body:
     """Slider of a scene; an outline equal to the support's is drawn with the support."""
-    support, outline = support_of(scene), _drawn(scene)
+    support, outline = support_of(scene), _outline_rings(scene)
     if isinstance(support, Polygon):
         rings = support.vertices, *support.holes
         outline = () if {*map(frozenset, rings)} == {*map(frozenset, outline)} else outline
@@ -115,7 +115,7 @@ def body_of(scene: Scene) -> Body:
     return Body(support=support, centers=marked, outline=outline)
 
 
-def _drawn(scene: Scene) -> Rings:
+def _outline_rings(scene: Scene) -> Rings:
     """Vertices of a scene's outline and of its holes in the body frame; none without an outline."""
     outline = scene.slider.outline_in_body()
     return () if outline is None else _rings(outline)

@@ -241,7 +241,7 @@ def corners_of(slider: dict[str, Any]) -> xr.DataArray:
     points, walls = ends, -2 - np.arange(len(ends))
     if (entry := slider.get("outline")) is not None:
         outline = outline_of_entry(entry).exterior
-        drawn, numbers = _drawn(outline)
+        drawn, numbers = _walls_of(outline)
         apart = np.hypot(*np.moveaxis(ends[:, None] - drawn, -1, 0))
         on_side = np.isinf(outline.pieces[nearest_place(outline, ends).piece, RHO])
         is_inner = on_side & (apart.min(axis=1) > LEVEL * outline.size)
@@ -256,7 +256,7 @@ def corners_of(slider: dict[str, Any]) -> xr.DataArray:
     )  # fmt: skip
 
 
-def _drawn(outline: Outline) -> tuple[Array, npt.NDArray[np.intp]]:
+def _walls_of(outline: Outline) -> tuple[Array, npt.NDArray[np.intp]]:
     """Vertices of the exterior, shape (n, 2), and the numbers of their walls between two sides."""
     is_side = np.isinf(outline.pieces[:, RHO])
     walls = (np.cumsum(is_side) - is_side) % max(int(is_side.sum()), 1)

@@ -168,7 +168,7 @@ def _support(entry: Any) -> dict[str, Any] | None:
 
 
 def _require_support(entry: dict[str, Any]) -> None:
-    """Refuse the support of an object that is none, or that is a point."""
+    """Refuse an invalid support of an object, and a single point."""
     parameters = {key: value for key, value in entry.items() if key != "shape"}
     if is_point(SHAPES[entry["shape"]](**parameters)):
         raise InvalidValue(

@@ -185,15 +185,15 @@ def _join_arcs(smooth: Array, tolerance: float) -> Array:
     rows = [smooth[0]]
     for piece in smooth[1:]:
         if _are_one_circle(rows[-1], piece, tolerance):
-            rows[-1] = _joined(rows[-1], piece)
+            rows[-1] = _union_of_arcs(rows[-1], piece)
         else:
             rows.append(piece)
     if len(rows) > 1 and _are_one_circle(rows[-1], rows[0], tolerance):
-        rows[0] = _joined(rows.pop(), rows[0])
+        rows[0] = _union_of_arcs(rows.pop(), rows[0])
     return np.array(rows)
 
 
-def _joined(one: Array, other: Array) -> Array:
+def _union_of_arcs(one: Array, other: Array) -> Array:
     """The arc of two consecutive arcs of one circle."""
     arc = one.copy()
     arc[BETA1] += other[BETA1] - other[BETA0]

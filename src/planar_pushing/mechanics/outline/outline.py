@@ -86,7 +86,9 @@ class Outline:
 
     def __init__(self, shape: Any, holes: Sequence[Any] = ()) -> None:
         outline = require_outline(shape, "shape")
-        inner = [require_outline(hole, f"holes[{i}]") for i, hole in enumerate(_listed(holes))]
+        inner = [
+            require_outline(hole, f"holes[{i}]") for i, hole in enumerate(_require_list(holes))
+        ]
         self._set((_with_holes(outline, inner) if inner else outline).pieces)
 
     def _set(self, pieces: Array) -> None:
@@ -274,7 +276,7 @@ class Outline:
 
     def in_frame(self, frame: Frame) -> Outline:
         """The same outline expressed in another frame."""
-        return _moved(self, frame)
+        return _outline_in_frame(self, frame)
 
 
 def rounded(outline: Any, radius: Any) -> Outline:
@@ -415,7 +417,7 @@ def _hole_chain(hole: Outline) -> Array:
     return reverse_chain(hole.pieces)
 
 
-def _listed(holes: Any) -> list[Any]:
+def _require_list(holes: Any) -> list[Any]:
     """The outlines of holes in a list."""
     if isinstance(holes, (list, tuple)):
         return [*holes]
@@ -423,7 +425,7 @@ def _listed(holes: Any) -> list[Any]:
 
 
 @cache_results(KEPT)
-def _moved(outline: Outline, frame: Frame) -> Outline:
+def _outline_in_frame(outline: Outline, frame: Frame) -> Outline:
     corners = outline.corners
     if corners is not None:
         return outline_of_corners(Corners(positions_in_frame(corners, frame)))
