@@ -1,0 +1,593 @@
+"""The twists on a line at which the load has no component along a given twist: ``q . W(xi_0 + s d) = 0``.
+
+W is the wrench that sustains a twist, the gradient of the potential. Two contacts that slip leave the
+slider a line of motions, and q is the rotation about the meeting point of their lines of force. The
+magnitude s is the tangent of an angle, so that the line is finite. Friction depends on the angle alone:
+``F(xi_0 + tan(a) d) = F(cos(a) xi_0 + sin(a) d)``.
+
+Between two angles the friction of a foot has one extremum at most, and so has the numerator of its slope.
+Roots on feet are therefore isolated with certainty: an interval is halved until zero is outside the range
+of the values or outside that of the slopes. For other supports the ranges are those of the cubic through
+values and slopes at the ends of an interval, with its error in the middle as a margin.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, fabs, sin, sqrt
+from typing import NamedTuple
+
+from planar_pushing.core._record import Record, size_of
+from planar_pushing.core.numbers import INFINITY, Numbers, zeros
+from planar_pushing.core.supports.pieces import atom_of, count_atoms, head_of
+from planar_pushing.core.supports.resistance import load_wrench, resistance
+from planar_pushing.core.supports.roots import (
+    best_number,
+    is_narrow,
+    narrow_bracket,
+    next_number,
+    open_bracket,
+)
+from planar_pushing.core.supports.rows import (
+    NO_POINT,
+    RING,
+    SUPPORT,
+    Effects,
+    RingRow,
+    SupportRow,
+    Vector,
+    column_of,
+    foot_position,
+    kind_of,
+    pressure_of,
+    scale_effects,
+)
+from planar_pushing.core.supports.tolerances import COINCIDENT, INSET, RESOLUTION, ROUNDING
+
+#: Maximum number of roots, with pivots and ends of continua.
+MOST_ON_LINE = 24
+#: Widest interval whose values are taken from a cubic, in radians.
+WIDEST_CUBIC = 0.1
+#: Narrowest interval that is halved, and the width below which a flat stretch is a double root, in radians.
+NARROWEST, FLAT_WIDTH = 1e-11, 1e-5
+#: Maximum number of intervals, and of those that wait, which halving keeps below its depth.
+INTERVALS, WAITING = 20000, 64
+#: Rounding errors of the sum over a support, in those of its largest term.
+SUM_NOISE = 8.0
+
+
+class TwistLine(NamedTuple):
+    """A line of twists, and the twist along which the load vanishes.
+
+    Attributes
+    ----------
+    effects : Effects
+    start, step : Vector
+        Twists of unit size; the twist at an angle is ``size * (start + tan(angle) * step)``.
+    size : float
+    probe : Vector
+        The twist q, of unit size.
+    constant, linear : float
+        Power along the probe of loads and masses: ``constant + linear * tan(angle)``.
+    noise : float
+        Rounding error of the power.
+    on_feet : bool
+        Whether all friction is that of feet.
+    """
+
+    effects: Effects
+    start: Vector
+    step: Vector
+    size: float
+    probe: Vector
+    constant: float
+    linear: float
+    noise: float
+    on_feet: bool
+
+
+class LineRoot(Record):
+    """A root of the line problem.
+
+    Attributes
+    ----------
+    angle : float
+    continuum : bool
+        Whether it is an end of a stretch without any power.
+    pivot : int
+        Number of the foot that rests there, whose friction is a set; `NO_POINT` for a root.
+    """
+
+    angle: float
+    continuum: bool
+    pivot: int
+
+
+LINE_ROOT = size_of(LineRoot)
+
+
+class FootTerm(NamedTuple):
+    """Velocities of a foot under the start, the step and the probe, and the rotation ``v_0 x v_1``.
+
+    The rotation is zero if the foot keeps its direction of motion, or reverses it where it rests.
+    """
+
+    start_x: float
+    start_y: float
+    step_x: float
+    step_y: float
+    probe_x: float
+    probe_y: float
+    turn: float
+
+
+class Power(NamedTuple):
+    """The power along the probe at an angle, and its derivative."""
+
+    value: float
+    slope: float
+
+
+class Ranges(NamedTuple):
+    """Bounds on the values and slopes between two angles, and the values at both."""
+
+    low: float
+    high: float
+    least_slope: float
+    most_slope: float
+    first: float
+    last: float
+
+
+def length_of_twist(twist: Vector) -> float:
+    """Size of a twist whose lengths are in radii."""
+    return sqrt(twist.x * twist.x + twist.y * twist.y + twist.spin * twist.spin)
+
+
+def scale_vector(vector: Vector, factor: float) -> Vector:
+    """A multiple of a twist or a wrench."""
+    return Vector(factor * vector.x, factor * vector.y, factor * vector.spin)
+
+
+def dot_vectors(one: Vector, other: Vector) -> float:
+    """The power of a wrench and a twist, or the scalar product of two of them."""
+    return one.x * other.x + one.y * other.y + one.spin * other.spin
+
+
+def tangent_of(angle: float) -> float:
+    """The tangent of an angle, finite at the double nearest to a right angle."""
+    return sin(angle) / cos(angle)
+
+
+def line_through(effects: Effects, start: Vector, step: Vector, probe: Vector) -> TwistLine:
+    """The line through a twist along another one; none of the three is zero."""
+    size, length, probe_size = length_of_twist(start), length_of_twist(step), length_of_twist(probe)
+    start, step = scale_vector(start, 1.0 / size), scale_vector(step, 1.0 / length)
+    probe = scale_vector(probe, 1.0 / probe_size)
+    loads = load_wrench(effects)
+    constant, linear = -dot_vectors(Vector(loads.x, loads.y, loads.spin), probe), 0.0
+    terms, on_feet = fabs(constant), True
+    for effect in range(effects.length):
+        kind, numbers = (
+            kind_of(effects.data, effect),
+            effects.row[column_of(effects.data, effect) :],
+        )
+        if kind == RING:
+            on_feet = False
+            terms += effects.one * RingRow(numbers).weight
+        elif kind == SUPPORT:
+            head = head_of(pressure_of(effects, effect))
+            if head.segments != head.edges:
+                on_feet = False
+            terms += effects.one * SupportRow(numbers).weight
+    if effects.massive:
+        masses = scale_effects(effects, 0.0, 1.0)
+        constant += size * _power_at(masses, start, probe)
+        linear = size * _power_at(masses, step, probe)
+        terms += fabs(constant) + fabs(linear)
+    return TwistLine(
+        effects=effects,
+        start=start,
+        step=step,
+        size=size,
+        probe=probe,
+        constant=constant,
+        linear=linear,
+        noise=SUM_NOISE * RESOLUTION * terms,
+        on_feet=on_feet,
+    )
+
+
+def _power_at(effects: Effects, twist: Vector, probe: Vector) -> float:
+    """Power along the probe of the load of a twist."""
+    total = resistance(effects, x=twist.x, y=twist.y, spin=twist.spin, blur=0.0)
+    return dot_vectors(Vector(total.f_x, total.f_y, total.torque), probe)
+
+
+def direction_on_line(line: TwistLine, angle: float) -> Vector:
+    """The twist at an angle, divided by its size and multiplied by the cosine."""
+    c, s = cos(angle), sin(angle)
+    return Vector(
+        c * line.start.x + s * line.step.x,
+        c * line.start.y + s * line.step.y,
+        c * line.start.spin + s * line.step.spin,
+    )
+
+
+def twist_on_line(line: TwistLine, angle: float) -> Vector:
+    """The twist at an angle."""
+    part = line.size * tangent_of(angle)
+    return Vector(
+        line.size * line.start.x + part * line.step.x,
+        line.size * line.start.y + part * line.step.y,
+        line.size * line.start.spin + part * line.step.spin,
+    )
+
+
+def find_on_line(line: TwistLine, low: float, high: float, roots: Numbers) -> int:
+    """Write the roots between two multiples of the step, in order, and return their number.
+
+    Feet that rest on the line are written as pivots: friction is a set there, and the caller decides. The
+    power jumps there, so they part the line.
+
+    Parameters
+    ----------
+    line : TwistLine
+    low, high : float
+        Values of ``tan(angle)``, possibly infinite.
+    roots : Numbers
+        Room for `MOST_ON_LINE` of `LineRoot`.
+
+    Returns
+    -------
+    int
+        -1 if there are more roots than fit or the intervals are too many.
+    """
+    first, last = atan2(low, 1.0), atan2(high, 1.0)
+    count, reached, rests = 0, first, False
+    pivot = _pivot_at(line, first)
+    if pivot >= 0:
+        count, rests = _write_line_root(roots, count, first, False, pivot), True
+    while count >= 0:
+        pivot = _next_pivot(line, reached, last)
+        end = last
+        if pivot >= 0:
+            end = _angle_of_rest(line, _term_of(line, pivot))
+        start, stop = reached, end
+        if not line.on_feet and rests:
+            start += INSET
+        if not line.on_feet and pivot >= 0:
+            stop -= INSET
+        if stop > start:
+            count = _find_between(line, start, stop, roots, count)
+        elif stop == start and pivot < 0 and not rests:
+            power = power_on_line(line, start, start)
+            if fabs(power.value) <= line.noise:
+                count = _write_line_root(roots, count, start, False, NO_POINT)
+        if pivot < 0:
+            break
+        count = _write_line_root(roots, count, end, False, pivot)
+        reached, rests = end, True
+    return count
+
+
+def _write_line_root(roots: Numbers, count: int, angle: float, continuum: bool, pivot: int) -> int:
+    """Write a root and return their number, -1 without room."""
+    if count < 0 or count == MOST_ON_LINE:
+        return -1
+    root = LineRoot(roots[LINE_ROOT * count :])
+    root.angle, root.continuum, root.pivot = angle, continuum, pivot
+    return count + 1
+
+
+def _find_between(line: TwistLine, low: float, high: float, roots: Numbers, count: int) -> int:
+    """Write the roots between two angles without a pivot between them."""
+    inside = (low + high) / 2.0
+    starts, ends = zeros(WAITING), zeros(WAITING)
+    # The square of a foot's speed has one extremum in a quarter turn.
+    waiting, flat_from, flat_to = 1, INFINITY, INFINITY
+    starts[0], ends[0] = low, high
+    if low < 0.0 < high:
+        starts[0], ends[0], starts[1], ends[1] = 0.0, high, low, 0.0
+        waiting = 2
+    for _ in range(INTERVALS):
+        if waiting == 0 or count < 0:
+            break
+        waiting -= 1
+        a, b = starts[waiting], ends[waiting]
+        ranges = _feet_ranges(line, a, b, inside) if line.on_feet else _cubic_ranges(line, a, b)
+        if ranges.low > line.noise or ranges.high < -line.noise:
+            continue
+        flat: bool = ranges.low >= -line.noise and ranges.high <= line.noise
+        narrow: bool = b - a <= NARROWEST
+        crosses: bool = ranges.first * ranges.last < 0.0
+        if flat or (narrow and not crosses):
+            if fabs(a - flat_to) > NARROWEST:
+                count = _write_flat(roots, count, flat_from, flat_to)
+                flat_from = a
+            flat_to = b
+        elif ranges.least_slope > 0.0 or ranges.most_slope < 0.0 or narrow:
+            if crosses:
+                angle = _root_between(line, a, b, ranges, inside)
+                count = _write_line_root(roots, count, angle, False, NO_POINT)
+            elif fabs(ranges.first) <= line.noise or fabs(ranges.last) <= line.noise:
+                # A root at the joint of two intervals is that of both.
+                angle = a if fabs(ranges.first) < fabs(ranges.last) else b
+                count = _write_once(roots, count, angle)
+        elif waiting + 2 > WAITING:
+            return -1
+        else:
+            middle = a + 0.501 * (b - a)
+            starts[waiting], ends[waiting] = middle, b
+            starts[waiting + 1], ends[waiting + 1] = a, middle
+            waiting += 2
+    if waiting > 0:
+        return -1
+    return _write_flat(roots, count, flat_from, flat_to)
+
+
+def _write_once(roots: Numbers, count: int, angle: float) -> int:
+    """Write a root unless it is the last one."""
+    if count > 0 and fabs(LineRoot(roots[LINE_ROOT * (count - 1) :]).angle - angle) <= COINCIDENT:
+        return count
+    return _write_line_root(roots, count, angle, False, NO_POINT)
+
+
+def _write_flat(roots: Numbers, count: int, first: float, last: float) -> int:
+    """Write both ends of a stretch without power, or a double root, if there is one."""
+    if first == INFINITY:
+        return count
+    if last - first <= FLAT_WIDTH:
+        return _write_once(roots, count, (first + last) / 2.0)
+    count = _write_line_root(roots, count, first, True, NO_POINT)
+    return _write_line_root(roots, count, last, True, NO_POINT)
+
+
+def _root_between(line: TwistLine, low: float, high: float, ranges: Ranges, inside: float) -> float:
+    """The root between two angles at which the power has opposite signs."""
+    bracket = open_bracket(low, high, ranges.first, ranges.last, ROUNDING)
+    for _ in range(INTERVALS):
+        if is_narrow(bracket):
+            break
+        angle = next_number(bracket)
+        if angle == bracket.a or angle == bracket.b:
+            break
+        bracket = narrow_bracket(bracket, angle, power_on_line(line, angle, inside).value)
+    return best_number(bracket)
+
+
+def power_on_line(line: TwistLine, angle: float, inside: float) -> Power:
+    """The power at an angle and its derivative, on the side of a pivot on which `inside` is.
+
+    With masses and a support that is not on feet, it is multiplied by the cosine and stays finite.
+    """
+    if line.on_feet:
+        return _feet_power(line, angle, inside)
+    friction = scale_effects(line.effects, 1.0, 0.0)
+    twist = direction_on_line(line, angle)
+    c, s, probe = cos(angle), sin(angle), line.probe
+    turn = Vector(
+        c * line.step.x - s * line.start.x,
+        c * line.step.y - s * line.start.y,
+        c * line.step.spin - s * line.start.spin,
+    )
+    total = resistance(friction, x=twist.x, y=twist.y, spin=twist.spin, blur=0.0)
+    value = dot_vectors(Vector(total.f_x, total.f_y, total.torque), probe)
+    bend = Vector(
+        total.xx * turn.x + total.xy * turn.y + total.xs * turn.spin,
+        total.xy * turn.x + total.yy * turn.y + total.ys * turn.spin,
+        total.xs * turn.x + total.ys * turn.y + total.ss * turn.spin,
+    )
+    slope = dot_vectors(bend, probe)
+    if not line.effects.massive:
+        return Power(value, slope)
+    load = load_wrench(line.effects)
+    mass = line.constant + dot_vectors(load, probe)
+    return Power(
+        c * value + c * mass + s * line.linear,
+        c * slope - s * value - s * mass + c * line.linear,
+    )
+
+
+def _cubic_ranges(line: TwistLine, low: float, high: float) -> Ranges:
+    """Ranges between two angles, from the cubic through values and slopes at both."""
+    width, middle = high - low, (low + high) / 2.0
+    one, other = power_on_line(line, low, middle), power_on_line(line, high, middle)
+    center = power_on_line(line, middle, middle)
+    first, last = one.value, other.value
+    if width > WIDEST_CUBIC:
+        return Ranges(
+            low=-INFINITY, high=INFINITY, least_slope=-INFINITY, most_slope=INFINITY,
+            first=first, last=last,
+        )  # fmt: skip
+    secant = (last - first) / width
+    error = fabs(center.value - (first + last) / 2.0 - width * (one.slope - other.slope) / 8.0)
+    bend = fabs(center.slope - 1.5 * secant + (one.slope + other.slope) / 4.0)
+    bend += 4.0 * error / width
+    near, far = first + width * one.slope / 3.0, last - width * other.slope / 3.0
+    control = 3.0 * secant - one.slope - other.slope
+    return Ranges(
+        low=min(min(first, last), min(near, far)) - 2.0 * error,
+        high=max(max(first, last), max(near, far)) + 2.0 * error,
+        least_slope=min(min(one.slope, other.slope), control) - 2.0 * bend,
+        most_slope=max(max(one.slope, other.slope), control) + 2.0 * bend,
+        first=first,
+        last=last,
+    )
+
+
+def _foot_term(line: TwistLine, x: float, y: float) -> FootTerm:
+    """The velocities of a foot."""
+    start, step, probe = line.start, line.step, line.probe
+    start_x, start_y = start.x - start.spin * y, start.y + start.spin * x
+    step_x, step_y = step.x - step.spin * y, step.y + step.spin * x
+    turn = start_x * step_y - start_y * step_x
+    size = start_x * start_x + start_y * start_y + step_x * step_x + step_y * step_y
+    if fabs(turn) <= COINCIDENT * size:
+        turn = 0.0
+    return FootTerm(
+        start_x=start_x,
+        start_y=start_y,
+        step_x=step_x,
+        step_y=step_y,
+        probe_x=probe.x - probe.spin * y,
+        probe_y=probe.y + probe.spin * x,
+        turn=turn,
+    )
+
+
+def _term_of(line: TwistLine, number: int) -> FootTerm:
+    """The velocities of a foot with a number."""
+    foot = foot_position(line.effects, number)
+    return _foot_term(line, foot.x, foot.y)
+
+
+def _angle_of_rest(line: TwistLine, term: FootTerm) -> float:
+    """The angle at which a foot rests that reverses its motion; infinite if it does not."""
+    along = term.start_x * term.step_x + term.start_y * term.step_y
+    square = term.step_x * term.step_x + term.step_y * term.step_y
+    still = term.start_x * term.start_x + term.start_y * term.start_y
+    if term.turn != 0.0 or square <= COINCIDENT * COINCIDENT * (square + still) or square == 0.0:
+        return INFINITY
+    return atan2(-along, square)
+
+
+def _pivot_at(line: TwistLine, angle: float) -> int:
+    """Number of the foot that rests at an angle, `NO_POINT` without one."""
+    for i in range(line.effects.feet):
+        if fabs(_angle_of_rest(line, _term_of(line, i)) - angle) <= COINCIDENT:
+            return i
+    return NO_POINT
+
+
+def _next_pivot(line: TwistLine, low: float, high: float) -> int:
+    """Number of the first foot that rests between two angles or at the second, `NO_POINT` without one."""
+    nearest, number = INFINITY, NO_POINT
+    for i in range(line.effects.feet):
+        angle = _angle_of_rest(line, _term_of(line, i))
+        if low + COINCIDENT < angle <= high + COINCIDENT and angle < nearest:
+            nearest, number = angle, i
+    return number
+
+
+def _term_power(term: FootTerm, angle: float, inside: float) -> Power:
+    """The power of a foot of unit share."""
+    place = inside if term.turn == 0.0 else angle
+    c, s = cos(place), sin(place)
+    v_x, v_y = c * term.start_x + s * term.step_x, c * term.start_y + s * term.step_y
+    speed = sqrt(v_x * v_x + v_y * v_y)
+    if speed == 0.0:
+        return Power(0.0, 0.0)
+    ahead = (term.probe_x * v_x + term.probe_y * v_y) / speed
+    across = (v_x * term.probe_y - v_y * term.probe_x) / speed
+    return Power(ahead, term.turn * across / (speed * speed))
+
+
+def _feet_power(line: TwistLine, angle: float, inside: float) -> Power:
+    """The power of feet, loads and masses."""
+    effects, tangent = line.effects, tangent_of(angle)
+    value, slope = line.constant, line.linear * (1.0 + tangent * tangent)
+    if line.linear != 0.0:
+        value += line.linear * tangent
+    for effect in range(effects.length):
+        if kind_of(effects.data, effect) == SUPPORT:
+            support = SupportRow(effects.row[column_of(effects.data, effect) :])
+            pressure = pressure_of(effects, effect)
+            for i in range(count_atoms(pressure)):
+                atom = atom_of(pressure, i)
+                share = effects.one * support.weight * atom.share
+                term = _foot_term(line, support.extent * atom.x, support.extent * atom.y)
+                power = _term_power(term, angle, inside)
+                value, slope = value + share * power.value, slope + share * power.slope
+    return Power(value, slope)
+
+
+def _feet_ranges(line: TwistLine, low: float, high: float, inside: float) -> Ranges:
+    """Exact ranges of every foot's power and slope between two angles, within a quarter turn, in sum."""
+    effects, first_tangent, last_tangent = line.effects, tangent_of(low), tangent_of(high)
+    first, last = line.constant, line.constant
+    least, most, least_slope, most_slope = line.constant, line.constant, 0.0, 0.0
+    if line.linear != 0.0:
+        one, other = line.linear * first_tangent, line.linear * last_tangent
+        first, last = first + one, last + other
+        least, most = least + min(one, other), most + max(one, other)
+        one = line.linear * (1.0 + first_tangent * first_tangent)
+        other = line.linear * (1.0 + last_tangent * last_tangent)
+        least_slope, most_slope = min(one, other), max(one, other)
+    for effect in range(effects.length):
+        if kind_of(effects.data, effect) == SUPPORT:
+            support = SupportRow(effects.row[column_of(effects.data, effect) :])
+            pressure = pressure_of(effects, effect)
+            for i in range(count_atoms(pressure)):
+                atom = atom_of(pressure, i)
+                share = effects.one * support.weight * atom.share
+                term = _foot_term(line, support.extent * atom.x, support.extent * atom.y)
+                part = _term_ranges(term, low, high, inside)
+                first, last = first + share * part.first, last + share * part.last
+                least, most = least + share * part.low, most + share * part.high
+                least_slope += share * part.least_slope
+                most_slope += share * part.most_slope
+    return Ranges(
+        low=least, high=most, least_slope=least_slope, most_slope=most_slope, first=first, last=last
+    )
+
+
+def _term_ranges(term: FootTerm, low: float, high: float, inside: float) -> Ranges:
+    """Ranges of the power of a foot of unit share, between two angles within a quarter turn.
+
+    The direction of the foot's motion turns one way. The power is extremal where it is that of the probe,
+    and the slope is ``turn (v x u) / |v|^3``.
+    """
+    one, other = _term_power(term, low, inside), _term_power(term, high, inside)
+    first, last = one.value, other.value
+    least, most = min(first, last), max(first, last)
+    if term.turn == 0.0:
+        return Ranges(
+            low=least, high=most, least_slope=0.0, most_slope=0.0, first=first, last=last
+        )  # fmt: skip
+    c, s = cos(low), sin(low)
+    a_x, a_y = c * term.start_x + s * term.step_x, c * term.start_y + s * term.step_y
+    da_x, da_y = c * term.step_x - s * term.start_x, c * term.step_y - s * term.start_y
+    c, s = cos(high), sin(high)
+    b_x, b_y = c * term.start_x + s * term.step_x, c * term.start_y + s * term.step_y
+    db_x, db_y = c * term.step_x - s * term.start_x, c * term.step_y - s * term.start_y
+    u_x, u_y = term.probe_x, term.probe_y
+    at_a, at_b = a_x * u_y - a_y * u_x, b_x * u_y - b_y * u_x
+    if at_a * at_b < 0.0:
+        z_x, z_y = fabs(at_b) * a_x + fabs(at_a) * b_x, fabs(at_b) * a_y + fabs(at_a) * b_y
+        longest = sqrt(u_x * u_x + u_y * u_y)
+        if z_x * u_x + z_y * u_y > 0.0:
+            most = longest
+        else:
+            least = -longest
+    up_a, up_b = term.turn * (da_x * u_y - da_y * u_x), term.turn * (db_x * u_y - db_y * u_x)
+    bottom, top = min(term.turn * at_a, term.turn * at_b), max(term.turn * at_a, term.turn * at_b)
+    if up_a * up_b < 0.0:
+        x = term.start_x * u_y - term.start_y * u_x
+        y = term.step_x * u_y - term.step_y * u_x
+        peak = fabs(term.turn) * sqrt(x * x + y * y)
+        if up_a > 0.0:
+            top = peak
+        else:
+            bottom = -peak
+    slow, fast = a_x * a_x + a_y * a_y, b_x * b_x + b_y * b_y
+    rise_a, rise_b = a_x * da_x + a_y * da_y, b_x * db_x + b_y * db_y
+    slow, fast = min(slow, fast), max(slow, fast)
+    if rise_a * rise_b < 0.0:
+        start = term.start_x * term.start_x + term.start_y * term.start_y
+        step = term.step_x * term.step_x + term.step_y * term.step_y
+        both = term.start_x * term.step_x + term.start_y * term.step_y
+        spread = sqrt((start - step) * (start - step) / 4.0 + both * both)
+        largest = (start + step) / 2.0 + spread
+        if rise_a < 0.0:
+            slow = min(slow, term.turn * term.turn / largest)
+        else:
+            fast = max(fast, largest)
+    steep, mild = 1.0 / (slow * sqrt(slow)), 1.0 / (fast * sqrt(fast))
+    return Ranges(
+        low=least,
+        high=most,
+        least_slope=bottom * (steep if bottom < 0.0 else mild),
+        most_slope=top * (steep if top > 0.0 else mild),
+        first=first,
+        last=last,
+    )
