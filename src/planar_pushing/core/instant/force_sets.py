@@ -1,0 +1,434 @@
+"""The forces of several contacts that balance a load, and those that cancel one another.
+
+The forces of each contact are combinations, without negative coefficients, of a few unit forces: the edges
+of its friction cone, or the one edge of a slip. Those that balance a load form a convex set. Its extreme
+points have three unit forces at most, as three balance a wrench of the plane, and its unbounded directions
+have four. All are found by trying the subsets, which are few.
+
+The friction of a foot at the center of rotation is any force within a disc. Torques are then balanced about
+the foot, and the force that remains must lie within the disc.
+"""
+
+from __future__ import annotations
+
+from math import fabs, sqrt
+from typing import NamedTuple
+
+from planar_pushing.core._record import Record, size_of
+from planar_pushing.core.numbers import Numbers, zeros
+from planar_pushing.core.supports.tolerances import BALANCED, COINCIDENT, SHARE
+
+#: Maximum number of unit forces: four contacts, each with two tangents and two normals.
+MOST_UNITS = 16
+#: Vectors are independent if their determinant, relative to their lengths, exceeds this.
+INDEPENDENT = 1e-10
+
+
+class UnitForce(Record):
+    """A unit force and its torque about the origin.
+
+    Attributes
+    ----------
+    x, y, torque : float
+    inner : float
+        What it adds to the inner force: half its component along the line between two contacts, positive at
+        the first and negative at the second.
+    contact : int
+        Number of its contact.
+    """
+
+    x: float
+    y: float
+    torque: float
+    inner: float
+    contact: int
+
+
+class ForceEnd(Record):
+    """An end of the range of the inner force, before the coefficients of the unit forces.
+
+    Attributes
+    ----------
+    inner : float
+        The inner force.
+    is_infinite : bool
+        Whether the inner force has no bound there. The coefficients are then those of a direction.
+    exists : bool
+        Whether any forces balance the load.
+    """
+
+    inner: float
+    is_infinite: bool
+    exists: bool
+
+
+UNIT_FORCE, FORCE_END = size_of(UnitForce), size_of(ForceEnd)
+#: Numbers of an end with its coefficients.
+END_OF_FORCES = FORCE_END + MOST_UNITS
+
+
+class HeldLoad(NamedTuple):
+    """A wrench about the origin, and the friction of a foot that rests.
+
+    Attributes
+    ----------
+    x, y, torque : float
+    limit, foot_x, foot_y : float
+        Maximum friction and position of the foot; no limit without one.
+    size : float
+        Magnitude of the terms of the wrench.
+    """
+
+    x: float
+    y: float
+    torque: float
+    limit: float
+    foot_x: float
+    foot_y: float
+    size: float
+
+
+def balance_load(
+    units: Numbers, count: int, load: HeldLoad, slack: float, low: Numbers, high: Numbers
+) -> bool:
+    """Write the ends of the range of the inner force with which the contacts balance a load.
+
+    Parameters
+    ----------
+    units : Numbers
+        Unit forces, as `UnitForce`.
+    count : int
+    load : HeldLoad
+    slack : float
+        Error of a load that two unit forces balance, relative to the size of the load; of fewer at most
+        `BALANCED`.
+    low, high : Numbers
+        Room for an end each.
+
+    Returns
+    -------
+    bool
+        Whether any forces balance the load.
+    """
+    ForceEnd(low).exists, ForceEnd(high).exists = False, False
+    ForceEnd(low).is_infinite, ForceEnd(high).is_infinite = False, False
+    for i in range(-1, count):
+        for j in range(i if i < 0 else i + 1, count):
+            for k in range(j if j < 0 else j + 1, count):
+                if k < 0:
+                    continue
+                if load.limit > 0.0:
+                    _balance_with_foot(units, count, load, i, j, k, low, high)
+                else:
+                    _balance_with_units(units, count, load, slack, i, j, k, low, high)
+    if load.limit > 0.0:
+        _balance_with_foot(units, count, load, -1, -1, -1, low, high)
+    elif fabs(load.x) + fabs(load.y) + fabs(load.torque) <= min(slack, BALANCED) * load.size:
+        coefficients = zeros(MOST_UNITS)
+        _offer_forces(units, count, coefficients, low, high)
+    if ForceEnd(low).exists:
+        find_cancelling(units, count, low, high)
+    return ForceEnd(low).exists
+
+
+def _offer_forces(
+    units: Numbers, count: int, coefficients: Numbers, low: Numbers, high: Numbers
+) -> None:
+    """Widen the range of the inner force by forces that balance the load."""
+    inner = 0.0
+    for i in range(count):
+        inner += coefficients[i] * UnitForce(units[UNIT_FORCE * i :]).inner
+    lowest, highest = ForceEnd(low), ForceEnd(high)
+    if not lowest.exists or inner < lowest.inner:
+        lowest.exists, lowest.inner = True, inner
+        for i in range(count):
+            low[FORCE_END + i] = coefficients[i]
+    if not highest.exists or inner > highest.inner:
+        highest.exists, highest.inner = True, inner
+        for i in range(count):
+            high[FORCE_END + i] = coefficients[i]
+
+
+def _determinant(one: UnitForce, two: UnitForce, three: UnitForce) -> float:
+    """Determinant of three wrenches."""
+    x = two.y * three.torque - two.torque * three.y
+    y = two.torque * three.x - two.x * three.torque
+    torque = two.x * three.y - two.y * three.x
+    return one.x * x + one.y * y + one.torque * torque
+
+
+def _length_of_unit(force: UnitForce) -> float:
+    return sqrt(force.x * force.x + force.y * force.y + force.torque * force.torque)
+
+
+def _balance_with_units(
+    units: Numbers, count: int, load: HeldLoad, slack: float, i: int, j: int, k: int,
+    low: Numbers, high: Numbers,
+) -> None:  # fmt: skip
+    """Offer the forces along one, two or three unit forces; missing ones are -1 and first."""
+    coefficients = zeros(MOST_UNITS)
+    row = zeros(UNIT_FORCE)
+    target, last = UnitForce(row), UnitForce(units[UNIT_FORCE * k :])
+    target.x, target.y, target.torque = load.x, load.y, load.torque
+    size = load.size
+    if i >= 0:
+        first, second = UnitForce(units[UNIT_FORCE * i :]), UnitForce(units[UNIT_FORCE * j :])
+        scale = _length_of_unit(first) * _length_of_unit(second) * _length_of_unit(last)
+        whole = _determinant(first, second, last)
+        if fabs(whole) <= INDEPENDENT * scale:
+            return
+        coefficients[i] = _determinant(target, second, last) / whole
+        coefficients[j] = _determinant(first, target, last) / whole
+        coefficients[k] = _determinant(first, second, target) / whole
+    elif j >= 0:
+        second = UnitForce(units[UNIT_FORCE * j :])
+        x, y = (
+            second.y * last.torque - second.torque * last.y,
+            (second.torque * last.x - second.x * last.torque),
+        )
+        torque = second.x * last.y - second.y * last.x
+        square = x * x + y * y + torque * torque
+        one, other = _length_of_unit(second), _length_of_unit(last)
+        if sqrt(square) <= INDEPENDENT * one * other:
+            return
+        across = load.x * x + load.y * y + load.torque * torque
+        if fabs(across) > slack * size * sqrt(square):
+            return
+        row_of_normal = zeros(UNIT_FORCE)
+        normal = UnitForce(row_of_normal)
+        normal.x, normal.y, normal.torque = x, y, torque
+        coefficients[j] = _determinant(target, last, normal) / square
+        coefficients[k] = _determinant(second, target, normal) / square
+    else:
+        length = _length_of_unit(last)
+        part = (load.x * last.x + load.y * last.y + load.torque * last.torque) / (length * length)
+        rest = fabs(load.x - part * last.x) + fabs(load.y - part * last.y)
+        rest += fabs(load.torque - part * last.torque)
+        if rest > min(slack, BALANCED) * size:
+            return
+        coefficients[k] = part
+    largest = load.size
+    for m in range(count):
+        largest = max(largest, fabs(coefficients[m]))
+    for m in range(count):
+        if coefficients[m] < -COINCIDENT * largest:
+            return
+        coefficients[m] = max(coefficients[m], 0.0)
+    _offer_forces(units, count, coefficients, low, high)
+
+
+def _torque_about(force: UnitForce, x: float, y: float) -> float:
+    """Torque of a unit force about a point; zero if its line passes through the point, to rounding."""
+    torque = force.torque - (x * force.y - y * force.x)
+    return 0.0 if fabs(torque) <= COINCIDENT * (fabs(force.torque) + fabs(x) + fabs(y)) else torque
+
+
+def _balance_with_foot(
+    units: Numbers, count: int, load: HeldLoad, i: int, j: int, k: int, low: Numbers, high: Numbers
+) -> None:
+    """Offer extreme forces along up to three unit forces beside the friction of the foot that rests."""
+    x, y = load.foot_x, load.foot_y
+    torque = load.torque - (x * load.y - y * load.x)
+    if fabs(torque) <= COINCIDENT * (load.size + fabs(load.torque)):
+        torque = 0.0
+    places, start, one, other = zeros(3), zeros(3), zeros(3), zeros(3)
+    number = 0
+    if i >= 0:
+        places[number] = float(i)
+        number += 1
+    if j >= 0:
+        places[number] = float(j)
+        number += 1
+    if k >= 0:
+        places[number] = float(k)
+        number += 1
+    # One of the unit forces balances the torque; the others are free, with its coefficient in step.
+    lead, best = -1, 0.0
+    for m in range(number):
+        turn = _torque_about(UnitForce(units[UNIT_FORCE * int(places[m]) :]), x, y)
+        if fabs(turn) > best:
+            lead, best = m, fabs(turn)
+    free = number
+    if lead >= 0:
+        lever = _torque_about(UnitForce(units[UNIT_FORCE * int(places[lead]) :]), x, y)
+        start[lead] = torque / lever
+        free = number - 1
+        filled = 0
+        for m in range(number):
+            if m != lead:
+                turn = _torque_about(UnitForce(units[UNIT_FORCE * int(places[m]) :]), x, y)
+                if filled == 0:
+                    one[m], one[lead] = 1.0, -turn / lever
+                else:
+                    other[m], other[lead] = 1.0, -turn / lever
+                filled += 1
+    elif torque != 0.0:
+        return
+    elif number == 1:
+        one[0] = 1.0
+    elif number == 2:
+        one[0], other[1] = 1.0, 1.0
+    else:
+        free = 0 if number == 0 else 3
+    if free > 2:
+        return
+    rest_x, rest_y, one_x, one_y, other_x, other_y = -load.x, -load.y, 0.0, 0.0, 0.0, 0.0
+    inner_one, inner_other = 0.0, 0.0
+    for m in range(number):
+        force = UnitForce(units[UNIT_FORCE * int(places[m]) :])
+        rest_x, rest_y = rest_x + start[m] * force.x, rest_y + start[m] * force.y
+        one_x, one_y = one_x + one[m] * force.x, one_y + one[m] * force.y
+        other_x, other_y = other_x + other[m] * force.x, other_y + other[m] * force.y
+        inner_one, inner_other = (
+            inner_one + one[m] * force.inner,
+            inner_other + other[m] * force.inner,
+        )
+    limit = load.limit * (1.0 + SHARE)
+    if free == 0:
+        if rest_x * rest_x + rest_y * rest_y <= limit * limit:
+            _offer_in_disc(
+                units, count, load, places=places, number=number, start=start, one=one,
+                other=other, a=0.0, b=0.0, low=low, high=high,
+            )  # fmt: skip
+    elif free == 1:
+        square = one_x * one_x + one_y * one_y
+        half = rest_x * one_x + rest_y * one_y
+        inside = half * half - square * (rest_x * rest_x + rest_y * rest_y - limit * limit)
+        if square <= COINCIDENT * COINCIDENT or inside < 0.0:
+            return
+        root = sqrt(inside)
+        for sign in range(2):
+            a = (-half + (root if sign == 0 else -root)) / square
+            _offer_in_disc(
+                units, count, load, places=places, number=number, start=start, one=one,
+                other=other, a=a, b=0.0, low=low, high=high,
+            )  # fmt: skip
+    else:
+        whole = one_x * other_y - one_y * other_x
+        if fabs(whole) <= INDEPENDENT * (fabs(one_x) + fabs(one_y)) * (
+            fabs(other_x) + fabs(other_y)
+        ):
+            return
+        # The inner force as a function of the force at the foot, whose extreme values are on the circle.
+        u_x = (inner_one * other_y - inner_other * one_y) / whole
+        u_y = (inner_other * one_x - inner_one * other_x) / whole
+        size = sqrt(u_x * u_x + u_y * u_y)
+        if size == 0.0:
+            return
+        for sign in range(2):
+            part = load.limit / size if sign == 0 else -load.limit / size
+            h_x, h_y = part * u_x - rest_x, part * u_y - rest_y
+            _offer_in_disc(
+                units, count, load, places=places, number=number, start=start, one=one,
+                other=other, a=(h_x * other_y - h_y * other_x) / whole,
+                b=(one_x * h_y - one_y * h_x) / whole, low=low, high=high,
+            )  # fmt: skip
+
+
+def _offer_in_disc(
+    units: Numbers, count: int, load: HeldLoad, places: Numbers, number: int,
+    start: Numbers, one: Numbers, other: Numbers, a: float, b: float, low: Numbers, high: Numbers,
+) -> None:  # fmt: skip
+    """Offer forces with given free coefficients, if none is negative."""
+    coefficients = zeros(MOST_UNITS)
+    largest = load.size
+    for m in range(number):
+        coefficient = start[m] + a * one[m] + b * other[m]
+        coefficients[int(places[m])] = coefficient
+        largest = max(largest, fabs(coefficient))
+    for m in range(count):
+        if coefficients[m] < -COINCIDENT * largest:
+            return
+        coefficients[m] = max(coefficients[m], 0.0)
+    _offer_forces(units, count, coefficients, low, high)
+
+
+def find_cancelling(units: Numbers, count: int, low: Numbers, high: Numbers) -> bool:
+    """Write the directions in which the inner force has no bound, as forces of a unit inner force.
+
+    Returns
+    -------
+    bool
+        Whether forces of at least two contacts can cancel one another.
+    """
+    cancels = False
+    coefficients = zeros(MOST_UNITS)
+    for i in range(count):
+        one = UnitForce(units[UNIT_FORCE * i :])
+        for j in range(i + 1, count):
+            two = UnitForce(units[UNIT_FORCE * j :])
+            x, y = one.y * two.torque - one.torque * two.y, one.torque * two.x - one.x * two.torque
+            torque = one.x * two.y - one.y * two.x
+            length = sqrt(x * x + y * y + torque * torque)
+            first, second = _length_of_unit(one), _length_of_unit(two)
+            if length <= INDEPENDENT * first * second:
+                if one.x * two.x + one.y * two.y + one.torque * two.torque < 0.0:
+                    for m in range(count):
+                        coefficients[m] = 0.0
+                    coefficients[i], coefficients[j] = 1.0 / first, 1.0 / second
+                    cancels = _offer_direction(units, count, coefficients, low, high) or cancels
+                continue
+            for k in range(j + 1, count):
+                three = UnitForce(units[UNIT_FORCE * k :])
+                third = _length_of_unit(three)
+                whole = _determinant(one, two, three)
+                if fabs(whole) <= INDEPENDENT * first * second * third:
+                    for m in range(count):
+                        coefficients[m] = 0.0
+                    _write_coplanar(one, two, three, x, y, torque, coefficients, i, j, k)
+                    cancels = _offer_direction(units, count, coefficients, low, high) or cancels
+                    continue
+                for n in range(k + 1, count):
+                    four = UnitForce(units[UNIT_FORCE * n :])
+                    for m in range(count):
+                        coefficients[m] = 0.0
+                    coefficients[i] = -_determinant(four, two, three) / whole
+                    coefficients[j] = -_determinant(one, four, three) / whole
+                    coefficients[k] = -_determinant(one, two, four) / whole
+                    coefficients[n] = 1.0
+                    cancels = _offer_direction(units, count, coefficients, low, high) or cancels
+    return cancels
+
+
+def _write_coplanar(
+    one: UnitForce, two: UnitForce, three: UnitForce, x: float, y: float, torque: float,
+    coefficients: Numbers, i: int, j: int, k: int,
+) -> None:  # fmt: skip
+    """Write coefficients with which three wrenches in the plane with normal (x, y, torque) cancel."""
+    row = zeros(UNIT_FORCE)
+    normal = UnitForce(row)
+    normal.x, normal.y, normal.torque = x, y, torque
+    square = x * x + y * y + torque * torque
+    coefficients[i] = _determinant(two, three, normal) / square
+    coefficients[j] = _determinant(three, one, normal) / square
+    coefficients[k] = 1.0
+
+
+def _offer_direction(
+    units: Numbers, count: int, coefficients: Numbers, low: Numbers, high: Numbers
+) -> bool:
+    """Take a direction of forces that cancel, if no coefficient is negative; whether contacts oppose."""
+    inner, owner, several, largest = 0.0, -1, False, 0.0
+    for m in range(count):
+        largest = max(largest, fabs(coefficients[m]))
+    for m in range(count):
+        if coefficients[m] < -INDEPENDENT * largest:
+            return False
+        if coefficients[m] > INDEPENDENT * largest:
+            force = UnitForce(units[UNIT_FORCE * m :])
+            inner += coefficients[m] * force.inner
+            if owner >= 0 and owner != force.contact:
+                several = True
+            owner = force.contact
+    if not several:
+        return False
+    if fabs(inner) > INDEPENDENT * largest:
+        if inner > 0.0 and not ForceEnd(high).is_infinite:
+            ForceEnd(high).is_infinite = True
+            for m in range(count):
+                high[FORCE_END + m] = max(coefficients[m], 0.0) / inner
+        elif inner < 0.0 and not ForceEnd(low).is_infinite:
+            ForceEnd(low).is_infinite = True
+            for m in range(count):
+                low[FORCE_END + m] = -max(coefficients[m], 0.0) / inner
+    return True

@@ -1,0 +1,290 @@
+"""Several contacts that leave the slider a line of twists: slips, or contacts at one point."""
+
+from __future__ import annotations
+
+from math import atan2, fabs
+
+from planar_pushing.core.instant.directions import (
+    QUARTER_TURN,
+)
+from planar_pushing.core.instant.force_sets import (
+    INDEPENDENT,
+    UNIT_FORCE,
+    UnitForce,
+)
+from planar_pushing.core.instant.line_problem import (
+    LINE_ROOT,
+    MOST_ON_LINE,
+    LineRoot,
+    dot_vectors,
+    find_on_line,
+    length_of_twist,
+    line_through,
+    scale_vector,
+    twist_on_line,
+)
+from planar_pushing.core.instant.several_frames import (
+    MotionSet,
+    Several,
+    as_vector,
+    cross_vectors,
+    frame_of,
+    gap_rate,
+    keeps_modes,
+    reach_of_rows,
+    slip_rate,
+)
+from planar_pushing.core.instant.several_solutions import (
+    Sharing,
+    add_balanced,
+    balances,
+)
+from planar_pushing.core.instant.solution import (
+    SEPARATE,
+    SLIP_LEFT,
+    STICK,
+    UNSOLVED,
+)
+from planar_pushing.core.numbers import (
+    INFINITY,
+    Numbers,
+    zeros,
+)
+from planar_pushing.core.supports.resistance import (
+    resistance,
+)
+from planar_pushing.core.supports.rows import (
+    Vector,
+    scale_effects,
+)
+from planar_pushing.core.supports.tolerances import (
+    BALANCED,
+    COINCIDENT,
+    SHARE,
+)
+
+#: Maximum number of angles among which the ends of intervals of twists are.
+MOST_ANGLES = 64
+#: Slack of a load that is balanced along two unit forces whatever its third component is.
+ANY_LOAD = 1e9
+
+
+def _write_bounds(several: Several, modes: Numbers, motions: MotionSet, bounds: Numbers) -> bool:
+    """Write how far one can go along a line of twists in both senses; whether any of it is left."""
+    bounds[0], bounds[1] = -INFINITY, INFINITY
+    size = 1.0 + length_of_twist(motions.twist)
+    for i in range(several.number):
+        frame, mode = frame_of(several, i), int(modes[i])
+        if mode == STICK:
+            continue
+        value, row = gap_rate(frame, motions.twist), as_vector(frame.across)
+        if mode != SEPARATE:
+            value, row = slip_rate(frame, motions.twist), as_vector(frame.along)
+        sign = -1.0 if mode == SLIP_LEFT else 1.0
+        slope, reach = sign * dot_vectors(row, motions.direction), reach_of_rows(frame)
+        value = sign * value
+        if fabs(slope) <= SHARE * reach:
+            if value < -COINCIDENT * reach * size:
+                return False
+        elif slope > 0.0:
+            bounds[0] = max(bounds[0], -value / slope)
+        else:
+            bounds[1] = min(bounds[1], -value / slope)
+    if bounds[0] > bounds[1]:
+        if bounds[0] - bounds[1] > COINCIDENT * (size + fabs(bounds[0])):
+            return False
+        bounds[0] = bounds[1]
+    return True
+
+
+def _span_of(sharing: Sharing, probes: Numbers) -> int:
+    """Dimension of the span of the unit forces; write the twists on which all of them have no power."""
+    units, number = sharing.units, sharing.number
+    best, one, other = INDEPENDENT, 0, -1
+    for i in range(number):
+        for j in range(i + 1, number):
+            first, second = _unit_vector(units, i), _unit_vector(units, j)
+            size = length_of_twist(cross_vectors(first, second))
+            size /= length_of_twist(first) * length_of_twist(second)
+            if size > best:
+                best, one, other = size, i, j
+    first = _unit_vector(units, one)
+    if other < 0:
+        x, y, z = fabs(first.x), fabs(first.y), fabs(first.spin)
+        axis = Vector(0.0, 0.0, 1.0)
+        if x <= y and x <= z:
+            axis = Vector(1.0, 0.0, 0.0)
+        elif y <= z:
+            axis = Vector(0.0, 1.0, 0.0)
+        across = cross_vectors(first, axis)
+        _write_vector_of(across, probes)
+        _write_vector_of(cross_vectors(first, across), probes[3:])
+        return 1
+    normal = cross_vectors(first, _unit_vector(units, other))
+    _write_vector_of(normal, probes)
+    for k in range(number):
+        vector = _unit_vector(units, k)
+        part = fabs(dot_vectors(vector, normal))
+        if part > INDEPENDENT * length_of_twist(vector) * length_of_twist(normal):
+            return 3
+    return 2
+
+
+def _unit_vector(units: Numbers, k: int) -> Vector:
+    """The wrench of a unit force."""
+    force = UnitForce(units[UNIT_FORCE * k :])
+    return Vector(force.x, force.y, force.torque)
+
+
+def _write_vector_of(vector: Vector, numbers: Numbers) -> None:
+    numbers[0], numbers[1], numbers[2] = vector.x, vector.y, vector.spin
+
+
+def add_on_line(
+    several: Several, sharing: Sharing, motions: MotionSet, solutions: Numbers, count: int
+) -> int:
+    """Add the solutions on a line of twists, and return the number of solutions.
+
+    With slips alone the lines of force span a plane of wrenches, and the load must be in it.
+    """
+    bounds, probes = zeros(2), zeros(6)
+    if not _write_bounds(several, sharing.modes, motions, bounds):
+        return count
+    span = _span_of(sharing, probes)
+    if span == 3:
+        return _add_interval(several, sharing, motions, bounds, solutions=solutions, count=count)
+    roots = zeros(MOST_ON_LINE * LINE_ROOT)
+    slack = ANY_LOAD if span == 2 else BALANCED
+    for k in range(3 - span):
+        probe = Vector(probes[3 * k], probes[3 * k + 1], probes[3 * k + 2])
+        line = line_through(several.effects, motions.twist, motions.direction, probe)
+        number = find_on_line(line, bounds[0] / line.size, bounds[1] / line.size, roots)
+        if number < 0:
+            return UNSOLVED
+        for i in range(number):
+            root = LineRoot(roots[LINE_ROOT * i :])
+            twist = twist_on_line(line, root.angle)
+            if length_of_twist(twist) > COINCIDENT and keeps_modes(several, sharing.modes, twist):
+                count = add_balanced(
+                    several, sharing, twist, slack, continuum=root.continuum, solutions=solutions,
+                    count=count,
+                )  # fmt: skip
+    return count
+
+
+def add_from_rest(
+    several: Several, sharing: Sharing, motions: MotionSet, solutions: Numbers, count: int
+) -> int:
+    """Add the solutions on a line of twists through rest, and return the number of solutions.
+
+    The direction of friction is the same all along each half of it, so that one of its twists is a solution.
+    With friction alone all are, and the end of that continuum which is not at rest is written.
+    """
+    bounds, probes = zeros(2), zeros(6)
+    if not _write_bounds(several, sharing.modes, motions, bounds):
+        return count
+    span = _span_of(sharing, probes)
+    probe = Vector(probes[0], probes[1], probes[2])
+    for half in range(2):
+        sign = 1.0 if half == 0 else -1.0
+        least = bounds[0] if half == 0 else -bounds[1]
+        most = bounds[1] if half == 0 else -bounds[0]
+        least = max(least, 0.0)
+        if most <= COINCIDENT or most < least:
+            continue
+        twist = scale_vector(motions.direction, sign)
+        if not several.effects.massive:
+            if most == INFINITY:
+                continue
+            if balances(several, sharing, twist, BALANCED):
+                count = add_balanced(
+                    several, sharing, scale_vector(twist, most), BALANCED,
+                    continuum=most > least, solutions=solutions, count=count,
+                )  # fmt: skip
+        elif span < 3:
+            friction = _load_with(several, twist, 0.0)
+            mass = _load_with(several, twist, 1.0)
+            power = dot_vectors(friction, probe)
+            rise = dot_vectors(mass, probe) - power
+            s = -power / rise if fabs(rise) > SHARE * length_of_twist(probe) else INFINITY
+            slack = COINCIDENT * (1.0 + most) if most < INFINITY else COINCIDENT
+            if COINCIDENT < s < INFINITY and least - slack <= s <= most + slack:
+                count = add_balanced(
+                    several, sharing, scale_vector(twist, s),
+                    ANY_LOAD if span == 2 else BALANCED,
+                    continuum=False, solutions=solutions, count=count,
+                )  # fmt: skip
+    return count
+
+
+def _load_with(several: Several, twist: Vector, two: float) -> Vector:
+    """The wrench that sustains a twist, with a factor for masses."""
+    effects = scale_effects(several.effects, 1.0, two)
+    total = resistance(effects, x=twist.x, y=twist.y, spin=twist.spin, blur=0.0)
+    return Vector(total.f_x, total.f_y, total.torque)
+
+
+def _add_interval(
+    several: Several, sharing: Sharing, motions: MotionSet, bounds: Numbers,
+    solutions: Numbers, count: int,
+) -> int:  # fmt: skip
+    """Add the ends of the intervals of a line on which the contacts balance every load.
+
+    An interval ends at a bound, or where the load leaves the cone of the unit forces. There it is in the
+    plane of two of them.
+    """
+    roots, angles = zeros(MOST_ON_LINE * LINE_ROOT), zeros(MOST_ANGLES)
+    effects, units, number = several.effects, sharing.units, 0
+    size = length_of_twist(motions.twist)
+    for i in range(sharing.number):
+        for j in range(i + 1, sharing.number):
+            probe = cross_vectors(_unit_vector(units, i), _unit_vector(units, j))
+            scale = length_of_twist(_unit_vector(units, i)) * length_of_twist(
+                _unit_vector(units, j)
+            )
+            if length_of_twist(probe) <= INDEPENDENT * scale:
+                continue
+            line = line_through(effects, motions.twist, motions.direction, probe)
+            some = find_on_line(line, bounds[0] / size, bounds[1] / size, roots)
+            if some < 0:
+                return UNSOLVED
+            for k in range(some):
+                number = _insert_angle(angles, number, LineRoot(roots[LINE_ROOT * k :]).angle)
+    for k in range(2):
+        number = _insert_angle(angles, number, atan2(bounds[k] / size, 1.0))
+    if number > MOST_ANGLES:
+        return UNSOLVED
+    line = line_through(effects, motions.twist, motions.direction, motions.direction)
+    joined = False
+    for k in range(number):
+        twist = twist_on_line(line, angles[k])
+        follows = False
+        if k + 1 < number:
+            middle = twist_on_line(line, (angles[k] + angles[k + 1]) / 2.0)
+            follows = balances(several, sharing, middle, BALANCED)
+        inside: bool = joined and follows
+        bounded: bool = fabs(angles[k]) < QUARTER_TURN - COINCIDENT
+        if bounded and not inside and keeps_modes(several, sharing.modes, twist):
+            count = add_balanced(
+                several, sharing, twist, BALANCED, continuum=joined or follows,
+                solutions=solutions, count=count,
+            )  # fmt: skip
+        joined = follows
+    return count
+
+
+def _insert_angle(angles: Numbers, count: int, angle: float) -> int:
+    """Insert an angle in order unless it is there; return the number of angles, too large without room."""
+    if count >= MOST_ANGLES:
+        return MOST_ANGLES + 1
+    place = count
+    while place > 0 and angles[place - 1] > angle:
+        place -= 1
+    if place > 0 and fabs(angles[place - 1] - angle) <= COINCIDENT:
+        return count
+    if place < count and fabs(angles[place] - angle) <= COINCIDENT:
+        return count
+    for k in range(count, place, -1):
+        angles[k] = angles[k - 1]
+    angles[place] = angle
+    return count + 1
