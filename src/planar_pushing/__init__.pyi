@@ -61,6 +61,13 @@ from .objects.first_touch import Touch, first_touch
 from .objects.inverse import Push, pushes_for
 from .objects.mjcf import to_mjcf
 from .objects.scene_at import scene_at
+from .objects.several.contact import Contact
+from .objects.several.solutions import (
+    ContactsSolution,
+    ContactsSolutionArrays,
+    ContactsSolutions,
+)
+from .objects.several.solve_contacts import solve_contacts
 from .objects.wrench_set import WrenchSet, wrench_set
 from .pushes.compare import compare
 from .pushes.files import load_pushes, save_pushes
@@ -90,7 +97,7 @@ from .terms.errors import (
     PlanarPushingError,
     SceneWarning,
 )
-from .terms.options import Event, Sense, StableBound
+from .terms.options import Event, Reason, Sense, StableBound
 from .terms.units import Units
 
 __version__: str
@@ -100,7 +107,11 @@ __all__ = [
     "Annulus",
     "AnyPressure",
     "Composite",
+    "Contact",
     "ContactMode",
+    "ContactsSolution",
+    "ContactsSolutionArrays",
+    "ContactsSolutions",
     "Coulomb",
     "Derivatives",
     "Disc",
@@ -128,6 +139,7 @@ __all__ = [
     "PressureMap",
     "Push",
     "Pusher",
+    "Reason",
     "Ring",
     "RingFriction",
     "Scene",
@@ -185,6 +197,7 @@ __all__ = [
     "simulate_pushes",
     "slips_while_pushing",
     "solve",
+    "solve_contacts",
     "spin_ratio",
     "stable",
     "stable_centers",

@@ -95,7 +95,9 @@ def _decode(results: Array, columns: Sequence[Any], outputs: Sequence[npt.NDArra
         np.multiply(solutions.end_forces, unit[..., None], out=flat)
 
 
-def _require_ratio(entries: Sequence[EffectColumns], strengths: Sequence[Any], size: Any) -> None:
+def require_proportion(
+    entries: Sequence[EffectColumns], strengths: Sequence[Any], size: Any
+) -> None:
     """Refuse friction and inertia out of proportion under a moving pusher; loads can have any magnitude."""
     by_degree: dict[int, Any] = {}
     for entry, strength in zip(entries, strengths, strict=True):
@@ -110,7 +112,7 @@ def _require_ratio(entries: Sequence[EffectColumns], strengths: Sequence[Any], s
         require_ratio("force_ratio", ratio)
 
 
-def _size_of_fall(entries: Sequence[EffectColumns], strengths: Sequence[Any]) -> Any:
+def size_of_fall(entries: Sequence[EffectColumns], strengths: Sequence[Any]) -> Any:
     """Unit of motion for a pusher at rest: motion of the mass under the loads alone, 1 without loads."""
     load: Any = 0.0
     mass: Any = 0.0
@@ -143,9 +145,9 @@ def solve_arrays(rows: Rows, *arguments: npt.ArrayLike) -> list[npt.NDArray[Any]
     first = len(columns) - 3 - len(rows.ends)
     columns, (length, angle, radius, *ends) = columns[:first], columns[first:]
     strengths = strengths_of(rows.entries, columns)
-    _require_ratio(rows.entries, strengths, size)
+    require_proportion(rows.entries, strengths, size)
     moves = np.asarray(size) > 0
-    size = np.where(moves, size, _size_of_fall(rows.entries, strengths))
+    size = np.where(moves, size, size_of_fall(rows.entries, strengths))
     unit, scaled = in_units(rows.entries, columns, strengths, size)
     law = Law(right, left, slips, closed, rough)
     scaled += row_of_push(length, angle, law, toward, moves, ends)
@@ -166,9 +168,9 @@ def _kernel_of(rows: Rows) -> tuple[str, int, type[PushResult]]:
 
 def _solve_single(scene: Scene, rows: Rows, angle: float, magnitude: float) -> Solutions:
     """The solutions of one push of one scene: those of `solve_arrays`, in a tenth of the time."""
-    _require_ratio(rows.entries, rows.strengths, magnitude)
+    require_proportion(rows.entries, rows.strengths, magnitude)
     moves = magnitude > 0.0
-    size = magnitude if moves else float(_size_of_fall(rows.entries, rows.strengths))
+    size = magnitude if moves else float(size_of_fall(rows.entries, rows.strengths))
     unit, row = in_units(rows.entries, rows.columns, rows.strengths, size)
     first, radius = len(row), rows.body[2]
     row += rows.push

@@ -131,7 +131,7 @@ def place_object(
         else:
             whole = require_outline(outline)
             placement, ends = on_outline(contacts, whole)
-    acting = _required_effects(effects, whole)
+    acting = require_effects(effects, whole)
     require_alike([placement.point[0], *_numbers_of(acting), *_numbers_of_law(contact)])
     contacts = contacts._replace(placement=placement)
     center, extent = measure_object(acting)
@@ -151,7 +151,7 @@ def place_object(
         outline=whole,
         outline_frame=SAME if whole is None else body,
     )
-    loaded = [_with_center(effect, center, acting) for effect in acting]
+    loaded = [with_center(effect, center, acting) for effect in acting]
     scene_effects = tuple(effect.in_frames(body, placement.fence) for effect in loaded)
     scene = Scene(
         slider=slider, contact=contact, effects=scene_effects, placement=placement, units=units
@@ -252,7 +252,7 @@ def _free(contacts: Contacts) -> tuple[Placement, tuple[Number, Number]]:
     return contacts.placement, contacts.pair(np.full(contacts.points.shape, (-np.inf, np.inf)))
 
 
-def _required_effects(value: Any, outline: Outline | None) -> tuple[Any, ...]:
+def require_effects(value: Any, outline: Outline | None) -> tuple[Any, ...]:
     """Effects of an object, all with supports and centers, or `InvalidValue`."""
     effects = tuple(value) if isinstance(value, (list, tuple)) else ()
     if not effects or not all(hasattr(effect, "in_frames") for effect in effects):
@@ -308,7 +308,7 @@ def _numbers_of_law(contact: Any) -> list[Any]:
     return [laws if np.ndim(laws) else getattr(contact, "friction_coefficient", 0.0)]
 
 
-def _with_center(effect: Any, center: tuple[Number, Number], effects: tuple[Any, ...]) -> Any:
+def with_center(effect: Any, center: tuple[Number, Number], effects: tuple[Any, ...]) -> Any:
     """A load with the object's center as default point: the slider's center differs for a hook."""
     if not isinstance(effect, Load) or effect.center is not None:
         return effect

@@ -213,6 +213,20 @@ class Status(IntEnum):
     __format__ = format_member
 
 
+class Reason(IntEnum):
+    """Why several contacts have no consistent solution.
+
+    `JAMMED`: the pushers close every motion in, so that something must yield. `WEDGED`: each contact holds
+    whatever the other exerts, because forces of their friction cones cancel one another.
+    """
+
+    JAMMED = 1
+    WEDGED = 2
+
+    __str__ = name_of
+    __format__ = format_member
+
+
 #: Names of the values of variables that hold flags, in datasets of every kind.
 FLAGS: dict[str, Mapping[str, int]] = {
     "mode": ContactMode.__members__,

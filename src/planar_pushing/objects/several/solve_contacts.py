@@ -1,0 +1,279 @@
+"""Every consistent solution of an object with several contacts, from rest."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from planar_pushing.core.instant.several import (
+    MOST_OF_SEVERAL,
+    SEVERAL_SOLUTION,
+    SeveralResults,
+    SeveralRow,
+    SeveralSolution,
+)
+from planar_pushing.mechanics.contact import Coulomb
+from planar_pushing.mechanics.effects import Effect
+from planar_pushing.mechanics.force.held import require_held
+from planar_pushing.mechanics.kernels.arrays import Output, map_kernel, require_alike
+from planar_pushing.mechanics.kernels.columns import Columns, row_of
+from planar_pushing.mechanics.outline import require_outline
+from planar_pushing.mechanics.plane import Frame, Placement
+from planar_pushing.mechanics.rows import in_units, strengths_of
+from planar_pushing.mechanics.scene import Scene
+from planar_pushing.mechanics.slider import Slider
+from planar_pushing.mechanics.solve import require_proportion, size_of_fall
+from planar_pushing.objects.plausible import warn_of_doubts
+from planar_pushing.objects.scene_at import (
+    measure_object,
+    require_effects,
+    with_center,
+)
+from planar_pushing.objects.several.contact import Contact, PlacedContact, place_contacts
+from planar_pushing.objects.several.solutions import (
+    ContactsSolutionArrays,
+    ContactsSolutions,
+    solutions_of,
+)
+from planar_pushing.terms.domain import Number
+from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.numbers import Array
+
+#: Contacts whose normals are opposite, and on one line, to within this.
+OPPOSITE = 1e-9
+
+
+def solve_contacts(
+    contacts: Sequence[Contact],
+    *,
+    effects: Sequence[Effect],
+    outline: Any = None,
+) -> ContactsSolutions | ContactsSolutionArrays:
+    """Every consistent solution of an object that several fingers, walls or sides touch, from rest.
+
+    Parameters
+    ----------
+    contacts : sequence of Contact
+        One to four; a side counts as two.
+    effects : sequence of effects
+        `SupportFriction`, `Viscous`, `Inertia` and `Load` in the object's frame, as of `scene_at`.
+    outline : sequence of pairs, Polygon, Disc, Outline, or an object with `coords` or `exterior`, optional
+        As of `scene_at`. Every contact must be on it.
+
+    Returns
+    -------
+    ContactsSolutions or ContactsSolutionArrays
+        All numbers are in the object's frame. `ContactsSolutionArrays` if a velocity, a law or an effect is
+        an array, all of which are broadcast.
+
+    Raises
+    ------
+    InvalidValue
+        If there are no contacts or more than four, one is not on the outline or is given twice, an effect
+        cannot be placed, m a / W with friction and inertia is out of its range, or two contacts squeeze the
+        object along one line, so that nothing determines their forces.
+
+    Notes
+    -----
+    Each contact separates, sticks or slips; every combination is examined. Solutions with one twist count
+    once: of a contact that neither opens nor pushes it is said that it is closed, and of one that does not
+    slip that it sticks. If there is no solution, `reason` says whether the object is jammed, because the
+    pushers leave it no motion, or wedged, because forces of the contacts can cancel one another without
+    bound.
+    """
+    whole = None if outline is None else require_outline(outline)
+    placed = place_contacts(contacts, whole, outline)
+    scene, center = _scene_of(effects, whole)
+    warn_of_doubts(effects, [contact.law for contact in placed], whole)
+    require_held(scene)
+    _require_no_squeeze(placed, scene)
+    columns = [
+        *scene.rows.columns,
+        *(number for contact in placed for number in (*contact.velocity, *contact.numbers)),
+    ]
+    require_alike(columns)
+    values = _solve_arrays(scene, placed, center)
+    if np.ndim(values["solutions"]):
+        return ContactsSolutionArrays(**values)
+    return solutions_of(values)
+
+
+def _scene_of(effects: Any, outline: Any) -> tuple[Scene, tuple[float, float]]:
+    """The object about its center, with a body frame along its own frame, and this center."""
+    acting = require_effects(effects, outline)
+    center, extent = measure_object(acting)
+    placement = Placement(center, (1.0, 0.0))
+    slider = Slider(rod_length=0.0, rod_angle=np.pi / 2.0, radius=extent)
+    loaded = [with_center(effect, center, acting) for effect in acting]
+    body = Frame(center, (1.0, 0.0))
+    placed = tuple(effect.in_frames(body, placement.fence) for effect in loaded)
+    return Scene(slider=slider, contact=Coulomb(0.0), effects=placed), center
+
+
+def _require_no_squeeze(contacts: Sequence[PlacedContact], scene: Scene) -> None:
+    """Refuse two contacts with opposite normals on one line that neither close in nor open."""
+    for i, one in enumerate(contacts):
+        for other in contacts[:i]:
+            (n_x, n_y), (m_x, m_y) = one.normal, other.normal
+            r_x, r_y = one.point[0] - other.point[0], one.point[1] - other.point[1]
+            aside = abs(r_x * n_y - r_y * n_x)
+            if np.hypot(n_x + m_x, n_y + m_y) > OPPOSITE or aside > OPPOSITE * scene.slider.radius:
+                continue
+            (v_x, v_y), (w_x, w_y) = one.velocity, other.velocity
+            closing = n_x * v_x + n_y * v_y + m_x * w_x + m_y * w_y
+            speed = np.hypot(v_x, v_y) + np.hypot(w_x, w_y)
+            if np.any(np.abs(closing) <= OPPOSITE * speed):
+                raise InvalidValue(
+                    "contacts", f"a squeeze between {other.point} and {one.point}",
+                    "contacts whose forces the motion determines",
+                    "a squeeze has any grip force; move one of the contacts off the other's normal",
+                )  # fmt: skip
+
+
+def _solve_arrays(
+    scene: Scene, contacts: Sequence[PlacedContact], center: tuple[float, float]
+) -> dict[str, Any]:
+    """The arrays of `ContactsSolutionArrays`."""
+    rows, radius = scene.rows, scene.slider.radius
+    strengths = strengths_of(rows.entries, rows.columns)
+    size: Any = 0.0
+    for contact in contacts:
+        size = np.maximum(size, np.hypot(*contact.velocity))
+    require_proportion(rows.entries, strengths, size)
+    size = np.where(np.asarray(size) > 0.0, size, size_of_fall(rows.entries, strengths))
+    unit, scaled = in_units(rows.entries, rows.columns, strengths, size)
+    for contact in contacts:
+        scaled += _row_of_contact(contact, center, radius, size)
+    count = len(contacts)
+    geometry = _Geometry(contacts, center, radius)
+    width = SeveralResults.size + MOST_OF_SEVERAL * SEVERAL_SOLUTION
+    arrays = map_kernel(
+        "solve_contacts",
+        rows.data,
+        [*scaled, size, unit],
+        outputs_of(count),
+        width,
+        geometry.decode,
+    )
+    return dict(zip((output.name for output in outputs_of(count)), arrays, strict=True))
+
+
+def _row_of_contact(
+    contact: PlacedContact, center: tuple[float, float], radius: Number, size: Any
+) -> list[Any]:
+    """The columns of a contact, with lengths in radii and motions in units of the fastest pusher."""
+    law = contact.numbers
+    return row_of(
+        SeveralRow,
+        point=[(contact.point[0] - center[0]) / radius, (contact.point[1] - center[1]) / radius],
+        normal=list(contact.normal),
+        velocity=[contact.velocity[0] / size, contact.velocity[1] / size],
+        right=law.right,
+        left=law.left,
+        slips=law.slips,
+        closed=law.closed,
+        rough=law.rough,
+    )
+
+
+def outputs_of(count: int) -> tuple[Output, ...]:
+    """The results of each problem with a number of contacts."""
+    many, xy, each = ("solution", MOST_OF_SEVERAL), ("xy", 2), ("contact", count)
+    return (
+        Output("solutions", (), "i1"),
+        Output("status", (), "i1"),
+        Output("reason", (), "i1"),
+        Output("modes", (many, each), "i1"),
+        Output("twist", (many, ("twist_component", 3))),
+        Output("forces", (many, each, xy)),
+        Output("forces_end", (many, each, xy)),
+        Output("inner_force", (many, ("bound", 2))),
+        Output("directions", (many, ("bound", 2), each, xy)),
+        Output("contact_motions", (many, each, xy)),
+        Output("gap_rates", (many, each)),
+        Output("pivot", (many,), "i4"),
+        Output("continuum", (many,), "?"),
+        Output("condition", (many,)),
+    )
+
+
+class _Geometry:
+    """Points and normals of the contacts, with which results of the core become those of the object."""
+
+    def __init__(
+        self, contacts: Sequence[PlacedContact], center: tuple[float, float], radius: Number
+    ) -> None:
+        self.points = np.array([contact.point for contact in contacts])
+        self.normals = np.array([contact.normal for contact in contacts])
+        self.contacts, self.center, self.radius = contacts, np.asarray(center), radius
+
+    def decode(
+        self, results: Array, columns: Sequence[Any], outputs: Sequence[npt.NDArray[Any]]
+    ) -> None:
+        """Write the outputs in the units of the object; the last columns of a row are its units."""
+        size, unit = (np.asarray(column)[..., None] for column in columns[-2:])
+        (
+            counts, status, reason, modes, twist, forces, ends, inner, directions, motions, rates,
+            pivot, continuum, condition,
+        ) = outputs  # fmt: skip
+        count = len(self.points)
+        head = Columns(SeveralResults, results)
+        counts[:], status[:], reason[:] = head.count, head.status, head.reason
+        rows = results[:, SeveralResults.size :].reshape(len(results), MOST_OF_SEVERAL, -1)
+        rows = Columns(SeveralSolution, rows)
+        exists = np.arange(MOST_OF_SEVERAL) < counts[:, None]
+        with np.errstate(invalid="ignore"):
+            closed = np.where(np.isnan(rows.modes), -1.0, rows.modes)[..., :count]
+        modes[:] = closed
+        omega = rows.twist[..., 2] * size / self.radius
+        c_x, c_y = self.center
+        twist[..., 0] = rows.twist[..., 0] * size + omega * c_y
+        twist[..., 1] = rows.twist[..., 1] * size - omega * c_x
+        twist[..., 2] = omega
+        x, y = self.points.T
+        motions[..., 0] = twist[..., 0, None] - omega[..., None] * y
+        motions[..., 1] = twist[..., 1, None] + omega[..., None] * x
+        shape = (*rows.modes.shape[:2], 4, 2)
+        low = rows.low_forces.reshape(shape)[:, :, :count]
+        high = rows.high_forces.reshape(shape)[:, :, :count]
+        infinite = np.stack([rows.low_infinite, rows.high_infinite], axis=-1) == 1.0
+        scale = unit[..., None, None]
+        for k, (force, end) in enumerate(((low, forces), (high, ends))):
+            without = infinite[..., k, None, None]
+            directions[:, :, k] = np.where(without, force, np.nan)
+            grown = np.where(np.abs(force) > OPPOSITE, np.copysign(np.inf, force), 0.0)
+            end[:] = np.where(without, grown, force * scale)
+            end[~exists] = np.nan
+        inner[..., 0], inner[..., 1] = rows.low_inner * unit, rows.high_inner * unit
+        continuum[:] = rows.continuum == 1.0
+        pivot[:] = np.where(exists, rows.pivot, -1.0)
+        self._decode_rates(columns, modes, motions, rates)
+        self._decode_condition(np.stack([low, high]), infinite, condition)
+
+    def _decode_rates(
+        self, columns: Sequence[Any], modes: Array, motions: Array, rates: Array
+    ) -> None:
+        """Write how fast the gaps open; those of closed contacts do not."""
+        size, first = np.asarray(columns[-2]), len(columns) - 2 - SeveralRow.size * len(self.points)
+        for i, normal in enumerate(self.normals):
+            place = SeveralRow.places["velocity"].start + first + SeveralRow.size * i
+            pusher = [np.asarray(column) * size for column in columns[place : place + 2]]
+            across = (normal[0] * pusher[0] + normal[1] * pusher[1])[..., None]
+            rate = motions[:, :, i] @ normal - across
+            rates[:, :, i] = np.where(modes[:, :, i] > 0, 0.0, rate)
+
+    def _decode_condition(self, forces: Array, infinite: Array, condition: Array) -> None:
+        """Write the sum of the forces' magnitudes relative to the load, at the end where it is smaller."""
+        with np.errstate(invalid="ignore", divide="ignore"):
+            lever = (self.points - self.center) / self.radius
+            total = np.hypot(*np.moveaxis(forces, -1, 0)).sum(axis=-1)
+            net = forces.sum(axis=-2)
+            torque = (lever[:, 0] * forces[..., 1] - lever[:, 1] * forces[..., 0]).sum(axis=-1)
+            load = np.maximum(np.hypot(net[..., 0], net[..., 1]), np.abs(torque))
+            ratio = np.where(total > 0.0, total / np.where(load > 0.0, load, 1.0), 1.0)
+            ratio = np.where((total > 0.0) & (load == 0.0), np.inf, ratio)
+            ratio = np.where(np.moveaxis(infinite, -1, 0), np.inf, ratio)
+        condition[:] = np.where(np.isnan(total[0]), np.nan, ratio.min(axis=0))
