@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import fabs, log, sqrt
 
-from planar_pushing.core.instant.solution import SEPARATE, STICK
+from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, SLIP_RIGHT, STICK
 from planar_pushing.core.motion.drag import (
     depends_on_speed,
 )
@@ -53,8 +53,10 @@ from planar_pushing.core.motion.wall import (
     follows_chain,
     gap_of_finger,
     is_closed,
+    is_in_pocket,
     outline_height,
     room_on_piece,
+    turn_to_side,
 )
 from planar_pushing.core.numbers import UNKNOWN, Numbers
 from planar_pushing.core.supports.tolerances import NO_FORCE, PUSHES, SLACK
@@ -166,7 +168,13 @@ def _guard_quasi_static_contact(
     if mode.contact == REST and mode.touches:
         guards[NORMAL_REVERSES] = 1.0 if speed > 0.0 else -1.0
     elif mode.contact != REST:
-        guards[NORMAL_REVERSES] = instant.fence_y / speed if speed > 0.0 else 0.0
+        normal = instant.fence_y
+        if is_in_pocket(system):
+            # The pusher leaves a corner only if it leaves both sides.
+            _, before = turn_to_side(system, SLIP_RIGHT, instant.fence_x, normal)
+            _, after = turn_to_side(system, SLIP_LEFT, instant.fence_x, normal)
+            normal = max(before, after)
+        guards[NORMAL_REVERSES] = normal / speed if speed > 0.0 else 0.0
         guards[TANGENTIAL_REVERSES] = instant.fence_x / speed if speed > 0.0 else 0.0
 
 
