@@ -150,3 +150,13 @@ def test_the_policy_decides_between_sticking_and_leaving():
         "keep-contact": {pp.ContactMode.STICK},
         "separate": {pp.ContactMode.SEPARATE},
     }
+
+
+def test_a_point_that_approaches_one_side_does_not_separate():
+    scene = scene_of(T, (15.0, 0.0))
+    # Away from the corner along its bisector, but toward the bar.
+    assert scene.to_fence(np.array([3.0, 1.0]), "vector")[1] < 0.0
+    for options in ({}, {"method": "time-stepping"}):
+        log = run(scene, (3.0, 1.0), 0.5, on_ambiguity="separate", **options)
+        assert (log["mode"] == pp.ContactMode.SLIP_LEFT).all()
+        assert float(log.object_angle[-1]) > 0.1

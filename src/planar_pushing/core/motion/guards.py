@@ -94,7 +94,7 @@ def _write_guards(
         guards[TOUCHES] = gap if fabs(gap) > SLACK else 0.0
         guards[PUSH_STARTS] = 1.0
     if rests_on_pusher:
-        guards[PUSH_STARTS] = PUSHES - instant.fence_y / system.run.speed
+        guards[PUSH_STARTS] = PUSHES - _approach_of(system, instant) / system.run.speed
     elif is_open and not system.run.parted:
         guards[TOUCHES] = gap_of_finger(system, state)
     if not rests:
@@ -107,6 +107,15 @@ def _write_guards(
         _guard_moving_contact(system, mode, state, instant, guards)
     else:
         _guard_quasi_static_contact(system, mode, instant, guards)
+
+
+def _approach_of(system: System, instant: Instant) -> float:
+    """Speed of the pusher toward the slider; at an inner corner, toward the side that it approaches."""
+    if not is_in_pocket(system):
+        return instant.fence_y
+    _, before = turn_to_side(system, SLIP_RIGHT, instant.fence_x, instant.fence_y)
+    _, after = turn_to_side(system, SLIP_LEFT, instant.fence_x, instant.fence_y)
+    return max(before, after)
 
 
 def _guard_moving_contact(
@@ -168,12 +177,7 @@ def _guard_quasi_static_contact(
     if mode.contact == REST and mode.touches:
         guards[NORMAL_REVERSES] = 1.0 if speed > 0.0 else -1.0
     elif mode.contact != REST:
-        normal = instant.fence_y
-        if is_in_pocket(system):
-            # The pusher leaves a corner only if it leaves both sides.
-            _, before = turn_to_side(system, SLIP_RIGHT, instant.fence_x, normal)
-            _, after = turn_to_side(system, SLIP_LEFT, instant.fence_x, normal)
-            normal = max(before, after)
+        normal = _approach_of(system, instant)
         guards[NORMAL_REVERSES] = normal / speed if speed > 0.0 else 0.0
         guards[TANGENTIAL_REVERSES] = instant.fence_x / speed if speed > 0.0 else 0.0
 
