@@ -114,6 +114,8 @@ class Sketch:
             "symbol": "a" if scene.stores_energy else "v",
             "unit": scene.units.length if scene.units else "",
         }
+        if scene.slider.pocket:
+            content["side"] = 0.0, 0.0  # only a point fits into an inner corner
         if pusher_angle is not None:
             if solutions is None:
                 solutions = solve(scene, pusher_angle, magnitude)

@@ -120,6 +120,8 @@ class Rows:
     ends : tuple
         Ends of a side that lies on the fence, in radii; empty for a contact at one point.
     law : Law
+    pocket : float or array
+        As of `Slider`.
     columns : tuple
         The columns of the effects, with forces in the scene's units.
     is_single : bool
@@ -137,6 +139,7 @@ class Rows:
     body: tuple[Number, Number, Number]
     ends: tuple[Number, ...]
     law: Law
+    pocket: Number
     columns: tuple[Number, ...]
     is_single: bool
     is_steady: bool
@@ -151,17 +154,18 @@ class Rows:
         body = slider.length_ratio, slider.rod_angle, slider.radius
         ends = tuple(end / slider.radius for end in slider.side) if slider.flush else ()
         columns = tuple(column for entry in entries for column in entry.columns)
-        numbers = *columns, *body, *ends, *scene.law
+        pocket = slider.pocket
+        numbers = *columns, *body, *ends, *scene.law, pocket
         single = all(isinstance(number, (float, int)) for number in numbers)
         if single:
             columns, ends = tuple(map(float, columns)), tuple(map(float, ends))
             body = float(body[0]), float(body[1]), float(body[2])
         steady = len({entry.degree for entry in entries}) == 1
         strengths = strengths_of(entries, columns) if single else []
-        push = row_of_push(body[0], body[1], scene.law, 0.0, False, ends) if single else []
+        push = row_of_push(*body[:2], scene.law, pocket, 0.0, False, ends) if single else []
         return cls(
-            entries, data_of(entries), body, ends, scene.law, columns, single, steady, strengths,
-            push,
+            entries, data_of(entries), body, ends, scene.law, pocket, columns, single, steady,
+            strengths, push,
         )  # fmt: skip
 
     def strength(self, degree: int) -> Number:
@@ -172,12 +176,12 @@ class Rows:
 
 
 def row_of_push(
-    length: Any, angle: Any, law: Law, toward: Any, moves: Any, ends: Sequence[Any]
+    length: Any, angle: Any, law: Law, pocket: Any, toward: Any, moves: Any, ends: Sequence[Any]
 ) -> list[Any]:
     """The columns of a push, which follow those of the effects; `ends` are empty for a point."""
     values = {
         "length": length, "angle": angle, "right": law.right, "left": law.left, "slips": law.slips,
-        "closed": law.closed, "rough": law.rough, "pusher": toward, "moves": moves,
+        "closed": law.closed, "rough": law.rough, "pusher": toward, "moves": moves, "pocket": pocket,
     }  # fmt: skip
     if not ends:
         return row_of(PushRow, **values)

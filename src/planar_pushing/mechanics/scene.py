@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.contact import LAWS, ContactLaw, as_numbers, is_law
+from planar_pushing.mechanics.contact import LAWS, ContactLaw, Law, as_numbers, is_law
 from planar_pushing.mechanics.effects import (
     Effect,
     Inertia,
@@ -247,6 +248,25 @@ class Scene:
         """The contact law in numbers."""
         return as_numbers(self.contact)
 
+    @property
+    def cone(self) -> Law:
+        """The contact law in numbers of a contact that sticks.
+
+        At an inner corner, the cone is the sum of those of both sides; wider than half a turn, it is every
+        force.
+        """
+        law: Law = self.law
+        pocket = self.slider.pocket
+        if type(pocket) is float and pocket == 0.0:
+            return law
+        right, left = law.right - pocket, law.left + pocket
+        rough = left - right > math.pi
+        right, left = (
+            edge * (1 - rough) + end * rough
+            for edge, end in ((right, -math.pi / 2), (left, 3 * math.pi / 2))
+        )
+        return law._replace(right=right, left=left, rough=law.rough | rough)
+
 
 def _complete(effect: Effect, slider: Slider) -> Effect:
     """A mass without a center has it at the slider's center, the origin of the body frame.
@@ -302,6 +322,16 @@ def require_one_point(
 def require_point_scene(value: object) -> Scene:
     """The argument if it is a scene with a contact at one point, or `InvalidValue`."""
     return require_one_point(require_scene(value))
+
+
+def require_flat_contact(scene: Scene) -> Scene:
+    """The scene if no contact is at an inner corner, or `InvalidValue`."""
+    if np.any(np.asarray(scene.slider.pocket) > 0.0):
+        raise InvalidValue(
+            "scene", "a contact at an inner corner", "contacts with one side",
+            "move the contact off the corner: there it touches two sides",
+        )  # fmt: skip
+    return scene
 
 
 def require_single(scene: Scene) -> Scene:

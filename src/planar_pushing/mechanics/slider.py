@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from planar_pushing.mechanics.outline import (
     outline_of_corners,
     put_on_line,
 )
-from planar_pushing.mechanics.outline.chains import BETA0, BETA1, RHO
+from planar_pushing.mechanics.outline.chains import BETA0, BETA1, RHO, X, Y, wrap
 from planar_pushing.mechanics.outline.entries import OUTLINE
 from planar_pushing.mechanics.plane import Frame
 from planar_pushing.terms.caches import cache_results
@@ -34,7 +35,7 @@ from planar_pushing.terms.declared import (
 )
 from planar_pushing.terms.domain import Number, require_ratio
 from planar_pushing.terms.errors import InvalidValue, require_flag
-from planar_pushing.terms.numbers import Array, pair_of
+from planar_pushing.terms.numbers import pair_of
 
 #: The angle of the rod; the slider's center is above the fence.
 ROD_ANGLE = Degrees(
@@ -81,8 +82,19 @@ class SideEnds(Declaration):
         return ends if any(map(math.isfinite, ends)) else None
 
 
+class InnerCorner(NamedTuple):
+    """An inner corner of an outline: position, direction between its sides, and half of their angle."""
+
+    x: float
+    y: float
+    middle: float
+    half: float
+
+
 SIDE = SideEnds()
 FLAG = Read(require_flag, "true or false", {"type": "boolean"})
+#: Largest angle, in radians, between a given normal and that of its place on the outline.
+ALIGNED = 1e-3
 #: The body frame is that of the outline.
 SAME = Frame((0.0, 0.0), (1.0, 0.0))
 
@@ -128,7 +140,8 @@ class Slider:
     ------
     InvalidValue
         If a parameter is out of range, the side does not contain the contact, the ends of a flush side are
-        not finite or not apart, the outline is not a simple polygon, or the contact is at an inner corner.
+        not finite or not apart, the outline is not a simple polygon, or the contact is at an inner corner
+        and its normal, at the rod's angle, is not the bisector of those of both sides.
     """
 
     rod_length: Annotated[
@@ -149,7 +162,7 @@ class Slider:
                 "measure both ends along the fence, or leave flush out",
             )  # fmt: skip
         if self.outline is not None:
-            self._require_outer()
+            self._require_bisector()
         if self.radius is not None:
             _ = self.length_ratio
 
@@ -171,19 +184,41 @@ class Slider:
         frame = self.outline_frame
         return bool(np.ndim(frame.origin[0]) or np.ndim(frame.axis[0]))
 
-    def _require_outer(self) -> None:
-        """Refuse a contact at an inner corner, because a pusher would touch two sides there."""
-        inner = inner_corners(self.outline)
-        if self.flush or not len(inner):
+    @property
+    def pocket(self) -> Number:
+        """At an inner corner of the outline, half of the angle between its sides' normals; otherwise 0."""
+        pocket: Number = 0.0
+        for corner, near in self._near_inner_corners():
+            pocket = pocket + near * corner.half
+        return float(pocket) if np.ndim(pocket) == 0 else pocket
+
+    def _near_inner_corners(self) -> Iterator[tuple[InnerCorner, Any]]:
+        """The inner corners at contacts, and at which contacts each is."""
+        if self.outline is None or self.flush:
             return
-        length = np.asarray(self.rod_length, dtype=float)
-        ends = self.outline_frame.point_out(np.stack([-length, 0.0 * length], axis=-1))
-        away = np.reshape(ends, (-1, 1, 2)) - inner
-        if (np.hypot(away[..., 0], away[..., 1]) <= self.outline.tolerance).any():
-            raise InvalidValue(
-                "outline", "an inner corner at the contact", "one whose inner corners are elsewhere",
-                "a pusher there touches two sides; move the contact off the corner",
-            )  # fmt: skip
+        corners, tolerance = inner_corners(self.outline), self.outline.tolerance
+        (x, y), (c, s) = self.outline_frame
+        end_x, end_y = x - self.rod_length * c, y - self.rod_length * s
+        if type(end_x) is type(end_y) is float:
+            corners = [corner for corner in corners if abs(corner.x - end_x) <= tolerance]
+        for corner in corners:
+            near = np.hypot(end_x - corner.x, end_y - corner.y) <= tolerance
+            if np.any(np.asarray(near)):
+                yield corner, near
+
+    def _require_bisector(self) -> None:
+        """Refuse a contact at an inner corner whose normal is not the bisector of those of both sides."""
+        c, s = self.outline_frame.axis
+        for corner, near in self._near_inner_corners():
+            direction = np.arctan2(s, c) - self.rod_angle
+            lean = np.abs(wrap(np.asarray(direction - corner.middle, dtype=float)))
+            if np.any(np.asarray(near) & (lean > ALIGNED)):
+                n_x, n_y = -math.sin(corner.middle), math.cos(corner.middle)
+                raise InvalidValue(
+                    "normal", "another one at an inner corner",
+                    f"the bisector of the normals of both sides, ({n_x:.6g}, {n_y:.6g})",
+                    "a point there touches two sides; leave the normal out",
+                )  # fmt: skip
 
     def outline_in_body(self) -> Outline | None:
         """The outline of one slider in its body frame; None without an outline.
@@ -226,11 +261,14 @@ class Slider:
 
 
 @cache_results(KEPT)
-def inner_corners(outline: Outline) -> Array:
-    """The inner corners of an outline, shape (n, 2)."""
+def inner_corners(outline: Outline) -> list[InnerCorner]:
+    """The inner corners of an outline."""
     pieces = outline.pieces
     is_inner = (pieces[:, RHO] == 0.0) & (pieces[:, BETA1] < pieces[:, BETA0])
-    return np.asarray(pieces[is_inner, :2])
+    return [
+        InnerCorner(x, y, (first + last) / 2.0, (first - last) / 2.0)
+        for x, y, first, last in pieces[is_inner][:, [X, Y, BETA0, BETA1]].tolist()
+    ]
 
 
 @cache_results(KEPT)

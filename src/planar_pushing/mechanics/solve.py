@@ -19,7 +19,7 @@ from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.rows import EffectColumns, Rows, in_units, row_of_push, strengths_of
-from planar_pushing.mechanics.scene import Scene, require_scene
+from planar_pushing.mechanics.scene import Scene, require_flat_contact, require_scene
 from planar_pushing.mechanics.solution_arrays import SolutionArrays, as_dataset, solutions_from
 from planar_pushing.mechanics.solutions import Solution, Solutions
 from planar_pushing.terms.domain import Number, Numbers, Scalar, require_in_range, require_ratio
@@ -133,15 +133,15 @@ def solve_arrays(rows: Rows, *arguments: npt.ArrayLike) -> list[npt.NDArray[Any]
     rows : Rows
     *arguments : array_like
         Columns of the entries; length of the rod in radii, its angle, and the radius; the ends of a flush
-        side, in radii; the five entries of `Law`; angle and magnitude of the pusher's motion, all within
-        their ranges.
+        side, in radii; the five entries of `Law`; `Slider.pocket`; angle and magnitude of the pusher's
+        motion, all within their ranges.
 
     Returns
     -------
     list of ndarray
         As `outputs`; places without a solution hold NaN.
     """
-    *columns, right, left, slips, closed, rough, toward, size = arguments
+    *columns, right, left, slips, closed, rough, pocket, toward, size = arguments
     first = len(columns) - 3 - len(rows.ends)
     columns, (length, angle, radius, *ends) = columns[:first], columns[first:]
     strengths = strengths_of(rows.entries, columns)
@@ -150,7 +150,7 @@ def solve_arrays(rows: Rows, *arguments: npt.ArrayLike) -> list[npt.NDArray[Any]
     size = np.where(moves, size, size_of_fall(rows.entries, strengths))
     unit, scaled = in_units(rows.entries, columns, strengths, size)
     law = Law(right, left, slips, closed, rough)
-    scaled += row_of_push(length, angle, law, toward, moves, ends)
+    scaled += row_of_push(length, angle, law, pocket, toward, moves, ends)
     scaled += [size, unit, radius]
     kernel, room, result = _kernel_of(rows)
     width = PushResults.size + room * result.size
@@ -282,11 +282,16 @@ def solve(
     ------
     InvalidValue
         If a value, or m a / W with friction and inertia, is out of its range, or derivatives are requested
-        with a DataArray. An angle beyond 4 pi is refused because it is most likely in degrees, and a tuple
-        because it is most likely a velocity.
+        with a DataArray or at an inner corner. An angle beyond 4 pi is refused because it is most likely in
+        degrees, and a tuple because it is most likely a velocity.
 
     Notes
     -----
+    A point at an inner corner of the outline touches two sides. It sticks if its force is the sum of one in
+    the friction cone of each side; it slips along one of the sides and leaves the other, in the modes
+    `SLIP_RIGHT` along the side before the corner and `SLIP_LEFT` along the side after it; it separates
+    from both. The normal of the contact is then the bisector of those of the sides.
+
     A side that lies on the fence has flush modes and point contacts. A flush mode is a translation; its
     force, of any pressure between the ends of the side, is in the friction cone and crosses the fence
     between the ends (Lynch and Mason, Stable pushing, International Journal of Robotics Research 15,
@@ -305,10 +310,11 @@ def solve(
     single = rows.is_single and isinstance(push[0], float) and isinstance(push[1], float)
     if single and not derivatives:
         return _solve_single(scene, rows, float(push[0]), float(push[1]))
-    columns = [*rows.columns, *rows.body, *rows.ends, *rows.law, *push]
+    columns = [*rows.columns, *rows.body, *rows.ends, *rows.law, rows.pocket, *push]
     results = outputs(rows.is_steady, bool(rows.ends))
     if derivatives:
         require_unlabeled(columns)
+        require_flat_contact(scene)
     answer = functools.partial(solve_arrays, rows)
     arrays = answer(*columns) if single else elementwise(answer, columns, results)
     by_name = {output.name: array for output, array in zip(results, arrays, strict=True)}

@@ -90,7 +90,7 @@ def pushes_for(effects: tuple[Effect, ...], twist: npt.ArrayLike, outline: Any) 
     tuple of Push
         In order of increasing minimum friction; empty if no contact gives the twist. A corner is a contact
         of both of its sides, with the normal of each. At an inner corner, where a pusher touches both,
-        `scene_at` refuses the contact.
+        `scene_at` and `solve` tell which pushes of a point give a twist.
 
     Raises
     ------

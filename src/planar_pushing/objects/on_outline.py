@@ -20,14 +20,13 @@ from planar_pushing.mechanics.outline.chains import BEFORE, BETA0, BETA1, LENGTH
 from planar_pushing.mechanics.outline.places import nearest_place
 from planar_pushing.mechanics.outline.plate import extreme_points
 from planar_pushing.mechanics.plane import Array, Placement
+from planar_pushing.mechanics.slider import ALIGNED
 from planar_pushing.objects.boundary import Sides, nearest_unsigned, sides_between
 from planar_pushing.objects.many import Contacts
 from planar_pushing.terms.caches import cache_results
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
 
-#: Largest angle, in radians, between a given normal and that of its side.
-ALIGNED = 1e-3
 #: Number of sides up to which one contact is compared with floats faster than with arrays.
 FEW = 128
 
@@ -38,13 +37,14 @@ def on_outline(contacts: Contacts, outline: Outline) -> tuple[Placement, tuple[N
     A point is moved onto the outline, and onto a corner that is within the tolerance of drawings. Away from
     corners, the normal is replaced by that of the side or of the arc. At a corner it is replaced if with it
     a side lies on the fence, which then ends at the contact; otherwise, and on an arc, the side has no
-    length. An instant depends on an arc by its normal alone.
+    length. An instant depends on an arc by its normal alone. At an inner corner, where a point touches two
+    sides, the normal is the bisector of theirs.
 
     Raises
     ------
     InvalidValue
-        If a point is not on the outline or is at an inner corner, or a fence with its normal would pass
-        through the object. The error names the first contact that the failing check refuses.
+        If a point is not on the outline, or a fence with its normal would pass through the object.
+        The error names the first contact that the failing check refuses.
     """
     corners = outline.corners
     if corners is None:
@@ -59,13 +59,22 @@ def on_outline(contacts: Contacts, outline: Outline) -> tuple[Placement, tuple[N
     distance = np.hypot(away[..., 0], away[..., 1])
     is_near = np.asarray(distance <= DRAWN * sides.scale)
     at_corner = np.asarray(is_near.any(axis=1))
+    in_pocket = np.asarray((is_near & ~sides.convex).any(axis=1))
+    pockets = np.flatnonzero(in_pocket)
+    at_corner &= ~in_pocket
+    if len(pockets):
+        corner = distance[pockets].argmin(axis=1)
+        inward[pockets] = sides.normal[corner - 1] + sides.normal[corner]
+        inward[pockets] /= np.hypot(*inward[pockets].T)[:, None]
     pushes_corner = bool(at_corner.any())
     if pushes_corner:
-        _require_outer(contacts, is_near, sides.convex)
-    _require_aligned(contacts, ~at_corner, inward)
+        _require_normal(contacts)
+    _require_aligned(contacts, ~at_corner, inward, in_pocket)
     height = ((points - sides.start[spot.side]) * inward).sum(axis=1)
     points = points - height[:, None] * inward
     ends = np.array([-along, sides.length[spot.side] - along]).T
+    if len(pockets):
+        points[pockets], ends[pockets] = sides.start[corner], 0.0
     normals = inward
     if pushes_corner:
         # Without normals, no contact is at a corner.
@@ -127,17 +136,23 @@ def _on_chain(contacts: Contacts, outline: Outline) -> tuple[Placement, tuple[Nu
     is_near = np.asarray(distance <= tolerance)
     at_corner = np.asarray(is_near.any(axis=1))
     convex = pieces[corner, BETA1] > pieces[corner, BETA0]
-    if at_corner.any():
-        _require_outer(contacts, is_near, convex)
+    in_pocket = np.asarray((is_near & ~convex).any(axis=1))
     normals = spot.normal + 0.0
-    _require_aligned(contacts, ~at_corner, normals)
+    for i in np.flatnonzero(in_pocket):
+        middle = pieces[corner[distance[i].argmin()], [BETA0, BETA1]].mean()
+        normals[i] = -np.sin(middle), np.cos(middle)
+    if (at_corner & ~in_pocket).any():
+        _require_normal(contacts)
+    _require_aligned(contacts, ~at_corner | in_pocket, normals, in_pocket)
     is_side = np.isinf(rows[:, RHO])
     lengths = np.where(is_side, rows[:, LENGTH] - spot.position, 0.0)
     ends = np.stack([np.where(is_side, -spot.position, 0.0), lengths], axis=-1)
     points = spot.point.copy()
     for i in np.flatnonzero(at_corner):
         nearest_corner = int(corner[distance[i].argmin()])
-        points[i] = pieces[nearest_corner, :2]
+        points[i], ends[i] = pieces[nearest_corner, :2], 0.0
+        if in_pocket[i]:
+            continue
         normals[i], ends[i] = _at_joint(outline, nearest_corner, contacts.normals[i])
     return Placement(contacts.pair(points), contacts.pair(normals)), contacts.pair(ends)
 
@@ -273,33 +288,33 @@ def _require_on(contacts: Contacts, touches: npt.NDArray[np.bool_], nearest: Arr
         )  # fmt: skip
 
 
-def _require_aligned(contacts: Contacts, beside: npt.NDArray[np.bool_], inward: Array) -> None:
-    """Refuse a normal that is not that of the side, for a contact away from the corners."""
+def _require_aligned(
+    contacts: Contacts,
+    beside: npt.NDArray[np.bool_],
+    inward: Array,
+    in_pocket: npt.NDArray[np.bool_],
+) -> None:
+    """Refuse a normal that is not that of the place, for a contact that is not at an outer corner."""
     if contacts.normal is None:
         return
     turn = np.hypot(*(contacts.normals - inward).T)
     refused = np.flatnonzero(beside & (turn > ALIGNED))
     if len(refused):
         i = refused[0]
+        allowed = "the inward normal of the side"
+        remedy = "with another one the fence would pass through the object"
+        if in_pocket[i]:
+            allowed = "the bisector of the normals of both sides at an inner corner"
+            remedy = "a point there touches two sides"
         raise InvalidValue(
             "normal", contacts.original("normal", i),
-            f"the inward normal of the side, ({inward[i, 0]:.6g}, {inward[i, 1]:.6g})",
-            "with another one the fence would pass through the object; leave the normal out",
+            f"{allowed}, ({inward[i, 0]:.6g}, {inward[i, 1]:.6g})", f"{remedy}; leave the normal out",
         )  # fmt: skip
 
 
-def _require_outer(
-    contacts: Contacts, is_near: npt.NDArray[np.bool_], convex: npt.NDArray[np.bool_]
-) -> None:
-    """Refuse a contact at an inner corner, and one at an outer corner without a normal."""
-    is_inner = (is_near & ~convex).any(axis=1)
-    if is_inner.any():
-        raise InvalidValue(
-            "point", contacts.original("point", int(is_inner.argmax())),
-            "a point that is not at an inner corner",
-            "a pusher there touches two sides; move the contact off the corner",
-        )  # fmt: skip
-    if contacts.normal is None and is_near.any():
+def _require_normal(contacts: Contacts) -> None:
+    """Refuse contacts at outer corners without normals."""
+    if contacts.normal is None:
         raise InvalidValue(
             "normal", None, "the normal of the fence at a corner",
             "give it: a corner touches a fence at any angle between those of its sides",

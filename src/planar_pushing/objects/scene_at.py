@@ -72,7 +72,7 @@ def scene_at(
         normal that of its side or arc.
         The outline is exact to a millionth of its size: a vertex that close to the one before, or to a
         straight side, is no corner, and a contact that close to a corner is there. At an inner corner a
-        pusher would touch two sides.
+        point touches two sides; its normal is the bisector of theirs.
     units : Units, optional
         Names of the units, for results.
 
@@ -94,8 +94,8 @@ def scene_at(
     Raises
     ------
     InvalidValue
-        If the normal is zero or points out of the object, the point is not on the outline or is at an inner
-        corner, there is no such side, a fence along the side would pass through the object, an effect
+        If the normal is zero, points out of the object or is not that of its place, the point is not on the
+        outline, there is no such side, a fence along the side would pass through the object, an effect
         cannot be placed in an object's frame, or shapes do not match.
 
     Notes

@@ -95,6 +95,11 @@ class Problem:
         slider, is_fence = self.scene.slider, self.shape == Shape.FENCE
         if slider.outline is None:
             return
+        if is_fence and np.any(np.asarray(slider.pocket) > 0.0):
+            raise InvalidValue(
+                "pusher", "a fence at an inner corner", "a point: a finger of radius 0",
+                "a fence there would pass through the object",
+            )  # fmt: skip
         fills = False
         try:
             if is_fence:

@@ -285,7 +285,7 @@ class TestOutline:
                 6,
                 (3, 1),
                 (1, 0),
-                r"point: array\(\[3., 1.\]\) given; .* move the contact off the corner",
+                r"normal: array\(\[1., 0.\]\) given; .* bisector .*; leave the normal out",
             ),
         ],
     )

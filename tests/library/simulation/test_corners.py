@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from simulation.scenes import FINGER_MEETS
 from simulation.scenes import METHODS as BOTH
 
 import planar_pushing as pp
@@ -123,33 +122,41 @@ def test_a_finger_that_passes_a_corner_meets_the_side_behind_it():
     assert log.object_angle[-1].item() == pytest.approx(wanted.object_angle[-1].item(), abs=1e-7)
 
 
-@pytest.mark.parametrize("normal", [(0, 1), (1, 0), (0.6, 0.8), None])
 @pytest.mark.parametrize("point", [(15, 0), (15, -1e-4), [(30, 0), (15, 1e-5)]])
-def test_a_contact_at_an_inner_corner_is_refused(point, normal):
+def test_a_contact_at_an_inner_corner_has_the_bisector_as_its_normal(point):
     tee = {"effects": (pp.SupportFriction(support=pp.Polygon(TEE)),), "contact": pp.Coulomb(0.2)}
-    with pytest.raises(pp.InvalidValue, match="two sides; move the contact off the corner"):
-        pp.scene_at(point, normal, outline=TEE, **tee)
+    scene = pp.scene_at(point, outline=TEE, **tee)
+    normal = np.stack(scene.placement.normal, axis=-1).reshape(-1, 2)[-1]
+    assert normal == pytest.approx([-np.sqrt(0.5), np.sqrt(0.5)])
+    assert np.ravel(scene.slider.pocket)[-1] == pytest.approx(np.pi / 4)
+    for other in ((0, 1), (1, 0), (0.6, 0.8)):
+        with pytest.raises(pp.InvalidValue, match=r"normal: .* (leave the normal out|of the side)"):
+            pp.scene_at(point, other, outline=TEE, **tee)
 
 
-def test_a_slider_with_an_inner_corner_at_its_contact_is_refused():
+def test_a_rod_at_an_inner_corner_is_beside_the_bisector_of_its_sides():
     corners = [(-1, 0), (-0.8, 0.2), (-0.8, 1), (1, 1), (1, -1), (-0.8, -1), (-0.8, -0.2)]
     outer = pp.Slider(rod_length=1.0, rod_angle=np.pi / 2, outline=corners)
     assert len(outer.outline.corners) == 7
-    dented = [(0.5, 0) if corner == (-1, 0) else corner for corner in corners]
+    assert outer.pocket == 0.0
+    dented = [(0.5 if corner == (-1, 0) else corner[0], corner[1]) for corner in corners]
+    outline = [(x - 2, y) for x, y in dented]
     for length in (-0.5 + 1e-7, np.array([0.1, -0.5])):
-        slider = {"rod_angle": np.pi / 2, "outline": [(x - 2, y) for x, y in dented]}
-        with pytest.raises(pp.InvalidValue, match="two sides; move the contact off the corner"):
-            pp.Slider(rod_length=length + 2.0, **slider)
+        slider = pp.Slider(rod_length=length + 2.0, rod_angle=np.pi / 2, outline=outline)
+        assert np.ravel(slider.pocket)[-1] == pytest.approx(np.pi / 2 - np.arctan2(0.2, 1.3))
+        with pytest.raises(pp.InvalidValue, match="bisector of the normals of both sides"):
+            pp.Slider(rod_length=length + 2.0, rod_angle=np.pi / 3, outline=outline)
 
 
 @METHODS
-def test_a_point_that_slides_into_an_inner_corner_stops_there(method):
+def test_a_point_that_slides_into_an_inner_corner_goes_on(method):
     tee = {"effects": (pp.SupportFriction(support=pp.Polygon(TEE)),), "contact": pp.Coulomb(0.0)}
     scene = pp.scene_at((30, 0), outline=TEE, **tee)
     finger = pp.Pusher(velocity=(-10, 1), frame="world", shape="finger")
     log = pp.simulate(scene, finger, duration=3.0, object_pose=(0, 0, 0), method=method)
-    assert log.attrs["stopped"] == FINGER_MEETS
-    assert abs(log.contact_position[-1].item()) == pytest.approx(15.0, abs=0.05)
+    assert log.attrs["stopped"] == ""
+    assert (log["mode"].values[-5:] == pp.ContactMode.STICK).all()
+    assert abs(log.contact_position[-1].item()) == pytest.approx(15.0, abs=1e-6)
 
 
 def test_proposed_pushes_at_corners_can_be_simulated():

@@ -36,6 +36,7 @@ from planar_pushing.core.instant.magnitude import (
     ring_motion_angle,
 )
 from planar_pushing.core.instant.modes import contact_modes
+from planar_pushing.core.instant.pocket import modes_in_pocket
 from planar_pushing.core.instant.solution import (
     MOST_SOLUTIONS,
     SOLUTION,
@@ -77,6 +78,8 @@ class PushRow(RodRow):
         Angle of the pusher's motion.
     moves : bool
         Whether the pusher moves.
+    pocket : float
+        At an inner corner, half of the angle between the normals of its sides; otherwise 0.
     """
 
     right: float
@@ -86,6 +89,7 @@ class PushRow(RodRow):
     rough: bool
     pusher: float
     moves: bool
+    pocket: float
 
 
 class ForceRow(RodRow):
@@ -196,12 +200,13 @@ HEAD_OF_RESULTS, RESULT, MOTION = size_of(PushResults), size_of(PushResult), siz
 
 
 class PushingProblem(NamedTuple):
-    """A push, the contact law, the motion of the pusher, and the rod."""
+    """A push, the contact law, the motion of the pusher, the rod, and `PushRow.pocket`."""
 
     push: Push
     law: Law
     pusher: Direction
     rod: Rod
+    pocket: float
 
 
 def solve(
@@ -217,7 +222,12 @@ def solve(
     for i in range(count):
         row, result = rows[i * columns :], results[i * width :]
         problem = pushing_problem(read_effects(data, row), PushRow(row[first:]))
-        number, flat = contact_modes(problem.push, problem.law, problem.pusher, solutions)
+        if problem.pocket > 0.0:
+            number, flat = modes_in_pocket(
+                problem.push, problem.rod, problem.law, problem.pusher, problem.pocket, solutions
+            )
+        else:
+            number, flat = contact_modes(problem.push, problem.law, problem.pusher, solutions)
         write_results(
             problem.rod,
             solutions,
@@ -244,7 +254,7 @@ def pushing_problem(effects: Effects, inputs: PushRow) -> PushingProblem:
     if not inputs.moves:
         pusher = Direction(angle=inputs.pusher, x=0.0, y=0.0, along=0.0, across=0.0)
     push = Push(effects, contact_at(-rod.length, 0.0), rod.x, -rod.y)
-    return PushingProblem(push, law, pusher, rod)
+    return PushingProblem(push, law, pusher, rod, inputs.pocket)
 
 
 def write_results(

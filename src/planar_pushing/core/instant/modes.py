@@ -159,9 +159,9 @@ def contact_modes(push: Push, law: Law, pusher: Direction, solutions: Numbers) -
         if slips.flat:
             Solution(solutions[stick_index * SOLUTION :]).continuum = True
     else:
-        number = _drop_solution(solutions, stick_index, number)
+        number = drop_solution(solutions, stick_index, number)
     if opens and stick_index == 1:
-        number = _drop_solution(solutions, 0, number)
+        number = drop_solution(solutions, 0, number)
     return number, slips.flat
 
 
@@ -173,7 +173,7 @@ def _can_be_open(pivot: ContactMotion) -> bool:
     return fabs(f_x + part * half_x) <= pivot.noise_x and fabs(f_y + part * half_y) <= pivot.noise_y
 
 
-def _drop_solution(solutions: Numbers, index: int, number: int) -> int:
+def drop_solution(solutions: Numbers, index: int, number: int) -> int:
     """Remove one of several solutions, and return how many are left."""
     for i in range(index, number - 1):
         copy_solution(solutions[i * SOLUTION :], solutions[(i + 1) * SOLUTION :])

@@ -60,7 +60,12 @@ from planar_pushing.core.motion.touch import (
     side_length,
     side_on_fence,
 )
-from planar_pushing.core.motion.wall import clearance_of
+from planar_pushing.core.motion.wall import (
+    clearance_of,
+    is_in_pocket,
+    side_of_pocket,
+    turn_to_side,
+)
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.supports.roots import MOST_ROOTS
 from planar_pushing.core.supports.rows import NO_POINT
@@ -78,8 +83,14 @@ def write_candidates(system: System, during: Span, time: float, state: RunState)
 
 
 def _write_slip_candidate(system: System, index: int, contact: int, u_x: float, u_y: float) -> None:
-    """Store a slip without inertia, with the motion of the contact."""
+    """Store a slip without inertia, with the motion of the contact.
+
+    At an inner corner, it leaves along a side, and the motion is given in the frame of the corner.
+    """
     candidate = write_candidate(system, index, contact)
+    if is_in_pocket(system):
+        u_x, u_y = turn_to_side(system, contact, u_x, u_y)
+        candidate.piece = side_of_pocket(system, contact)
     candidate.motion.x, candidate.motion.y = u_x, u_y
 
 
@@ -184,7 +195,8 @@ def _write_slips_at_speed(system: System, state: RunState, x: float, y: float, c
         solution = Solution(solutions[i * SOLUTION :])
         contact = solution.mode
         if slip_side(contact) != 0.0 and count < MOST_CANDIDATES - 2:
-            _write_slip_candidate(system, count, contact, size * solution.motion.x, y)
+            u_y = size * solution.motion.y if is_in_pocket(system) else y
+            _write_slip_candidate(system, count, contact, size * solution.motion.x, u_y)
             count += 1
     return count
 

@@ -6,6 +6,7 @@ from math import fabs, sqrt
 
 from planar_pushing.core.instant.solution import SEPARATE, STICK
 from planar_pushing.core.motion.candidates import write_starts
+from planar_pushing.core.motion.choice import hold_candidate
 from planar_pushing.core.motion.drag import friction_effects
 from planar_pushing.core.motion.equations import motion_in_mode, write_rates
 from planar_pushing.core.motion.feet import slowest_foot_at, stop_slowest_foot
@@ -46,7 +47,6 @@ from planar_pushing.core.motion.system import (
 from planar_pushing.core.motion.touch import (
     approach_of,
     count_points,
-    hold_candidate,
     is_flush,
     land_on_fence,
     settle_on_fence,

@@ -17,6 +17,7 @@ from planar_pushing.core.motion.mode import (
 from planar_pushing.core.motion.system import (
     CANDIDATE,
     CAUSES,
+    ELSEWHERE,
     LATER_GUARDS,
     MOST_CANDIDATES,
     STATE,
@@ -27,15 +28,17 @@ from planar_pushing.core.motion.system import (
     System,
     candidate_at,
     candidate_of,
+    copy_numbers,
     guards_of,
     is_massive,
     pace_of,
     vector_of,
     with_candidates,
 )
-from planar_pushing.core.motion.touch import hold_candidate, put_contact, state_at_candidate
-from planar_pushing.core.motion.wall import clearance_of
+from planar_pushing.core.motion.touch import count_points, hold_contact, put_contact
+from planar_pushing.core.motion.wall import clearance_of, is_in_pocket, leave_pocket, put_wall
 from planar_pushing.core.numbers import INFINITY, zeros
+from planar_pushing.core.supports.rows import NO_POINT
 from planar_pushing.core.supports.tolerances import NEAR_ZERO, NO_TREND, SLACK
 
 #: Time over which the trend of a margin is evaluated, as a fraction of that in which the pusher moves by
@@ -100,6 +103,26 @@ def _look_ahead(system: System, mode: Mode, time: float, state: RunState) -> Non
     write_guards(system, mode, time + ahead, trial, guards_of(system, LATER_GUARDS))
 
 
+def hold_candidate(system: System, state: RunState, index: int) -> None:
+    """Make the contact of a candidate mode the contact."""
+    candidate = candidate_of(system, index)
+    if count_points(system) > 0:
+        hold_contact(system, state, candidate.point, candidate.other_end)
+    elif candidate.piece >= 0:
+        leave_pocket(system, state, candidate.piece)
+
+
+def _state_at_candidate(system: System, state: RunState, index: int) -> RunState:
+    """The state at the contact of a candidate mode, which becomes the contact; the state is not changed."""
+    if count_points(system) == 0:
+        hold_candidate(system, state, index)
+        return state
+    elsewhere = vector_of(system, ELSEWHERE)
+    copy_numbers(elsewhere, state, system.entries)
+    hold_candidate(system, elsewhere, index)
+    return elsewhere
+
+
 def choose_mode(system: System, excluded: int, point: int, other_end: int) -> bool:
     """Choose a consistent mode by the policy; return whether there is one.
 
@@ -139,14 +162,18 @@ def _preferred_of_lasting(
     """
     run = system.run
     chosen, contact, count = -1, NO_MODE, 0
-    point, other_end = run.point, run.other_end
+    point, other_end, pocket = run.point, run.other_end, NO_POINT
+    if is_in_pocket(system):
+        pocket = run.wall.piece
     for i in range(candidates):
         mode = candidate_at(system, i, run.piece)
         lasts: bool = mode.contact != NO_MODE
         if lasts:
-            there = state_at_candidate(system, state, i)
+            there = _state_at_candidate(system, state, i)
             lasts = _holds(system, mode, time, there, later)
             put_contact(system, point, other_end)
+            if pocket >= 0 and not is_in_pocket(system):
+                put_wall(system, pocket, 0.0, state.along)
         candidate_of(system, i).lasts = lasts
         if lasts and not _repeats(system, i):
             count += 1

@@ -82,9 +82,11 @@ from planar_pushing.core.motion.touch import count_points, name_contact
 from planar_pushing.core.motion.wall import (
     begin_at_wall,
     confine_finger,
+    enters_pockets,
     follows_chain,
     go_to_next_piece,
     is_closed,
+    is_in_pocket,
     leave_corner,
     longest_step,
     open_wall,
@@ -252,6 +254,9 @@ def _begin_mode(system: System, excluded: int) -> None:
     """Choose a mode and begin it, or stop if none is consistent."""
     run = system.run
     run.phase = LOGS
+    if is_in_pocket(system) and not enters_pockets(system):
+        run.stopped = TWO_CONTACTS
+        return
     state, policy = vector_of(system, STATE), current_policy(system)
     during = span_at(system.fence, run.piece)
     point, other_end = run.point, run.other_end

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import fabs, log, sqrt
 
-from planar_pushing.core.instant.solution import SEPARATE, STICK
+from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, SLIP_RIGHT, STICK
 from planar_pushing.core.motion.drag import (
     depends_on_speed,
 )
@@ -53,8 +53,10 @@ from planar_pushing.core.motion.wall import (
     follows_chain,
     gap_of_finger,
     is_closed,
+    is_in_pocket,
     outline_height,
     room_on_piece,
+    turn_to_side,
 )
 from planar_pushing.core.numbers import UNKNOWN, Numbers
 from planar_pushing.core.supports.tolerances import NO_FORCE, PUSHES, SLACK
@@ -92,7 +94,7 @@ def _write_guards(
         guards[TOUCHES] = gap if fabs(gap) > SLACK else 0.0
         guards[PUSH_STARTS] = 1.0
     if rests_on_pusher:
-        guards[PUSH_STARTS] = PUSHES - instant.fence_y / system.run.speed
+        guards[PUSH_STARTS] = PUSHES - _approach_of(system, instant) / system.run.speed
     elif is_open and not system.run.parted:
         guards[TOUCHES] = gap_of_finger(system, state)
     if not rests:
@@ -105,6 +107,15 @@ def _write_guards(
         _guard_moving_contact(system, mode, state, instant, guards)
     else:
         _guard_quasi_static_contact(system, mode, instant, guards)
+
+
+def _approach_of(system: System, instant: Instant) -> float:
+    """Speed of the pusher toward the slider; at an inner corner, toward the side that it approaches."""
+    if not is_in_pocket(system):
+        return instant.fence_y
+    _, before = turn_to_side(system, SLIP_RIGHT, instant.fence_x, instant.fence_y)
+    _, after = turn_to_side(system, SLIP_LEFT, instant.fence_x, instant.fence_y)
+    return max(before, after)
 
 
 def _guard_moving_contact(
@@ -166,7 +177,8 @@ def _guard_quasi_static_contact(
     if mode.contact == REST and mode.touches:
         guards[NORMAL_REVERSES] = 1.0 if speed > 0.0 else -1.0
     elif mode.contact != REST:
-        guards[NORMAL_REVERSES] = instant.fence_y / speed if speed > 0.0 else 0.0
+        normal = _approach_of(system, instant)
+        guards[NORMAL_REVERSES] = normal / speed if speed > 0.0 else 0.0
         guards[TANGENTIAL_REVERSES] = instant.fence_x / speed if speed > 0.0 else 0.0
 
 

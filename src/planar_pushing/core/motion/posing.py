@@ -6,6 +6,7 @@ from math import atan2
 
 from planar_pushing.core.instant.directions import Direction, Rod, direction_at, rod_at
 from planar_pushing.core.instant.modes import contact_modes
+from planar_pushing.core.instant.pocket import modes_in_pocket
 from planar_pushing.core.instant.solution import (
     Push,
 )
@@ -69,4 +70,7 @@ def modes_of_push(
     """`contact_modes` of the problem at hand for a pusher along (x, y), at a fraction of unit speed."""
     pusher = pusher_along(pose, x, y, part)
     push = Push(problem_effects(system), pose.contact, pose.rod.x, -pose.rod.y)
-    return contact_modes(push, law_of(system, pose.rod), pusher, solutions)
+    law, pocket = law_of(system, pose.rod), system.run.wall.pocket
+    if pocket > 0.0:
+        return modes_in_pocket(push, pose.rod, law, pusher, pocket, solutions)
+    return contact_modes(push, law, pusher, solutions)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from math import atan2, fabs, sqrt
 from typing import NamedTuple
 
+from planar_pushing.core.instant.directions import QUARTER_TURN
 from planar_pushing.core.instant.solution import SLIP_RIGHT, STICK
 from planar_pushing.core.motion.mode import slip_side
 from planar_pushing.core.motion.shapes import Pose
@@ -48,7 +49,10 @@ def cone_margin(system: System, f_x: float, f_y: float, smallest: float) -> floa
     if scene.rough:
         return 1.0
     size = sqrt(f_x * f_x + f_y * f_y)
-    angle = (scene.left - scene.right) / 2.0 - fabs(atan2(f_x, f_y))
+    half = (scene.left - scene.right) / 2.0 + system.run.wall.pocket
+    if half > QUARTER_TURN:
+        return 1.0
+    angle = half - fabs(atan2(f_x, f_y))
     return angle * size / (size + smallest) if size > 0.0 else 0.0
 
 

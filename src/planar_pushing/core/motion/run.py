@@ -186,6 +186,9 @@ class Wall(Record):
         Its ends, along the pusher's path on the outline, from the contact at time 0 toward +x.
     position : float
         Arc length of the outline at the position `base`, from the contact at time 0.
+    pocket : float
+        At an inner corner, half of the angle between the normals of its sides; otherwise 0. A point there
+        only sticks, and its frame, about the bisector, rotates with the slider.
     """
 
     piece: int
@@ -198,6 +201,7 @@ class Wall(Record):
     start: float
     end: float
     position: float
+    pocket: float
 
 
 class Run(Record):

@@ -39,7 +39,7 @@ from planar_pushing.core.motion.log import (
     write_place_of_force,
     write_state,
 )
-from planar_pushing.core.motion.mode import NO_MODE
+from planar_pushing.core.motion.mode import NO_MODE, slip_side
 from planar_pushing.core.motion.rolling import travel_rate
 from planar_pushing.core.motion.shapes import (
     Pose,
@@ -74,13 +74,17 @@ from planar_pushing.core.motion.touch import name_contact
 from planar_pushing.core.motion.wall import (
     begin_at_wall,
     confine_finger,
+    enters_pockets,
     is_in_outline,
+    is_in_pocket,
     leave_corner,
+    leave_pocket,
     meets_in_step,
     open_wall,
     pass_ends,
     room_on_piece,
     seat_finger,
+    side_of_pocket,
 )
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.supports.rows import NO_POINT
@@ -165,6 +169,10 @@ def _choose(system: System) -> bool:
     chosen = Solution(room[0:])
     current, before = run.mode, run.solutions
     policy, state = policy_at(system.fence, piece), vector_of(system, STATE)
+    if is_in_pocket(system) and not enters_pockets(system):
+        run.mode, run.stopped = NO_MODE, TWO_CONTACTS
+        run.push.x, run.push.y = 0.0, 0.0
+        return True
     choice = choose_twist(system, current, policy, chosen)
     if leave_corner(system, span_at(system.fence, piece), run.time, state, choice.contact):
         choice = choose_twist(system, current, policy, chosen)
@@ -178,6 +186,9 @@ def _choose(system: System) -> bool:
     f_x, f_y = to_world(system, state, chosen.force.x, chosen.force.y)
     run.new_twist.x, run.new_twist.y = unit * chosen.twist.x, unit * chosen.twist.y
     run.new_twist.spin = unit * chosen.twist.spin
+    if is_in_pocket(system) and slip_side(choice.contact) != 0.0:
+        leave_pocket(system, state, side_of_pocket(system, choice.contact))
+        run.new_twist.x, run.new_twist.y = from_world(system, state, v_x, v_y)
     run.mode, run.pivot = choice.contact, chosen.pivot
     run.push.x, run.push.y, run.offset = f_x, f_y, choice.offset
     if not is_massive(system):

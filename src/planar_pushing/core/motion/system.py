@@ -97,6 +97,8 @@ class Candidate(Record):
     ----------
     point, other_end : int
         The contact's point, and the other end of a side on the fence, -1 without one.
+    piece : int
+        The side along which a point leaves an inner corner, -1 if it does not.
     barely_leaves : bool
         Whether the contact is an end of a side that barely moves away from the fence.
     lasts : bool
@@ -115,6 +117,7 @@ class Candidate(Record):
     motion: Pair
     point: int
     other_end: int
+    piece: int
     barely_leaves: bool
     lasts: bool
 
@@ -332,6 +335,7 @@ def write_candidate(system: System, index: int, contact: int) -> Candidate:
         candidate[k] = 0.0
     candidate.contact, candidate.foot, candidate.departure = contact, NO_POINT, 1
     candidate.point, candidate.other_end = system.run.point, system.run.other_end
+    candidate.piece = NO_POINT
     return candidate
 
 

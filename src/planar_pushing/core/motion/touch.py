@@ -16,13 +16,10 @@ from planar_pushing.core.instant.directions import nearest_integer
 from planar_pushing.core.motion.rolling import contact_in_body
 from planar_pushing.core.motion.run import Inputs
 from planar_pushing.core.motion.system import (
-    ELSEWHERE,
     RunState,
     System,
     candidate_of,
-    copy_numbers,
     is_massive,
-    vector_of,
 )
 from planar_pushing.core.numbers import INFINITY
 from planar_pushing.core.supports.chain import (
@@ -272,13 +269,6 @@ def hold_contact(system: System, state: RunState, point: int, other_end: int) ->
     system.run.other_end = other_end
 
 
-def hold_candidate(system: System, state: RunState, index: int) -> None:
-    """Make the contact of a candidate mode the contact."""
-    candidate = candidate_of(system, index)
-    if count_points(system) > 0:
-        hold_contact(system, state, candidate.point, candidate.other_end)
-
-
 def leave_side(system: System, index: int) -> None:
     """Let a candidate mode have its point as the contact, without a side."""
     candidate = candidate_of(system, index)
@@ -291,16 +281,6 @@ def name_contact(system: System, state: RunState) -> None:
         scene = system.scene
         move_contact(system, state, scene.wall if begins_on_round(system) else scene.chain)
         state.gap = system.scene.gap
-
-
-def state_at_candidate(system: System, state: RunState, index: int) -> RunState:
-    """The state at the contact of a candidate mode, which becomes the contact; the state is not changed."""
-    if count_points(system) == 0:
-        return state
-    elsewhere = vector_of(system, ELSEWHERE)
-    copy_numbers(elsewhere, state, system.entries)
-    hold_candidate(system, elsewhere, index)
-    return elsewhere
 
 
 def take_lowest_point(system: System, state: RunState) -> None:

@@ -72,7 +72,12 @@ def put_wall(system: System, number: int, place: float, along: float) -> None:
     wall.piece, wall.base, wall.place = number, along, place
     wall.position = _position_near(system, piece, place, position)
     wall.radius = INFINITY if is_side(piece) else piece.radius / fine
-    if is_side(piece):
+    wall.pocket = 0.0
+    if is_inner_corner(piece):
+        wall.pocket = (piece.first - piece.last) / 2.0
+        wall.radius, wall.angle = INFINITY, scene.turn - (piece.first + piece.last) / 2.0
+        wall.start, wall.end = -INFINITY, INFINITY
+    elif is_side(piece):
         x, y = x + place * piece.along_x, y + place * piece.along_y
         wall.angle = scene.turn - piece.first
         wall.start, wall.end = -along - place / fine, -along + (piece.length - place) / fine
@@ -132,8 +137,8 @@ def place_on_wall(system: System, along: float) -> float:
 def go_to_next_piece(system: System, state: RunState, joint: float) -> bool:
     """Make the piece after the end that the contact has reached the wall; return whether there is one.
 
-    The pieces join at the position `joint`. Beside an inner corner there is none, nor at a hollow arc that
-    a disc fills: it would touch both sides.
+    The pieces join at the position `joint`. There is none at a hollow arc that a disc fills, nor at an
+    inner corner, where it would touch both sides; a point goes into the corner without inertia.
     """
     wall = system.run.wall
     forward: bool = wall.end + state.along < -state.along - wall.start
@@ -143,7 +148,7 @@ def go_to_next_piece(system: System, state: RunState, joint: float) -> bool:
     fills: bool = (
         neighbor.radius < 0.0 and neighbor.radius + system.scene.fine * system.scene.radius > -1.0
     )
-    if is_inner_corner(neighbor) or fills:
+    if fills or (is_inner_corner(neighbor) and not enters_pockets(system)):
         return False
     put_wall(system, number, place=_end_of(neighbor, forward), along=joint)
     return True
@@ -163,7 +168,7 @@ def pass_ends(system: System, state: RunState) -> bool:
         joint = -wall.end if forward else -wall.start
         if not go_to_next_piece(system, state, joint):
             return False
-        if is_sharp(system):
+        if is_sharp(system) or is_in_pocket(system):
             state.along = joint
     return True
 
@@ -201,6 +206,36 @@ def is_sharp(system: System) -> bool:
     return follows_chain(system) and system.run.wall.radius + system.scene.radius == 0.0
 
 
+def enters_pockets(system: System) -> bool:
+    """Whether the pusher can be in an inner corner: a point, without inertia."""
+    return system.scene.radius == 0.0 and not is_massive(system)
+
+
+def is_in_pocket(system: System) -> bool:
+    """Whether a point is in an inner corner."""
+    return system.run.wall.pocket > 0.0
+
+
+def side_of_pocket(system: System, contact: int) -> int:
+    """The side along which a slip leaves the inner corner at the contact."""
+    piece = chain_piece(chain_of(system), system.run.wall.piece)
+    return piece.next if contact == SLIP_LEFT else piece.before
+
+
+def turn_to_side(system: System, contact: int, x: float, y: float) -> tuple[float, float]:
+    """A vector of the frame of an inner corner, in that of the side along which a slip leaves it."""
+    turn = system.run.wall.pocket if contact == SLIP_RIGHT else -system.run.wall.pocket
+    c, s = cos(turn), sin(turn)
+    return c * x + s * y, c * y - s * x
+
+
+def leave_pocket(system: System, state: RunState, number: int) -> None:
+    """Make a side of the inner corner at the contact the wall."""
+    side = chain_piece(chain_of(system), number)
+    is_after: bool = chain_piece(chain_of(system), system.run.wall.piece).next == number
+    put_wall(system, number, _end_of(side, is_after), state.along)
+
+
 def leave_corner(system: System, during: Span, time: float, state: RunState, contact: int) -> bool:
     """Let a point that slips at a corner go on to the side; return whether it does."""
     forward: bool = contact == SLIP_LEFT
@@ -223,6 +258,7 @@ def open_wall(system: System, state: RunState) -> None:
     c, s, gap = pose.rod.x, pose.rod.y, state.gap
     wall.anchor.x, wall.anchor.y = pose.contact.x + gap * s, pose.contact.y + gap * c
     wall.piece, wall.radius, wall.base, wall.angle = NO_POINT, INFINITY, state.along, angle
+    wall.pocket = 0.0
     wall.rod.x, wall.rod.y = c, s
     wall.start, wall.end = -INFINITY, INFINITY
 
@@ -302,8 +338,8 @@ def confine_finger(system: System, state: RunState) -> None:
     """Store the stretch of the wall on which a finger meets no other piece of the outline."""
     scene, run, wall = system.scene, system.run, system.run.wall
     run.low, run.high = -INFINITY, INFINITY
-    if not follows_chain(system) or wall.piece < 0:
-        return
+    if not follows_chain(system) or wall.piece < 0 or scene.radius == 0.0:
+        return  # a point meets another piece only at the end of its own
     place, unit = place_on_wall(system, state.along), 1.0 / scene.fine
     if not is_straight(wall):
         unit = unit_of_place(system)

@@ -187,7 +187,7 @@ def conservative_motion_cone(scene: Scene) -> AngleInterval:
         )  # fmt: skip
     if scene.stores_energy:
         require_ratio("conservative_gyration", scene.inertia[1] ** 0.5)
-    columns = [*scene.rows.body[:2], scene.law.right, scene.law.left]
+    columns = [*scene.rows.body[:2], scene.cone.right, scene.cone.left]
     right, left = elementwise(_conservative_cones, columns, CONE)
     cone: AngleInterval = interval(right, left, closed=False)
     return cone

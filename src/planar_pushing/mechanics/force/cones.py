@@ -83,7 +83,7 @@ def friction_cone(scene: Scene) -> AngleInterval:
         For a labeled scene, which has a DataArray as a parameter, an xarray.Dataset with the variables
         `right`, `left` and `closed`.
     """
-    law = require_scene(scene).law
+    law = require_scene(scene).cone
     cone: AngleInterval = interval(law.right, law.left, law.closed)
     return cone
 
@@ -257,7 +257,7 @@ def motion_cone(scene: Scene) -> AngleInterval:
     they differ is approached but never reached: the cone is open. The type of the result is that of
     `friction_cone`.
     """
-    law = require_point_scene(scene).law
+    law = require_point_scene(scene).cone
     length, angle, _ = scene.rows.body
     edges = row_of(ConeRow, length=length, angle=angle, right=law.right, left=law.left)
     columns = [*unit_columns(scene), *edges]
@@ -266,9 +266,9 @@ def motion_cone(scene: Scene) -> AngleInterval:
     return cone
 
 
-def leaves_the_fence(cone: AngleInterval) -> Any:
-    """Whether a motion cone contains motions away from the slider (Sec. 3.1)."""
-    return (cone.right < -RESOLUTION) | (cone.left > np.pi + RESOLUTION)
+def leaves_the_fence(cone: AngleInterval, pocket: Number = 0.0) -> Any:
+    """Whether a motion cone contains motions away from the slider (Sec. 3.1), as `Slider.pocket` says."""
+    return (cone.right < -pocket - RESOLUTION) | (cone.left > np.pi + pocket + RESOLUTION)
 
 
 def can_pull(scene: Scene) -> bool:
@@ -279,13 +279,13 @@ def can_pull(scene: Scene) -> bool:
     bool
         An array for an array of scenes, a DataArray for a labeled scene.
     """
-    pulls: bool = label_result("pulls", leaves_the_fence(motion_cone(scene)))
+    pulls: bool = label_result("pulls", leaves_the_fence(motion_cone(scene), scene.slider.pocket))
     return pulls
 
 
-def omits_pushes(cone: AngleInterval) -> Any:
-    """Whether a motion cone excludes some motions into the slider (Sec. 3.2)."""
-    return (cone.right > RESOLUTION) | (cone.left < np.pi - RESOLUTION)
+def omits_pushes(cone: AngleInterval, pocket: Number = 0.0) -> Any:
+    """Whether a motion cone excludes some motions into the slider (Sec. 3.2), as `Slider.pocket` says."""
+    return (cone.right > RESOLUTION - pocket) | (cone.left < np.pi + pocket - RESOLUTION)
 
 
 def slips_while_pushing(scene: Scene) -> bool:
@@ -296,6 +296,6 @@ def slips_while_pushing(scene: Scene) -> bool:
     bool
         An array for an array of scenes, a DataArray for a labeled scene.
     """
-    omits = omits_pushes(motion_cone(scene))
+    omits = omits_pushes(motion_cone(scene), scene.slider.pocket)
     slips: bool = label_result("slips_while_pushing", scene.law.slips & omits)
     return slips

@@ -197,7 +197,7 @@ def _motions(
     push: Sequence[Any], mode: Any, twist: Array, force: Array, motion: Array, pivot: Any, flat: Any
 ) -> tuple[Motions, Array]:
     """Solutions under a push, and the derivative of the angle of each one's edge with respect to mu."""
-    right, left, _, _, rough, toward, size = push
+    right, left, _, _, rough, _, toward, size = push
     is_right, sticks, rests = mode == SLIPS_RIGHT, mode == STICKS, mode == SEPARATES
     # The mode changes if a separating pusher grazes the slider or is at rest, or a sticking force is on an
     # edge.
