@@ -62,6 +62,7 @@ from .objects.inverse import Push, pushes_for
 from .objects.mjcf import to_mjcf
 from .objects.scene_at import scene_at
 from .objects.several.contact import Contact
+from .objects.several.simulate_contacts import simulate_contacts
 from .objects.several.solutions import (
     ContactsSolution,
     ContactsSolutionArrays,
@@ -84,6 +85,7 @@ from .simulation.log import to_pandas
 from .simulation.pusher import Pusher
 from .simulation.simulate import simulate
 from .simulation.until import Until
+from .simulation.walls import Wall
 from .stability.any_pressure import AnyPressure, any_pressure
 from .stability.stable import stable
 from .stability.stable_centers import StableCenters, StableCurve, stable_centers
@@ -160,6 +162,7 @@ __all__ = [
     "Units",
     "Until",
     "Viscous",
+    "Wall",
     "WrenchSet",
     "animate",
     "any_pressure",
@@ -194,6 +197,7 @@ __all__ = [
     "scene_at",
     "simulate",
     "simulate_batch",
+    "simulate_contacts",
     "simulate_pushes",
     "slips_while_pushing",
     "solve",

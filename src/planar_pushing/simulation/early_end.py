@@ -48,6 +48,18 @@ REASONS: Mapping[Stop, Reason] = {
         "the finger touches the object at two places",
         "a finger has one contact: end the push before, or push at another place or with a smaller finger",
     ),
+    Stop.JAMMED: Reason(
+        "the object is jammed: its contacts leave it no motion",
+        "the pushers close in on it; let one of them stop or give way",
+    ),
+    Stop.WEDGED: Reason(
+        "the object is wedged: forces of its contacts cancel without bound",
+        "no rigid motion obeys the contact laws there; lower the friction or push in another direction",
+    ),
+    Stop.MANY_CONTACTS: Reason(
+        "the object touches at more than four places",
+        "a run has four contacts at most, two of them on a flat side; leave out pushers or walls",
+    ),
 }  # fmt: skip
 
 

@@ -46,6 +46,9 @@ class Stop(IntEnum):
     PROGRESS = NO_PROGRESS
     TWO_CONTACTS = TWO_CONTACTS
     EVALUATIONS = TOO_MUCH_WORK
+    JAMMED = 9
+    WEDGED = 10
+    MANY_CONTACTS = 11
 
 
 def _is_finger(problem: Problem) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,9 @@ from planar_pushing.simulation.log import dataset, without_fill_values
 from planar_pushing.simulation.problem import Problem, warn_of_doubts
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.runs import Run, progress_bar
+from planar_pushing.simulation.several.rows import ContinuedRun, SeveralRows, wall_variables
 from planar_pushing.simulation.until import Until, UntilRun, require_condition
+from planar_pushing.simulation.walls import Wall, require_walls
 from planar_pushing.terms.domain import DURATION, GAP, SAMPLE_COUNT
 from planar_pushing.terms.errors import (
     InvalidValue,
@@ -29,8 +32,11 @@ from planar_pushing.terms.errors import (
     require_path,
 )
 from planar_pushing.terms.locks import PathLike
+from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.numbers import Array
-from planar_pushing.terms.options import Event, Method, MethodName, Policy, PolicyName
+from planar_pushing.terms.options import Event, Method, MethodName, Policy, PolicyName, Shape
+
+AnyRun = Run | UntilRun | ContinuedRun | SeveralRows
 
 
 @warn_of_early_end
@@ -48,6 +54,7 @@ def simulate(
     step: float | None = None,
     until: Event | ContactMode | str | Until | Callable[[dict[str, Any]], bool] | None = None,
     object_pose: Sequence[float] | None = None,
+    walls: Sequence[Wall] = (),
     path: PathLike | None = None,
     progress: bool = False,
 ) -> xr.Dataset:
@@ -154,7 +161,14 @@ def simulate(
     require_flag("progress", progress)
     chosen = require_option("method", method, Method, "name one of these methods")
     times = np.linspace(0.0, float(problem.duration), int(SAMPLE_COUNT.require("samples", samples)))
-    run = _run(problem, chosen, times, step, until)
+    walls = require_walls(walls)
+    run = _run(problem, chosen, times, step, until, walls)
+    if walls:
+        log = _with_walls(run, problem, chosen)
+        if path is None:
+            return log
+        write_dataset(log, Path(path))
+        return without_fill_values(xr.open_dataset(path, engine="h5netcdf"))
     if path is None:
         return dataset(problem, chosen, np.concatenate(list(_rows(run, progress))), run.stopped)
     from planar_pushing.simulation.storage.stream import streaming
@@ -167,22 +181,73 @@ def simulate(
 
 
 def _run(
-    problem: Problem, method: Method, times: Array, step: float | None, until: Any
-) -> Run | UntilRun:
+    problem: Problem,
+    method: Method,
+    times: Array,
+    step: float | None,
+    until: Any,
+    walls: Sequence[Wall],
+) -> AnyRun:
     """Create a run, which has not begun."""
     if step is not None and method != Method.TIME_STEPPING:
         raise InvalidValue(
             "step", step, "a number for the time-stepping method only",
             "leave it out, since rtol controls the steps of the event-driven method",
         )  # fmt: skip
-    start = partial(Run, problem, method=method, step=step)
+    start = partial(_start, problem, method, step, _in_fence_frame(walls, problem))
     run = start(times)
     if until is None:
         return run
     return UntilRun(start, times, require_condition(until, problem, method), problem, method)
 
 
-def _rows(run: Run | UntilRun, progress: bool) -> Iterator[Array]:
+def _start(
+    problem: Problem, method: Method, step: float | None, walls: Sequence[Wall], times: Array
+) -> AnyRun:
+    """A run that has not begun: with walls, or of a finger that can touch the object at two places."""
+    if walls:
+        rows = SeveralRows(problem, walls, times, method, step)
+        rows.require_apart()
+        return rows
+    run = Run(problem, times, method=method, step=step)
+    scene = problem.scene
+    is_finger = problem.shape == Shape.FINGER and scene.slider.outline is not None
+    if is_finger and not scene.stores_energy and float(np.asarray(problem.pusher.radius)) > 0.0:
+        return ContinuedRun(run, times, step)
+    return run
+
+
+def _with_walls(run: Any, problem: Problem, method: Method) -> xr.Dataset:
+    """The log of a run with walls."""
+    log = dataset(problem, method, np.concatenate(list(run)), run.stopped)
+    several: SeveralRows = run.last if isinstance(run, UntilRun) else run
+    variables = wall_variables(several, log.sizes["time"], problem.scene.units)
+    return log.assign(variables)
+
+
+def _in_fence_frame(walls: Sequence[Wall], problem: Problem) -> list[Wall]:
+    """Walls in the fence frame at time 0."""
+    if not walls:
+        return []
+    scene, world = problem.scene, problem.world
+    for name, given, allowed, remedy in (
+        ("object_pose", world is None, "the pose of the object in the world",
+         "give object_pose, because walls are in the world"),
+        ("outline", scene.slider.outline is None, "the outline of the object",
+         "give scene_at the outline, so that it can touch a wall"),
+        ("effects", scene.stores_energy, "a scene without inertia",
+         "leave Inertia out: with walls, the motion is quasi-static"),
+    ):  # fmt: skip
+        if given:
+            raise InvalidValue(name, None if name != "effects" else "inertia", allowed, remedy)
+    fence = world.fence  # type: ignore[union-attr]
+    return [
+        Wall(fence.point_in(wall.point).tolist(), fence.vector_in(wall.normal).tolist(), wall.law)
+        for wall in walls
+    ]
+
+
+def _rows(run: AnyRun, progress: bool) -> Iterator[Array]:
     """Yield the rows of a run, with a progress bar over the simulated time."""
     with progress_bar(float(run.problem.duration), "time", progress) as bar:
         for rows in run:

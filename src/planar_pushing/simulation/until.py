@@ -14,7 +14,6 @@ from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation.early_end import UNTIL
 from planar_pushing.simulation.fields import arrays, logged_fields
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.simulation.runs import Run
 from planar_pushing.terms.declared import require_declared
 from planar_pushing.terms.domain import DISTANCE, ROTATION
 from planar_pushing.terms.errors import InvalidValue, suggestion
@@ -142,7 +141,7 @@ class UntilRun:
     """
 
     def __init__(
-        self, start: Callable[[Array], Run], times: Array, condition: Condition, problem: Problem,
+        self, start: Callable[[Array], Any], times: Array, condition: Condition, problem: Problem,
         method: str,
     ) -> None:  # fmt: skip
         self.start, self.times, self.condition, self.problem = start, times, condition, problem
@@ -151,6 +150,7 @@ class UntilRun:
     def __iter__(self) -> Iterator[Array]:
         end = self._end()
         run = self.start(self.times if end is None else np.union1d(self.times, [end]))
+        self.last: Any = run
         for rows in run:
             holds = self._holds(rows)
             if holds.any():
@@ -177,7 +177,7 @@ class UntilRun:
             bracket = self._bracket(self.start(np.union1d(self.times, [*finer, end])))
         return end
 
-    def _bracket(self, run: Run) -> tuple[float, float] | None:
+    def _bracket(self, run: Any) -> tuple[float, float] | None:
         """Last time at which the condition does not hold, and first time at which it does."""
         before = 0.0
         for rows in run:

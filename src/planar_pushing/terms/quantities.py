@@ -206,6 +206,30 @@ FINGER: Quantities = {
     "work": ("force length", "work of the finger on the slider, accumulated"),
     "xy": ("1", "along the side and normal to it, at time 0"),
 }
+#: Variables of the log of a simulation with several contacts.
+SEVERAL: Quantities = {
+    **LOG,
+    "contact": ("1", "contact: a pusher or a wall"),
+    "contact_normal": ("degree", "direction of the inward normal in the world"),
+    "dissipated": ("force length", "energy dissipated by friction with the ground, accumulated"),
+    "force": ("force", "force of the pusher or wall on the object, along the world's axes"),
+    "gap": ("length", "distance of the object from the pusher or wall"),
+    "mode": ("1", "contact mode"),
+    "object_twist": (
+        "twist_unit",
+        "velocity of the origin of the object's frame along the world's axes, and angular velocity",
+    ),
+    "slip": ("length", "slip of the object over the pusher or along the wall, accumulated"),
+    "work": ("force length", "work of the pusher on the object, accumulated"),
+}
+#: Variables that the log of a simulation with walls holds, too.
+WALLS: Quantities = {
+    "wall": ("1", "wall"),
+    "wall_force": ("force", "force of the wall on the slider"),
+    "wall_gap": ("length", "distance of the slider from the wall"),
+    "wall_mode": ("1", "contact mode at the wall"),
+    "wall_slip": ("length", "slip of the slider along the wall, accumulated"),
+}
 #: Variables of a batch of simulations; a name can have another meaning than in a log.
 BATCH: Quantities = {
     **LOG,

@@ -86,7 +86,7 @@ def solve_contacts(
     """
     whole = None if outline is None else require_outline(outline)
     placed = place_contacts(contacts, whole, outline)
-    scene, center = _scene_of(effects, whole)
+    scene, center = scene_about_center(effects, whole)
     warn_of_doubts(effects, [contact.law for contact in placed], whole)
     require_held(scene)
     _require_no_squeeze(placed, scene)
@@ -101,7 +101,7 @@ def solve_contacts(
     return solutions_of(values)
 
 
-def _scene_of(effects: Any, outline: Any) -> tuple[Scene, tuple[float, float]]:
+def scene_about_center(effects: Any, outline: Any) -> tuple[Scene, tuple[float, float]]:
     """The object about its center, with a body frame along its own frame, and this center."""
     acting = require_effects(effects, outline)
     center, extent = measure_object(acting)
