@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
@@ -19,7 +19,6 @@ from planar_pushing.simulation.log import dataset, without_fill_values
 from planar_pushing.simulation.problem import Problem, warn_of_doubts
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.runs import Run, progress_bar
-from planar_pushing.simulation.several.rows import ContinuedRun, SeveralRows, wall_variables
 from planar_pushing.simulation.until import Until, UntilRun, require_condition
 from planar_pushing.simulation.walls import Wall, require_walls
 from planar_pushing.terms.domain import DURATION, GAP, SAMPLE_COUNT
@@ -36,7 +35,10 @@ from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Event, Method, MethodName, Policy, PolicyName, Shape
 
-AnyRun = Run | UntilRun | ContinuedRun | SeveralRows
+if TYPE_CHECKING:
+    from planar_pushing.simulation.several.rows import ContinuedRun, SeveralRows
+
+    AnyRun = Run | UntilRun | ContinuedRun | SeveralRows
 
 
 @warn_of_early_end
@@ -206,6 +208,8 @@ def _start(
 ) -> AnyRun:
     """A run that has not begun: with walls, or of a finger that can touch the object at two places."""
     if walls:
+        from planar_pushing.simulation.several.rows import SeveralRows
+
         rows = SeveralRows(problem, walls, times, method, step)
         rows.require_apart()
         return rows
@@ -213,14 +217,18 @@ def _start(
     scene = problem.scene
     is_finger = problem.shape == Shape.FINGER and scene.slider.outline is not None
     if is_finger and not scene.stores_energy and float(np.asarray(problem.pusher.radius)) > 0.0:
+        from planar_pushing.simulation.several.rows import ContinuedRun
+
         return ContinuedRun(run, times, step)
     return run
 
 
 def _with_walls(run: Any, problem: Problem, method: Method) -> xr.Dataset:
     """The log of a run with walls."""
+    from planar_pushing.simulation.several.rows import wall_variables
+
     log = dataset(problem, method, np.concatenate(list(run)), run.stopped)
-    several: SeveralRows = run.last if isinstance(run, UntilRun) else run
+    several = run.last if isinstance(run, UntilRun) else run
     variables = wall_variables(several, log.sizes["time"], problem.scene.units)
     return log.assign(variables)
 

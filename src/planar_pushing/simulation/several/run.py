@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
+from scipy.integrate import RK45
 
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation.fields import Stop
@@ -39,18 +40,6 @@ STOPS: dict[Reason | None, Stop] = {Reason.JAMMED: Stop.JAMMED, Reason.WEDGED: S
 SHORTEST, BEYOND_END = 1e-12, 1e-9
 #: Maximum number of events, and of those without any time between them.
 MOST_EVENTS, MOST_AT_ONCE = 10000, 25
-#: Weights of the stages, and of both formulas.
-STAGES = (
-    (),
-    (1 / 5,),
-    (3 / 40, 9 / 40),
-    (44 / 45, -56 / 15, 32 / 9),
-    (19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729),
-    (9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656),
-    (35 / 384, 0.0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84),
-)
-NODES = (0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0)
-ERROR = (71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40)
 
 
 class Row(NamedTuple):
@@ -100,6 +89,37 @@ class Totals(NamedTuple):
     rubbed: float
     load_work: float
     dissipated: Array
+
+
+class Step(NamedTuple):
+    """A step of the pair of formulas, with its interpolant.
+
+    Attributes
+    ----------
+    start : ndarray, shape (3,)
+        The pose at the beginning.
+    length, rates : float, ndarray
+        Length of the step, and rates of the pose and of the accumulated numbers at its stages.
+    error : float
+        Of the pose, in sizes of the outline and in radians.
+    """
+
+    start: Array
+    length: float
+    rates: Array
+    error: float
+
+    def pose_at(self, part: float) -> Pose:
+        """The pose after a part of the step."""
+        return Pose(*(self.start + self._change(part)[:3]).tolist())
+
+    def sums_at(self, part: float) -> Array:
+        """Changes of the accumulated numbers in a part of the step."""
+        return self._change(part)[3:]
+
+    def _change(self, part: float) -> Array:
+        powers = part ** np.arange(1, 5)
+        return np.asarray(self.length * ((RK45.P @ powers) @ self.rates))
 
 
 class EndOfModeError(Exception):
@@ -326,65 +346,66 @@ class SeveralRun:
         rtol: float,
     ) -> None:
         """Follow a motion until a contact arrives, its modes end, or a mover's velocity jumps."""
-        end = times[-1]
         active = [
             touch
             for touch, mode in zip(touches, motion.modes, strict=True)
             if mode != ContactMode.SEPARATE
         ]
         modes = tuple(mode for mode in motion.modes if mode != ContactMode.SEPARATE)
-        bound = min([time for time in self.breaks if time > self.time], default=end)
-        stops = sorted({*(time for time in times if time > self.time), min(bound, end)})
-        shortest, size = SHORTEST * end, end / 50.0
+        bound = min([time for time in self.breaks if time > self.time], default=times[-1])
+        bound = min(bound, times[-1])
+        shortest, size = SHORTEST * times[-1], times[-1] / 50.0
         ending, last = False, motion
-        while self.time < min(bound, end):
-            following = next(time for time in stops if time > self.time)
-            step = min(size, following - self.time)
+        while self.time < bound:
+            step = min(size, bound - self.time)
             try:
-                pose, error, rates = self._integrate(active, modes, last, step)
-                arrives = error <= rtol and self._overlaps(pose, self.time + step, active)
+                taken = self._integrate(active, modes, last, step)
+                arrives = taken.error <= rtol and self._overlaps(
+                    taken.pose_at(1.0), self.time + step, active
+                )
             except EndOfModeError:
-                arrives, error = True, 0.0
-            if arrives:
+                taken, arrives = None, True
+            if taken is None or arrives:
                 ending, size = True, step / 2.0
                 if size < shortest:
                     self._pass_end(active, last)
                     return
                 continue
-            if error > rtol:
-                size = step * max(0.2, 0.9 * (rtol / error) ** 0.2)
+            if taken.error > rtol:
+                size = step * max(0.2, 0.9 * (rtol / taken.error) ** 0.2)
                 continue
-            self.sums += step * rates
-            self.time = following if step == following - self.time else self.time + step
-            self.pose = self._without_gaps(pose, self.time, active)
-            last, active = self._motion_at(self.pose, self.time, active, modes, last)
+            until = bound if step == bound - self.time else self.time + step
+            begin, sums = self.time, self.sums
+            for time in (time for time in times if begin < time < until):
+                part = (time - begin) / step
+                self.time, self.pose = time, self._without_gaps(taken.pose_at(part), time, active)
+                self.sums = sums + taken.sums_at(part)
+                inner, places = self._motion_at(self.pose, time, active, modes, last)
+                self._write(places, inner, solutions)
+            self.time, self.sums = until, sums + taken.sums_at(1.0)
+            self.pose = self._without_gaps(taken.pose_at(1.0), until, active)
+            last, active = self._motion_at(self.pose, until, active, modes, last)
             if not ending:
-                size = step * min(5.0, 0.9 * (rtol / max(error, 1e-3 * rtol)) ** 0.2)
-            if self.time in stops and self.time < min(bound, end):
-                self._write(active, last, solutions)
+                size = step * min(5.0, 0.9 * (rtol / max(taken.error, 1e-3 * rtol)) ** 0.2)
 
     def _integrate(
         self, active: list[Touch], modes: tuple[int, ...], last: Motion, step: float
-    ) -> tuple[Pose, float, Array]:
-        """The pose after a step, its error in sizes of the outline, and mean rates of the sums."""
-        rates: list[Array] = []
-        motion, sums = last, np.zeros(len(self.sums))
-        start = np.array(self.pose)
-        for weights, node, part in zip(STAGES, NODES, (*STAGES[-1], 0.0), strict=True):
-            change = sum((w * r for w, r in zip(weights, rates, strict=True)), np.zeros(3))
-            pose = Pose(*(start + step * change))
-            time = self.time + node * step
+    ) -> Step:
+        """A step of the pose and of the accumulated numbers."""
+        rates, motion, start = np.zeros((7, 3 + len(self.sums))), last, np.array(self.pose)
+        for k in range(7):
+            weights, node = (RK45.A[k][:k], RK45.C[k]) if k < 6 else (RK45.B, 1.0)
+            change = weights @ rates[: len(weights), :3] if k else np.zeros(3)
+            pose = Pose(*(start + step * change).tolist())
+            time = self.time + float(node) * step
             motion, touches = self._motion_at(pose, time, active, modes, motion)
-            if part:
-                sums += part * self._rates(touches, motion, pose)
             c, s = math.cos(pose.angle), math.sin(pose.angle)
             v_x, v_y, omega = motion.twist
-            rates.append(np.array([c * v_x - s * v_y, s * v_x + c * v_y, omega]))
-        change = sum((w * r for w, r in zip(STAGES[-1], rates, strict=False)), np.zeros(3))
-        reached = start + step * change
-        off = step * sum((w * r for w, r in zip(ERROR, rates, strict=True)), np.zeros(3))
-        error = max(math.hypot(off[0], off[1]) / self.shape.size, abs(off[2]))
-        return Pose(*reached), error, sums
+            rates[k, :3] = c * v_x - s * v_y, s * v_x + c * v_y, omega
+            rates[k, 3:] = self._rates(touches, motion, pose)
+        x, y, turn = step * (RK45.E @ rates[:, :3])
+        error = max(math.hypot(x, y) / self.shape.size, abs(turn))
+        return Step(start, step, rates, error)
 
     def _motion_at(
         self, pose: Pose, time: float, active: list[Touch], modes: tuple[int, ...], last: Motion
