@@ -13,6 +13,7 @@ from planar_pushing.simulation.early_end import quietly, warn_of_early_end
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.simulation.until import Until
+from planar_pushing.simulation.walls import Wall
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import in_radians
 from planar_pushing.terms.replacing import PathLike
@@ -49,6 +50,9 @@ def arguments(entry: SimulateEntry) -> dict[str, Any]:
         "samples": int(entry.samples),
         "step": entry.step,
         "until": (until.event or until.mode or Until(**until.goals)) if until else None,
+        "walls": [
+            Wall(wall.point, wall.normal, wall.contact.build()) for wall in entry.walls or ()
+        ],
         "object_pose": (pose.x, pose.y, float(in_radians(pose.angle))) if pose else None,
     }
 

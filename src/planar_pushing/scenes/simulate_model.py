@@ -10,6 +10,7 @@ from typing import Annotated, Any, Self
 
 from pydantic import Discriminator, Tag, model_validator
 
+from planar_pushing.scenes.entries import ContactEntry
 from planar_pushing.scenes.fields import (
     Degrees,
     EventName,
@@ -76,6 +77,23 @@ class PoseEntry(FileModel):
     angle: Degrees
 
 
+class WallEntry(FileModel):
+    """A straight wall at rest: a point of it, its normal toward the free side, and its contact law."""
+
+    point: tuple[FiniteNumber, FiniteNumber]
+    normal: tuple[FiniteNumber, FiniteNumber]
+    contact: ContactEntry
+
+    @model_validator(mode="after")
+    def _has_direction(self) -> Self:
+        if not any(self.normal):
+            raise refuse_key(
+                "normal", list(self.normal), "a nonzero vector",
+                "give the direction toward the free side",
+            )  # fmt: skip
+        return self
+
+
 class UntilEntry(FileModel):
     """Stopping condition: an event, a contact mode, or the first goal reached; angles in degrees."""
 
@@ -136,6 +154,7 @@ class SimulateEntry(FileModel):
     initial_twist: TwistEntry | None = None
     initial_gap: Annotated[float, GAP] = 0.0
     object_pose: PoseEntry | None = None
+    walls: Annotated[tuple[WallEntry, ...], NotEmpty] | None = None
     until: UntilEntry | None = None
     samples: Annotated[float, SAMPLE_COUNT] = 101
     step: Positive | None = None
@@ -155,6 +174,8 @@ class SimulateEntry(FileModel):
             self._refuse("pusher_radius", "pusher_shape finger", "leave it out: a fence is a line")
         if self.pusher_frame == PusherFrame.WORLD and self.object_pose is None:
             self._refuse("pusher_frame", "an object_pose", "give the pose of the object at time 0")
+        if self.walls is not None and self.object_pose is None:
+            self._refuse("walls", "an object_pose", "give the pose of the object at time 0")
         if self.step is not None and self.method != Method.TIME_STEPPING:
             self._refuse(
                 "step", "the method time-stepping", "leave it out: rtol controls the steps"
