@@ -3,7 +3,7 @@
 from .datasets import open_dataset
 from .drawing.animate import animate
 from .drawing.comparison import plot_comparison
-from .drawing.draw import draw, plot_log
+from .drawing.draw import draw, draw_contacts, plot_log
 from .drawing.stable_centers import plot_stable_centers
 from .mechanics.angles import AngleInterval
 from .mechanics.contact import (
@@ -171,6 +171,7 @@ __all__ = [
     "concat_pushes",
     "conservative_motion_cone",
     "draw",
+    "draw_contacts",
     "first_touch",
     "fit_ellipsoid",
     "friction_cone",

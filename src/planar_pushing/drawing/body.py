@@ -118,11 +118,12 @@ def body_of(scene: Scene) -> Body:
 def _outline_rings(scene: Scene) -> Rings:
     """Vertices of a scene's outline and of its holes in the body frame; none without an outline."""
     outline = scene.slider.outline_in_body()
-    return () if outline is None else _rings(outline)
+    return () if outline is None else outline_rings(outline)
 
 
 @cache_results(32)
-def _rings(outline: Outline) -> Rings:
+def outline_rings(outline: Outline) -> Rings:
+    """Vertices of an outline and of its holes."""
     chains, tolerance = split_chains(outline.pieces), FLAT * outline.size
     return tuple(tuple(map(tuple, sample_chain(chain, tolerance).tolist())) for chain in chains)
 

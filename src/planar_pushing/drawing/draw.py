@@ -15,6 +15,7 @@ from planar_pushing.drawing.canvas.axes import schematic, to_axes
 from planar_pushing.drawing.canvas.colors import GUIDE
 from planar_pushing.drawing.canvas.marks import NOTE
 from planar_pushing.drawing.canvas.style import paper_style
+from planar_pushing.drawing.contacts import ContactsPicture
 from planar_pushing.drawing.motion import box
 from planar_pushing.drawing.over_time import (
     draw_frames,
@@ -29,9 +30,11 @@ from planar_pushing.drawing.sketch import Sketch, with_curve
 from planar_pushing.drawing.timeline import announce_end, impacts, key_rows, path_data
 from planar_pushing.drawing.words import outcome
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.scene import Scene, require_scene, require_single
 from planar_pushing.mechanics.solutions import Solution
 from planar_pushing.mechanics.solve import solve
+from planar_pushing.objects.several.contact import Contact
 from planar_pushing.terms.domain import require_in_range
 from planar_pushing.terms.errors import InvalidValue, require_flag, require_kind, require_number
 
@@ -117,6 +120,50 @@ def draw(
             scene, pusher_angle, pusher_magnitude, solutions=solutions, chosen=chosen
         )
     return _draw_axes(with_curve(sketch, scene) if limit_curve else sketch, cones, ax)
+
+
+def draw_contacts(
+    contacts: Sequence[Contact],
+    *,
+    effects: Sequence[Effect],
+    outline: Any = None,
+    solution: int = 0,
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw an object with several contacts: their friction cones, forces and motions, and the center.
+
+    Parameters
+    ----------
+    contacts, effects, outline
+        As of `solve_contacts`, of one problem.
+    solution : int
+        Which of the solutions is drawn.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; by default those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        With a scale bar, and what the contacts do as the title. A force that is not determined is drawn by
+        both ends of its range; one without a bound, by its direction.
+
+    Raises
+    ------
+    InvalidValue
+        As of `solve_contacts`, or if there is no such solution.
+    """
+    if ax is not None and not isinstance(ax, Axes):
+        raise InvalidValue("ax", ax, "axes of matplotlib", "leave them out for a new figure")
+    sketch = ContactsPicture(contacts, effects, outline, solution)
+    with paper_style():
+        title = wrap(sketch.title())
+        axes = _axes_under_title(new_figure(SCENE), title) if ax is None else ax
+        axes.set_axis_off()
+        picture, frame = sketch.draw(), sketch.box()
+        add_scale(picture, frame, 0.3 * float(np.ptp(frame[:, 0])), "")
+        to_axes(picture, axes, frame, PAD)
+        axes.set_title(title, fontsize=NOTE + 0.5, color=GUIDE)
+    return axes
 
 
 def outcome_of(sketch: Sketch) -> str:

@@ -1,0 +1,55 @@
+"""Pictures of objects with several contacts."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+import planar_pushing as pp
+from planar_pushing.drawing.canvas.marks import Arrow
+from planar_pushing.drawing.contacts import ContactsPicture
+
+SQUARE = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+FRICTION = [pp.SupportFriction(support=pp.Polygon(SQUARE))]
+
+
+def touch(point, mu, velocity=(0, 0)):
+    """A contact with Coulomb friction."""
+    return pp.Contact(point, law=pp.Coulomb(mu), velocity=velocity)
+
+
+@pytest.fixture(autouse=True)
+def _close():
+    yield
+    plt.close("all")
+
+
+@pytest.mark.parametrize(
+    ("contacts", "words", "forces"),
+    [
+        ([touch((-1, 0.5), 0.2, (1, -0.5)), touch((0.3, -1), 0.2)], "contact 1 slips left", 2),
+        # Two fingers that stick: the inner force has a range, and each contact two arrows.
+        ([touch((-0.5, -1), 0.5, (0, 1)), touch((0.5, -1), 0.5, (0, 0.8))], "contact 2 sticks", 4),
+        ([touch((-1, 0.3), 1.0, (1, 0)), touch((1, -0.4), 1.0)], "no motion: wedged", 0),
+        ([touch((-1, 0.3), 1.0, (1, 0)), touch((1, 0.3), 1.0)], "no motion: jammed", 0),
+    ],
+)
+def test_pictures_show_cones_forces_and_what_happens(contacts, words, forces):
+    axes = pp.draw_contacts(contacts, effects=FRICTION, outline=SQUARE)
+    assert words in axes.get_title()
+    picture = ContactsPicture(contacts, FRICTION, SQUARE, 0)
+    arrows = [mark for mark in picture.draw().marks if isinstance(mark, Arrow) and mark.filled]
+    assert len(arrows) == forces
+    low, high = picture.box()
+    for arrow in arrows:
+        assert (np.asarray(arrow.points) >= low - 1e-9).all()
+        assert (np.asarray(arrow.points) <= high + 1e-9).all()
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [({"solution": 3}, "a number below 1"), ({"ax": 3}, "axes of matplotlib")],
+)
+def test_wrong_options_are_refused(options, said):
+    contacts = [touch((-1, 0.5), 0.2, (1, -0.5)), touch((0.3, -1), 0.2)]
+    with pytest.raises(pp.InvalidValue, match=said):
+        pp.draw_contacts(contacts, effects=FRICTION, outline=SQUARE, **options)
