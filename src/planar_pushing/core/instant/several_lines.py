@@ -69,12 +69,17 @@ MOST_ANGLES = 64
 ANY_LOAD = 1e9
 
 
-def _write_bounds(several: Several, modes: Numbers, motions: MotionSet, bounds: Numbers) -> bool:
-    """Write how far one can go along a line of twists in both senses; whether any of it is left."""
+def _write_bounds(several: Several, sharing: Sharing, motions: MotionSet, bounds: Numbers) -> bool:
+    """Write how far one can go along a line of twists in both senses; whether any of it is left.
+
+    Every contact keeps its mode, and without loads the power of at least one unit force is positive.
+    """
     bounds[0], bounds[1] = -INFINITY, INFINITY
     size = 1.0 + length_of_twist(motions.twist)
+    if not several.loaded:
+        _bound_by_power(sharing, motions, bounds)
     for i in range(several.number):
-        frame, mode = frame_of(several, i), int(modes[i])
+        frame, mode = frame_of(several, i), int(sharing.modes[i])
         if mode == STICK:
             continue
         value, row = gap_rate(frame, motions.twist), as_vector(frame.across)
@@ -95,6 +100,24 @@ def _write_bounds(several: Several, modes: Numbers, motions: MotionSet, bounds: 
             return False
         bounds[0] = bounds[1]
     return True
+
+
+def _bound_by_power(sharing: Sharing, motions: MotionSet, bounds: Numbers) -> None:
+    """Narrow a line of twists to the smallest interval with all those at which a contact does work."""
+    low, high = INFINITY, -INFINITY
+    for k in range(sharing.number):
+        unit = _unit_vector(sharing.units, k)
+        value, slope = dot_vectors(unit, motions.twist), dot_vectors(unit, motions.direction)
+        length = length_of_twist(unit)
+        slack = COINCIDENT * length * (1.0 + length_of_twist(motions.twist))
+        if fabs(slope) <= SHARE * length:
+            if value > -slack:
+                low, high = -INFINITY, INFINITY
+        elif slope > 0.0:
+            low, high = min(low, -(value + slack) / slope), INFINITY
+        else:
+            low, high = -INFINITY, max(high, -(value + slack) / slope)
+    bounds[0], bounds[1] = max(bounds[0], low), min(bounds[1], high)
 
 
 def _span_of(sharing: Sharing, probes: Numbers) -> int:
@@ -148,7 +171,7 @@ def add_on_line(
     With slips alone the lines of force span a plane of wrenches, and the load must be in it.
     """
     bounds, probes = zeros(2), zeros(6)
-    if not _write_bounds(several, sharing.modes, motions, bounds):
+    if not _write_bounds(several, sharing, motions, bounds):
         return count
     span = _span_of(sharing, probes)
     if span == 3:
@@ -177,11 +200,11 @@ def add_from_rest(
 ) -> int:
     """Add the solutions on a line of twists through rest, and return the number of solutions.
 
-    The direction of friction is the same all along each half of it, so that one of its twists is a solution.
+    The direction of friction is the same all along each half of it, so one of its twists is a solution.
     With friction alone all are, and the end of that continuum which is not at rest is written.
     """
     bounds, probes = zeros(2), zeros(6)
-    if not _write_bounds(several, sharing.modes, motions, bounds):
+    if not _write_bounds(several, sharing, motions, bounds):
         return count
     span = _span_of(sharing, probes)
     probe = Vector(probes[0], probes[1], probes[2])

@@ -42,6 +42,8 @@ from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import Array
 
+#: Room for the solutions of up to two contacts, of which five were the most that random scenes had.
+ROOM_FOR_TWO = 8
 #: Contacts whose normals are opposite, and on one line, to within this.
 OPPOSITE = 1e-9
 
@@ -149,7 +151,7 @@ def _solve_arrays(
         scaled += _row_of_contact(contact, center, radius, size)
     count = len(contacts)
     geometry = _Geometry(contacts, center, radius)
-    width = SeveralResults.size + MOST_OF_SEVERAL * SEVERAL_SOLUTION
+    width = SeveralResults.size + _room_of(count) * SEVERAL_SOLUTION
     arrays = map_kernel(
         "solve_contacts",
         rows.data,
@@ -179,9 +181,14 @@ def _row_of_contact(
     )
 
 
+def _room_of(count: int) -> int:
+    """Length of the axis of solutions for a number of contacts."""
+    return ROOM_FOR_TWO if count <= 2 else MOST_OF_SEVERAL
+
+
 def outputs_of(count: int) -> tuple[Output, ...]:
     """The results of each problem with a number of contacts."""
-    many, xy, each = ("solution", MOST_OF_SEVERAL), ("xy", 2), ("contact", count)
+    many, xy, each = ("solution", _room_of(count)), ("xy", 2), ("contact", count)
     return (
         Output("solutions", (), "i1"),
         Output("status", (), "i1"),
@@ -214,47 +221,63 @@ class _Geometry:
         self, results: Array, columns: Sequence[Any], outputs: Sequence[npt.NDArray[Any]]
     ) -> None:
         """Write the outputs in the units of the object; the last columns of a row are its units."""
-        size, unit = (np.asarray(column)[..., None] for column in columns[-2:])
-        (
-            counts, status, reason, modes, twist, forces, ends, inner, directions, motions, rates,
-            pivot, continuum, condition,
-        ) = outputs  # fmt: skip
-        count = len(self.points)
+        counts, status, reason, modes, *others = outputs
         head = Columns(SeveralResults, results)
         counts[:], status[:], reason[:] = head.count, head.status, head.reason
-        rows = results[:, SeveralResults.size :].reshape(len(results), MOST_OF_SEVERAL, -1)
-        rows = Columns(SeveralSolution, rows)
-        exists = np.arange(MOST_OF_SEVERAL) < counts[:, None]
-        with np.errstate(invalid="ignore"):
-            closed = np.where(np.isnan(rows.modes), -1.0, rows.modes)[..., :count]
-        modes[:] = closed
+        most = int(counts.max(initial=0))
+        modes[:] = -1
+        for output in others:
+            output[:] = (
+                np.nan if output.dtype.kind == "f" else -1 if output.dtype.kind == "i" else 0
+            )
+        if most == 0:
+            return
+        numbers = results[:, SeveralResults.size :].reshape(len(results), -1, SEVERAL_SOLUTION)
+        rows = Columns(SeveralSolution, numbers[:, :most])
+        exists = np.arange(most) < counts[:, None]
+        modes[:, :most] = np.where(exists[..., None], rows.modes, -1.0)[..., : len(self.points)]
+        kept = [output[:, :most] for output in others]
+        self._decode_motions(columns, rows, modes[:, :most], kept)
+        self._decode_forces(columns, rows, kept)
+        pivot, continuum = kept[7:9]
+        pivot[:] = np.where(exists, rows.pivot, -1.0)
+        continuum[:] = rows.continuum == 1.0
+
+    def _decode_motions(
+        self, columns: Sequence[Any], rows: Any, modes: Any, outputs: Sequence[Array]
+    ) -> None:
+        """Write the twists, and the motions at the contacts."""
+        size, twist, motions = np.asarray(columns[-2])[..., None], outputs[0], outputs[5]
         omega = rows.twist[..., 2] * size / self.radius
-        c_x, c_y = self.center
+        (c_x, c_y), (x, y) = self.center, self.points.T
         twist[..., 0] = rows.twist[..., 0] * size + omega * c_y
         twist[..., 1] = rows.twist[..., 1] * size - omega * c_x
         twist[..., 2] = omega
-        x, y = self.points.T
         motions[..., 0] = twist[..., 0, None] - omega[..., None] * y
         motions[..., 1] = twist[..., 1, None] + omega[..., None] * x
-        shape = (*rows.modes.shape[:2], 4, 2)
-        low = rows.low_forces.reshape(shape)[:, :, :count]
-        high = rows.high_forces.reshape(shape)[:, :, :count]
+        self._decode_rates(columns, modes, motions, outputs[6])
+
+    def _decode_forces(self, columns: Sequence[Any], rows: Any, outputs: Sequence[Array]) -> None:
+        """Write the forces at both ends of their range."""
+        unit = np.asarray(columns[-1])[..., None]
+        forces, ends, inner, directions = outputs[1:5]
+        shape = (*rows.pivot.shape, -1, 2)
+        low = rows.low_forces.reshape(shape)[:, :, : len(self.points)]
+        high = rows.high_forces.reshape(shape)[:, :, : len(self.points)]
         infinite = np.stack([rows.low_infinite, rows.high_infinite], axis=-1) == 1.0
-        scale = unit[..., None, None]
-        for k, (force, end) in enumerate(((low, forces), (high, ends))):
-            without = infinite[..., k, None, None]
-            directions[:, :, k] = np.where(without, force, np.nan)
-            grown = np.where(np.abs(force) > OPPOSITE, np.copysign(np.inf, force), 0.0)
-            end[:] = np.where(without, grown, force * scale)
-            end[~exists] = np.nan
+        np.multiply(low, unit[..., None, None], out=forces)
+        np.multiply(high, unit[..., None, None], out=ends)
         inner[..., 0], inner[..., 1] = rows.low_inner * unit, rows.high_inner * unit
-        continuum[:] = rows.continuum == 1.0
-        pivot[:] = np.where(exists, rows.pivot, -1.0)
-        self._decode_rates(columns, modes, motions, rates)
-        self._decode_condition(np.stack([low, high]), infinite, condition)
+        if infinite.any():
+            for k, (force, end) in enumerate(((low, forces), (high, ends))):
+                without = infinite[..., k, None, None]
+                directions[:, :, k] = np.where(without, force, np.nan)
+                grown = np.where(np.abs(force) > OPPOSITE, np.copysign(np.inf, force), 0.0)
+                end[:] = np.where(without, grown, end)
+        self._decode_condition(np.stack([low, high]), infinite, outputs[9])
 
     def _decode_rates(
-        self, columns: Sequence[Any], modes: Array, motions: Array, rates: Array
+        self, columns: Sequence[Any], modes: Any, motions: Array, rates: Array
     ) -> None:
         """Write how fast the gaps open; those of closed contacts do not."""
         size, first = np.asarray(columns[-2]), len(columns) - 2 - SeveralRow.size * len(self.points)
