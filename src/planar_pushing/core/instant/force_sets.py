@@ -63,8 +63,9 @@ class ForceEnd(Record):
 
 
 UNIT_FORCE, FORCE_END = size_of(UnitForce), size_of(ForceEnd)
-#: Numbers of an end with its coefficients.
-END_OF_FORCES = FORCE_END + MOST_UNITS
+#: Numbers of an end with its coefficients, and the place of the sums of the coefficients of all extreme
+#: forces and directions, which follow those of the lower end. The sums are inside of the set.
+END_OF_FORCES, FORCES_INSIDE = FORCE_END + 2 * MOST_UNITS, FORCE_END + MOST_UNITS
 
 
 class HeldLoad(NamedTuple):
@@ -112,6 +113,8 @@ def balance_load(
     """
     ForceEnd(low).exists, ForceEnd(high).exists = False, False
     ForceEnd(low).is_infinite, ForceEnd(high).is_infinite = False, False
+    for i in range(count):
+        low[FORCES_INSIDE + i] = 0.0
     for i in range(-1, count):
         for j in range(i if i < 0 else i + 1, count):
             for k in range(j if j < 0 else j + 1, count):
@@ -138,6 +141,7 @@ def _offer_forces(
     inner = 0.0
     for i in range(count):
         inner += coefficients[i] * UnitForce(units[UNIT_FORCE * i :]).inner
+        low[FORCES_INSIDE + i] += coefficients[i]
     lowest, highest = ForceEnd(low), ForceEnd(high)
     if not lowest.exists or inner < lowest.inner:
         lowest.exists, lowest.inner = True, inner
@@ -422,6 +426,8 @@ def _offer_direction(
             owner = force.contact
     if not several:
         return False
+    for m in range(count):
+        low[FORCES_INSIDE + m] += max(coefficients[m], 0.0)
     if fabs(inner) > INDEPENDENT * largest:
         if inner > 0.0 and not ForceEnd(high).is_infinite:
             ForceEnd(high).is_infinite = True

@@ -76,7 +76,12 @@ def add_at_rest(several: Several, sharing: Sharing, solutions: Numbers, count: i
         sharing.units,
         sharing.number,
         HeldLoad(
-            x=-load.x, y=-load.y, torque=-load.spin, limit=0.0, foot_x=0.0, foot_y=0.0,
+            x=-load.x,
+            y=-load.y,
+            torque=-load.spin,
+            limit=0.0,
+            foot_x=0.0,
+            foot_y=0.0,
             size=fabs(load.x) + fabs(load.y) + fabs(load.spin),
         ),  # fmt: skip
         BALANCED,

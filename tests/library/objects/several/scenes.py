@@ -132,10 +132,20 @@ def compare(scene, seed, starts):
         unmet = [j for j in unmet if not any(is_same(z[:3], twists[j], error) for z in met)]
         if k == 0:
             extra = [z[:3] for z in met if not any(is_same(z[:3], t, error) for t in twists)]
+    unmet = [j for j in unmet if not needs_infinite_friction(scene, answer[j])]
     ends = [solution.twist for solution in answer if solution.continuum]
     ends = [*ends, np.zeros(3)] if len(ends) == 1 else ends
     extra = [z for z in extra if not is_between(z, ends)]
     return answer, [(modes_of(answer[j]), twists[j].tolist()) for j in unmet], extra
+
+
+def needs_infinite_friction(scene, solution):
+    """Whether a force is along the tangent of its contact, as no finite friction permits."""
+    across = (scene.problem.normals * solution.forces).sum(axis=1)
+    sizes = np.hypot(*solution.forces.T)
+    return bool(
+        np.any((scene.problem.friction == LARGE) & (sizes > 0.0) & (across <= 1e-9 * sizes))
+    )
 
 
 def is_same(one, other, error):
