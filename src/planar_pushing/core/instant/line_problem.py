@@ -537,10 +537,10 @@ def _feet_ranges(line: TwistLine, low: float, high: float, inside: float) -> Ran
     effects = line.effects
     first, last = Turned(cos(low), sin(low)), Turned(cos(high), sin(high))
     within = Turned(cos(inside), sin(inside))
-    least, most, least_slope, most_slope = line.constant, line.constant, 0.0, 0.0
+    lowest, highest, least_slope, most_slope = line.constant, line.constant, 0.0, 0.0
     if line.linear != 0.0:
         one, other = line.linear * first.s / first.c, line.linear * last.s / last.c
-        least, most = least + min(one, other), most + max(one, other)
+        lowest, highest = lowest + min(one, other), highest + max(one, other)
         one, other = line.linear / (first.c * first.c), line.linear / (last.c * last.c)
         least_slope, most_slope = min(one, other), max(one, other)
         if low < 0.0 < high:
@@ -555,13 +555,13 @@ def _feet_ranges(line: TwistLine, low: float, high: float, inside: float) -> Ran
                 term = _foot_term(line, support.extent * atom.x, support.extent * atom.y)
                 if term.turn == 0.0:
                     value = share * _term_power(term, within).value
-                    least, most = least + value, most + value
+                    lowest, highest = lowest + value, highest + value
                 else:
                     part = _term_ranges(term, first, last)
-                    least, most = least + share * part.low, most + share * part.high
+                    lowest, highest = lowest + share * part.low, highest + share * part.high
                     least_slope += share * part.least_slope
                     most_slope += share * part.most_slope
-    return Ranges(least, most, least_slope, most_slope)
+    return Ranges(lowest, highest, least_slope, most_slope)
 
 
 def _term_ranges(term: FootTerm, first: Turned, last: Turned) -> Ranges:
@@ -582,15 +582,15 @@ def _term_ranges(term: FootTerm, first: Turned, last: Turned) -> Ranges:
     slow, fast = a_x * a_x + a_y * a_y, b_x * b_x + b_y * b_y
     one = (u_x * a_x + u_y * a_y) / sqrt(slow)
     other = (u_x * b_x + u_y * b_y) / sqrt(fast)
-    least, most = min(one, other), max(one, other)
+    lowest, highest = min(one, other), max(one, other)
     at_a, at_b = a_x * u_y - a_y * u_x, b_x * u_y - b_y * u_x
     if at_a * at_b < 0.0:
         z_x, z_y = fabs(at_b) * a_x + fabs(at_a) * b_x, fabs(at_b) * a_y + fabs(at_a) * b_y
         longest = sqrt(u_x * u_x + u_y * u_y)
         if z_x * u_x + z_y * u_y > 0.0:
-            most = longest
+            highest = longest
         else:
-            least = -longest
+            lowest = -longest
     up_a, up_b = term.turn * (da_x * u_y - da_y * u_x), term.turn * (db_x * u_y - db_y * u_x)
     bottom, top = min(term.turn * at_a, term.turn * at_b), max(term.turn * at_a, term.turn * at_b)
     if up_a * up_b < 0.0:
@@ -615,8 +615,8 @@ def _term_ranges(term: FootTerm, first: Turned, last: Turned) -> Ranges:
             fast = max(fast, largest)
     steep, mild = 1.0 / (slow * sqrt(slow)), 1.0 / (fast * sqrt(fast))
     return Ranges(
-        least,
-        most,
+        lowest,
+        highest,
         least_slope=bottom * (steep if bottom < 0.0 else mild),
         most_slope=top * (steep if top > 0.0 else mild),
     )

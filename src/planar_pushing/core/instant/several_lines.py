@@ -72,7 +72,7 @@ ANY_LOAD = 1e9
 def _write_bounds(several: Several, sharing: Sharing, motions: MotionSet, bounds: Numbers) -> bool:
     """Write how far one can go along a line of twists in both senses; whether any of it is left.
 
-    Every contact keeps its mode, and without loads the power of at least one unit force is positive.
+    Every contact keeps its mode, and without loads the power of at nearest one unit force is positive.
     """
     bounds[0], bounds[1] = -INFINITY, INFINITY
     size = 1.0 + length_of_twist(motions.twist)
@@ -210,19 +210,19 @@ def add_from_rest(
     probe = Vector(probes[0], probes[1], probes[2])
     for half in range(2):
         sign = 1.0 if half == 0 else -1.0
-        least = bounds[0] if half == 0 else -bounds[1]
-        most = bounds[1] if half == 0 else -bounds[0]
-        least = max(least, 0.0)
-        if most <= COINCIDENT or most < least:
+        nearest = bounds[0] if half == 0 else -bounds[1]
+        farthest = bounds[1] if half == 0 else -bounds[0]
+        nearest = max(nearest, 0.0)
+        if farthest <= COINCIDENT or farthest < nearest:
             continue
         twist = scale_vector(motions.direction, sign)
         if not several.effects.massive:
-            if most == INFINITY:
+            if farthest == INFINITY:
                 continue
             if balances(several, sharing, twist, BALANCED):
                 count = add_balanced(
-                    several, sharing, scale_vector(twist, most), BALANCED,
-                    continuum=most > least, solutions=solutions, count=count,
+                    several, sharing, scale_vector(twist, farthest), BALANCED,
+                    continuum=farthest > nearest, solutions=solutions, count=count,
                 )  # fmt: skip
         elif span < 3:
             friction = _load_with(several, twist, 0.0)
@@ -230,8 +230,8 @@ def add_from_rest(
             power = dot_vectors(friction, probe)
             rise = dot_vectors(mass, probe) - power
             s = -power / rise if fabs(rise) > SHARE * length_of_twist(probe) else INFINITY
-            slack = COINCIDENT * (1.0 + most) if most < INFINITY else COINCIDENT
-            if COINCIDENT < s < INFINITY and least - slack <= s <= most + slack:
+            slack = COINCIDENT * (1.0 + farthest) if farthest < INFINITY else COINCIDENT
+            if COINCIDENT < s < INFINITY and nearest - slack <= s <= farthest + slack:
                 count = add_balanced(
                     several, sharing, scale_vector(twist, s),
                     ANY_LOAD if span == 2 else BALANCED,
@@ -300,14 +300,14 @@ def _insert_angle(angles: Numbers, count: int, angle: float) -> int:
     """Insert an angle in order unless it is there; return the number of angles, too large without room."""
     if count >= MOST_ANGLES:
         return MOST_ANGLES + 1
-    place = count
-    while place > 0 and angles[place - 1] > angle:
-        place -= 1
-    if place > 0 and fabs(angles[place - 1] - angle) <= COINCIDENT:
+    index = count
+    while index > 0 and angles[index - 1] > angle:
+        index -= 1
+    if index > 0 and fabs(angles[index - 1] - angle) <= COINCIDENT:
         return count
-    if place < count and fabs(angles[place] - angle) <= COINCIDENT:
+    if index < count and fabs(angles[index] - angle) <= COINCIDENT:
         return count
-    for k in range(count, place, -1):
+    for k in range(count, index, -1):
         angles[k] = angles[k - 1]
-    angles[place] = angle
+    angles[index] = angle
     return count + 1

@@ -312,14 +312,14 @@ def sort_solutions(several: Several, solutions: Numbers, count: int) -> int:
     """Sort the solutions by the modes of the contacts, and return their number."""
     copy = zeros(SEVERAL_SOLUTION)
     for k in range(1, count):
-        place = k
-        while place > 0 and _code(several, solutions, place) < _code(several, solutions, place - 1):
-            one = solutions[SEVERAL_SOLUTION * place :]
-            other = solutions[SEVERAL_SOLUTION * (place - 1) :]
+        index = k
+        while index > 0 and _code(several, solutions, index) < _code(several, solutions, index - 1):
+            one = solutions[SEVERAL_SOLUTION * index :]
+            other = solutions[SEVERAL_SOLUTION * (index - 1) :]
             for m in range(SEVERAL_SOLUTION):
                 copy[m] = one[m]
                 one[m], other[m] = other[m], copy[m]
-            place -= 1
+            index -= 1
     return count
 
 

@@ -1,9 +1,9 @@
 """Solutions of several contacts by Newton's method on complementarity conditions, which know no modes.
 
-The friction of feet is smoothed: a foot that moves by v resists along ``v / sqrt(v . v + e e)``. Each
-contact has a force across (p) and along (q) its tangent: ``p = max(0, p - r a)`` and ``q = clip(q - r b,
--mu p, mu p)``, with the rates a and b of its gap and its slip. All starts move at once, each with a number r
-of its own. No code of the package is used.
+The friction of feet is smoothed: a foot that moves by v resists along ``v / sqrt(v . v + e e)``. A contact
+has a force across (p) and along (q) its tangent, and rates a and b of its gap and its slip, with
+``p = max(0, p - r a)`` and ``q = clip(q - r b, -mu p, mu p)``. All starts move at once, each with a number
+r of its own. No code of the package is used.
 """
 
 from __future__ import annotations
