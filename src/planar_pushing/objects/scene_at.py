@@ -50,8 +50,9 @@ def scene_at(
     Parameters
     ----------
     point : (x, y), or array of shape S + (2,), optional
-        The contact; an array makes an array of scenes. In a DataArray the last dimension holds x and y, and
-        the scenes extend over the others.
+        The contact; an array makes an array of scenes, each with one contact. Several contacts at once are
+        a problem of `solve_contacts`. In a DataArray the last dimension holds x and y, and the scenes
+        extend over the others.
     normal : (n_x, n_y), or array of shape S + (2,), optional
         Normal of the fence or of the finger's side, into the object, of any length. It can be omitted if
         the object has an outline and the contact is not at a corner. At a corner, a finger pushes the side

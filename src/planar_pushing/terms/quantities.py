@@ -357,6 +357,15 @@ MECHANICS: Quantities = {
     "flush": ("1", "whether the side of the slider lies on the fence"),
     "force_position": ("length", "where the force crosses the fence, from the origin of the side"),
     "end_forces": ("force", "forces at the ends of the side, by the bounds of their components"),
+    "modes": ("1", "mode of each of several contacts"),
+    "reason": ("1", "why several contacts have no solution"),
+    "forces": ("force", "force of each pusher on the object"),
+    "forces_end": ("force", "forces at the other end of the range of the inner force"),
+    "inner_force": ("force", "force with which the first and the last contact press on each other"),
+    "directions": ("1", "forces of a unit inner force, toward an end without a bound"),
+    "contact_motions": ("motion", "motion of the object at each contact"),
+    "gap_rates": ("motion", "motion of the object away from each pusher"),
+    "condition": ("1", "sum of the magnitudes of the forces relative to the load"),
 }
 
 #: Meaning of the units of a dataset.

@@ -63,8 +63,9 @@ class ForceEnd(Record):
 
 
 UNIT_FORCE, FORCE_END = size_of(UnitForce), size_of(ForceEnd)
-#: Numbers of an end with its coefficients.
-END_OF_FORCES = FORCE_END + MOST_UNITS
+#: Numbers of an end with its coefficients, and the place of the sums of the coefficients of all extreme
+#: forces and directions, which follow those of the lower end. The sums are inside of the set.
+END_OF_FORCES, FORCES_INSIDE = FORCE_END + 2 * MOST_UNITS, FORCE_END + MOST_UNITS
 
 
 class HeldLoad(NamedTuple):
@@ -112,6 +113,8 @@ def balance_load(
     """
     ForceEnd(low).exists, ForceEnd(high).exists = False, False
     ForceEnd(low).is_infinite, ForceEnd(high).is_infinite = False, False
+    for i in range(count):
+        low[FORCES_INSIDE + i] = 0.0
     for i in range(-1, count):
         for j in range(i if i < 0 else i + 1, count):
             for k in range(j if j < 0 else j + 1, count):
@@ -138,6 +141,7 @@ def _offer_forces(
     inner = 0.0
     for i in range(count):
         inner += coefficients[i] * UnitForce(units[UNIT_FORCE * i :]).inner
+        low[FORCES_INSIDE + i] += coefficients[i]
     lowest, highest = ForceEnd(low), ForceEnd(high)
     if not lowest.exists or inner < lowest.inner:
         lowest.exists, lowest.inner = True, inner
@@ -174,12 +178,12 @@ def _balance_with_units(
     if i >= 0:
         first, second = UnitForce(units[UNIT_FORCE * i :]), UnitForce(units[UNIT_FORCE * j :])
         scale = _length_of_unit(first) * _length_of_unit(second) * _length_of_unit(last)
-        whole = _determinant(first, second, last)
-        if fabs(whole) <= INDEPENDENT * scale:
+        determinant = _determinant(first, second, last)
+        if fabs(determinant) <= INDEPENDENT * scale:
             return
-        coefficients[i] = _determinant(target, second, last) / whole
-        coefficients[j] = _determinant(first, target, last) / whole
-        coefficients[k] = _determinant(first, second, target) / whole
+        coefficients[i] = _determinant(target, second, last) / determinant
+        coefficients[j] = _determinant(first, target, last) / determinant
+        coefficients[k] = _determinant(first, second, target) / determinant
     elif j >= 0:
         second = UnitForce(units[UNIT_FORCE * j :])
         x, y = (
@@ -304,14 +308,14 @@ def _balance_with_foot(
                 other=other, a=a, b=0.0, low=low, high=high,
             )  # fmt: skip
     else:
-        whole = one_x * other_y - one_y * other_x
-        if fabs(whole) <= INDEPENDENT * (fabs(one_x) + fabs(one_y)) * (
+        determinant = one_x * other_y - one_y * other_x
+        if fabs(determinant) <= INDEPENDENT * (fabs(one_x) + fabs(one_y)) * (
             fabs(other_x) + fabs(other_y)
         ):
             return
         # The inner force as a function of the force at the foot, whose extreme values are on the circle.
-        u_x = (inner_one * other_y - inner_other * one_y) / whole
-        u_y = (inner_other * one_x - inner_one * other_x) / whole
+        u_x = (inner_one * other_y - inner_other * one_y) / determinant
+        u_y = (inner_other * one_x - inner_one * other_x) / determinant
         size = sqrt(u_x * u_x + u_y * u_y)
         if size == 0.0:
             return
@@ -320,8 +324,8 @@ def _balance_with_foot(
             h_x, h_y = part * u_x - rest_x, part * u_y - rest_y
             _offer_in_disc(
                 units, count, load, places=places, number=number, start=start, one=one,
-                other=other, a=(h_x * other_y - h_y * other_x) / whole,
-                b=(one_x * h_y - one_y * h_x) / whole, low=low, high=high,
+                other=other, a=(h_x * other_y - h_y * other_x) / determinant,
+                b=(one_x * h_y - one_y * h_x) / determinant, low=low, high=high,
             )  # fmt: skip
 
 
@@ -371,8 +375,8 @@ def find_cancelling(units: Numbers, count: int, low: Numbers, high: Numbers) -> 
             for k in range(j + 1, count):
                 three = UnitForce(units[UNIT_FORCE * k :])
                 third = _length_of_unit(three)
-                whole = _determinant(one, two, three)
-                if fabs(whole) <= INDEPENDENT * first * second * third:
+                determinant = _determinant(one, two, three)
+                if fabs(determinant) <= INDEPENDENT * first * second * third:
                     for m in range(count):
                         coefficients[m] = 0.0
                     _write_coplanar(one, two, three, x, y, torque, coefficients, i, j, k)
@@ -382,9 +386,9 @@ def find_cancelling(units: Numbers, count: int, low: Numbers, high: Numbers) -> 
                     four = UnitForce(units[UNIT_FORCE * n :])
                     for m in range(count):
                         coefficients[m] = 0.0
-                    coefficients[i] = -_determinant(four, two, three) / whole
-                    coefficients[j] = -_determinant(one, four, three) / whole
-                    coefficients[k] = -_determinant(one, two, four) / whole
+                    coefficients[i] = -_determinant(four, two, three) / determinant
+                    coefficients[j] = -_determinant(one, four, three) / determinant
+                    coefficients[k] = -_determinant(one, two, four) / determinant
                     coefficients[n] = 1.0
                     cancels = _offer_direction(units, count, coefficients, low, high) or cancels
     return cancels
@@ -422,6 +426,8 @@ def _offer_direction(
             owner = force.contact
     if not several:
         return False
+    for m in range(count):
+        low[FORCES_INSIDE + m] += max(coefficients[m], 0.0)
     if fabs(inner) > INDEPENDENT * largest:
         if inner > 0.0 and not ForceEnd(high).is_infinite:
             ForceEnd(high).is_infinite = True

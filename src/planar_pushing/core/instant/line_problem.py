@@ -17,6 +17,7 @@ from math import atan2, cos, fabs, sin, sqrt
 from typing import NamedTuple
 
 from planar_pushing.core._record import Record, size_of
+from planar_pushing.core.instant.directions import QUARTER_TURN
 from planar_pushing.core.numbers import INFINITY, Numbers, zeros
 from planar_pushing.core.supports.pieces import atom_of, count_atoms, head_of
 from planar_pushing.core.supports.resistance import load_wrench, resistance
@@ -46,7 +47,7 @@ from planar_pushing.core.supports.tolerances import COINCIDENT, INSET, RESOLUTIO
 #: Maximum number of roots, with pivots and ends of continua.
 MOST_ON_LINE = 24
 #: Widest interval whose values are taken from a cubic, in radians.
-WIDEST_CUBIC = 0.1
+WIDEST_CUBIC = 0.4
 #: Narrowest interval that is halved, and the width below which a flat stretch is a double root, in radians.
 NARROWEST, FLAT_WIDTH = 1e-11, 1e-5
 #: Maximum number of intervals, and of those that wait, which halving keeps below its depth.
@@ -128,14 +129,33 @@ class Power(NamedTuple):
 
 
 class Ranges(NamedTuple):
-    """Bounds on the values and slopes between two angles, and the values at both."""
+    """Bounds on the values and on the slopes between two angles."""
 
     low: float
     high: float
     least_slope: float
     most_slope: float
+
+
+class Cell(Record):
+    """An interval of angles, with the values and slopes at both ends."""
+
+    low: float
+    high: float
     first: float
+    first_slope: float
     last: float
+    last_slope: float
+
+
+class Turned(NamedTuple):
+    """Cosine and sine of an angle."""
+
+    c: float
+    s: float
+
+
+CELL = size_of(Cell)
 
 
 def length_of_twist(twist: Vector) -> float:
@@ -282,24 +302,33 @@ def _write_line_root(roots: Numbers, count: int, angle: float, continuum: bool, 
 def _find_between(line: TwistLine, low: float, high: float, roots: Numbers, count: int) -> int:
     """Write the roots between two angles without a pivot between them."""
     inside = (low + high) / 2.0
-    starts, ends = zeros(WAITING), zeros(WAITING)
-    # The square of a foot's speed has one extremum in a quarter turn.
+    cells = zeros(WAITING * CELL)
     waiting, flat_from, flat_to = 1, INFINITY, INFINITY
-    starts[0], ends[0] = low, high
-    if low < 0.0 < high:
-        starts[0], ends[0], starts[1], ends[1] = 0.0, high, low, 0.0
-        waiting = 2
+    _write_cell(
+        cells, low, high, power_on_line(line, low, inside), power_on_line(line, high, inside)
+    )
     for _ in range(INTERVALS):
         if waiting == 0 or count < 0:
             break
         waiting -= 1
-        a, b = starts[waiting], ends[waiting]
-        ranges = _feet_ranges(line, a, b, inside) if line.on_feet else _cubic_ranges(line, a, b)
+        cell = Cell(cells[CELL * waiting :])
+        a, b, middle = cell.low, cell.high, (cell.low + cell.high) / 2.0
+        one, other = Power(cell.first, cell.first_slope), Power(cell.last, cell.last_slope)
+        center = Power(0.0, 0.0)
+        ranges = Ranges(-INFINITY, INFINITY, least_slope=-INFINITY, most_slope=INFINITY)
+        if line.on_feet:
+            # The square of a foot's speed has one extremum in a quarter turn.
+            if b - a <= QUARTER_TURN:
+                ranges = _feet_ranges(line, a, b, inside)
+        else:
+            center = power_on_line(line, middle, inside)
+            if b - a <= WIDEST_CUBIC:
+                ranges = _cubic_ranges(b - a, one, other, center)
         if ranges.low > line.noise or ranges.high < -line.noise:
             continue
         flat: bool = ranges.low >= -line.noise and ranges.high <= line.noise
         narrow: bool = b - a <= NARROWEST
-        crosses: bool = ranges.first * ranges.last < 0.0
+        crosses: bool = (one.value < 0.0 < other.value) or (other.value < 0.0 < one.value)
         if flat or (narrow and not crosses):
             if fabs(a - flat_to) > NARROWEST:
                 count = _write_flat(roots, count, flat_from, flat_to)
@@ -307,22 +336,31 @@ def _find_between(line: TwistLine, low: float, high: float, roots: Numbers, coun
             flat_to = b
         elif ranges.least_slope > 0.0 or ranges.most_slope < 0.0 or narrow:
             if crosses:
-                angle = _root_between(line, a, b, ranges, inside)
+                angle = _root_between(line, a, b, one.value, other.value, inside=inside)
                 count = _write_line_root(roots, count, angle, False, NO_POINT)
-            elif fabs(ranges.first) <= line.noise or fabs(ranges.last) <= line.noise:
+            elif fabs(one.value) <= line.noise or fabs(other.value) <= line.noise:
                 # A root at the joint of two intervals is that of both.
-                angle = a if fabs(ranges.first) < fabs(ranges.last) else b
+                angle = a if fabs(one.value) < fabs(other.value) else b
                 count = _write_once(roots, count, angle)
         elif waiting + 2 > WAITING:
             return -1
         else:
-            middle = a + 0.501 * (b - a)
-            starts[waiting], ends[waiting] = middle, b
-            starts[waiting + 1], ends[waiting + 1] = a, middle
+            if line.on_feet:
+                center = power_on_line(line, middle, inside)
+            _write_cell(cells[CELL * waiting :], middle, b, center, other)
+            _write_cell(cells[CELL * (waiting + 1) :], a, middle, one, center)
             waiting += 2
     if waiting > 0:
         return -1
     return _write_flat(roots, count, flat_from, flat_to)
+
+
+def _write_cell(cells: Numbers, low: float, high: float, first: Power, last: Power) -> None:
+    """Write an interval of angles."""
+    cell = Cell(cells)
+    cell.low, cell.high = low, high
+    cell.first, cell.first_slope = first.value, first.slope
+    cell.last, cell.last_slope = last.value, last.slope
 
 
 def _write_once(roots: Numbers, count: int, angle: float) -> int:
@@ -342,9 +380,11 @@ def _write_flat(roots: Numbers, count: int, first: float, last: float) -> int:
     return _write_line_root(roots, count, last, True, NO_POINT)
 
 
-def _root_between(line: TwistLine, low: float, high: float, ranges: Ranges, inside: float) -> float:
+def _root_between(
+    line: TwistLine, low: float, high: float, first: float, last: float, inside: float
+) -> float:
     """The root between two angles at which the power has opposite signs."""
-    bracket = open_bracket(low, high, ranges.first, ranges.last, ROUNDING)
+    bracket = open_bracket(low, high, first, last, ROUNDING)
     for _ in range(INTERVALS):
         if is_narrow(bracket):
             break
@@ -388,17 +428,9 @@ def power_on_line(line: TwistLine, angle: float, inside: float) -> Power:
     )
 
 
-def _cubic_ranges(line: TwistLine, low: float, high: float) -> Ranges:
-    """Ranges between two angles, from the cubic through values and slopes at both."""
-    width, middle = high - low, (low + high) / 2.0
-    one, other = power_on_line(line, low, middle), power_on_line(line, high, middle)
-    center = power_on_line(line, middle, middle)
+def _cubic_ranges(width: float, one: Power, other: Power, center: Power) -> Ranges:
+    """Ranges between two angles, from the cubic through values and slopes there, and its error halfway."""
     first, last = one.value, other.value
-    if width > WIDEST_CUBIC:
-        return Ranges(
-            low=-INFINITY, high=INFINITY, least_slope=-INFINITY, most_slope=INFINITY,
-            first=first, last=last,
-        )  # fmt: skip
     secant = (last - first) / width
     error = fabs(center.value - (first + last) / 2.0 - width * (one.slope - other.slope) / 8.0)
     bend = fabs(center.slope - 1.5 * secant + (one.slope + other.slope) / 4.0)
@@ -410,8 +442,6 @@ def _cubic_ranges(line: TwistLine, low: float, high: float) -> Ranges:
         high=max(max(first, last), max(near, far)) + 2.0 * error,
         least_slope=min(min(one.slope, other.slope), control) - 2.0 * bend,
         most_slope=max(max(one.slope, other.slope), control) + 2.0 * bend,
-        first=first,
-        last=last,
     )
 
 
@@ -469,11 +499,10 @@ def _next_pivot(line: TwistLine, low: float, high: float) -> int:
     return number
 
 
-def _term_power(term: FootTerm, angle: float, inside: float) -> Power:
+def _term_power(term: FootTerm, turned: Turned) -> Power:
     """The power of a foot of unit share."""
-    place = inside if term.turn == 0.0 else angle
-    c, s = cos(place), sin(place)
-    v_x, v_y = c * term.start_x + s * term.step_x, c * term.start_y + s * term.step_y
+    v_x = turned.c * term.start_x + turned.s * term.step_x
+    v_y = turned.c * term.start_y + turned.s * term.step_y
     speed = sqrt(v_x * v_x + v_y * v_y)
     if speed == 0.0:
         return Power(0.0, 0.0)
@@ -484,10 +513,12 @@ def _term_power(term: FootTerm, angle: float, inside: float) -> Power:
 
 def _feet_power(line: TwistLine, angle: float, inside: float) -> Power:
     """The power of feet, loads and masses."""
-    effects, tangent = line.effects, tangent_of(angle)
-    value, slope = line.constant, line.linear * (1.0 + tangent * tangent)
+    effects, value, slope = line.effects, line.constant, 0.0
+    turned = Turned(cos(angle), sin(angle))
+    within = Turned(cos(inside), sin(inside))
     if line.linear != 0.0:
-        value += line.linear * tangent
+        tangent = turned.s / turned.c
+        value, slope = value + line.linear * tangent, line.linear * (1.0 + tangent * tangent)
     for effect in range(effects.length):
         if kind_of(effects.data, effect) == SUPPORT:
             support = SupportRow(effects.row[column_of(effects.data, effect) :])
@@ -496,23 +527,24 @@ def _feet_power(line: TwistLine, angle: float, inside: float) -> Power:
                 atom = atom_of(pressure, i)
                 share = effects.one * support.weight * atom.share
                 term = _foot_term(line, support.extent * atom.x, support.extent * atom.y)
-                power = _term_power(term, angle, inside)
+                power = _term_power(term, within if term.turn == 0.0 else turned)
                 value, slope = value + share * power.value, slope + share * power.slope
     return Power(value, slope)
 
 
 def _feet_ranges(line: TwistLine, low: float, high: float, inside: float) -> Ranges:
-    """Exact ranges of every foot's power and slope between two angles, within a quarter turn, in sum."""
-    effects, first_tangent, last_tangent = line.effects, tangent_of(low), tangent_of(high)
-    first, last = line.constant, line.constant
-    least, most, least_slope, most_slope = line.constant, line.constant, 0.0, 0.0
+    """Ranges of the sum of all feet between two angles within a quarter turn, exact for each foot."""
+    effects = line.effects
+    first, last = Turned(cos(low), sin(low)), Turned(cos(high), sin(high))
+    within = Turned(cos(inside), sin(inside))
+    lowest, highest, least_slope, most_slope = line.constant, line.constant, 0.0, 0.0
     if line.linear != 0.0:
-        one, other = line.linear * first_tangent, line.linear * last_tangent
-        first, last = first + one, last + other
-        least, most = least + min(one, other), most + max(one, other)
-        one = line.linear * (1.0 + first_tangent * first_tangent)
-        other = line.linear * (1.0 + last_tangent * last_tangent)
+        one, other = line.linear * first.s / first.c, line.linear * last.s / last.c
+        lowest, highest = lowest + min(one, other), highest + max(one, other)
+        one, other = line.linear / (first.c * first.c), line.linear / (last.c * last.c)
         least_slope, most_slope = min(one, other), max(one, other)
+        if low < 0.0 < high:
+            least_slope, most_slope = min(least_slope, line.linear), max(most_slope, line.linear)
     for effect in range(effects.length):
         if kind_of(effects.data, effect) == SUPPORT:
             support = SupportRow(effects.row[column_of(effects.data, effect) :])
@@ -521,44 +553,44 @@ def _feet_ranges(line: TwistLine, low: float, high: float, inside: float) -> Ran
                 atom = atom_of(pressure, i)
                 share = effects.one * support.weight * atom.share
                 term = _foot_term(line, support.extent * atom.x, support.extent * atom.y)
-                part = _term_ranges(term, low, high, inside)
-                first, last = first + share * part.first, last + share * part.last
-                least, most = least + share * part.low, most + share * part.high
-                least_slope += share * part.least_slope
-                most_slope += share * part.most_slope
-    return Ranges(
-        low=least, high=most, least_slope=least_slope, most_slope=most_slope, first=first, last=last
-    )
+                if term.turn == 0.0:
+                    value = share * _term_power(term, within).value
+                    lowest, highest = lowest + value, highest + value
+                else:
+                    part = _term_ranges(term, first, last)
+                    lowest, highest = lowest + share * part.low, highest + share * part.high
+                    least_slope += share * part.least_slope
+                    most_slope += share * part.most_slope
+    return Ranges(lowest, highest, least_slope, most_slope)
 
 
-def _term_ranges(term: FootTerm, low: float, high: float, inside: float) -> Ranges:
+def _term_ranges(term: FootTerm, first: Turned, last: Turned) -> Ranges:
     """Ranges of the power of a foot of unit share, between two angles within a quarter turn.
 
     The direction of the foot's motion turns one way. The power is extremal where it is that of the probe,
     and the slope is ``turn (v x u) / |v|^3``.
     """
-    one, other = _term_power(term, low, inside), _term_power(term, high, inside)
-    first, last = one.value, other.value
-    least, most = min(first, last), max(first, last)
-    if term.turn == 0.0:
-        return Ranges(
-            low=least, high=most, least_slope=0.0, most_slope=0.0, first=first, last=last
-        )  # fmt: skip
-    c, s = cos(low), sin(low)
-    a_x, a_y = c * term.start_x + s * term.step_x, c * term.start_y + s * term.step_y
-    da_x, da_y = c * term.step_x - s * term.start_x, c * term.step_y - s * term.start_y
-    c, s = cos(high), sin(high)
-    b_x, b_y = c * term.start_x + s * term.step_x, c * term.start_y + s * term.step_y
-    db_x, db_y = c * term.step_x - s * term.start_x, c * term.step_y - s * term.start_y
+    a_x = first.c * term.start_x + first.s * term.step_x
+    a_y = first.c * term.start_y + first.s * term.step_y
+    da_x = first.c * term.step_x - first.s * term.start_x
+    da_y = first.c * term.step_y - first.s * term.start_y
+    b_x = last.c * term.start_x + last.s * term.step_x
+    b_y = last.c * term.start_y + last.s * term.step_y
+    db_x = last.c * term.step_x - last.s * term.start_x
+    db_y = last.c * term.step_y - last.s * term.start_y
     u_x, u_y = term.probe_x, term.probe_y
+    slow, fast = a_x * a_x + a_y * a_y, b_x * b_x + b_y * b_y
+    one = (u_x * a_x + u_y * a_y) / sqrt(slow)
+    other = (u_x * b_x + u_y * b_y) / sqrt(fast)
+    lowest, highest = min(one, other), max(one, other)
     at_a, at_b = a_x * u_y - a_y * u_x, b_x * u_y - b_y * u_x
     if at_a * at_b < 0.0:
         z_x, z_y = fabs(at_b) * a_x + fabs(at_a) * b_x, fabs(at_b) * a_y + fabs(at_a) * b_y
         longest = sqrt(u_x * u_x + u_y * u_y)
         if z_x * u_x + z_y * u_y > 0.0:
-            most = longest
+            highest = longest
         else:
-            least = -longest
+            lowest = -longest
     up_a, up_b = term.turn * (da_x * u_y - da_y * u_x), term.turn * (db_x * u_y - db_y * u_x)
     bottom, top = min(term.turn * at_a, term.turn * at_b), max(term.turn * at_a, term.turn * at_b)
     if up_a * up_b < 0.0:
@@ -569,7 +601,6 @@ def _term_ranges(term: FootTerm, low: float, high: float, inside: float) -> Rang
             top = peak
         else:
             bottom = -peak
-    slow, fast = a_x * a_x + a_y * a_y, b_x * b_x + b_y * b_y
     rise_a, rise_b = a_x * da_x + a_y * da_y, b_x * db_x + b_y * db_y
     slow, fast = min(slow, fast), max(slow, fast)
     if rise_a * rise_b < 0.0:
@@ -584,10 +615,8 @@ def _term_ranges(term: FootTerm, low: float, high: float, inside: float) -> Rang
             fast = max(fast, largest)
     steep, mild = 1.0 / (slow * sqrt(slow)), 1.0 / (fast * sqrt(fast))
     return Ranges(
-        low=least,
-        high=most,
+        lowest,
+        highest,
         least_slope=bottom * (steep if bottom < 0.0 else mild),
         most_slope=top * (steep if top > 0.0 else mild),
-        first=first,
-        last=last,
     )

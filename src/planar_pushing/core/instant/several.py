@@ -38,6 +38,7 @@ from planar_pushing.core.instant.line_problem import (
 from planar_pushing.core.instant.modes import (
     contact_modes,
 )
+from planar_pushing.core.instant.several_at_rest import add_at_rest, rests_with
 from planar_pushing.core.instant.several_frames import (
     CONTACT_FRAME,
     CONTACT_ROW,
@@ -125,8 +126,9 @@ def all_solutions(several: Several, solutions: Numbers) -> int:
     and sticks rather than slips. A contact that is neither pushed nor pulled at rest counts as open.
     """
     modes = zeros(MOST_CONTACTS)
-    combinations = 1
-    count = _add_free(several, solutions, 0)
+    combinations, free = 1, free_twist(several.effects, Vector(0.0, 0.0, 0.0))
+    falls: bool = free.x != 0.0 or free.y != 0.0 or free.spin != 0.0
+    count = _add_free(several, free, solutions, 0)
     for i in range(several.number):
         count = _add_single(several, i, solutions, count)
         combinations *= 4
@@ -141,15 +143,14 @@ def all_solutions(several: Several, solutions: Numbers) -> int:
             if mode > STICK and not frame_of(several, i).inputs.slips:
                 allowed = False
         if closed >= 2 and allowed and count >= 0:
-            count = _add_closed(several, modes, solutions, count)
+            count = _add_closed(several, modes, falls, solutions, count)
     return sort_solutions(several, solutions, count)
 
 
-def _add_free(several: Several, solutions: Numbers, count: int) -> int:
+def _add_free(several: Several, twist: Vector, solutions: Numbers, count: int) -> int:
     """Add the motion without any contact: rest, or that which loads cause."""
     modes, units = zeros(MOST_CONTACTS), zeros(MOST_UNITS * UNIT_FORCE)
     low, high = zeros(END_OF_FORCES), zeros(END_OF_FORCES)
-    twist = free_twist(several.effects, Vector(0.0, 0.0, 0.0))
     if not keeps_modes(several, modes, twist):
         return count
     sharing = sharing_of(several, modes, units, low=low, high=high)
@@ -229,15 +230,25 @@ def _direction_of(push: Push, x: float, y: float) -> Direction:
     )
 
 
-def _add_closed(several: Several, modes: Numbers, solutions: Numbers, count: int) -> int:
-    """Add the solutions with several closed contacts in given modes."""
+def _add_closed(
+    several: Several, modes: Numbers, falls: bool, solutions: Numbers, count: int
+) -> int:
+    """Add the solutions with several closed contacts in given modes.
+
+    At rest the contacts are closed only if the slider falls without them.
+    """
     motions = motions_of_modes(several, modes)
-    if motions.dimension != 0 and motions.dimension != 1:
+    at_rest: bool = falls and rests_with(several, modes)
+    if motions.dimension != 0 and motions.dimension != 1 and not at_rest:
         return count
     units, low, high = (
         zeros(MOST_UNITS * UNIT_FORCE), zeros(END_OF_FORCES), zeros(END_OF_FORCES)
     )  # fmt: skip
     sharing = sharing_of(several, modes, units, low=low, high=high)
+    if at_rest:
+        count = add_at_rest(several, sharing, solutions, count)
+    if motions.dimension < 0 or motions.dimension > 1:
+        return count
     rests: bool = length_of_twist(motions.twist) <= COINCIDENT
     if motions.dimension == 0:
         if rests or not keeps_modes(several, modes, motions.twist):

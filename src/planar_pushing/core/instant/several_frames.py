@@ -35,6 +35,7 @@ from planar_pushing.core.numbers import (
     Numbers,
     zeros,
 )
+from planar_pushing.core.supports.resistance import load_wrench
 from planar_pushing.core.supports.rows import (
     Effects,
     Vector,
@@ -100,11 +101,12 @@ CONTACT_ROW, CONTACT_FRAME = size_of(SeveralRow), size_of(ContactFrame)
 
 
 class Several(NamedTuple):
-    """A slider with several contacts: their number, frames, and the effects."""
+    """A slider with several contacts: effects, their number and frames, and whether loads act."""
 
     effects: Effects
     number: int
     frames: Numbers
+    loaded: bool
 
 
 class MotionSet(NamedTuple):
@@ -117,7 +119,9 @@ class MotionSet(NamedTuple):
 
 def several_at(effects: Effects, number: int, frames: Numbers) -> Several:
     """A slider with several contacts; compiled code puts no row of zeros into a tuple."""
-    return Several(effects, number, frames)
+    load = load_wrench(effects)
+    loaded: bool = load.x != 0.0 or load.y != 0.0 or load.spin != 0.0
+    return Several(effects, number, frames, loaded)
 
 
 def frame_of(several: Several, i: int) -> ContactFrame:

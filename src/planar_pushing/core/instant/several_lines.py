@@ -69,12 +69,17 @@ MOST_ANGLES = 64
 ANY_LOAD = 1e9
 
 
-def _write_bounds(several: Several, modes: Numbers, motions: MotionSet, bounds: Numbers) -> bool:
-    """Write how far one can go along a line of twists in both senses; whether any of it is left."""
+def _write_bounds(several: Several, sharing: Sharing, motions: MotionSet, bounds: Numbers) -> bool:
+    """Write how far one can go along a line of twists in both senses; whether any of it is left.
+
+    Every contact keeps its mode, and without loads the power of at nearest one unit force is positive.
+    """
     bounds[0], bounds[1] = -INFINITY, INFINITY
     size = 1.0 + length_of_twist(motions.twist)
+    if not several.loaded:
+        _bound_by_power(sharing, motions, bounds)
     for i in range(several.number):
-        frame, mode = frame_of(several, i), int(modes[i])
+        frame, mode = frame_of(several, i), int(sharing.modes[i])
         if mode == STICK:
             continue
         value, row = gap_rate(frame, motions.twist), as_vector(frame.across)
@@ -95,6 +100,24 @@ def _write_bounds(several: Several, modes: Numbers, motions: MotionSet, bounds: 
             return False
         bounds[0] = bounds[1]
     return True
+
+
+def _bound_by_power(sharing: Sharing, motions: MotionSet, bounds: Numbers) -> None:
+    """Narrow a line of twists to the smallest interval with all those at which a contact does work."""
+    low, high = INFINITY, -INFINITY
+    for k in range(sharing.number):
+        unit = _unit_vector(sharing.units, k)
+        value, slope = dot_vectors(unit, motions.twist), dot_vectors(unit, motions.direction)
+        length = length_of_twist(unit)
+        slack = COINCIDENT * length * (1.0 + length_of_twist(motions.twist))
+        if fabs(slope) <= SHARE * length:
+            if value > -slack:
+                low, high = -INFINITY, INFINITY
+        elif slope > 0.0:
+            low, high = min(low, -(value + slack) / slope), INFINITY
+        else:
+            low, high = -INFINITY, max(high, -(value + slack) / slope)
+    bounds[0], bounds[1] = max(bounds[0], low), min(bounds[1], high)
 
 
 def _span_of(sharing: Sharing, probes: Numbers) -> int:
@@ -148,7 +171,7 @@ def add_on_line(
     With slips alone the lines of force span a plane of wrenches, and the load must be in it.
     """
     bounds, probes = zeros(2), zeros(6)
-    if not _write_bounds(several, sharing.modes, motions, bounds):
+    if not _write_bounds(several, sharing, motions, bounds):
         return count
     span = _span_of(sharing, probes)
     if span == 3:
@@ -177,29 +200,29 @@ def add_from_rest(
 ) -> int:
     """Add the solutions on a line of twists through rest, and return the number of solutions.
 
-    The direction of friction is the same all along each half of it, so that one of its twists is a solution.
+    The direction of friction is the same all along each half of it, so one of its twists is a solution.
     With friction alone all are, and the end of that continuum which is not at rest is written.
     """
     bounds, probes = zeros(2), zeros(6)
-    if not _write_bounds(several, sharing.modes, motions, bounds):
+    if not _write_bounds(several, sharing, motions, bounds):
         return count
     span = _span_of(sharing, probes)
     probe = Vector(probes[0], probes[1], probes[2])
     for half in range(2):
         sign = 1.0 if half == 0 else -1.0
-        least = bounds[0] if half == 0 else -bounds[1]
-        most = bounds[1] if half == 0 else -bounds[0]
-        least = max(least, 0.0)
-        if most <= COINCIDENT or most < least:
+        nearest = bounds[0] if half == 0 else -bounds[1]
+        farthest = bounds[1] if half == 0 else -bounds[0]
+        nearest = max(nearest, 0.0)
+        if farthest <= COINCIDENT or farthest < nearest:
             continue
         twist = scale_vector(motions.direction, sign)
         if not several.effects.massive:
-            if most == INFINITY:
+            if farthest == INFINITY:
                 continue
             if balances(several, sharing, twist, BALANCED):
                 count = add_balanced(
-                    several, sharing, scale_vector(twist, most), BALANCED,
-                    continuum=most > least, solutions=solutions, count=count,
+                    several, sharing, scale_vector(twist, farthest), BALANCED,
+                    continuum=farthest > nearest, solutions=solutions, count=count,
                 )  # fmt: skip
         elif span < 3:
             friction = _load_with(several, twist, 0.0)
@@ -207,8 +230,8 @@ def add_from_rest(
             power = dot_vectors(friction, probe)
             rise = dot_vectors(mass, probe) - power
             s = -power / rise if fabs(rise) > SHARE * length_of_twist(probe) else INFINITY
-            slack = COINCIDENT * (1.0 + most) if most < INFINITY else COINCIDENT
-            if COINCIDENT < s < INFINITY and least - slack <= s <= most + slack:
+            slack = COINCIDENT * (1.0 + farthest) if farthest < INFINITY else COINCIDENT
+            if COINCIDENT < s < INFINITY and nearest - slack <= s <= farthest + slack:
                 count = add_balanced(
                     several, sharing, scale_vector(twist, s),
                     ANY_LOAD if span == 2 else BALANCED,
@@ -277,14 +300,14 @@ def _insert_angle(angles: Numbers, count: int, angle: float) -> int:
     """Insert an angle in order unless it is there; return the number of angles, too large without room."""
     if count >= MOST_ANGLES:
         return MOST_ANGLES + 1
-    place = count
-    while place > 0 and angles[place - 1] > angle:
-        place -= 1
-    if place > 0 and fabs(angles[place - 1] - angle) <= COINCIDENT:
+    index = count
+    while index > 0 and angles[index - 1] > angle:
+        index -= 1
+    if index > 0 and fabs(angles[index - 1] - angle) <= COINCIDENT:
         return count
-    if place < count and fabs(angles[place] - angle) <= COINCIDENT:
+    if index < count and fabs(angles[index] - angle) <= COINCIDENT:
         return count
-    for k in range(count, place, -1):
+    for k in range(count, index, -1):
         angles[k] = angles[k - 1]
-    angles[place] = angle
+    angles[index] = angle
     return count + 1

@@ -15,6 +15,7 @@ from planar_pushing.core._record import (
 )
 from planar_pushing.core.instant.force_sets import (
     FORCE_END,
+    FORCES_INSIDE,
     UNIT_FORCE,
     ForceEnd,
     HeldLoad,
@@ -231,15 +232,14 @@ def add_balanced(
 
 
 def _fits_open_cones(several: Several, sharing: Sharing) -> bool:
-    """Whether the forces in the middle of the range are within each cone that lacks its edges."""
-    ends = zeros(4)
+    """Whether some forces are within each cone that lacks its edges."""
+    force = zeros(2)
     for i in range(several.number):
         frame = frame_of(several, i)
         if int(sharing.modes[i]) != STICK or frame.inputs.closed or frame.inputs.rough:
             continue
-        _write_force_of(sharing, i, sharing.low, ends)
-        _write_force_of(sharing, i, sharing.high, ends[2:])
-        x, y = ends[0] + ends[2], ends[1] + ends[3]
+        _write_force_of(sharing, i, sharing.low[FORCES_INSIDE:], force)
+        x, y = force[0], force[1]
         slack = SHARE * (fabs(x) + fabs(y))
         right, left = frame.right, frame.left
         if right.x * y - right.y * x <= slack or x * left.y - y * left.x <= slack:
@@ -247,14 +247,14 @@ def _fits_open_cones(several: Several, sharing: Sharing) -> bool:
     return True
 
 
-def _write_force_of(sharing: Sharing, i: int, end: Numbers, force: Numbers) -> None:
-    """Write the force of a contact at an end."""
+def _write_force_of(sharing: Sharing, i: int, coefficients: Numbers, force: Numbers) -> None:
+    """Write the force of a contact with given coefficients of the unit forces."""
     force[0], force[1] = 0.0, 0.0
     for k in range(sharing.number):
         unit = UnitForce(sharing.units[UNIT_FORCE * k :])
         if unit.contact == i:
-            force[0] += end[FORCE_END + k] * unit.x
-            force[1] += end[FORCE_END + k] * unit.y
+            force[0] += coefficients[k] * unit.x
+            force[1] += coefficients[k] * unit.y
 
 
 def add_solution(
@@ -269,8 +269,8 @@ def add_solution(
         solution[m] = 0.0
     for i in range(several.number):
         solution.modes[i] = sharing.modes[i]
-        _write_force_of(sharing, i, sharing.low, solution.low_forces[2 * i :])
-        _write_force_of(sharing, i, sharing.high, solution.high_forces[2 * i :])
+        _write_force_of(sharing, i, sharing.low[FORCE_END:], solution.low_forces[2 * i :])
+        _write_force_of(sharing, i, sharing.high[FORCE_END:], solution.high_forces[2 * i :])
     solution.twist.x, solution.twist.y, solution.twist.spin = twist.x, twist.y, twist.spin
     solution.pivot, solution.continuum = pivot, continuum
     low, high = ForceEnd(sharing.low), ForceEnd(sharing.high)
@@ -312,14 +312,14 @@ def sort_solutions(several: Several, solutions: Numbers, count: int) -> int:
     """Sort the solutions by the modes of the contacts, and return their number."""
     copy = zeros(SEVERAL_SOLUTION)
     for k in range(1, count):
-        place = k
-        while place > 0 and _code(several, solutions, place) < _code(several, solutions, place - 1):
-            one = solutions[SEVERAL_SOLUTION * place :]
-            other = solutions[SEVERAL_SOLUTION * (place - 1) :]
+        index = k
+        while index > 0 and _code(several, solutions, index) < _code(several, solutions, index - 1):
+            one = solutions[SEVERAL_SOLUTION * index :]
+            other = solutions[SEVERAL_SOLUTION * (index - 1) :]
             for m in range(SEVERAL_SOLUTION):
                 copy[m] = one[m]
                 one[m], other[m] = other[m], copy[m]
-            place -= 1
+            index -= 1
     return count
 
 

@@ -41,7 +41,8 @@ class Contact:
         Velocity of the pusher there, or its acceleration from rest, in the object's frame; by default that
         of a wall at rest. Each component can be an array.
     twist : (v_x, v_y, omega), or array of shape S + (3,), optional
-        Instead of a velocity: the twist of a pusher that turns, about the origin of the object's frame.
+        Instead of a velocity: the twist of a pusher that turns, omega in radians per unit of time. It is
+        about the origin of the object's frame.
     side : int, optional
         Instead of a point: the number of a side of the outline, as in `scene_at`. A side is two contacts,
         at its ends, of one pusher.
@@ -119,14 +120,14 @@ class PlacedContact(NamedTuple):
         return as_numbers(self.law)
 
 
-def place_contacts(contacts: Any, outline: Outline | None, given: Any) -> list[PlacedContact]:
+def place_contacts(contacts: Any, outline: Outline | None, drawing: Any) -> list[PlacedContact]:
     """The points of contacts on an object; a side is two of them.
 
     Parameters
     ----------
     contacts : sequence of Contact
     outline : Outline, optional
-    given : object
+    drawing : object
         The outline as given, which numbers the sides.
 
     Raises
@@ -144,7 +145,7 @@ def place_contacts(contacts: Any, outline: Outline | None, given: Any) -> list[P
     placed: list[PlacedContact] = []
     for contact in kinds:
         if contact.side is not None:
-            placed += _ends_of_side(contact, outline, given)
+            placed += _ends_of_side(contact, outline, drawing)
         else:
             placed.append(_place(contact, outline))
     if len(placed) > MOST_CONTACTS:
@@ -184,20 +185,20 @@ def _place(contact: Contact, outline: Outline | None) -> PlacedContact:
             if not (on_side and turned <= ALIGNED and spot.gap[0] <= outline.tolerance):
                 spot = None
         if spot is not None:
-            point, normal = spot.point[0] + 0.0, spot.normal[0] + 0.0
-            return _with_velocity(contact, tuple(point.tolist()), tuple(normal.tolist()))
+            (x, y), (n_x, n_y) = (spot.point[0] + 0.0).tolist(), (spot.normal[0] + 0.0).tolist()
+            return _with_velocity(contact, (x, y), (n_x, n_y))
         placement, _ = on_outline(places, outline)
-    point, normal = (tuple(map(float, pair)) for pair in (placement.point, placement.normal))
-    return _with_velocity(contact, point, normal)
+    (x, y), (n_x, n_y) = placement.point, placement.normal
+    return _with_velocity(contact, (float(x), float(y)), (float(n_x), float(n_y)))
 
 
-def _ends_of_side(contact: Contact, outline: Outline | None, given: Any) -> list[PlacedContact]:
+def _ends_of_side(contact: Contact, outline: Outline | None, drawing: Any) -> list[PlacedContact]:
     """Both ends of a side, from its start."""
     if outline is None:
         raise InvalidValue(
             "outline", None, "the corners of the object, to number its sides", "give the outline"
         )
-    placement, ends, _ = side_on_fence(contact.side, given)
+    placement, ends, _ = side_on_fence(contact.side, drawing)
     (x, y), (n_x, n_y) = placement.point, placement.normal
     return [
         _with_velocity(contact, (float(x + end * n_y), float(y - end * n_x)), (n_x, n_y))
@@ -248,7 +249,7 @@ def components(name: str, value: Any, count: int) -> tuple[Number, ...]:
             numbers.isel(dict.fromkeys(last, i), drop=True) if last else numbers[..., i]
             for i in range(count)
         ]
-    converted = [plain_numbers(part) for part in parts]
+    converted: list[Any] = [plain_numbers(part) for part in parts]
     if any(part is None or not np.isfinite(part).all() for part in converted):
         raise InvalidValue(name, value, allowed, remedy_for(value, remedy))
     return tuple(

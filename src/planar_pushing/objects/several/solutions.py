@@ -11,7 +11,13 @@ import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
 from planar_pushing.mechanics.entries import to_json
-from planar_pushing.mechanics.kernels.arrays import same
+from planar_pushing.mechanics.kernels.arrays import (
+    component_labels,
+    dataset,
+    flag_attributes,
+    label_result,
+    same,
+)
 from planar_pushing.mechanics.solutions import outcome_of
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Reason
@@ -29,7 +35,7 @@ class ContactsSolution:
     modes : tuple of ContactMode
         Of each contact. A slip to the right is along the tangent, the normal rotated by -90 degrees.
     twist : ndarray, shape (3,)
-        (v_x, v_y, omega) about the origin of the object's frame.
+        (v_x, v_y, omega), omega in radians per unit of time, about the origin of the object's frame.
     forces : ndarray, shape (n, 2)
         Force of each pusher on the object.
     forces_end : ndarray, shape (n, 2)
@@ -170,6 +176,7 @@ class ContactsSolutionArrays:
     modes : ndarray of int, shape S + (solutions, n)
         Values of `ContactMode`; -1 after the last solution, where all other values are NaN.
     twist : ndarray, shape S + (solutions, 3)
+        omega in radians per unit of time.
     forces, forces_end, contact_motions : ndarray, shape S + (solutions, n, 2)
     inner_force : ndarray, shape S + (solutions, 2)
     directions : ndarray, shape S + (solutions, 2, n, 2)
@@ -226,6 +233,18 @@ class ContactsSolutionArrays:
             if (count := int(np.count_nonzero(self.outcome == member)))
         )
         return f"contacts: {self.modes.shape[-1]}\nproblems: {self.shape}\noutcomes: {outcomes}"
+
+
+def as_labeled(values: dict[str, Any]) -> Any:
+    """The dataset of labeled problems, from labeled variables of `ContactsSolutionArrays`."""
+    outcome = label_result(
+        "outcome", outcome_of(values["solutions"], values["status"]).astype(np.int8)
+    )
+    for name, kind in (("modes", ContactMode), ("reason", Reason)):
+        flags: dict[str, Any] = flag_attributes(dict(kind.__members__))
+        values[name] = values[name].assign_attrs(flags)
+    labels = component_labels() | {"bound": ["low", "high"]}
+    return dataset([*values.values(), outcome]).assign_coords(labels)
 
 
 def solutions_of(values: dict[str, Any]) -> ContactsSolutions:

@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.instant.several import (
-    MOST_OF_SEVERAL,
+from planar_pushing.core.instant.several_frames import MOST_OF_SEVERAL, SeveralRow
+from planar_pushing.core.instant.several_solutions import (
     SEVERAL_SOLUTION,
     SeveralResults,
-    SeveralRow,
     SeveralSolution,
 )
 from planar_pushing.mechanics.contact import Coulomb
 from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.force.held import require_held
-from planar_pushing.mechanics.kernels.arrays import Output, map_kernel, require_alike
+from planar_pushing.mechanics.kernels.arrays import Output, elementwise, is_labeled, map_kernel
 from planar_pushing.mechanics.kernels.columns import Columns, row_of
 from planar_pushing.mechanics.outline import require_outline
 from planar_pushing.mechanics.plane import Frame, Placement
@@ -35,13 +35,15 @@ from planar_pushing.objects.scene_at import (
 from planar_pushing.objects.several.contact import Contact, PlacedContact, place_contacts
 from planar_pushing.objects.several.solutions import (
     ContactsSolutionArrays,
-    ContactsSolutions,
+    as_labeled,
     solutions_of,
 )
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import Array
 
+#: Room for the solutions of up to two contacts, of which five were the most that random scenes had.
+ROOM_FOR_TWO = 8
 #: Contacts whose normals are opposite, and on one line, to within this.
 OPPOSITE = 1e-9
 
@@ -51,7 +53,7 @@ def solve_contacts(
     *,
     effects: Sequence[Effect],
     outline: Any = None,
-) -> ContactsSolutions | ContactsSolutionArrays:
+) -> Any:
     """Every consistent solution of an object that several fingers, walls or sides touch, from rest.
 
     Parameters
@@ -65,9 +67,10 @@ def solve_contacts(
 
     Returns
     -------
-    ContactsSolutions or ContactsSolutionArrays
-        All numbers are in the object's frame. `ContactsSolutionArrays` if a velocity, a law or an effect is
-        an array, all of which are broadcast.
+    ContactsSolutions, ContactsSolutionArrays or xarray.Dataset
+        All numbers are in the object's frame. `ContactsSolutionArrays` if a velocity, a law or the strength
+        of an effect is an array, all of which are broadcast, and a dataset with the same variables if one
+        is a DataArray.
 
     Raises
     ------
@@ -84,19 +87,24 @@ def solve_contacts(
     pushers leave it no motion, or wedged, because forces of the contacts can cancel one another without
     bound.
     """
-    whole = None if outline is None else require_outline(outline)
-    placed = place_contacts(contacts, whole, outline)
-    scene, center = scene_about_center(effects, whole)
-    warn_of_doubts(effects, [contact.law for contact in placed], whole)
+    shape = None if outline is None else require_outline(outline)
+    placed = place_contacts(contacts, shape, outline)
+    scene, center = scene_about_center(effects, shape)
+    warn_of_doubts(effects, [contact.law for contact in placed], shape)
     require_held(scene)
     _require_no_squeeze(placed, scene)
-    columns = [
+    count = len(placed)
+    numbers = [
         *scene.rows.columns,
         *(number for contact in placed for number in (*contact.velocity, *contact.numbers)),
     ]
-    require_alike(columns)
-    values = _solve_arrays(scene, placed, center)
-    if np.ndim(values["solutions"]):
+    outputs = outputs_of(count)
+    answer = functools.partial(_solve_arrays, scene, placed, center)
+    arrays = elementwise(answer, numbers, outputs)
+    values = {output.name: array for output, array in zip(outputs, arrays, strict=True)}
+    if is_labeled(arrays[0]):
+        return as_labeled(values)
+    if np.ndim(arrays[0]):
         return ContactsSolutionArrays(**values)
     return solutions_of(values)
 
@@ -134,66 +142,52 @@ def _require_no_squeeze(contacts: Sequence[PlacedContact], scene: Scene) -> None
 
 
 def _solve_arrays(
-    scene: Scene, contacts: Sequence[PlacedContact], center: tuple[float, float]
-) -> dict[str, Any]:
-    """The arrays of `ContactsSolutionArrays`."""
+    scene: Scene, contacts: Sequence[PlacedContact], center: tuple[float, float], *numbers: Any
+) -> list[npt.NDArray[Any]]:
+    """The arrays of `ContactsSolutionArrays`, from the columns of the effects and those of the contacts."""
     rows, radius = scene.rows, scene.slider.radius
-    strengths = strengths_of(rows.entries, rows.columns)
+    columns, rest = numbers[: len(rows.columns)], numbers[len(rows.columns) :]
+    moved = [rest[7 * i : 7 * i + 7] for i in range(len(contacts))]
+    strengths = strengths_of(rows.entries, columns)
     size: Any = 0.0
-    for contact in contacts:
-        size = np.maximum(size, np.hypot(*contact.velocity))
+    for v_x, v_y, *_ in moved:
+        size = np.maximum(size, np.hypot(v_x, v_y))
     require_proportion(rows.entries, strengths, size)
     size = np.where(np.asarray(size) > 0.0, size, size_of_fall(rows.entries, strengths))
-    unit, scaled = in_units(rows.entries, rows.columns, strengths, size)
-    for contact in contacts:
-        scaled += _row_of_contact(contact, center, radius, size)
-    count = len(contacts)
-    geometry = _Geometry(contacts, center, radius)
-    width = SeveralResults.size + MOST_OF_SEVERAL * SEVERAL_SOLUTION
-    arrays = map_kernel(
-        "solve_contacts",
-        rows.data,
-        [*scaled, size, unit],
-        outputs_of(count),
-        width,
-        geometry.decode,
-    )
-    return dict(zip((output.name for output in outputs_of(count)), arrays, strict=True))
+    unit, scaled = in_units(rows.entries, columns, strengths, size)
+    for contact, (v_x, v_y, right, left, slips, closed, rough) in zip(contacts, moved, strict=True):
+        (x, y), (c_x, c_y) = contact.point, center
+        scaled += row_of(
+            SeveralRow, point=[(x - c_x) / radius, (y - c_y) / radius], normal=list(contact.normal),
+            velocity=[v_x / size, v_y / size], right=right, left=left, slips=slips, closed=closed,
+            rough=rough,
+        )  # fmt: skip
+    width = SeveralResults.size + _room_of(len(contacts)) * SEVERAL_SOLUTION
+    geometry, outputs = _Geometry(contacts, center, radius), outputs_of(len(contacts))
+    columns_of_rows = [*scaled, size, unit]
+    return map_kernel("solve_contacts", rows.data, columns_of_rows, outputs, width, geometry.decode)
 
 
-def _row_of_contact(
-    contact: PlacedContact, center: tuple[float, float], radius: Number, size: Any
-) -> list[Any]:
-    """The columns of a contact, with lengths in radii and motions in units of the fastest pusher."""
-    law = contact.numbers
-    return row_of(
-        SeveralRow,
-        point=[(contact.point[0] - center[0]) / radius, (contact.point[1] - center[1]) / radius],
-        normal=list(contact.normal),
-        velocity=[contact.velocity[0] / size, contact.velocity[1] / size],
-        right=law.right,
-        left=law.left,
-        slips=law.slips,
-        closed=law.closed,
-        rough=law.rough,
-    )
+def _room_of(count: int) -> int:
+    """Length of the axis of solutions for a number of contacts."""
+    return ROOM_FOR_TWO if count <= 2 else MOST_OF_SEVERAL
 
 
 def outputs_of(count: int) -> tuple[Output, ...]:
     """The results of each problem with a number of contacts."""
-    many, xy, each = ("solution", MOST_OF_SEVERAL), ("xy", 2), ("contact", count)
+    many, xy, one_each = ("solution", _room_of(count)), ("xy", 2), ("contact", count)
     return (
         Output("solutions", (), "i1"),
         Output("status", (), "i1"),
         Output("reason", (), "i1"),
-        Output("modes", (many, each), "i1"),
+        Output("modes", (many, one_each), "i1"),
         Output("twist", (many, ("twist_component", 3))),
-        Output("forces", (many, each, xy)),
-        Output("forces_end", (many, each, xy)),
+        Output("forces", (many, one_each, xy)),
+        Output("forces_end", (many, one_each, xy)),
         Output("inner_force", (many, ("bound", 2))),
-        Output("directions", (many, ("bound", 2), each, xy)),
-        Output("contact_motions", (many, each, xy)),
-        Output("gap_rates", (many, each)),
+        Output("directions", (many, ("bound", 2), one_each, xy)),
+        Output("contact_motions", (many, one_each, xy)),
+        Output("gap_rates", (many, one_each)),
         Output("pivot", (many,), "i4"),
         Output("continuum", (many,), "?"),
         Output("condition", (many,)),
@@ -214,47 +208,63 @@ class _Geometry:
         self, results: Array, columns: Sequence[Any], outputs: Sequence[npt.NDArray[Any]]
     ) -> None:
         """Write the outputs in the units of the object; the last columns of a row are its units."""
-        size, unit = (np.asarray(column)[..., None] for column in columns[-2:])
-        (
-            counts, status, reason, modes, twist, forces, ends, inner, directions, motions, rates,
-            pivot, continuum, condition,
-        ) = outputs  # fmt: skip
-        count = len(self.points)
+        counts, status, reason, modes, *others = outputs
         head = Columns(SeveralResults, results)
         counts[:], status[:], reason[:] = head.count, head.status, head.reason
-        rows = results[:, SeveralResults.size :].reshape(len(results), MOST_OF_SEVERAL, -1)
-        rows = Columns(SeveralSolution, rows)
-        exists = np.arange(MOST_OF_SEVERAL) < counts[:, None]
-        with np.errstate(invalid="ignore"):
-            closed = np.where(np.isnan(rows.modes), -1.0, rows.modes)[..., :count]
-        modes[:] = closed
+        most = int(counts.max(initial=0))
+        modes[:] = -1
+        for output in others:
+            output[:] = (
+                np.nan if output.dtype.kind == "f" else -1 if output.dtype.kind == "i" else 0
+            )
+        if most == 0:
+            return
+        numbers = results[:, SeveralResults.size :].reshape(len(results), -1, SEVERAL_SOLUTION)
+        rows = Columns(SeveralSolution, numbers[:, :most])
+        exists = np.arange(most) < counts[:, None]
+        modes[:, :most] = np.where(exists[..., None], rows.modes, -1.0)[..., : len(self.points)]
+        kept = [output[:, :most] for output in others]
+        self._decode_motions(columns, rows, modes[:, :most], kept)
+        self._decode_forces(columns, rows, kept)
+        pivot, continuum = kept[7:9]
+        pivot[:] = np.where(exists, rows.pivot, -1.0)
+        continuum[:] = rows.continuum == 1.0
+
+    def _decode_motions(
+        self, columns: Sequence[Any], rows: Any, modes: Any, outputs: Sequence[Array]
+    ) -> None:
+        """Write the twists, and the motions at the contacts."""
+        size, twist, motions = np.asarray(columns[-2])[..., None], outputs[0], outputs[5]
         omega = rows.twist[..., 2] * size / self.radius
-        c_x, c_y = self.center
+        (c_x, c_y), (x, y) = self.center, self.points.T
         twist[..., 0] = rows.twist[..., 0] * size + omega * c_y
         twist[..., 1] = rows.twist[..., 1] * size - omega * c_x
         twist[..., 2] = omega
-        x, y = self.points.T
         motions[..., 0] = twist[..., 0, None] - omega[..., None] * y
         motions[..., 1] = twist[..., 1, None] + omega[..., None] * x
-        shape = (*rows.modes.shape[:2], 4, 2)
-        low = rows.low_forces.reshape(shape)[:, :, :count]
-        high = rows.high_forces.reshape(shape)[:, :, :count]
+        self._decode_rates(columns, modes, motions, outputs[6])
+
+    def _decode_forces(self, columns: Sequence[Any], rows: Any, outputs: Sequence[Array]) -> None:
+        """Write the forces at both ends of their range."""
+        unit = np.asarray(columns[-1])[..., None]
+        forces, ends, inner, directions = outputs[1:5]
+        shape = (*rows.pivot.shape, -1, 2)
+        low = rows.low_forces.reshape(shape)[:, :, : len(self.points)]
+        high = rows.high_forces.reshape(shape)[:, :, : len(self.points)]
         infinite = np.stack([rows.low_infinite, rows.high_infinite], axis=-1) == 1.0
-        scale = unit[..., None, None]
-        for k, (force, end) in enumerate(((low, forces), (high, ends))):
-            without = infinite[..., k, None, None]
-            directions[:, :, k] = np.where(without, force, np.nan)
-            grown = np.where(np.abs(force) > OPPOSITE, np.copysign(np.inf, force), 0.0)
-            end[:] = np.where(without, grown, force * scale)
-            end[~exists] = np.nan
+        np.multiply(low, unit[..., None, None], out=forces)
+        np.multiply(high, unit[..., None, None], out=ends)
         inner[..., 0], inner[..., 1] = rows.low_inner * unit, rows.high_inner * unit
-        continuum[:] = rows.continuum == 1.0
-        pivot[:] = np.where(exists, rows.pivot, -1.0)
-        self._decode_rates(columns, modes, motions, rates)
-        self._decode_condition(np.stack([low, high]), infinite, condition)
+        if infinite.any():
+            for k, (force, end) in enumerate(((low, forces), (high, ends))):
+                without = infinite[..., k, None, None]
+                directions[:, :, k] = np.where(without, force, np.nan)
+                grown = np.where(np.abs(force) > OPPOSITE, np.copysign(np.inf, force), 0.0)
+                end[:] = np.where(without, grown, end)
+        self._decode_condition(np.stack([low, high]), infinite, outputs[9])
 
     def _decode_rates(
-        self, columns: Sequence[Any], modes: Array, motions: Array, rates: Array
+        self, columns: Sequence[Any], modes: Any, motions: Array, rates: Array
     ) -> None:
         """Write how fast the gaps open; those of closed contacts do not."""
         size, first = np.asarray(columns[-2]), len(columns) - 2 - SeveralRow.size * len(self.points)

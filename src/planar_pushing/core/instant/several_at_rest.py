@@ -1,0 +1,196 @@
+"""Several contacts that hold a slider at rest, which loads would move without them.
+
+Friction holds any wrench of a convex set. The contacts hold the slider if their forces leave it a wrench of
+this set. Those that need the smallest share of friction are found: the share is convex in the forces, and
+the wrench that needs the smallest one is zero, or on the boundary of the cone, where two unit forces
+suffice. The power of a unit force in the motion that friction resists is the slope of the share.
+"""
+
+from __future__ import annotations
+
+from math import fabs
+from typing import NamedTuple
+
+from planar_pushing.core.instant.force_sets import (
+    FORCE_END,
+    MOST_UNITS,
+    UNIT_FORCE,
+    ForceEnd,
+    HeldLoad,
+    UnitForce,
+    balance_load,
+)
+from planar_pushing.core.instant.several_frames import Several, frame_of
+from planar_pushing.core.instant.several_solutions import Sharing, add_solution
+from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, STICK
+from planar_pushing.core.numbers import INFINITY, Numbers
+from planar_pushing.core.supports.free import friction_share
+from planar_pushing.core.supports.resistance import has_friction, load_wrench
+from planar_pushing.core.supports.roots import (
+    ITERATIONS,
+    best_number,
+    is_narrow,
+    narrow_bracket,
+    next_number,
+    open_bracket,
+)
+from planar_pushing.core.supports.rows import NO_POINT, Vector
+from planar_pushing.core.supports.tolerances import BALANCED, COINCIDENT, SHARE
+
+#: Maximum number of times that a force is doubled in the search for the smallest share.
+MOST_DOUBLINGS = 60
+
+
+class Share(NamedTuple):
+    """Coefficients of two unit forces, the share of friction that they need, and the motion it resists."""
+
+    one: float
+    other: float
+    share: float
+    twist: Vector
+
+
+def rests_with(several: Several, modes: Numbers) -> bool:
+    """Whether contacts have given modes with the slider at rest; slips are at moving pushers."""
+    for i in range(several.number):
+        frame, mode = frame_of(several, i), int(modes[i])
+        across, along = frame.pusher_across, frame.pusher_along
+        if mode == SEPARATE:
+            if across > COINCIDENT:
+                return False
+        elif fabs(across) > COINCIDENT:
+            return False
+        elif mode == STICK:
+            if fabs(along) > COINCIDENT:
+                return False
+        elif (along if mode == SLIP_LEFT else -along) <= COINCIDENT:
+            return False
+    return True
+
+
+def add_at_rest(several: Several, sharing: Sharing, solutions: Numbers, count: int) -> int:
+    """Add the slider at rest if the contacts hold it, and return the number of solutions."""
+    effects, low, high = several.effects, sharing.low, sharing.high
+    load = load_wrench(effects)
+    held: bool = balance_load(
+        sharing.units,
+        sharing.number,
+        HeldLoad(
+            x=-load.x,
+            y=-load.y,
+            torque=-load.spin,
+            limit=0.0,
+            foot_x=0.0,
+            foot_y=0.0,
+            size=fabs(load.x) + fabs(load.y) + fabs(load.spin),
+        ),  # fmt: skip
+        BALANCED,
+        low=low,
+        high=high,
+    )
+    if not held and has_friction(effects):
+        held = _write_least_share(several, sharing)
+    if not held:
+        return count
+    return add_solution(
+        several, sharing, Vector(0.0, 0.0, 0.0), NO_POINT, continuum=False, solutions=solutions,
+        count=count,
+    )  # fmt: skip
+
+
+def _write_least_share(several: Several, sharing: Sharing) -> bool:
+    """Write the forces that need the smallest share of friction; whether friction bears it."""
+    best, first, second = INFINITY, 0, 0
+    one, other = 0.0, 0.0
+    for i in range(sharing.number):
+        for j in range(i if sharing.number == 1 else i + 1, sharing.number):
+            share = _least_of_pair(several, sharing, i, j)
+            if share.share < best:
+                best, first, second = share.share, i, j
+                one, other = share.one, share.other
+    for end in range(2):
+        row = sharing.low if end == 0 else sharing.high
+        for k in range(MOST_UNITS):
+            row[FORCE_END + k] = 0.0
+        row[FORCE_END + second] = other
+        row[FORCE_END + first] = row[FORCE_END + first] + one
+        result = ForceEnd(row)
+        result.is_infinite, result.exists = False, True
+        result.inner = one * UnitForce(sharing.units[UNIT_FORCE * first :]).inner
+        result.inner += other * UnitForce(sharing.units[UNIT_FORCE * second :]).inner
+    return best <= 1.0 + SHARE
+
+
+def _share_of(
+    several: Several, sharing: Sharing, i: int, j: int, one: float, other: float
+) -> Share:
+    """The share of friction that multiples of two unit forces need."""
+    first = UnitForce(sharing.units[UNIT_FORCE * i :])
+    second = UnitForce(sharing.units[UNIT_FORCE * j :])
+    wrench = Vector(
+        one * first.x + other * second.x,
+        one * first.y + other * second.y,
+        one * first.torque + other * second.torque,
+    )
+    level = friction_share(several.effects, wrench)
+    return Share(one, other, level.value, level.twist)
+
+
+def _power_of_unit(sharing: Sharing, i: int, twist: Vector) -> float:
+    """Power of a unit force in a motion."""
+    force = UnitForce(sharing.units[UNIT_FORCE * i :])
+    return force.x * twist.x + force.y * twist.y + force.torque * twist.spin
+
+
+def _least_along_first(several: Several, sharing: Sharing, i: int, j: int, other: float) -> Share:
+    """The smallest share over all multiples of the first force."""
+    load = load_wrench(several.effects)
+    step = fabs(load.x) + fabs(load.y) + fabs(load.spin)
+    low = _share_of(several, sharing, i, j, one=0.0, other=other)
+    at_low = _power_of_unit(sharing, i, low.twist)
+    if at_low >= 0.0:
+        return low
+    high, at_high = low, at_low
+    for _ in range(MOST_DOUBLINGS):
+        high = _share_of(several, sharing, i, j, one=step, other=other)
+        at_high = _power_of_unit(sharing, i, high.twist)
+        if at_high >= 0.0:
+            break
+        low, at_low, step = high, at_high, 2.0 * step
+    if at_high < 0.0:
+        return low
+    bracket = open_bracket(low.one, high.one, at_low, at_high, COINCIDENT)
+    for _ in range(ITERATIONS):
+        if is_narrow(bracket):
+            break
+        one = next_number(bracket)
+        high = _share_of(several, sharing, i, j, one=one, other=other)
+        bracket = narrow_bracket(bracket, one, _power_of_unit(sharing, i, high.twist))
+    return _share_of(several, sharing, i, j, one=best_number(bracket), other=other)
+
+
+def _least_of_pair(several: Several, sharing: Sharing, i: int, j: int) -> Share:
+    """The smallest share over all multiples of two forces."""
+    load = load_wrench(several.effects)
+    step = fabs(load.x) + fabs(load.y) + fabs(load.spin)
+    low = _least_along_first(several, sharing, i, j, 0.0)
+    at_low = _power_of_unit(sharing, j, low.twist)
+    if at_low >= 0.0 or i == j:
+        return low
+    high, at_high = low, at_low
+    for _ in range(MOST_DOUBLINGS):
+        high = _least_along_first(several, sharing, i, j, step)
+        at_high = _power_of_unit(sharing, j, high.twist)
+        if at_high >= 0.0:
+            break
+        low, at_low, step = high, at_high, 2.0 * step
+    if at_high < 0.0:
+        return low
+    bracket = open_bracket(low.other, high.other, at_low, at_high, COINCIDENT)
+    for _ in range(ITERATIONS):
+        if is_narrow(bracket):
+            break
+        other = next_number(bracket)
+        high = _least_along_first(several, sharing, i, j, other)
+        bracket = narrow_bracket(bracket, other, _power_of_unit(sharing, j, high.twist))
+    return _least_along_first(several, sharing, i, j, best_number(bracket))
