@@ -236,6 +236,12 @@ def test_corners_with_a_radius_within_the_tolerance_are_corners(corners, radius)
         assert rounded.pieces == pytest.approx(sharp.pieces, abs=1e-12 * sharp.size)
 
 
+def test_a_polygon_is_made_of_an_outline_of_straight_sides():
+    assert pp.Polygon(OUTLINES["square"]) == pp.Polygon(SQUARE)
+    wide = [(-3, -3), (3, -3), (3, 3), (-3, 3)]
+    assert pp.Polygon(wide, holes=[OUTLINES["square"]]) == pp.Polygon(wide, holes=[SQUARE])
+
+
 def test_ellipses_are_of_second_order():
     errors = [
         abs(pp.Outline.ellipse(2, 1, arcs).moments[0] - 2 * math.pi) for arcs in (32, 64, 128)
@@ -250,6 +256,8 @@ def test_ellipses_are_of_second_order():
         (lambda: pp.rounded(SQUARE, [0.1, 0.2]), "4 of them"),
         (lambda: pp.rounded(OUTLINES["rounded"], 0.1), "straight sides"),
         (lambda: pp.Outline(pp.Ring(1.0)), "a Disc"),
+        (lambda: pp.Polygon(OUTLINES["rounded"]), "vertices.*straight sides without holes"),
+        (lambda: pp.Polygon(OUTLINES["holes"]), "vertices.*straight sides without holes"),
         (lambda: pp.Outline.from_bulges([(0, 0, 0), (1, 1, 0.1), (1, 0, 0), (0, 1, 0)]), "cross"),
         (lambda: pp.Outline.ellipse(1, 2, 7), "even"),
         (lambda: pp.Outline(SQUARE, holes=[pp.Disc(1.2)]), "inside"),
