@@ -144,8 +144,8 @@ def place_object(
     slider = Slider(
         rod_length=length,
         rod_angle=angle,
-        # The default is the extent of the support in the body frame, which is the same at every contact.
-        radius=extent if many or not any(hasattr(effect, "support") for effect in acting) else None,
+        # That of the support in the object's frame: it is the same number at every contact, one or many.
+        radius=extent,
         side=ends,
         flush=flush,
         outline=whole,
