@@ -405,14 +405,16 @@ EXACT = {
     "disc": pp.Disc(0.5, (0.1, 0.05)),
     "ring": pp.Ring(0.4, (0.1, -0.02)),
     "segment": pp.Segment((-0.3, 0.1), (0.45, 0.21)),
-    "feet and a disc": pp.Composite([(2.0, pp.Disc(0.2, (0.1, 0.3))), (1.0, pp.Points([(0, 0), (0.3, -0.2)]))]),
+    "feet and a disc": pp.Composite([
+        (2.0, pp.Disc(0.2, (0.1, 0.3))), (1.0, pp.Points([(0, 0), (0.3, -0.2)])),
+    ]),
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("massive", [False, True])
 @pytest.mark.parametrize("name", [*EXACT, "square"])
 def test_runs_of_many_contacts_are_those_of_each(name, massive):
-    """To the last bit, but for rounding of polygons; the radius of the slider is the same for all supports."""
+    """To the last bit, but for rounding of polygons; the slider has one radius under every support."""
     support = (EXACT | {"square": SQUARE})[name]
     effects = [pp.SupportFriction(support=support)]
     effects += [pp.Inertia(gyration_radius=0.5, center=(0.1, 0.0))] * massive
