@@ -145,8 +145,8 @@ def place_object(
     slider = Slider(
         rod_length=length,
         rod_angle=angle,
-        # The default is the extent of the support in the body frame, which is the same at every contact.
-        radius=extent if many or not any(hasattr(effect, "support") for effect in acting) else None,
+        # That of the support in the object's frame: it is the same number at every contact, one or many.
+        radius=extent,
         side=ends,
         flush=flush,
         outline=whole,
@@ -278,7 +278,8 @@ def _require_one_support(effect: Any, outline: Outline | None) -> None:
     if np.ndim(np.array(support, dtype=object)):
         raise InvalidValue("support", support, "one support", "make the scenes one by one")
     if isinstance(support, Ring) and support.radius is None:
-        whole = "" if outline is None else ", or support=Polygon(outline) for the whole outline"
+        uniform = "outline" if outline and outline.corners else "outline.vertices(tolerance)"
+        whole = "" if outline is None else f", or support=Polygon({uniform}) for the whole outline"
         raise InvalidValue(
             "support", support, "the object's support, which has no default",
             f"give it: a ring with its radius, as in support=Ring(1.0){whole}",

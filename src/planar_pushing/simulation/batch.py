@@ -20,6 +20,7 @@ from planar_pushing.simulation.log import variable_attributes, without_fill_valu
 from planar_pushing.simulation.problem import Problem, warn_of_doubts
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.runs import run_scenes
+from planar_pushing.simulation.world import World, require_one_shape
 from planar_pushing.terms import quantities
 from planar_pushing.terms.domain import SAMPLE_COUNT
 from planar_pushing.terms.errors import (
@@ -42,6 +43,7 @@ def simulate_batch(
     rtol: float = 1e-10,
     on_ambiguity: PolicyName | Sequence[tuple[float, PolicyName]] = Policy.KEEP_CONTACT,
     samples: int | None = None,
+    object_pose: Sequence[npt.ArrayLike] | None = None,
     progress: bool = False,
 ) -> xr.Dataset:
     """Simulate many scenes, given as one scene with array parameters, each as `simulate` does.
@@ -62,6 +64,10 @@ def simulate_batch(
         As in `simulate`.
     samples : int, optional
         Number of evenly spaced instants, including the first and the last; by default only the last.
+    object_pose : (x, y, angle), optional
+        As in `simulate`, the angle in radians; numbers or arrays. With it, the dataset contains
+        `object_position`, `object_angle`, `pusher_position` and, with an outline, `contact_normal`, and
+        the pusher can move along the axes of the world.
     progress : bool
         Whether to show a progress bar.
 
@@ -92,7 +98,7 @@ def simulate_batch(
     require_flag("progress", progress)
     problem = Problem(
         scene=require_scene(scene), pusher=pusher, duration=duration, twist=twist, gap=gap,
-        rtol=rtol, on_ambiguity=on_ambiguity,
+        rtol=rtol, on_ambiguity=on_ambiguity, object_pose=object_pose,
     )  # fmt: skip
     warn_of_doubts(problem)
     data, numbers = numbers_of(problem)
@@ -108,7 +114,7 @@ def simulate_batch(
     # Bit for bit the times of `simulate`.
     times = ends[:, None] if samples is None else np.linspace(0.0, ends, len(parts), axis=-1)
     rows, changes = run_scenes(scenes, times, progress)
-    variables = _variables(problem, rows, samples is None)
+    variables = _variables(scenes, rows, samples is None)
     variables["mode_changes"] = ("scene",), changes
     variables["evaluations"] = (
         ("scene",),
@@ -146,13 +152,8 @@ def _require_free_names(over: Over) -> None:
 
 def _broadcast(values: list[Any]) -> tuple[list[Array], Over]:
     """Flat arrays of values that are broadcast against each other, and what they are over."""
+    require_one_shape(values)
     if any(map(is_labeled, values)):
-        unlabeled = [value for value in values if np.ndim(value) and not is_labeled(value)]
-        if unlabeled:
-            raise InvalidValue(
-                "shapes", np.shape(unlabeled[0]), "labeled arrays, or arrays of one shape",
-                "also give this array as an xarray.DataArray",
-            )  # fmt: skip
         labeled = (value if is_labeled(value) else xr.DataArray(value) for value in values)
         broadcast = xr.broadcast(*labeled)
         dims = tuple(map(str, broadcast[0].dims))
@@ -161,10 +162,7 @@ def _broadcast(values: list[Any]) -> tuple[list[Array], Over]:
     else:
         arrays, dims, coordinates = [np.asarray(value, float) for value in values], ("scene",), {}
     shapes = {np.shape(array) for array in arrays}
-    try:
-        shape = np.broadcast_shapes((1,) * len(dims), *shapes)
-    except ValueError:
-        shape = ()
+    shape = np.broadcast_shapes((1,) * len(dims), *shapes)
     if len(shape) != len(dims) or 0 in shape:
         raise InvalidValue(
             "shapes", sorted(shapes), "() or (scenes,)", "give one number for each scene"
@@ -173,11 +171,14 @@ def _broadcast(values: list[Any]) -> tuple[list[Array], Over]:
     return flat, Over(dims, shape, coordinates)
 
 
-def _variables(problem: Problem, rows: Array, only_last: bool) -> dict[str, Any]:
+def _variables(scenes: Scenes, rows: Array, only_last: bool) -> dict[str, Any]:
     """Variables of rows, with dimensions and types as in a log."""
+    problem, world = scenes.problem, scenes.world
     dims, rows = (("scene",), rows[:, -1]) if only_last else (("scene", "part"), rows)
+    if world is not None and not only_last:
+        world = World.of_numbers([number[:, None] for number in world.numbers])
     fields = sampled_fields(problem)
-    values = arrays(rows, problem, fields)
+    values = arrays(rows, problem, fields, world)
     return {field.name: ((*dims, *field.dims), values[field.name]) for field in fields}
 
 

@@ -26,6 +26,7 @@ from planar_pushing.mechanics.angles import RESOLUTION
 from planar_pushing.mechanics.contact import Outcome
 from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.simulation.problem import Problem
+from planar_pushing.simulation.world import World
 from planar_pushing.terms import quantities
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Method, Shape
@@ -139,15 +140,15 @@ FIELDS = (
     Field("evaluations", "evaluations", EFFECT, "i8"),
     Field("stopped", "stopped", (), "i1", lambda problem: False, sampled=True),
     Field("contact_position", "contact_position", logged=_has_position, sampled=True),
-    Field("contact_normal", "contact_normal", logged=_has_normal),
+    Field("contact_normal", "contact_normal", logged=_has_normal, sampled=True),
     Field("contact_piece", "contact_piece", (), "i4", _has_outline, sampled=True),
     Field("flush", "flush", (), "?", _can_lie, sampled=True),
     Field("parted", "parted", (), "?", _is_finger, sampled=True),
     Field("impulse", "impulse", XY, logged=_has_impacts, sampled=True, stepped=False),
     Field("load_work", "load_work", logged=_has_loads),
-    Field("object_position", "position", XY, logged=_is_placed),
-    Field("object_angle", "angle", logged=_is_placed),
-    Field("pusher_position", "pusher", XY, logged=_is_placed),
+    Field("object_position", "position", XY, logged=_is_placed, sampled=True),
+    Field("object_angle", "angle", logged=_is_placed, sampled=True),
+    Field("pusher_position", "pusher", XY, logged=_is_placed, sampled=True),
 )  # fmt: skip
 #: Numbers of components along dimensions.
 COMPONENTS = {"xy": 2, "twist_component": 3}
@@ -202,7 +203,9 @@ def scales_of(radius: Array, force: Array, width: int) -> Array:
     return lengths * np.where(_have_unit("force", width), force[..., None], 1.0)
 
 
-def arrays(rows: Array, problem: Problem, fields: Sequence[Field]) -> Arrays:
+def arrays(
+    rows: Array, problem: Problem, fields: Sequence[Field], world: World | None = None
+) -> Arrays:
     """Values of fields by name, from rows in the units of the scene; angles in degrees.
 
     Parameters
@@ -210,15 +213,21 @@ def arrays(rows: Array, problem: Problem, fields: Sequence[Field]) -> Arrays:
     rows : ndarray, shape S + (width,)
     problem : Problem
     fields : sequence of Field
+    world : World, optional
+        Its arrays broadcast against shape S; by default that of the problem.
 
     Returns
     -------
     dict of ndarray, shape S, or S + (components,)
     """
-    return {
-        field.name: np.array(COMPUTED.get(field.name, _read)(rows, problem, field), field.dtype)
-        for field in fields
-    }
+    world = problem.world if world is None else world
+
+    def values(field: Field) -> Any:
+        if world is not None and field.name in PLACED:
+            return PLACED[field.name](world, rows)
+        return COMPUTED.get(field.name, _read)(rows, problem, field)
+
+    return {field.name: np.array(values(field), field.dtype) for field in fields}
 
 
 def _read(rows: Array, problem: Problem, field: Field) -> Array:
@@ -244,13 +253,6 @@ def _adhesive(rows: Array, problem: Problem, field: Field) -> Any:
     return normal < -RESOLUTION * size
 
 
-def _contact_normal(rows: Array, problem: Problem, field: Field) -> Any:
-    """Angle of the inward normal at the contact in the world."""
-    assert problem.world is not None
-    c, s = problem.world.fence.axis
-    return np.rad2deg(Columns(LogRow, rows).contact_normal + np.arctan2(c, -s))
-
-
 def _dissipation(rows: Array, problem: Problem, field: Field) -> Any:
     """Energy dissipated by each effect, zero for those that do not resist."""
     energies = np.zeros((*rows.shape[:-1], len(problem.scene.effects)))
@@ -265,30 +267,26 @@ def _evaluations(rows: Array, problem: Problem, field: Field) -> Any:
     return np.repeat(counts, len(problem.scene.effects), axis=-1)
 
 
-def _object_pose(rows: Array, problem: Problem, field: Field) -> Any:
-    """Position or angle of the object in the world."""
-    position = Columns(LogRow, rows).position
-    assert problem.world is not None
-    pose = problem.world.object_pose(position, Columns(LogRow, rows).angle)
-    return pose[0] if field.dims else pose[1]
-
-
-def _pusher_position(rows: Array, problem: Problem, field: Field) -> Any:
-    """Position of the pusher in the world; at time 0 a finger's center is one radius below the contact."""
-    assert problem.world is not None
-    radius: Any = problem.pusher.radius
-    return problem.world.fence.point_out(_read(rows, problem, field) - (0.0, radius))
+def _object_pose(world: World, rows: Array) -> tuple[Array, Array]:
+    """Positions and angles of the objects in the world."""
+    columns = Columns(LogRow, rows)
+    return world.object_pose(columns.position, columns.angle)
 
 
 #: Functions of the fields that are computed from the numbers of a row.
 COMPUTED: dict[str, Callable[[Array, Problem, Field], Any]] = {
     "rod_angle": _degrees,
-    "contact_normal": _contact_normal,
     "outcome": _outcome,
     "adhesive": _adhesive,
     "dissipated": _dissipation,
     "evaluations": _evaluations,
-    "object_position": _object_pose,
-    "object_angle": _object_pose,
-    "pusher_position": _pusher_position,
+}
+#: Functions of the fields that are computed from the world and the numbers of a row.
+PLACED: dict[str, Callable[[World, Array], Any]] = {
+    "contact_normal": lambda world, rows: world.contact_normal(
+        Columns(LogRow, rows).contact_normal
+    ),
+    "object_position": lambda world, rows: _object_pose(world, rows)[0],
+    "object_angle": lambda world, rows: _object_pose(world, rows)[1],
+    "pusher_position": lambda world, rows: world.pusher_position(Columns(LogRow, rows).pusher),
 }

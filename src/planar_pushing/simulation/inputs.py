@@ -34,9 +34,11 @@ from planar_pushing.simulation.motion import (
     write_policies,
 )
 from planar_pushing.simulation.problem import Problem
+from planar_pushing.simulation.pusher import Pusher
+from planar_pushing.simulation.world import WORLD, World
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.numbers import Array
-from planar_pushing.terms.options import Method, Shape
+from planar_pushing.terms.options import Method, PusherFrame, Shape
 
 #: Inputs of the piece at the contact.
 WALL = ("wall", "place", "turn")
@@ -59,6 +61,8 @@ class Scenes(NamedTuple):
         Radii of the sliders, units of force, and durations.
     velocities : ndarray, shape (scenes, pieces, 2)
         Piecewise constant velocities of the pushers, without pieces for a function of time.
+    world : World or None
+        The world, with arrays of shape (scenes,).
     """
 
     problem: Problem
@@ -68,17 +72,30 @@ class Scenes(NamedTuple):
     force: Array
     ends: Array
     velocities: Array
+    world: World | None
 
     @classmethod
     def of(cls, problem: Problem, data: Array, columns: Array) -> Scenes:
         """Scenes from the arrays of `numbers_of`, shape (scenes, columns)."""
+        world = None
+        if problem.world is not None:
+            columns, numbers = columns[:, :-WORLD], columns[:, -WORLD:]
+            world = World.of_numbers(numbers.T)
         pieces = len(problem.pusher.velocities)
         first = columns.shape[1] - 2 * pieces
         radius, ends = columns[:, first - 2], columns[:, first - 1]
         velocities = columns[:, first:].reshape(len(columns), pieces, 2) / radius[:, None, None]
         inputs = columns[:, : first - 2].copy()
         force = _scale_forces(problem.entries, inputs)
-        return cls(problem, data, inputs, radius, force, ends, velocities)
+        return cls(problem, data, inputs, radius, force, ends, velocities, world)
+
+    def _pusher(self, scene: int) -> Pusher:
+        """The pusher of one of the scenes, in its fence frame."""
+        pusher = self.problem.pusher
+        if pusher.frame == PusherFrame.FENCE or self.world is None:
+            return pusher
+        x, y = self.world.fence.axis
+        return pusher.in_fence_frame(Frame((0.0, 0.0), (float(x[scene]), float(y[scene]))))
 
     def pieces(self, part: slice) -> tuple[Array, npt.NDArray[Any]]:
         """Pieces of the pusher's motion, shape (scenes, pieces, numbers), and how many of each are valid.
@@ -90,7 +107,7 @@ class Scenes(NamedTuple):
         InvalidValue
             If a function does not return a velocity.
         """
-        pusher, policies = self.problem.pusher, self.problem.on_ambiguity
+        pusher, policies = self._pusher(part.start), self.problem.on_ambiguity
         ends, radius, cuts = self.ends[part], self.radius[part], starts_of(policies)
         if self.problem.follows_function:
             end = float(ends[0])
@@ -133,10 +150,10 @@ def numbers_of(
 ) -> tuple[Array, list[Number]]:
     """The numbers of a problem: those that all scenes share, and one column for each of the others.
 
-    The columns are the inputs of the core, except for times and pieces; then radius, duration, and
-    components of a piecewise constant velocity. The core has lengths in units of the radius. Its masses and
-    viscous friction coefficients are therefore those of the scene multiplied by the radius. The weight is
-    zero without friction, and the mass is zero without inertia.
+    The columns are the inputs of the core, except for times and pieces; then radius, duration,
+    components of a piecewise constant velocity, and the world if there is one. The core has lengths in
+    units of the radius. Its masses and viscous friction coefficients are therefore those of the scene
+    multiplied by the radius. The weight is zero without friction, and the mass is zero without inertia.
     """
     scene, slider, entries = problem.scene, problem.scene.slider, problem.entries
     radius, (mass, gyration), (v_x, v_y, omega) = slider.radius, scene.inertia, problem.twist
@@ -163,6 +180,7 @@ def numbers_of(
     )  # fmt: skip
     columns += [radius, problem.duration]
     columns += [part for _, velocity in problem.pusher.velocities for part in velocity]
+    columns += problem.world.numbers if problem.world is not None else []
     return np.concatenate([data, chain.ravel()]), columns
 
 

@@ -33,7 +33,7 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
 from planar_pushing.simulation.motion import require_policies
 from planar_pushing.simulation.pusher import Pusher
-from planar_pushing.simulation.world import World, require_pose, world_of
+from planar_pushing.simulation.world import World, require_one_shape, require_pose, world_of
 from planar_pushing.terms.declared import require_declared
 from planar_pushing.terms.domain import DURATION, GAP, RTOL, SPEEDS, Number, require_ratio
 from planar_pushing.terms.errors import InvalidValue, SceneWarning, has_entries, warn_user
@@ -49,8 +49,8 @@ class Problem:
     """The problem that `simulate` solves.
 
     In a batch, numbers are arrays over the scenes. `on_ambiguity` is converted to policies with start
-    times, and the motion of the pusher to the axes of the fence frame. `world` is the world, if the
-    object's pose in it is given.
+    times, and the motion of the pusher to the axes of the fence frame, except for a function of time under
+    an array of worlds. `world` is the world, if the object's pose in it is given.
 
     Raises
     ------
@@ -84,7 +84,8 @@ class Problem:
         self._require_outside()
         if self.object_pose is not None:
             self._set("object_pose", require_pose(self.object_pose))
-            self._set("world", world_of(self.scene, self.object_pose))
+            radius: Any = self.pusher.radius
+            self._set("world", world_of(self.scene, self.object_pose, radius))
         self._set("pusher", self._pusher_in_fence_frame())
 
     def _set(self, name: str, value: Any) -> None:
@@ -135,9 +136,15 @@ class Problem:
         if self.world is None:
             raise InvalidValue(
                 "frame", str(self.pusher.frame), f"{PusherFrame.FENCE}, if no object_pose is given",
-                "give simulate the object_pose, or give the motion along and normal to the fence",
+                "give simulate or simulate_batch the object_pose, or give the motion along and normal to "
+                "the fence",
             )  # fmt: skip
-        return self.pusher.in_fence_frame(self.world.fence)
+        fence = self.world.fence
+        if self.follows_function and any(map(np.ndim, fence.axis)):
+            return self.pusher
+        velocities = [part for _, velocity in self.pusher.velocities for part in velocity]
+        require_one_shape([*fence.axis, *velocities])
+        return self.pusher.in_fence_frame(fence)
 
     @property
     def shape(self) -> Shape:
@@ -160,14 +167,8 @@ class Problem:
 
 def _require_narrow(radius: Number, slider_radius: Number) -> None:
     """Reject a finger radius with an extreme ratio to the slider's radius, or with a mismatched shape."""
-    try:
-        ratio = radius / slider_radius
-    except ValueError:
-        shapes = np.shape(radius), np.shape(slider_radius)
-        raise InvalidValue(
-            "shapes", shapes, "() or (scenes,)", "give one number for each scene"
-        ) from None
-    require_ratio("finger_ratio", ratio)
+    require_one_shape([radius, slider_radius])
+    require_ratio("finger_ratio", radius / slider_radius)
 
 
 def _required_twist(value: Any, scene: Scene) -> tuple[Number, ...]:

@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.plane import Frame
+from planar_pushing.mechanics.plane import Frame, vector_in_frame
 from planar_pushing.simulation.motion import values_over_time
 from planar_pushing.terms.domain import FINGER_RADIUS, SPEEDS, Number, require_in_range
 from planar_pushing.terms.errors import (
@@ -78,7 +78,7 @@ class Pusher:
         For `simulate_batch`, the radius can be an array. A fence has no radius.
     frame : {"fence", "world"}
         Axes of velocity and waypoints: along the fence and normal to it (for a finger, along its side at
-        time 0), or those of the world, which requires the object's pose in `simulate`.
+        time 0), or those of the world, which requires the object's pose in `simulate` or `simulate_batch`.
 
     Raises
     ------
@@ -133,13 +133,12 @@ class Pusher:
         return require_velocity(function(time))
 
     def in_fence_frame(self, fence: Frame) -> Pusher:
-        """Convert a motion along the axes of the world to the axes of the fence frame."""
+        """Convert a motion along the axes of the world to the axes of one or many fence frames."""
 
-        def convert(velocity: Vector) -> Vector:
-            x, y = fence.vector_in(velocity).tolist()
-            return x, y
+        def convert(velocity: Vectors) -> Vector:
+            return vector_in_frame(velocity, fence)
 
-        pieces: Any = [(time, convert(velocity)) for time, velocity in self.pieces]
+        pieces: Any = [(time, convert(velocity)) for time, velocity in self.velocities]
         return Pusher(
             velocity=pieces or (lambda time: convert(self.velocity_at(time))),
             breakpoints=self.breakpoints, shape=self.shape, radius=self.radius,

@@ -24,6 +24,7 @@ from planar_pushing.simulation.walls import Wall, require_walls
 from planar_pushing.terms.domain import DURATION, GAP, SAMPLE_COUNT
 from planar_pushing.terms.errors import (
     InvalidValue,
+    has_entries,
     require_flag,
     require_kind,
     require_number,
@@ -146,7 +147,10 @@ def simulate(
     """
     require_single(require_scene(scene))
     require_kind("pusher", pusher, Pusher)
-    for name, several in (("velocity", pusher.arrays), ("radius", np.ndim(pusher.radius))):
+    pose: Any = object_pose if has_entries(object_pose) else ()
+    poses = any(map(np.ndim, pose))
+    given = ("velocity", pusher.arrays), ("radius", np.ndim(pusher.radius)), ("object_pose", poses)
+    for name, several in given:
         if several:
             raise InvalidValue(
                 name, "arrays", f"one {name}", "simulate them one by one, or call simulate_batch"

@@ -154,7 +154,7 @@ class Event(IntEnum):
     #: The normal or the tangential velocity of the pusher changes sign, or starts.
     NORMAL_VELOCITY_REVERSES = 11
     TANGENTIAL_VELOCITY_REVERSES = 12
-    #: A finger reaches the end of its side, or the contact that of another piece of the outline.
+    #: The contact reaches the end of a finger's side, or that of a piece of the outline; not in flight.
     END_OF_SIDE = 13
     #: Another point of the outline meets the pusher: a side arrives on a fence, or a finger stops.
     PENETRATES = 14

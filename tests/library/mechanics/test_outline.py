@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
+from planar_pushing.mechanics.outline.chains import polygon_chain
 from planar_pushing.mechanics.outline.entries import entry_of_outline, outline_of_entry
 from planar_pushing.mechanics.plane import Frame
 
@@ -130,6 +131,117 @@ def test_polygons_have_two_rows_a_corner_and_full_circles_one():
         assert halves == pp.Outline(pp.Disc(1.0))
 
 
+# --- Pieces that are none ------------------------------------------------------------------------
+
+SLOT, BOX, CIRCLE = (
+    pp.Outline.from_bulges([(0, 0, 0), (2, 0, 1), (2, 1, 0), (0, 1, 1)]).pieces[:, :6],
+    OUTLINES["square"].pieces[:, :6], pp.Outline(pp.Disc(1.0)).pieces[:, :6],
+)  # fmt: skip
+
+
+def rows_of(*own):
+    """Rows of a chain from its own columns, with the arc lengths and the numbers of the neighbors."""
+    own, numbers = np.array(own), np.arange(len(own))
+    start = np.append(0.0, np.cumsum(own[:-1, 5]))
+    return np.column_stack([own, start, np.roll(numbers, -1), np.roll(numbers, 1)])
+
+
+def halves(row):
+    """Two pieces of a side or an arc, or of a corner's turn."""
+    x, y, rho, beta0, beta1, length = row.tolist()
+    middle, half = (beta0 + beta1) / 2, length / 2
+    other = [x, y] if math.isfinite(rho) else [x + half * np.cos(beta0), y + half * np.sin(beta0)]
+    return [x, y, rho, beta0, middle, half], [*other, rho, middle, beta1, half]
+
+
+def corner(place, beta, turn=0.0):
+    return [*place, 0.0, beta, beta + turn, 0.0]
+
+
+FULL, LOW = 2 * math.pi, SLOT[3]
+#: Rows of a chain with pieces that are none, and those of the same outline without them.
+NEEDLESS = {
+    "corner of no turn": ([*SLOT, corner((2, 0), FULL)], SLOT),
+    "corner of a tiny turn": ([*SLOT, corner((2, 0), FULL, 1e-8)], SLOT),
+    "side without length": ([*SLOT, [2, 0, math.inf, FULL, FULL, 0]], SLOT),
+    "arc without length": ([*SLOT, [2, 0.5, 0.5, FULL, FULL, 0]], SLOT),
+    "tiny arc": ([*SLOT, [2, 0.1, 0.1, FULL, FULL + 1e-7, 1e-8]], SLOT),
+    "divided side": ([*SLOT[:3], *halves(LOW)], SLOT),
+    "side with a corner within": ([*SLOT[:3], halves(LOW)[0], corner((1, 0), FULL), halves(LOW)[1]], SLOT),
+    "divided arc": ([*SLOT[:2], *halves(SLOT[2]), LOW], SLOT),
+    "divided side of a square": ([*halves(BOX[0]), *BOX[1:]], BOX),
+    "corner on a side of a square": (
+        [halves(BOX[0])[0], corner((0, -1), 0), halves(BOX[0])[1], *BOX[1:]], BOX),
+    "divided corner": ([BOX[0], *halves(BOX[1]), *BOX[2:]], BOX),
+    "corner beside a corner": ([*BOX[:2], corner(BOX[1, :2], BOX[1, 4]), *BOX[2:]], BOX),
+    "circle of halves": ([*halves(CIRCLE[0])], CIRCLE),
+    "circle with a corner": ([*CIRCLE, corner((0, -1), FULL)], CIRCLE),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("rows", "fewer"), NEEDLESS.values(), ids=NEEDLESS)
+def test_pieces_that_are_none_are_left_out(rows, fewer):
+    """The first row can be another one; every piece of the outline has its place and direction."""
+    found = pp.Outline.from_pieces(rows_of(*rows)).pieces
+    assert len(found) == len(fewer)
+    first = np.abs(found[:, :3].clip(-9, 9) - fewer[0, :3].clip(-9, 9)).sum(axis=1).argmin()
+    found = np.roll(found, -int(first), axis=0)
+    places = [0, 1, 2, 5]
+    assert found[:, places] == pytest.approx(fewer[:, places], abs=1e-7)
+    assert np.exp(1j * found[:, 3:5]) == pytest.approx(np.exp(1j * fewer[:, 3:5]), abs=1e-6)
+
+
+@pytest.mark.parametrize("radius", [0.0, 1e-3])
+@pytest.mark.parametrize("massive", [False, True])
+@pytest.mark.parametrize("name", [name for name in NEEDLESS if NEEDLESS[name][1] is SLOT])
+def test_a_finger_passes_pieces_that_are_none(name, massive, radius):
+    """It slips along the side and over the place; the run is that of the outline without them."""
+    friction = pp.SupportFriction(support=pp.Disc(0.5, center=(1.0, 0.5)), weight=20.0)
+    effects = (friction, pp.Inertia(gyration_radius=0.5)) if massive else (friction,)
+    finger = pp.Pusher(velocity=(2.5, 0.5), shape="finger", radius=radius)
+
+    def end(rows):
+        outline = pp.Outline.from_pieces(rows_of(*rows))
+        scene = pp.scene_at((1.05, 0), effects=effects, contact=pp.Coulomb(0.1), outline=outline)
+        log = pp.simulate(scene, finger, duration=1.0)
+        assert np.isinf(outline.pieces[log.contact_piece.values[0], 2])
+        assert (log.event.values == pp.Event.END_OF_SIDE).sum() == 1
+        return [*log.position.values[-1], np.deg2rad(log.rod_angle.values[-1])]
+
+    rows, fewer = NEEDLESS[name]
+    assert end(rows) == pytest.approx(end(fewer), abs=1e-6)
+
+
+def test_holes_have_no_needless_pieces():
+    hole = [[0, 0, -0.3, 0, -math.pi, 0.3 * math.pi], [0, 0, -0.3, -math.pi, -FULL, 0.3 * math.pi]]
+    outer, inner = rows_of(*BOX), rows_of(*hole)
+    inner[:, 7:] += len(outer)
+    found = pp.Outline.from_pieces(np.concatenate([outer, inner]))
+    assert found.pieces == pytest.approx(pp.Outline(SQUARE, holes=[pp.Disc(0.3)]).pieces, abs=1e-15)
+
+
+def test_pieces_that_are_drawn_again_do_not_cross():
+    bow = polygon_chain(np.array([(0.0, 0.0), (2.0, 0.0), (0.0, 1.0), (2.0, 1.0)]))
+    with pytest.raises(pp.InvalidValue, match=r"pieces.*cross"):
+        pp.Outline.from_pieces(rows_of(*halves(bow[0]), *bow[1:]))
+
+
+@pytest.mark.parametrize("radius", [0, 1e-12, 1e-9, 1e-8, 1e-7, 6e-7])
+@pytest.mark.parametrize("corners", [SQUARE, TEE], ids=["square", "tee"])
+def test_corners_with_a_radius_within_the_tolerance_are_corners(corners, radius):
+    """The sides go up to the corner, and a finger can begin anywhere on them."""
+    sharp = pp.Outline(corners)
+    size = radius * sharp.size
+    for rounded in (pp.rounded(corners, size), pp.rounded(corners, [size] * len(corners))):
+        assert rounded.pieces == pytest.approx(sharp.pieces, abs=1e-12 * sharp.size)
+
+
+def test_a_polygon_is_made_of_an_outline_of_straight_sides():
+    assert pp.Polygon(OUTLINES["square"]) == pp.Polygon(SQUARE)
+    wide = [(-3, -3), (3, -3), (3, 3), (-3, 3)]
+    assert pp.Polygon(wide, holes=[OUTLINES["square"]]) == pp.Polygon(wide, holes=[SQUARE])
+
+
 def test_ellipses_are_of_second_order():
     errors = [
         abs(pp.Outline.ellipse(2, 1, arcs).moments[0] - 2 * math.pi) for arcs in (32, 64, 128)
@@ -144,6 +256,8 @@ def test_ellipses_are_of_second_order():
         (lambda: pp.rounded(SQUARE, [0.1, 0.2]), "4 of them"),
         (lambda: pp.rounded(OUTLINES["rounded"], 0.1), "straight sides"),
         (lambda: pp.Outline(pp.Ring(1.0)), "a Disc"),
+        (lambda: pp.Polygon(OUTLINES["rounded"]), "vertices.*straight sides without holes"),
+        (lambda: pp.Polygon(OUTLINES["holes"]), "vertices.*straight sides without holes"),
         (lambda: pp.Outline.from_bulges([(0, 0, 0), (1, 1, 0.1), (1, 0, 0), (0, 1, 0)]), "cross"),
         (lambda: pp.Outline.ellipse(1, 2, 7), "even"),
         (lambda: pp.Outline(SQUARE, holes=[pp.Disc(1.2)]), "inside"),

@@ -397,3 +397,41 @@ def test_supports_that_cannot_be_hashed():
     assert len(pp.pushes_for(given["effects"], (0.0, 1.0, 0.1), SQUARE)) == len(
         pp.pushes_for([pp.SupportFriction(support=SQUARE)], (0.0, 1.0, 0.1), SQUARE)
     )
+
+
+#: Supports without plates, whose numbers in a frame are the same for one contact and for many.
+EXACT = {
+    "feet": pp.Points([(0.5, 0.1), (-0.4, 0.3), (0.03, -0.41)], weights=[1.0, 2.0, 0.7]),
+    "disc": pp.Disc(0.5, (0.1, 0.05)),
+    "ring": pp.Ring(0.4, (0.1, -0.02)),
+    "segment": pp.Segment((-0.3, 0.1), (0.45, 0.21)),
+    "feet and a disc": pp.Composite([
+        (2.0, pp.Disc(0.2, (0.1, 0.3))), (1.0, pp.Points([(0, 0), (0.3, -0.2)])),
+    ]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("massive", [False, True])
+@pytest.mark.parametrize("name", [*EXACT, "square"])
+def test_runs_of_many_contacts_are_those_of_each(name, massive):
+    """To the last bit, but for rounding of polygons; the slider has one radius under every support."""
+    support = (EXACT | {"square": SQUARE})[name]
+    effects = [pp.SupportFriction(support=support)]
+    effects += [pp.Inertia(gyration_radius=0.5, center=(0.1, 0.0))] * massive
+    outline, law = pp.rounded(SQUARE.vertices, 0.2), pp.Coulomb(0.3)
+    along = np.random.default_rng(5).uniform(-0.75, 0.75, 12)
+    points = np.stack([along, np.full(12, -1.0)], axis=-1)
+    finger = pp.Pusher(velocity=(0.2, 1.0), shape="finger", radius=0.1)
+    given = {"effects": effects, "contact": law, "outline": outline}
+    many = pp.scene_at(points, **given)
+    batch = pp.simulate_batch(many, finger, duration=0.6)
+    for i, point in enumerate(points):
+        one = pp.scene_at(tuple(point), **given)
+        assert one.slider.radius == many.slider.radius
+        log = pp.simulate(one, finger, duration=0.6, samples=2).isel(time=-1)
+        for variable in ("position", "rod_angle", "slip", "force", "contact_position"):
+            found = batch[variable][i].values
+            if name in EXACT:
+                assert np.array_equal(found, log[variable].values), variable
+            else:
+                assert found == pytest.approx(log[variable].values, rel=1e-9, abs=1e-8)

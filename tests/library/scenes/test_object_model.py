@@ -41,6 +41,69 @@ def test_a_support_that_is_left_out_is_the_outline(tmp_path):
     assert found.push == pytest.approx((np.deg2rad(80), 20))
 
 
+SHAPE = """\
+object:
+  outline: {outline}
+  contact: {{point: {point}}}
+contact: {{law: coulomb, friction_coefficient: 0.5}}
+effects: [{{type: support_friction}}, {{type: viscous, coefficient: 0.1}}]
+"""
+CORNERS = "[[0, 0], [3, 0], [3, 2], [0, 2]]"
+#: Outlines of files, a contact, and the area, centroid, and mean of x^2 + y^2 from it, in closed form.
+SHAPES = {
+    "corners": (CORNERS, (1, 0), 6, (1.5, 1), 13 / 12),
+    "rounded by 0": (f"{{rounded: {{vertices: {CORNERS}, radius: 0}}}}", (1, 0), 6, (1.5, 1), 13 / 12),
+    "bulges of 0": ("{bulges: [[0, 0, 0], [3, 0, 0], [3, 2, 0], [0, 2, 0]]}", (1, 0), 6, (1.5, 1), 13 / 12),
+    "disc": ("{disc: {radius: 2, center: [1, 0]}}", (1, -2), 4 * np.pi, (1, 0), 2),
+    "circle of bulges": ("{bulges: [[-1, 0, 1], [3, 0, 1]]}", (1, -2), 4 * np.pi, (1, 0), 2),
+    "round ellipse": ("{ellipse: {a: 2, b: 2}}", (0, -2), 4 * np.pi, (0, 0), 2),
+    "ellipse": ("{ellipse: {a: 2, b: 1}}", (0, -1), 2 * np.pi, (0, 0), 5 / 4),
+    "half a disc": ("{bulges: [[-1, 0, 0], [1, 0, 1]]}", (0.2, 0), np.pi / 2, (0, 4 / (3 * np.pi)),
+                    0.5 - (4 / (3 * np.pi)) ** 2),
+    "rounded": (f"{{rounded: {{vertices: {CORNERS}, radius: 1}}}}", (1.2, 0), 2 + np.pi, (1.5, 1), (
+        2 * 5 / 12 + np.pi * (0.5 + 0.25) + 2 * 0.5 * 4 / (3 * np.pi) * np.pi) / (2 + np.pi)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_a_support_that_is_left_out_is_the_outline_of_any_shape(tmp_path, name):
+    outline, point, area, center, square = SHAPES[name]
+    scene = load(tmp_path, SHAPE.format(outline=outline, point=[*point]))
+    friction, film = (effect.support for effect in scene.effects)
+    assert friction == film
+    assert scene.to_object(_center(scene), "point") == pytest.approx(center, abs=1e-4)
+    assert scene.slider.outline.area == pytest.approx(area, rel=1e-4)
+    assert _square(friction, friction.center_of_pressure) == pytest.approx(square, rel=1e-4)
+    if np.pi * 4 == area:
+        assert friction == pp.Disc(2.0)
+    pp.save_scene(scene, tmp_path / "saved.yaml")
+    assert pp.load_scene(tmp_path / "saved.yaml") == scene
+
+
+def _center(scene):
+    """The slider's center in the fence frame, which is the center of pressure."""
+    slider = scene.slider
+    return slider.rod_length * np.array([np.cos(slider.rod_angle), np.sin(slider.rod_angle)])
+
+
+def _square(support, about):
+    """Mean square of the distance from a place, by triangles of a polygon; half the square of a radius."""
+    if isinstance(support, pp.Disc):
+        return support.radius**2 / 2
+    start = np.array(support.vertices) - about
+    end = np.roll(start, -1, axis=0)
+    turn = start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0]
+    return (turn * (start * start + start * end + end * end).sum(axis=1)).sum() / 6 / turn.sum()
+
+
+def test_a_support_that_is_left_out_has_the_holes_of_the_outline(tmp_path):
+    outline = pp.Outline([(0, 0), (3, 0), (3, 2), (0, 2)], holes=[pp.Disc(0.5, (1, 1))])
+    rows = [["inf" if np.isinf(x) else x for x in row] for row in outline.pieces.tolist()]
+    text = SHAPE.format(outline=f"{{pieces: {rows}}}", point=[1, 0])
+    (hole,) = load(tmp_path, text.replace("'", "")).effects[0].support.holes
+    assert len(hole) > 100
+
+
 def test_or_its_feet_with_their_names(tmp_path):
     feet = (
         "  feet: [{position: [0, 0], name: a}, {position: [300, 0], weight: 2, name: b}, "

@@ -120,6 +120,46 @@ def under(shape, mu):
     }
 
 
+TEE = [(-0.6, 0), (-0.6, -0.3), (-0.15, -0.3), (-0.15, -1.2), (0.15, -1.2), (0.15, -0.3), (0.6, -0.3),
+       (0.6, 0)]  # fmt: skip
+WIDE = [(-1, -0.6), (1, -0.6), (1, 0.6), (-1, 0.6)]
+#: Outline, contact, normal and support of objects, one of which has no outline.
+OBJECTS = {
+    "a disc": (pp.Disc(1.0), (0.6, -0.8), (-0.6, 0.8), pp.Disc(1.0)),
+    "an ellipse": (pp.Outline.ellipse(1.0, 0.6), (0, -0.6), (0, 1), pp.Disc(0.5)),
+    "a T": (TEE, (0.15, -1.2), (-0.28, 0.96), pp.Polygon(TEE)),
+    "a rounded box": (pp.rounded(WIDE, 0.2), (0.92, -0.56), (-0.6, 0.8), pp.Polygon(WIDE)),
+    "a rod": (None, (0.3, -1.0), (0, 1), pp.Ring(1.0)),
+}
+#: Poses of three objects, and velocities of pushers along the axes of the world.
+POSES = np.array([0.3, -2.0, 0.0]), np.array([-1.0, 0.0, 1e3]), np.array([0.2, np.pi / 2, -2.5])
+ALONG_WORLD = [(0, (np.array([0.1, -1.0, 0.6]), np.array([1.0, 0.2, -0.8]))), (0.3, (-0.2, 0.9))]
+ALONG_FENCE = [(0, (0.3, 1.0)), (0.3, (-0.2, 0.5))]
+
+
+def in_poses(name, shape, massive, motion):
+    """Objects in poses of their own, or all in one, which a pusher pushes along their own axes."""
+    outline, point, normal, support = OBJECTS[name]
+    mass = (pp.Inertia(mass=1.0, gyration_radius=0.6),) if massive else ()
+    pushed = pp.scene_at(
+        point, normal, effects=(pp.SupportFriction(support=support), *mass),
+        contact=pp.Coulomb(0.3), outline=outline,
+    )  # fmt: skip
+    frame, velocity = motion
+    for i in (slice(None), 0, 1, 2):
+        pieces = velocity
+        if not callable(velocity):
+            pieces = [(t, tuple(v[i] if np.ndim(v) else v for v in pair)) for t, pair in velocity]
+        pusher = pp.Pusher(
+            velocity=pieces, shape=shape, frame=frame, radius=0.1 * (shape == "finger")
+        )
+        yield {"scene": pushed, "pusher": pusher, "object_pose": tuple(x[i] for x in POSES)}
+
+
+MOTIONS = {
+    "pieces along the fence": ("fence", ALONG_FENCE), "arrays along the world": ("world", ALONG_WORLD),
+    "a function along the world": ("world", lambda t: (0.3 * t, 1.0 - 0.5 * t)),
+}  # fmt: skip
 #: A batch, and each of its runs.
 BATCHES = {
     **{policy: random_scenes(i, on_ambiguity=policy)
@@ -145,9 +185,14 @@ BATCHES = {
         "scene": replace(OUTLINED["fence"], contact=pp.Coulomb(0.1),
                          slider=replace(OUTLINED["fence"].slider, radius=radius)),
         "duration": 9.0}),
+    **{f"{name} in poses, {shape}, {'both' if massive else 'friction'}, {motion}": [
+        *in_poses(name, shape, massive, MOTIONS[motion])
+    ] for name in OBJECTS for shape in ("fence", "finger") for massive in (False, True)
+        for motion in MOTIONS},
 }  # fmt: skip
 
 
+@pytest.mark.filterwarnings("ignore:outline:planar_pushing.SceneWarning")
 @pytest.mark.parametrize("name", BATCHES)
 def test_a_batch_is_its_runs(name):
     whole, *runs = ({"pusher": AHEAD, "duration": 0.5} | case for case in BATCHES[name])
@@ -156,8 +201,12 @@ def test_a_batch_is_its_runs(name):
     for i, case in enumerate(runs):
         same_run(last.isel(scene=i), run(**case))
         same_run(path.isel(scene=i), run(**case | {"samples": 5}), 5)
-    ends = np.stack([last.rod_angle, last.slip, last.time])
-    assert np.unique(ends, axis=1).shape[1] == len(runs)
+    ends = [last.rod_angle, last.slip, last.time]
+    if "object_pose" in whole:
+        assert {"object_position", "object_angle", "pusher_position"} <= {*last}
+        assert ("contact_normal" in last) == (whole["scene"].slider.outline is not None)
+        ends.append(last.object_angle)
+    assert np.unique(np.stack(ends), axis=1).shape[1] == len(runs)
 
 
 def test_what_is_given_is_in_the_dataset():
@@ -257,6 +306,14 @@ LABELED = {
     }),
     ("length", "disc"): ([LENGTH], [DISC], lambda length, radius: {
         "scene": make_scene(length, 0.1, psi=1.2), "pusher": replace(FINGER, radius=radius),
+    }),
+    ("law", "pose"): ([MU], [labeled(part, "pose") for part in POSES], lambda mu, x, y, angle: {
+        "scene": make_scene(2.0, pp.Coulomb(mu)), "object_pose": (x, y, angle),
+        "pusher": pp.Pusher(velocity=(0.2, 1.0), frame="world"), "duration": 0.4,
+    }),
+    ("speed", "turn"): ([SPEED], [labeled(POSES[2], "turn")], lambda speed, angle: {
+        "scene": box((-0.9, -1), RING, outlined=True), "object_pose": (1.0, 2.0, angle),
+        "pusher": pp.Pusher(velocity=[(0, (speed, 0.1)), (0.2, (0.0, 1.0))], frame="world"),
     }),
     ("length", "speed"): ([LENGTH, ALONG], [SPEED], lambda length, along, speed: {
         "scene": make_scene(length, 0.5), "duration": 0.8,

@@ -250,3 +250,46 @@ def test_the_place_at_the_contact_is_an_arc_length_with_its_normal(name, method)
         elapsed = log.time.values[i + 1] - log.time.values[i]
         change = log.contact_position.values[i + 1] - log.contact_position.values[i]
         assert abs(change) <= 3.0 * elapsed + 1e-9
+
+
+# -- no contact --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("method", ["event-driven", "time-stepping"])
+@pytest.mark.parametrize("massive", [False, True])
+@pytest.mark.parametrize("radius", [0.0, 0.1])
+def test_a_finger_in_flight_passes_ends_of_pieces_without_events(radius, massive, method):
+    """It begins below a side, goes past its end, up, and back to the side beside it, which it meets."""
+    friction = pp.SupportFriction(support=pp.Disc(0.7))
+    effects = (friction, pp.Inertia(gyration_radius=0.6)) if massive else (friction,)
+    scene = pp.scene_at((0.9, -1), effects=effects, contact=pp.Coulomb(0.3), outline=SQUARE)
+    path = [(0, (0.9, 0)), (0.5, (0, 1.2)), (1.0, (-1.0, 0))]
+    finger = pp.Pusher(velocity=path, shape="finger", radius=radius)
+    step = {"step": 1e-3} if method == "time-stepping" else {}
+    log = pp.simulate(scene, finger, duration=1.5, gap=0.1, method=method, samples=31, **step)
+    meets = 1.35 - radius
+    before = log.isel(time=log.time.values < meets - 0.01)
+    assert (before["mode"] == pp.ContactMode.SEPARATE).all()
+    assert (before.event == pp.Event.NONE).all()
+    assert (before.contact_piece == -1).all()
+    assert len(before.time) >= 20
+    beside = log.isel(time=log.time.values > meets + 0.01)
+    assert (beside.contact_piece == 2).all()
+    assert len(beside.time) > 0
+    if method == "event-driven":
+        touches = log.time.values[log.event.values == pp.Event.TOUCHES]
+        assert touches == pytest.approx([meets], abs=1e-9)
+
+
+@pytest.mark.parametrize("massive", [False, True])
+def test_a_finger_that_passes_beside_a_side_without_outline_touches_nothing(massive):
+    """From then on it has parted, which is no event of the contact."""
+    effects = (pp.SupportFriction(support=pp.Disc(0.7)),) + (pp.Inertia(),) * massive
+    slider = pp.Slider(rod_length=1.0, rod_angle=np.pi / 2, side=(-1.0, 0.1))
+    scene = pp.Scene(slider=slider, effects=effects, contact=pp.Coulomb(0.3))
+    finger = pp.Pusher(velocity=(0.5, 0.3), shape="finger")
+    log = pp.simulate(scene, finger, duration=1.0, gap=0.1)
+    assert (log.event == pp.Event.NONE).all()
+    assert (log["mode"] == pp.ContactMode.SEPARATE).all()
+    assert (log.parted == (log.time > 1 / 3 - 1e-9)).all()
+    assert log.parted[-1]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 from decimal import Decimal
 
 import numpy as np
@@ -192,6 +193,7 @@ RUNS = [
     *(wrong("allowed: (x, y, angle) of", object_pose=each) for each in POSES),
     *(wrong("an angle in radians in [-4 pi, 4 pi]", object_pose=(1, 2, each)) for each in DEGREES),
     wrong("allowed: fence, if no object_pose is given; give simulate", about="frame", pusher=WORLD),
+    wrong("one object_pose; simulate them one by one, or call simulate_batch", object_pose=(0, 0, ONES)),
 ]  # fmt: skip
 
 
@@ -255,12 +257,13 @@ VALUES = [
     wrong(effects=()),
 ]  # fmt: skip
 GAPS = xr.DataArray([0.0, 0.1], dims="gap", coords={"gap": [0.0, 0.1]})
+LATER = xr.DataArray([0.0, 0.1], dims="gap", coords={"gap": [0.1, 0.2]})
 OUTLINED = pp.Scene(
     slider=pp.Slider(rod_length=np.ones(3), rod_angle=np.pi / 2, radius=1.0, outline=SQUARE),
     contact=pp.Coulomb(1.0), effects=FRICTION,
 )  # fmt: skip
 FINGERS = pp.Pusher(velocity=(0, 1), shape="finger", radius=ONES)
-ONE_SHAPE = "shapes: ((2,), (3,)) given; allowed: () or (scenes,); give one number"
+ONE_SHAPE = "shapes: [(2,), (3,)] given; allowed: () or (scenes,); give one number"
 #: Arguments whose shapes do not match.
 SHAPES = [
     ("", {"scene": arrays(rod_length=ONES, rod_angle=np.ones(3))}),
@@ -271,6 +274,21 @@ SHAPES = [
     ("", {"pusher": FINGERS, "gap": np.array([0.0, 0.1, 0.2])}),
     ("also give this array as an xarray.DataArray",
      {"scene": arrays(rod_length=xr.DataArray(ONES, dims="length")), "duration": ONES}),
+    ("shapes: [(), (2,), (3,)] given; allowed: () or (scenes,); give one number",
+     {"object_pose": (ONES, np.ones(3), 0)}),
+    ("", {"scene": arrays(rod_length=ONES), "object_pose": (0, np.ones(3), 0)}),
+    ("", {"object_pose": (ONES, ONES, ONES), "gap": np.zeros(3)}),
+    ("", {"pusher": replace(WORLD, velocity=(np.zeros(3), 1)), "object_pose": (0, 0, ONES)}),
+    ("", {"object_pose": (np.ones((2, 2)), 0, 0)}),
+    ("also give this array as an xarray.DataArray",
+     {"object_pose": (xr.DataArray(ONES, dims="place"), ONES, 0)}),
+    ("also give this array as an xarray.DataArray",
+     {"pusher": replace(WORLD, velocity=(np.zeros(2), 1)),
+      "object_pose": (0, 0, xr.DataArray(ONES, dims="angle"))}),
+    *(("different labels of gap' given; allowed: the same labels of each dimension",
+       {"gap": GAPS} | given) for given in ({"duration": LATER + 1.0}, {"object_pose": (0, 0, LATER)})),
+    ("place: 2, place: 3", {"object_pose": (
+        *(xr.DataArray(np.ones(size), dims="place") for size in (2, 3)), 0)}),
 ]  # fmt: skip
 BATCHES = [
     wrong(scene=3), wrong(scene=pp.Scene), wrong(pusher=None),
@@ -284,6 +302,12 @@ BATCHES = [
     wrong("on_ambiguity: 'hold' given", on_ambiguity="hold"),
     wrong(WIDE, about="radius", pusher=FINGER), wrong("give simulate", about="frame", pusher=WORLD),
     wrong("dimensions: 'gap' given; allowed: names ", "rename", about="dimensions", gap=GAPS),
+    wrong("dimensions: 'object_angle' given", about="dimensions", object_pose=(
+        0, 0, xr.DataArray(ONES, dims="object_angle"))),
+    *(wrong("allowed: (x, y, angle) of", object_pose=each) for each in (
+        *POSES, (ONES, 1, np.array([0, np.nan])), (1, np.array(["a"]), 0))),
+    *(wrong("an angle in radians in [-4 pi, 4 pi]", object_pose=(1, ONES, each)) for each in (
+        *DEGREES, np.array([0, 90]))),
     *(wrong(words, about="shapes", **given) for words, given in SHAPES),
 ]  # fmt: skip
 

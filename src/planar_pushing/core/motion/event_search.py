@@ -61,6 +61,8 @@ BEHIND_KINK = 1e-5
 #: Results of the search of a step other than the cause of an event.
 NOTHING = -1
 MISJUDGED = -2
+#: Cause of an event in flight, such as the end of a side beside a finger, which is not in the log.
+UNNOTICED = -3
 
 
 def _guard_at(system: System, mode: Mode, cause: int, time: float) -> float:

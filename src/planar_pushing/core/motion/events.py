@@ -23,6 +23,7 @@ from planar_pushing.core.motion.equations import motion_in_mode, write_rates
 from planar_pushing.core.motion.event_search import (
     MISJUDGED,
     NOTHING,
+    UNNOTICED,
     first_event,
     look_for_kink,
     sign_of_guard,
@@ -173,13 +174,15 @@ def _stop(run: Run, reason: int) -> None:
 def _log_now(system: System) -> None:
     """Log the current instant, and end the run or take the next step."""
     run, state, time = system.run, vector_of(system, STATE), system.run.time
-    _log_instant(system, time, state, max(run.cause, NOTHING))
     # Samples at this time are done.
     number, times = run.next_time, system.scene.times
     while number < times and system.times[number] <= time:
         number += 1
+    goes_on: bool = run.stopped == GOES_ON and run.piece != system.fence.number
+    if run.cause != UNNOTICED or number != run.next_time or not goes_on:
+        _log_instant(system, time, state, max(run.cause, NOTHING))
     run.next_time, run.cause, run.phase = number, NOTHING, TAKES_STEP
-    if run.stopped != GOES_ON or run.piece == system.fence.number:
+    if not goes_on:
         run.phase, run.ended = ENDED, True
         end_log(system)
 
@@ -417,6 +420,8 @@ def _go_to_event(system: System) -> None:
         run.time = time
     elif cause == END_OF_SIDE or passes:
         run.parted = True
+        if passes:
+            run.cause = NOTHING  # nothing is touched
     else:
         time, reason = change_state(
             system, cause, mode, run.event_time, state, current_policy(system)
@@ -435,5 +440,6 @@ def _pass_end(system: System, state: RunState) -> int:
     """Go past the end of a piece; return `GOES_ON` or why the run ends."""
     if not is_closed(system, state):
         open_wall(system, state)
+        system.run.cause = UNNOTICED
         return GOES_ON
     return GOES_ON if go_to_next_piece(system, state, state.along) else TWO_CONTACTS

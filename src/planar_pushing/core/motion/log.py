@@ -110,7 +110,10 @@ def write_state(
     row.ratio = spin_ratio(v_x, v_y, spin)
     row.kinetic = kinetic_energy_of(system, pose, v_x, v_y, spin)
     row.contact_position, row.parted = position_on_outline(system, state.along), run.parted
-    row.contact_normal, row.contact_piece = frame_turn(system, state), piece_at_contact(system)
+    row.contact_normal, row.contact_piece = (
+        frame_turn(system, state),
+        piece_at_contact(system, state),
+    )
 
 
 def write_place_of_force(system: System, state: RunState, offset: float, row: LogRow) -> None:

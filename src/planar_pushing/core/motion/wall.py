@@ -193,11 +193,12 @@ def _end_of(piece: ChainPiece, is_start: bool) -> float:
     return piece.first if is_start else piece.last
 
 
-def piece_at_contact(system: System) -> int:
+def piece_at_contact(system: System, state: RunState) -> int:
     """The piece of the outline at the contact, or at the left end of a side on a fence; -1 without one."""
     run, scene = system.run, system.scene
     if scene.finger:
-        return run.wall.piece if scene.chain > 0 else NO_POINT
+        touches: bool = scene.chain > 0 and is_closed(system, state)
+        return run.wall.piece if touches else NO_POINT
     return run.point if run.point < scene.chain else NO_POINT
 
 

@@ -194,7 +194,7 @@ def require_alike(arguments: Sequence[Any]) -> None:
 
 
 def _require_labels(labeled: Sequence[Any], shapes: Sequence[tuple[int, ...]]) -> None:
-    """Refuse a dimension of several sizes, and the shape of an array without labels."""
+    """Refuse a dimension of several sizes or labels, and the shape of an array without labels."""
     sizes = {(str(name), size) for array in labeled for name, size in array.sizes.items()}
     names = [name for name, _ in sizes]
     several = sorted(f"{name}: {size}" for name, size in sizes if names.count(name) > 1)
@@ -205,6 +205,13 @@ def _require_labels(labeled: Sequence[Any], shapes: Sequence[tuple[int, ...]]) -
             "one size of each dimension",
             "rename one of the dimensions",
         )
+    indexes: dict[Any, Any] = {}
+    for name, index in (pair for array in labeled for pair in array.indexes.items()):
+        if not indexes.setdefault(name, index).equals(index):
+            raise InvalidValue(
+                "shapes", f"different labels of {name}", "the same labels of each dimension",
+                "select those that all arrays have, as xarray.align does, or rename a dimension",
+            )  # fmt: skip
     unlabeled = [shape for shape in shapes if shape]
     if unlabeled:
         raise InvalidValue(

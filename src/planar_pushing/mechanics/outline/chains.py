@@ -217,6 +217,35 @@ def _bends(one: Array, other: Array, turn: Array, tolerance: float) -> npt.NDArr
     return np.asarray(np.abs(turn) * np.maximum(harmonic, np.maximum(*arcs)) > tolerance)
 
 
+def has_needless(chain: Array, tolerance: float, rounding: float) -> bool:
+    """Whether a chain has pieces without length or turn, or neighbors that are one side, arc or corner.
+
+    Parameters
+    ----------
+    chain : ndarray, shape (n, 9)
+    tolerance : float
+        Lengths up to it, and turns that bend the neighbors no farther, count as none.
+    rounding : float
+        Largest difference between two arcs of one circle.
+    """
+    is_corner = chain[:, RHO] == 0.0
+    if len(chain) == 1:
+        return False
+    if (is_corner & np.roll(is_corner, -1)).any() or (chain[~is_corner, LENGTH] <= tolerance).any():
+        return True
+    smooth = chain[~is_corner]
+    after = np.roll(smooth, -1, axis=0)
+    bends = _bends(smooth, after, wrap(after[:, BETA0] - smooth[:, BETA1]), tolerance)
+    is_side = np.isinf(smooth[:, RHO])
+    if (np.roll(is_corner, -1)[~is_corner] & ~bends).any():
+        return True
+    pairs = zip(smooth, after, strict=True)
+    return bool(
+        (is_side & np.isinf(after[:, RHO]) & ~bends).any()
+        or any(_are_one_circle(one, other, rounding) for one, other in pairs)
+    )
+
+
 def reverse_chain(chain: Array) -> Array:
     """Own columns of a chain in the other order: the boundary of a hole in the shape of an object."""
     rows = chain[::-1, :OWN].copy()

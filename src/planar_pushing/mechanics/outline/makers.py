@@ -8,11 +8,16 @@ from typing import Any
 import numpy as np
 
 from planar_pushing.mechanics.outline.chains import (
+    BETA0,
+    BETA1,
     LENGTH,
     OWN,
+    RHO,
     circle,
+    has_needless,
     join_pieces,
     number_chains,
+    points_at,
     polygon_chain,
     sample_chain,
     wrap,
@@ -29,37 +34,62 @@ CROSSING = 1e-5
 ARCS, SLENDER = (8, 1024), 100.0
 #: Largest rounding error where two of its arcs join, in half axes.
 ROUNDING = 1e-9
+#: Length of a piece, or how far a corner bends its neighbors, up to which it is none, in sizes of the
+#: chain. Those of an outline that was made are longer than the tolerance, in any frame, by which sizes
+#: differ; the corners of a fine polygon can bend less. Arcs of one circle differ by rounding.
+FAINT, FAINT_CORNER, SAME_CIRCLE = DRAWN / 2.0, DRAWN / 10.0, 1e-10
 BULGES = (
     "at least two vertices (x, y, bulge) of finite numbers",
     "give the bulge 0 for a straight line to the next vertex, and tan(angle / 4) for an arc",
 )
 
 
-def bulge_pieces(vertices: Any) -> Array:
-    """Rows of `Outline.from_bulges`, with its errors."""
+def bulge_pieces(vertices: Any, name: str = "vertices") -> Array:
+    """Rows of `Outline.from_bulges`, with its errors, which have this name."""
     rows = as_array(vertices)
     if rows is None or rows.ndim != 2 or rows.shape[1] != 3 or len(rows) < 2:
-        raise InvalidValue("vertices", vertices, *BULGES)
+        raise InvalidValue(name, vertices, *BULGES)
     if not np.isfinite(rows).all():
-        raise InvalidValue("vertices", vertices, *BULGES)
+        raise InvalidValue(name, vertices, *BULGES)
     if (rows[0, :2] == rows[-1, :2]).all():
         rows = rows[:-1]
     if not len(rows) > 1:
-        raise InvalidValue("vertices", vertices, *BULGES)
+        raise InvalidValue(name, vertices, *BULGES)
     drawn = _strokes(rows)
     low, high = bounds(number_chains([drawn]))
     tolerance = DRAWN * float((high - low).max())
     rows = _without_needless(rows, drawn, tolerance)
     if not rows[:, 2].any():
-        corners = read_drawing(rows[:, :2], "vertices").corners
+        corners = read_drawing(rows[:, :2], name).corners
         return number_chains([polygon_chain(np.array(corners))])
     pieces = number_chains([join_pieces(_strokes(rows), tolerance)])
     if plate_of(pieces).area < 0.0:
         behind = np.roll(rows, -1, axis=0)[::-1]
         rows = np.column_stack([behind[:, :2], -rows[::-1, 2]])
         pieces = number_chains([join_pieces(_strokes(rows), tolerance)])
-    _require_no_crossing(pieces, "vertices")
+    _require_no_crossing(pieces, name)
     return pieces
+
+
+def has_faint_pieces(chain: Array) -> bool:
+    """Whether some rows of a chain are no pieces, or are parts of one."""
+    low, high = bounds(chain)
+    size, rho = float((high - low).max()), chain[:, RHO]
+    is_polygon = bool((np.isinf(rho) | (rho == 0.0)).all())
+    faint = FAINT_CORNER if is_polygon else FAINT
+    return has_needless(chain, faint * size, SAME_CIRCLE * size)
+
+
+def bulges_of_chain(chain: Array) -> Array:
+    """Vertices with bulges, shape (n, 3), of the sides and arcs of a chain; at most half a circle each."""
+    rows = []
+    for piece in chain[chain[:, RHO] != 0.0]:
+        angle = float(piece[BETA1] - piece[BETA0])
+        parts = 2 if abs(angle) > math.pi else 1
+        beta = piece[BETA0] + angle / parts * np.arange(parts)
+        starts = piece[None, :2] if math.isinf(piece[RHO]) else points_at(piece, beta)
+        rows += [(x, y, math.tan(angle / parts / 4.0)) for x, y in starts.tolist()]
+    return np.array(rows)
 
 
 def _strokes(rows: Array) -> Array:
@@ -128,6 +158,8 @@ def rounded_chain(drawing: Drawing, radius: Any, tolerance: float) -> Array:
     turn = wrap(beta - np.roll(beta, 1))
     radii = _required_radii(radius, len(drawing.vertices))
     radii = radii[drawing.vertex] if radii.ndim else np.where(turn > 0.0, radii, 0.0)
+    # An arc within the tolerance is a corner, up to which its sides go.
+    radii = np.where(radii * np.abs(turn) > tolerance, radii, 0.0)
     cut = radii * np.abs(np.tan(turn / 2.0))
     rest = length - cut - np.roll(cut, -1)
     if rest.min() < -tolerance:

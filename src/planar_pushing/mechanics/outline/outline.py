@@ -25,7 +25,9 @@ from planar_pushing.mechanics.outline.drawing import DRAWN, KEPT, Corners, read_
 from planar_pushing.mechanics.outline.makers import (
     CROSSING,
     bulge_pieces,
+    bulges_of_chain,
     ellipse_pieces,
+    has_faint_pieces,
     rounded_chain,
 )
 from planar_pushing.mechanics.outline.plate import Plate, bounds, plate_of
@@ -127,10 +129,14 @@ class Outline:
     def from_pieces(cls, pieces: Any) -> Outline:
         """An outline from its rows, as `pieces` has them.
 
+        Pieces that are none are left out: corners without a turn, sides and arcs without length, and the
+        places at which a side, an arc or a circle is divided.
+
         Raises
         ------
         InvalidValue
-            If the rows do not make closed chains whose points and directions join.
+            If the rows do not make closed chains whose points and directions join, or if chains with
+            pieces that are left out cross themselves or one another.
         """
         rows = as_array(pieces)
         if rows is None or rows.ndim != 2 or rows.shape[1] != len(Piece._fields) or not len(rows):
@@ -139,7 +145,7 @@ class Outline:
                 "copy them from Outline.pieces",
             )  # fmt: skip
         require_chains(rows)
-        return outline_of_pieces(rows)
+        return _without_needless(rows)
 
     @classmethod
     def from_bulges(cls, vertices: Any) -> Outline:
@@ -408,6 +414,15 @@ def _with_holes(outline: Outline, holes: Sequence[Outline]) -> Outline:
     Polygon(samples[0], holes=(*samples[1:], *rings))
     inner = [_hole_chain(hole.exterior) for hole in holes]
     return outline_of_pieces(number_chains([*(chain[:, :OWN] for chain in chains), *inner]))
+
+
+def _without_needless(pieces: Array) -> Outline:
+    """The outline of rows, which are drawn again if some of their pieces are none."""
+    chains = split_chains(pieces)
+    if not any(map(has_faint_pieces, chains)):
+        return outline_of_pieces(pieces)
+    drawn = [outline_of_pieces(bulge_pieces(bulges_of_chain(chain), "pieces")) for chain in chains]
+    return _with_holes(drawn[0], drawn[1:]) if len(drawn) > 1 else drawn[0]
 
 
 def _hole_chain(hole: Outline) -> Array:

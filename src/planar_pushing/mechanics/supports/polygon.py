@@ -167,6 +167,8 @@ def simple_ring(name: str, value: Any) -> Array:
 def ring_of(name: str, value: Any) -> Array:
     """Vertices of a closed chain of edges, shape (n, 2); errors as in `simple_ring`, but edges may meet."""
     remedy = "give x and y of each vertex in order"
+    if callable(getattr(value, "vertices", None)):
+        value = _corners_of_outline(name, value)
     value = getattr(value, "exterior", value)
     if hasattr(value, "geoms"):
         raise InvalidValue(
@@ -183,6 +185,16 @@ def ring_of(name: str, value: Any) -> Array:
     if len(vertices) < 3:
         raise InvalidValue(name, value, "at least three vertices", remedy)
     return vertices
+
+
+def _corners_of_outline(name: str, outline: Any) -> Any:
+    """The corners of an `Outline` of straight sides without holes, or `InvalidValue`."""
+    if getattr(outline, "corners", None) is None:
+        raise InvalidValue(
+            name, outline, "an outline of straight sides without holes",
+            "give outline.vertices(tolerance) of one with arcs, and the vertices of each hole as holes",
+        )  # fmt: skip
+    return outline.corners
 
 
 def _require_holes(outer: Array, inner: list[Array]) -> None:
