@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import KW_ONLY, dataclass
 from typing import Any, NamedTuple
@@ -13,6 +14,7 @@ from planar_pushing.mechanics.kernels.arrays import is_labeled, same
 from planar_pushing.mechanics.outline import Outline
 from planar_pushing.mechanics.outline.chains import RHO
 from planar_pushing.mechanics.outline.places import places_with_normals
+from planar_pushing.mechanics.slider import inner_corners
 from planar_pushing.objects.many import require_contacts
 from planar_pushing.objects.on_outline import ALIGNED, on_outline, side_on_fence
 from planar_pushing.terms.domain import Number
@@ -34,8 +36,8 @@ class Contact:
         Position in the object's frame.
     normal : (n_x, n_y), optional
         Normal there, into the object, of any length. It can be omitted if the object has an outline and the
-        contact is not at a corner. At an inner corner, two contacts at one point with the normals of both
-        sides are a point finger in the corner.
+        contact is not at a corner. At an inner corner, a contact without a normal is two: one with the side
+        before the corner and one with the side after it.
     law : ContactLaw, or array of laws
     velocity : (v_x, v_y), or array of shape S + (2,), optional
         Velocity of the pusher there, or its acceleration from rest, in the object's frame; by default that
@@ -121,7 +123,7 @@ class PlacedContact(NamedTuple):
 
 
 def place_contacts(contacts: Any, outline: Outline | None, drawing: Any) -> list[PlacedContact]:
-    """The points of contacts on an object; a side is two of them.
+    """The points of contacts on an object; a side is two of them, and an inner corner, too.
 
     Parameters
     ----------
@@ -147,7 +149,7 @@ def place_contacts(contacts: Any, outline: Outline | None, drawing: Any) -> list
         if contact.side is not None:
             placed += _ends_of_side(contact, outline, drawing)
         else:
-            placed.append(_place(contact, outline))
+            placed += _place(contact, outline)
     if len(placed) > MOST_CONTACTS:
         raise InvalidValue(
             "contacts", f"{len(placed)} points of contact", f"at most {MOST_CONTACTS}; a side is two",
@@ -167,8 +169,8 @@ def place_contacts(contacts: Any, outline: Outline | None, drawing: Any) -> list
     return placed
 
 
-def _place(contact: Contact, outline: Outline | None) -> PlacedContact:
-    """A contact at a point."""
+def _place(contact: Contact, outline: Outline | None) -> list[PlacedContact]:
+    """A contact at a point; at an inner corner, without a normal, one with each side."""
     places = require_contacts(contact.point, contact.normal)
     if outline is None:
         if contact.normal is None:
@@ -186,10 +188,18 @@ def _place(contact: Contact, outline: Outline | None) -> PlacedContact:
                 spot = None
         if spot is not None:
             (x, y), (n_x, n_y) = (spot.point[0] + 0.0).tolist(), (spot.normal[0] + 0.0).tolist()
-            return _with_velocity(contact, (x, y), (n_x, n_y))
+            return [_with_velocity(contact, (x, y), (n_x, n_y))]
         placement, _ = on_outline(places, outline)
+        x, y = map(float, placement.point)
+        for corner in inner_corners(outline):
+            if math.hypot(x - corner.x, y - corner.y) <= outline.tolerance:
+                directions = corner.middle + corner.half, corner.middle - corner.half
+                return [
+                    _with_velocity(contact, (x, y), (-math.sin(beta), math.cos(beta)))
+                    for beta in directions
+                ]
     (x, y), (n_x, n_y) = placement.point, placement.normal
-    return _with_velocity(contact, (float(x), float(y)), (float(n_x), float(n_y)))
+    return [_with_velocity(contact, (float(x), float(y)), (float(n_x), float(n_y)))]
 
 
 def _ends_of_side(contact: Contact, outline: Outline | None, drawing: Any) -> list[PlacedContact]:

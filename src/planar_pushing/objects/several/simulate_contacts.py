@@ -199,7 +199,12 @@ def _placed(contacts: Any, pushers: Any, outline: Outline, given: Any) -> list[P
             raise InvalidValue("pushers", "arrays", "single pushers", "simulate them one by one")
         places = place_contacts([contact], outline, given)
         one = places[0]
-        if len(places) == 2:
+        if len(places) == 2 and contact.side is None:
+            normal = np.sum([place.normal for place in places], axis=0)
+            # The bisector, as long as its finger's center is away from the corner in radii.
+            normal *= 2.0 / float(normal @ normal)
+            one = one._replace(normal=(float(normal[0]), float(normal[1])))
+        elif len(places) == 2:
             if pusher.shape == PusherShape.FINGER:
                 raise InvalidValue(
                     "pushers", "a finger on a side", "a fence", "give the contact as a point"
