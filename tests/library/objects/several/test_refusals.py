@@ -76,14 +76,6 @@ def test_contacts_that_need_an_outline(contact, message):
         pp.solve_contacts([contact], effects=EFFECTS)
 
 
-def test_an_inner_corner_needs_the_normal_of_one_of_its_sides():
-    effects = [pp.SupportFriction(support=pp.Polygon(TEE))]
-    for normal in ((-1.0, 0.0), (0.0, -1.0)):
-        contact = pp.Contact((1, 1), normal, law=LAW, velocity=(-1, -1))
-        assert len(pp.solve_contacts([contact], effects=effects, outline=TEE)) == 1
-    with pytest.raises(pp.InvalidValue, match="inner corner"):
-        pp.solve_contacts([pp.Contact((1, 1), (-1, -1), law=LAW)], effects=effects, outline=TEE)
-
 
 def test_arrays_that_do_not_broadcast():
     fast = pp.Contact((-1, 0.3), (1, 0), law=LAW, velocity=(np.ones(3), 0.0))
