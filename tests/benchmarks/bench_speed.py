@@ -39,6 +39,8 @@ FLOOR, POINT, SIDE, FAR = 24.0, 5.0, 40.0, 2000.0
 RING, FEET, OTHER, QUADRILATERALS = 12_000.0, 60_000.0, 200_000.0, 10.0
 #: A new contact of a known object, in solves of a known scene; objects on a box that is their outline.
 NEW_CONTACT = 10.0
+#: Two contacts in an array, in solves of one of them.
+PAIR = 4.0
 BOX = [(-0.4, -0.25), (0.4, -0.25), (0.4, 0.25), (-0.4, 0.25)]
 OBJECTS = {
     "box": pp.Polygon(BOX),
@@ -179,6 +181,25 @@ def test_new_contact_of_an_object(ratio, name, outline, effects):
         lambda: [contact(next(fresh)) for _ in range(count)],
         lambda: [pp.solve(scene, 1.3, 0.5) for scene in known],
         NEW_CONTACT,
+        rounds=10,
+    )
+
+
+@pytest.mark.parametrize("effects", ["friction", "both"])
+@pytest.mark.parametrize("name", ["box", "T", "disc", "feet"])
+def test_two_contacts_in_an_array(ratio, name, effects):
+    """A finger and a wall, as a multiple of `solve` for the finger alone."""
+    angle = RANDOM.uniform(-1.3, 1.3, 4000)
+    acting = [pp.SupportFriction(support=OBJECTS[name], weight=2.0)]
+    acting += [pp.Inertia(gyration_radius=0.2)] if effects == "both" else []
+    law, velocity = pp.Coulomb(0.3), (np.cos(angle), np.sin(angle))
+    finger = pp.Contact((-0.4, 0.15), (1.0, 0.0), law=law, velocity=velocity)
+    wall = pp.Contact((0.1, -0.25), (0.0, 1.0), law=law)
+    scene = pp.scene_at((-0.4, 0.15), (1.0, 0.0), effects=acting, contact=law)
+    ratio(
+        lambda: pp.solve_contacts([finger, wall], effects=acting),
+        lambda: pp.solve(scene, np.pi / 2 - angle),
+        PAIR,
         rounds=10,
     )
 

@@ -32,9 +32,6 @@ from planar_pushing.core.instant.kernels import (
     NOT_SOLVED,
     PIVOTS,
 )
-from planar_pushing.core.instant.line_problem import (
-    length_of_twist,
-)
 from planar_pushing.core.instant.modes import (
     contact_modes,
 )
@@ -78,6 +75,9 @@ from planar_pushing.core.instant.solution import (
     UNSOLVED,
     Push,
     Solution,
+)
+from planar_pushing.core.instant.twist_line import (
+    length_of_twist,
 )
 from planar_pushing.core.numbers import (
     UNKNOWN,

@@ -18,11 +18,6 @@ from planar_pushing.core.instant.directions import (
     unit_x,
     unit_y,
 )
-from planar_pushing.core.instant.line_problem import (
-    dot_vectors,
-    length_of_twist,
-    scale_vector,
-)
 from planar_pushing.core.instant.solution import (
     SEPARATE,
     SLIP_LEFT,
@@ -30,6 +25,11 @@ from planar_pushing.core.instant.solution import (
     STICK,
     Pair,
     Twist,
+)
+from planar_pushing.core.instant.twist_line import (
+    dot_vectors,
+    length_of_twist,
+    scale_vector,
 )
 from planar_pushing.core.numbers import (
     Numbers,

@@ -16,12 +16,7 @@ from planar_pushing.core.instant.line_problem import (
     LINE_ROOT,
     MOST_ON_LINE,
     LineRoot,
-    dot_vectors,
     find_on_line,
-    length_of_twist,
-    line_through,
-    scale_vector,
-    twist_on_line,
 )
 from planar_pushing.core.instant.several_frames import (
     MotionSet,
@@ -44,6 +39,13 @@ from planar_pushing.core.instant.solution import (
     SLIP_LEFT,
     STICK,
     UNSOLVED,
+)
+from planar_pushing.core.instant.twist_line import (
+    dot_vectors,
+    length_of_twist,
+    line_through,
+    scale_vector,
+    twist_on_line,
 )
 from planar_pushing.core.numbers import (
     INFINITY,

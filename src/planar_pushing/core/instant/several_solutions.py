@@ -22,9 +22,6 @@ from planar_pushing.core.instant.force_sets import (
     UnitForce,
     balance_load,
 )
-from planar_pushing.core.instant.line_problem import (
-    length_of_twist,
-)
 from planar_pushing.core.instant.several_frames import (
     MOST_OF_SEVERAL,
     Several,
@@ -39,6 +36,9 @@ from planar_pushing.core.instant.solution import (
     UNSOLVED,
     Pair,
     Twist,
+)
+from planar_pushing.core.instant.twist_line import (
+    length_of_twist,
 )
 from planar_pushing.core.numbers import (
     INFINITY,
