@@ -297,7 +297,8 @@ def _require_outer(
         raise InvalidValue(
             "point", contacts.original("point", int(is_inner.argmax())),
             "a point that is not at an inner corner",
-            "a pusher there touches two sides: move it off the corner, or give both to solve_contacts",
+            "a pusher there touches two sides; move the contact off the corner, "
+            "or give solve_contacts a Contact for each side",
         )  # fmt: skip
     if contacts.normal is None and is_near.any():
         raise InvalidValue(
