@@ -58,6 +58,8 @@ MOST_ON_LINE = 24
 WIDEST_CUBIC = 0.4
 #: Narrowest interval that is halved, and the width below which a flat stretch is a double root, in radians.
 NARROWEST, FLAT_WIDTH = 1e-11, 1e-5
+#: Number of parts of an interval at whose ends a power that vanishes there is evaluated.
+PLACES_OF_FLAT = 8
 #: Maximum number of intervals, and of those that wait, which halving keeps below its depth.
 INTERVALS, WAITING = 20000, 64
 
@@ -180,6 +182,8 @@ def _find_between(line: TwistLine, low: float, high: float, roots: Numbers, coun
         if ranges.low > line.noise or ranges.high < -line.noise:
             continue
         flat: bool = ranges.low >= -line.noise and ranges.high <= line.noise
+        if not flat and fabs(one.value) <= line.noise and fabs(other.value) <= line.noise:
+            flat = _vanishes_between(line, a, b, inside)
         narrow: bool = b - a <= NARROWEST
         crosses: bool = (one.value < 0.0 < other.value) or (other.value < 0.0 < one.value)
         if flat or (narrow and not crosses):
@@ -206,6 +210,18 @@ def _find_between(line: TwistLine, low: float, high: float, roots: Numbers, coun
     if waiting > 0:
         return -1
     return _write_flat(roots, count, flat_from, flat_to)
+
+
+def _vanishes_between(line: TwistLine, low: float, high: float, inside: float) -> bool:
+    """Whether the power vanishes at several angles, though the ranges of single feet do not.
+
+    Between feet that rest it is a smooth function of the angle.
+    """
+    for k in range(1, PLACES_OF_FLAT):
+        angle = low + (high - low) * float(k) / float(PLACES_OF_FLAT)
+        if fabs(power_on_line(line, angle, inside).value) > line.noise:
+            return False
+    return True
 
 
 def _write_cell(cells: Numbers, low: float, high: float, first: Power, last: Power) -> None:

@@ -41,6 +41,7 @@ from planar_pushing.core.instant.solution import (
     UNSOLVED,
 )
 from planar_pushing.core.instant.twist_line import (
+    TwistLine,
     dot_vectors,
     length_of_twist,
     line_through,
@@ -67,6 +68,9 @@ from planar_pushing.core.supports.tolerances import (
 
 #: Maximum number of angles among which the ends of intervals of twists are.
 MOST_ANGLES = 64
+#: Number of parts of a stretch at whose ends forces are tried, of halvings of one that ends there, and the
+#: shortest stretch, in radians.
+PARTS_OF_STRETCH, BISECTIONS, SHORT_STRETCH = 32, 50, 1e-6
 #: Slack of a load that is balanced along two unit forces whatever its third component is.
 ANY_LOAD = 1e9
 
@@ -97,6 +101,8 @@ def _write_bounds(several: Several, sharing: Sharing, motions: MotionSet, bounds
             bounds[0] = max(bounds[0], -value / slope)
         else:
             bounds[1] = min(bounds[1], -value / slope)
+    if bounds[0] == INFINITY or bounds[1] == -INFINITY:
+        return False
     if bounds[0] > bounds[1]:
         if bounds[0] - bounds[1] > COINCIDENT * (size + fabs(bounds[0])):
             return False
@@ -188,12 +194,70 @@ def add_on_line(
             return UNSOLVED
         for i in range(number):
             root = LineRoot(roots[LINE_ROOT * i :])
+            if root.continuum:
+                # Both ends of a stretch follow one another.
+                if i + 1 < number and LineRoot(roots[LINE_ROOT * (i + 1) :]).continuum:
+                    last = LineRoot(roots[LINE_ROOT * (i + 1) :])
+                    last.continuum = False
+                    count = _add_stretch(
+                        several, sharing, line, root.angle, last=last.angle, slack=slack,
+                        solutions=solutions, count=count,
+                    )  # fmt: skip
+                continue
             twist = twist_on_line(line, root.angle)
             if length_of_twist(twist) > COINCIDENT and keeps_modes(several, sharing.modes, twist):
                 count = add_balanced(
-                    several, sharing, twist, slack, continuum=root.continuum, solutions=solutions,
+                    several, sharing, twist, slack, continuum=False, solutions=solutions,
                     count=count,
                 )  # fmt: skip
+    return count
+
+
+def _balances_at(
+    several: Several, sharing: Sharing, line: TwistLine, angle: float, slack: float
+) -> bool:
+    """Whether a twist of a line keeps the modes, and the contacts balance its load."""
+    twist = twist_on_line(line, angle)
+    if fabs(angle) > QUARTER_TURN - COINCIDENT or length_of_twist(twist) <= COINCIDENT:
+        return False
+    return keeps_modes(several, sharing.modes, twist) and balances(several, sharing, twist, slack)
+
+
+def _add_stretch(
+    several: Several, sharing: Sharing, line: TwistLine, first: float,
+    last: float, slack: float, solutions: Numbers, count: int,
+) -> int:  # fmt: skip
+    """Add the ends of the parts of a stretch without power in which the contacts balance the load."""
+    holds: bool = False
+    start = first
+    for k in range(PARTS_OF_STRETCH + 2):
+        # One step beyond the end, where nothing holds.
+        part = float(k) / float(PARTS_OF_STRETCH)
+        angle = first + (last - first) * min(part, 1.0)
+        keeps: bool = k <= PARTS_OF_STRETCH and _balances_at(several, sharing, line, angle, slack)
+        if keeps == holds:
+            continue
+        end, other = angle, first + (last - first) * max(part - 1.0 / float(PARTS_OF_STRETCH), 0.0)
+        if not keeps:
+            end, other = other, end
+        # The part in which the contacts balance the load reaches from `end` towards `other`.
+        for _ in range(BISECTIONS):
+            middle = (end + other) / 2.0
+            if _balances_at(several, sharing, line, middle, slack):
+                end = middle
+            else:
+                other = middle
+        if keeps:
+            start = end
+        else:
+            longer: bool = end - start > SHORT_STRETCH
+            for side in range(2 if longer else 1):
+                twist = twist_on_line(line, start if side == 0 else end)
+                count = add_balanced(
+                    several, sharing, twist, slack, continuum=longer, solutions=solutions,
+                    count=count,
+                )  # fmt: skip
+        holds = keeps
     return count
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from objects.several.scenes import compare, degenerate_scene, random_scene
+from objects.several.scenes import compare, degenerate_scene, modes_of, random_scene, scene_of
 
 import planar_pushing as pp
 
@@ -33,6 +33,18 @@ def test_random_scenes(part):
 def test_many_random_scenes(part):
     for count, seed in MANY[part::25]:
         require_equal(random_scene(seed, count), seed, 200 * count)
+
+
+def test_five_solutions_of_which_three_share_their_modes():
+    """A thin object between two fingers that move alike, far from the feet."""
+    feet = [(0.74, 0.098), (0.786, 0.055), (0.592, 0.133), (0.053, 0.036)]
+    velocity = (0.381, -0.631)
+    fingers = [
+        ((0.916, 0.141), (-0.82, -0.573), velocity, 1.8),
+        ((-0.979, -0.075), (0.887, 0.462), velocity, 1.8),
+    ]
+    answer = require_equal(scene_of(feet, [0.515, 0.399, 0.916, 0.448], fingers), 3, 600)
+    assert [modes_of(one) for one in answer] == ["KK", "RS", "RL", "RL", "RL"]
 
 
 def is_squeeze(scene):
