@@ -144,11 +144,11 @@ def _table(args: argparse.Namespace) -> xr.Dataset:
     for sigma in args.noise or ():
         allowed = "three finite numbers >= 0"
         require_number("noise", sigma, lambda x: 0.0 <= x < math.inf, allowed, "give 0 for none")
-    from planar_pushing.mechanics.outline import require_corners
+    from planar_pushing.mechanics.outline import require_outline
     from planar_pushing.pushes.formats.table import read_table
 
     try:
-        outline = require_corners(read_outline(args.outline))
+        outline = require_outline(read_outline(args.outline))
     except InvalidValue as error:
         raise InvalidFile(f"{args.outline}: {error}") from None
     names = ("finger_radius", "angles", "units", "noise", "tolerance", "skip_missed")
