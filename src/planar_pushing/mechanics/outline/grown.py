@@ -23,9 +23,11 @@ from planar_pushing.mechanics.outline.chains import (
     split_chains,
     wrap,
 )
+from planar_pushing.mechanics.outline.drawing import KEPT
 from planar_pushing.mechanics.outline.outline import Outline
 from planar_pushing.mechanics.outline.places import Places, nearest_place
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.terms.caches import cache_results
 
 Index = npt.NDArray[np.intp]
 
@@ -65,23 +67,26 @@ def roll_on(seats: Seats, outline: Outline, radius: Array) -> Seats:
     """Seats on the pieces at which discs arrive that have gone beyond the ends of theirs."""
     rows, (piece, along) = outline.pieces, seats
     for _ in range(len(rows)):
+        length = _lengths(rows[piece], radius)
+        is_beyond = (along < 0.0) | (along > length)
+        if not is_beyond.any():
+            break
         after, before = (rows[piece, column].astype(int) for column in (NEXT, BEFORE))
-        length, behind = (_lengths(rows[k], radius) for k in (piece, before))
         goes_on = (along > length) & _has_room(rows[after], radius)
         goes_back = (along < 0.0) & _has_room(rows[before], radius)
         if not (goes_on | goes_back).any():
             break
-        along = np.where(goes_on, along - length, np.where(goes_back, along + behind, along))
+        gone = np.where(goes_on, -length, np.where(goes_back, _lengths(rows[before], radius), 0.0))
+        along = along + gone
         piece = np.where(goes_on, after, np.where(goes_back, before, piece))
     return Seats(piece, along)
 
 
 def are_blocked(seats: Seats, outline: Outline, radius: Array) -> npt.NDArray[np.bool_]:
     """Whether discs are beyond an end where they cannot go on, or touch another piece, too."""
-    rows = outline.pieces
-    blocked = (seats.along < 0.0) | (seats.along > _lengths(rows[seats.piece], radius))
     if _is_convex(outline):
-        return np.asarray(blocked)
+        return np.zeros(len(radius), dtype=bool)
+    blocked = (seats.along < 0.0) | (seats.along > _lengths(outline.pieces[seats.piece], radius))
     places = places_of(seats, outline, radius)
     gap = nearest_place(outline, places.point - radius[:, None] * places.normal).gap
     return np.asarray(blocked | (gap < radius - outline.tolerance))
@@ -122,5 +127,7 @@ def _has_room(rows: Array, radius: Array) -> npt.NDArray[np.bool_]:
     return np.asarray(~is_inner & ((rows[:, RHO] >= 0.0) | (rows[:, RHO] + radius < 0.0)))
 
 
+@cache_results(KEPT)
 def _is_convex(outline: Outline) -> bool:
+    """Whether no disc that touches an outline is stopped by it."""
     return bool((outline.pieces[:, BETA1] >= outline.pieces[:, BETA0]).all())
