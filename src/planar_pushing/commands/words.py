@@ -36,8 +36,8 @@ DIRECTION = (
 
 #: Help for the file of an outline.
 OUTLINE = (
-    "YAML file of the object's corners, [[x, y], ...], or of its shape, as in {disc: {radius: 40}}, or a scene "
-    "file with object.outline"
+    "YAML file of the object's corners, [[x, y], ...], or of its shape, as in {disc: {radius: 40}}, or "
+    "a scene file with object.outline"
 )
 
 

@@ -9,9 +9,9 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.outline import Outline
 from planar_pushing.mechanics.outline.chains import sample_chain, split_chains
+from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Disc, Points, Polygon, fit_ellipsoid
 from planar_pushing.mechanics.supports.base import require_in_frame, require_support
 from planar_pushing.pushes.fit.ellipsoid import Ellipsoid
@@ -45,7 +45,7 @@ class Model(Protocol):
     """A model of support friction in the object's frame."""
 
     def poses(self, pushes: Measured, friction: float) -> Array:
-        """Displacements of the object's frame by pushes, for a contact friction coefficient, shape (n, 3)."""
+        """Final poses of the object's frame, shape (n, 3), for a contact friction coefficient."""
 
     def wrenches(self, twists: Array) -> Array:
         """Directions of the wrenches for twists of shape (n, 3)."""
@@ -171,10 +171,10 @@ def compare(
     Notes
     -----
     The pushes of each object are divided into halves at random. All fits, including that of the contact
-    friction, are made on one half and scored on the other, and vice versa. In every model, the finger follows the
-    outline: around corners and arcs, and also if it leaves the object and meets it again. If it touches two
-    places, as in an inner corner, the object rests from then on. No model is fitted to pushes that touch a
-    corner first (`at_corner`), which depend strongly on where they do.
+    friction, are made on one half and scored on the other, and vice versa. In every model, the finger
+    follows the outline: around corners and arcs, and also if it leaves the object and meets it again. If it
+    touches two places, as in an inner corner, the object rests from then on. No model is fitted to pushes
+    that touch a corner first (`at_corner`), which depend strongly on where they do.
 
     The quartic is the model of Zhou, Paolini, Bagnell, and Mason (ICRA 2016, pp. 372-377): a convex form of
     degree 4 in the wrench, whose level set is the limit surface and whose gradient is along the twist. A

@@ -62,8 +62,8 @@ def identify(
         Positions of the feet, if only their weights are unknown.
     family : {"points", "uniform_and_corners", "ellipse", "map"}
         Family of supports to search: a weight at each candidate; a uniform pressure and a weight at each
-        corner, and along arcs; uniform pressures within ellipses; or a pressure that varies linearly between
-        candidates.
+        corner, and along arcs; uniform pressures within ellipses; or a pressure that varies linearly
+        between candidates.
     resamples : int
         Number of resamples of the pushes for the intervals.
     seed : int

@@ -94,4 +94,6 @@ def _middle(outline: Outline, contact: Any) -> Array:
         row = outline.pieces[int(row[NEXT])]
     if not np.isinf(row[RHO]):
         return np.asarray(places.point[0])
-    return np.asarray(row[:2] + row[LENGTH] / 2.0 * np.array([np.cos(row[BETA0]), np.sin(row[BETA0])]))
+    return np.asarray(
+        row[:2] + row[LENGTH] / 2.0 * np.array([np.cos(row[BETA0]), np.sin(row[BETA0])])
+    )

@@ -114,8 +114,8 @@ def simulate_pushes(
     -----
     Contacts are uniformly distributed over the outline except for 5 % at each end of each side and arc, and
     directions are uniformly distributed within 60 degrees of the normal. A push during which the finger
-    reaches a corner or touches two places is drawn again; along arcs it goes on. The force is the mean over the last 70 % of the
-    push, along the object's axes, which turn with the object.
+    reaches a corner or touches two places is drawn again; along arcs it goes on. The force is the mean over
+    the last 70 % of the push, along the object's axes, which turn with the object.
     """
     friction = _required_friction(effects)
     count = whole_number("n", n, 1, MOST)

@@ -150,10 +150,21 @@ def test_tables_with_an_outline_of_a_file(kind, run, tmp_path):
         "x_end": (center + pushes["finger_displacement"].values)[:, 0],
         "y_end": (center + pushes["finger_displacement"].values)[:, 1],
     }  # fmt: skip
-    rows = [",".join(columns), *(",".join(map(repr, map(float, row))) for row in zip(*columns.values(), strict=True))]
+    rows = [
+        ",".join(columns),
+        *(",".join(map(repr, map(float, row))) for row in zip(*columns.values(), strict=True)),
+    ]
     table.write_text("\n".join(rows), encoding="utf-8")
     code, _, err = run(
-        "convert", "csv", str(table), "--outline", str(file), "--finger-radius", "4", "-o", str(output)
+        "convert",
+        "csv",
+        str(table),
+        "--outline",
+        str(file),
+        "--finger-radius",
+        "4",
+        "-o",
+        str(output),
     )
     assert (code, err) == (0, "")
     read = pp.load_pushes(output)

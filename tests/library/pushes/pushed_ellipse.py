@@ -31,7 +31,9 @@ def friction(places, contact, u, omega):
     moves = np.stack([np.ones_like(v_x), np.zeros_like(v_x), -arm[..., 1]], axis=-1)
     sideways = np.stack([np.zeros_like(v_x), np.ones_like(v_x), arm[..., 0]], axis=-1)
     along = d_x[..., None] * moves + d_y[..., None] * sideways
-    outer = moves[..., :, None] * moves[..., None, :] + sideways[..., :, None] * sideways[..., None, :]
+    outer = (
+        moves[..., :, None] * moves[..., None, :] + sideways[..., :, None] * sideways[..., None, :]
+    )
     outer = outer - along[..., :, None] * along[..., None, :]
     return load, (outer / size[..., None, None]).mean(axis=1)
 
@@ -59,7 +61,7 @@ def minimize(places, contact, u, omega, free):
 def push_ellipse(axes, places, mu, start, direction, distance, steps=120):
     """Poses (x, y, angle) of the ellipse after pushes, and the places of the last contacts, as angles.
 
-    `start` are the parameters of the first contacts, shape (n,), and `direction` unit vectors, shape (n, 2).
+    `start` are the parameters of the first contacts, shape (n,), and `direction` unit vectors, (n, 2).
     """
     angle, place, moved = np.zeros(len(start)), start.astype(float), 0.0
 

@@ -14,7 +14,10 @@ from planar_pushing.pushes.fit.quartic import Quartic
 from planar_pushing.pushes.fit.supported import OnSupport
 from planar_pushing.pushes.logs.measured import measurements_of
 
-ROUND, SKEW = np.diag([1.0, 1.0, 0.5]), np.array([[1, 0.3, -0.2], [0.3, 0.7, 0.25], [-0.2, 0.25, 0.9]])
+ROUND, SKEW = (
+    np.diag([1.0, 1.0, 0.5]),
+    np.array([[1, 0.3, -0.2], [0.3, 0.7, 0.25], [-0.2, 0.25, 0.9]]),
+)
 PAIRS = np.einsum("ij,kl->ijkl", SKEW, SKEW)
 MODELS = {
     "support": OnSupport(pp.Points(SQUARE, [1, 2, 1, 1])), "ellipsoid": Ellipsoid(SKEW),
@@ -37,8 +40,8 @@ def along(angle):
 HEXAGON, DOZEN = regular(6, np.pi / 3.0), regular(12, np.pi / 12.0)
 BOX = 0.1 * np.array(SQUARE)
 LOW = np.deg2rad(-75.0)
-#: Outline, support, contact, normal, velocity in the frame of the contact, duration, radius, friction, and the
-#: pose at the end: by integrations of the full pose with the nearest point of the outline, and
+#: Outline, support, contact, normal, velocity in the frame of the contact, duration, radius, friction, and
+#: the pose at the end: by integrations of the full pose with the nearest point of the outline, and
 #: for a ring with elliptic integrals.
 ENDS = {
     "a mug that slips away": (
@@ -88,8 +91,8 @@ def test_final_poses_on_a_support(scene):
     assert pose[2] == pytest.approx(end[2], abs=1e-5)
 
 
-#: Outlines, first contacts, normals, and radii of pushes without friction and rotation, of discs of radius 1
-#: and of a hole of radius 0.8 in one, and the displacement for a path of 1.5 or 0.7 upward, in closed form.
+#: Outlines, first contacts, and radii of pushes without friction and rotation, of a disc of radius 1 and of
+#: a hole of radius 0.8 in one, and the displacement for a path of 1.5 or 0.7 upward, in closed form.
 SLIDES = {
     "a disc": (pp.Disc(1.0), along(np.deg2rad(-100.0)), 0.25, 1.5, (0.4526176399, 1.3244672441)),
     "a hole": (
@@ -99,7 +102,9 @@ SLIDES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("model", [OnSupport(pp.Disc(1.0)), Ellipsoid(ROUND)], ids=["support", "ellipsoid"])
+@pytest.mark.parametrize(
+    "model", [OnSupport(pp.Disc(1.0)), Ellipsoid(ROUND)], ids=["support", "ellipsoid"]
+)
 @pytest.mark.parametrize("wall", SLIDES)
 def test_slides_along_an_arc_in_closed_form(model, wall):
     outline, point, radius, distance, displacement = SLIDES[wall]
@@ -130,7 +135,7 @@ def by_small_steps(matrix, axes, start, direction, distance, mu, steps=3000):
             break
         twist = matrix @ reach.T @ force
         place += (finger - mobility @ force) @ tangent / speed
-        pose = pose + [*(turn(pose[2]) @ twist[:2]), twist[2]]
+        pose = pose + np.append(turn(pose[2]) @ twist[:2], twist[2])
     return pose
 
 
@@ -169,7 +174,9 @@ def test_a_finger_that_parts_and_returns_elsewhere(name, outline, radius):
     step, mu = 0.1, 0.2
     legs = [(0, step)] * 2 + [(0, -step)] + [(-step, 0)] * 2 + [(0, step)] * 3
     whole = touching(outline, (0.0, -1.0), (0.0, 1.0), legs, radius)
-    first = MODELS[name].poses(touching(outline, (0.0, -1.0), (0.0, 1.0), (0, 2 * step), radius), mu)[0]
+    first = MODELS[name].poses(
+        touching(outline, (0.0, -1.0), (0.0, 1.0), (0, 2 * step), radius), mu
+    )[0]
     start = np.array([0.0, -1.0 - radius]) + np.sum(legs[:5], axis=0)
     local = turn(-first[2]) @ (start - first[:2])
     up = turn(-first[2]) @ (0.0, 3 * step)
@@ -273,7 +280,9 @@ def test_identify_the_friction_of_an_ellipse():
     assert ((errors / NOISE) ** 2).sum() / (3 * count - 4) == pytest.approx(1.0, abs=0.34)
 
 
-TEE = 10.0 * np.array([(-6, 0), (-6, 3), (6, 3), (6, 0), (1.5, 0), (1.5, -9), (-1.5, -9), (-1.5, 0)])
+TEE = 10.0 * np.array(
+    [(-6, 0), (-6, 3), (6, 3), (6, 0), (1.5, 0), (1.5, -9), (-1.5, -9), (-1.5, 0)]
+)
 #: Outlines, feet and pushes: contacts, directions of the finger, and its radius.
 OBJECTS = {
     "a finger passes corners of a T": (
@@ -307,7 +316,8 @@ def test_identify_where_fingers_go_around(kind):
         pieces.append(len(set(log["contact_piece"].values.tolist()) - {-1}))
     assert kind == "a mug" or np.sum(np.array(pieces) > 1) >= 4
     pushes = pp.pushes_from_poses(
-        outline=outline, poses_before=np.zeros((8, 3)), poses_after=poses + NOISE * random.normal(size=(8, 3)),
+        outline=outline, poses_before=np.zeros((8, 3)),
+        poses_after=poses + NOISE * random.normal(size=(8, 3)),
         finger_start=starts, finger_end=ends, finger_radius=radius, noise=(0.1, 0.1, 0.0),
     )  # fmt: skip
     found = pp.identify(pushes, known=feet, resamples=50)

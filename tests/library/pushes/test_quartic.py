@@ -199,7 +199,8 @@ def test_noisy_pushes_of_three_feet():
 def test_units_and_the_frame_do_not_matter(unit):
     pushes = pushed(30)
     scaled = replace(
-        pushes, outline=pp.Outline(unit * np.array(TRIANGLE)), contact=unit * pushes.contact, finger=unit * pushes.finger,
+        pushes, outline=pp.Outline(unit * np.array(TRIANGLE)), contact=unit * pushes.contact,
+        finger=unit * pushes.finger,
         displacement=unit * pushes.displacement, radius=unit * pushes.radius, path=unit * pushes.path,
         noise=(unit * pushes.noise[0], *pushes.noise[1:]), force=4.448 * pushes.force,
     )  # fmt: skip

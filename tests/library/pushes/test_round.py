@@ -77,7 +77,9 @@ def test_another_outline_replaces_arcs():
     drawn = with_outline(pushes, ring)
     assert "outline_pieces" not in drawn
     assert outline_of(drawn, "ellipse") == pp.Outline(ring)
-    assert outline_of(with_outline(drawn, OUTLINES["ellipse"][0]), "ellipse") == OUTLINES["ellipse"][0]
+    assert (
+        outline_of(with_outline(drawn, OUTLINES["ellipse"][0]), "ellipse") == OUTLINES["ellipse"][0]
+    )
     with pytest.raises(pp.InvalidValue, match="a point of the outline of ellipse"):
         with_outline(pushes, pp.Disc(52.0))
 
@@ -85,7 +87,9 @@ def test_another_outline_replaces_arcs():
 def test_damaged_pieces_are_refused():
     pushes = pushed("rounded", 3)
     pushes["outline_pieces"].values[0, 1, 2] *= 2.0
-    with pytest.raises(pp.InvalidValue, match=r"^outline of rounded: .* closed chains whose points"):
+    with pytest.raises(
+        pp.InvalidValue, match=r"^outline of rounded: .* closed chains whose points"
+    ):
         require_pushes(pushes)
 
 
@@ -100,7 +104,9 @@ def test_candidates_are_within_the_outline_and_at_its_edge(kind, family):
     if kind == "disc":
         away = np.hypot(x - 3.0, y - 1.0)
         assert away.max() <= 40.0 + 1e-6
-        assert (np.abs(away - 40.0) < 1e-9).sum() >= (18 if family in ("points", "uniform_and_corners") else 0)
+        assert (np.abs(away - 40.0) < 1e-9).sum() >= (
+            18 if family in ("points", "uniform_and_corners") else 0
+        )
     if kind == "holes":
         assert np.hypot(x, y).min() >= 15.0 - 1e-6
     if kind == "rounded":

@@ -15,7 +15,10 @@ TRIANGLE = [(0.0, 0.0), (150.0, 0.0), (0.0, 150.0)]
 
 def touching(outline, points, normals, path, radius=0.0):
     """Measured pushes of a finger that touches an outline at points; only its path is known."""
-    points, normals = np.atleast_2d(np.asarray(points, float)), np.atleast_2d(np.asarray(normals, float))
+    points, normals = (
+        np.atleast_2d(np.asarray(points, float)),
+        np.atleast_2d(np.asarray(normals, float)),
+    )
     parts = np.asarray(path, float)
     parts = parts[None, None] if parts.ndim == 1 else parts
     parts = parts[None] if parts.ndim == 2 else parts

@@ -59,12 +59,14 @@ def places_of(seats: Seats, outline: Outline, radius: Array) -> Places:
     tangent = np.stack([np.cos(beta), np.sin(beta)], axis=-1)
     outward = np.stack([tangent[:, 1], -tangent[:, 0]], axis=-1)
     position = np.where(is_side, along, rho * turn)
-    point = rows[:, :2] + np.where(is_side[:, None], along[:, None] * tangent, rho[:, None] * outward)
+    point = rows[:, :2] + np.where(
+        is_side[:, None], along[:, None] * tangent, rho[:, None] * outward
+    )
     return Places(seats.piece, beta, position, point, np.zeros(len(along)))
 
 
 def roll_on(seats: Seats, outline: Outline, radius: Array) -> Seats:
-    """Seats on the pieces at which discs arrive that have gone beyond the ends of theirs."""
+    """Seats on the pieces at which discs arrive that have change beyond the ends of theirs."""
     rows, (piece, along) = outline.pieces, seats
     for _ in range(len(rows)):
         length = _lengths(rows[piece], radius)
@@ -76,8 +78,10 @@ def roll_on(seats: Seats, outline: Outline, radius: Array) -> Seats:
         goes_back = (along < 0.0) & _has_room(rows[before], radius)
         if not (goes_on | goes_back).any():
             break
-        gone = np.where(goes_on, -length, np.where(goes_back, _lengths(rows[before], radius), 0.0))
-        along = along + gone
+        change = np.where(
+            goes_on, -length, np.where(goes_back, _lengths(rows[before], radius), 0.0)
+        )
+        along = along + change
         piece = np.where(goes_on, after, np.where(goes_back, before, piece))
     return Seats(piece, along)
 
@@ -109,11 +113,11 @@ def turn_at_corners(first: Places, last: Places, outline: Outline) -> Array:
     turns = np.where(is_corner, rows[:, BETA1] - rows[:, BETA0], 0.0)
     passed = np.cumsum(turns) - turns
 
-    def turned(places: Places) -> Array:
+    def angle_at(places: Places) -> Array:
         inside = places.beta - rows[places.piece, BETA0]
         return np.asarray(passed[places.piece] + np.where(is_corner[places.piece], inside, 0.0))
 
-    return wrap(turned(last) - turned(first))
+    return wrap(angle_at(last) - angle_at(first))
 
 
 def _lengths(rows: Array, radius: Array) -> Array:

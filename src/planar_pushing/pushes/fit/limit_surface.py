@@ -66,9 +66,7 @@ class LimitSurface(ABC):
         middle = roll_on(
             Seats(motion.seats.piece, motion.seats.along + halfway[1]), outline, radius
         )
-        step, travel = self._step(
-            motion.pose + halfway[0], middle, outline, radius, push, friction
-        )
+        step, travel = self._step(motion.pose + halfway[0], middle, outline, radius, push, friction)
         goes = ~motion.is_open & ~motion.is_stopped
         seats = Seats(motion.seats.piece, motion.seats.along + np.where(goes, travel, 0.0))
         seats = roll_on(seats, outline, radius)
@@ -85,13 +83,11 @@ class LimitSurface(ABC):
     ) -> tuple[Array, Array]:  # fmt: skip
         """Displacement of the object, and travel along the grown outline, in a small step of the finger."""
         places = places_of(seats, outline, radius)
-        twist, slip = self._twist_of_push(places, _turned(advance, -pose[:, 2]), friction)
-        step = np.column_stack([_turned(twist[:, :2], pose[:, 2]), twist[:, 2]])
+        twist, slip = self._twist_of_push(places, _turn(advance, -pose[:, 2]), friction)
+        step = np.column_stack([_turn(twist[:, :2], pose[:, 2]), twist[:, 2]])
         return step, slip - radius * twist[:, 2]
 
-    def _twist_of_push(
-        self, places: Places, finger: Array, friction: float
-    ) -> tuple[Array, Array]:
+    def _twist_of_push(self, places: Places, finger: Array, friction: float) -> tuple[Array, Array]:
         """Twist of the object, and the finger's motion along it: sticking, slipping or separating."""
         point, normal, tangent = places.point, places.normal, places.tangent
         reach = np.zeros((len(point), 2, 3))
@@ -165,9 +161,9 @@ class _Motion(NamedTuple):
             return moved, advance
         rows = np.flatnonzero(self.is_open)
         pose, radius = self.pose[rows], self.radius[rows]
-        places = nearest_place(outline, _turned(moved.finger[rows] - pose[:, :2], -pose[:, 2]))
+        places = nearest_place(outline, _turn(moved.finger[rows] - pose[:, :2], -pose[:, 2]))
         seats, depth = seats_at(places, outline, radius), radius - places.gap
-        rate = (_turned(advance[rows], -pose[:, 2]) * places.normal).sum(axis=1)
+        rate = (_turn(advance[rows], -pose[:, 2]) * places.normal).sum(axis=1)
         meets = (depth > 0.0) & (rate > 0.0)
         part, piece, along = np.ones(len(advance)), self.seats.piece.copy(), self.seats.along.copy()
         is_open = self.is_open.copy()
@@ -177,7 +173,7 @@ class _Motion(NamedTuple):
         return moved._replace(seats=Seats(piece, along), is_open=is_open), part[:, None] * advance
 
 
-def _turned(vectors: Array, angle: Array) -> Array:
+def _turn(vectors: Array, angle: Array) -> Array:
     """Vectors of shape (n, 2) turned by angles."""
     (x, y), c, s = vectors.T, np.cos(angle), np.sin(angle)
     return np.column_stack([c * x - s * y, s * x + c * y])

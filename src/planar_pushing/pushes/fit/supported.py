@@ -32,9 +32,7 @@ class OnSupport:
     support: Any
 
     def poses(self, pushes: Measured, friction: float) -> Array:
-        frames = body_frames(
-            pushes, np.array(self.support.center_of_pressure), self.support.extent
-        )
+        frames = body_frames(pushes, np.array(self.support.center_of_pressure), self.support.extent)
         supports = [self.support.in_frame(placement) for placement in frames.every]
         return simulate_measured(
             pushes, frames, supports, np.full(len(supports), friction), self.support.extent
@@ -74,7 +72,7 @@ class BodyFrames:
 
 
 def body_frames(pushes: Measured, center: Array, extent: float) -> BodyFrames:
-    """Body frames with origin at the center, or above the contact if the center is not above its tangent."""
+    """Body frames with origin at the center, or above the contact if the center is not above its line."""
     places = pushes.first_places
     normal, tangent = places.normal, places.tangent
     rod = center - places.point

@@ -211,7 +211,9 @@ def _number(file: Path, line: int, column: str, cell: str) -> float:
     return number
 
 
-def _require_unit(file: Path, table: PushTable, angles: str, outline: Outline, radius: float) -> None:
+def _require_unit(
+    file: Path, table: PushTable, angles: str, outline: Outline, radius: float
+) -> None:
     """Refuse angles that are in the other unit: too large, or at odds with where the finger ends."""
     (other,) = (unit for unit in ANGLES if unit != angles)
     remedy = f"give --angles {other}"

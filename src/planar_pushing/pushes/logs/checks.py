@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import xarray as xr
 
 from planar_pushing.mechanics.outline import Outline
@@ -26,9 +25,7 @@ ROUNDING = 1e-6
 THOUSAND = (300.0, 30000.0)
 
 
-def require_consistent(
-    pushes: xr.Dataset, outlines: dict[str, Outline], rows: Any = None
-) -> None:
+def require_consistent(pushes: xr.Dataset, outlines: dict[str, Outline], rows: Any = None) -> None:
     """Refuse impossible pushes; the error names the first of them.
 
     Parameters

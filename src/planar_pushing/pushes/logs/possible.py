@@ -79,7 +79,7 @@ class PushMotions(NamedTuple):
         return np.asarray(np.hypot(d_x + c * x - s * y, d_y + s * x + c * y))
 
     def gaps(self, outline: Outline) -> tuple[Array, Array]:
-        """Gaps between finger and object in its final pose, shape (n, PARTS + 1), and last normals, (n, 2)."""
+        """Gaps of the finger and the object in its final pose, shape (n, PARTS + 1), and last normals."""
         offset = self.center - self.displacement[:, None]
         c, s = np.cos(self.rotation)[:, None], np.sin(self.rotation)[:, None]
         x, y = offset[..., 0], offset[..., 1]

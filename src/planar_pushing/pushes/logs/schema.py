@@ -7,7 +7,11 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.outline import Outline, outline_of_corners, require_corners, require_outline
+from planar_pushing.mechanics.outline import (
+    Outline,
+    outline_of_corners,
+    require_outline,
+)
 from planar_pushing.mechanics.outline.chains import Piece
 from planar_pushing.mechanics.outline.drawing import Corners
 from planar_pushing.mechanics.plane import Array
@@ -37,8 +41,8 @@ OUTLINE = ("outline", "outline_pieces")
 class Variable(NamedTuple):
     """A variable of the schema.
 
-    `quantity` is "length", "degree", "force", "time", "mass", "piece" or "1"; a `complete` variable has no missing
-    values.
+    `quantity` is "length", "degree", "force", "time", "mass", "piece" or "1"; a `complete` variable has no
+    missing values.
     """
 
     dims: tuple[str, ...]
@@ -97,7 +101,8 @@ def require_pushes(dataset: Any, rows: Any = None) -> xr.Dataset:
     -------
     xarray.Dataset
         Loaded into memory, with numbers in double precision, counterclockwise outlines, and units and long
-        names for all variables. For an object with arcs, `outline` is a polygon on its outline. Additional variables over `push` or `object` are kept.
+        names for all variables. For an object with arcs, `outline` is a polygon on its outline. Additional
+        variables over `push` or `object` are kept.
 
     Raises
     ------
@@ -151,7 +156,9 @@ def outline_of(pushes: xr.Dataset, name: str) -> Outline:
     """The outline of an object of checked pushes."""
     return _outline(
         *(
-            without_padding(pushes[key].sel(object=name).values) if key in pushes else np.zeros((0, 2))
+            without_padding(pushes[key].sel(object=name).values)
+            if key in pushes
+            else np.zeros((0, 2))
             for key in OUTLINE
         )
     )
