@@ -28,7 +28,7 @@ FORMATS = {
     "x_after, y_after, angle_after (poses of the object), x_start, y_start, x_end, y_end (center of the "
     "finger) and, if measured, x_force, y_force (mean force), all in the world frame; needs --outline",
     "three-feet": "logs of a triangle on three feet, named after the positions of the feet",
-    "mit": "MATLAB files of pushed polygons, named after the shape",
+    "mit": "MATLAB files of pushed polygons and ellipses, named after the shape",
 }
 ENDINGS = (".nc", ".h5")
 #: The options of tables, with the values that stand for an option that is left out.

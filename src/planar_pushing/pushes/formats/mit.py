@@ -15,7 +15,7 @@ import numpy as np
 import scipy.io
 import xarray as xr
 
-from planar_pushing.mechanics.outline import Outline, require_outline
+from planar_pushing.mechanics.outline import Outline, require_outline, rounded
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports.disc import Disc
 from planar_pushing.pushes.files import HDF5, refuse_raw
@@ -52,10 +52,17 @@ def hexagon(radius: float) -> Array:
     return radius * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
 
 
+def butter() -> Outline:
+    """Outline of an object with a waist: arcs and their tangents, within 0.2 mm of the published mesh."""
+    half = [(23.2, 0.0), (53.7, 49.4), (0.0, 102.2), (-53.7, 49.4)]
+    radii = [24.4, 22.3, 58.4, 22.3]
+    return rounded([*half, *((-x, -y) for x, y in half)], [*radii, *radii])
+
+
 #: Number of arcs of an ellipse: its final poses are within a tenth of the errors of the poses.
 ARCS = 64
-#: Outlines in mm by the name of the shape. The half axes of the ellipses are those of the meshes of the
-#: objects that their authors published (push-est-public and pdproc of MIT's MCube Lab).
+#: Outlines in mm by the name of the shape. The ellipses and the last outline are those of the meshes of
+#: the objects that their authors published (push-est-public and pdproc of MIT's MCube Lab).
 OUTLINES: dict[str, Outline] = {
     name: require_outline(shape)
     for name, shape in {
@@ -69,6 +76,7 @@ OUTLINES: dict[str, Outline] = {
         "ellip1": Disc(52.43),
         "ellip2": Outline.ellipse(52.43, 65.53, ARCS),
         "ellip3": Outline.ellipse(52.43, 78.64, ARCS),
+        "butter": butter(),
     }.items()
 }
 
@@ -80,7 +88,9 @@ def read_mit(*files: PathLike) -> xr.Dataset:
     ----------
     *files : path
         MATLAB files. Each name must contain a shape: rect1, rect2, rect3, tri1, tri2, tri3, hex, ellip1,
-        ellip2 or ellip3.
+        ellip2, ellip3 or butter. The half axes of the ellipses, 52.43 mm by 52.43, 65.53 and 78.64 mm, and
+        the sides and arcs of butter are those of the meshes of the objects that the MCube Lab of MIT
+        published (push-est-public, pdproc).
 
     Returns
     -------
