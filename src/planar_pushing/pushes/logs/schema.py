@@ -139,12 +139,13 @@ def require_pushes(dataset: Any, rows: Any = None) -> xr.Dataset:
         name: (VARIABLES[name].dims, array, about[name])
         for name, array in outline_arrays(outlines).items()
     }
+    variables = {name: variables[name] for name in ("pushed", *VARIABLES) if name in variables}
     if "outline_pieces" in variables:
         coords["column"] = ("column", list(Piece._fields))
     others = {
         str(name): dataset[name].load()
         for name in dataset.data_vars
-        if name not in variables and {"push", "object"} & set(dataset[name].dims)
+        if name not in (*variables, *OUTLINE) and {"push", "object"} & set(dataset[name].dims)
     }
     kept = {key: dataset.attrs[key] for key in ATTRIBUTES if key in dataset.attrs}
     pushes = xr.Dataset(variables | others, coords, {"source": ""} | kept)
