@@ -28,7 +28,7 @@ FORMATS = {
     "x_after, y_after, angle_after (poses of the object), x_start, y_start, x_end, y_end (center of the "
     "finger) and, if measured, x_force, y_force (mean force), all in the world frame; needs --outline",
     "three-feet": "logs of a triangle on three feet, named after the positions of the feet",
-    "mit": "MATLAB files of pushed polygons, named after the shape",
+    "mit": "MATLAB files of pushed polygons and ellipses, named after the shape",
 }
 ENDINGS = (".nc", ".h5")
 #: The options of tables, with the values that stand for an option that is left out.
@@ -144,11 +144,11 @@ def _table(args: argparse.Namespace) -> xr.Dataset:
     for sigma in args.noise or ():
         allowed = "three finite numbers >= 0"
         require_number("noise", sigma, lambda x: 0.0 <= x < math.inf, allowed, "give 0 for none")
-    from planar_pushing.mechanics.outline import require_corners
+    from planar_pushing.mechanics.outline import require_outline
     from planar_pushing.pushes.formats.table import read_table
 
     try:
-        outline = require_corners(read_outline(args.outline))
+        outline = require_outline(read_outline(args.outline))
     except InvalidValue as error:
         raise InvalidFile(f"{args.outline}: {error}") from None
     names = ("finger_radius", "angles", "units", "noise", "tolerance", "skip_missed")

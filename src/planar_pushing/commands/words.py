@@ -35,7 +35,10 @@ DIRECTION = (
 
 
 #: Help for the file of an outline.
-OUTLINE = "YAML file of the object's corners, [[x, y], ...], or a scene file with object.outline"
+OUTLINE = (
+    "YAML file of the object's corners, [[x, y], ...], or of its shape, as in {disc: {radius: 40}}, or "
+    "a scene file with object.outline"
+)
 
 
 class Parser(argparse.ArgumentParser):

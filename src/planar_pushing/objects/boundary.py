@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.outline import KEPT, Corners, require_corners, require_outline, size
+from planar_pushing.mechanics.outline import KEPT, Corners, require_outline, size
 from planar_pushing.mechanics.outline.chains import BETA0, BETA1, NEXT, RHO, starts_of
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.terms.caches import cache_results
@@ -109,11 +109,6 @@ class Nearest(NamedTuple):
     side: npt.NDArray[np.intp]
     position: Array
     gap: Array
-
-
-def sides_of(outline: Any) -> Sides:
-    """Sides of the exterior of an outline as arrays; errors as in `require_corners`."""
-    return sides_between(require_corners(outline))
 
 
 @cache_results(KEPT)

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 import xarray as xr
 
+from planar_pushing.mechanics.outline import Outline
+from planar_pushing.mechanics.outline.chains import sample_chain, split_chains
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.supports import Points, Polygon, fit_ellipsoid
+from planar_pushing.mechanics.supports import Disc, Points, Polygon, fit_ellipsoid
 from planar_pushing.mechanics.supports.base import require_in_frame, require_support
 from planar_pushing.pushes.fit.ellipsoid import Ellipsoid
 from planar_pushing.pushes.fit.fitted import fitted_ellipsoid
@@ -21,7 +23,6 @@ from planar_pushing.pushes.fit.supported import OnSupport
 from planar_pushing.pushes.identify import identify_measured
 from planar_pushing.pushes.logs.arguments import MOST, whole_number
 from planar_pushing.pushes.logs.combine import of_object
-from planar_pushing.pushes.logs.contacts import Model, final_poses, warn_of_corners
 from planar_pushing.pushes.logs.measured import (
     Mask,
     Measured,
@@ -34,8 +35,23 @@ from planar_pushing.terms.errors import InvalidValue, number_of, require_flag, s
 
 #: Candidate contact friction coefficients for a given support, if no measured force determines it.
 FRICTIONS = np.geomspace(0.05, 1.2, 20)
+#: Deviation of the polygon of a uniform pressure from arcs, in sizes of the outline.
+FINE = 1e-4
 #: Smallest number of pushes of an object; half of them must determine five numbers of an ellipsoid.
 LEAST = 8
+
+
+class Model(Protocol):
+    """A model of support friction in the object's frame."""
+
+    def poses(self, pushes: Measured, friction: float) -> Array:
+        """Final poses of the object's frame, shape (n, 3), for a contact friction coefficient."""
+
+    def wrenches(self, twists: Array) -> Array:
+        """Directions of the wrenches for twists of shape (n, 3)."""
+
+    def motions(self, wrenches: Array) -> Array:
+        """Directions of the twists for wrenches of shape (n, 3); NaN if there is no motion."""
 
 
 class Half(NamedTuple):
@@ -55,13 +71,25 @@ def feet_of(dataset: xr.Dataset) -> Points | None:
     return Points(places, loads) if len(places) and np.isfinite(loads).all() else None
 
 
+def uniform_support(outline: Outline) -> Any:
+    """A uniform pressure within an outline, whose arcs are polygons within a ten-thousandth of its size."""
+    rows = outline.pieces
+    if len(rows) == 1:
+        x, y, radius = rows[0, :3].tolist()
+        return Disc(radius, (x, y))
+    if outline.corners is not None:
+        return Polygon(outline.corners)
+    rings = [sample_chain(chain, FINE * outline.size) for chain in split_chains(rows)]
+    return Polygon(rings[0], holes=rings[1:])
+
+
 def _known_feet(half: Half) -> tuple[Model, float] | None:
     feet = feet_of(half.dataset)
     return None if feet is None else on_support(feet, half.pushes)
 
 
 def _uniform(half: Half) -> tuple[Model, float]:
-    return on_support(Polygon(half.pushes.outline), half.pushes)
+    return on_support(uniform_support(half.pushes.outline), half.pushes)
 
 
 def _identify(half: Half) -> tuple[Model, float]:
@@ -75,7 +103,7 @@ def _known_feet_ellipsoid(half: Half) -> tuple[Model, float] | None:
 
 
 def _uniform_ellipsoid(half: Half) -> tuple[Model, float]:
-    return on_ellipsoid(Polygon(half.pushes.outline), half.pushes)
+    return on_ellipsoid(uniform_support(half.pushes.outline), half.pushes)
 
 
 def _fitted_ellipsoid(half: Half) -> tuple[Model, float]:
@@ -140,18 +168,13 @@ def compare(
     InvalidValue
         If a model is unknown or an object has too few pushes for two halves.
 
-    Warns
-    -----
-    SceneWarning
-        If the finger goes around a corner in more than 10 percent of the pushes of an object; see
-        `identify`.
-
     Notes
     -----
     The pushes of each object are divided into halves at random. All fits, including that of the contact
-    friction, are made on one half and scored on the other, and vice versa. In a push that touches a corner
-    first (`at_corner`), the finger pushes one of the adjacent sides or sticks to the corner; no model is
-    fitted to such pushes.
+    friction, are made on one half and scored on the other, and vice versa. In every model, the finger
+    follows the outline: around corners and arcs, and also if it leaves the object and meets it again. If it
+    touches two places, as in an inner corner, the object rests from then on. No model is fitted to pushes
+    that touch a corner first (`at_corner`), which depend strongly on where they do.
 
     The quartic is the model of Zhou, Paolini, Bagnell, and Mason (ICRA 2016, pp. 372-377): a convex form of
     degree 4 in the wrench, whose level set is the limit surface and whose gradient is along the twist. A
@@ -170,7 +193,6 @@ def compare(
     measured = {name: measurements_of(one) for name, one in objects.items()}
     for name, every in measured.items():
         _require_halves(name, every)
-    warn_of_corners(measured)
     for name, names in objects.items():
         rows = np.flatnonzero(checked["pushed"].values == name)
         every = measured[name]
@@ -205,7 +227,7 @@ def errors_of(model: Model, friction: float, pushes: Measured) -> Array:
         twists = twists_at(model.motions(part.wrenches), pushes.center)
         error[0, forced] = angles(wrenches / scale, part.centered_wrenches / scale)
         error[1, forced] = angles(twists * scale, part.centered_twists * scale)
-    difference = final_poses(model, pushes, friction) - pushes.observed
+    difference = model.poses(pushes, friction) - pushes.observed
     error[2] = np.hypot(*difference[:, :2].T) + pushes.length * np.abs(difference[:, 2])
     return error
 
@@ -230,7 +252,7 @@ def _friction(model: Model, pushes: Measured) -> float:
     sides = pushes.part(~pushes.at_corner)
     scale = [1.0, 1.0, sides.length]
     errors = [
-        np.median(np.abs((final_poses(model, sides, mu) - sides.observed) * scale).sum(axis=1))
+        np.median(np.abs((model.poses(sides, mu) - sides.observed) * scale).sum(axis=1))
         for mu in FRICTIONS
     ]
     return float(FRICTIONS[int(np.argmin(errors))])

@@ -74,8 +74,8 @@ def load_pushes(file: PathLike) -> xr.Dataset:
     Returns
     -------
     xarray.Dataset
-        Loaded into memory, over `push`, `object`, `corner` and `xy`, and over `foot` and `sample` if there
-        are any.
+        Loaded into memory, over `push`, `object`, `corner` and `xy`, and over `foot`, `sample`, `piece` and
+        `column` if there are any.
 
     Raises
     ------

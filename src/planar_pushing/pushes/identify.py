@@ -14,7 +14,6 @@ from planar_pushing.pushes.fit.estimate import Estimate, from_forces, from_motio
 from planar_pushing.pushes.identified import Identified, moments_of, summary
 from planar_pushing.pushes.logs.arguments import MOST, whole_number
 from planar_pushing.pushes.logs.combine import with_outline
-from planar_pushing.pushes.logs.contacts import warn_of_corners
 from planar_pushing.pushes.logs.measured import Index, Mask, Measured, measurements_of
 from planar_pushing.pushes.logs.schema import require_pushes
 from planar_pushing.terms.errors import (
@@ -54,8 +53,8 @@ def identify(
     ----------
     pushes : xarray.Dataset
         Pushes of one object (`load_pushes`, `pushes_from_poses`).
-    outline : array_like, shape (n, 2), or an object with `coords` or `exterior`, optional
-        Corners of the object in its frame; by default the outline of the dataset.
+    outline : array_like, shape (n, 2), Polygon, Disc, Outline, or a polygon of shapely, optional
+        Outline of the object in its frame; by default that of the dataset.
     spacing : float, optional
         Distance between candidate points, from a hundredth of the outline's extent to the full extent; by
         default a fifteenth of it with forces and a fifth without, or more if there are few pushes.
@@ -63,7 +62,8 @@ def identify(
         Positions of the feet, if only their weights are unknown.
     family : {"points", "uniform_and_corners", "ellipse", "map"}
         Family of supports to search: a weight at each candidate; a uniform pressure and a weight at each
-        corner; uniform pressures within ellipses; or a pressure that varies linearly between candidates.
+        corner, and along arcs; uniform pressures within ellipses; or a pressure that varies linearly
+        between candidates.
     resamples : int
         Number of resamples of the pushes for the intervals.
     seed : int
@@ -80,12 +80,6 @@ def identify(
     InvalidValue
         If the pushes are of several objects or too few for the candidates, or a value is not allowed.
 
-    Warns
-    -----
-    SceneWarning
-        If the finger goes around a corner in more than 10 percent of the pushes. A push is taken to end
-        where the finger leaves the side that it touched first, so estimates for round objects are biased.
-
     Notes
     -----
     At a measured twist t, each load is linear in the weights, ``w = sum_j p_j l(r_j, t)``. With forces, the
@@ -93,12 +87,11 @@ def identify(
     that moves less than the uncertainty of its motion carries any force up to p_j. The residual is then the
     distance from the set of these loads, and the problem is a cone program. Without forces, the weights and
     the contact friction are those for which simulated pushes (`simulate_batch`) end closest to the measured
-    poses. If only some pushes have forces, both methods are combined. Final poses of pushes that touch a
-    corner first are not used.
+    poses; in them the finger follows the outline, around corners and arcs. If only some pushes have forces,
+    both methods are combined. Final poses of pushes that touch a corner first are not used.
     """
     checked = require_pushes(pushes)
     every = measurements_of(checked if outline is None else with_outline(checked, outline))
-    warn_of_corners({str(checked["object"].values[0]): every})
     return identify_measured(
         every, spacing=spacing, known=known, family=family, resamples=resamples, seed=seed,
         progress=progress,

@@ -7,10 +7,13 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from planar_pushing.mechanics.outline import Outline
+from planar_pushing.mechanics.outline.chains import BETA0, LENGTH, NEXT, RHO
+from planar_pushing.mechanics.outline.entries import entry_of_outline
+from planar_pushing.mechanics.outline.places import nearest_place
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.objects.boundary import nearest, sides_of
 from planar_pushing.pushes.identified import Identified
-from planar_pushing.pushes.logs.schema import corners_of
+from planar_pushing.pushes.logs.schema import outline_of
 from planar_pushing.scenes.files import save_object_file
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.replacing import PathLike
@@ -44,12 +47,12 @@ def save_support(support: Identified, pushes: xr.Dataset, path: PathLike) -> Non
 
 
 def object_entry(support: Identified, pushes: xr.Dataset) -> dict[str, Any]:
-    """Content of the file, with the contact in the middle of the side that the first push touches.
+    """Content of the file. If no force was measured, the weight is 1 and the title says so.
 
-    If no force was measured, the weight is 1 and the title says so.
+    The contact is in the middle of the side that the first push touches, or at the point of the arc.
     """
     (name,) = (str(label) for label in pushes["object"].values)
-    corners = corners_of(pushes, name)
+    outline = outline_of(pushes, name)
     weighed = bool(np.isfinite(support.weight))
     weight = _plain([support.weight])[0] if weighed else 1.0
     places = zip(support.support.positions, support.support.weights, strict=True)
@@ -57,12 +60,14 @@ def object_entry(support: Identified, pushes: xr.Dataset) -> dict[str, Any]:
         "title": f"{name} on the support identified from {pushes.sizes['push']} pushes"
         + ("" if weighed else "; the weight is unknown and set to 1"),
         "object": {
-            "outline": [_plain(corner) for corner in corners],
+            "outline": [_plain(corner) for corner in outline.corners]
+            if outline.corners
+            else dict(entry_of_outline(outline)),
             "feet": [
                 {"position": _plain(point), "weight": _plain([weight])[0]}
                 for point, weight in places
             ],
-            "contact": {"point": _plain(_middle(corners, pushes["contact"].values[:1]))},
+            "contact": {"point": _plain(_middle(outline, pushes["contact"].values[:1]))},
         },
         "contact": {
             "law": "coulomb",
@@ -81,7 +86,14 @@ def _plain(values: Any) -> list[float]:
     return [float(f"{value:.9g}") for value in values]
 
 
-def _middle(corners: Any, contact: Any) -> Array:
-    """Middle of the side nearest a contact."""
-    side = int(nearest(sides_of(corners), contact).side[0])
-    return np.asarray((corners[side] + corners[(side + 1) % len(corners)]) / 2.0)
+def _middle(outline: Outline, contact: Any) -> Array:
+    """Middle of the side nearest a contact, or the point of an arc nearest to it."""
+    places = nearest_place(outline, contact)
+    row = outline.pieces[places.piece[0]]
+    if row[RHO] == 0.0:  # the side after the corner
+        row = outline.pieces[int(row[NEXT])]
+    if not np.isinf(row[RHO]):
+        return np.asarray(places.point[0])
+    return np.asarray(
+        row[:2] + row[LENGTH] / 2.0 * np.array([np.cos(row[BETA0]), np.sin(row[BETA0])])
+    )

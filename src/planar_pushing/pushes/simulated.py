@@ -11,9 +11,12 @@ import xarray as xr
 
 from planar_pushing.mechanics.contact import ContactLaw, Coulomb
 from planar_pushing.mechanics.effects import Effect, SupportFriction
+from planar_pushing.mechanics.outline import Outline, require_outline
+from planar_pushing.mechanics.outline.chains import RHO
+from planar_pushing.mechanics.outline.places import nearest_place
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
-from planar_pushing.objects.boundary import Sides, nearest, sides_of
+from planar_pushing.objects.boundary import OutlineArc, sides_and_arcs
 from planar_pushing.objects.scene_at import scene_at
 from planar_pushing.pushes.logs.arguments import MOST, noise_attributes, not_negative, whole_number
 from planar_pushing.pushes.logs.poses import pushes_from_poses, rotate
@@ -76,8 +79,8 @@ def simulate_pushes(
     ----------
     effects : sequence of SupportFriction
         Support friction in the object's frame; the motion is quasi-static.
-    outline : array_like, shape (corners, 2), or an object with `coords` or `exterior`
-        Corners of the object in order, in its frame.
+    outline : array_like, shape (corners, 2), Polygon, Disc, Outline, or a polygon of shapely
+        Corners of the object in order, or its outline with arcs, in its frame. Its holes are not pushed.
     n : int
         Number of pushes, at most 1e7.
     noise : (float, float, float), optional
@@ -105,48 +108,54 @@ def simulate_pushes(
     Raises
     ------
     InvalidValue
-        If an effect is not friction, a number is not allowed, or the finger leaves its side too often.
+        If an effect is not friction, a number is not allowed, or the finger reaches a corner too often.
 
     Notes
     -----
-    Contacts are uniformly distributed over the outline except for 5 % at each end of each side, and
+    Contacts are uniformly distributed over the outline except for 5 % at each end of each side and arc, and
     directions are uniformly distributed within 60 degrees of the normal. A push during which the finger
-    leaves its side or meets another one is drawn again. The force is the mean over the last 70 % of the
-    push, along the object's axes, which turn with the object.
+    reaches a corner or touches two places is drawn again; along arcs it goes on. The force is the mean over
+    the last 70 % of the push, along the object's axes, which turn with the object.
     """
     friction = _required_friction(effects)
     count = whole_number("n", n, 1, MOST)
-    sides = sides_of(outline)
+    whole = require_outline(outline)
     draws, errors = np.random.default_rng(whole_number("seed", seed, 0)).spawn(2)
-    length = DISTANCE * sides.scale if distance is None else distance
+    length = DISTANCE * whole.size if distance is None else distance
     reach = require_positive("distance", length, "give a length")
     radius = not_negative("finger_radius", finger_radius, "give 0 for a point")
     pushes: list[Pushed] = []
     for _ in range(DRAWS * count):
-        pushed = _push(_draw(sides, draws), sides, friction, contact, reach, radius)
+        pushed = _push(_draw(whole.exterior, draws), whole, friction, contact, reach, radius)
         pushes += [] if pushed is None else [pushed]
         if len(pushes) == count:
-            return _measure(pushes, friction, sides, noise, errors, radius, units, name)
+            return _measure(pushes, friction, whole, noise, errors, radius, units, name)
     raise InvalidValue(
-        "distance", reach, f"one over which the finger stays on a side; {len(pushes)} of {n} pushes do",
+        "distance", reach, f"one over which the finger reaches no corner; {len(pushes)} of {n} pushes do",
         "give a shorter distance",
     )  # fmt: skip
 
 
-def _draw(sides: Sides, random: np.random.Generator) -> Drawn:
-    """A random point of the outline and a random direction."""
-    side = random.choice(len(sides.length), p=sides.length / sides.length.sum())
-    along = random.uniform(MARGIN, 1.0 - MARGIN) * sides.length[side]
+def _draw(outline: Outline, random: np.random.Generator) -> Drawn:
+    """A random point of an outline and a random direction."""
+    parts = sides_and_arcs(outline)
+    lengths = np.array([
+        abs(part.rho) * (part.high - part.low) if isinstance(part, OutlineArc) else part.length
+        for part in parts
+    ])  # fmt: skip
+    part = parts[random.choice(len(parts), p=lengths / lengths.sum())]
+    share = random.uniform(MARGIN, 1.0 - MARGIN)
     angle = random.uniform(-WIDEST, WIDEST)
-    normal = sides.normal[side]
-    return Drawn(
-        sides.start[side] + along * sides.tangent[side], normal, rotate(normal, np.array(angle))
-    )
+    if isinstance(part, OutlineArc):
+        point, _, normal = part.frame(part.low + share * (part.high - part.low))
+    else:
+        point, _, normal = part.frame(share * part.length)
+    return Drawn(point, normal, rotate(normal, np.array(angle)))
 
 
 def _push(
     drawn: Drawn,
-    sides: Sides,
+    outline: Outline,
     effects: tuple[Effect, ...],
     contact: ContactLaw,
     distance: float,
@@ -154,23 +163,28 @@ def _push(
 ) -> Pushed | None:
     """Simulate a push at unit speed from the pose (0, 0, 0); None if it ends early."""
     start = drawn.point - radius * drawn.normal
-    if nearest(sides, start[None]).gap[0] < radius - ROUNDING * sides.scale:
+    if nearest_place(outline, start[None]).gap[0] < radius - ROUNDING * outline.size:
         return None
-    scene = scene_at(
-        drawn.point, drawn.normal, effects=effects, contact=contact, outline=sides.start
-    )
+    scene = scene_at(drawn.point, drawn.normal, effects=effects, contact=contact, outline=outline)
     round_tip: dict[str, Any] = {"radius": radius} if radius > 0.0 else {}
     velocity = (float(drawn.direction[0]), float(drawn.direction[1]))
     pusher = Pusher(velocity=velocity, shape="finger", frame="world", **round_tip)
     log = quietly(simulate)(
         scene, pusher=pusher, duration=distance, samples=SAMPLES, object_pose=(0.0, 0.0, 0.0)
     )
-    if log.attrs["stopped"] or bool((log["event"] == Event.END_OF_SIDE).any()):
+    if log.attrs["stopped"] or _reaches_corner(log, outline):
         return None
     position, angle = log["object_position"].values, np.deg2rad(log["object_angle"].values)
     force = _mean_force(log, distance, drawn, angle)
     end = start + log["time"].values[-1] * drawn.direction
     return Pushed(start, end, np.append(position[-1], angle[-1]), force)
+
+
+def _reaches_corner(log: xr.Dataset, outline: Outline) -> bool:
+    """Whether the finger reaches a corner, rather than the next one of two pieces that join smoothly."""
+    pieces = log["contact_piece"].values[log["event"].values == Event.END_OF_SIDE]
+    is_joint = (pieces >= 0) & (outline.pieces[pieces, RHO] != 0.0)
+    return not bool(is_joint.all())
 
 
 def _mean_force(log: xr.Dataset, duration: float, drawn: Drawn, angle: Array) -> Array:
@@ -192,7 +206,7 @@ def _mean_force(log: xr.Dataset, duration: float, drawn: Drawn, angle: Array) ->
 
 
 def _measure(
-    results: list[Pushed], effects: tuple[SupportFriction, ...], sides: Sides, noise: Any,
+    results: list[Pushed], effects: tuple[SupportFriction, ...], outline: Outline, noise: Any,
     random: np.random.Generator, radius: float, units: tuple[str, str], name: str,
 ) -> xr.Dataset:  # fmt: skip
     """Dataset of the simulated pushes with noise."""
@@ -205,7 +219,7 @@ def _measure(
     forces = forces + strength * random.normal(size=forces.shape)
     feet, loads = _truth(effects)
     pushes = pushes_from_poses(
-        outline=sides.start, poses_before=np.zeros_like(poses), poses_after=poses,
+        outline=outline, poses_before=np.zeros_like(poses), poses_after=poses,
         finger_start=[push.start for push in results], finger_end=[push.end for push in results],
         finger_radius=radius, force=forces, feet=feet, foot_weights=loads, units=units, name=name,
         source="simulated", noise=noise,

@@ -171,7 +171,7 @@ def _log(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any]:
     measurements = measurements_of(pushes)
     numbers: dict[str, Any] = {
         "pushes": len(measurements),
-        "outline": measurements.outline.tolist(),
+        "outline": measurements.outline.vertices().tolist(),
         "support": _weighted_points(identified.support),
         "feet": _weighted_points(identified.feet),
         "contact_friction": identified.contact_friction,

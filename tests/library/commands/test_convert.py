@@ -5,10 +5,13 @@ import shutil
 
 import numpy as np
 import pytest
+from pushes.test_round import OUTLINES
+from pushes.test_round import pushed as pushed_round
 from pushes.written import TRIANGLE, feet, write_log, write_mat
 
 import planar_pushing as pp
 from planar_pushing.commands import main
+from planar_pushing.pushes.logs.schema import outline_of
 
 
 @pytest.fixture(scope="module")
@@ -131,3 +134,39 @@ def test_wrong_input_writes_nothing(refused, tmp_path, pushes):
     ):  # fmt: skip
         refused(["convert", *arguments], said)
     assert [each.name for each in tmp_path.iterdir()] == ["patch.txt"]
+
+
+@pytest.mark.parametrize("kind", [kind for kind in OUTLINES if OUTLINES[kind][1]])
+def test_tables_with_an_outline_of_a_file(kind, run, tmp_path):
+    """From the command line: the dataset is that of the pushes, and the support becomes a scene."""
+    pushes = pushed_round(kind, 16, finger_radius=4.0)
+    file, table, output = (tmp_path / name for name in ("outline.yaml", "one.csv", "pushes.nc"))
+    file.write_text(json.dumps(OUTLINES[kind][1]), encoding="utf-8")
+    center = (pushes["contact"] - pushes["finger_radius"] * pushes["normal"]).values
+    columns = {
+        **dict.fromkeys(("x_before", "y_before", "angle_before"), np.zeros(16)),
+        "x_after": pushes["displacement"].values[:, 0], "y_after": pushes["displacement"].values[:, 1],
+        "angle_after": pushes["rotation"].values, "x_start": center[:, 0], "y_start": center[:, 1],
+        "x_end": (center + pushes["finger_displacement"].values)[:, 0],
+        "y_end": (center + pushes["finger_displacement"].values)[:, 1],
+    }  # fmt: skip
+    rows = [
+        ",".join(columns),
+        *(",".join(map(repr, map(float, row))) for row in zip(*columns.values(), strict=True)),
+    ]
+    table.write_text("\n".join(rows), encoding="utf-8")
+    code, _, err = run(
+        "convert",
+        "csv",
+        str(table),
+        "--outline",
+        str(file),
+        "--finger-radius",
+        "4",
+        "-o",
+        str(output),
+    )
+    assert (code, err) == (0, "")
+    read = pp.load_pushes(output)
+    assert outline_of(read, "one") == OUTLINES[kind][0]
+    assert read["contact"].values == pytest.approx(pushes["contact"].values, abs=1e-6)

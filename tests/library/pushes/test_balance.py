@@ -40,7 +40,7 @@ def cost(problem, amounts, forces):
 
 def test_without_places_at_rest_it_is_nonnegative_least_squares():
     """By scipy's nnls, with and without the pull towards even amounts, which is more rows."""
-    family = points(np.array(TRIANGLE), 30.0)
+    family = points(pp.Outline(TRIANGLE), 30.0)
     pushes = replace(pushed(), noise=(0.0, 0.0, 0.05))
     problem = balance(pushes, family, np.full(len(family.places), 0.2))
     assert len(problem.pairs) == 0
@@ -62,7 +62,7 @@ def test_without_places_at_rest_it_is_nonnegative_least_squares():
 
 def test_with_places_at_rest_it_is_a_cone_program():
     """By SLSQP over amounts and forces, each at most the weight of its place."""
-    family = uniform_and_corners(np.array(TRIANGLE), 30.0)
+    family = uniform_and_corners(pp.Outline(TRIANGLE), 30.0)
     pushes = replace(pushed(6), noise=(0.5, 0.005, 0.05))
     problem = balance(pushes, family, family.columns @ np.full(4, 1.25))
     count, pairs = 4, len(problem.pairs)
@@ -90,7 +90,7 @@ def test_with_places_at_rest_it_is_a_cone_program():
 
 def test_the_certificate_tells_the_optimum():
     """Small at the solution; the cost of feasible points nearby is larger."""
-    problem, found, _ = fit_balance(pushed(), points(np.array(TRIANGLE), 25.0))
+    problem, found, _ = fit_balance(pushed(), points(pp.Outline(TRIANGLE), 25.0))
     assert len(problem.pairs) > 0
     assert found.optimality < 1e-7
     best, random = cost(problem, found.amounts, found.forces), np.random.default_rng(0)
@@ -110,7 +110,7 @@ def test_the_certificate_tells_the_optimum():
 
 def test_the_certificate_is_large_elsewhere():
     """Amounts that are larger, in another order, or none of which is zero."""
-    problem, found, _ = fit_balance(pushed(), points(np.array(TRIANGLE), 25.0))
+    problem, found, _ = fit_balance(pushed(), points(pp.Outline(TRIANGLE), 25.0))
     target = np.einsum("nab,nb->na", problem.whitening, problem.wrenches).ravel()
     for amounts in (1.05 * found.amounts, found.amounts[::-1], found.amounts + 0.01):
         residuals = weighed(problem, amounts, found.forces)
@@ -162,7 +162,7 @@ def test_a_push_exactly_about_a_foot():
 
 def test_pushes_that_come_twice_weigh_twice():
     """The problem of some pushes is that of a dataset in which they come so often."""
-    pushes, family = pushed(8), points(np.array(TRIANGLE), 40.0)
+    pushes, family = pushed(8), points(pp.Outline(TRIANGLE), 40.0)
     problem = balance(pushes, family, np.full(len(family.places), 0.3))
     assert len(problem.pairs) > 0
     rows = np.array([5, 0, 5, 3, 5])

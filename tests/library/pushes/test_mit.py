@@ -7,6 +7,7 @@ import scipy.io
 from pushes.written import write_mat
 
 import planar_pushing as pp
+from planar_pushing.mechanics.outline.plate import bounds
 from planar_pushing.pushes.formats.mit import OUTLINES
 
 SAME = ("contact", "normal", "finger_displacement", "finger_radius", "displacement", "rotation")
@@ -107,11 +108,19 @@ def test_a_raw_log_in_hdf5_is_named_with_its_remedy(tmp_path, shape):
     ("rect3", (135.01, 89.94), 135.01 * 89.94), ("tri1", (125.87, 125.90), 125.87 * 125.9 / 2),
     ("tri2", (125.87, 151), 125.87 * 151 / 2), ("tri3", (125.61, 176.5), 125.61 * 176.5 / 2),
     ("hex", (121, 60.5 * np.sqrt(3)), 1.5 * np.sqrt(3) * 60.5**2),
+    ("ellip1", (104.86, 104.86), np.pi * 52.43**2), ("ellip2", (104.86, 131.06), np.pi * 52.43 * 65.53),
+    ("ellip3", (104.86, 157.28), np.pi * 52.43 * 78.64),
+    # A polygon on the published mesh.
+    ("butter", (95.5, 157.262), 11674.0),
 ])  # fmt: skip
 def test_outlines(name, extents, area):
-    x, y = OUTLINES[name].T
-    assert sorted(np.ptp(OUTLINES[name], axis=0)) == pytest.approx(sorted(extents), abs=1e-9)
-    assert abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))) / 2 == pytest.approx(area)
+    outline = OUTLINES[name]
+    assert sorted(np.subtract(*bounds(outline.pieces)[::-1])) == pytest.approx(
+        sorted(extents), abs=0.2 if name == "butter" else 1e-9
+    )
+    assert outline.area == pytest.approx(area, rel={"e": 1e-4, "b": 2e-3}.get(name[0], 1e-9))
+    # The frame of the triangles is at another point than the middle.
+    assert "tri" in name or outline.centroid == pytest.approx((0.0, 0.0), abs=1e-6)
 
 
 @pytest.mark.parametrize(("changed", "said"), [
@@ -146,7 +155,8 @@ def test_wrong_files(squares, tmp_path):
     write_mat(cut, squares, np.random.default_rng(5))
     cut.write_bytes(cut.read_bytes()[:900])
     shapes = (
-        "a name without a known shape; allowed: one of rect1, rect2, rect3, tri1, tri2, tri3, hex; "
+        "a name without a known shape; allowed: one of rect1, rect2, rect3, tri1, tri2, tri3, hex, "
+        "ellip1, ellip2, ellip3, butter; "
     )
     version = "is not a MATLAB file of version 5; save it with -v6 or -v7"
     for file, said in (

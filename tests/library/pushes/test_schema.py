@@ -5,7 +5,7 @@ import pytest
 from pushes.written import SQUARE, small
 
 import planar_pushing as pp
-from planar_pushing.pushes.logs.schema import corners_of, pad, require_pushes
+from planar_pushing.pushes.logs.schema import outline_of, pad, require_pushes
 
 MM = {"units": "mm"}
 
@@ -33,7 +33,7 @@ def test_dimensions_in_another_order_and_a_clockwise_outline():
     )
     found = require_pushes(given)
     assert found["contact"].equals(require_pushes(small())["contact"])
-    x, y = corners_of(found, "square").T
+    x, y = np.array(outline_of(found, "square").corners).T
     assert np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)) == pytest.approx(8.0)
 
 
@@ -51,7 +51,7 @@ def test_padding():
         equal_nan=True,
     )  # fmt: skip
     given = small(outline=(("object", "corner", "xy"), [[*SQUARE, (np.nan, np.nan)]], MM))
-    assert corners_of(require_pushes(given), "square").tolist() == [list(each) for each in SQUARE]
+    assert outline_of(require_pushes(given), "square") == pp.Outline(SQUARE)
 
 
 def rows(*values, dims=("push", "xy"), units=MM):

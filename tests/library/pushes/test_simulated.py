@@ -86,7 +86,7 @@ def test_noise_is_added_to_the_same_pushes():
     ({"seed": -1}, "seed: -1 given; allowed: a whole number >= 0"),
     ({"distance": 0.0}, "distance: 0.0 given; allowed: a finite number > 0"),
     ({"distance": 50.0, "n": 1},
-     "distance: 50.0 given; allowed: one over which the finger stays on a side; 0 of 1 pushes do"),
+     "distance: 50.0 given; allowed: one over which the finger reaches no corner; 0 of 1 pushes do"),
     ({"finger_radius": -1.0}, "finger_radius: -1.0 given; allowed: a number >= 0"),
     ({"noise": (1.0,)}, "noise: (1.0,) given; allowed: three numbers"),
     ({"outline": [(0, 0)]}, "outline: "),

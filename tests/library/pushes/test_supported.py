@@ -1,15 +1,12 @@
 """Pushes of an object on a support: final poses, wrenches and motions against single scenes."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
-from pushes.written import TRIANGLE
+from pushes.written import TRIANGLE, touching
 from simulation.runs import pose_at_the_end
 
 import planar_pushing as pp
 from planar_pushing.pushes.fit.supported import OnSupport, body_frames
-from planar_pushing.pushes.logs.contacts import contacts_of, final_poses
 from planar_pushing.pushes.logs.measured import measurements_of
 
 #: Feet that do not coincide with the frame's origin, a plate, and both.
@@ -30,22 +27,19 @@ def pushed(support, count, radius=0.0, **options):
 def test_final_poses_are_those_of_single_simulations(kind, radius):
     """`simulate_pushes` runs `simulate` of `scene_at` one by one; its poses have no noise."""
     pushes = measurements_of(pushed(SUPPORTS[kind], 8, radius, seed=3))
-    found = final_poses(OnSupport(SUPPORTS[kind]), pushes, 0.25)
+    found = OnSupport(SUPPORTS[kind]).poses(pushes, 0.25)
     assert found[:, :2] == pytest.approx(pushes.displacement, abs=2e-3)
     assert found[:, 2] == pytest.approx(pushes.rotation, abs=2e-5)
-    # No finger leaves its side, though one that is round rolls along it as the object turns.
-    lasted = OnSupport(SUPPORTS[kind]).ends(contacts_of(pushes), 0.25).lasted
-    assert lasted == pytest.approx(np.ones(8), abs=1e-5)
 
 
 def test_infinite_friction_and_none():
     """The contact that sticks goes with the finger; without friction the force is along the normal."""
     support = SUPPORTS["points"]
     pushes = measurements_of(pushed(support, 6, contact=pp.InfiniteFriction()))
-    found = final_poses(OnSupport(support), pushes, 1e6)
+    found = OnSupport(support).poses(pushes, 1e6)
     assert found == pytest.approx(pushes.observed, abs=2e-3)
     smooth = measurements_of(pushed(support, 6, contact=pp.Coulomb(0.0)))
-    assert final_poses(OnSupport(support), smooth, 0.0) == pytest.approx(smooth.observed, abs=2e-3)
+    assert OnSupport(support).poses(smooth, 0.0) == pytest.approx(smooth.observed, abs=2e-3)
 
 
 def test_a_push_through_the_center_of_a_symmetric_object_does_not_turn_it():
@@ -55,7 +49,7 @@ def test_a_push_through_the_center_of_a_symmetric_object_does_not_turn_it():
         outline=square, poses_before=np.zeros((1, 3)), poses_after=[(0, 0.5, 0)],
         finger_start=[(0, -1)], finger_end=[(0, -0.5)], finger_radius=0.0, units=("mm", "N"),
     ))  # fmt: skip
-    found = final_poses(OnSupport(support), pushes, 0.3)
+    found = OnSupport(support).poses(pushes, 0.3)
     assert found[0] == pytest.approx([0, 0.5, 0], abs=1e-6)
 
 
@@ -64,40 +58,14 @@ def test_a_path_is_followed_part_by_part():
     """Two straight parts, along the normal and then aside."""
     support = SUPPORTS["points"]
     way = np.array([(0, 6.0), (3.0, 3.0)])
-    pushes = measurements_of(pushed(support, 1, seed=0))
-    contacts = contacts_of(pushes)
-    one = replace(
-        contacts, point=np.array([[60.0, 0.0]]), normal=np.array([[0.0, 1.0]]), start=np.array([-60.0]),
-        end=np.array([90.0]), path=way[None],
-    )  # fmt: skip
-    found = OnSupport(support).ends(one, 0.25)
+    found = OnSupport(support).poses(touching(TRIANGLE, (60.0, 0.0), (0.0, 1.0), way), 0.25)
     scene = pp.scene_at(
         (60, 0), (0, 1), effects=(pp.SupportFriction(support=support),), contact=pp.Coulomb(0.25)
     )
     pusher = pp.Pusher(velocity=[(0.0, (0, 12.0)), (0.5, (6.0, 6.0))], shape="finger")
     log = pp.simulate(scene, pusher=pusher, duration=1.0, object_pose=(0, 0, 0))
     end = pose_at_the_end(log)
-    assert found.poses[0] == pytest.approx(end, abs=1e-3)
-    assert found.lasted[0] == pytest.approx(1.0)
-
-
-@pytest.mark.parametrize("radius", [0.0, 5.0])
-@pytest.mark.parametrize(("way", "lasted"), [
-    ([(20.0, 1.0)], 0.5), ([(10.0, 0.5)] * 2, 0.5), ([(-20.0, 1.0)], 1.0), ([(8.0, 1.0)], 1.0),
-    ([(0.0, 2.0), (0.0, -2.0)], 0.5), ([(0.0, -1.0)], 0.0),
-])  # fmt: skip
-def test_a_contact_lasts_until_the_finger_leaves_its_side(way, lasted, radius):
-    """The object, pushed below its center of pressure without friction, hardly turns."""
-    support = pp.Points([(0, 0), (150, 0), (0, 150)], [1, 1, 1])
-    contacts = contacts_of(measurements_of(pushed(support, 1, seed=0)))
-    one = replace(
-        contacts, point=np.array([[50.0, 0.0]]), normal=np.array([[0.0, 1.0]]), radius=np.array([radius]),
-        start=np.array([-50.0]), end=np.array([10.0]), path=np.array([way]),
-    )  # fmt: skip
-    found = OnSupport(support).ends(one, 0.0)
-    assert found.lasted[0] == pytest.approx(lasted, abs=2e-3)
-    up = max(lasted * len(way), 0.0) * way[0][1]
-    assert found.poses[0, 1] == pytest.approx(up, abs=0.2 * abs(up))
+    assert found[0] == pytest.approx(end, abs=1e-3)
 
 
 @pytest.mark.parametrize("kind", SUPPORTS)
@@ -140,8 +108,9 @@ def test_a_torque_without_a_force_has_no_line():
 
 def test_body_frames_have_their_origin_above_the_side():
     """A center that is not above its side is replaced by a point that is: the poses stay the same."""
-    contacts = contacts_of(measurements_of(pushed(SUPPORTS["points"], 8, seed=5)))
+    pushes = measurements_of(pushed(SUPPORTS["points"], 8, seed=5))
+    places = pushes.first_places
     for center in (np.array([50.0, 50.0]), np.array([-40.0, -40.0])):
-        frames = body_frames(contacts, center, 150.0)
-        assert ((frames.origin - contacts.point) * contacts.normal).sum(axis=1).min() > 0.0
-        assert contacts.point + frames.length[:, None] * frames.axis == pytest.approx(frames.origin)
+        frames = body_frames(pushes, center, 150.0)
+        assert ((frames.origin - places.point) * places.normal).sum(axis=1).min() > 0.0
+        assert places.point + frames.length[:, None] * frames.axis == pytest.approx(frames.origin)

@@ -7,9 +7,29 @@ import scipy.io
 import xarray as xr
 
 import planar_pushing as pp
+from planar_pushing.pushes.logs.measured import Measured
 
 SQUARE = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
 TRIANGLE = [(0.0, 0.0), (150.0, 0.0), (0.0, 150.0)]
+
+
+def touching(outline, points, normals, path, radius=0.0):
+    """Measured pushes of a finger that touches an outline at points; only its path is known."""
+    points, normals = (
+        np.atleast_2d(np.asarray(points, float)),
+        np.atleast_2d(np.asarray(normals, float)),
+    )
+    parts = np.asarray(path, float)
+    parts = parts[None, None] if parts.ndim == 1 else parts
+    parts = parts[None] if parts.ndim == 2 else parts
+    count = len(points)
+    parts = np.broadcast_to(parts, (count, *parts.shape[1:]))
+    return Measured(
+        outline=pp.Outline(outline), contact=points, normal=np.broadcast_to(normals, points.shape),
+        finger=parts.sum(axis=1), displacement=np.zeros((count, 2)), rotation=np.zeros(count),
+        radius=np.full(count, float(radius)), force=np.full((count, 2), np.nan), path=parts,
+        noise=(0.0, 0.0, 0.0),
+    )  # fmt: skip
 
 
 def turn(angle):

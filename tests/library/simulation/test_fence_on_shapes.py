@@ -161,3 +161,28 @@ def test_an_array_of_contacts_under_a_fence_moves_as_each_alone(shape, massive):
             wanted = log[name].values[-1]
             assert batch[name].values[i] == pytest.approx(wanted, rel=0, abs=1e-9)
     assert (lies > 0) == (shape != "disc")
+
+
+@pytest.mark.parametrize("step", [2e-3, 1e-3])
+@pytest.mark.parametrize("radius", [0.02, 0.1, 0.15])
+@pytest.mark.parametrize("tilt", [-20.0, 8.0, 20.0])
+def test_in_steps_a_side_between_arcs_lies_down_after_an_impact(tilt, radius, step):
+    """The far arc of a side arrives before it is parallel to the fence: its end is then a corner."""
+    corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    normal = np.array([np.sin(np.deg2rad(tilt)), np.cos(np.deg2rad(tilt))])
+    center = np.array([-np.sign(tilt) * (1.0 - radius), -1.0 + radius])
+    scene = pp.scene_at(
+        tuple(center - radius * normal),
+        outline=pp.rounded(corners, radius),
+        contact=pp.Coulomb(0.5),
+        effects=[pp.SupportFriction(support=pp.Polygon(corners)), pp.Inertia(gyration_radius=0.8)],
+    )
+    pusher = pp.Pusher(velocity=(0, 1))
+    exact = pp.simulate(scene, pusher, duration=3.0)
+    log = pp.simulate(scene, pusher, duration=3.0, method="time-stepping", step=step)
+    assert log.attrs["stopped"] == exact.attrs["stopped"] == ""
+    assert bool(log.flush[-1]) == bool(exact.flush[-1])
+    assert float(log.rod_angle[-1]) == pytest.approx(float(exact.rod_angle[-1]), abs=1e-6)
+    away = log.position.values[-1] - exact.position.values[-1]
+    # The instant of an impact within its step decides how far the side slips.
+    assert np.hypot(*away) < 0.01

@@ -49,10 +49,12 @@ from planar_pushing.core.motion.touch import (
     can_touch,
     count_points,
     fence_line,
+    hold_end_of_arc,
     move_contact,
     offset_of,
     offset_over,
     put_contact,
+    renew_contact,
     side_on_fence,
     take_lowest_point,
     touch_tolerance,
@@ -102,7 +104,7 @@ def choose_twist(system: System, current: int, policy: int, chosen: Numbers) -> 
     state, there = vector_of(system, STATE), vector_of(system, ELSEWHERE)
     take_lowest_point(system, state)
     point = system.run.point
-    put_contact(system, point, NO_POINT)
+    renew_contact(system, state)
     copy_numbers(there, state, system.entries)
     left, right = side_on_fence(system, there)
     choice = Choice(
@@ -135,6 +137,7 @@ def choose_twist(system: System, current: int, policy: int, chosen: Numbers) -> 
         sinks = first.sinks_left
         choice = _follow_chain(system, there, choice, -1.0, sinks, current, policy, chosen)
     put_contact(system, point, NO_POINT)
+    hold_end_of_arc(system, state)
     if choice.number > 0:
         move_contact(system, state, choice.point)
         system.run.other_end = choice.other_end

@@ -241,6 +241,35 @@ def move_contact(system: System, state: RunState, point: int) -> None:
         state.slip_speed -= state.spin * offset.y
         state.normal_speed += state.spin * offset.x
     put_contact(system, point, NO_POINT)
+    hold_end_of_arc(system, state)
+
+
+def hold_end_of_arc(system: System, state: RunState) -> None:
+    """Let the end of an arc be a corner while the arc itself is not parallel to the fence.
+
+    In steps, the far end of a side can touch the fence before the side lies there.
+    """
+    scene, run = system.scene, system.run
+    if scene.finger or run.wall.radius == 0.0 or not 0 <= run.point < scene.chain:
+        return
+    piece = _piece_of(system, run.point)
+    if piece.next == run.point:
+        return
+    end = direction_on_arc(system, piece, state)
+    if piece.radius * fabs(direction_under(system, piece, state) - end) > 1.0:
+        x, y = piece.x + piece.radius * sin(end), piece.y - piece.radius * cos(end)
+        position = position_in_body(scene, x, y)
+        run.contact.x, run.contact.y, run.wall.radius = position.x, position.y, 0.0
+
+
+def renew_contact(system: System, state: RunState) -> None:
+    """Let the contact be its point again, after the motion of a step, without a side."""
+    c, s = cos(state.angle), sin(state.angle)
+    old_x, old_y = contact_in_body(system, state, c, s)
+    put_contact(system, system.run.point, NO_POINT)
+    hold_end_of_arc(system, state)
+    new_x, new_y = contact_in_body(system, state, c, s)
+    state.along += (new_x - old_x) * c - (new_y - old_y) * s
 
 
 def put_contact(system: System, point: int, other_end: int) -> None:

@@ -98,6 +98,18 @@ def nearest_place(outline: Outline, points: Array) -> Places:
     )
 
 
+def normals_within(
+    outline: Outline, points: Array, normals: Array, distance: float
+) -> npt.NDArray[np.bool_]:
+    """Whether normals at points of shape (n, 2) point into the object at a piece within a distance."""
+    pieces = _pieces_of(outline)
+    beta, _, spots = _on_pieces(pieces, points)
+    apart = points[:, None] - spots
+    is_near = np.hypot(apart[..., 0], apart[..., 1]) <= distance
+    into = normals[:, :1] * -np.sin(beta) + normals[:, 1:] * np.cos(beta)
+    return np.asarray((is_near & ~pieces.is_corner & (into > 0.0)).any(axis=1))
+
+
 def _on_pieces(pieces: _Pieces, points: Array) -> tuple[Array, Array, Array]:
     """The nearest place of each piece: direction, arc length from its start, and point."""
     rows = pieces.rows

@@ -7,8 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from planar_pushing.mechanics.outline import Outline
+from planar_pushing.mechanics.outline.chains import BETA0, LENGTH, RHO, points_at, split_chains
+from planar_pushing.mechanics.outline.places import nearest_place
+from planar_pushing.mechanics.outline.plate import bounds
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.objects.boundary import nearest, sides_of
 
 #: Places per extent that represent a uniform pressure.
 EVEN = 12
@@ -26,23 +29,23 @@ class Family(NamedTuple):
     columns: Array
 
 
-def points(outline: Array, spacing: float) -> Family:
-    """Separate weights at all places of a grid and at all corners."""
+def points(outline: Outline, spacing: float) -> Family:
+    """Separate weights at all places of a grid, at all corners, and along arcs."""
     places = with_corners(outline, spacing)
     return Family(places, np.eye(len(places)))
 
 
-def uniform_and_corners(outline: Array, spacing: float) -> Family:
-    """A uniform pressure, and a weight at each corner."""
-    even = inside(outline, np.ptp(outline, axis=0).max() / EVEN, 0.5)
-    first = np.concatenate([np.full(len(even), 1.0 / len(even)), np.zeros(len(outline))])
-    corners = np.concatenate([np.zeros((len(even), len(outline))), np.eye(len(outline))])
-    return Family(np.concatenate([even, outline]), np.column_stack([first, corners]))
+def uniform_and_corners(outline: Outline, spacing: float) -> Family:
+    """A uniform pressure, and a weight at each corner, or along arcs at each spacing."""
+    even, edge = inside(outline, outline.size / EVEN, 0.5), edge_points(outline, spacing)
+    first = np.concatenate([np.full(len(even), 1.0 / len(even)), np.zeros(len(edge))])
+    corners = np.concatenate([np.zeros((len(even), len(edge))), np.eye(len(edge))])
+    return Family(np.concatenate([even, edge]), np.column_stack([first, corners]))
 
 
-def ellipse(outline: Array, spacing: float) -> Family:
+def ellipse(outline: Outline, spacing: float) -> Family:
     """Uniform pressures within ellipses about the centroid, along the outline's principal axes."""
-    places = inside(outline, np.ptp(outline, axis=0).max() / EVEN, 0.5)
+    places = inside(outline, outline.size / EVEN, 0.5)
     away = places - places.mean(axis=0)
     # A uniform ellipse extends to twice the square root of its second moments.
     reach = np.sqrt((away @ np.linalg.inv(np.cov(away.T)) * away).sum(axis=1)) / 2.0
@@ -51,10 +54,10 @@ def ellipse(outline: Array, spacing: float) -> Family:
     return Family(places, columns / columns.sum(axis=0))
 
 
-def pressure_map(outline: Array, spacing: float) -> Family:
+def pressure_map(outline: Outline, spacing: float) -> Family:
     """A pressure that varies linearly between the nodes of a grid."""
     places = inside(outline, spacing / 3.0, 0.5)
-    low, high = outline.min(axis=0), outline.max(axis=0)
+    low, high = bounds(outline.pieces)
     counts = np.maximum(np.round((high - low) / spacing).astype(int), 1)
     hats = [
         np.clip(
@@ -73,14 +76,14 @@ def pressure_map(outline: Array, spacing: float) -> Family:
     return Family(places, columns / columns.sum(axis=0))
 
 
-FAMILIES: dict[str, Callable[[Array, float], Family]] = {
+FAMILIES: dict[str, Callable[[Outline, float], Family]] = {
     "points": points, "uniform_and_corners": uniform_and_corners, "ellipse": ellipse, "map": pressure_map,
 }  # fmt: skip
 
 
-def inside(outline: Array, spacing: float, offset: float = 0.0) -> Array:
+def inside(outline: Outline, spacing: float, offset: float = 0.0) -> Array:
     """Places of a grid that are within an outline; with an offset of 0.5, centers of cells."""
-    low, high = outline.min(axis=0), outline.max(axis=0)
+    low, high = bounds(outline.pieces)
     counts = np.maximum(np.round((high - low) / spacing).astype(int), 1)
     marks = [
         np.linspace(low[k], high[k], counts[k] + 1)
@@ -89,12 +92,39 @@ def inside(outline: Array, spacing: float, offset: float = 0.0) -> Array:
         for k in (0, 1)
     ]
     grid = np.stack(np.meshgrid(*marks, indexing="ij"), axis=-1).reshape(-1, 2)
-    sides = sides_of(outline)
-    return np.asarray(grid[nearest(sides, grid).gap <= 1e-9 * sides.scale])
+    return np.asarray(grid[nearest_place(outline, grid).gap <= 1e-9 * outline.size])
 
 
-def with_corners(outline: Array, spacing: float) -> Array:
-    """Places of a grid within an outline, and the corners of the outline."""
-    grid = inside(outline, spacing)
-    distance = np.hypot(*np.moveaxis(outline[:, None] - grid, -1, 0)).min(axis=1)
-    return np.concatenate([grid, outline[distance > spacing / 4.0]])
+def with_corners(outline: Outline, spacing: float) -> Array:
+    """Places of a grid within an outline, and corners and points of arcs of the outline."""
+    grid, edge = inside(outline, spacing), edge_points(outline, spacing)
+    distance = np.hypot(*np.moveaxis(edge[:, None] - grid, -1, 0)).min(axis=1)
+    return np.concatenate([grid, edge[distance > spacing / 4.0]])
+
+
+def edge_points(outline: Outline, spacing: float) -> Array:
+    """Corners of an outline, and points about a spacing apart along its arcs, shape (n, 2)."""
+    chains = split_chains(outline.pieces)
+    # The corner at the start of a side is the row before it.
+    corners = [np.roll(chain[chain[:, RHO] == 0.0, :2], 1, axis=0) for chain in chains]
+    runs = [run for chain in chains for is_arc, run in _runs(chain) if is_arc]
+    return np.concatenate([*corners, *(_along_arcs(run, spacing) for run in runs)])
+
+
+def _runs(chain: Array) -> list[tuple[bool, Array]]:
+    """Parts of a chain that consist of arcs, or of sides and corners, alternately."""
+    is_arc = np.isfinite(chain[:, RHO]) & (chain[:, RHO] != 0.0)
+    cuts = np.flatnonzero(np.diff(is_arc)) + 1
+    parts = zip(np.split(is_arc, cuts), np.split(chain, cuts), strict=True)
+    return [(bool(arcs[0]), part) for arcs, part in parts]
+
+
+def _along_arcs(run: Array, spacing: float) -> Array:
+    """Points in the middle of equal parts of arcs that follow one another."""
+    ends = run[:, LENGTH].cumsum()
+    count = max(round(float(ends[-1]) / spacing), 1)
+    along = (np.arange(count) + 0.5) / count * ends[-1]
+    row = np.searchsorted(ends, along)
+    arcs = run[row]
+    beta = arcs[:, BETA0] + (along - ends[row] + arcs[:, LENGTH]) / arcs[:, RHO]
+    return points_at(arcs, beta)

@@ -10,7 +10,6 @@ from scipy.optimize import least_squares
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.fit.ellipsoid import Ellipsoid
 from planar_pushing.pushes.fit.friction import contact_friction
-from planar_pushing.pushes.logs.contacts import choose, contacts_of
 from planar_pushing.pushes.logs.measured import Measured
 
 #: Friction coefficients at which searches start.
@@ -50,14 +49,14 @@ def _from_forces(pushes: Measured) -> Ellipsoid:
 
 
 def _from_motions(pushes: Measured) -> tuple[Ellipsoid, float]:
-    contacts, scale = contacts_of(pushes), np.array([1.0, 1.0, pushes.length])
+    scale = np.array([1.0, 1.0, pushes.length])
 
     def model(parameters: Array) -> Ellipsoid:
         return Ellipsoid.about(pushes.center, _matrix(parameters[:5]) / scale / scale[:, None])
 
     def errors(parameters: Array) -> Array:
-        ends = model(parameters).ends(contacts, float(np.exp(parameters[5])))
-        return np.asarray((choose(contacts, ends) - pushes.observed) * scale).ravel()
+        poses = model(parameters).poses(pushes, float(np.exp(parameters[5])))
+        return np.asarray((poses - pushes.observed) * scale).ravel()
 
     starts = [np.append(_round(), np.log(mu)) for mu in STARTS]
     large = LARGE * min(float(np.median(np.abs(errors(start)))) for start in starts)

@@ -6,11 +6,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from planar_pushing.mechanics.outline.chains import wrap
+from planar_pushing.mechanics.outline.grown import travel_between, turn_at_corners
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.logs.measured import Measured
 
 #: A contact slips if it moves by this many standard deviations of its position and this part of the path.
 SURE, FRACTION = 3.0, 0.1
+#: Angle by which corners may turn the normal of a contact, in radians.
+STRAIGHT = 0.02
 
 
 class Friction(NamedTuple):
@@ -28,15 +32,22 @@ class Friction(NamedTuple):
 
 
 def contact_friction(pushes: Measured) -> Friction:
-    """Friction ratios of pushes at a side with forces, divided by whether the contact slips."""
+    """Friction ratios of pushes at a side or an arc with forces, divided by whether the contact slips.
+
+    The force is compared with the normal halfway between those of the first and of the last contact. A
+    finger that goes around a corner has no such normal and is left out.
+    """
     chosen = pushes.part(pushes.has_force & ~pushes.at_corner)
-    tangent = np.column_stack([chosen.normal[:, 1], -chosen.normal[:, 0]])
-    travel = ((chosen.last_contacts - chosen.contact) * tangent).sum(axis=1)
-    # A finger that sticks rolls along the side.
-    slip = np.abs(travel + chosen.radius * chosen.rotation)
+    first, last, outline = chosen.first_places, chosen.last_places, pushes.outline
+    turn = wrap(last.beta - first.beta)
+    # A finger that sticks rolls along the outline.
+    slip = np.abs(travel_between(first, last, outline) + chosen.radius * (turn + chosen.rotation))
     distance = np.hypot(*chosen.finger.T)
     slips = (slip > SURE * chosen.noise[0]) & (slip > FRACTION * distance)
-    along, into = ((chosen.force * axis).sum(axis=1) for axis in (tangent, chosen.normal))
-    pushing = into > 0.0
+    middle = first.beta + turn / 2.0
+    tangent = np.column_stack([np.cos(middle), np.sin(middle)])
+    normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
+    along, into = ((chosen.force * axis).sum(axis=1) for axis in (tangent, normal))
+    pushing = (into > 0.0) & (np.abs(turn_at_corners(first, last, outline)) < STRAIGHT)
     ratio = np.abs(along) / np.where(pushing, into, 1.0)
     return Friction(ratio[slips & pushing], ratio[~slips & pushing])

@@ -13,8 +13,7 @@ from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.supports import Points
 from planar_pushing.pushes.fit.balance import ridge
 from planar_pushing.pushes.fit.candidates import Family
-from planar_pushing.pushes.fit.supported import BodyFrames, body_frames, simulate_contacts
-from planar_pushing.pushes.logs.contacts import Contacts, contacts_of
+from planar_pushing.pushes.fit.supported import BodyFrames, body_frames, simulate_measured
 from planar_pushing.pushes.logs.measured import Index, Measured
 
 #: Friction coefficients tried before the searches, and the range of the searches.
@@ -44,20 +43,16 @@ class MotionProblem:
 
     pushes: Measured
     family: Family
-    contacts: Contacts
     frames: BodyFrames
     places: Array
 
     @classmethod
     def of(cls, pushes: Measured, family: Family) -> MotionProblem:
-        contacts = contacts_of(pushes)
-        frames = body_frames(contacts, pushes.center, pushes.size)
+        frames = body_frames(pushes, pushes.center, pushes.size)
         offsets = family.places - frames.origin[:, None]
         x, y = offsets[..., 0], offsets[..., 1]
         a, b = frames.axis[:, :1], frames.axis[:, 1:]
-        return cls(
-            pushes, family, contacts, frames, np.stack([x * a + y * b, y * a - x * b], axis=-1)
-        )
+        return cls(pushes, family, frames, np.stack([x * a + y * b, y * a - x * b], axis=-1))
 
     @property
     def even(self) -> Array:
@@ -72,9 +67,9 @@ class MotionProblem:
             for row, kept in zip(weights, weights > 0.0, strict=True)
             for places in self.places
         ]
-        friction = np.repeat(parameters[:, -1], len(self.contacts.push))
-        ends = simulate_contacts(self.contacts, self.frames, supports, friction, self.pushes.size)
-        poses = ends.poses.reshape(len(parameters), -1, 3)
+        friction = np.repeat(parameters[:, -1], len(self.pushes))
+        poses = simulate_measured(self.pushes, self.frames, supports, friction, self.pushes.size)
+        poses = poses.reshape(len(parameters), -1, 3)
         return np.asarray((poses - self.pushes.observed) * [1.0, 1.0, self.pushes.length])
 
 

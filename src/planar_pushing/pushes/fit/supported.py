@@ -11,11 +11,12 @@ from planar_pushing.mechanics.contact import Coulomb, InfiniteFriction
 from planar_pushing.mechanics.effects import SupportFriction
 from planar_pushing.mechanics.force.force_motion import motion_of_force
 from planar_pushing.mechanics.force.wrench import wrench
+from planar_pushing.mechanics.outline.places import Places
 from planar_pushing.mechanics.plane import Array, Frame
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
 from planar_pushing.objects.scene_at import scene_at
-from planar_pushing.pushes.logs.contacts import Contacts, Ends
+from planar_pushing.pushes.logs.measured import Measured
 from planar_pushing.simulation.batch import simulate_batch
 from planar_pushing.simulation.early_end import quietly
 from planar_pushing.simulation.pusher import Pusher
@@ -30,13 +31,11 @@ class OnSupport:
 
     support: Any
 
-    def ends(self, contacts: Contacts, friction: float) -> Ends:
-        frames = body_frames(
-            contacts, np.array(self.support.center_of_pressure), self.support.extent
-        )
+    def poses(self, pushes: Measured, friction: float) -> Array:
+        frames = body_frames(pushes, np.array(self.support.center_of_pressure), self.support.extent)
         supports = [self.support.in_frame(placement) for placement in frames.every]
-        return simulate_contacts(
-            contacts, frames, supports, np.full(len(supports), friction), self.support.extent
+        return simulate_measured(
+            pushes, frames, supports, np.full(len(supports), friction), self.support.extent
         )
 
     def wrenches(self, twists: Array) -> Array:
@@ -62,8 +61,9 @@ class OnSupport:
 
 @dataclass(frozen=True, slots=True)
 class BodyFrames:
-    """Body frames of contacts: origin, direction of the x axis, and length and angle of the rod."""
+    """Body frames of pushes: origin, direction of the x axis, and length and angle of the rod."""
 
+    places: Places
     every: list[Frame]
     origin: Array
     axis: Array
@@ -71,85 +71,79 @@ class BodyFrames:
     angle: Array
 
 
-def body_frames(contacts: Contacts, center: Array, extent: float) -> BodyFrames:
-    """Body frames with origin at the center, or above the contact if the center is not above the side."""
-    rod = center - contacts.point
-    height = (rod * contacts.normal).sum(axis=1)
-    rod = np.where((height > 1e-3 * extent)[:, None], rod, extent * contacts.normal)
+def body_frames(pushes: Measured, center: Array, extent: float) -> BodyFrames:
+    """Body frames with origin at the center, or above the contact if the center is not above its line."""
+    places = pushes.first_places
+    normal, tangent = places.normal, places.tangent
+    rod = center - places.point
+    height = (rod * normal).sum(axis=1)
+    rod = np.where((height > 1e-3 * extent)[:, None], rod, extent * normal)
     length = np.hypot(*rod.T)
-    axis, origin = rod / length[:, None], contacts.point + rod
-    angle = np.arctan2((rod * contacts.normal).sum(axis=1), (rod * contacts.tangent).sum(axis=1))
+    axis, origin = rod / length[:, None], places.point + rod
+    angle = np.arctan2((rod * normal).sum(axis=1), (rod * tangent).sum(axis=1))
     frames = [
         Frame((o_x, o_y), (a_x, a_y))
         for (o_x, o_y), (a_x, a_y) in zip(origin.tolist(), axis.tolist(), strict=True)
     ]
-    return BodyFrames(frames, origin, axis, length, angle)
+    return BodyFrames(places, frames, origin, axis, length, angle)
 
 
-def simulate_contacts(
-    contacts: Contacts, frames: BodyFrames, supports: list[Any], friction: Array, extent: float
-) -> Ends:
-    """Ends of the motions of supports given in the body frames, for one or several sets of supports.
+def simulate_measured(
+    pushes: Measured, frames: BodyFrames, supports: list[Any], friction: Array, extent: float
+) -> Array:
+    """Final poses for supports given in the body frames, for one or several sets of supports.
 
-    The numbers of `supports` and `friction` are a multiple of the number of contacts.
+    Parameters
+    ----------
+    pushes : Measured
+    frames : BodyFrames
+    supports : list of m supports
+        m is a multiple of the number n of pushes.
+    friction : ndarray, shape (m,)
+    extent : float
+
+    Returns
+    -------
+    ndarray, shape (m, 3)
+        Displacements and rotations of the object's frame. A push during which the finger touches two places
+        ends there.
     """
-    count = len(contacts.push)
-    times = len(supports) // count
+    times = len(supports) // len(pushes)
 
-    def repeat(values: Any) -> Any:
+    def repeat(values: Array) -> Array:
         return np.tile(values, (times, *(1,) * (values.ndim - 1)))
 
-    laws = [
-        InfiniteFriction() if sticks else Coulomb(float(mu))
-        for sticks, mu in zip(repeat(contacts.sticks), friction, strict=True)
-    ]
+    origin, axis = repeat(frames.origin), repeat(frames.axis)
     scene = Scene(
         slider=Slider(
             rod_length=repeat(frames.length), rod_angle=repeat(frames.angle), radius=extent,
-            side=(repeat(contacts.start), repeat(contacts.end)),
+            outline=pushes.outline, outline_frame=Frame((*origin.T,), (*axis.T,)),
         ),
-        contact=_objects(laws), effects=(SupportFriction(weight=1.0, support=_objects(supports)),),
+        contact=_objects([Coulomb(mu) for mu in friction.tolist()]),
+        effects=(SupportFriction(weight=1.0, support=_objects(supports)),),
     )  # fmt: skip
-    log = quietly(simulate_batch)(scene, _pusher(contacts, repeat), duration=1.0, rtol=TOLERANCE)
-    tangent, normal = repeat(contacts.tangent), repeat(contacts.normal)
+    tangent, normal = repeat(frames.places.tangent), repeat(frames.places.normal)
+    pusher = _pusher(repeat(pushes.path), tangent, normal, repeat(pushes.radius))
+    log = quietly(simulate_batch)(scene, pusher, duration=1.0, rtol=TOLERANCE)
     position = log["position"].values
-    center = repeat(contacts.point) + position[:, :1] * tangent + position[:, 1:] * normal
+    center = repeat(frames.places.point) + position[:, :1] * tangent + position[:, 1:] * normal
     turn = np.deg2rad(log["rod_angle"].values) - repeat(frames.angle)
     c, s = np.cos(turn), np.sin(turn)
-    x, y = repeat(frames.origin).T
+    x, y = origin.T
     moved = center - np.column_stack([c * x - s * y, s * x + c * y])
-    poses = np.column_stack([moved, turn]).reshape(times, count, 3)
-    lasted = _contact_fraction(log, turn, repeat(contacts.radius), repeat(contacts.path))
-    lasted = lasted.reshape(times, count)
-    return Ends(poses[0], lasted[0]) if times == 1 else Ends(poses, lasted)
+    return np.column_stack([moved, turn])
 
 
-def _contact_fraction(log: Any, turn: Array, radius: Array, path: Array) -> Array:
-    """Fraction of the finger's path over which the contact lasts.
-
-    The object is at rest after the finger has left the side. The remaining path is therefore the distance
-    of the finger from the point at which it left, relative to the object.
-    """
-    left = -log["slip"].values - radius * turn
-    rest = np.hypot(log["contact_position"].values - left, log["gap"].values)
-    distance = np.hypot(path[..., 0], path[..., 1]).sum(axis=1)
-    parted = np.divide(rest, distance, out=np.zeros_like(distance), where=distance > 0.0)
-    return np.asarray(np.clip(log["time"].values - parted, 0.0, 1.0))
-
-
-def _pusher(contacts: Contacts, repeat: Any) -> Pusher:
+def _pusher(path: Array, tangent: Array, normal: Array, radius: Array) -> Pusher:
     """The finger as a pusher; each part of its path takes the same time."""
-    parts = contacts.path.shape[1]
+    parts = path.shape[1]
     velocities = []
     for k in range(parts):
-        distance = parts * contacts.path[:, k]
-        along, across = (
-            (distance * contacts.tangent).sum(axis=1),
-            (distance * contacts.normal).sum(axis=1),
-        )
-        velocities.append((k / parts, (repeat(along), repeat(across))))
+        distance = parts * path[:, k]
+        along, across = (distance * tangent).sum(axis=1), (distance * normal).sum(axis=1)
+        velocities.append((k / parts, (along, across)))
     velocity: Any = velocities[0][1] if parts == 1 else velocities
-    return Pusher(velocity=velocity, shape="finger", radius=repeat(contacts.radius))
+    return Pusher(velocity=velocity, shape="finger", radius=radius)
 
 
 def _objects(values: list[Any]) -> Array:

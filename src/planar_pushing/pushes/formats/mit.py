@@ -1,4 +1,4 @@
-"""Reader of pushes of polygons in MATLAB files (Yu, Bauza, Fazeli and Rodriguez, IROS 2016).
+"""Reader of pushes of polygons and ellipses in MATLAB files (Yu, Bauza, Fazeli and Rodriguez, IROS 2016).
 
 The files are those published by Zhou, Hou and Mason with the models that they fitted to the pushes.
 `record_all[k]` contains `init_pose_gt` and `final_pose_gt` (x, y in m, angle in radians), and
@@ -15,7 +15,9 @@ import numpy as np
 import scipy.io
 import xarray as xr
 
+from planar_pushing.mechanics.outline import Outline, require_outline, rounded
 from planar_pushing.mechanics.plane import Array
+from planar_pushing.mechanics.supports.disc import Disc
 from planar_pushing.pushes.files import HDF5, refuse_raw
 from planar_pushing.pushes.logs.combine import concat_pushes, require_file_names
 from planar_pushing.pushes.logs.poses import pushes_from_poses
@@ -50,25 +52,45 @@ def hexagon(radius: float) -> Array:
     return radius * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
 
 
-#: Outlines in mm by the name of the shape.
-OUTLINES: dict[str, Array] = {
-    "rect1": rectangle(90.0, 90.0),
-    "rect2": rectangle(89.91, 112.58),
-    "rect3": rectangle(135.01, 89.94),
-    "tri1": triangle(125.87, 125.90),
-    "tri2": triangle(125.87, 151.00),
-    "tri3": triangle(125.61, 176.5),
-    "hex": hexagon(60.5),
+def butter() -> Outline:
+    """Outline of an object with a waist: arcs and their tangents, within 0.2 mm of the published mesh."""
+    half = [(23.2, 0.0), (53.7, 49.4), (0.0, 102.2), (-53.7, 49.4)]
+    radii = [24.4, 22.3, 58.4, 22.3]
+    return rounded([*half, *((-x, -y) for x, y in half)], [*radii, *radii])
+
+
+#: Number of arcs of an ellipse: its final poses are within a tenth of the errors of the poses.
+ARCS = 64
+#: Outlines in mm by the name of the shape. The ellipses and the last outline are those of the meshes of
+#: the objects that their authors published (push-est-public and pdproc of MIT's MCube Lab).
+OUTLINES: dict[str, Outline] = {
+    name: require_outline(shape)
+    for name, shape in {
+        "rect1": rectangle(90.0, 90.0),
+        "rect2": rectangle(89.91, 112.58),
+        "rect3": rectangle(135.01, 89.94),
+        "tri1": triangle(125.87, 125.90),
+        "tri2": triangle(125.87, 151.00),
+        "tri3": triangle(125.61, 176.5),
+        "hex": hexagon(60.5),
+        "ellip1": Disc(52.43),
+        "ellip2": Outline.ellipse(52.43, 65.53, ARCS),
+        "ellip3": Outline.ellipse(52.43, 78.64, ARCS),
+        "butter": butter(),
+    }.items()
 }
 
 
 def read_mit(*files: PathLike) -> xr.Dataset:
-    """Read pushes of polygons from the MIT push data, in MATLAB files of version 5.
+    """Read pushes of polygons and ellipses from the MIT push data, in MATLAB files of version 5.
 
     Parameters
     ----------
     *files : path
-        MATLAB files. Each name must contain a shape: rect1, rect2, rect3, tri1, tri2, tri3 or hex.
+        MATLAB files. Each name must contain a shape: rect1, rect2, rect3, tri1, tri2, tri3, hex, ellip1,
+        ellip2, ellip3 or butter. The half axes of the ellipses, 52.43 mm by 52.43, 65.53 and 78.64 mm, and
+        the sides and arcs of butter are those of the meshes of the objects that the MCube Lab of MIT
+        published (push-est-public, pdproc).
 
     Returns
     -------

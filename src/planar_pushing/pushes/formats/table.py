@@ -14,8 +14,9 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
+from planar_pushing.mechanics.outline import Outline, require_outline
+from planar_pushing.mechanics.outline.places import nearest_place
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.pushes.logs.arguments import not_negative
 from planar_pushing.pushes.logs.checks import ON_OUTLINE
 from planar_pushing.pushes.logs.combine import concat_pushes, require_file_names
@@ -99,18 +100,16 @@ def read_table(
     """
     require_file_names(files)
     require_name("angles", angles, ANGLES, "name one of these units")
-    sides, radius = (
-        sides_of(outline),
-        not_negative("finger_radius", finger_radius, "give 0 for a point"),
-    )
+    whole = require_outline(outline)
+    radius = not_negative("finger_radius", finger_radius, "give 0 for a point")
     parts = []
     for file in map(Path, files):
         table = _read(file)
-        _require_unit(file, table, angles, sides, radius)
+        _require_unit(file, table, angles, whole, radius)
         scale = (1.0, 1.0, ANGLES[angles])
         try:
             parts.append(pushes_from_poses(
-                outline=outline, poses_before=table.of(COLUMNS["before"]) * scale,
+                outline=whole, poses_before=table.of(COLUMNS["before"]) * scale,
                 poses_after=table.of(COLUMNS["after"]) * scale, finger_start=table.of(COLUMNS["start"]),
                 finger_end=table.of(COLUMNS["end"]), finger_radius=radius,
                 force=table.of(FORCE) if FORCE[0] in table.columns else None, units=units, noise=noise,
@@ -212,7 +211,9 @@ def _number(file: Path, line: int, column: str, cell: str) -> float:
     return number
 
 
-def _require_unit(file: Path, table: PushTable, angles: str, sides: Sides, radius: float) -> None:
+def _require_unit(
+    file: Path, table: PushTable, angles: str, outline: Outline, radius: float
+) -> None:
     """Refuse angles that are in the other unit: too large, or at odds with where the finger ends."""
     (other,) = (unit for unit in ANGLES if unit != angles)
     remedy = f"give --angles {other}"
@@ -225,8 +226,8 @@ def _require_unit(file: Path, table: PushTable, angles: str, sides: Sides, radiu
                 f"{file}: line {table.lines[row]}: {name}: {value} given; allowed: {angles} of at most two "
                 f"turns; {remedy}"
             )
-    gap, instead = (_gap(table, unit, sides, radius) for unit in (angles, other))
-    if gap > max(NEARER * instead, ON_OUTLINE * sides.scale):
+    gap, instead = (_gap(table, unit, outline, radius) for unit in (angles, other))
+    if gap > max(NEARER * instead, ON_OUTLINE * outline.size):
         raise InvalidFile(
             f"{file}: the angles seem to be in {other}: the median gap between finger and object after a "
             f"push is {instead:.4g} with angles in {other} and {gap:.4g} with angles in {angles}; {remedy}"
@@ -250,8 +251,8 @@ def _require_alike(file: Path, table: PushTable, angles: str, remedy: str) -> No
         )
 
 
-def _gap(table: PushTable, unit: str, sides: Sides, radius: float) -> float:
+def _gap(table: PushTable, unit: str, outline: Outline, radius: float) -> float:
     """Median distance or overlap of finger and object after the pushes."""
     poses = table.of(COLUMNS["after"])
     places = rotate(table.of(COLUMNS["end"]) - poses[:, :2], -poses[:, 2] * ANGLES[unit])
-    return float(np.median(np.abs(nearest(sides, places).gap - radius)))
+    return float(np.median(np.abs(nearest_place(outline, places).gap - radius)))

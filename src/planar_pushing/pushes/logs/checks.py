@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import xarray as xr
 
+from planar_pushing.mechanics.outline import Outline
+from planar_pushing.mechanics.outline.places import nearest_place, normals_within
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.objects.boundary import Sides, nearest, sides_of
 from planar_pushing.pushes.logs.possible import require_possible
 from planar_pushing.terms.errors import InvalidValue
 
@@ -25,12 +25,14 @@ ROUNDING = 1e-6
 THOUSAND = (300.0, 30000.0)
 
 
-def require_consistent(pushes: xr.Dataset, rows: Any = None) -> None:
+def require_consistent(pushes: xr.Dataset, outlines: dict[str, Outline], rows: Any = None) -> None:
     """Refuse impossible pushes; the error names the first of them.
 
     Parameters
     ----------
     pushes : xarray.Dataset
+    outlines : dict
+        The outlines of the objects by their names.
     rows : array_like of int, shape (n,), optional
         Numbers of the pushes in messages; by default counted from 0.
 
@@ -43,13 +45,12 @@ def require_consistent(pushes: xr.Dataset, rows: Any = None) -> None:
         (`planar_pushing.pushes.logs.possible`).
     """
     labels = np.arange(pushes.sizes["push"]) if rows is None else np.asarray(rows)
-    objects: dict[str, tuple[Any, Sides]] = {}
+    objects: dict[str, tuple[Any, Outline]] = {}
     for name in dict.fromkeys(pushes["pushed"].values):
         numbers = np.flatnonzero(pushes["pushed"].values == name)
-        outline = pushes["outline"].sel(object=name).values
-        sides = sides_of(outline[np.isfinite(outline).all(axis=1)])
-        objects[str(name)] = numbers, sides
-        _require_object(pushes.isel(push=numbers), labels[numbers], sides, str(name))
+        objects[str(name)] = numbers, outlines[str(name)]
+        part = pushes.isel(push=numbers)
+        _require_object(part, labels[numbers], outlines[str(name)], str(name))
     radii = pushes["finger_radius"].values
     _refuse("finger_radius", radii < 0.0, radii, "numbers >= 0", "give 0 for a point", labels)
     if "finger_path" in pushes:
@@ -61,16 +62,16 @@ def require_consistent(pushes: xr.Dataset, rows: Any = None) -> None:
         half = np.isnan(force).sum(axis=1) == 1
         limit = "both components, or NaN for both"
         _refuse("force", half, force, limit, "give both or neither", labels)
-    for numbers, sides in objects.values():
-        require_possible(pushes.isel(push=numbers), sides, labels[numbers])
+    for numbers, outline in objects.values():
+        require_possible(pushes.isel(push=numbers), outline, labels[numbers])
 
 
-def _require_object(pushes: xr.Dataset, numbers: Any, sides: Sides, name: str) -> None:
+def _require_object(pushes: xr.Dataset, numbers: Any, outline: Outline, name: str) -> None:
     """Check the pushes of one object."""
     contact, normal = pushes["contact"].values, pushes["normal"].values
-    finger, scale = pushes["finger_displacement"].values, sides.scale
-    _require_one_unit(pushes, sides, name)
-    beside = np.abs(nearest(sides, contact).gap)
+    finger, scale = pushes["finger_displacement"].values, outline.size
+    _require_one_unit(pushes, outline, name)
+    beside = np.abs(nearest_place(outline, contact).gap)
     limit = f"a point of the outline of {name}, within 2 % of its size {scale:.6g}"
     _refuse(
         "contact", beside > ON_OUTLINE * scale, contact, limit, "check frame and units", numbers
@@ -78,11 +79,11 @@ def _require_object(pushes: xr.Dataset, numbers: Any, sides: Sides, name: str) -
     length = np.hypot(*normal.T)
     wrong = np.abs(length - 1.0) > UNIT
     _refuse("normal", wrong, normal, "a vector of length 1", "divide it by its length", numbers)
-    wrong = ~_inward(sides, contact, normal)
+    wrong = ~normals_within(outline, contact, normal, ON_OUTLINE * scale)
     _refuse("normal", wrong, normal, "a vector into the object", "reverse it", numbers)
     moved = np.hypot(
         *middle_displacement(
-            pushes["displacement"].values, np.deg2rad(pushes["rotation"].values), sides.start
+            pushes["displacement"].values, np.deg2rad(pushes["rotation"].values), outline.vertices()
         ).T
     )
     limit = f"at most {JUMP:g} times the size {scale:.6g} of {name}"
@@ -106,9 +107,9 @@ def middle_displacement(displacement: Array, rotation: Array, corners: Array) ->
     return np.asarray(displacement + np.stack([c * x - s * y, s * x + c * y], axis=-1))
 
 
-def _require_one_unit(pushes: xr.Dataset, sides: Sides, name: str) -> None:
+def _require_one_unit(pushes: xr.Dataset, outline: Outline, name: str) -> None:
     """Refuse lengths that are about a thousand times larger or smaller than those of the outline."""
-    scale, reach = sides.scale, float(np.abs(sides.start).max())
+    scale, reach = outline.size, float(np.abs(outline.vertices()).max())
     finger = _typical(pushes["finger_displacement"].values)
     object_ = _typical(pushes["displacement"].values)
     pairs = (
@@ -129,15 +130,6 @@ def _require_one_unit(pushes: xr.Dataset, sides: Sides, name: str) -> None:
 
 def _typical(vectors: Array) -> float:
     return float(np.median(np.hypot(*vectors.T)))
-
-
-def _inward(sides: Sides, contact: Array, normal: Array) -> npt.NDArray[np.bool_]:
-    """Whether a normal points into the object at one of the sides near its contact."""
-    away = contact[:, None] - sides.start
-    along = np.clip((away * sides.tangent).sum(axis=-1), 0.0, sides.length)
-    offset = away - along[..., None] * sides.tangent
-    near = np.hypot(offset[..., 0], offset[..., 1]) <= ON_OUTLINE * sides.scale
-    return np.asarray((near & (normal @ sides.normal.T > 0.0)).any(axis=1))
 
 
 def _require_paths(pushes: xr.Dataset, labels: Any) -> None:

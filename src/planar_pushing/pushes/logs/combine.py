@@ -9,13 +9,19 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.outline import require_corners
+from planar_pushing.mechanics.outline import require_outline
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.pushes.logs.schema import NOISE, VARIABLES, require_pushes
+from planar_pushing.pushes.logs.schema import (
+    NOISE,
+    OUTLINE,
+    VARIABLES,
+    outline_arrays,
+    require_pushes,
+)
 from planar_pushing.terms.errors import InvalidValue, require_name, require_path
 
 #: Dimensions padded with NaN, each with a variable that has it as its second dimension.
-PADDED = {"corner": "outline", "foot": "feet", "sample": "finger_path"}
+PADDED = {"corner": "outline", "piece": "outline_pieces", "foot": "feet", "sample": "finger_path"}
 
 
 def of_object(pushes: xr.Dataset, name: str) -> xr.Dataset:
@@ -47,10 +53,10 @@ def of_object(pushes: xr.Dataset, name: str) -> xr.Dataset:
 
 def with_outline(pushes: xr.Dataset, outline: Any) -> xr.Dataset:
     """Pushes of one object with another outline, checked again: the contacts must be on it."""
-    variable = VARIABLES["outline"]
-    corners = np.array(require_corners(outline))[None]
-    changed = pushes.drop_vars("outline")
-    changed["outline"] = variable.dims, corners, pushes["outline"].attrs
+    changed = pushes.drop_vars(OUTLINE, errors="ignore")
+    for name, array in outline_arrays([require_outline(outline)]).items():
+        changed[name] = VARIABLES[name].dims, array
+    changed["outline"].attrs = pushes["outline"].attrs
     return require_pushes(changed)
 
 
@@ -138,7 +144,7 @@ def _objects(datasets: list[xr.Dataset]) -> dict[str, xr.Dataset]:
 
 def _same_object(one: xr.Dataset, other: xr.Dataset, label: str) -> bool:
     """Whether two datasets describe an object identically except for padding."""
-    for name in ("outline", "feet", "foot_weight", "center_of_mass", "mass"):
+    for name in (*OUTLINE, "feet", "foot_weight", "center_of_mass", "mass"):
         here, there = (_array(dataset.sel(object=[label]), name) for dataset in (one, other))
         here, there = (values[np.isfinite(values)] for values in (here, there))
         if not np.array_equal(here, there):

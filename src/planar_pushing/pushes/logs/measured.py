@@ -10,10 +10,20 @@ import numpy.typing as npt
 import xarray as xr
 
 from planar_pushing.mechanics.kernels.arrays import same
+from planar_pushing.mechanics.outline import Outline
+from planar_pushing.mechanics.outline.chains import (
+    BEFORE,
+    BETA0,
+    BETA1,
+    LENGTH,
+    NEXT,
+    RHO,
+    wrap,
+)
+from planar_pushing.mechanics.outline.grown import Seats, places_of
+from planar_pushing.mechanics.outline.places import Places, nearest_place
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.supports.polygon import Polygon
-from planar_pushing.objects.boundary import Nearest, nearest, sides_of
-from planar_pushing.pushes.logs.schema import NOISE, corners_of
+from planar_pushing.pushes.logs.schema import NOISE, outline_of
 from planar_pushing.terms.errors import InvalidValue
 
 #: Arrays of flags over pushes, and of indices of pushes.
@@ -22,6 +32,8 @@ Index = npt.NDArray[np.intp]
 #: Default standard deviations of motion capture, a force sensor and friction if a dataset gives none:
 #: fractions of the outline's size, of the median force and of friction, and an angle in degrees.
 POSITION, ANGLE, FORCE, REPEATABILITY = 0.003, 0.3, 0.02, 0.05
+#: Distance from an inner corner, in tolerances of the outline, at which a finger is beside it.
+BESIDE = 4.0
 #: Number of straight parts that represent the measured path of a finger.
 PARTS = 8
 
@@ -32,8 +44,7 @@ class Measured:
 
     Attributes
     ----------
-    outline : ndarray, shape (corners, 2)
-        Corners in counterclockwise order.
+    outline : Outline
     contact, normal : ndarray, shape (n, 2)
         Point of first touch, and the unit normal there, into the object.
     finger, displacement : ndarray, shape (n, 2)
@@ -52,7 +63,7 @@ class Measured:
         Relative variation of friction from one push to the next.
     """
 
-    outline: Array
+    outline: Outline
     contact: Array
     normal: Array
     finger: Array
@@ -83,12 +94,12 @@ class Measured:
     @property
     def center(self) -> Array:
         """Centroid of the outline."""
-        return np.array(Polygon(self.outline).center_of_pressure)
+        return np.array(self.outline.centroid)
 
     @property
     def size(self) -> float:
         """Largest extent of the outline along x or y."""
-        return float(np.ptp(self.outline, axis=0).max())
+        return self.outline.size
 
     @property
     def observed(self) -> Array:
@@ -108,28 +119,43 @@ class Measured:
         return np.column_stack([factor * x + half * y, factor * y - half * x, self.rotation])
 
     @property
-    def last_contacts(self) -> Array:
-        """Point of the outline nearest the finger after each push, in the object's frame at that time."""
-        return self._last.point
+    def first_places(self) -> Places:
+        """Place of the outline that the finger touches first, with the given normal at a corner.
+
+        A finger at an inner corner is beside it, on the piece with the normal that is closer to the given
+        one.
+        """
+        outline, places = self.outline, nearest_place(self.outline, self.contact)
+        rows = outline.pieces[places.piece]
+        is_corner, is_inner = rows[:, RHO] == 0.0, rows[:, BETA1] < rows[:, BETA0]
+        ends = np.sort(rows[:, [BETA0, BETA1]], axis=1)
+        middle = ends.mean(axis=1)
+        beta = middle + wrap(np.arctan2(-self.normal[:, 0], self.normal[:, 1]) - middle)
+        places = places._replace(beta=np.where(is_corner, np.clip(beta, *ends.T), places.beta))
+        if not (is_corner & is_inner).any():
+            return places
+        is_before = np.abs(beta - rows[:, BETA0]) < np.abs(beta - rows[:, BETA1])
+        piece = np.where(is_before, rows[:, BEFORE], rows[:, NEXT]).astype(int)
+        off = BESIDE * outline.tolerance
+        along = np.where(is_before, outline.pieces[piece, LENGTH] - off, off)
+        beside = places_of(Seats(piece, along), outline, np.zeros(len(self)))
+        return Places(*(
+            np.where((is_corner & is_inner).reshape(-1, *(1,) * (old.ndim - 1)), new, old)
+            for old, new in zip(places, beside, strict=True)
+        ))  # fmt: skip
 
     @property
-    def last_gaps(self) -> Array:
-        """Gap between finger and object after each push, negative if they overlap."""
-        return self._last.gap - self.radius
-
-    @property
-    def _last(self) -> Nearest:
-        """The finger's center after each push, relative to the outline."""
+    def last_places(self) -> Places:
+        """Place of the outline nearest the finger after each push, in the object's frame at that time."""
         center = self.contact - self.radius[:, None] * self.normal + self.finger
         x, y = (center - self.displacement).T
         c, s = np.cos(self.rotation), np.sin(self.rotation)
-        after = np.column_stack([c * x + s * y, c * y - s * x])
-        return nearest(sides_of(self.outline), after)
+        return nearest_place(self.outline, np.column_stack([c * x + s * y, c * y - s * x]))
 
     @property
     def points(self) -> Array:
         """Point at which the finger pushes midway, in the object's frame, shape (n, 2)."""
-        return (self.contact + self.last_contacts) / 2.0
+        return (self.contact + self.last_places.point) / 2.0
 
     @property
     def has_force(self) -> Mask:
@@ -162,7 +188,10 @@ class Measured:
     @property
     def at_corner(self) -> Mask:
         """Whether each push touches a convex corner first."""
-        offset = self.contact[:, None] - self.outline
+        rows = self.outline.pieces
+        offset = self.contact[:, None] - rows[rows[:, RHO] == 0.0, :2]
+        if not offset.size:
+            return np.zeros(len(self), dtype=bool)
         return np.asarray(np.hypot(offset[..., 0], offset[..., 1]).min(axis=1) <= 1e-9 * self.size)
 
 
@@ -192,16 +221,15 @@ def measurements_of(pushes: xr.Dataset) -> Measured:
             "pushes", f"pushes of {', '.join(names)}", "pushes of one object",
             "choose one with of_object(pushes, name)",
         )  # fmt: skip
-    corners = corners_of(pushes, names[0])
+    outline = outline_of(pushes, names[0])
     finger = pushes["finger_displacement"].values
     force = pushes["force"].values if "force" in pushes else np.full(finger.shape, np.nan)
-    size = float(np.ptp(corners, axis=0).max())
-    usual = POSITION * size, ANGLE, FORCE * _median(np.hypot(*force.T)), REPEATABILITY
+    usual = POSITION * outline.size, ANGLE, FORCE * _median(np.hypot(*force.T)), REPEATABILITY
     position, angle, newton, friction = (
         float(pushes.attrs.get(name, default)) for name, default in zip(NOISE, usual, strict=True)
     )
     return Measured(
-        outline=corners, contact=pushes["contact"].values, normal=pushes["normal"].values,
+        outline=outline, contact=pushes["contact"].values, normal=pushes["normal"].values,
         finger=finger, displacement=pushes["displacement"].values,
         rotation=np.deg2rad(pushes["rotation"].values), radius=pushes["finger_radius"].values,
         force=force, path=_paths(pushes, finger), noise=(position, float(np.deg2rad(angle)), newton),

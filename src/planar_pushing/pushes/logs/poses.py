@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.mechanics.outline import Corners, require_corners, size
+from planar_pushing.mechanics.outline import Outline, require_outline
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.logs.arguments import (
     noise_attributes,
@@ -21,7 +21,7 @@ from planar_pushing.pushes.logs.arguments import (
 from planar_pushing.pushes.logs.checks import JUMP, ON_OUTLINE, middle_displacement
 from planar_pushing.pushes.logs.path import Path, require_path
 from planar_pushing.pushes.logs.possible import push_numbers
-from planar_pushing.pushes.logs.schema import VARIABLES, XY, pad, require_pushes
+from planar_pushing.pushes.logs.schema import VARIABLES, XY, outline_arrays, pad, require_pushes
 from planar_pushing.pushes.logs.touching import touching
 from planar_pushing.terms.domain import RADIANS, TO_RADIANS, TURNS
 from planar_pushing.terms.errors import InvalidValue, number_of, require_flag
@@ -71,8 +71,8 @@ def pushes_from_poses(
 
     Parameters
     ----------
-    outline : array_like, shape (corners, 2), or an object with `coords` or `exterior`
-        Corners of the object in order, in its own frame.
+    outline : array_like, shape (corners, 2), Polygon, Disc, Outline, or a polygon of shapely
+        Corners of the object in order, or its outline with arcs and holes, in its own frame.
     poses_before, poses_after : array_like, shape (n, 3)
         (x, y, angle) of the object's frame in the world before and after each push, angles in radians, at
         most 4 pi. A push rotates the object by less than pi. If all angles lie in [-pi, pi] or all
@@ -127,24 +127,24 @@ def pushes_from_poses(
         object moves farther than the finger's work permits, as after a confusion of symmetric poses. The
         message counts pushes from 0.
     """
-    corners, names = require_corners(outline), require_units(units)
+    whole, names = require_outline(outline), require_units(units)
     frames = _frames(
         rows_of("poses_before", poses_before, 3), rows_of("poses_after", poses_after, 3)
     )
     count = len(frames.angle)
     world = require_path(finger_start, finger_end, finger_path, path_time, count)
     path = world._replace(points=frames.places(world.points))
-    _require_one_unit(corners, path.points[:, 0])
-    _refuse_jumps(corners, frames)
-    slack = ON_OUTLINE * size(np.array(corners))
+    _require_one_unit(whole, path.points[:, 0])
+    _refuse_jumps(whole, frames)
+    slack = ON_OUTLINE * whole.size
     if tolerance is not None:
         slack = not_negative("tolerance", tolerance, "give a length, or leave it out")
     radius = not_negative("finger_radius", finger_radius, "give 0 for a point")
     skip_missed = require_flag("skip_missed", skip_missed)
-    rows, touch, after = touching(corners, path, radius, slack, skip_missed)
+    rows, touch, after = touching(whole, path, radius, slack, skip_missed)
     forces = None if force is None else _forces(force, frames)
     arrays: dict[str, Any] = {
-        "outline": np.array(corners)[None],
+        **outline_arrays([whole]),
         **object_parts(feet, foot_weights, center_of_mass, mass),
         "contact": touch.contact[rows],
         "normal": touch.normal[rows],
@@ -217,10 +217,9 @@ def ambiguous_turns(before: Array, after: Array) -> npt.NDArray[np.intp]:
     return np.flatnonzero(np.abs(after - before) > half)
 
 
-def _require_one_unit(corners: Corners, starts: Array) -> None:
+def _require_one_unit(outline: Outline, starts: Array) -> None:
     """Refuse finger positions so far from the object, or so near its middle, that the units must differ."""
-    places = np.array(corners)
-    scale = size(places)
+    places, scale = outline.vertices(), outline.size
     far = float(np.median(np.hypot(*(starts - places.mean(axis=0)).T))) if len(starts) else scale
     if not NEAR * scale <= far <= FAR * scale:
         raise InvalidValue(
@@ -229,16 +228,16 @@ def _require_one_unit(corners: Corners, starts: Array) -> None:
         )  # fmt: skip
 
 
-def _refuse_jumps(corners: Corners, frames: Frames) -> None:
+def _refuse_jumps(outline: Outline, frames: Frames) -> None:
     """Refuse poses between which the object moves farther than any push can move it."""
-    places = np.array(corners)
+    places, scale = outline.vertices(), outline.size
     moved = np.hypot(*middle_displacement(frames.displacement, frames.rotation, places).T)
-    jumps = np.flatnonzero(moved > JUMP * size(places))
+    jumps = np.flatnonzero(moved > JUMP * scale)
     if len(jumps):
         raise InvalidValue(
             "poses_after",
             f"an object that moves by {moved[jumps[0]]:.4g}, in pushes {push_numbers(jumps)}",
-            f"at most {JUMP:g} times its size {size(places):.4g}", "the pose jumps: leave the push out",
+            f"at most {JUMP:g} times its size {scale:.4g}", "the pose jumps: leave the push out",
         )  # fmt: skip
 
 

@@ -36,8 +36,10 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
+from planar_pushing.mechanics.outline import Outline
+from planar_pushing.mechanics.outline.places import nearest_place
+from planar_pushing.mechanics.outline.plate import bounds
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.objects.boundary import Sides, nearest
 from planar_pushing.terms.errors import InvalidValue
 
 #: Systematic error of poses, finger and outline, in sizes of the outline: the largest of all published
@@ -76,16 +78,18 @@ class PushMotions(NamedTuple):
         (x, y), (d_x, d_y) = points.T, self.displacement.T[..., None]
         return np.asarray(np.hypot(d_x + c * x - s * y, d_y + s * x + c * y))
 
-    def gaps(self, sides: Sides) -> tuple[Array, npt.NDArray[np.intp]]:
-        """Gaps between finger and object in its final pose, shape (n, PARTS + 1), and the nearest sides."""
+    def gaps(self, outline: Outline) -> tuple[Array, Array]:
+        """Gaps of the finger and the object in its final pose, shape (n, PARTS + 1), and last normals."""
         offset = self.center - self.displacement[:, None]
         c, s = np.cos(self.rotation)[:, None], np.sin(self.rotation)[:, None]
         x, y = offset[..., 0], offset[..., 1]
-        near = nearest(sides, np.column_stack([(c * x + s * y).ravel(), (c * y - s * x).ravel()]))
-        return near.gap.reshape(x.shape) - self.radius[:, None], near.side.reshape(x.shape)
+        centers = np.column_stack([(c * x + s * y).ravel(), (c * y - s * x).ravel()])
+        near = nearest_place(outline, centers)
+        gaps = near.gap.reshape(x.shape) - self.radius[:, None]
+        return gaps, near.normal.reshape(*x.shape, 2)[:, -1]
 
 
-def require_possible(pushes: xr.Dataset, sides: Sides, numbers: Any) -> None:
+def require_possible(pushes: xr.Dataset, outline: Outline, numbers: Any) -> None:
     """Refuse pushes of one object that end in a pose that no push can cause.
 
     Raises
@@ -94,15 +98,15 @@ def require_possible(pushes: xr.Dataset, sides: Sides, numbers: Any) -> None:
         If a finger ends in the object or never reaches its final pose, or an object moves farther than the
         work of the finger permits; see the conditions in the docstring of this module.
     """
-    motion, size = _motion(pushes), sides.scale
+    motion, size = _motion(pushes), outline.size
     slack = ERROR * size + SURE * _noise(pushes, size)
-    gaps, side = motion.gaps(sides)
+    gaps, last_normal = motion.gaps(outline)
     _refuse(
         -gaps[:, -1], slack, numbers, "a finger that ends {:.4g} deep in the object",
         "at most {:.4g}, for errors of measurement",
     )  # fmt: skip
     apart = gaps.min(axis=1) - motion.length / (2.0 * PARTS)
-    still = motion.distances(sides.start).max(axis=1) <= slack
+    still = motion.distances(outline.vertices()).max(axis=1) <= slack
     _refuse(
         np.where(still, 0.0, apart), slack, numbers,
         "an object that ends {:.4g} away from the finger's path",
@@ -110,7 +114,7 @@ def require_possible(pushes: xr.Dataset, sides: Sides, numbers: Any) -> None:
     )  # fmt: skip
     points, shares = _carriers(pushes)
     if points is None:
-        least = _least_within(motion, sides)
+        least = _least_within(motion, outline.vertices())
     elif shares is None:
         least = motion.distances(points).min(axis=1)
     else:
@@ -120,8 +124,8 @@ def require_possible(pushes: xr.Dataset, sides: Sides, numbers: Any) -> None:
     if points is not None:
         return
     normal = pushes["normal"].values
-    turned = (normal * sides.normal[side[:, -1]]).sum(axis=1) < ELSEWHERE
-    mean = np.where(turned, motion.distances(_cells(sides)).mean(axis=1), 0.0)
+    turned = (normal * last_normal).sum(axis=1) < ELSEWHERE
+    mean = np.where(turned, motion.distances(_cells(outline)).mean(axis=1), 0.0)
     _refuse(
         mean, motion.length + CONCENTRATED * size + slack - ERROR * size, numbers,
         "points of the object that move by {:.4g} on average, and a finger that ends at another side",
@@ -175,7 +179,7 @@ def _carriers(pushes: xr.Dataset) -> tuple[Array | None, Array | None]:
     return feet[known], shares if shares is not None and np.isfinite(shares).all() else None
 
 
-def _least_within(motion: PushMotions, sides: Sides) -> Array:
+def _least_within(motion: PushMotions, corners: Array) -> Array:
     """Smallest distance by which a point within the outline moves, shape (n,).
 
     Displacements are a similar image of the outline. The smallest is its distance from the origin, or zero
@@ -183,7 +187,7 @@ def _least_within(motion: PushMotions, sides: Sides) -> Array:
     """
     turn = motion.rotation[:, None]
     c, s = np.cos(turn) - 1.0, np.sin(turn)
-    x, y = sides.start.T
+    x, y = corners.T
     start = motion.displacement[:, None] + np.stack([c * x - s * y, s * x + c * y], axis=-1)
     edge = np.roll(start, -1, axis=1) - start
     square = (edge * edge).sum(axis=-1)
@@ -197,15 +201,16 @@ def _least_within(motion: PushMotions, sides: Sides) -> Array:
     return np.where(crosses.sum(axis=1) % 2 == 1, 0.0, distance)
 
 
-def _cells(sides: Sides) -> Array:
+def _cells(outline: Outline) -> Array:
     """Centers of equal cells within an outline."""
-    low, width = sides.start.min(axis=0), np.ptp(sides.start, axis=0)
-    counts = np.maximum(np.ceil(CELLS * width / sides.scale), 4).astype(int)
+    low, high = bounds(outline.pieces)
+    width = high - low
+    counts = np.maximum(np.ceil(CELLS * width / outline.size), 4).astype(int)
     x, y = (a + w * (np.arange(k) + 0.5) / k for a, w, k in zip(low, width, counts, strict=True))
     points = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
-    within = points[nearest(sides, points).gap < 0.0]
+    within = points[nearest_place(outline, points).gap < 0.0]
     # A thin object may lie between the centers.
-    return within if len(within) else sides.start
+    return within if len(within) else outline.vertices()
 
 
 def _refuse(

@@ -7,7 +7,13 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.outline import require_corners
+from planar_pushing.mechanics.outline import (
+    Outline,
+    outline_of_corners,
+    require_outline,
+)
+from planar_pushing.mechanics.outline.chains import Piece
+from planar_pushing.mechanics.outline.drawing import Corners
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.logs import checks
 from planar_pushing.terms.errors import InvalidValue
@@ -16,7 +22,10 @@ from planar_pushing.terms.numbers import as_array
 #: Labels of vector components.
 XY = ["x", "y"]
 #: Default units of the quantities of `Variable`; the unit of length has no default.
-UNITS = {"degree": "degree", "force": "N", "time": "s", "1": "1", "mass": "kg"}
+UNITS = {
+    "degree": "degree", "force": "N", "time": "s", "1": "1", "mass": "kg",
+    "piece": "that of outline, and radian",
+}  # fmt: skip
 #: Attributes of the dataset: standard deviations of the measurements, and the relative variation of
 #: friction from one push to the next.
 MEASURED_NOISE = ("position_noise", "angle_noise", "force_noise")
@@ -25,11 +34,15 @@ NOISE = (*MEASURED_NOISE, "friction_noise")
 ATTRIBUTES = ("source", *NOISE, "left_out")
 
 
+#: Variables that store outlines.
+OUTLINE = ("outline", "outline_pieces")
+
+
 class Variable(NamedTuple):
     """A variable of the schema.
 
-    `quantity` is "length", "degree", "force", "time", "mass" or "1"; a `complete` variable has no missing
-    values.
+    `quantity` is "length", "degree", "force", "time", "mass", "piece" or "1"; a `complete` variable has no
+    missing values.
     """
 
     dims: tuple[str, ...]
@@ -43,6 +56,10 @@ class Variable(NamedTuple):
 VARIABLES: dict[str, Variable] = {
     "outline": Variable(
         ("object", "corner", "xy"), "length", "corners of the object, counterclockwise", complete=False
+    ),
+    "outline_pieces": Variable(
+        ("object", "piece", "column"), "piece",
+        "sides, arcs and corners of an object with arcs or holes, as in Outline.pieces", False, False,
     ),
     "feet": Variable(("object", "foot", "xy"), "length", "positions of the feet", False, False),
     "foot_weight": Variable(("object", "foot"), "1", "fraction of the load on each foot", False, False),
@@ -84,7 +101,8 @@ def require_pushes(dataset: Any, rows: Any = None) -> xr.Dataset:
     -------
     xarray.Dataset
         Loaded into memory, with numbers in double precision, counterclockwise outlines, and units and long
-        names for all variables. Additional variables over `push` or `object` are kept.
+        names for all variables. For an object with arcs, `outline` is a polygon on its outline. Additional
+        variables over `push` or `object` are kept.
 
     Raises
     ------
@@ -100,7 +118,10 @@ def require_pushes(dataset: Any, rows: Any = None) -> xr.Dataset:
     _require_variables(dataset)
     units = _units(dataset)
     names = _object_names(dataset)
-    coords = {"object": ("object", names, {"long_name": "name of the object"}), "xy": ("xy", XY)}
+    coords: dict[str, Any] = {
+        "object": ("object", names, {"long_name": "name of the object"}),
+        "xy": ("xy", XY),
+    }
     variables: dict[str, Any] = {
         "pushed": (
             "push",
@@ -112,25 +133,49 @@ def require_pushes(dataset: Any, rows: Any = None) -> xr.Dataset:
         if name in dataset:
             attributes = {"units": units[variable.quantity], "long_name": variable.long_name}
             variables[name] = variable.dims, _numbers(dataset, name), attributes
-    variables["outline"] = (
-        VARIABLES["outline"].dims,
-        _outlines(variables["outline"][1], names),
-        variables["outline"][2],
-    )
+    outlines = _outlines(variables, names)
+    about = {name: variables.pop(name)[2] for name in OUTLINE if name in variables}
+    variables |= {
+        name: (VARIABLES[name].dims, array, about[name])
+        for name, array in outline_arrays(outlines).items()
+    }
+    variables = {name: variables[name] for name in ("pushed", *VARIABLES) if name in variables}
+    if "outline_pieces" in variables:
+        coords["column"] = ("column", list(Piece._fields))
     others = {
         str(name): dataset[name].load()
         for name in dataset.data_vars
-        if name not in variables and {"push", "object"} & set(dataset[name].dims)
+        if name not in (*variables, *OUTLINE) and {"push", "object"} & set(dataset[name].dims)
     }
     kept = {key: dataset.attrs[key] for key in ATTRIBUTES if key in dataset.attrs}
     pushes = xr.Dataset(variables | others, coords, {"source": ""} | kept)
-    checks.require_consistent(pushes, rows)
+    checks.require_consistent(pushes, dict(zip(names, outlines, strict=True)), rows)
     return pushes
 
 
-def corners_of(pushes: xr.Dataset, name: str) -> Array:
-    """Corners of an object without padding, shape (n, 2)."""
-    return without_padding(pushes["outline"].sel(object=name).values)
+def outline_of(pushes: xr.Dataset, name: str) -> Outline:
+    """The outline of an object of checked pushes."""
+    return _outline(
+        *(
+            without_padding(pushes[key].sel(object=name).values)
+            if key in pushes
+            else np.zeros((0, 2))
+            for key in OUTLINE
+        )
+    )
+
+
+def outline_arrays(outlines: list[Outline]) -> dict[str, Array]:
+    """Variables that store outlines: polygons, and pieces of those that are not given by their corners."""
+    arrays = {"outline": pad([outline.vertices() for outline in outlines])}
+    none = np.zeros((0, len(Piece._fields)))
+    pieces = [none if outline.corners else np.array(outline.pieces) for outline in outlines]
+    return arrays | ({"outline_pieces": pad(pieces)} if any(map(len, pieces)) else {})
+
+
+def _outline(corners: Array, pieces: Array) -> Outline:
+    """The outline of pieces, or else of corners as they were read."""
+    return Outline.from_pieces(pieces) if len(pieces) else outline_of_corners(Corners.of(corners))
 
 
 def without_padding(places: Array) -> Array:
@@ -225,6 +270,8 @@ def _numbers(dataset: xr.Dataset, name: str) -> Array:
     if values is None:
         raise InvalidValue(name, str(dataset[name].dtype), "numbers", "give floats")
     bad = np.asarray(~np.isfinite(values) if variable.complete else np.isinf(values))
+    # The radius of curvature of a side is infinite.
+    bad &= name != "outline_pieces"
     if bad.any():
         where = f"{variable.dims[0]} {int(np.nonzero(bad)[0][0])}"
         raise InvalidValue(
@@ -236,14 +283,20 @@ def _numbers(dataset: xr.Dataset, name: str) -> Array:
     return values + 0.0
 
 
-def _outlines(outlines: Array, names: list[str]) -> Array:
-    """Return counterclockwise outlines, or raise the error for the first invalid outline."""
-    rings = []
-    for name, corners in zip(names, outlines, strict=True):
+def _outlines(variables: dict[str, Any], names: list[str]) -> list[Outline]:
+    """Outlines of the objects, or the error for the first that is invalid."""
+    corners = variables["outline"][1]
+    pieces = variables["outline_pieces"][1] if "outline_pieces" in variables else [()] * len(names)
+    outlines = []
+    for name, vertices, rows in zip(names, corners, pieces, strict=True):
+        rows = without_padding(np.reshape(rows, (-1, len(Piece._fields))))
         try:
-            rings.append(np.array(require_corners(without_padding(corners))))
+            if len(rows):
+                outlines.append(Outline.from_pieces(rows))
+            else:
+                outlines.append(require_outline(without_padding(vertices)))
         except InvalidValue as error:
             raise InvalidValue(
                 f"outline of {name}", error.given, error.allowed, error.remedy
             ) from None
-    return pad(rings)
+    return outlines

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.mechanics.outline import Corners, size
+from planar_pushing.mechanics.outline import Outline
+from planar_pushing.mechanics.outline.chains import starts_of
 from planar_pushing.objects.first_touch import Touch, first_touch
 from planar_pushing.pushes.logs.path import Path, after_touch
 from planar_pushing.pushes.logs.possible import push_numbers
@@ -16,15 +17,15 @@ ROUNDING = 1e-9
 
 
 def touching(
-    corners: Corners, path: Path, radius: float, tolerance: float, skip_missed: bool
+    outline: Outline, path: Path, radius: float, tolerance: float, skip_missed: bool
 ) -> tuple[npt.NDArray[np.intp], Touch, list[Path]]:
     """Numbers of the pushes that touch the object, all first touches, and the paths after them.
 
     A push that begins deeper in the object than the tolerance counts as one that does not touch it.
     """
-    touch, leg = _first(corners, path, radius, tolerance)
+    touch, leg = _first(outline, path, radius, tolerance)
     depth = touch.overlap
-    inside = depth > tolerance + ROUNDING * size(np.array(corners))
+    inside = depth > tolerance + ROUNDING * outline.size
     deep = np.flatnonzero(inside)
     if len(deep) and (not skip_missed or inside.all()):
         raise InvalidValue(
@@ -49,15 +50,15 @@ def touching(
 
 
 def _first(
-    corners: Corners, path: Path, radius: float, tolerance: float
+    outline: Outline, path: Path, radius: float, tolerance: float
 ) -> tuple[Touch, npt.NDArray[np.intp]]:
     """First touch along the legs of each path, and its leg, with the overlap at the start."""
     start, motion = path.points[:, :-1], np.diff(path.points, axis=1)
     known = np.isfinite(motion).all(axis=2, keepdims=True)
-    # A missing leg is replaced by a stationary finger at a corner, which is not a touch.
+    # A missing leg is replaced by a stationary finger at the outline, which is not a touch.
     every = first_touch(
-        corners,
-        np.where(known, start, corners[0]),
+        outline,
+        np.where(known, start, starts_of(outline.pieces)[0]),
         np.where(known, motion, 0.0),
         radius,
         tolerance=tolerance,
