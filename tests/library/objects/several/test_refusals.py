@@ -76,7 +76,6 @@ def test_contacts_that_need_an_outline(contact, message):
         pp.solve_contacts([contact], effects=EFFECTS)
 
 
-
 def test_arrays_that_do_not_broadcast():
     fast = pp.Contact((-1, 0.3), (1, 0), law=LAW, velocity=(np.ones(3), 0.0))
     slow = pp.Contact((0, 1), (0, -1), law=pp.Coulomb(np.array([0.1, 0.2])))
