@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -125,7 +126,7 @@ class ContactsPicture:
 
     def _velocity(self, contact: PlacedContact) -> Array:
         """Velocity of a pusher relative to the fastest."""
-        fastest = max(np.hypot(*map(float, one.velocity)) for one in self.placed)
+        fastest = max(math.hypot(*map(float, one.velocity)) for one in self.placed)
         velocity = np.array([float(part) for part in contact.velocity])
         return velocity / fastest if fastest else velocity
 

@@ -104,6 +104,11 @@ def simulate(
         `object_position`, `object_angle` in degrees, and `pusher_position`, the position of the finger's
         center or of the point of the fence that is under the contact at time 0. The object's frame is that
         of `Scene.placement`, by default the body frame.
+    walls : sequence of Wall
+        Straight walls at rest in the world, for an object with an outline, without inertia, and with an
+        `object_pose`. The log then also holds `wall_mode`, `wall_force`, with the axes of `force`,
+        `wall_gap` and `wall_slip` over time and walls. The motion is that of the contacts with the pusher
+        and the walls, at most four at once; where they jam or wedge the object, the run ends.
     path : path, optional
         File to which the log is streamed. Memory use is then bounded, and the returned dataset reads from
         the file. An older log of this name is replaced at the start; a run that is interrupted leaves its
@@ -126,7 +131,8 @@ def simulate(
         velocity jumps, also at the start; the force of a step of time-stepping includes it. Without an
         outline only the contact, or the given side, touches a fence, and the run ends when the slider's
         center reaches it. A finger goes round an outline, over its corners and arcs, leaves it and meets
-        it again, and the run ends where it touches two places. Without an outline, the contact ends
+        it again. Where it touches two places, it goes on with both, until one opens; with inertia, the run
+        ends there. Without an outline, the contact ends
         permanently where it leaves the side at its end, and `parted` is true from then on.
 
     Warns

@@ -83,7 +83,7 @@ def add_at_rest(several: Several, sharing: Sharing, solutions: Numbers, count: i
             foot_x=0.0,
             foot_y=0.0,
             size=fabs(load.x) + fabs(load.y) + fabs(load.spin),
-        ),  # fmt: skip
+        ),
         BALANCED,
         low=low,
         high=high,

@@ -14,9 +14,9 @@ from planar_pushing.mechanics.kernels.arrays import is_labeled, same
 from planar_pushing.mechanics.outline import Outline
 from planar_pushing.mechanics.outline.chains import RHO
 from planar_pushing.mechanics.outline.places import places_with_normals
-from planar_pushing.mechanics.slider import inner_corners
+from planar_pushing.mechanics.slider import ALIGNED, inner_corners
 from planar_pushing.objects.many import require_contacts
-from planar_pushing.objects.on_outline import ALIGNED, on_outline, side_on_fence
+from planar_pushing.objects.on_outline import on_outline, side_on_fence
 from planar_pushing.terms.domain import Number
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import as_numbers as plain_numbers

@@ -6,11 +6,10 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
-from planar_pushing.core.instant.several import (
-    MOST_OF_SEVERAL,
+from planar_pushing.core.instant.several_frames import MOST_OF_SEVERAL, SeveralRow
+from planar_pushing.core.instant.several_solutions import (
     SEVERAL_SOLUTION,
     SeveralResults,
-    SeveralRow,
     SeveralSolution,
 )
 from planar_pushing.core.supports.rows import LOAD, LoadRow
@@ -21,8 +20,6 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.several.movers import Mover, Touch, Vector, Vector3
 from planar_pushing.terms.options import Policy, Reason
 
-#: Maximum number of contacts at an instant.
-MOST_CONTACTS = 4
 WIDTH = SeveralResults.size + MOST_OF_SEVERAL * SEVERAL_SOLUTION
 PLACES = SeveralSolution.places
 MODES, TWIST = PLACES["modes"], PLACES["twist"]

@@ -17,10 +17,10 @@ from typing import NamedTuple
 import numpy as np
 from scipy.integrate import RK45
 
+from planar_pushing.core.instant.several_frames import MOST_CONTACTS
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation.fields import Stop
 from planar_pushing.simulation.several.instants import (
-    MOST_CONTACTS,
     Instants,
     Motion,
     gap_rate,

@@ -53,6 +53,7 @@ def test_lengths_in_millimeters_and_kilometers(scale):
 def test_another_frame_and_another_order():
     """The frame is turned by a right angle and moved, and the contacts are listed in reverse."""
     x, y = 0.75, -0.5
+    shift = np.array([x, y])
     for seed in range(30):
         feet, shares, contacts, _ = entries_of(seed, 3)
         first = scene_of(feet, shares, contacts).solve()
@@ -60,8 +61,8 @@ def test_another_frame_and_another_order():
         def turn(v):
             return np.stack([-v[..., 1], v[..., 0]], axis=-1)
 
-        moved = [(turn(p) + (x, y), turn(n), turn(w), mu) for p, n, w, mu in contacts[::-1]]
-        second = scene_of(turn(feet) + (x, y), shares, moved).solve()
+        moved = [(turn(p) + shift, turn(n), turn(w), mu) for p, n, w, mu in contacts[::-1]]
+        second = scene_of(turn(feet) + shift, shares, moved).solve()
         assert {modes_of(one) for one in first} == {modes_of(one)[::-1] for one in second}
         for one in first:
             (other,) = (each for each in second if modes_of(each)[::-1] == modes_of(one))

@@ -79,13 +79,13 @@ def test_contacts_that_need_an_outline(contact, message):
 def test_arrays_that_do_not_broadcast():
     fast = pp.Contact((-1, 0.3), (1, 0), law=LAW, velocity=(np.ones(3), 0.0))
     slow = pp.Contact((0, 1), (0, -1), law=pp.Coulomb(np.array([0.1, 0.2])))
-    with pytest.raises(pp.InvalidValue, match="shapes: .* broadcast"):
+    with pytest.raises(pp.InvalidValue, match=r"shapes: .* broadcast"):
         pp.solve_contacts([fast, slow], effects=EFFECTS)
 
 
 def test_loads_that_friction_cannot_hold():
     load = pp.Load(force=(0, -2), center=(0, 0))
-    with pytest.raises(pp.InvalidValue, match="force: .* what friction can hold"):
+    with pytest.raises(pp.InvalidValue, match=r"force: .* what friction can hold"):
         pp.solve_contacts([FINGER], effects=[*EFFECTS, load], outline=SQUARE)
 
 
