@@ -17,6 +17,7 @@ from planar_pushing.core.instant.solution import (
     Push,
     Solution,
 )
+from planar_pushing.core.motion.corner import side_of_pocket, turn_to_side
 from planar_pushing.core.motion.drag import (
     depends_on_speed,
     problem_effects,
@@ -30,6 +31,7 @@ from planar_pushing.core.motion.inertia import motion_beside_push, push_in_mode,
 from planar_pushing.core.motion.instant import Instant
 from planar_pushing.core.motion.mode import Mode, moving_mode, slip_side
 from planar_pushing.core.motion.posing import pose_at_start, pusher_along
+from planar_pushing.core.motion.rolling import is_in_pocket
 from planar_pushing.core.motion.shapes import center_motion, pose_of, pusher_velocity, size_of_twist
 from planar_pushing.core.motion.side import MOST_OF_SIDE, modes_at_contact
 from planar_pushing.core.motion.starts import (
@@ -60,12 +62,7 @@ from planar_pushing.core.motion.touch import (
     side_length,
     side_on_fence,
 )
-from planar_pushing.core.motion.wall import (
-    clearance_of,
-    is_in_pocket,
-    side_of_pocket,
-    turn_to_side,
-)
+from planar_pushing.core.motion.wall import clearance_of
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.supports.roots import MOST_ROOTS
 from planar_pushing.core.supports.rows import NO_POINT

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from planar_pushing.core.motion.candidates import count_quasi_static, write_candidates
+from planar_pushing.core.motion.corner import leave_pocket
 from planar_pushing.core.motion.equations import write_rates
 from planar_pushing.core.motion.fence import policy_at, span_at
 from planar_pushing.core.motion.guards import write_guards
@@ -14,6 +15,7 @@ from planar_pushing.core.motion.mode import (
     contact_mode_of,
     is_preferred,
 )
+from planar_pushing.core.motion.rolling import is_in_pocket
 from planar_pushing.core.motion.system import (
     CANDIDATE,
     CAUSES,
@@ -36,7 +38,7 @@ from planar_pushing.core.motion.system import (
     with_candidates,
 )
 from planar_pushing.core.motion.touch import count_points, hold_contact, put_contact
-from planar_pushing.core.motion.wall import clearance_of, is_in_pocket, leave_pocket, put_wall
+from planar_pushing.core.motion.wall import clearance_of, put_wall
 from planar_pushing.core.numbers import INFINITY, zeros
 from planar_pushing.core.supports.rows import NO_POINT
 from planar_pushing.core.supports.tolerances import NEAR_ZERO, NO_TREND, SLACK

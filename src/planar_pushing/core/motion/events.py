@@ -19,6 +19,7 @@ from planar_pushing.core.motion.changes import (
     settle,
 )
 from planar_pushing.core.motion.choice import choose_mode, count_modes, current_mode, current_policy
+from planar_pushing.core.motion.corner import leave_corner
 from planar_pushing.core.motion.equations import motion_in_mode, write_rates
 from planar_pushing.core.motion.event_search import (
     MISJUDGED,
@@ -41,7 +42,13 @@ from planar_pushing.core.motion.fence import end_of_fence, fence_displacement, s
 from planar_pushing.core.motion.guards import write_guards
 from planar_pushing.core.motion.log import end_log, has_room_for_rows, next_log_row, write_instant
 from planar_pushing.core.motion.mode import NO_MODE, Mode, contact_mode_of
-from planar_pushing.core.motion.rolling import has_finger, is_straight
+from planar_pushing.core.motion.rolling import (
+    enters_pockets,
+    follows_chain,
+    has_finger,
+    is_in_pocket,
+    is_straight,
+)
 from planar_pushing.core.motion.run import (
     Run,
 )
@@ -83,12 +90,8 @@ from planar_pushing.core.motion.touch import count_points, name_contact
 from planar_pushing.core.motion.wall import (
     begin_at_wall,
     confine_finger,
-    enters_pockets,
-    follows_chain,
     go_to_next_piece,
     is_closed,
-    is_in_pocket,
-    leave_corner,
     longest_step,
     open_wall,
     roll_on_to_next,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import fabs, log, sqrt
 
 from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, SLIP_RIGHT, STICK
+from planar_pushing.core.motion.corner import turn_to_side
 from planar_pushing.core.motion.drag import (
     depends_on_speed,
 )
@@ -25,6 +26,7 @@ from planar_pushing.core.motion.instant import (
 )
 from planar_pushing.core.motion.mode import REST, Mode, contact_mode_of, slip_side
 from planar_pushing.core.motion.reaction import cone_margin, edge_of_slip
+from planar_pushing.core.motion.rolling import follows_chain, is_in_pocket
 from planar_pushing.core.motion.shapes import center_height, is_steady_pusher, pose_of
 from planar_pushing.core.motion.system import (
     CAUSES,
@@ -50,13 +52,10 @@ from planar_pushing.core.motion.system import (
 from planar_pushing.core.motion.touch import is_flush
 from planar_pushing.core.motion.wall import (
     clearance_of,
-    follows_chain,
     gap_of_finger,
     is_closed,
-    is_in_pocket,
     outline_height,
     room_on_piece,
-    turn_to_side,
 )
 from planar_pushing.core.numbers import UNKNOWN, Numbers
 from planar_pushing.core.supports.tolerances import NO_FORCE, PUSHES, SLACK

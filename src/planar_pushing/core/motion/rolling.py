@@ -16,13 +16,33 @@ corner under a point finger the grown outline has no length, so that there the u
 from __future__ import annotations
 
 from planar_pushing.core.motion.run import Wall
-from planar_pushing.core.motion.system import RunState, System
+from planar_pushing.core.motion.system import RunState, System, is_massive
 from planar_pushing.core.numbers import INFINITY
 
 
 def has_finger(system: System) -> bool:
     """Whether the pusher is a finger."""
     return system.scene.finger
+
+
+def follows_chain(system: System) -> bool:
+    """Whether a finger follows the pieces of an outline."""
+    return system.scene.finger and system.scene.chain > 0
+
+
+def is_sharp(system: System) -> bool:
+    """Whether a point is at a corner."""
+    return follows_chain(system) and system.run.wall.radius + system.scene.radius == 0.0
+
+
+def enters_pockets(system: System) -> bool:
+    """Whether the pusher can be in an inner corner: a point, without inertia."""
+    return system.scene.radius == 0.0 and not is_massive(system)
+
+
+def is_in_pocket(system: System) -> bool:
+    """Whether a point is in an inner corner."""
+    return system.run.wall.pocket > 0.0
 
 
 def is_straight(wall: Wall) -> bool:

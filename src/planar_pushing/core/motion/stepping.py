@@ -27,6 +27,7 @@ from planar_pushing.core.instant.solution import (
     STICK,
     Solution,
 )
+from planar_pushing.core.motion.corner import leave_corner, leave_pocket, side_of_pocket
 from planar_pushing.core.motion.drag import (
     drag,
     load_work,
@@ -40,7 +41,7 @@ from planar_pushing.core.motion.log import (
     write_state,
 )
 from planar_pushing.core.motion.mode import NO_MODE, slip_side
-from planar_pushing.core.motion.rolling import travel_rate
+from planar_pushing.core.motion.rolling import enters_pockets, is_in_pocket, travel_rate
 from planar_pushing.core.motion.shapes import (
     Pose,
     center_height,
@@ -74,17 +75,12 @@ from planar_pushing.core.motion.touch import name_contact
 from planar_pushing.core.motion.wall import (
     begin_at_wall,
     confine_finger,
-    enters_pockets,
     is_in_outline,
-    is_in_pocket,
-    leave_corner,
-    leave_pocket,
     meets_in_step,
     open_wall,
     pass_ends,
     room_on_piece,
     seat_finger,
-    side_of_pocket,
 )
 from planar_pushing.core.numbers import Numbers, zeros
 from planar_pushing.core.supports.rows import NO_POINT

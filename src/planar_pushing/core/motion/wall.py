@@ -2,9 +2,7 @@
 
 A finger goes from piece to piece where the contact reaches an end of one. The contact frame is then the
 same; only the radius of curvature changes. While the contact is open, the wall is a straight line, in whose
-frame the slider is seen, and the finger can meet any piece. A point at an outer corner has no radius of
-curvature at all: sticking, it keeps the direction of its normal in the world, until one side is along the
-fence frame; slipping, it goes on to the side at once.
+frame the slider is seen, and the finger can meet any piece. Points at corners are in `corner`.
 """
 
 from __future__ import annotations
@@ -12,10 +10,19 @@ from __future__ import annotations
 from math import cos, fabs, sin
 
 from planar_pushing.core.instant.directions import nearest_integer
-from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, SLIP_RIGHT
+from planar_pushing.core.instant.solution import SEPARATE
 from planar_pushing.core.motion.fence import Span
 from planar_pushing.core.motion.mode import REST, Mode
-from planar_pushing.core.motion.rolling import frame_angle, has_finger, is_straight, unit_of_place
+from planar_pushing.core.motion.rolling import (
+    enters_pockets,
+    follows_chain,
+    frame_angle,
+    has_finger,
+    is_in_pocket,
+    is_sharp,
+    is_straight,
+    unit_of_place,
+)
 from planar_pushing.core.motion.shapes import (
     center_motion,
     contact_motion,
@@ -52,11 +59,6 @@ from planar_pushing.core.supports.tolerances import SLACK
 #: Distance, in tolerances of the outline, that a free finger may move in a step beyond that to the outline;
 #: it is a thousandth of the outline's extent.
 STRIDE = 1e6
-
-
-def follows_chain(system: System) -> bool:
-    """Whether a finger follows the pieces of an outline."""
-    return system.scene.finger and system.scene.chain > 0
 
 
 def chain_of(system: System) -> Numbers:
@@ -150,7 +152,7 @@ def go_to_next_piece(system: System, state: RunState, joint: float) -> bool:
     )
     if fills or (is_inner_corner(neighbor) and not enters_pockets(system)):
         return False
-    put_wall(system, number, place=_end_of(neighbor, forward), along=joint)
+    put_wall(system, number, place=end_of_piece(neighbor, forward), along=joint)
     return True
 
 
@@ -186,7 +188,7 @@ def seat_finger(system: System, state: RunState) -> None:
         open_wall(system, state)
 
 
-def _end_of(piece: ChainPiece, is_start: bool) -> float:
+def end_of_piece(piece: ChainPiece, is_start: bool) -> float:
     """The place of a piece at its start or at its end."""
     if is_side(piece):
         return 0.0 if is_start else piece.length
@@ -200,53 +202,6 @@ def piece_at_contact(system: System, state: RunState) -> int:
         touches: bool = scene.chain > 0 and is_closed(system, state)
         return run.wall.piece if touches else NO_POINT
     return run.point if run.point < scene.chain else NO_POINT
-
-
-def is_sharp(system: System) -> bool:
-    """Whether a point is at a corner."""
-    return follows_chain(system) and system.run.wall.radius + system.scene.radius == 0.0
-
-
-def enters_pockets(system: System) -> bool:
-    """Whether the pusher can be in an inner corner: a point, without inertia."""
-    return system.scene.radius == 0.0 and not is_massive(system)
-
-
-def is_in_pocket(system: System) -> bool:
-    """Whether a point is in an inner corner."""
-    return system.run.wall.pocket > 0.0
-
-
-def side_of_pocket(system: System, contact: int) -> int:
-    """The side along which a slip leaves the inner corner at the contact."""
-    piece = chain_piece(chain_of(system), system.run.wall.piece)
-    return piece.next if contact == SLIP_LEFT else piece.before
-
-
-def turn_to_side(system: System, contact: int, x: float, y: float) -> tuple[float, float]:
-    """A vector of the frame of an inner corner, in that of the side along which a slip leaves it."""
-    turn = system.run.wall.pocket if contact == SLIP_RIGHT else -system.run.wall.pocket
-    c, s = cos(turn), sin(turn)
-    return c * x + s * y, c * y - s * x
-
-
-def leave_pocket(system: System, state: RunState, number: int) -> None:
-    """Make a side of the inner corner at the contact the wall."""
-    side = chain_piece(chain_of(system), number)
-    is_after: bool = chain_piece(chain_of(system), system.run.wall.piece).next == number
-    put_wall(system, number, _end_of(side, is_after), state.along)
-
-
-def leave_corner(system: System, during: Span, time: float, state: RunState, contact: int) -> bool:
-    """Let a point that slips at a corner go on to the side; return whether it does."""
-    forward: bool = contact == SLIP_LEFT
-    if (contact != SLIP_RIGHT and not forward) or not is_sharp(system):
-        return False
-    piece = chain_piece(chain_of(system), system.run.wall.piece)
-    number = piece.next if forward else piece.before
-    neighbor = chain_piece(chain_of(system), number)
-    move_to_place(system, during, time, state, number, _end_of(neighbor, forward))
-    return True
 
 
 def open_wall(system: System, state: RunState) -> None:

@@ -23,6 +23,7 @@ from planar_pushing.simulation.early_end import REASONS, warn_of_early_end
 from planar_pushing.simulation.log import FLAGS
 from planar_pushing.simulation.motion import require_policies
 from planar_pushing.simulation.pusher import Pusher
+from planar_pushing.simulation.several.events import EventRun
 from planar_pushing.simulation.several.instants import Instants
 from planar_pushing.simulation.several.logged import force_of, gap_of, mode_of, normal_of
 from planar_pushing.simulation.several.movers import (
@@ -34,6 +35,7 @@ from planar_pushing.simulation.several.movers import (
 )
 from planar_pushing.simulation.several.paths import path_of
 from planar_pushing.simulation.several.run import Row, SeveralRun
+from planar_pushing.simulation.several.steps import StepRun
 from planar_pushing.simulation.walls import Wall, require_walls
 from planar_pushing.simulation.world import require_pose
 from planar_pushing.terms import quantities
@@ -152,12 +154,12 @@ def simulate_contacts(
     ]
     c_x, c_y = world.point_out(center).tolist()
     start = Pose(c_x, c_y, angle)
-    run = SeveralRun(shape, Instants(scene, movers, policies), movers, start, sorted(breaks))
+    kind = EventRun if step is None else StepRun
+    run: EventRun | StepRun = kind(
+        shape, Instants(scene, movers, policies), movers, start, sorted(breaks)
+    )
     _require_apart(run, len(placed))
-    if step is None:
-        run.run_events(times, rtol)
-    else:
-        run.run_steps(times, step)
+    run.advance(times, rtol if step is None else step)
     attributes = {
         "title": "motion of an object with several contacts",
         "source": f"{quantities.PAPER}, Secs. 2-5, with several contacts over time",

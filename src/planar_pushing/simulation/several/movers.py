@@ -7,7 +7,7 @@ object is in their frame by its pose: the position of its body frame, and its an
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -229,9 +229,3 @@ def _has_direction(row: Array, direction: float) -> bool:
 def _is_among(point: Array, others: Array) -> bool:
     """Whether a point is one of others."""
     return bool(len(others)) and bool(np.hypot(*(others - point).T).min() <= 1e-12 + 1e-9)
-
-
-def lines_first(movers: list[Mover]) -> Iterator[int]:
-    """Numbers of the lines, then of the fingers."""
-    yield from (i for i, mover in enumerate(movers) if mover.normal is not None)
-    yield from (i for i, mover in enumerate(movers) if mover.normal is None)

@@ -22,6 +22,7 @@ from planar_pushing.simulation.fields import Stop
 from planar_pushing.simulation.log import FLAGS
 from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.runs import PARTS, STEPS, Run
+from planar_pushing.simulation.several.events import EventRun
 from planar_pushing.simulation.several.instants import Instants
 from planar_pushing.simulation.several.logged import force_of, gap_of, mode_of
 from planar_pushing.simulation.several.movers import (
@@ -33,7 +34,8 @@ from planar_pushing.simulation.several.movers import (
     rests,
 )
 from planar_pushing.simulation.several.paths import path_of
-from planar_pushing.simulation.several.run import Row, SeveralRun
+from planar_pushing.simulation.several.run import Row
+from planar_pushing.simulation.several.steps import StepRun
 from planar_pushing.simulation.walls import Wall
 from planar_pushing.terms import quantities
 from planar_pushing.terms.errors import InvalidValue
@@ -41,6 +43,9 @@ from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Event, Method
 from planar_pushing.terms.options import Shape as PusherShape
 from planar_pushing.terms.units import Units, with_units
+
+#: Smallest tolerance of a step: below it, rounding errors of the contacts decide.
+FINEST = 1e-11
 
 
 class SeveralRows:
@@ -98,7 +103,8 @@ class SeveralRows:
         policies = problem.on_ambiguity
         breaks = [*path_breaks[1], *(start for start, _ in policies if start > 0.0)]
         instants = Instants(scene, self.movers, policies)
-        self.run = SeveralRun(shape, instants, self.movers, pose, breaks)
+        kind = StepRun if method == Method.TIME_STEPPING else EventRun
+        self.run: StepRun | EventRun = kind(shape, instants, self.movers, pose, breaks)
         if before is not None:
             row = Columns(LogRow, before)
             x, y = row.position
@@ -130,10 +136,8 @@ class SeveralRows:
 
     def __iter__(self) -> Iterator[Array]:
         run = self.run
-        if self.method == Method.TIME_STEPPING:
-            run.run_steps(self.times.tolist(), self.step)
-        else:
-            run.run_events(self.times.tolist(), max(float(self.problem.rtol), 1e-11))
+        steps: bool = self.method == Method.TIME_STEPPING
+        run.advance(self.times.tolist(), self.step if steps else max(self.problem.rtol, FINEST))
         rows = np.zeros((len(run.log), LOG_ROW + run.instants.resisting))
         for numbers, row in zip(rows, run.log, strict=True):
             self._write(numbers, row)
