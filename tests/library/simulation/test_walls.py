@@ -37,6 +37,7 @@ class TestBoxAlongAWall:
         at = log.sel(time=2.6, method="nearest")
         assert at.object_position.values == pytest.approx([2.5123106, 1.0], abs=1e-6)
         assert log.object_position.values[-1] == pytest.approx([3.9123106, 1.0], abs=1e-6)
+        assert float(log.time[-1]) == 4.0
         assert float(log.object_angle[-1]) == pytest.approx(0.0, abs=1e-6)
         modes = [int(log["mode"].sel(time=time, method="nearest")) for time in (0.5, 1.5, 2.3, 3.5)]
         assert modes == [pp.ContactMode.SLIP_LEFT] * 3 + [pp.ContactMode.STICK]

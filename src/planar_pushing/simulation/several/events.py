@@ -121,7 +121,7 @@ class EventRun(SeveralRun):
             if taken is None or arrives:
                 ending, size = True, step / 2.0
                 if size < shortest:
-                    self._pass_end(active, last)
+                    self._pass_end(active, last, bound)
                     return
                 continue
             if taken.error > rtol:
@@ -211,10 +211,11 @@ class EventRun(SeveralRun):
             pose = pose.moved_by((float(x), float(y), float(turn) / self.shape.size), 1.0)
         return pose
 
-    def _pass_end(self, active: list[Touch], last: Motion) -> None:
+    def _pass_end(self, active: list[Touch], last: Motion, bound: float) -> None:
         """Go a little beyond the end of a mode, so that the modes after it are consistent."""
-        step = BEYOND_END * max(self.time, 1e-3)
-        self.pose, self.time = self.pose.moved_by(last.twist, step), self.time + step
+        until = min(self.time + BEYOND_END * max(self.time, 1e-3), bound)
+        self.pose = self.pose.moved_by(last.twist, until - self.time)
+        self.time = until
         try:
             self.pose = self._without_gaps(self.pose, self.time, active)
         except EndOfModeError:

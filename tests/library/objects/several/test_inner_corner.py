@@ -63,3 +63,15 @@ def test_a_finger_in_a_corner_over_time(radius):
         scene = pp.scene_at(point, outline=corners, contact=pp.Coulomb(0.2), effects=effects)
         one = pp.simulate(scene, finger, duration=0.5, object_pose=(0, 0, 0))
         assert float(log.object_angle[-1]) == pytest.approx(float(one.object_angle[-1]), abs=5e-5)
+
+
+def test_a_disc_in_the_corner_of_a_t_turns_it_about_its_center():
+    tee = [(-60, 0), (-60, 30), (60, 30), (60, 0), (15, 0), (15, -90), (-15, -90), (-15, 0)]
+    law = pp.Coulomb(0.2)
+    touches = [pp.Contact(p, law=law, velocity=(-1, 1)) for p in ((15, -5), (20, 0))]
+    effects = [pp.SupportFriction(support=pp.Polygon(tee))]
+    (turn,) = pp.solve_contacts(touches, effects=effects, outline=tee)
+    assert turn.modes == (pp.ContactMode.SLIP_LEFT,) * 2
+    assert turn.twist[2] == pytest.approx(0.0138859926, abs=5e-11)
+    normal = -turn.forces[0, 0], turn.forces[1, 1]
+    assert normal == pytest.approx((0.76556235, 0.45051739), abs=5e-9)
