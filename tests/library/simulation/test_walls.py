@@ -93,6 +93,15 @@ class TestBoxAlongAWall:
         assert log.wall_force.dims == ("time", "wall", "xy")
         assert log.attrs["stopped"] == ""
 
+    def test_waypoints_end_with_the_run(self):
+        """At the last waypoint the pusher still moves as until then."""
+        way = [(0, (0, 0)), (2.6, (2.6, -0.52)), (4, (4, -0.52))]
+        pusher = pp.Pusher(waypoints=way, shape="finger", frame="world")
+        given = {"duration": 4.0, "object_pose": (0, 1.3, np.deg2rad(8.0)), "walls": [FLOOR]}
+        log = pp.simulate(box(), pusher, **given)
+        assert int(log["mode"][-1]) == pp.ContactMode.STICK
+        assert log.force.values[-1] == pytest.approx(log.force.values[-2], abs=1e-9)
+
     def test_until_ends_the_run(self):
         log = along_the_wall(until=pp.Until(rotation=np.deg2rad(10.0)))
         assert abs(float(log.object_angle[-1]) - 8.0) == pytest.approx(10.0, abs=1e-6)

@@ -146,7 +146,7 @@ def simulate_contacts(
     shape = Shape(whole.in_frame(Frame(center, (1.0, 0.0))))
     movers, breaks = [], {start for start, _ in policies if start > 0.0}
     for contact, pusher in zip(placed, pushers, strict=True):
-        mover, jumps = _mover_of(contact, pusher, world, shape.size)
+        mover, jumps = _mover_of(contact, pusher, world, shape.size, end)
         movers.append(mover)
         breaks.update(jumps)
     movers += [
@@ -218,14 +218,14 @@ def _placed(contacts: Any, pushers: Any, outline: Outline, given: Any) -> list[P
 
 
 def _mover_of(
-    contact: PlacedContact, pusher: Pusher, world: Frame, size: float
+    contact: PlacedContact, pusher: Pusher, world: Frame, size: float, duration: float
 ) -> tuple[Mover, tuple[float, ...]]:
     """A pusher in the world, and the times at which its velocity jumps."""
     n_x, n_y = world.vector_out(contact.normal).tolist()
     if pusher.frame == PusherFrame.FENCE:
         # The frame whose axes are those of the world, seen along the tangent and the normal.
         pusher = pusher.in_fence_frame(Frame((0.0, 0.0), (n_y, n_x)))
-    path, jumps = path_of(pusher)
+    path, jumps = path_of(pusher, duration)
     x, y = world.point_out(contact.point).tolist()
     law = in_numbers(contact.law)
     if pusher.shape == PusherShape.FENCE:

@@ -13,12 +13,14 @@ from planar_pushing.simulation.several.movers import Path, Vector
 ERRORS = {"epsrel": 1e-12, "epsabs": 1e-13, "limit": 200}
 
 
-def path_of(pusher: Pusher) -> tuple[Path, tuple[float, ...]]:
-    """The path of a pusher, and the times at which its velocity jumps."""
+def path_of(pusher: Pusher, duration: float) -> tuple[Path, tuple[float, ...]]:
+    """The path of a pusher until the end of a run, and the times at which its velocity jumps."""
     if not pusher.pieces:
         return _path_of_function(pusher), tuple(pusher.breakpoints)
-    starts = [time for time, _ in pusher.pieces]
-    velocities = [(float(x), float(y)) for _, (x, y) in pusher.pieces]
+    # At the end of the run the velocity is the one until then.
+    pieces = [piece for piece in pusher.pieces if piece[0] < duration]
+    starts = [time for time, _ in pieces]
+    velocities = [(float(x), float(y)) for _, (x, y) in pieces]
     places: list[Vector] = [(0.0, 0.0)]
     for (start, end), (v_x, v_y) in zip(itertools.pairwise(starts), velocities, strict=False):
         x, y = places[-1]

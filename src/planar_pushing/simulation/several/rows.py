@@ -83,7 +83,7 @@ class SeveralRows:
         if outline is None:
             raise InvalidValue("outline", None, "the outline of the object", "give it to scene_at")
         self.outline: Outline = outline
-        shape, path_breaks = Shape(self.outline), path_of(problem.pusher)
+        shape, path_breaks = Shape(self.outline), path_of(problem.pusher, float(problem.duration))
         gap, angle = float(problem.gap), float(slider.rod_angle)
         length = float(slider.rod_length)
         self.is_finger = problem.shape == PusherShape.FINGER
