@@ -103,6 +103,8 @@ def path_data(log: xr.Dataset) -> xr.Dataset:
     elif "flush" in log:
         data["path_flush"], data["path_contact_position"] = log["flush"], log["contact_position"]
         data["corners"] = corners_of(slider)
+    if "wall_point" in log:
+        data["wall_point"], data["wall_normal"] = log["wall_point"], log["wall_normal"]
     data = data.drop_attrs(deep=False)
     if body != Body(support=Ring(float(slider["radius"]))):
         data["path_pivot"] = log["pivot"]

@@ -228,6 +228,11 @@ WALLS: Quantities = {
     "wall_force": ("force", "force of the wall on the slider"),
     "wall_gap": ("length", "distance of the slider from the wall"),
     "wall_mode": ("1", "contact mode at the wall"),
+    "wall_normal": (
+        "1",
+        "unit normal of the wall toward its free side, along the axes of the force",
+    ),
+    "wall_point": ("length", "a point of the wall, along the axes of the position"),
     "wall_slip": ("length", "slip of the slider along the wall, accumulated"),
 }
 #: Variables of a batch of simulations; a name can have another meaning than in a log.

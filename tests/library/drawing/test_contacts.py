@@ -7,6 +7,8 @@ import pytest
 import planar_pushing as pp
 from planar_pushing.drawing.canvas.marks import Arrow
 from planar_pushing.drawing.contacts import ContactsPicture
+from planar_pushing.drawing.motion import wall_segments
+from planar_pushing.drawing.timeline import path_data
 
 SQUARE = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
 FRICTION = [pp.SupportFriction(support=pp.Polygon(SQUARE))]
@@ -53,3 +55,16 @@ def test_wrong_options_are_refused(options, said):
     contacts = [touch((-1, 0.5), 0.2, (1, -0.5)), touch((0.3, -1), 0.2)]
     with pytest.raises(pp.InvalidValue, match=said):
         pp.draw_contacts(contacts, effects=FRICTION, outline=SQUARE, **options)
+
+
+def test_a_log_shows_the_walls_beside_the_slider():
+    scene = pp.scene_at((-1, 0.5), outline=SQUARE, contact=pp.Coulomb(0.3), effects=FRICTION)
+    pusher = pp.Pusher(velocity=(1, -0.1), shape="finger", frame="world")
+    walls = [pp.Wall((0, -1), (0, 1), pp.Coulomb(0.2)), pp.Wall((900, 0), (-1, 0), pp.Coulomb(0.2))]
+    log = pp.simulate(scene, pusher, duration=1.0, object_pose=(0, 0, 0), walls=walls)
+    data = path_data(log)
+    ((ends, normal),) = wall_segments(data, -1)
+    # The wall is under the square's center, at half of its side.
+    center = data["path_position"].values[-1]
+    assert float((center - ends[0]) @ normal) == pytest.approx(1.0, abs=1e-9)
+    assert len(pp.plot_log(log).axes) > 3

@@ -253,7 +253,13 @@ def wall_variables(run: SeveralRows, count: int, units: Units | None) -> dict[st
             [[gap_of(run.run, row, wall) for wall in walls] for row in log], float
         ),
     }
-    dims = {"wall_force": ("time", "wall", "xy")}
+    dims = {
+        "wall_force": ("time", "wall", "xy"),
+        "wall_point": ("wall", "xy"), "wall_normal": ("wall", "xy"),
+    }  # fmt: skip
+    fixed = run.movers[1:]
+    values["wall_point"] = np.array([wall.start for wall in fixed])
+    values["wall_normal"] = np.array([wall.normal for wall in fixed], float)
     variables = {}
     for name, numbers in values.items():
         attributes = with_units(quantities.attributes(quantities.WALLS, name), units)
