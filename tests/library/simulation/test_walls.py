@@ -103,8 +103,8 @@ class TestBoxAlongAWall:
         assert log.force.values[-1] == pytest.approx(log.force.values[-2], abs=1e-9)
 
     def test_until_ends_the_run(self):
-        log = along_the_wall(until=pp.Until(rotation=np.deg2rad(10.0)))
-        assert abs(float(log.object_angle[-1]) - 8.0) == pytest.approx(10.0, abs=1e-6)
+        log = along_the_wall(duration=0.5, until=pp.Until(rotation=np.deg2rad(3.0)))
+        assert abs(float(log.object_angle[-1]) - 8.0) == pytest.approx(3.0, abs=1e-6)
         assert len(log.wall_mode) == len(log.time)
 
 
