@@ -25,7 +25,6 @@ from planar_pushing.simulation.motion import require_policies
 from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.several.events import EventRun
 from planar_pushing.simulation.several.instants import Instants
-from planar_pushing.simulation.several.logged import force_of, gap_of, mode_of, normal_of
 from planar_pushing.simulation.several.movers import (
     POINT_RADIUS,
     Mover,
@@ -34,6 +33,7 @@ from planar_pushing.simulation.several.movers import (
     rests,
 )
 from planar_pushing.simulation.several.paths import path_of
+from planar_pushing.simulation.several.readings import force_of, gap_of, mode_of, normal_of
 from planar_pushing.simulation.several.run import Row, SeveralRun
 from planar_pushing.simulation.several.steps import StepRun
 from planar_pushing.simulation.walls import Wall, require_walls
@@ -122,7 +122,7 @@ def simulate_contacts(
         object overlaps a pusher or a wall at the start.
     """
     whole = require_outline(outline)
-    placed = _placed(contacts, pushers, whole, outline)
+    placed = _place_pushers(contacts, pushers, whole, outline)
     scene, center = scene_about_center(effects, whole)
     if scene.stores_energy:
         raise InvalidValue(
@@ -176,7 +176,9 @@ def simulate_contacts(
     return _log(run, center, units).assign_attrs(attributes)
 
 
-def _placed(contacts: Any, pushers: Any, outline: Outline, given: Any) -> list[PlacedContact]:
+def _place_pushers(
+    contacts: Any, pushers: Any, outline: Outline, given: Any
+) -> list[PlacedContact]:
     """The contact of each pusher: a point of the object, with the law."""
     several = list(pushers) if isinstance(pushers, (list, tuple)) else []
     if not several or not all(isinstance(pusher, Pusher) for pusher in several):

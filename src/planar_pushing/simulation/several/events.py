@@ -208,13 +208,13 @@ class EventRun(SeveralRun):
             ])  # fmt: skip
             gaps = np.array([touch.gap for touch in touches])
             x, y, turn = np.linalg.lstsq(rows, -gaps, rcond=1e-9)[0]
-            pose = pose.moved_by((float(x), float(y), float(turn) / self.shape.size), 1.0)
+            pose = pose.after((float(x), float(y), float(turn) / self.shape.size), 1.0)
         return pose
 
     def _pass_end(self, active: list[Touch], last: Motion, bound: float) -> None:
         """Go a little beyond the end of a mode, so that the modes after it are consistent."""
         until = min(self.time + BEYOND_END * max(self.time, 1e-3), bound)
-        self.pose = self.pose.moved_by(last.twist, until - self.time)
+        self.pose = self.pose.after(last.twist, until - self.time)
         self.time = until
         try:
             self.pose = self._without_gaps(self.pose, self.time, active)

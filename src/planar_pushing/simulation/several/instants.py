@@ -151,7 +151,7 @@ class Instants:
         order = [entry.number for entry in self.rows.entries if entry.resists]
         return load, [power for _, power in sorted(zip(order, powers, strict=True))]
 
-    def preferred(
+    def choose(
         self,
         motions: Sequence[Motion],
         touches: Sequence[Touch],

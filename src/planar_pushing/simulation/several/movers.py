@@ -71,7 +71,7 @@ class Pose(NamedTuple):
     y: float
     angle: float
 
-    def moved_by(self, twist: Vector3, time: float) -> Pose:
+    def after(self, twist: Vector3, time: float) -> Pose:
         """The pose after a constant twist in the body frame; exact for a rotation about a point."""
         v_x, v_y, omega = twist
         half = omega * time / 2.0

@@ -24,7 +24,6 @@ from planar_pushing.simulation.problem import Problem
 from planar_pushing.simulation.runs import PARTS, STEPS, Run
 from planar_pushing.simulation.several.events import EventRun
 from planar_pushing.simulation.several.instants import Instants
-from planar_pushing.simulation.several.logged import force_of, gap_of, mode_of
 from planar_pushing.simulation.several.movers import (
     POINT_RADIUS,
     Mover,
@@ -34,6 +33,7 @@ from planar_pushing.simulation.several.movers import (
     rests,
 )
 from planar_pushing.simulation.several.paths import path_of
+from planar_pushing.simulation.several.readings import force_of, gap_of, mode_of
 from planar_pushing.simulation.several.run import Row
 from planar_pushing.simulation.several.steps import StepRun
 from planar_pushing.simulation.walls import Wall

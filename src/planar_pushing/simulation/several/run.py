@@ -142,7 +142,7 @@ class SeveralRun:
             self.stop = Stop.MANY_CONTACTS
             return None
         motions = self.instants.motions(touches, self.pose.angle - self.start.angle, step)
-        motion = self.instants.preferred(motions, touches, self.modes, self.time)
+        motion = self.instants.choose(motions, touches, self.modes, self.time)
         if motion is None:
             self.stop = STOPS.get(self.instants.reason, Stop.INCONSISTENT)
             return None

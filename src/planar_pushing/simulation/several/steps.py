@@ -70,7 +70,7 @@ class StepRun(SeveralRun):
                 break
             chosen = sorted([*chosen, worst], key=moved.index)
         self.sums += step * self.rates(chosen, motion, self.pose)
-        self.pose = self.pose.moved_by(motion.twist, step)
+        self.pose = self.pose.after(motion.twist, step)
         self.time = until
         return chosen, motion, solutions
 
