@@ -46,7 +46,8 @@ REASONS: Mapping[Stop, Reason] = {
     Stop.EVALUATIONS: Reason("millions of steps are not enough", STEPS),
     Stop.TWO_CONTACTS: Reason(
         "the finger touches the object at two places",
-        "a finger has one contact: end the push before, or push at another place or with a smaller finger",
+        "end the push before, push at another place or with a smaller finger; without inertia, simulate_contacts "
+        "goes on",
     ),
     Stop.JAMMED: Reason(
         "the object is jammed: its contacts leave it no motion",

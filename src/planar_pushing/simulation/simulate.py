@@ -34,12 +34,12 @@ from planar_pushing.terms.errors import (
 from planar_pushing.terms.locks import PathLike
 from planar_pushing.terms.netcdf import write_dataset
 from planar_pushing.terms.numbers import Array
-from planar_pushing.terms.options import Event, Method, MethodName, Policy, PolicyName, Shape
+from planar_pushing.terms.options import Event, Method, MethodName, Policy, PolicyName
 
 if TYPE_CHECKING:
-    from planar_pushing.simulation.several.rows import ContinuedRun, SeveralRows
+    from planar_pushing.simulation.several.rows import SeveralRows
 
-    AnyRun = Run | UntilRun | ContinuedRun | SeveralRows
+    AnyRun = Run | UntilRun | SeveralRows
 
 
 @warn_of_early_end
@@ -131,8 +131,8 @@ def simulate(
         velocity jumps, also at the start; the force of a step of time-stepping includes it. Without an
         outline only the contact, or the given side, touches a fence, and the run ends when the slider's
         center reaches it. A finger goes round an outline, over its corners and arcs, leaves it and meets
-        it again. Where it touches two places, it goes on with both, until one opens; with inertia, the run
-        ends there. Without an outline, the contact ends
+        it again, and the run ends where it touches two places; a point goes into inner corners, but with
+        inertia. Without an outline, the contact ends
         permanently where it leaves the side at its end, and `parted` is true from then on.
 
     Warns
@@ -216,21 +216,14 @@ def _run(
 def _start(
     problem: Problem, method: Method, step: float | None, walls: Sequence[Wall], times: Array
 ) -> AnyRun:
-    """A run that has not begun: with walls, or of a finger that can touch the object at two places."""
+    """A run that has not begun, with walls or without."""
     if walls:
         from planar_pushing.simulation.several.rows import SeveralRows
 
         rows = SeveralRows(problem, walls, times, method, step)
         rows.require_apart()
         return rows
-    run = Run(problem, times, method=method, step=step)
-    scene = problem.scene
-    is_finger = problem.shape == Shape.FINGER and scene.slider.outline is not None
-    if is_finger and not scene.stores_energy and float(np.asarray(problem.pusher.radius)) > 0.0:
-        from planar_pushing.simulation.several.rows import ContinuedRun
-
-        return ContinuedRun(run, times, step)
-    return run
+    return Run(problem, times, method=method, step=step)
 
 
 def _with_walls(run: Any, problem: Problem, method: Method) -> xr.Dataset:

@@ -118,8 +118,8 @@ def study():
     return load_study(WORKFLOW / "config/paper.yaml")
 
 
-#: Example scenes that are no presets: a motion on which accuracy is measured.
-OTHERS = {"turning_fence"}
+#: Example scenes that are no presets: a motion on which accuracy is measured, and one with a wall.
+OTHERS = {"turning_fence", "box_along_a_wall"}
 EXAMPLES = {path.stem: path for path in sorted((WORKFLOW / "scenes").glob("*.yaml"))}
 
 

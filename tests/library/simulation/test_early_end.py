@@ -23,7 +23,7 @@ NO_MOTION = (scene(mu=NO_EDGE), pp.Pusher(velocity=(-1.0, 0.2)))
 #: Scene, pusher, reason, and a word of the remedy.
 ENDS = {
     "no outline": (*LAID_DOWN, STOPS, "outline"),
-    "two contacts": (*MEETS_TWO, FINGER_MEETS, "one contact"),
+    "two contacts": (*MEETS_TWO, FINGER_MEETS, "simulate_contacts"),
     "no mode": (*NO_MOTION, "no contact mode is consistent", "time-stepping"),
 }
 SCENE_FILE = """

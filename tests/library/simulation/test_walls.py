@@ -1,4 +1,4 @@
-"""Walls at rest, and fingers at two places of an object, over time."""
+"""Walls at rest that an object meets while it is pushed."""
 
 import numpy as np
 import pytest
@@ -7,7 +7,6 @@ import planar_pushing as pp
 
 SQUARE = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
 FEET = pp.SupportFriction(support=pp.Points([(1, 1), (-1, 1), (-1, -1), (1, -1)]))
-T = [(-60, 0), (-60, 30), (60, 30), (60, 0), (15, 0), (15, -90), (-15, -90), (-15, 0)]
 FLOOR = pp.Wall((0, 0), (0, 1), pp.Coulomb(0.2))
 METHODS = [{}, {"method": "time-stepping", "step": 0.01}]
 
@@ -106,54 +105,6 @@ class TestBoxAlongAWall:
         log = along_the_wall(duration=0.5, until=pp.Until(rotation=np.deg2rad(3.0)))
         assert abs(float(log.object_angle[-1]) - 8.0) == pytest.approx(3.0, abs=1e-6)
         assert len(log.wall_mode) == len(log.time)
-
-
-class TestDiscInACorner:
-    """A disc that touches the stem and the bar of a T turns it about its own center."""
-
-    def test_it_goes_on_in_the_corner(self):
-        scene = pp.scene_at(
-            (15.0, -5.0), outline=T, contact=pp.Coulomb(0.2),
-            effects=[pp.SupportFriction(support=pp.Polygon(T))],
-        )  # fmt: skip
-        finger = pp.Pusher(velocity=(-10, 10), shape="finger", radius=5.0, frame="world")
-        log = pp.simulate(scene, finger, duration=3.0, object_pose=(0, 0, 0))
-        assert log.attrs["stopped"] == ""
-        reached = [*log.object_position.values[-1], float(log.object_angle[-1])]
-        assert reached == pytest.approx([-30.31859, 21.51359, 23.77265], abs=2e-5)
-
-    @pytest.mark.parametrize("options", METHODS)
-    def test_it_arrives_and_goes_on(self, options):
-        scene = pp.scene_at(
-            (15.0, -30.0), outline=T, contact=pp.Coulomb(0.2),
-            effects=[pp.SupportFriction(support=pp.Polygon(T))],
-        )  # fmt: skip
-        finger = pp.Pusher(velocity=(-10, 10), shape="finger", radius=5.0, frame="world")
-        log = pp.simulate(scene, finger, duration=6.0, object_pose=(0, 0, 0), **options)
-        assert log.attrs["stopped"] == ""
-        # Beside an inner corner of a right angle a side loses the radius.
-        assert float(log.contact_position[-1]) == pytest.approx(25.0, abs=0.1 if options else 1e-6)
-        away = log.pusher_position.values - log.object_position.values
-        angle = np.deg2rad(log.object_angle.values)
-        body = np.stack(
-            [
-                np.cos(angle) * away[:, 0] + np.sin(angle) * away[:, 1],
-                np.cos(angle) * away[:, 1] - np.sin(angle) * away[:, 0],
-            ],
-            axis=-1,
-        )
-        depth = np.maximum(20.0 - body[:, 0], 5.0 + body[:, 1])
-        assert depth.max() < (0.1 if options else 1e-6)
-        assert energy_error(log) == pytest.approx(0.0, abs=0.2 if options else 1e-8)
-
-    def test_with_inertia_it_stops(self):
-        scene = pp.scene_at(
-            (15.0, -30.0), outline=T, contact=pp.Coulomb(0.2),
-            effects=[pp.SupportFriction(support=pp.Polygon(T)), pp.Inertia()],
-        )  # fmt: skip
-        finger = pp.Pusher(velocity=(-10, 10), shape="finger", radius=5.0, frame="world")
-        with pytest.warns(pp.EarlyEndWarning, match="touches the object at two places"):
-            pp.simulate(scene, finger, duration=20.0, object_pose=(0, 0, 0))
 
 
 @pytest.mark.parametrize(

@@ -121,7 +121,7 @@ class EventRun(SeveralRun):
             if taken is None or arrives:
                 ending, size = True, step / 2.0
                 if size < shortest:
-                    self._pass_end(active, last, bound)
+                    self._pass_end(active, last, bound, BEYOND_END * times[-1])
                     return
                 continue
             if taken.error > rtol:
@@ -211,9 +211,9 @@ class EventRun(SeveralRun):
             pose = pose.after((float(x), float(y), float(turn) / self.shape.size), 1.0)
         return pose
 
-    def _pass_end(self, active: list[Touch], last: Motion, bound: float) -> None:
+    def _pass_end(self, active: list[Touch], last: Motion, bound: float, step: float) -> None:
         """Go a little beyond the end of a mode, so that the modes after it are consistent."""
-        until = min(self.time + BEYOND_END * max(self.time, 1e-3), bound)
+        until = min(self.time + step, bound)
         self.pose = self.pose.after(last.twist, until - self.time)
         self.time = until
         try:

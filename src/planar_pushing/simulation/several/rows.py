@@ -21,7 +21,7 @@ from planar_pushing.simulation.early_end import REASONS
 from planar_pushing.simulation.fields import Stop
 from planar_pushing.simulation.log import FLAGS
 from planar_pushing.simulation.problem import Problem
-from planar_pushing.simulation.runs import PARTS, STEPS, Run
+from planar_pushing.simulation.runs import PARTS, STEPS
 from planar_pushing.simulation.several.events import EventRun
 from planar_pushing.simulation.several.instants import Instants
 from planar_pushing.simulation.several.movers import (
@@ -62,8 +62,6 @@ class SeveralRows:
     method : Method
     step : float, optional
         Maximum length of a step of time-stepping.
-    before : ndarray, optional
-        The last row of the log of a run that ended where this one begins.
     """
 
     def __init__(
@@ -73,10 +71,9 @@ class SeveralRows:
         times: npt.ArrayLike,
         method: Method,
         step: float | None = None,
-        before: Array | None = None,
     ) -> None:
         slider, scene = problem.scene.slider, problem.scene
-        self.problem, self.method, self.before = problem, method, before
+        self.problem, self.method = problem, method
         self.times = np.asarray(times, float)
         self.step = float(problem.duration) / STEPS if step is None else step
         outline = slider.outline_in_body()
@@ -105,10 +102,6 @@ class SeveralRows:
         instants = Instants(scene, self.movers, policies)
         kind = StepRun if method == Method.TIME_STEPPING else EventRun
         self.run: StepRun | EventRun = kind(shape, instants, self.movers, pose, breaks)
-        if before is not None:
-            row = Columns(LogRow, before)
-            x, y = row.position
-            self.run.begin_at(float(row.time), Pose(float(x), float(y), float(row.angle)))
         self.stop = Stop.NO
 
     @property
@@ -169,10 +162,6 @@ class SeveralRows:
         for name, value in values.items():
             numbers[log[name]] = value
         numbers[LOG_ROW:] = row.totals.dissipated
-        if self.before is not None:
-            for name in ("slip", "contact_dissipated", "work", "load_work", "evaluations"):
-                numbers[log[name]] += self.before[log[name]]
-            numbers[LOG_ROW:] += self.before[LOG_ROW:]
 
     def _ratio(self, omega: float, speed: float) -> float:
         if omega == 0.0:
@@ -199,29 +188,25 @@ class SeveralRows:
         columns.contact_piece[:] = -1.0
         along = normal = 0.0
         first: float | None = None
-        if self.before is not None:
-            along = float(self.before[LogRow.places["contact_position"]])
-            normal = float(self.before[LogRow.places["contact_normal"]])
+        perimeter = float((self.outline.pieces[:, START] + self.outline.pieces[:, LENGTH]).max())
         for i, row in enumerate(self.run.log):
             touches = [touch for touch in row.touches if touch.mover == 0]
             if touches and self.is_finger:
-                place = nearest_place(self.outline, np.array([touches[0].point]))
-                piece = self.outline.pieces[place.piece[0]]
-                position, perimeter = float(piece[START] + place.position[0]), self._perimeter()
+                places = nearest_place(self.outline, np.array([touch.point for touch in touches]))
+                starts = self.outline.pieces[places.piece, START] + places.position
                 if first is None:
-                    first = position - along
-                turns = round((along + first - position) / perimeter)
-                along = position - first + turns * perimeter
-                columns.contact_piece[i] = place.piece[0]
-                turned = row.pose.angle + math.atan2(-touches[0].normal[0], touches[0].normal[1])
+                    first = float(starts[0])
+                # Of two places, the one nearer to that before.
+                around = starts - first
+                around += perimeter * np.round((along - around) / perimeter)
+                k = int(np.abs(around - along).argmin())
+                along, (n_x, n_y) = float(around[k]), touches[k].normal
+                columns.contact_piece[i] = places.piece[k]
+                turned = row.pose.angle + math.atan2(-n_x, n_y)
                 normal = turned + TURN * round((normal - turned) / TURN)
             elif touches:
                 along = self._place_of_force(row, touches)
             columns.contact_position[i], columns.contact_normal[i] = along, normal
-
-    def _perimeter(self) -> float:
-        pieces = self.outline.pieces
-        return float((pieces[:, START] + pieces[:, LENGTH]).max())
 
     def _place_of_force(self, row: Row, touches: list[Touch]) -> float:
         """Where the force acts along a fence, from its point under the contact at time 0."""
@@ -267,50 +252,3 @@ def wall_variables(run: SeveralRows, count: int, units: Units | None) -> dict[st
             attributes |= flag_attributes(FLAGS["mode"])
         variables[name] = xr.Variable(dims.get(name, ("time", "wall")), numbers, attributes)
     return variables
-
-
-class ContinuedRun:
-    """A run of a finger that goes on with several contacts where the finger touches two places.
-
-    Parameters
-    ----------
-    run : Run
-        Of one scene without inertia, whose outline is known.
-    times : ndarray
-    step : float, optional
-    """
-
-    def __init__(self, run: Run, times: Array, step: float | None) -> None:
-        self.run, self.times, self.step = run, times, step
-        self.problem = run.problem
-        self.rest: SeveralRows | None = None
-
-    def __iter__(self) -> Iterator[Array]:
-        for rows in self.run:
-            if self.run.stop != Stop.TWO_CONTACTS:
-                yield rows
-                continue
-            last = rows[-1]
-            time = last[LogRow.places["time"]]
-            self.rest = SeveralRows(
-                self.problem,
-                (),
-                [time, *self.times[self.times > time]],
-                self.run.method,
-                self.step,
-                last,
-            )
-            if len(rows) > 1:
-                yield rows[:-1]
-            for more in self.rest:
-                Columns(LogRow, more).event[0] = Event.PENETRATES
-                yield more
-
-    @property
-    def stopped(self) -> str:
-        """Reason why the run ended early; empty otherwise."""
-        return self.run.stopped if self.rest is None else self.rest.stopped
-
-    def between(self, low: float, high: float) -> Array:
-        """Finer instants strictly between two."""
-        return self.run.between(low, high)

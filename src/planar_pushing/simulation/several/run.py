@@ -106,10 +106,6 @@ class SeveralRun:
         self.log: list[Row] = []
         self.stop = Stop.NO
 
-    def begin_at(self, time: float, pose: Pose) -> None:
-        """Begin the run at an instant, at which the object has another pose."""
-        self.time, self.pose = time, pose
-
     @property
     def stopped(self) -> bool:
         """Whether the run has ended early."""
