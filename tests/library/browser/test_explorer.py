@@ -230,7 +230,7 @@ def test_a_wrong_address_is_said_and_the_first_preset_shown(context, server):
 
 
 @pytest.mark.parametrize(("label", "value", "said"), [
-    ("Radius of gyration", "", "Radius of gyration: nothing given; allowed: a finite number > 0"),
+    ("Mass m", "", "Mass m: nothing given; allowed: a finite number > 0"),
 ])  # fmt: skip
 def test_a_bad_value_is_said_and_taken_back(page, label, value, said):
     start_from(page, "figure_13")
