@@ -157,6 +157,16 @@ class Problem:
         return not self.pusher.velocities
 
     @property
+    def passes_inner_corners(self) -> bool:
+        """Whether a disc, of at least one scene, goes on where it touches two places: without inertia."""
+        is_known = self.scene.slider.outline is not None
+        return (
+            is_known
+            and not self.scene.stores_energy
+            and bool(np.any(np.asarray(self.pusher.radius) > 0))
+        )
+
+    @property
     def entries(self) -> list[EffectColumns]:
         """The effects that resist, in the form of the core: friction, then viscous friction."""
         effects = [(i, effect) for i, effect in enumerate(self.scene.effects)]

@@ -223,6 +223,10 @@ def _start(
         rows = SeveralRows(problem, walls, times, method, step)
         rows.require_apart()
         return rows
+    if problem.passes_inner_corners:
+        from planar_pushing.simulation.several.continued import ContinuedRun
+
+        return ContinuedRun(problem, times, method=method, step=step)
     return Run(problem, times, method=method, step=step)
 
 

@@ -68,6 +68,11 @@ class EndOfModeError(Exception):
 class EventRun(SeveralRun):
     """A run from event to event; the parameters are those of `SeveralRun`."""
 
+    def close_contacts(self) -> None:
+        """Remove the gaps and the overlaps of the places that the object touches within twice the tolerance."""
+        near = self.near_touches(self.pose, self.time, 2.0 * TOUCHES * self.shape.size)
+        self.pose = self._without_gaps(self.pose, self.time, near)
+
     def advance(self, times: Sequence[float], rtol: float) -> None:
         """Integrate from event to event, and log the times and the events."""
         end, events, at_once = times[-1], 0, 0
@@ -99,16 +104,14 @@ class EventRun(SeveralRun):
         rtol: float,
     ) -> None:
         """Follow a motion until a contact arrives, its modes end, or a mover's velocity jumps."""
-        active = [
-            touch
-            for touch, mode in zip(touches, motion.modes, strict=True)
-            if mode != ContactMode.SEPARATE
-        ]
-        modes = tuple(mode for mode in motion.modes if mode != ContactMode.SEPARATE)
+        closed = [k for k, mode in enumerate(motion.modes) if mode != ContactMode.SEPARATE]
+        active = [touches[k] for k in closed]
+        modes = tuple(motion.modes[k] for k in closed)
         bound = min([time for time in self.breaks if time > self.time], default=times[-1])
         bound = min(bound, times[-1])
         shortest, size = SHORTEST * times[-1], times[-1] / 50.0
-        ending, last = False, motion
+        ending = False
+        last = motion._replace(modes=modes, forces=tuple(motion.forces[k] for k in closed))
         while self.time < bound:
             step = min(size, bound - self.time)
             try:
@@ -214,6 +217,7 @@ class EventRun(SeveralRun):
     def _pass_end(self, active: list[Touch], last: Motion, bound: float, step: float) -> None:
         """Go a little beyond the end of a mode, so that the modes after it are consistent."""
         until = min(self.time + step, bound)
+        self.sums = self.sums + (until - self.time) * self.rates(active, last, self.pose)
         self.pose = self.pose.after(last.twist, until - self.time)
         self.time = until
         try:

@@ -13,6 +13,7 @@ from planar_pushing.simulation.fields import Stop
 from planar_pushing.simulation.several.instants import (
     Instants,
     Motion,
+    gap_rate,
     slip_rate,
 )
 from planar_pushing.simulation.several.movers import Mover, Pose, Shape, Touch, Vector3
@@ -60,7 +61,7 @@ class Totals(NamedTuple):
     Attributes
     ----------
     slipped, work : ndarray, shape (movers,)
-        Slip of the object over each mover, and work of each.
+        Slip of the object over each mover, the mean of its places, and work of each.
     rubbed, load_work : float
         Energy dissipated at the contacts, and work of the loads.
     dissipated : ndarray
@@ -132,6 +133,10 @@ class SeveralRun:
             found += touches
         return found
 
+    def start_from(self, time: float, pose: Pose, sums: Array, mode: int) -> None:
+        """Begin at a later time, at a pose, with accumulated numbers, and with a mode of the first mover."""
+        self.time, self.pose, self.sums, self.modes = time, pose, sums, {0: mode}
+
     def choose(self, touches: list[Touch], step: float = 0.0) -> tuple[Motion, int] | None:
         """The preferred motion, and how many there are; None without any, with the reason in `stop`."""
         if len(touches) > MOST_CONTACTS:
@@ -165,16 +170,22 @@ class SeveralRun:
     def rates(self, touches: Sequence[Touch], motion: Motion, pose: Pose) -> Array:
         """The rates of the accumulated numbers."""
         count, rates = len(self.movers), np.zeros(len(self.sums))
+        places = [0] * count
         for touch, mode, force in zip(touches, motion.modes, motion.forces, strict=True):
             if mode == ContactMode.SEPARATE:
                 continue
             slip = slip_rate(touch, motion.twist) if mode != ContactMode.STICK else 0.0
-            rates[touch.mover] += slip
+            places[touch.mover] += 1
+            rates[touch.mover] += (slip - rates[touch.mover]) / places[touch.mover]
             rates[count + touch.mover] += (
                 force[0] * touch.velocity[0] + force[1] * touch.velocity[1]
             )
             along = force[0] * touch.normal[1] - force[1] * touch.normal[0]
             rates[2 * count] -= along * slip
+            if touch.gap:
+                # A gap that closes in a step, or an overlap that opens, is not part of the work.
+                push = force[0] * touch.normal[0] + force[1] * touch.normal[1]
+                rates[2 * count] -= push * gap_rate(touch, motion.twist)
         load, powers = self.instants.powers(motion.twist, pose.angle - self.start.angle)
         rates[2 * count + 1] = load
         rates[2 * count + 2 :] = powers

@@ -22,7 +22,8 @@ class StepRun(SeveralRun):
         """Take equal steps between times, of at most a length, and log the times."""
         if not self._log_now():
             return
-        bounds = sorted({*times, *(time for time in self.breaks if time < times[-1])})
+        breaks = [time for time in self.breaks if times[0] < time < times[-1]]
+        bounds = sorted({*times, *breaks})
         logged = set(times)
         for low, high in itertools.pairwise(bounds):
             count = max(1, math.ceil((high - low) / step - 1e-9))
