@@ -21,7 +21,15 @@ TIME = LogRow.places["time"]
 
 
 class ContinuedRun:
-    """A run like `Run`, with the same parameters, that goes on where the finger touches two places."""
+    """A run like `Run`, with the same parameters, that goes on where the finger touches two places.
+
+    Attributes
+    ----------
+    first, rest : Run, SeveralRows
+        The run until then, and from then on, if there is one.
+    later_changes : int
+        Number of changes of the mode from then on.
+    """
 
     def __init__(
         self,
@@ -34,6 +42,7 @@ class ContinuedRun:
         self.times = np.asarray(times, float)
         self.first = Run(problem, self.times, method=method, step=step)
         self.rest: SeveralRows | None = None
+        self.later_changes = 0
 
     def __iter__(self) -> Iterator[Array]:
         for rows in self.first:
@@ -62,6 +71,8 @@ class ContinuedRun:
         if isinstance(self.rest.run, EventRun):
             self.rest.run.close_contacts()
         (rows,) = self.rest
+        modes = Columns(LogRow, np.stack([last, *rows])).mode
+        self.later_changes = int(np.count_nonzero(np.diff(modes)))
         if start is last:
             Columns(LogRow, rows).event[0] = Columns(LogRow, last).event
             return rows

@@ -69,7 +69,7 @@ class EventRun(SeveralRun):
     """A run from event to event; the parameters are those of `SeveralRun`."""
 
     def close_contacts(self) -> None:
-        """Remove the gaps and the overlaps of the places that the object touches within twice the tolerance."""
+        """Remove gaps and overlaps of places that the object touches, within twice the tolerance."""
         near = self.near_touches(self.pose, self.time, 2.0 * TOUCHES * self.shape.size)
         self.pose = self._without_gaps(self.pose, self.time, near)
 

@@ -22,8 +22,8 @@ class FingerPlace:
     Attributes
     ----------
     along : float
-        Arc length from the contact at time 0; of two places the mean, which in an inner corner is that of
-        the corner, as of a point.
+        Arc length from the contact at time 0; of two places the inner corner between them, as of a point,
+        or the mean if there is not one.
     normal : float
         Rotation of the normal since time 0, radians; of two places the mean.
 
@@ -49,11 +49,23 @@ class FingerPlace:
         if self._reference is None:
             self._reference = float(arcs[0])
         turns = np.array([math.atan2(-touch.normal[0], touch.normal[1]) for touch in touches])
-        self.along = _mean_near(self.along, arcs - self._reference, perimeter)
-        self.normal = _mean_near(self.normal, row.pose.angle + turns, TURN)
+        arcs = _near(arcs - self._reference, self.along, perimeter)
+        self.along = float(arcs.mean())
+        self.normal = float(_near(row.pose.angle + turns, self.normal, TURN).mean())
         if len(touches) == 1:
             return int(pieces[0])
-        return self._piece_at(int(pieces[0]), self.along + self._reference, perimeter)
+        numbers = self._chain_of(int(pieces[0]))
+        chain = self.outline.pieces[numbers]
+        away = (chain[:, START] - self._reference - self.along) % perimeter
+        away -= perimeter * (away > perimeter / 2.0)
+        is_between = (chain[:, RHO] == 0.0) & (chain[:, BETA1] < chain[:, BETA0])
+        is_between &= np.abs(away) < float(np.ptp(arcs)) / 2.0
+        if is_between.sum() == 1:
+            corner = int(is_between.argmax())
+            self.along += float(away[corner])
+            return int(numbers[corner])
+        arc = (self.along + self._reference) % perimeter
+        return int(numbers[np.searchsorted(chain[:, START], arc, side="right") - 1])
 
     def _arcs(
         self, points: list[tuple[float, float]]
@@ -70,17 +82,6 @@ class FingerPlace:
         chains = np.cumsum(pieces[:, BEFORE] >= np.arange(len(pieces)))
         return np.flatnonzero(chains == chains[piece])
 
-    def _piece_at(self, piece: int, arc: float, perimeter: float) -> int:
-        """The piece of a chain at an arc length; near an inner corner, the corner."""
-        numbers = self._chain_of(piece)
-        chain = self.outline.pieces[numbers]
-        away = np.abs(chain[:, START] - arc) % perimeter
-        is_corner = (chain[:, RHO] == 0.0) & (chain[:, BETA1] < chain[:, BETA0])
-        is_corner &= np.minimum(away, perimeter - away) <= self.outline.tolerance
-        if is_corner.any():
-            return int(numbers[is_corner.argmax()])
-        return int(numbers[np.searchsorted(chain[:, START], arc % perimeter, side="right") - 1])
-
 
 def _touches_of_finger(row: Row) -> list[Touch]:
     """The places of the finger that do not separate; all of them if each does."""
@@ -93,8 +94,7 @@ def _touches_of_finger(row: Row) -> list[Touch]:
     return closed or [touch for touch, _ in touches]
 
 
-def _mean_near(last: float, values: Array, period: float) -> float:
-    """The mean of values up to multiples of a period, near to one another and to the last mean."""
+def _near(values: Array, last: float, period: float) -> Array:
+    """Values but for multiples of a period, near to one another, with their mean near to the last one."""
     values = values + period * np.round((values[0] - values) / period)
-    mean = float(values.mean())
-    return mean + period * round((last - mean) / period)
+    return np.asarray(values + period * round((last - float(values.mean())) / period))

@@ -188,13 +188,14 @@ class SeveralRows:
         """Write why the modes have changed."""
         events, log = Columns(LogRow, rows).event, self.run.log
         for i, (one, two) in enumerate(itertools.pairwise(log)):
-            closed = [sum(mode > 0 for mode in row.modes) for row in (one, two)]
-            sticks = [sum(mode == ContactMode.STICK for mode in row.modes) for row in (one, two)]
-            if self.method == Method.TIME_STEPPING or one.modes == two.modes:
+            closed = [[mode for mode in row.modes if mode > 0] for row in (one, two)]
+            sticks = [modes.count(ContactMode.STICK) for modes in closed]
+            if self.method == Method.TIME_STEPPING or closed[0] == closed[1]:
                 continue
             event = Event.LEAVES_CONE if sticks[1] < sticks[0] else Event.SLIP_ENDS
-            if closed[1] != closed[0]:
-                event = Event.TOUCHES if closed[1] > closed[0] else Event.FORCE_ENDS
+            if len(closed[0]) != len(closed[1]):
+                is_new = len(closed[1]) > len(closed[0])
+                event = Event.TOUCHES if is_new else Event.FORCE_ENDS
             events[i + 1] = event
 
     def _write_places(self, rows: Array) -> None:

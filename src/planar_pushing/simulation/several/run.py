@@ -134,7 +134,7 @@ class SeveralRun:
         return found
 
     def start_from(self, time: float, pose: Pose, sums: Array, mode: int) -> None:
-        """Begin at a later time, at a pose, with accumulated numbers, and with a mode of the first mover."""
+        """Begin later: at a time and a pose, with accumulated numbers and a mode of the first mover."""
         self.time, self.pose, self.sums, self.modes = time, pose, sums, {0: mode}
 
     def choose(self, touches: list[Touch], step: float = 0.0) -> tuple[Motion, int] | None:
