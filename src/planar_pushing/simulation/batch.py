@@ -80,7 +80,8 @@ def simulate_batch(
         `samples` is given; angles are in degrees. The numbers are equal to those of `simulate`; `force` is
         the force at the instant, and `impulse` the sum of those since the instant before, or since the
         start. For a run whose motion could not continue, `stopped` and `time` say why and when; its other
-        numbers are the last ones.
+        numbers are the last ones. Runs in which a finger touches two places go on one by one, as in
+        `simulate`, which takes longer.
 
     Warns
     -----

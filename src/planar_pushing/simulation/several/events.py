@@ -22,8 +22,9 @@ from planar_pushing.simulation.several.movers import Pose, Touch
 from planar_pushing.simulation.several.run import TOUCHES, SeveralRun
 from planar_pushing.terms.numbers import Array
 
-#: Distance in sizes of the outline in which a place of a contact is looked for again.
-NEAR = 1e-3
+#: Distance in sizes of the outline in which a place of a contact is looked for again, and the largest
+#: overlap of a contact that arrives.
+NEAR, SHALLOW = 1e-3, 1e-6
 #: Shortest step in durations, and the time by which a run goes on beyond the end of a mode.
 SHORTEST, BEYOND_END = 1e-12, 1e-9
 #: Maximum number of events, and of those without any time between them.
@@ -221,6 +222,10 @@ class EventRun(SeveralRun):
         self.pose = self.pose.after(last.twist, until - self.time)
         self.time = until
         try:
-            self.pose = self._without_gaps(self.pose, self.time, active)
+            known = [self._again(touch, self.pose, self.time) for touch in active]
+            near = self.near_touches(self.pose, self.time, 0.0)
+            shallow = [touch for touch in near if touch.gap > -SHALLOW * self.shape.size]
+            arrived = [touch for touch in shallow if touch not in known]
+            self.pose = self._without_gaps(self.pose, self.time, known + arrived)
         except EndOfModeError:
             return
