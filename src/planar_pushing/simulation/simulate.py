@@ -131,10 +131,10 @@ def simulate(
         velocity jumps, also at the start; the force of a step of time-stepping includes it. Without an
         outline only the contact, or the given side, touches a fence, and the run ends when the slider's
         center reaches it. A finger goes round an outline, over its corners and arcs, leaves it and meets
-        it again. Without inertia it goes into inner corners and notches, where a disc touches two places: `force`
-        is then the sum of both forces, `slip` the mean, and the contact that of the inner corner, with the
-        bisector as its normal. With inertia, the run ends there. Without an outline, the contact ends
-        permanently where it leaves the side at its end, and `parted` is true from then on.
+        it again. Without inertia it goes into inner corners and notches, where a disc touches two places:
+        `force` is then the sum of both forces, `slip` the mean, and the contact that of the inner corner,
+        with the bisector as its normal. With inertia, the run ends there. Without an outline, the contact
+        ends permanently where it leaves the side at its end, and `parted` is true from then on.
 
     Warns
     -----

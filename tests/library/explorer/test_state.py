@@ -118,7 +118,7 @@ def study():
     return load_study(WORKFLOW / "config/paper.yaml")
 
 
-#: Example scenes that are no presets: a motion on which accuracy is measured, and two with several contacts.
+#: Example scenes that are no presets: one on which accuracy is measured, and two with several contacts.
 OTHERS = {"turning_fence", "box_along_a_wall", "tee_in_its_corner"}
 EXAMPLES = {path.stem: path for path in sorted((WORKFLOW / "scenes").glob("*.yaml"))}
 

@@ -70,6 +70,8 @@ class ContinuedRun:
         self.rest = SeveralRows(self.problem, (), times, self.method, self.step, start=start)
         if isinstance(self.rest.run, EventRun):
             self.rest.run.close_contacts()
+        else:
+            self.rest.run.close_contacts(float(last[TIME]))
         (rows,) = self.rest
         modes = Columns(LogRow, np.stack([last, *rows])).mode
         self.later_changes = int(np.count_nonzero(np.diff(modes)))

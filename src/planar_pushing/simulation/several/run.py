@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -22,8 +23,14 @@ from planar_pushing.terms.options import Reason
 
 #: Distance in sizes of the outline up to which an object touches a mover.
 TOUCHES = 1e-9
+#: Distance in sizes of the outline in which a place of a contact is looked for again.
+NEAR = 1e-3
 #: Reasons of an early end without a consistent motion.
 STOPS: dict[Reason | None, Stop] = {Reason.JAMMED: Stop.JAMMED, Reason.WEDGED: Stop.WEDGED}
+
+
+class EndOfModeError(Exception):
+    """The modes of the contacts are not consistent."""
 
 
 class Row(NamedTuple):
@@ -136,6 +143,37 @@ class SeveralRun:
     def start_from(self, time: float, pose: Pose, sums: Array, mode: int) -> None:
         """Begin later: at a time and a pose, with accumulated numbers and a mode of the first mover."""
         self.time, self.pose, self.sums, self.modes = time, pose, sums, {0: mode}
+
+    def touch_again(self, touch: Touch, pose: Pose, time: float) -> Touch:
+        """The touch of the same mover that is nearest to an earlier one."""
+        near = max(NEAR * self.shape.size, 2.0 * touch.gap)
+        mover = self.movers[touch.mover]
+        found = self.shape.touches(touch.mover, mover, pose, time, near)
+
+        def distance(other: Touch) -> float:
+            turned = math.dist(touch.normal, other.normal) if mover.normal is None else 0.0
+            return math.dist(touch.point, other.point) + turned * self.shape.size
+
+        nearest = min(found, key=distance, default=None)
+        if nearest is None or distance(nearest) > 0.3 * self.shape.size:
+            raise EndOfModeError
+        return nearest
+
+    def without_gaps(self, pose: Pose, time: float, active: list[Touch]) -> Pose:
+        """The nearest pose at which the contacts have no gap."""
+        if not active:
+            return pose
+        for _ in range(2):
+            touches = [self.touch_again(touch, pose, time) for touch in active]
+            rows = np.array([
+                [*touch.normal, (touch.point[0] * touch.normal[1] - touch.point[1] * touch.normal[0])
+                 / self.shape.size]
+                for touch in touches
+            ])  # fmt: skip
+            gaps = np.array([touch.gap for touch in touches])
+            x, y, turn = np.linalg.lstsq(rows, -gaps, rcond=1e-9)[0]
+            pose = pose.after((float(x), float(y), float(turn) / self.shape.size), 1.0)
+        return pose
 
     def choose(self, touches: list[Touch], step: float = 0.0) -> tuple[Motion, int] | None:
         """The preferred motion, and how many there are; None without any, with the reason in `stop`."""

@@ -8,11 +8,13 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 
 from planar_pushing.core.instant.several_frames import MOST_CONTACTS
+from planar_pushing.simulation.fields import Stop
 from planar_pushing.simulation.several.instants import Motion, gap_rate
 from planar_pushing.simulation.several.movers import Touch
-from planar_pushing.simulation.several.run import TOUCHES, SeveralRun
+from planar_pushing.simulation.several.run import TOUCHES, EndOfModeError, SeveralRun
 
 
 class StepRun(SeveralRun):
@@ -33,7 +35,17 @@ class StepRun(SeveralRun):
                     self.end()
                     return
             if high in logged and taken is not None:
-                self.write(*taken)
+                touches, motion, solutions = taken
+                self.write([self._at_end(touch) for touch in touches], motion, solutions)
+
+    def close_contacts(self, until: float) -> None:
+        """Close the gaps of the places that the object would touch in a step to a time."""
+        pose, time, sums, modes = self.pose, self.time, self.sums.copy(), dict(self.modes)
+        taken = self._take_step(until)
+        self.pose, self.time, self.sums, self.modes, self.stop = pose, time, sums, modes, Stop.NO
+        if taken is not None:
+            with suppress(EndOfModeError):
+                self.pose = self.without_gaps(pose, time, taken[0])
 
     def _log_now(self) -> bool:
         """Log the motion at the current instant; return whether there is one."""
@@ -74,6 +86,13 @@ class StepRun(SeveralRun):
         self.pose = self.pose.after(motion.twist, step)
         self.time = until
         return chosen, motion, solutions
+
+    def _at_end(self, touch: Touch) -> Touch:
+        """A touch of the last step at its end, where it is still near."""
+        try:
+            return self.touch_again(touch, self.pose, self.time)
+        except EndOfModeError:
+            return touch
 
     def _at_time(self, touch: Touch, time: float) -> Touch:
         """A touch with the velocity of its mover at another time."""
