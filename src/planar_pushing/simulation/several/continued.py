@@ -77,8 +77,8 @@ class ContinuedRun:
         self.later_changes = int(np.count_nonzero(np.diff(modes)))
         if start is last:
             Columns(LogRow, rows).event[0] = Columns(LogRow, last).event
-            return rows
-        return rows[1:]
+        # In steps, the first row is that of the run until then, unless it is the end.
+        return rows if start is last or len(rows) == 1 else rows[1:]
 
     def _before(self, last: Array) -> Array:
         """The row of the end of the step before that in which the finger meets the second place."""

@@ -16,6 +16,9 @@ from planar_pushing.simulation.several.instants import Motion, gap_rate
 from planar_pushing.simulation.several.movers import Touch
 from planar_pushing.simulation.several.run import TOUCHES, EndOfModeError, SeveralRun
 
+#: Gaps in sizes of the outline that a step leaves as they are, so that an object at rest stays there.
+ROUNDING = 1e-12
+
 
 class StepRun(SeveralRun):
     """A run in steps of order 1; the parameters are those of `SeveralRun`."""
@@ -95,10 +98,11 @@ class StepRun(SeveralRun):
             return touch
 
     def _at_time(self, touch: Touch, time: float) -> Touch:
-        """A touch with the velocity of its mover at another time."""
+        """A touch with the velocity of its mover at another time; a gap of rounding error is none."""
+        gap = touch.gap if abs(touch.gap) > ROUNDING * self.shape.size else 0.0
         _, (v_x, v_y) = self.movers[touch.mover].at(time)
         c, s = math.cos(self.pose.angle), math.sin(self.pose.angle)
-        return touch._replace(velocity=(c * v_x + s * v_y, c * v_y - s * v_x))
+        return touch._replace(gap=gap, velocity=(c * v_x + s * v_y, c * v_y - s * v_x))
 
     def _outer(self, touches: list[Touch]) -> list[Touch]:
         """The touches without those of a line between two others."""
