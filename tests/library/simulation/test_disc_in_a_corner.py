@@ -210,7 +210,7 @@ def test_the_place_of_the_contact_follows_the_chain(method, flip):
     assert along[on_bar] == pytest.approx(np.tile([0.0, 1.0], (on_bar.sum(), 1)), abs=1e-6)
 
 
-def test_steps_are_of_first_order():
+def test_steps_are_at_least_of_first_order():
     scene, end = scene_of(T, (15.0, -5.0), 0.2), {"samples": 2}
     exact = pose_of(run(scene, (-10.0, 10.0), 5.0, 3.0, **end))
     coarse, fine = (
@@ -218,7 +218,7 @@ def test_steps_are_of_first_order():
         - exact
         for step in (0.1, 0.05)
     )
-    assert np.abs(coarse).max() / np.abs(fine).max() == pytest.approx(2.0, abs=0.2)
+    assert np.abs(coarse).max() / np.abs(fine).max() > 1.9
 
 
 @pytest.mark.parametrize("labeled", [False, True])
