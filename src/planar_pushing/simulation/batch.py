@@ -215,8 +215,8 @@ def _problem_of(scenes: Scenes, over: Over, number: int) -> Problem:
                 value.broadcast_like(_template(over)).transpose(*over.dims).values.ravel()[number]
             )
         if isinstance(value, (list, np.ndarray)):
-            entries = np.asarray(value, None if isinstance(value, np.ndarray) else object)
-            return np.broadcast_to(entries, over.shape).ravel()[number]
+            values = np.asarray(value, None if isinstance(value, np.ndarray) else object)
+            return np.broadcast_to(values, over.shape).ravel()[number]
         return value
 
     def part(value: Any) -> Any:

@@ -37,9 +37,10 @@ from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Event, Method, MethodName, Policy, PolicyName
 
 if TYPE_CHECKING:
+    from planar_pushing.simulation.several.continued import ContinuedRun
     from planar_pushing.simulation.several.rows import SeveralRows
 
-    AnyRun = Run | UntilRun | SeveralRows
+    AnyRun = Run | UntilRun | SeveralRows | ContinuedRun
 
 
 @warn_of_early_end
