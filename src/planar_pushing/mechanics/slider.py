@@ -130,8 +130,8 @@ class Slider:
         finite. Its place, from which the rod goes, is then only the origin of the ends.
     outline : sequence of pairs, Polygon, Disc or Outline, optional
         The outline of the slider, in the object's frame. By default it is unknown. In a simulation a
-        fence touches every corner and side of the outline, and a finger goes round it. The simulation ends
-        where a finger touches the outline at two places.
+        fence touches every corner and side of the outline, and a finger goes round it. With inertia, the
+        simulation ends where a finger touches the outline at two places.
     outline_frame : Frame, optional
         Origin and direction of the x axis of the body frame in the object's frame, of floats or arrays; by
         default both frames are the same.

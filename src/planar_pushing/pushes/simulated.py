@@ -181,7 +181,9 @@ def _push(
 
 
 def _reaches_corner(log: xr.Dataset, outline: Outline) -> bool:
-    """Whether the finger reaches a corner, rather than the next one of two pieces that join smoothly."""
+    """Whether the finger reaches a corner, or a second place, and not only a piece that joins smoothly."""
+    if (log["event"].values == Event.PENETRATES).any():
+        return True
     pieces = log["contact_piece"].values[log["event"].values == Event.END_OF_SIDE]
     is_joint = (pieces >= 0) & (outline.pieces[pieces, RHO] != 0.0)
     return not bool(is_joint.all())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import fields, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,9 +13,10 @@ import xarray as xr
 from planar_pushing.core.motion.run import LogRow
 from planar_pushing.mechanics.contact import friction_coefficient
 from planar_pushing.mechanics.kernels.arrays import is_labeled
+from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.mechanics.scene import Scene, require_scene
 from planar_pushing.simulation.early_end import warn_of_early_end
-from planar_pushing.simulation.fields import FIELDS, arrays, sampled_fields
+from planar_pushing.simulation.fields import FIELDS, Stop, arrays, sampled_fields
 from planar_pushing.simulation.inputs import Scenes, numbers_of
 from planar_pushing.simulation.log import variable_attributes, without_fill_values
 from planar_pushing.simulation.problem import Problem, warn_of_doubts
@@ -78,7 +80,8 @@ def simulate_batch(
         `samples` is given; angles are in degrees. The numbers are equal to those of `simulate`; `force` is
         the force at the instant, and `impulse` the sum of those since the instant before, or since the
         start. For a run whose motion could not continue, `stopped` and `time` say why and when; its other
-        numbers are the last ones.
+        numbers are the last ones. Runs in which a finger touches two places go on one by one, as in
+        `simulate`, which takes longer.
 
     Warns
     -----
@@ -101,6 +104,16 @@ def simulate_batch(
         rtol=rtol, on_ambiguity=on_ambiguity, object_pose=object_pose,
     )  # fmt: skip
     warn_of_doubts(problem)
+    return batch_of(problem, samples, progress)
+
+
+def batch_of(
+    problem: Problem,
+    samples: int | None = None,
+    progress: bool = False,
+    passes_inner_corners: bool = True,
+) -> xr.Dataset:
+    """The dataset of `simulate_batch`; optionally, a run ends where a finger touches two places."""
     data, numbers = numbers_of(problem)
     columns, over = _broadcast(numbers)
     _require_free_names(over)
@@ -114,6 +127,8 @@ def simulate_batch(
     # Bit for bit the times of `simulate`.
     times = ends[:, None] if samples is None else np.linspace(0.0, ends, len(parts), axis=-1)
     rows, changes = run_scenes(scenes, times, progress)
+    if passes_inner_corners and problem.passes_inner_corners:
+        _go_on(scenes, over, times, rows, changes)
     variables = _variables(scenes, rows, samples is None)
     variables["mode_changes"] = ("scene",), changes
     variables["evaluations"] = (
@@ -169,6 +184,65 @@ def _broadcast(values: list[Any]) -> tuple[list[Array], Over]:
         )
     flat = [np.broadcast_to(np.asarray(array, float), shape).reshape(-1) for array in arrays]
     return flat, Over(dims, shape, coordinates)
+
+
+def _go_on(
+    scenes: Scenes, over: Over, times: Array, rows: Array, changes: npt.NDArray[np.int64]
+) -> None:
+    """Replace the rows of the runs that have ended where a finger touches two places, as in `simulate`."""
+    for i in np.flatnonzero(Columns(LogRow, rows[:, -1]).stopped == Stop.TWO_CONTACTS).tolist():
+        problem = _problem_of(scenes, over, i)
+        if problem.passes_inner_corners:
+            from planar_pushing.simulation.several.continued import ContinuedRun
+
+            run = ContinuedRun(problem, times[i])
+            log = np.concatenate(list(run))
+            last = np.searchsorted(Columns(LogRow, log).time, times[i], side="right") - 1
+            rows[i], changes[i] = log[last], changes[i] + run.later_changes
+
+
+def _problem_of(scenes: Scenes, over: Over, number: int) -> Problem:
+    """The problem of one of many scenes, in its fence frame."""
+    problem, scene = scenes.problem, scenes.problem.scene
+
+    def of(value: Any) -> Any:
+        """The number of the scene, or the law or the support."""
+        if isinstance(value, tuple):
+            entries = [of(entry) for entry in value]
+            return type(value)(*entries) if hasattr(value, "_fields") else tuple(entries)
+        if is_labeled(value):
+            return (
+                value.broadcast_like(_template(over)).transpose(*over.dims).values.ravel()[number]
+            )
+        if isinstance(value, (list, np.ndarray)):
+            values = np.asarray(value, None if isinstance(value, np.ndarray) else object)
+            return np.broadcast_to(values, over.shape).ravel()[number]
+        return value
+
+    def part(value: Any) -> Any:
+        return replace(
+            value, **{f.name: of(getattr(value, f.name)) for f in fields(value) if f.init}
+        )
+
+    pusher = scenes.pusher_of(number)
+    velocity: Any = [(start, of(velocity)) for start, velocity in pusher.velocities]
+    return Problem(
+        scene=Scene(
+            slider=part(scene.slider), contact=of(scene.contact),
+            effects=tuple(map(part, scene.effects)), units=scene.units,
+        ),
+        pusher=Pusher(
+            velocity=velocity or pusher.velocity, breakpoints=pusher.breakpoints, shape=pusher.shape,
+            radius=float(of(pusher.radius)),
+        ),
+        duration=float(scenes.ends[number]), gap=float(of(problem.gap)), rtol=problem.rtol,
+        on_ambiguity=problem.on_ambiguity,
+    )  # fmt: skip
+
+
+def _template(over: Over) -> xr.DataArray:
+    """An array with the dimensions of the scenes."""
+    return xr.DataArray(np.zeros(over.shape), dims=over.dims)
 
 
 def _variables(scenes: Scenes, rows: Array, only_last: bool) -> dict[str, Any]:
@@ -230,6 +304,6 @@ def _coefficients(contact: Any) -> Any:
 def _expand(value: Any, over: Over) -> Any:
     """Expand a number or an array to the dimensions of the scenes."""
     if is_labeled(value):
-        value = value.broadcast_like(xr.DataArray(np.zeros(over.shape), dims=over.dims))
+        value = value.broadcast_like(_template(over))
         value = value.transpose(*over.dims).values
     return over.dims, np.array(np.broadcast_to(np.asarray(value, float), over.shape))

@@ -46,8 +46,8 @@ REASONS: Mapping[Stop, Reason] = {
     Stop.EVALUATIONS: Reason("millions of steps are not enough", STEPS),
     Stop.TWO_CONTACTS: Reason(
         "the finger touches the object at two places",
-        "end the push before, push at another place or with a smaller finger; without inertia, "
-        "simulate_contacts goes on",
+        "end the push before, push at another place or with a smaller finger; without Inertia in the "
+        "scene, the run goes on",
     ),
     Stop.JAMMED: Reason(
         "the object is jammed: its contacts leave it no motion",

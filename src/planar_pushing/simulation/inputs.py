@@ -89,7 +89,7 @@ class Scenes(NamedTuple):
         force = _scale_forces(problem.entries, inputs)
         return cls(problem, data, inputs, radius, force, ends, velocities, world)
 
-    def _pusher(self, scene: int) -> Pusher:
+    def pusher_of(self, scene: int) -> Pusher:
         """The pusher of one of the scenes, in its fence frame."""
         pusher = self.problem.pusher
         if pusher.frame == PusherFrame.FENCE or self.world is None:
@@ -107,7 +107,7 @@ class Scenes(NamedTuple):
         InvalidValue
             If a function does not return a velocity.
         """
-        pusher, policies = self._pusher(part.start), self.problem.on_ambiguity
+        pusher, policies = self.pusher_of(part.start), self.problem.on_ambiguity
         ends, radius, cuts = self.ends[part], self.radius[part], starts_of(policies)
         if self.problem.follows_function:
             end = float(ends[0])

@@ -6,7 +6,7 @@ ends of a flush side, can touch the fence, so the model is valid as long as the 
 fence, and the simulation stops when it reaches the fence. Otherwise the corners of the outline can touch
 it. A finger is the point ``(X, Y)``, or a disc with its center one radius below the contact at time 0.
 Without an outline it pushes a side of the slider that is along x at time 0. Otherwise it follows the
-outline, and the simulation stops when it touches the outline at two places.
+outline; with inertia, the simulation stops when it touches the outline at two places.
 """
 
 from __future__ import annotations
@@ -155,6 +155,16 @@ class Problem:
     def follows_function(self) -> bool:
         """Whether the pusher's velocity is a function of time."""
         return not self.pusher.velocities
+
+    @property
+    def passes_inner_corners(self) -> bool:
+        """Whether a disc, of at least one scene, goes on where it touches two places: without inertia."""
+        is_known = self.scene.slider.outline is not None
+        return (
+            is_known
+            and not self.scene.stores_energy
+            and bool(np.any(np.asarray(self.pusher.radius) > 0))
+        )
 
     @property
     def entries(self) -> list[EffectColumns]:

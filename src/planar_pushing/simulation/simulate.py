@@ -37,9 +37,10 @@ from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Event, Method, MethodName, Policy, PolicyName
 
 if TYPE_CHECKING:
+    from planar_pushing.simulation.several.continued import ContinuedRun
     from planar_pushing.simulation.several.rows import SeveralRows
 
-    AnyRun = Run | UntilRun | SeveralRows
+    AnyRun = Run | UntilRun | SeveralRows | ContinuedRun
 
 
 @warn_of_early_end
@@ -131,9 +132,10 @@ def simulate(
         velocity jumps, also at the start; the force of a step of time-stepping includes it. Without an
         outline only the contact, or the given side, touches a fence, and the run ends when the slider's
         center reaches it. A finger goes round an outline, over its corners and arcs, leaves it and meets
-        it again, and the run ends where it touches two places; a point goes into inner corners, but with
-        inertia. Without an outline, the contact ends
-        permanently where it leaves the side at its end, and `parted` is true from then on.
+        it again. Without inertia it goes into inner corners and notches, where a disc touches two places:
+        `force` is then the sum of both forces, `slip` the mean, and the contact that of the inner corner,
+        with the bisector as its normal. With inertia, the run ends there. Without an outline, the contact
+        ends permanently where it leaves the side at its end, and `parted` is true from then on.
 
     Warns
     -----
@@ -223,6 +225,10 @@ def _start(
         rows = SeveralRows(problem, walls, times, method, step)
         rows.require_apart()
         return rows
+    if problem.passes_inner_corners:
+        from planar_pushing.simulation.several.continued import ContinuedRun
+
+        return ContinuedRun(problem, times, method=method, step=step)
     return Run(problem, times, method=method, step=step)
 
 

@@ -156,7 +156,7 @@ class Event(IntEnum):
     TANGENTIAL_VELOCITY_REVERSES = 12
     #: The contact reaches the end of a finger's side, or that of a piece of the outline; not in flight.
     END_OF_SIDE = 13
-    #: Another point of the outline meets the pusher: a side arrives on a fence, or a finger stops.
+    #: Another point of the outline meets the pusher: a side arrives on a fence, or a finger touches two.
     PENETRATES = 14
 
 

@@ -118,8 +118,8 @@ def study():
     return load_study(WORKFLOW / "config/paper.yaml")
 
 
-#: Example scenes that are no presets: a motion on which accuracy is measured, and one with a wall.
-OTHERS = {"turning_fence", "box_along_a_wall"}
+#: Example scenes that are no presets: one on which accuracy is measured, and two with several contacts.
+OTHERS = {"turning_fence", "box_along_a_wall", "tee_in_its_corner"}
 EXAMPLES = {path.stem: path for path in sorted((WORKFLOW / "scenes").glob("*.yaml"))}
 
 

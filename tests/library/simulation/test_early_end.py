@@ -8,7 +8,7 @@ import warnings
 
 import numpy as np
 import pytest
-from simulation.scenes import FINGER_MEETS, NO_EDGE, NOTCHED, STOPS, box, scene
+from simulation.scenes import BOX, FINGER_MEETS, HEAVY, NO_EDGE, NOTCHED, STOPS, box, scene
 
 import planar_pushing as pp
 from planar_pushing.simulation.early_end import REASONS, quietly
@@ -16,14 +16,14 @@ from planar_pushing.simulation.fields import Stop
 
 LAID_DOWN = (scene(mu=2.0, psi=0.35), pp.Pusher(velocity=(0.2, 1.0)))
 MEETS_TWO = (
-    box((0.3, -1.0), mu=0.1, corners=NOTCHED, outlined=True, side=(-1.3, 0.3)),
+    box((0.3, -1.0), BOX, HEAVY, mu=0.1, corners=NOTCHED, outlined=True, side=(-1.3, 0.3)),
     pp.Pusher(velocity=(0.9, 0.2), shape="finger", radius=0.2),
 )
 NO_MOTION = (scene(mu=NO_EDGE), pp.Pusher(velocity=(-1.0, 0.2)))
 #: Scene, pusher, reason, and a word of the remedy.
 ENDS = {
     "no outline": (*LAID_DOWN, STOPS, "outline"),
-    "two contacts": (*MEETS_TWO, FINGER_MEETS, "simulate_contacts"),
+    "two contacts": (*MEETS_TWO, FINGER_MEETS, "Inertia"),
     "no mode": (*NO_MOTION, "no contact mode is consistent", "time-stepping"),
 }
 SCENE_FILE = """

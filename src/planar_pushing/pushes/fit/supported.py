@@ -1,4 +1,4 @@
-"""Pushes of an object on a support, with exact mechanics by `simulate_batch` and related functions."""
+"""Pushes of an object on a support, with exact mechanics by batches of runs and related functions."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
 from planar_pushing.objects.scene_at import scene_at
 from planar_pushing.pushes.logs.measured import Measured
-from planar_pushing.simulation.batch import simulate_batch
-from planar_pushing.simulation.early_end import quietly
+from planar_pushing.simulation.batch import batch_of
+from planar_pushing.simulation.problem import Problem, warn_of_doubts
 from planar_pushing.simulation.pusher import Pusher
 
 #: Tolerance of the motions: a thousandth of the error of the best measurement.
@@ -124,7 +124,9 @@ def simulate_measured(
     )  # fmt: skip
     tangent, normal = repeat(frames.places.tangent), repeat(frames.places.normal)
     pusher = _pusher(repeat(pushes.path), tangent, normal, repeat(pushes.radius))
-    log = quietly(simulate_batch)(scene, pusher, duration=1.0, rtol=TOLERANCE)
+    problem = Problem(scene=scene, pusher=pusher, duration=1.0, rtol=TOLERANCE)
+    warn_of_doubts(problem)
+    log = batch_of(problem, passes_inner_corners=False)
     position = log["position"].values
     center = repeat(frames.places.point) + position[:, :1] * tangent + position[:, 1:] * normal
     turn = np.deg2rad(log["rod_angle"].values) - repeat(frames.angle)

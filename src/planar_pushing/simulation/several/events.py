@@ -19,11 +19,11 @@ from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation.fields import Stop
 from planar_pushing.simulation.several.instants import Motion
 from planar_pushing.simulation.several.movers import Pose, Touch
-from planar_pushing.simulation.several.run import TOUCHES, SeveralRun
+from planar_pushing.simulation.several.run import TOUCHES, EndOfModeError, SeveralRun
 from planar_pushing.terms.numbers import Array
 
-#: Distance in sizes of the outline in which a place of a contact is looked for again.
-NEAR = 1e-3
+#: Largest overlap of a contact that arrives, in sizes of the outline.
+SHALLOW = 1e-6
 #: Shortest step in durations, and the time by which a run goes on beyond the end of a mode.
 SHORTEST, BEYOND_END = 1e-12, 1e-9
 #: Maximum number of events, and of those without any time between them.
@@ -61,12 +61,13 @@ class Step(NamedTuple):
         return np.asarray(self.length * ((RK45.P @ powers) @ self.rates))
 
 
-class EndOfModeError(Exception):
-    """The modes of the contacts are not consistent."""
-
-
 class EventRun(SeveralRun):
     """A run from event to event; the parameters are those of `SeveralRun`."""
+
+    def close_contacts(self) -> None:
+        """Remove gaps and overlaps of places that the object touches, within twice the tolerance."""
+        near = self.near_touches(self.pose, self.time, 2.0 * TOUCHES * self.shape.size)
+        self.pose = self.without_gaps(self.pose, self.time, near)
 
     def advance(self, times: Sequence[float], rtol: float) -> None:
         """Integrate from event to event, and log the times and the events."""
@@ -99,16 +100,14 @@ class EventRun(SeveralRun):
         rtol: float,
     ) -> None:
         """Follow a motion until a contact arrives, its modes end, or a mover's velocity jumps."""
-        active = [
-            touch
-            for touch, mode in zip(touches, motion.modes, strict=True)
-            if mode != ContactMode.SEPARATE
-        ]
-        modes = tuple(mode for mode in motion.modes if mode != ContactMode.SEPARATE)
+        closed = [k for k, mode in enumerate(motion.modes) if mode != ContactMode.SEPARATE]
+        active = [touches[k] for k in closed]
+        modes = tuple(motion.modes[k] for k in closed)
         bound = min([time for time in self.breaks if time > self.time], default=times[-1])
         bound = min(bound, times[-1])
         shortest, size = SHORTEST * times[-1], times[-1] / 50.0
-        ending, last = False, motion
+        ending = False
+        last = motion._replace(modes=modes, forces=tuple(motion.forces[k] for k in closed))
         while self.time < bound:
             step = min(size, bound - self.time)
             try:
@@ -131,12 +130,12 @@ class EventRun(SeveralRun):
             begin, sums = self.time, self.sums
             for time in (time for time in times if begin < time < until):
                 part = (time - begin) / step
-                self.time, self.pose = time, self._without_gaps(taken.pose_at(part), time, active)
+                self.time, self.pose = time, self.without_gaps(taken.pose_at(part), time, active)
                 self.sums = sums + taken.sums_at(part)
                 inner, places = self._motion_at(self.pose, time, active, modes, last)
                 self.write(places, inner, solutions)
             self.time, self.sums = until, sums + taken.sums_at(1.0)
-            self.pose = self._without_gaps(taken.pose_at(1.0), until, active)
+            self.pose = self.without_gaps(taken.pose_at(1.0), until, active)
             last, active = self._motion_at(self.pose, until, active, modes, last)
             if not ending:
                 size = step * min(5.0, 0.9 * (rtol / max(taken.error, 1e-3 * rtol)) ** 0.2)
@@ -164,27 +163,12 @@ class EventRun(SeveralRun):
         self, pose: Pose, time: float, active: list[Touch], modes: tuple[int, ...], last: Motion
     ) -> tuple[Motion, list[Touch]]:
         """The motion with given modes that is nearest to the last one, and the touches there."""
-        touches = [self._again(touch, pose, time) for touch in active]
+        touches = [self.touch_again(touch, pose, time) for touch in active]
         found = self.instants.motions(touches, pose.angle - self.start.angle)
         same = [motion for motion in found if motion.modes == modes]
         if not same:
             raise EndOfModeError
         return min(same, key=lambda motion: math.dist(motion.twist, last.twist)), touches
-
-    def _again(self, touch: Touch, pose: Pose, time: float) -> Touch:
-        """The touch of the same mover that is nearest to an earlier one."""
-        near = NEAR * self.shape.size
-        mover = self.movers[touch.mover]
-        found = self.shape.touches(touch.mover, mover, pose, time, near)
-
-        def distance(other: Touch) -> float:
-            turned = math.dist(touch.normal, other.normal) if mover.normal is None else 0.0
-            return math.dist(touch.point, other.point) + turned * self.shape.size
-
-        nearest = min(found, key=distance, default=None)
-        if nearest is None or distance(nearest) > 0.3 * self.shape.size:
-            raise EndOfModeError
-        return nearest
 
     def _overlaps(self, pose: Pose, time: float, active: list[Touch]) -> bool:
         """Whether the object overlaps a mover at another place than its contacts."""
@@ -192,31 +176,20 @@ class EventRun(SeveralRun):
         touches = self.near_touches(pose, time, -slack)
         if not touches:
             return False
-        known = [self._again(touch, pose, time) for touch in active]
+        known = [self.touch_again(touch, pose, time) for touch in active]
         return any(touch not in known for touch in touches)
-
-    def _without_gaps(self, pose: Pose, time: float, active: list[Touch]) -> Pose:
-        """The nearest pose at which the contacts have no gap."""
-        if not active:
-            return pose
-        for _ in range(2):
-            touches = [self._again(touch, pose, time) for touch in active]
-            rows = np.array([
-                [*touch.normal, (touch.point[0] * touch.normal[1] - touch.point[1] * touch.normal[0])
-                 / self.shape.size]
-                for touch in touches
-            ])  # fmt: skip
-            gaps = np.array([touch.gap for touch in touches])
-            x, y, turn = np.linalg.lstsq(rows, -gaps, rcond=1e-9)[0]
-            pose = pose.after((float(x), float(y), float(turn) / self.shape.size), 1.0)
-        return pose
 
     def _pass_end(self, active: list[Touch], last: Motion, bound: float, step: float) -> None:
         """Go a little beyond the end of a mode, so that the modes after it are consistent."""
         until = min(self.time + step, bound)
+        self.sums = self.sums + (until - self.time) * self.rates(active, last, self.pose)
         self.pose = self.pose.after(last.twist, until - self.time)
         self.time = until
         try:
-            self.pose = self._without_gaps(self.pose, self.time, active)
+            known = [self.touch_again(touch, self.pose, self.time) for touch in active]
+            near = self.near_touches(self.pose, self.time, 0.0)
+            shallow = [touch for touch in near if touch.gap > -SHALLOW * self.shape.size]
+            arrived = [touch for touch in shallow if touch not in known]
+            self.pose = self.without_gaps(self.pose, self.time, known + arrived)
         except EndOfModeError:
             return

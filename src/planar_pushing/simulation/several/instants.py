@@ -6,6 +6,8 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from planar_pushing.core.instant.several_frames import MOST_OF_SEVERAL, SeveralRow
 from planar_pushing.core.instant.several_solutions import (
     SEVERAL_SOLUTION,
@@ -13,9 +15,10 @@ from planar_pushing.core.instant.several_solutions import (
     SeveralSolution,
 )
 from planar_pushing.core.supports.rows import LOAD, LoadRow
+from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.kernels.calls import run
 from planar_pushing.mechanics.kernels.columns import row_of
-from planar_pushing.mechanics.rows import data_of, in_units, strengths_of
+from planar_pushing.mechanics.rows import EffectColumns, data_of, in_units, strengths_of
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.simulation.several.movers import Mover, Touch, Vector, Vector3
 from planar_pushing.terms.options import Policy, Reason
@@ -103,10 +106,36 @@ class Instants:
         found = []
         for k in range(count):
             first = SeveralResults.size + SEVERAL_SOLUTION * k
-            found.append(
-                self._read(numbers[first : first + SEVERAL_SOLUTION], len(touches), size, unit)
-            )
+            motion = self._read(numbers[first : first + SEVERAL_SOLUTION], len(touches), size, unit)
+            if math.isnan(math.fsum(map(sum, motion.forces))):
+                motion = motion._replace(forces=self._least_forces(touches, motion, turned))
+            found.append(motion)
         return found
+
+    def _least_forces(
+        self, touches: Sequence[Touch], motion: Motion, turned: float
+    ) -> tuple[Vector, ...]:
+        """The smallest forces of contacts that stick, between which any force can act."""
+        wrench = np.sum([force for _, force in self._wrenches(motion.twist, turned)], axis=0)
+        sticks = [k for k, mode in enumerate(motion.modes) if mode == ContactMode.STICK]
+        points = np.array([touches[k].point for k in sticks]) / self.radius
+        rows = np.zeros((3, 2 * len(sticks)))
+        rows[0, ::2] = rows[1, 1::2] = 1.0
+        rows[2, ::2], rows[2, 1::2] = -points[:, 1], points[:, 0]
+        forces = np.zeros((len(touches), 2))
+        forces[sticks] = np.linalg.lstsq(rows, wrench, rcond=None)[0].reshape(-1, 2)
+        return tuple((float(x), float(y)) for x, y in forces)
+
+    def _wrenches(self, twist: Vector3, turned: float) -> list[tuple[EffectColumns, list[float]]]:
+        """Force and torque, in units of the radius, of each effect at a twist."""
+        columns, place, wrenches = self._columns(turned), 0, []
+        motion = twist[0], twist[1], self.radius * twist[2]
+        for entry, data in zip(self.rows.entries, self.data, strict=True):
+            width = len(entry.columns)
+            row = [*columns[place : place + width], *motion]
+            place += width
+            wrenches.append((entry, run("wrenches", data, [row], 3)[0].tolist()))
+        return wrenches
 
     def _read(self, numbers: list[float], count: int, size: float, unit: float) -> Motion:
         """A solution in the units of the object; forces in the middle of their range, if it has ends."""
@@ -136,13 +165,9 @@ class Instants:
 
     def powers(self, twist: Vector3, turned: float) -> tuple[float, list[float]]:
         """Power of the loads, and the power that each other effect dissipates."""
-        columns, place, load, powers = self._columns(turned), 0, 0.0, []
+        load, powers = 0.0, []
         motion = twist[0], twist[1], self.radius * twist[2]
-        for entry, data in zip(self.rows.entries, self.data, strict=True):
-            width = len(entry.columns)
-            row = [*columns[place : place + width], *motion]
-            place += width
-            force = run("wrenches", data, [row], 3)[0].tolist()
+        for entry, force in self._wrenches(twist, turned):
             power = sum(f * v for f, v in zip(force, motion, strict=True))
             if entry.resists:
                 powers.append(power)

@@ -31,7 +31,7 @@ def force_of(row: Row, mover: int) -> tuple[float, float]:
 
 def gap_of(run: SeveralRun, row: Row, mover: int) -> float:
     """Distance of the object from a mover."""
-    if any(touch.mover == mover for touch in row.touches):
+    if mode_of(row, mover) != ContactMode.SEPARATE:
         return 0.0
     touches = run.shape.touches(mover, run.movers[mover], row.pose, row.time, math.inf)
     return min((touch.gap for touch in touches), default=0.0)

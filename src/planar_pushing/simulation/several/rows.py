@@ -15,8 +15,6 @@ from planar_pushing.mechanics.contact import ContactMode, Law, in_numbers
 from planar_pushing.mechanics.kernels.arrays import flag_attributes
 from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.mechanics.outline import Outline
-from planar_pushing.mechanics.outline.chains import LENGTH, START, TURN
-from planar_pushing.mechanics.outline.places import nearest_place
 from planar_pushing.simulation.early_end import REASONS
 from planar_pushing.simulation.fields import Stop
 from planar_pushing.simulation.log import FLAGS
@@ -33,6 +31,7 @@ from planar_pushing.simulation.several.movers import (
     rests,
 )
 from planar_pushing.simulation.several.paths import path_of
+from planar_pushing.simulation.several.places import FingerPlace
 from planar_pushing.simulation.several.readings import force_of, gap_of, mode_of
 from planar_pushing.simulation.several.run import Row
 from planar_pushing.simulation.several.steps import StepRun
@@ -62,6 +61,8 @@ class SeveralRows:
     method : Method
     step : float, optional
         Maximum length of a step of time-stepping.
+    start : ndarray, optional
+        The row of a log from which the run goes on; by default it begins at time 0.
     """
 
     def __init__(
@@ -71,6 +72,7 @@ class SeveralRows:
         times: npt.ArrayLike,
         method: Method,
         step: float | None = None,
+        start: Array | None = None,
     ) -> None:
         slider, scene = problem.scene.slider, problem.scene
         self.problem, self.method = problem, method
@@ -85,12 +87,12 @@ class SeveralRows:
         length = float(slider.rod_length)
         self.is_finger = problem.shape == PusherShape.FINGER
         law: Law = Law(*(float(number) for number in scene.law))
-        start, radius = (0.0, -gap), float(np.asarray(problem.pusher.radius))
+        origin, radius = (0.0, -gap), float(np.asarray(problem.pusher.radius))
         normal: tuple[float, float] | None = (0.0, 1.0)
         if self.is_finger:
             drawn = max(radius, POINT_RADIUS * shape.size)
-            start, normal = (0.0, -gap - drawn / math.cos(float(slider.pocket))), None
-        pusher = Mover(law, start, radius, normal, path_breaks[0])
+            origin, normal = (0.0, -gap - drawn / math.cos(float(slider.pocket))), None
+        pusher = Mover(law, origin, radius, normal, path_breaks[0])
         others = [
             Mover(in_numbers(wall.law), wall.position, 0.0, wall.unit_normal, rests)
             for wall in walls
@@ -98,11 +100,24 @@ class SeveralRows:
         self.movers = [pusher, *others]
         pose = Pose(length * math.cos(angle), length * math.sin(angle), angle)
         policies = problem.on_ambiguity
-        breaks = [*path_breaks[1], *(start for start, _ in policies if start > 0.0)]
+        breaks = [*path_breaks[1], *(time for time, _ in policies if time > 0.0)]
         instants = Instants(scene, self.movers, policies)
         kind = StepRun if method == Method.TIME_STEPPING else EventRun
         self.run: StepRun | EventRun = kind(shape, instants, self.movers, pose, breaks)
         self.stop = Stop.NO
+        self.place = FingerPlace(self.outline)
+        if start is not None:
+            self._start_from(start)
+
+    def _start_from(self, numbers: Array) -> None:
+        """Go on from a row of a log."""
+        row, length = LogRow(numbers), float(self.problem.scene.slider.rod_length)
+        sums = [row.slip, row.work, row.contact_dissipated, row.load_work, *numbers[LOG_ROW:]]
+        pose = Pose(float(row.position.x), float(row.position.y), float(row.angle))
+        self.run.start_from(float(row.time), pose, np.array(sums), int(row.mode))
+        self.run.instants.evaluations = int(row.evaluations)
+        self.place.along, self.place.normal = float(row.contact_position), float(row.contact_normal)
+        self.place.measure_from((-length, 0.0))
 
     @property
     def stopped(self) -> str:
@@ -173,40 +188,28 @@ class SeveralRows:
         """Write why the modes have changed."""
         events, log = Columns(LogRow, rows).event, self.run.log
         for i, (one, two) in enumerate(itertools.pairwise(log)):
-            closed = [sum(mode > 0 for mode in row.modes) for row in (one, two)]
-            sticks = [sum(mode == ContactMode.STICK for mode in row.modes) for row in (one, two)]
-            if self.method == Method.TIME_STEPPING or one.modes == two.modes:
+            closed = [[mode for mode in row.modes if mode > 0] for row in (one, two)]
+            sticks = [modes.count(ContactMode.STICK) for modes in closed]
+            if self.method == Method.TIME_STEPPING or closed[0] == closed[1]:
                 continue
             event = Event.LEAVES_CONE if sticks[1] < sticks[0] else Event.SLIP_ENDS
-            if closed[1] != closed[0]:
-                event = Event.TOUCHES if closed[1] > closed[0] else Event.FORCE_ENDS
+            if len(closed[0]) != len(closed[1]):
+                is_new = len(closed[1]) > len(closed[0])
+                event = Event.TOUCHES if is_new else Event.FORCE_ENDS
             events[i + 1] = event
 
     def _write_places(self, rows: Array) -> None:
         """Write the place of the pusher's contact: on the outline of a finger, along a fence."""
         columns = Columns(LogRow, rows)
         columns.contact_piece[:] = -1.0
-        along = normal = 0.0
-        first: float | None = None
-        perimeter = float((self.outline.pieces[:, START] + self.outline.pieces[:, LENGTH]).max())
         for i, row in enumerate(self.run.log):
             touches = [touch for touch in row.touches if touch.mover == 0]
             if touches and self.is_finger:
-                places = nearest_place(self.outline, np.array([touch.point for touch in touches]))
-                starts = self.outline.pieces[places.piece, START] + places.position
-                if first is None:
-                    first = float(starts[0])
-                # Of two places, the one nearer to that before.
-                around = starts - first
-                around += perimeter * np.round((along - around) / perimeter)
-                k = int(np.abs(around - along).argmin())
-                along, (n_x, n_y) = float(around[k]), touches[k].normal
-                columns.contact_piece[i] = places.piece[k]
-                turned = row.pose.angle + math.atan2(-n_x, n_y)
-                normal = turned + TURN * round((normal - turned) / TURN)
+                columns.contact_piece[i] = self.place.follow(row)
             elif touches:
-                along = self._place_of_force(row, touches)
-            columns.contact_position[i], columns.contact_normal[i] = along, normal
+                self.place.along = self._place_of_force(row, touches)
+            columns.contact_position[i] = self.place.along
+            columns.contact_normal[i] = self.place.normal
 
     def _place_of_force(self, row: Row, touches: list[Touch]) -> float:
         """Where the force acts along a fence, from its point under the contact at time 0."""

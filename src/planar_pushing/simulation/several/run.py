@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -13,6 +14,7 @@ from planar_pushing.simulation.fields import Stop
 from planar_pushing.simulation.several.instants import (
     Instants,
     Motion,
+    gap_rate,
     slip_rate,
 )
 from planar_pushing.simulation.several.movers import Mover, Pose, Shape, Touch, Vector3
@@ -21,8 +23,14 @@ from planar_pushing.terms.options import Reason
 
 #: Distance in sizes of the outline up to which an object touches a mover.
 TOUCHES = 1e-9
+#: Distance in sizes of the outline in which a place of a contact is looked for again.
+NEAR = 1e-3
 #: Reasons of an early end without a consistent motion.
 STOPS: dict[Reason | None, Stop] = {Reason.JAMMED: Stop.JAMMED, Reason.WEDGED: Stop.WEDGED}
+
+
+class EndOfModeError(Exception):
+    """The modes of the contacts are not consistent."""
 
 
 class Row(NamedTuple):
@@ -60,7 +68,7 @@ class Totals(NamedTuple):
     Attributes
     ----------
     slipped, work : ndarray, shape (movers,)
-        Slip of the object over each mover, and work of each.
+        Slip of the object over each mover, the mean of its places, and work of each.
     rubbed, load_work : float
         Energy dissipated at the contacts, and work of the loads.
     dissipated : ndarray
@@ -132,6 +140,41 @@ class SeveralRun:
             found += touches
         return found
 
+    def start_from(self, time: float, pose: Pose, sums: Array, mode: int) -> None:
+        """Begin later: at a time and a pose, with accumulated numbers and a mode of the first mover."""
+        self.time, self.pose, self.sums, self.modes = time, pose, sums, {0: mode}
+
+    def touch_again(self, touch: Touch, pose: Pose, time: float) -> Touch:
+        """The touch of the same mover that is nearest to an earlier one."""
+        near = max(NEAR * self.shape.size, 2.0 * touch.gap)
+        mover = self.movers[touch.mover]
+        found = self.shape.touches(touch.mover, mover, pose, time, near)
+
+        def distance(other: Touch) -> float:
+            turned = math.dist(touch.normal, other.normal) if mover.normal is None else 0.0
+            return math.dist(touch.point, other.point) + turned * self.shape.size
+
+        nearest = min(found, key=distance, default=None)
+        if nearest is None or distance(nearest) > 0.3 * self.shape.size:
+            raise EndOfModeError
+        return nearest
+
+    def without_gaps(self, pose: Pose, time: float, active: list[Touch]) -> Pose:
+        """The nearest pose at which the contacts have no gap."""
+        if not active:
+            return pose
+        for _ in range(2):
+            touches = [self.touch_again(touch, pose, time) for touch in active]
+            rows = np.array([
+                [*touch.normal, (touch.point[0] * touch.normal[1] - touch.point[1] * touch.normal[0])
+                 / self.shape.size]
+                for touch in touches
+            ])  # fmt: skip
+            gaps = np.array([touch.gap for touch in touches])
+            x, y, turn = np.linalg.lstsq(rows, -gaps, rcond=1e-9)[0]
+            pose = pose.after((float(x), float(y), float(turn) / self.shape.size), 1.0)
+        return pose
+
     def choose(self, touches: list[Touch], step: float = 0.0) -> tuple[Motion, int] | None:
         """The preferred motion, and how many there are; None without any, with the reason in `stop`."""
         if len(touches) > MOST_CONTACTS:
@@ -165,16 +208,22 @@ class SeveralRun:
     def rates(self, touches: Sequence[Touch], motion: Motion, pose: Pose) -> Array:
         """The rates of the accumulated numbers."""
         count, rates = len(self.movers), np.zeros(len(self.sums))
+        places = [0] * count
         for touch, mode, force in zip(touches, motion.modes, motion.forces, strict=True):
             if mode == ContactMode.SEPARATE:
                 continue
             slip = slip_rate(touch, motion.twist) if mode != ContactMode.STICK else 0.0
-            rates[touch.mover] += slip
+            places[touch.mover] += 1
+            rates[touch.mover] += (slip - rates[touch.mover]) / places[touch.mover]
             rates[count + touch.mover] += (
                 force[0] * touch.velocity[0] + force[1] * touch.velocity[1]
             )
             along = force[0] * touch.normal[1] - force[1] * touch.normal[0]
             rates[2 * count] -= along * slip
+            if touch.gap:
+                # A gap that closes in a step, or an overlap that opens, is not part of the work.
+                push = force[0] * touch.normal[0] + force[1] * touch.normal[1]
+                rates[2 * count] -= push * gap_rate(touch, motion.twist)
         load, powers = self.instants.powers(motion.twist, pose.angle - self.start.angle)
         rates[2 * count + 1] = load
         rates[2 * count + 2 :] = powers

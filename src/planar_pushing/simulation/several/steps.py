@@ -8,11 +8,16 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 
 from planar_pushing.core.instant.several_frames import MOST_CONTACTS
+from planar_pushing.simulation.fields import Stop
 from planar_pushing.simulation.several.instants import Motion, gap_rate
 from planar_pushing.simulation.several.movers import Touch
-from planar_pushing.simulation.several.run import TOUCHES, SeveralRun
+from planar_pushing.simulation.several.run import TOUCHES, EndOfModeError, SeveralRun
+
+#: Gaps in sizes of the outline that a step leaves as they are, so that an object at rest stays there.
+ROUNDING = 1e-12
 
 
 class StepRun(SeveralRun):
@@ -22,7 +27,8 @@ class StepRun(SeveralRun):
         """Take equal steps between times, of at most a length, and log the times."""
         if not self._log_now():
             return
-        bounds = sorted({*times, *(time for time in self.breaks if time < times[-1])})
+        breaks = [time for time in self.breaks if times[0] < time < times[-1]]
+        bounds = sorted({*times, *breaks})
         logged = set(times)
         for low, high in itertools.pairwise(bounds):
             count = max(1, math.ceil((high - low) / step - 1e-9))
@@ -32,7 +38,17 @@ class StepRun(SeveralRun):
                     self.end()
                     return
             if high in logged and taken is not None:
-                self.write(*taken)
+                touches, motion, solutions = taken
+                self.write([self._at_end(touch) for touch in touches], motion, solutions)
+
+    def close_contacts(self, until: float) -> None:
+        """Close the gaps of the places that the object would touch in a step to a time."""
+        pose, time, sums, modes = self.pose, self.time, self.sums.copy(), dict(self.modes)
+        taken = self._take_step(until)
+        self.pose, self.time, self.sums, self.modes, self.stop = pose, time, sums, modes, Stop.NO
+        if taken is not None:
+            with suppress(EndOfModeError):
+                self.pose = self.without_gaps(pose, time, taken[0])
 
     def _log_now(self) -> bool:
         """Log the motion at the current instant; return whether there is one."""
@@ -74,11 +90,19 @@ class StepRun(SeveralRun):
         self.time = until
         return chosen, motion, solutions
 
+    def _at_end(self, touch: Touch) -> Touch:
+        """A touch of the last step at its end, where it is still near."""
+        try:
+            return self.touch_again(touch, self.pose, self.time)
+        except EndOfModeError:
+            return touch
+
     def _at_time(self, touch: Touch, time: float) -> Touch:
-        """A touch with the velocity of its mover at another time."""
+        """A touch with the velocity of its mover at another time; a gap of rounding error is none."""
+        gap = touch.gap if abs(touch.gap) > ROUNDING * self.shape.size else 0.0
         _, (v_x, v_y) = self.movers[touch.mover].at(time)
         c, s = math.cos(self.pose.angle), math.sin(self.pose.angle)
-        return touch._replace(velocity=(c * v_x + s * v_y, c * v_y - s * v_x))
+        return touch._replace(gap=gap, velocity=(c * v_x + s * v_y, c * v_y - s * v_x))
 
     def _outer(self, touches: list[Touch]) -> list[Touch]:
         """The touches without those of a line between two others."""
