@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING, Any
 
+from planar_pushing.commands import several
 from planar_pushing.commands.words import (
     Commands,
     add_output,
@@ -44,13 +45,16 @@ def draw_scene(args: argparse.Namespace) -> dict[str, Any]:
     from planar_pushing.drawing.canvas.style import save_drawn
     from planar_pushing.drawing.draw import SCENE, draw_on
     from planar_pushing.drawing.sketch import Sketch, with_curve
-    from planar_pushing.scenes.files import load_scene_file
+    from planar_pushing.scenes.contacts_files import load_any_file
+    from planar_pushing.scenes.contacts_model import ContactsFile
     from planar_pushing.terms.numbers import in_radians
 
     angles = args.pusher_angle, args.force_angle
     if None not in angles:
         raise InvalidValue("pusher_angle, force_angle", angles, "one of them", "leave one out")
-    file = load_scene_file(args.scene)
+    file = load_any_file(args.scene)
+    if isinstance(file, ContactsFile):
+        return several.draw(file, args)
     scene = file.build()
     if args.force_angle is not None:
         _require_force(scene, args.force_angle)

@@ -119,7 +119,7 @@ def study():
 
 
 #: Example scenes that are no presets: a motion on which accuracy is measured, and one with a wall.
-OTHERS = {"turning_fence", "box_along_a_wall"}
+OTHERS = {"turning_fence", "box_along_a_wall", "two_fingers", "finger_in_a_corner"}
 EXAMPLES = {path.stem: path for path in sorted((WORKFLOW / "scenes").glob("*.yaml"))}
 
 
