@@ -44,6 +44,7 @@ def draw_scene(args: argparse.Namespace) -> dict[str, Any]:
     """Draw the scene under the given push, the push of its file, or a push straight ahead."""
     from planar_pushing.drawing.canvas.style import save_drawn
     from planar_pushing.drawing.draw import SCENE, draw_on
+    from planar_pushing.drawing.files import surroundings
     from planar_pushing.drawing.sketch import Sketch, with_curve
     from planar_pushing.scenes.contacts_files import load_any_file
     from planar_pushing.scenes.contacts_model import ContactsFile
@@ -59,21 +60,11 @@ def draw_scene(args: argparse.Namespace) -> dict[str, Any]:
     if args.force_angle is not None:
         _require_force(scene, args.force_angle)
     angle, magnitude = _push(args, file, scene)
-    sketch = Sketch.of(scene, float(in_radians(angle)), magnitude, **_finger(file, scene))
+    sketch = Sketch.of(scene, float(in_radians(angle)), magnitude, **surroundings(file, scene))
     if args.limit_curve:
         sketch = with_curve(sketch, scene)
     save_drawn(lambda figure: draw_on(figure, sketch), SCENE, [args.output])
     return {"written": str(args.output)}
-
-
-def _finger(file: SceneFile, scene: Scene) -> dict[str, Any]:
-    """Side that a finger pushes and the finger's radius; empty for a fence."""
-    from planar_pushing.terms.options import Shape
-
-    section = file.simulate
-    if section is None or section.pusher_shape != Shape.FINGER:
-        return {}
-    return {"side": scene.slider.side, "finger_radius": section.pusher_radius or 0.0}
 
 
 def _push(args: argparse.Namespace, file: SceneFile, scene: Scene) -> tuple[float, float]:

@@ -109,12 +109,11 @@ def _in_words(solution: dict[str, Any]) -> dict[str, Any]:
 def draw(file: ContactsFile, args: argparse.Namespace) -> dict[str, Any]:
     """Draw the contacts of a file."""
     from planar_pushing.drawing.canvas.style import save_drawn
-    from planar_pushing.drawing.contacts import ContactsPicture
     from planar_pushing.drawing.draw import SCENE, draw_contacts_on
+    from planar_pushing.drawing.files import contacts_picture
 
     refuse_options(args, ("pusher_angle", "pusher_magnitude", "force_angle", "limit_curve"))
-    problem = file.build()
-    sketch = ContactsPicture(problem["contacts"], problem["effects"], problem["outline"], 0)
+    sketch = contacts_picture(file)
     unit = "" if file.units is None else file.units.length
     save_drawn(lambda figure: draw_contacts_on(figure, sketch, unit), SCENE, [args.output])
     return {"written": str(args.output)}
