@@ -119,7 +119,9 @@ def draw(file: ContactsFile, args: argparse.Namespace) -> dict[str, Any]:
     return {"written": str(args.output)}
 
 
-def simulate(file: ContactsFile, args: argparse.Namespace, options: tuple[str, ...]) -> Any:
+def simulate(
+    file: ContactsFile, args: argparse.Namespace, options: tuple[str, ...]
+) -> dict[str, Any]:
     """Simulate the contacts of a file, write the log, and return a summary of the motion."""
     from pydantic import ValidationError
 

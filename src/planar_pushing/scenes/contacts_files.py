@@ -129,7 +129,7 @@ def save_contacts_file(file: ContactsFile, path: PathLike) -> None:
 
 def _drawing(outline: Any) -> Any:
     """The outline in a file; of a drawing every vertex, because its sides are numbered."""
-    holes = getattr(outline, "holes", None) or getattr(outline, "interiors", ())
+    holes: Any = getattr(outline, "holes", None) or getattr(outline, "interiors", ())
     if isinstance(outline, (Outline, Disc)) or len(holes):
         return OUTLINE.to_file(require_outline(outline))
     return [[float(x), float(y)] for x, y in read_drawing(outline).vertices]
