@@ -156,9 +156,17 @@ def _is_behind(mark, ends, normal):
     return isinstance(mark, Hatch) and ((np.array(mark.strokes)[:, 1] - ends[0]) @ normal < 0).all()
 
 
-@pytest.mark.parametrize("change", [lambda state: state, lambda state: with_rod(state, 1.2, 60.0)])
-def test_the_walls_of_the_push_are_those_of_the_motion(change):
-    state = change(preset("box_along_a_wall"))
+def test_the_walls_of_the_push_are_those_of_the_motion():
+    state = preset("box_along_a_wall")
     (wall,), data = solve_push(state).sketch.walls, follow(state).data
     assert wall.point == pytest.approx(data["wall_point"].values[0])
     assert wall.normal == pytest.approx(data["wall_normal"].values[0])
+
+
+def test_a_slider_that_has_lost_its_outline_has_no_walls():
+    state = with_rod(preset("box_along_a_wall"), 1.2, 60.0)
+    assert solve_push(state).sketch.walls == ()
+    with pytest.raises(
+        pp.InvalidValue, match="outline: None given; allowed: the outline of the object"
+    ):
+        follow(state)

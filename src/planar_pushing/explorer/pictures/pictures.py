@@ -76,8 +76,10 @@ def solve_push(state: State) -> SolvedPush:
 
 
 def walls_of(state: State) -> tuple[DrawnWall, ...]:
-    """The walls of a state in the fence frame."""
-    return () if state.file.simulate is None else walls_before(state.scene, settings(state))
+    """The walls of a state in the fence frame; none beside a slider that has lost its outline."""
+    if state.file.simulate is None or state.scene.slider.outline is None:
+        return ()
+    return walls_before(state.scene, settings(state))
 
 
 def push_picture(push: SolvedPush) -> Picture:
