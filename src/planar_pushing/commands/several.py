@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from planar_pushing.commands.words import numbers, table, with_unit
-from planar_pushing.terms.errors import InvalidValue
+from planar_pushing.terms.errors import InvalidFile, InvalidValue
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -33,12 +36,22 @@ def refuse_options(args: argparse.Namespace, names: tuple[str, ...]) -> None:
             raise InvalidValue(name, value, "none with contacts in the scene file", remedy)
 
 
+@contextmanager
+def _naming(path: Path) -> Iterator[None]:
+    """Name the file in the refusal of contacts that only the solver or a run can refuse."""
+    try:
+        yield
+    except InvalidValue as error:
+        raise InvalidFile(f"{path}: {error}") from None
+
+
 def solutions(file: ContactsFile, args: argparse.Namespace) -> dict[str, Any]:
     """Outcome and solutions of a file with several contacts."""
     from planar_pushing.objects.several.solve_contacts import solve_contacts
 
     refuse_options(args, ("pusher_angle", "pusher_magnitude"))
-    answer: ContactsSolutions = solve_contacts(**file.build())
+    with _naming(args.scene):
+        answer: ContactsSolutions = solve_contacts(**file.build())
     entries: dict[str, Any] = {"outcome": answer.outcome.name, "status": answer.status.name}
     if answer.reason is not None:
         entries["reason"] = answer.reason.name
@@ -113,7 +126,8 @@ def draw(file: ContactsFile, args: argparse.Namespace) -> dict[str, Any]:
     from planar_pushing.drawing.files import contacts_picture
 
     refuse_options(args, ("pusher_angle", "pusher_magnitude", "force_angle", "limit_curve"))
-    sketch = contacts_picture(file)
+    with _naming(args.scene):
+        sketch = contacts_picture(file)
     unit = "" if file.units is None else file.units.length
     save_drawn(lambda figure: draw_contacts_on(figure, sketch, unit), SCENE, [args.output])
     return {"written": str(args.output)}
@@ -137,7 +151,8 @@ def simulate(
         except ValidationError as error:
             raise _invalid(error, given) from None
         file = file.model_copy(update={"simulate": changed})
-    log = simulate_contacts_file(file, args.output)
+    with _naming(args.scene):
+        log = simulate_contacts_file(file, args.output)
     entries = {"written": str(args.output)} | _summary(log)
     return entries if args.json else _with_units(entries, log)
 
