@@ -79,6 +79,7 @@ from .pushes.identify import identify
 from .pushes.logs.combine import concat_pushes
 from .pushes.logs.poses import pushes_from_poses
 from .pushes.simulated import simulate_pushes
+from .scenes.contacts_files import load_contacts, save_contacts
 from .scenes.files import load_scene, save_scene
 from .simulation.batch import simulate_batch
 from .simulation.log import to_pandas
@@ -177,6 +178,7 @@ __all__ = [
     "friction_cone",
     "identify",
     "limit_curve",
+    "load_contacts",
     "load_pushes",
     "load_scene",
     "motion_angle",
@@ -193,6 +195,7 @@ __all__ = [
     "read_mit",
     "read_three_feet",
     "rounded",
+    "save_contacts",
     "save_pushes",
     "save_scene",
     "scene_at",

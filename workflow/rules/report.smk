@@ -120,6 +120,7 @@ rule manual_pages:
         rules.paper_pdf.output,
         SOURCES,
         "results/README.md",
+        sorted(map(str, Path("workflow/scenes").glob("*.yaml"))),  # pictures of the gallery
         [
             str(path)
             for path in sorted(Path("paper/manual").rglob("*"))

@@ -6,12 +6,18 @@ import json
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import takewhile
 from pathlib import Path
 
 from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
+from planar_pushing.drawing.canvas.svg import to_svg
+from planar_pushing.drawing.files import contacts_picture, sketch_of_file
+from planar_pushing.drawing.scene import scene_picture
+from planar_pushing.scenes.contacts_files import load_any_file
+from planar_pushing.scenes.contacts_model import ContactsFile
 from planar_pushing.scenes.files import load_scene_file
 from pulling_by_pushing.figures.figure import entry, module_name
 from pulling_by_pushing.figures.studies import OURS
@@ -21,27 +27,36 @@ from pulling_by_pushing.study.study_file import load_study
 #: A symbol with an index in a caption, such as v_p.
 INDEXED = re.compile(r"\b([a-z])_([a-z])\b")
 #: Titles of the groups in their order.
-PAPER, BEYOND, SUPPORTS, METHODS, MOTIONS = (
+PAPER, BEYOND, SUPPORTS, METHODS, MOTIONS, SEVERAL = (
     "Figures of the paper",
     "Contact modes and motion over time",
     "Any support",
     "Numerical accuracy and measured pushes",
     "Other simulations",
+    "Several contacts and walls",
 )
+#: Scene files with several contacts or walls, and the size of their pictures in pixels.
+SCENES, SIZE = ("two_fingers", "box_along_a_wall", "finger_in_a_corner"), (460.0, 400.0)
 MODULES = "src/pulling_by_pushing/figures"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Shown:
-    """A figure of the gallery. `file` is its picture in the results, and `code` a path in the project."""
+    """A figure of the gallery.
+
+    `file` is its picture in the results, and `code` a path in the project. A picture that is not among the
+    results is `svg`, and `command` draws it.
+    """
 
     group: str
     name: str
-    file: str
     title: str
     caption: str
     code: str
+    file: str = ""
     language: str = "python"
+    svg: str = ""
+    command: str = ""
 
 
 def figures(project: Path, results: Path) -> Iterator[Shown]:
@@ -79,9 +94,32 @@ def simulations(project: Path) -> Iterator[Shown]:
                 )  # fmt: skip
 
 
+def several(project: Path) -> Iterator[Shown]:
+    """Scenes with several contacts or walls, of which each file begins with a comment on what happens."""
+    for name in SCENES:
+        code = f"workflow/scenes/{name}.yaml"
+        lines = (project / code).read_text(encoding="utf-8").splitlines()
+        about = [line.removeprefix("# ") for line in takewhile(lambda line: line[:1] == "#", lines)]
+        yield Shown(
+            group=SEVERAL, name=f"scene_{name}", title=load_any_file(project / code).title,
+            caption=" ".join(about), code=code, language="yaml", svg=_svg(project / code),
+            command=f"planar-pushing draw {code} -o {name}.svg",
+        )  # fmt: skip
+
+
+def _svg(path: Path) -> str:
+    """The picture of a scene file at its start, as the command `draw` shows it."""
+    file = load_any_file(path)
+    if isinstance(file, ContactsFile):
+        sketch = contacts_picture(file)
+        return to_svg(sketch.draw(), sketch.box(), SIZE)
+    pushed = sketch_of_file(file)
+    return to_svg(scene_picture(pushed), pushed.box, SIZE)
+
+
 def gallery(project: Path, results: Path) -> list[Shown]:
-    """All figures of the paper's study and of the study `sliders`."""
-    return [*figures(project, results), *simulations(project)]
+    """All figures of the paper's study and of the study `sliders`, and scenes with several contacts."""
+    return [*figures(project, results), *simulations(project), *several(project)]
 
 
 def _text(caption: str) -> list[nodes.Node]:
@@ -121,11 +159,16 @@ class FigureGallery(SphinxDirective):
 
     def _section(self, figure: Shown, project: Path) -> nodes.section:
         self.env.note_dependency(project / figure.code)
-        image = nodes.image(uri=f"{self.config.results_folder}/{figure.file}.svg", alt=figure.title)
+        image: nodes.Node = nodes.raw("", figure.svg, format="html")
+        command = figure.command
+        if figure.file:
+            place = f"{self.config.results_folder}/{figure.file}.svg"
+            image = nodes.image(uri=place, alt=figure.title)
+            command = f"snakemake results/{figure.file}.svg"
         code = (project / figure.code).read_text(encoding="utf-8").rstrip()
         section = _titled(figure.title, figure.name)
         section += nodes.figure("", image, nodes.caption("", "", *_text(figure.caption)))
-        section += _block(f"$ snakemake results/{figure.file}.svg", "console")
+        section += _block(f"$ {command}", "console")
         summary = f"<details><summary><code>{figure.code}</code></summary>"
         section += nodes.raw("", summary, format="html")
         section += _block(code, figure.language)

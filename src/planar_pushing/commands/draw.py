@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING, Any
 
+from planar_pushing.commands import several
 from planar_pushing.commands.words import (
     Commands,
     add_output,
@@ -43,33 +44,27 @@ def draw_scene(args: argparse.Namespace) -> dict[str, Any]:
     """Draw the scene under the given push, the push of its file, or a push straight ahead."""
     from planar_pushing.drawing.canvas.style import save_drawn
     from planar_pushing.drawing.draw import SCENE, draw_on
+    from planar_pushing.drawing.files import surroundings
     from planar_pushing.drawing.sketch import Sketch, with_curve
-    from planar_pushing.scenes.files import load_scene_file
+    from planar_pushing.scenes.contacts_files import load_any_file
+    from planar_pushing.scenes.contacts_model import ContactsFile
     from planar_pushing.terms.numbers import in_radians
 
     angles = args.pusher_angle, args.force_angle
     if None not in angles:
         raise InvalidValue("pusher_angle, force_angle", angles, "one of them", "leave one out")
-    file = load_scene_file(args.scene)
+    file = load_any_file(args.scene)
+    if isinstance(file, ContactsFile):
+        return several.draw(file, args)
     scene = file.build()
     if args.force_angle is not None:
         _require_force(scene, args.force_angle)
     angle, magnitude = _push(args, file, scene)
-    sketch = Sketch.of(scene, float(in_radians(angle)), magnitude, **_finger(file, scene))
+    sketch = Sketch.of(scene, float(in_radians(angle)), magnitude, **surroundings(file, scene))
     if args.limit_curve:
         sketch = with_curve(sketch, scene)
     save_drawn(lambda figure: draw_on(figure, sketch), SCENE, [args.output])
     return {"written": str(args.output)}
-
-
-def _finger(file: SceneFile, scene: Scene) -> dict[str, Any]:
-    """Side that a finger pushes and the finger's radius; empty for a fence."""
-    from planar_pushing.terms.options import Shape
-
-    section = file.simulate
-    if section is None or section.pusher_shape != Shape.FINGER:
-        return {}
-    return {"side": scene.slider.side, "finger_radius": section.pusher_radius or 0.0}
 
 
 def _push(args: argparse.Namespace, file: SceneFile, scene: Scene) -> tuple[float, float]:

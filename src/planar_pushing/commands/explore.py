@@ -32,11 +32,11 @@ def serve_page(args: argparse.Namespace) -> dict[str, Any]:
     # The server, which refuses a port that is not free, takes seconds to import.
     allowed, remedy = "a whole number up to 65535", "leave it out to use a free port"
     require_number("port", args.port, lambda port: 0 <= port <= 65535, allowed, remedy)
-    from planar_pushing.scenes.files import load_scene_file
+    from planar_pushing.scenes.contacts_files import load_any_file
 
-    file = None
+    file: Any = None
     if args.scene is not None:
-        file = load_scene_file(args.scene)
+        file = load_any_file(args.scene)
         file.build()
     from planar_pushing.explorer.server import Explorer
 

@@ -6,6 +6,7 @@ import argparse
 import sys
 from typing import TYPE_CHECKING, Any
 
+from planar_pushing.commands import several
 from planar_pushing.commands.words import (
     DIRECTION,
     PUSHER_ANGLE,
@@ -102,13 +103,16 @@ def add(commands: Commands) -> None:
 
 def simulate_scene(args: argparse.Namespace) -> dict[str, Any]:
     """Simulate the scene, and return a summary of the motion."""
-    from planar_pushing.scenes.files import load_scene_file
+    from planar_pushing.scenes.contacts_files import load_any_file
+    from planar_pushing.scenes.contacts_model import ContactsFile
     from planar_pushing.scenes.simulate import simulate_file
 
     if args.output.suffix.lower() not in ENDINGS:
         allowed = f"a name ending in {' or '.join(ENDINGS)}"
         raise InvalidValue("output", str(args.output), allowed, "rename the file")
-    file = load_scene_file(args.scene)
+    file = load_any_file(args.scene)
+    if isinstance(file, ContactsFile):
+        return several.simulate(file, args, tuple(name.replace("-", "_") for name in OPTIONS))
     file = file.model_copy(update={"simulate": _section(file, args)})
     with simulate_file(file, path=args.output, progress=args.progress) as log:
         entries = {"written": str(args.output)} | summary(log)

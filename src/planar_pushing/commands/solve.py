@@ -6,6 +6,7 @@ import argparse
 import math
 from typing import TYPE_CHECKING, Any
 
+from planar_pushing.commands import several
 from planar_pushing.commands.words import (
     Commands,
     add_push,
@@ -41,10 +42,14 @@ def add(commands: Commands) -> None:
 
 
 def solutions(args: argparse.Namespace) -> dict[str, Any]:
-    """Outcome and solutions of the scene under one pusher motion or each of several."""
-    from planar_pushing.scenes.files import load_scene
+    """Outcome and solutions of the scene under one motion of the pusher, or each of several."""
+    from planar_pushing.scenes.contacts_files import load_any_file
+    from planar_pushing.scenes.contacts_model import ContactsFile
 
-    scene, angles = load_scene(args.scene), args.pusher_angle
+    file, angles = load_any_file(args.scene), args.pusher_angle
+    if isinstance(file, ContactsFile):
+        return several.solutions(file, args)
+    scene = file.build()
     if isinstance(angles, tuple):
         pushes = [push(scene, angle, args.pusher_magnitude) for angle in angles]
         return {"pushes": pushes} if args.json else {"": _table(pushes)}

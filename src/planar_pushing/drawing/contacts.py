@@ -13,6 +13,7 @@ from planar_pushing.drawing.canvas.colors import CENTER, DARK, FORCE, MOTION, PU
 from planar_pushing.drawing.canvas.marks import AREAS, ARROWS, NOTE, Picture
 from planar_pushing.drawing.scene import add_center_mark
 from planar_pushing.drawing.supports import Ink, Pose, add_support
+from planar_pushing.drawing.walls import DrawnWall, add_wall
 from planar_pushing.mechanics.contact import ContactMode, as_numbers
 from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.outline import require_outline
@@ -43,10 +44,17 @@ class ContactsPicture:
         As of `solve_contacts`, of one problem.
     chosen : int
         Number of the solution that is drawn; there may be none.
+    walls : sequence of DrawnWall
+        Walls at rest in the object's frame, whether or not it touches them.
     """
 
     def __init__(
-        self, contacts: Sequence[Contact], effects: Sequence[Effect], outline: Any, chosen: int
+        self,
+        contacts: Sequence[Contact],
+        effects: Sequence[Effect],
+        outline: Any,
+        chosen: int,
+        walls: Sequence[DrawnWall] = (),
     ) -> None:
         whole = None if outline is None else require_outline(outline)
         self.placed = place_contacts(contacts, whole, outline)
@@ -66,10 +74,14 @@ class ContactsPicture:
         points += [contact.point for contact in self.placed]
         self.low, self.high = np.min(points, axis=0), np.max(points, axis=0)
         self.half = float((self.high - self.low).max()) / 2.0
+        segments = [(wall.segment(np.array(self.center), 2.0 * self.half), wall) for wall in walls]
+        self.walls = [(ends, wall.normal) for ends, wall in segments if ends is not None]
 
     def draw(self) -> Picture:
         """The picture."""
         picture = Picture()
+        for ends, normal in self.walls:
+            add_wall(picture, ends, normal, 2.0 * self.half)
         if self.rings:
             add_outline(picture, [np.array(ring) for ring in self.rings], Ink())
         add_support(picture, self.body.support, self.pose, Ink())
@@ -81,7 +93,7 @@ class ContactsPicture:
 
     def box(self) -> Array:
         """Corners of the picture."""
-        corners = [self.low, self.high]
+        corners = [self.low, self.high, *(end for ends, _ in self.walls for end in ends)]
         for contact in self.placed:
             point, normal = np.array(contact.point), np.array(contact.normal)
             corners += [point - MOTION_LENGTH * self.half * normal]

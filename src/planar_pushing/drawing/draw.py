@@ -158,12 +158,24 @@ def draw_contacts(
     with paper_style():
         title = wrap(sketch.title())
         axes = _axes_under_title(new_figure(SCENE), title) if ax is None else ax
-        axes.set_axis_off()
-        picture, frame = sketch.draw(), sketch.box()
-        add_scale(picture, frame, 0.3 * float(np.ptp(frame[:, 0])), "")
-        to_axes(picture, axes, frame, PAD)
-        axes.set_title(title, fontsize=NOTE + 0.5, color=GUIDE)
+        _draw_contacts(axes, sketch, title, "")
     return axes
+
+
+def draw_contacts_on(figure: Figure, sketch: ContactsPicture, unit: str) -> None:
+    """Draw several contacts on a separate figure, as `draw_contacts` does, with a unit of length."""
+    with paper_style():
+        title = wrap(sketch.title())
+        _draw_contacts(_axes_under_title(figure, title), sketch, title, unit)
+
+
+def _draw_contacts(axes: Axes, sketch: ContactsPicture, title: str, unit: str) -> None:
+    """Draw several contacts with a scale bar and a title."""
+    axes.set_axis_off()
+    picture, frame = sketch.draw(), sketch.box()
+    add_scale(picture, frame, 0.3 * float(np.ptp(frame[:, 0])), unit)
+    to_axes(picture, axes, frame, PAD)
+    axes.set_title(title, fontsize=NOTE + 0.5, color=GUIDE)
 
 
 def outcome_of(sketch: Sketch) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.drawing.body import STROKE_SPACING, add_body, add_fence, add_finger, body_in
+from planar_pushing.drawing.body import add_body, add_fence, add_finger, body_in
 from planar_pushing.drawing.canvas.colors import (
     CENTER,
     FENCE,
@@ -24,7 +24,6 @@ from planar_pushing.drawing.canvas.marks import (
     LINES,
     NOTE,
     Arrow,
-    Hatch,
     Picture,
     arc,
     corners,
@@ -44,6 +43,7 @@ from planar_pushing.drawing.timeline import (
     runs,
     side_on_fence,
 )
+from planar_pushing.drawing.walls import DrawnWall, add_wall
 from planar_pushing.mechanics.plane import Array
 
 #: A longer step of the motion center between two rows, in units of the slider's span, is a jump.
@@ -52,8 +52,6 @@ JUMP = 0.5
 FORCE_LENGTH, PUSHER_LENGTH = 0.4, 0.2
 #: Half the width of the fence, and depth of its hatch, in units of the span.
 FENCE_HALF, DEPTH = 0.32, 0.036
-#: Half of a drawn wall, and largest distance of the slider from one, in the same unit.
-WALL_HALF, WALL_FAR = 0.7, 1.5
 #: Room for the name of a velocity beyond its arrow, in units of the arrow's length.
 ROOM = 0.4
 #: Distance of the velocity of a finger from the finger, in units of the span.
@@ -160,29 +158,18 @@ def wall_segments(data: xr.Dataset, row: int) -> list[tuple[Array, Array]]:
     """The drawn segment of each wall, beside the slider at a row, and its unit normal."""
     if "wall_point" not in data:
         return []
-    segments, half = [], WALL_HALF * span(data)
-    where = data["path_position"].values[row]
+    where, segments = data["path_position"].values[row], []
     for point, across in zip(data["wall_point"].values, data["wall_normal"].values, strict=True):
-        height = float((where - point) @ across)
-        if height > WALL_FAR * span(data):
-            continue
-        along = np.array([across[1], -across[0]])
-        foot = where - height * across
-        segments.append((np.array([foot - half * along, foot + half * along]), across))
+        ends = DrawnWall(point, across).segment(where, span(data))
+        if ends is not None:
+            segments.append((ends, across))
     return segments
 
 
 def add_walls(picture: Picture, data: xr.Dataset, row: int) -> None:
     """Add the walls near the slider, hatched on the side away from it."""
-    depth = DEPTH * span(data)
     for ends, across in wall_segments(data, row):
-        picture.line(ends, GUIDE, width=1.0)
-        length = float(np.hypot(*(ends[1] - ends[0])))
-        along = (ends[1] - ends[0]) / length
-        places = np.arange(depth, length, STROKE_SPACING * depth)
-        tops = ends[0] + places[:, None] * along
-        strokes = np.stack([tops, tops - depth * (along + across)], axis=1)
-        picture.add(Hatch(strokes, GUIDE))
+        add_wall(picture, ends, across, span(data))
 
 
 def add_instant(picture: Picture, data: xr.Dataset, row: int) -> None:

@@ -25,6 +25,7 @@ from planar_pushing.drawing.sketch import (
     moves,
 )
 from planar_pushing.drawing.supports import Ink, Pose, add_support, extents
+from planar_pushing.drawing.walls import add_wall
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.pictures import PICTURES
 from planar_pushing.mechanics.plane import Array, direction
@@ -62,7 +63,9 @@ def scene_picture(sketch: Sketch, *, cones: bool = True, friction: bool = True) 
 def add_slider(
     picture: Picture, sketch: Sketch, left: float | None = None, right: float | None = None
 ) -> None:
-    """Add the slider and the fence between two positions along it, or the finger."""
+    """Add the walls, the slider, and the fence between two positions along it, or the finger."""
+    for segment, normal in sketch.wall_segments:
+        add_wall(picture, segment, normal, 2.0 * sketch.half)
     half = HALF * sketch.reach
     if sketch.side is None:
         low, high = sketch.box[:, 0]

@@ -16,6 +16,7 @@ import xarray as xr
 from planar_pushing.drawing.body import Body, body_in, body_of
 from planar_pushing.drawing.canvas.marks import corners
 from planar_pushing.drawing.supports import Pose
+from planar_pushing.drawing.walls import DrawnWall
 from planar_pushing.drawing.words import best
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.force.cones import friction_cone, motion_cone
@@ -75,6 +76,8 @@ class Sketch:
         length of the reach.
     unit : str
         Unit of length, if the scene names it.
+    walls : tuple of DrawnWall
+        Walls at rest, in the fence frame.
     """
 
     body: Body
@@ -93,6 +96,7 @@ class Sketch:
     flats: Sequence[slice] = ()
     pusher_length: float | None = None
     unit: str = ""
+    walls: tuple[DrawnWall, ...] = ()
 
     @classmethod
     def of(
@@ -275,6 +279,14 @@ class Sketch:
         return self.force_scale(solution) * float(np.hypot(*solution.force)) / here
 
     @property
+    def wall_segments(self) -> list[tuple[Array, Array]]:
+        """Ends of the drawn segments of the walls near the slider, and their normals."""
+        segments = [
+            (wall.segment(self.center, 2.0 * self.half), wall.normal) for wall in self.walls
+        ]
+        return [(ends, normal) for ends, normal in segments if ends is not None]
+
+    @property
     def box(self) -> Array:
         """Corners of the box around everything drawn in full."""
         rim = SUPPORT_LENGTH * self.half * np.array([[-1.0, -1.0], [1.0, 1.0]])
@@ -289,6 +301,7 @@ class Sketch:
             points.append((0.0, LABEL * self.reach))
         finger = min(self.finger_radius, self.reach)
         points += [(-finger, 0.0), (finger, -2 * finger)]
+        points += [ends for ends, _ in self.wall_segments]
         if len(self.curve):
             points.append(self.curve_scale * self.curve)
         solution = self.solution

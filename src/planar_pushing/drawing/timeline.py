@@ -83,6 +83,11 @@ def path_data(log: xr.Dataset) -> xr.Dataset:
         ) from None
     except (ValueError, TypeError, KeyError):
         missing.append("scene")
+    if "contact" in log.dims:
+        raise InvalidFile(
+            "a log of several contacts; allowed: a log of one contact; plot its variables over time, or "
+            "draw the scene file"
+        )
     if missing:
         raise InvalidFile(
             f"the dataset lacks {', '.join(missing)}; allowed: a log of planar-pushing simulate; "

@@ -11,8 +11,10 @@ from urllib.parse import urlencode
 
 from pydantic import ValidationError
 
+from planar_pushing.explorer.several import open_state
 from planar_pushing.explorer.state import Handle, Start, State, with_push
 from planar_pushing.mechanics.contact import ContactMode
+from planar_pushing.scenes.contacts_model import ContactsFile
 from planar_pushing.scenes.files import explain
 from planar_pushing.scenes.scene_model import SceneFile
 from planar_pushing.terms.errors import (
@@ -44,6 +46,9 @@ REMEDY = "the page shows its first preset instead"
 
 def query(state: State) -> str:
     """Query of an address for a state."""
+    if state.several is not None:
+        whole = state.several.model_dump(mode="json", exclude_none=True, exclude_defaults=True)
+        return urlencode({key: _text(value) for key, value in whole.items()})
     parts = {name: getattr(state, name) for name in NAMES | NUMBERS}
     entries = {
         name: value
@@ -64,6 +69,8 @@ def state_in(arguments: Mapping[str, str]) -> State:
     InvalidValue, InvalidFile
         If the arguments do not make a state; one line gives the key, its value and the allowed values.
     """
+    if "contacts" in arguments:
+        return _with_contacts(arguments)
     content: dict[str, Any] = {}
     parts = {key: _part(key, arguments[key]) for key in arguments if key in NAMES | NUMBERS}
     for key in sorted(arguments.keys() - parts.keys(), key=lambda key: "." in key):
@@ -79,6 +86,16 @@ def state_in(arguments: Mapping[str, str]) -> State:
         line = explain_problem("address", error)
         raise InvalidFile(f"{line.rpartition('; ')[0]}; {REMEDY}") from None
     return state
+
+
+def _with_contacts(arguments: Mapping[str, str]) -> State:
+    """State of a scene with several contacts, whose sections are the arguments of an address."""
+    content = {key: _value(text) for key, text in arguments.items()}
+    try:
+        return open_state(ContactsFile.model_validate(content))
+    except ValidationError as error:
+        line = explain_problem("address", error)
+        raise InvalidFile(f"{line.rpartition('; ')[0]}; {REMEDY}") from None
 
 
 def _part(key: str, text: str) -> Any:

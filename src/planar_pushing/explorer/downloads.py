@@ -9,6 +9,7 @@ from pathlib import Path
 
 from planar_pushing.drawing.canvas.svg import to_svg
 from planar_pushing.drawing.scene import scene_picture
+from planar_pushing.explorer import several
 from planar_pushing.explorer.pictures.following import follow
 from planar_pushing.explorer.pictures.pictures import solve_push
 from planar_pushing.explorer.python_lines import lines
@@ -59,5 +60,8 @@ def download(state: State, name: str) -> bytes:
     """Content of a file for download."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / name
+        if state.several is not None:
+            several.write(state.several, name, path, SIZE, POINT)
+            return path.read_bytes()
         WRITERS[name](state, path)
         return path.read_bytes()

@@ -27,12 +27,13 @@ from planar_pushing.explorer.pictures.following import (
     without_choices,
 )
 from planar_pushing.explorer.pictures.maps import maps
-from planar_pushing.explorer.pictures.pictures import push_box
 from planar_pushing.explorer.pointing import Pointing
 from planar_pushing.explorer.presets import preset, titles
 from planar_pushing.explorer.python_lines import lines
+from planar_pushing.explorer.several import FIXED
+from planar_pushing.explorer.several import lines as lines_of_contacts
 from planar_pushing.explorer.state import State
-from planar_pushing.explorer.view import Order, View, map_markup, view
+from planar_pushing.explorer.view import Order, View, box_of, map_markup, view
 from planar_pushing.explorer.widgets import FRAMES, Field, alike, fields, update
 from planar_pushing.explorer.worker import Worker
 from planar_pushing.mechanics.plane import Array
@@ -108,7 +109,7 @@ class Page:
         self.number, self.orders, self.changed_at = 0, 0, 0.0
         self.quiet = self.starts = False
         self.sizes = dict.fromkeys(("scene", "curve", "map", "time"), (700.0, 480.0))
-        self.box, self.view = push_box(state), View({})
+        self.box, self.view = box_of(state), View({})
         self.screen, self.pointing = Screen(self._hear), Pointing(self)
         self.fields = fields()
         self.fixed = {"error": escape(message), "note": ""}
@@ -160,6 +161,9 @@ class Page:
 
         `name` and `value` are the changed widget and its value.
         """
+        if self.state.several is not None:
+            self.document.add_next_tick_callback(self.show_widgets)
+            return
         try:
             state = make(self.state)
             _ = state.scene
@@ -299,6 +303,8 @@ class Page:
             value = names[push.chosen] if names else None
             off = self.state.time is not None or len(names) < 2
             update(self.solution, {"options": labels, "value": value, "disabled": off})
+        elif self.state.several is not None:
+            update(self.solution, {"options": {}, "value": None, "disabled": True})
         if motion is not None and self.state.time is not None:
             player = self.fields["time"].widget
             end = max(int(np.ceil(FRAMES * motion.times[-1] / self.state.duration - 1e-9)), 1)
@@ -309,6 +315,7 @@ class Page:
         """Report slow computations, and update the page once it is at rest."""
         motion = self.view.motion if self.state.time is not None else None
         note = "" if motion is None else stop_text(motion.log)
+        note = note if self.state.several is None else FIXED
         if self.painter.seconds > SLOW or self.mapper.seconds > SLOW_MAP:
             note = COMPUTING
         self.fixed["note"] = escape(note[:1].upper() + note[1:])
@@ -321,14 +328,17 @@ class Page:
     def _rest(self) -> None:
         """Update what takes longer: all widgets, the frame, the address, and the map."""
         self.show_widgets()
-        box = push_box(self.state)
+        box = box_of(self.state)
         if not self.pointing.held and not np.array_equal(box, self.box):
             self.box = box
             self.painter.ask(Order(self.state, self.sizes, box, self.number))
         title = self.state.file.title
-        texts = {"python": escape(lines(self.state)), "title": escape(title)}
+        contacts = self.state.several
+        program = lines(self.state) if contacts is None else lines_of_contacts(contacts)
+        texts = {"python": escape(program), "title": escape(title)}
         self.screen.tell(texts, address=query(self.state), title=title)
-        self.mapper.ask((self.state, self.subject, self.view))
+        if contacts is None:
+            self.mapper.ask((self.state, self.subject, self.view))
 
     def _map(self, order: tuple[State, State, View]) -> tuple[str, ...]:
         """Draw a coarse and a finer map; return the modes to choose from. Runs in the mapper's thread."""

@@ -27,6 +27,8 @@ class Pointing:
 
     def hear(self, event: dict[str, Any]) -> None:
         """Handle an event: grab, drag, drop or cancel at a position in a picture, or an arrow key."""
+        if self.page.state.several is not None:
+            return
         if event["kind"] == "key":
             right, up = event["way"]
             self._key(right, up, event["coarse"])

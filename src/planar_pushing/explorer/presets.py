@@ -6,8 +6,10 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from planar_pushing.explorer.several import open_state
 from planar_pushing.explorer.state import State, state_of
-from planar_pushing.scenes.files import load_scene_file
+from planar_pushing.scenes.contacts_files import load_any_file
+from planar_pushing.scenes.contacts_model import ContactsFile
 from planar_pushing.scenes.scene_model import SceneFile
 from planar_pushing.scenes.yaml_text import read_yaml
 
@@ -46,7 +48,10 @@ PUSHES: dict[str, float | None] = {
     "stool": None,
     "impact": None,
     "pulling_with_inertia": None,
+    "box_along_a_wall": None,
 }
+#: Presets with several contacts, after the others.
+SEVERAL = ("two_fingers", "finger_in_a_corner")
 
 
 @cache
@@ -57,16 +62,17 @@ def gallery() -> dict[str, Any]:
 
 
 @cache
-def preset_file(name: str) -> SceneFile:
+def preset_file(name: str) -> SceneFile | ContactsFile:
     """Scene file of a preset."""
-    return load_scene_file(HERE / f"scenes/{name}.yaml")
+    return load_any_file(HERE / f"scenes/{name}.yaml")
 
 
 def titles() -> dict[str, str]:
     """Titles of the presets by name."""
-    return {name: preset_file(name).title for name in PUSHES}
+    return {name: preset_file(name).title for name in (*PUSHES, *SEVERAL)}
 
 
 def preset(name: str) -> State:
     """Initial state of a preset."""
-    return state_of(preset_file(name), PUSHES[name])
+    file = preset_file(name)
+    return state_of(file, PUSHES[name]) if isinstance(file, SceneFile) else open_state(file)

@@ -24,7 +24,7 @@ def _scene(state: State) -> Iterator[str]:
     parts += [f"radius={slider.radius!r}"] if slider.radius is not None else []
     parts += [f"side={code(slider.side)}"] if slider.side is not None else []
     parts += ["flush=True"] if slider.flush else []
-    parts += [f"outline={_outline(slider.outline)}"] if slider.outline is not None else []
+    parts += [f"outline={outline_code(slider.outline)}"] if slider.outline is not None else []
     yield "import numpy as np"
     yield "import planar_pushing as pp"
     yield ""
@@ -38,7 +38,7 @@ def _scene(state: State) -> Iterator[str]:
     yield ")"
 
 
-def _outline(entry: Any) -> str:
+def outline_code(entry: Any) -> str:
     """An outline in a file's form as an expression."""
     if not isinstance(entry, dict):
         return code(entry)

@@ -20,7 +20,9 @@ from tornado.routing import HostMatches, Rule
 from planar_pushing.explorer.address import state_in
 from planar_pushing.explorer.page import Page
 from planar_pushing.explorer.presets import FIRST, preset
-from planar_pushing.explorer.state import State, state_of
+from planar_pushing.explorer.several import open_state
+from planar_pushing.explorer.state import State
+from planar_pushing.scenes.contacts_model import ContactsFile
 from planar_pushing.scenes.scene_model import SceneFile
 from planar_pushing.terms.errors import (
     EarlyEndWarning,
@@ -38,8 +40,8 @@ FOLDER = Path(__file__).parent
 class Explorer:
     """A server with one page, which shows a first state unless its address gives another."""
 
-    def __init__(self, file: SceneFile | None = None, port: int = 0) -> None:
-        self.first = preset(FIRST) if file is None else state_of(file)
+    def __init__(self, file: SceneFile | ContactsFile | None = None, port: int = 0) -> None:
+        self.first = preset(FIRST) if file is None else open_state(file)
         port = _free(port)
         # Tornado uses the current loop; some versions of Python warn if there is none.
         asyncio.set_event_loop(asyncio.new_event_loop())

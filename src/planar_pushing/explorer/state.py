@@ -13,6 +13,7 @@ import numpy as np
 from planar_pushing.mechanics.effects import EFFECTS
 from planar_pushing.mechanics.force.rubbing import support_of
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.scenes.contacts_model import ContactsFile
 from planar_pushing.scenes.scene_model import SceneFile
 from planar_pushing.terms.options import EffectKind, Policy, PusherFrame, Shape
 
@@ -47,7 +48,8 @@ class State:
 
     The file always has the section `simulate`, and its first motion is the push. `shown` is the mode of the
     solution drawn in full, `across` the second axis of the map, `time` the instant that is followed, if
-    any, and `handle` the handle that the keys move.
+    any, and `handle` the handle that the keys move. A scene with several contacts is `several`; the file is
+    then that of the first contact alone.
     """
 
     file: SceneFile
@@ -58,6 +60,7 @@ class State:
     across: str = ""
     time: float | None = None
     handle: Handle = Handle.PUSHER
+    several: ContactsFile | None = None
 
     @property
     def scene(self) -> Scene:

@@ -13,6 +13,7 @@ import numpy as np
 from planar_pushing.drawing.canvas.colors import ENERGIES, MODES, look_of
 from planar_pushing.drawing.canvas.marks import Picture, Sheet
 from planar_pushing.drawing.words import outcome, row
+from planar_pushing.explorer import several
 from planar_pushing.explorer.pictures import curve, maps
 from planar_pushing.explorer.pictures.following import (
     FollowedMotion,
@@ -29,6 +30,7 @@ from planar_pushing.explorer.pictures.pictures import (
     handles,
     instant_picture,
     markup,
+    push_box,
     push_picture,
     solve_push,
     time_line_picture,
@@ -37,6 +39,7 @@ from planar_pushing.explorer.pictures.pictures import (
 from planar_pushing.explorer.state import State
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.mechanics.solutions import Solution
+from planar_pushing.scenes.contacts_model import ContactsFile
 
 #: Pixels per point: maximum, minimum, and ratio to the picture's width in pixels.
 POINT = 1.55, 1.25, 1 / 450
@@ -70,8 +73,27 @@ def sheet_of(size: tuple[float, float], box: Array) -> Sheet:
 
 
 def view(order: Order) -> View:
-    """View of a state: of its push, or of the instant that is followed."""
+    """View of a state: of its contacts, of its push, or of the instant that is followed."""
+    if order.state.several is not None:
+        return _contacts(order, order.state.several)
     return _push(order) if order.state.time is None else _instant(order, order.state.time)
+
+
+#: Elements that a scene with several contacts leaves empty.
+EMPTY = ("runs", "now", "when", "energies", "curve", "cross", "areas", "legend", "map-when")
+
+
+def _contacts(order: Order, file: ContactsFile) -> View:
+    picture = several.sketch(file)
+    sheet = sheet_of(order.sizes["scene"], order.box)
+    words = {"scene": markup(picture.draw(), sheet), "solutions": several.table(picture)}
+    title = picture.title()
+    return View(dict.fromkeys(EMPTY, "") | words | {"words": f"{title[:1].upper()}{title[1:]}."})
+
+
+def box_of(state: State) -> Array:
+    """Corners of the picture of the contacts, or of a push in any direction."""
+    return push_box(state) if state.several is None else several.sketch(state.several).box()
 
 
 def _push(order: Order) -> View:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -10,6 +11,7 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 from ruamel.yaml import YAML
 
+from planar_pushing.mechanics.effects import Effect
 from planar_pushing.mechanics.entries import TAGS, scene_entry
 from planar_pushing.mechanics.scene import Scene, require_scene, require_single
 from planar_pushing.mechanics.supports import SHAPES, Composite
@@ -24,7 +26,9 @@ from planar_pushing.terms.replacing import PathLike, replacing
 Model = TypeVar("Model", bound=FileModel)
 
 #: Keys that identify the kind of file.
-KINDS = {"contact": "a scene file", "grid": "a study file"}
+KINDS = {
+    "contact": "a scene file", "contacts": "a scene file with several contacts", "grid": "a study file",
+}  # fmt: skip
 
 
 def load_scene(path: PathLike) -> Scene:
@@ -46,7 +50,12 @@ def load_scene(path: PathLike) -> Scene:
 def load_scene_file(path: PathLike) -> SceneFile:
     """Read a scene file or an object file as a scene file; errors and warnings as in `load_scene`."""
     content = read_yaml(Path(require_path("path", path)))
-    if isinstance(content, dict) and "object" in content:
+    if isinstance(content, dict) and "contacts" in content and "contact" not in content:
+        raise InvalidFile(
+            f"{path}: contacts: {format_entry(content['contacts'])} given; allowed: contact, of one "
+            "pusher; for several contacts use load_contacts, or planar-pushing solve, simulate or draw"
+        )
+    if isinstance(content, dict) and "object" in content and "contacts" not in content:
         entry = load_model(path, ObjectFile)
         try:
             file = entry.scene_file()
@@ -61,6 +70,12 @@ def load_scene_file(path: PathLike) -> SceneFile:
     return file
 
 
+def has_contacts(path: PathLike) -> bool:
+    """Whether a file is that of a scene with several contacts; errors as in `load_scene`."""
+    content = read_yaml(Path(require_path("path", path)))
+    return isinstance(content, dict) and "contacts" in content
+
+
 def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
     """Write a scene file that `load_scene` reads back as the same scene.
 
@@ -71,17 +86,27 @@ def save_scene(scene: Scene, path: PathLike, title: str = "") -> None:
     InvalidValue
         If the scene has a law, an effect or a support that scene files cannot represent.
     """
+    require_title(title)
+    require_in_files(require_single(require_scene(scene)).effects)
+    entry = scene_entry(scene, title)
+    save_scene_file(SceneFile.model_validate(entry), require_path("path", path))
+
+
+def require_title(title: object) -> None:
+    """Refuse a title that is no text."""
     if not isinstance(title, str):
         raise InvalidValue("title", title, "text", "name the scene")
-    for effect in require_single(require_scene(scene)).effects:
+
+
+def require_in_files(effects: Iterable[Effect]) -> None:
+    """Refuse effects whose support scene files cannot describe."""
+    for effect in effects:
         support = getattr(effect, "support", None)
         if support is not None and not _is_in_files(support):
             raise InvalidValue(
                 "support", support, f"the shapes of scene files: {', '.join(SHAPES)}",
                 "describe it by these shapes, for instance as a Composite of them",
             )  # fmt: skip
-    entry = scene_entry(scene, title)
-    save_scene_file(SceneFile.model_validate(entry), require_path("path", path))
 
 
 def _is_in_files(support: Any) -> bool:
@@ -92,7 +117,7 @@ def _is_in_files(support: Any) -> bool:
 
 def save_scene_file(file: SceneFile, path: PathLike) -> None:
     """Write a scene file, including its simulation, that `load_scene_file` reads back unchanged."""
-    _write(file.model_dump(mode="json", exclude_none=True), path)
+    write_plain(file.model_dump(mode="json", exclude_none=True), path)
 
 
 def save_object_file(content: dict[str, Any], path: PathLike) -> None:
@@ -107,10 +132,10 @@ def save_object_file(content: dict[str, Any], path: PathLike) -> None:
         ObjectFile.model_validate(content)
     except ValidationError as error:
         raise InvalidFile(explain(Path(path), error.errors()[0])) from None
-    _write(content, path)
+    write_plain(content, path)
 
 
-def _write(content: dict[str, Any], path: PathLike) -> None:
+def write_plain(content: dict[str, Any], path: PathLike) -> None:
     """Write plain values as YAML, with each vector on one line."""
     with replacing(path) as temporary, temporary.open("w", encoding="utf-8") as stream:
         writer = YAML(typ="safe", pure=True)
@@ -143,8 +168,9 @@ def _key(location: tuple[int | str, ...]) -> str:
     """Location as written in the file, without the tags that distinguish laws, effects and policies."""
     key, previous = "", None
     for index, part in enumerate(location):
-        tag = previous in ("support", "on_ambiguity") or location[:index] == ("contact",)
-        tag |= index > 1 and location[index - 2] in ("effects", "supports")
+        tag = previous in ("support", "on_ambiguity")
+        tag |= previous == "contact" and location[0] != "object"
+        tag |= index > 1 and location[index - 2] in ("effects", "supports", "contacts")
         if isinstance(part, int):
             key += f"[{part}]"
         elif not tag:

@@ -69,8 +69,8 @@ class PlaceEntry(FileModel):
     side: SideNumber | None = None
 
 
-class ObjectEntry(FileModel):
-    """An object in its own frame: its outline, its feet and its contact.
+class BodyEntry(FileModel):
+    """An object in its own frame: its outline and its feet.
 
     Effects without a support act on the feet or, without feet, on the whole outline with uniform pressure;
     under arcs it is that of a polygon within a hundred-thousandth of the outline's size.
@@ -78,13 +78,42 @@ class ObjectEntry(FileModel):
 
     outline: Annotated[Any, OBJECT_OUTLINE] | None = None
     feet: Annotated[tuple[FootEntry, ...], NotEmpty] | None = None
-    contact: PlaceEntry
 
     @property
     def built_outline(self) -> Any:
         """The outline; its corners as they were drawn, because their sides are numbered."""
         is_shape = isinstance(self.outline, dict)
         return outline_of_entry(self.outline) if is_shape else self.outline
+
+
+class ObjectEntry(BodyEntry):
+    """An object in its own frame: its outline, its feet and its contact.
+
+    Effects without a support act on the feet or, without feet, on the whole outline with uniform pressure;
+    under arcs it is that of a polygon within a hundred-thousandth of the outline's size.
+    """
+
+    contact: PlaceEntry
+
+
+def give_support(content: Any, model: type[BodyEntry]) -> Any:
+    """Content of a file in which effects without a support have that of the object.
+
+    Raises
+    ------
+    PydanticCustomError
+        If the feet or the outline are no support, with the key of the object.
+    """
+    effects = content.get("effects") if isinstance(content, dict) else None
+    if not isinstance(effects, list) or not any(map(_rests_on_object, effects)):
+        return content
+    support = _support(content.get("object"), model)
+    if support is None:
+        return content
+    filled = [
+        effect | {"support": support} if _rests_on_object(effect) else effect for effect in effects
+    ]
+    return content | {"effects": filled}
 
 
 class ObjectFile(FileModel):
@@ -101,17 +130,7 @@ class ObjectFile(FileModel):
     @classmethod
     def _rests(cls, content: Any) -> Any:
         """Give the object's support to effects without one."""
-        effects = content.get("effects") if isinstance(content, dict) else None
-        if not isinstance(effects, list) or not any(map(_rests_on_object, effects)):
-            return content
-        support = _support(content.get("object"))
-        if support is None:
-            return content
-        filled = [
-            effect | {"support": support} if _rests_on_object(effect) else effect
-            for effect in effects
-        ]
-        return content | {"effects": filled}
+        return give_support(content, ObjectEntry)
 
     _twist_has_inertia = field_validator("simulate")(
         lambda entry, info: require_inertia(entry, info)
@@ -153,10 +172,10 @@ def _rests_on_object(effect: Any) -> bool:
     return is_resting and "support" not in effect
 
 
-def _support(entry: Any) -> dict[str, Any] | None:
+def _support(entry: Any, model: type[BodyEntry]) -> dict[str, Any] | None:
     """Entry of an object's support, if it has feet or an outline; errors name the keys of the object."""
     try:
-        ObjectEntry.model_validate(entry)
+        model.model_validate(entry)
     except ValidationError:
         return STAND_IN
     support = _support_entry(entry)

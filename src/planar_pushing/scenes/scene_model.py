@@ -19,7 +19,8 @@ from planar_pushing.scenes.entries import (
     UnitsEntry,
 )
 from planar_pushing.scenes.fields import FileModel, NotEmpty, Text, refuse_key
-from planar_pushing.scenes.simulate_model import PieceEntry, SimulateEntry
+from planar_pushing.scenes.pusher_model import PieceEntry
+from planar_pushing.scenes.simulate_model import SimulateEntry
 from planar_pushing.simulation.world import world_of
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import in_radians

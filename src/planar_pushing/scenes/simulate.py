@@ -8,9 +8,8 @@ from typing import Any
 import xarray as xr
 
 from planar_pushing.scenes.scene_model import SceneFile
-from planar_pushing.scenes.simulate_model import PieceEntry, SimulateEntry
+from planar_pushing.scenes.simulate_model import SimulateEntry
 from planar_pushing.simulation.early_end import quietly, warn_of_early_end
-from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.simulation.until import Until
 from planar_pushing.simulation.walls import Wall
@@ -40,7 +39,7 @@ def arguments(entry: SimulateEntry) -> dict[str, Any]:
     """Keyword arguments of `simulate`; angles in radians."""
     twist, pose, until = entry.initial_twist, entry.object_pose, entry.until
     return {
-        "pusher": _pusher(entry),
+        "pusher": entry.build_pusher(),
         "duration": entry.duration,
         "method": entry.method,
         "rtol": entry.rtol,
@@ -55,23 +54,3 @@ def arguments(entry: SimulateEntry) -> dict[str, Any]:
         ],
         "object_pose": (pose.x, pose.y, float(in_radians(pose.angle))) if pose else None,
     }
-
-
-def _pusher(entry: SimulateEntry) -> Pusher:
-    """The pusher, from its velocities or its waypoints."""
-    kind: dict[str, Any] = {"shape": entry.pusher_shape, "frame": entry.pusher_frame}
-    if entry.pusher_radius is not None:
-        kind["radius"] = entry.pusher_radius
-    if entry.waypoints is not None:
-        return Pusher(
-            waypoints=[(waypoint.time, (waypoint.x, waypoint.y)) for waypoint in entry.waypoints],
-            **kind,
-        )
-    return Pusher(velocity=[(piece.time, velocity(piece)) for piece in entry.pieces], **kind)
-
-
-def velocity(piece: PieceEntry) -> tuple[float, float]:
-    """Velocity of the fence; directions along and normal to the fence are free of rounding of pi."""
-    angle = math.radians(piece.angle % 360)
-    x, y = piece.speed * math.cos(angle), piece.speed * math.sin(angle)
-    return (0.0 if piece.angle % 180 == 90 else x), (0.0 if piece.angle % 180 == 0 else y)

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import itertools
-import math
-from collections.abc import Sequence
-from itertools import starmap
-from typing import Annotated, Any, Self
+from collections.abc import Mapping
+from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Discriminator, Tag, model_validator
 
@@ -27,6 +24,7 @@ from planar_pushing.scenes.fields import (
     refuse,
     refuse_key,
 )
+from planar_pushing.scenes.pusher_model import Moving, PieceEntry, WaypointEntry, require_order
 from planar_pushing.terms.domain import (
     DISTANCE,
     DURATION,
@@ -39,34 +37,11 @@ from planar_pushing.terms.domain import (
 from planar_pushing.terms.options import Method, Policy, PusherFrame, Shape
 
 
-class PieceEntry(FileModel):
-    """The fence's velocity from a start time; the angle in degrees."""
-
-    time: NonNegative
-    angle: Degrees
-    speed: NonNegative = 1.0
-
-
 class PolicyEntry(FileModel):
     """Policy that chooses between contact modes from a start time."""
 
     time: NonNegative
     policy: PolicyName
-
-
-class WaypointEntry(FileModel):
-    """Position of the pusher at a time."""
-
-    time: NonNegative
-    x: FiniteNumber
-    y: FiniteNumber
-
-
-def _leg(here: WaypointEntry, there: WaypointEntry) -> PieceEntry:
-    """Velocity from one waypoint to the next."""
-    x, y = there.x - here.x, there.y - here.y
-    speed = math.hypot(x, y) / (there.time - here.time)
-    return PieceEntry(time=here.time, angle=math.degrees(math.atan2(y, x)), speed=speed)
 
 
 class PoseEntry(FileModel):
@@ -137,8 +112,18 @@ PolicyEntries = Annotated[
 ]
 
 
-class SimulateEntry(FileModel):
+def policies_of(entry: Any) -> tuple[PolicyEntry, ...]:
+    """Policies over time, one of which a file can give by its name."""
+    return entry if isinstance(entry, tuple) else (PolicyEntry(time=0.0, policy=entry),)
+
+
+class SimulateEntry(Moving):
     """Motion of the fence or the finger, constant or in pieces, and settings of the simulation."""
+
+    keys: ClassVar[Mapping[str, str]] = {
+        "angle": "pusher_angle", "speed": "pusher_speed", "pieces": "pusher", "waypoints": "waypoints",
+        "shape": "pusher_shape", "radius": "pusher_radius", "frame": "pusher_frame",
+    }  # fmt: skip
 
     pusher_angle: Degrees | None = None
     pusher_speed: NonNegative | None = None
@@ -161,17 +146,6 @@ class SimulateEntry(FileModel):
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
-        kinds = ("pusher_angle", "pusher", "waypoints")
-        names = [name for name in kinds if getattr(self, name) is not None]
-        if len(names) != 1:
-            allowed = f"exactly one of {', '.join(kinds[:2])} and {kinds[2]}"
-            if names:
-                raise refuse_key(names[1], " and ".join(names), allowed, "remove the others")
-            raise refuse_key(kinds[0], None, allowed, "give one of them")
-        if self.pusher_angle is None and self.pusher_speed is not None:
-            self._refuse("pusher_speed", "pusher_angle", "give each piece of pusher its own speed")
-        if self.pusher_radius and self.pusher_shape != Shape.FINGER:
-            self._refuse("pusher_radius", "pusher_shape finger", "leave it out: a fence is a line")
         if self.pusher_frame == PusherFrame.WORLD and self.object_pose is None:
             self._refuse("pusher_frame", "an object_pose", "give the pose of the object at time 0")
         if self.walls is not None and self.object_pose is None:
@@ -180,38 +154,10 @@ class SimulateEntry(FileModel):
             self._refuse(
                 "step", "the method time-stepping", "leave it out: rtol controls the steps"
             )
-        timed: dict[str, Sequence[Any]] = {
-            "pusher": self.pusher or (), "waypoints": self.waypoints or (),
-            "on_ambiguity": self.policies,
-        }  # fmt: skip
-        for name, pieces in timed.items():
-            times = [piece.time for piece in pieces] or [0.0]
-            if times[0] != 0 or any(b <= a for a, b in itertools.pairwise(times)):
-                raise refuse_key(
-                    name, times, "times that begin at 0 and increase", "put them in order"
-                )
-        if self.waypoints is not None and len(self.waypoints) < 2:
-            raise refuse_key("waypoints", len(self.waypoints), "at least two waypoints", "add one")
+        require_order("on_ambiguity", self.policies)
         return self
-
-    def _refuse(self, name: str, other: str, remedy: str) -> None:
-        """Refuse a key that goes with another one only."""
-        raise refuse_key(name, getattr(self, name), f"this key with {other} only", remedy)
-
-    @property
-    def pieces(self) -> tuple[PieceEntry, ...]:
-        """Pieces of the pusher's motion, one if it is constant; it rests after the last waypoint."""
-        if self.pusher is not None:
-            return self.pusher
-        if self.waypoints is not None:
-            legs = starmap(_leg, itertools.pairwise(self.waypoints))
-            return (*legs, PieceEntry(time=self.waypoints[-1].time, angle=0.0, speed=0.0))
-        speed = 1.0 if self.pusher_speed is None else self.pusher_speed
-        return (PieceEntry(time=0.0, angle=self.pusher_angle, speed=speed),)
 
     @property
     def policies(self) -> tuple[PolicyEntry, ...]:
         """Policies that choose between contact modes, one for each piece of time."""
-        if isinstance(self.on_ambiguity, tuple):
-            return self.on_ambiguity
-        return (PolicyEntry(time=0.0, policy=self.on_ambiguity),)
+        return policies_of(self.on_ambiguity)

@@ -34,5 +34,19 @@ def test_a_scene_file_is_as_the_schema_says(schema):
         assert not schema.is_valid(content | {"slider": content["slider"] | wrong})
 
 
+@pytest.mark.parametrize("name", ["two_fingers", "finger_in_a_corner", "box_along_a_wall", "box"])
+def test_files_of_objects_are_as_the_schema_says(schema, name):
+    content = YAML(typ="safe", pure=True).load(Path(f"workflow/scenes/{name}.yaml"))
+    assert schema.is_valid(content)
+    section = content["simulate"]
+    wrong = [{"effects": 3}, {"simulate": section | {"duration": 0}}, {"titel": ""}]
+    if "contacts" in content:
+        first = content["contacts"][0]
+        wrong += [{"contacts": {}}, {"contact": first}, {"simulate": section | {"pusher_angle": 3}}]
+        wrong += [{"contacts": [first | {"velocity": [1]}]}, {"contacts": [{"point": [0.5, 0]}]}]
+    for change in wrong:
+        assert not schema.is_valid(content | change), change
+
+
 def test_a_kind_that_is_not_there(refused):
     refused(["schema", "sceen"], "kind: 'sceen' given; allowed: scene, ")

@@ -5,10 +5,12 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.drawing.canvas.marks import Arrow
+from planar_pushing.drawing.canvas.marks import Arrow, Hatch
 from planar_pushing.drawing.contacts import ContactsPicture
+from planar_pushing.drawing.files import contacts_picture
 from planar_pushing.drawing.motion import wall_segments
 from planar_pushing.drawing.timeline import path_data
+from planar_pushing.scenes.contacts_files import load_contacts_file
 
 SQUARE = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
 FRICTION = [pp.SupportFriction(support=pp.Polygon(SQUARE))]
@@ -68,3 +70,31 @@ def test_a_log_shows_the_walls_beside_the_slider():
     center = data["path_position"].values[-1]
     assert float((center - ends[0]) @ normal) == pytest.approx(1.0, abs=1e-9)
     assert len(pp.plot_log(log).axes) > 3
+
+
+def test_the_picture_of_a_file_shows_its_walls_in_the_objects_frame(tmp_path):
+    """The square is turned by 90 degrees and 0.5 above the ground, whose hatch is on its other side."""
+    path = tmp_path / "scene.yaml"
+    path.write_text(
+        """\
+object: {outline: [[-1, -1], [1, -1], [1, 1], [-1, 1]]}
+contacts: [{point: [0, 1], law: perfectly_rough}]
+effects: [{type: support_friction}]
+simulate:
+  pushers: [{shape: finger, angle: 90}]
+  walls:
+    - {point: [7, 0], normal: [0, 3], contact: {law: perfectly_rough}}
+    - {point: [900, 0], normal: [-1, 0], contact: {law: perfectly_rough}}
+  object_pose: {x: 5, y: 1.5, angle: 90}
+  duration: 1
+""",
+        encoding="utf-8",
+    )
+    sketch = contacts_picture(load_contacts_file(path))
+    ((ends, normal),) = sketch.walls  # the other one is far away
+    assert normal == pytest.approx((1, 0))
+    assert ends[:, 0] == pytest.approx(-1.5)
+    (hatch,) = (mark for mark in sketch.draw().marks if isinstance(mark, Hatch))
+    assert (np.array(hatch.strokes)[:, 1, 0] < -1.5).all()
+    low, high = sketch.box()
+    assert ((low <= ends) & (ends <= high)).all()

@@ -23,11 +23,11 @@ from planar_pushing.explorer.pictures.pictures import (
     solve_push,
     time_picture,
 )
-from planar_pushing.explorer.presets import preset, titles
+from planar_pushing.explorer.presets import PUSHES, preset
 from planar_pushing.explorer.state import Handle, with_law, with_push, with_simulation
 from planar_pushing.explorer.view import Order, map_markup, sheet_of, view
 
-PRESETS = list(titles())
+PRESETS = list(PUSHES)
 SIZES = dict.fromkeys(("scene", "curve", "map", "time"), (700.0, 480.0))
 
 

@@ -8,8 +8,9 @@ from pydantic import TypeAdapter
 from planar_pushing import InvalidValue, Until
 from planar_pushing.scenes.entries import SupportEntry
 from planar_pushing.scenes.files import load_scene_file
-from planar_pushing.scenes.simulate import arguments, simulate_file, velocity
-from planar_pushing.scenes.simulate_model import PieceEntry, SimulateEntry
+from planar_pushing.scenes.pusher_model import PieceEntry, velocity
+from planar_pushing.scenes.simulate import arguments, simulate_file
+from planar_pushing.scenes.simulate_model import SimulateEntry
 from pulling_by_pushing.study.datasets.base import labeled_radians
 
 

@@ -14,6 +14,7 @@ from ruamel.yaml import YAML
 
 from planar_pushing.commands import main
 from planar_pushing.mechanics.outline import require_corners
+from planar_pushing.scenes.contacts_files import load_contacts
 from planar_pushing.scenes.files import load_scene
 from pulling_by_pushing.study.study_file import load_study
 from shown import FLAGS, Checker, agrees
@@ -84,7 +85,8 @@ def read_yaml(text, names, capsys):
     elif "jobs" in content:
         check_schema(path)
     else:
-        (load_scene if "contact" in content else load_study)(path)
+        loads = {"contact": load_scene, "contacts": load_contacts}
+        loads.get(next((key for key in loads if key in content), ""), load_study)(path)
 
 
 def check_schema(path):

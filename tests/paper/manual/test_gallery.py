@@ -52,6 +52,16 @@ def test_every_other_simulation_has_its_picture_and_its_scene(gallery):
         assert Path(re.search("<summary><code>(.*?)</code>", found)[1]).is_file()
 
 
+@pytest.mark.parametrize("name", ["two-fingers", "box-along-a-wall", "finger-in-a-corner"])
+def test_scenes_with_several_contacts_have_their_picture_command_and_file(gallery, name):
+    found = section(gallery, f"scene-{name}")
+    assert "<svg" in found
+    text = unescape(re.sub("<[^>]*>", "", found))
+    code = f"workflow/scenes/{name.replace('-', '_')}.yaml"
+    assert f"planar-pushing draw {code} -o " in text
+    assert Path(code).read_text(encoding="utf-8").rstrip() in text
+
+
 def test_no_figure_is_shown_twice(gallery):
     pictures = re.findall(r'src="(_images/[^"]*)"', gallery)
     assert len(pictures) == len(set(pictures)) == len([*study_figures(), *OURS, *undrawn()])

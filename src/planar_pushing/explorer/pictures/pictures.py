@@ -27,9 +27,11 @@ from planar_pushing.drawing.scene import (
     add_solution,
 )
 from planar_pushing.drawing.sketch import FAR, Sketch
+from planar_pushing.drawing.walls import DrawnWall, walls_before
 from planar_pushing.drawing.words import best
 from planar_pushing.explorer.pictures.following import FollowedMotion, energies, row_at
 from planar_pushing.explorer.pictures.handles import arrow_length, frame_of, handle_positions
+from planar_pushing.explorer.python_lines import settings
 from planar_pushing.explorer.state import State
 from planar_pushing.mechanics.force.cones import is_magnitude_open
 from planar_pushing.mechanics.plane import Array
@@ -68,9 +70,16 @@ def solve_push(state: State) -> SolvedPush:
     sketch = Sketch.of(
         scene, angle, state.magnitude, solutions=solutions, chosen=chosen, side=side,
         finger_radius=state.finger_radius,
-        pusher_length=arrow_length(state),
+        pusher_length=arrow_length(state), walls=walls_of(state),
     )  # fmt: skip
     return SolvedPush(state, consistent, chosen, sketch)
+
+
+def walls_of(state: State) -> tuple[DrawnWall, ...]:
+    """The walls of a state in the fence frame; none beside a slider that has lost its outline."""
+    if state.file.simulate is None or state.scene.slider.outline is None:
+        return ()
+    return walls_before(state.scene, settings(state))
 
 
 def push_picture(push: SolvedPush) -> Picture:
@@ -101,6 +110,9 @@ def push_box(state: State) -> Array:
     reach = frame.reach * (1.36 if is_magnitude_open(state.scene) else 1.12)
     low, high = frame.body.box(frame.pose) + frame.half * np.array([[-0.3], [0.5]])
     around = np.array([low, high, (-1.5 * reach, -reach), (1.5 * reach, reach), *ends])
+    for wall in walls_of(state):
+        segment = wall.segment(frame.pose.origin, 2.0 * frame.half)
+        around = around if segment is None else np.concatenate([around, segment])
     return np.array([around.min(axis=0), around.max(axis=0)])
 
 

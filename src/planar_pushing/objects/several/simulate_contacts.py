@@ -122,7 +122,7 @@ def simulate_contacts(
         object overlaps a pusher or a wall at the start.
     """
     whole = require_outline(outline)
-    placed = _place_pushers(contacts, pushers, whole, outline)
+    placed = place_pushers(contacts, pushers, whole, outline)
     scene, center = scene_about_center(effects, whole)
     if scene.stores_energy:
         raise InvalidValue(
@@ -146,7 +146,7 @@ def simulate_contacts(
     shape = Shape(whole.in_frame(Frame(center, (1.0, 0.0))))
     movers, breaks = [], {start for start, _ in policies if start > 0.0}
     for contact, pusher in zip(placed, pushers, strict=True):
-        mover, jumps = _mover_of(contact, pusher, world, shape.size, end)
+        mover, jumps = mover_of(contact, pusher, world, shape.size, end)
         movers.append(mover)
         breaks.update(jumps)
     movers += [
@@ -176,9 +176,7 @@ def simulate_contacts(
     return _log(run, center, units).assign_attrs(attributes)
 
 
-def _place_pushers(
-    contacts: Any, pushers: Any, outline: Outline, given: Any
-) -> list[PlacedContact]:
+def place_pushers(contacts: Any, pushers: Any, outline: Outline, given: Any) -> list[PlacedContact]:
     """The contact of each pusher: a point of the object, with the law."""
     several = list(pushers) if isinstance(pushers, (list, tuple)) else []
     if not several or not all(isinstance(pusher, Pusher) for pusher in several):
@@ -219,7 +217,7 @@ def _place_pushers(
     return placed
 
 
-def _mover_of(
+def mover_of(
     contact: PlacedContact, pusher: Pusher, world: Frame, size: float, duration: float
 ) -> tuple[Mover, tuple[float, ...]]:
     """A pusher in the world, and the times at which its velocity jumps."""
