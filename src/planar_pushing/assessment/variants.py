@@ -59,8 +59,7 @@ def with_candidates(scene: Scene, candidates: Sequence[Effect]) -> Scene:
 
 def in_object(scene: Scene) -> list[Any]:
     """The effects of a scene in the object's frame."""
-    body, fence = body_frame(scene).inverse, fence_frame(scene).inverse
-    body, fence = (Frame(_floats(frame.origin), _floats(frame.axis)) for frame in (body, fence))
+    body, fence = _plain(body_frame(scene).inverse), _plain(fence_frame(scene).inverse)
     return [_on_ring(effect, scene).in_frames(body, fence) for effect in scene.effects]
 
 
@@ -209,10 +208,13 @@ def _along(
 
 
 def _outline_in_object(scene: Scene) -> Outline | None:
-    if scene.placement is None:
-        return scene.slider.outline_in_body()
-    outline: Outline | None = scene.slider.outline
-    return outline
+    """The outline in the object's frame; that of a scene file is in the body frame."""
+    body, slider = body_frame(scene), scene.slider
+    outline: Outline | None = slider.outline
+    if outline is None or slider.outline_frame == body:
+        return outline
+    in_body = slider.outline_in_body()
+    return None if in_body is None else in_body.in_frame(_plain(body.inverse))
 
 
 def _on_ring(effect: Any, scene: Scene) -> Any:
@@ -242,5 +244,7 @@ def _pair(vector: Array) -> tuple[float, float]:
     return x, y
 
 
-def _floats(pair: tuple[Any, Any]) -> tuple[float, float]:
-    return float(pair[0]), float(pair[1])
+def _plain(frame: Frame) -> Frame:
+    """A frame of floats."""
+    (x, y), (a, b) = ((float(pair[0]), float(pair[1])) for pair in frame)
+    return Frame((x, y), (a, b))

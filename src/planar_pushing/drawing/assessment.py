@@ -1,4 +1,4 @@
-"""An assessment of a push in three panels: what effects change, what accuracy costs, how sure the pose is."""
+"""An assessment of a push in three panels: effects, methods, inputs."""
 
 from __future__ import annotations
 
