@@ -28,8 +28,8 @@ def add(commands: Commands) -> None:
     add_scene(sub)
     sub.add_argument(
         "--tolerance", type=float, metavar="NUMBER",
-        help="largest change of the pose that does not matter, in the scene's unit of length, > 0 (default: "
-        "a hundredth of the object's diagonal)",
+        help="largest change of the pose that does not matter, in the scene's unit of length, > 0 "
+        "(default: a hundredth of the object's diagonal)",
     )  # fmt: skip
     sub.add_argument(
         "--candidate", nargs="+", metavar="NAME",
