@@ -228,32 +228,49 @@ def test_a_pusher_that_follows_a_function(assessment):
 
 
 def test_a_kink_is_told():
-    """At the edge of the friction cone, one side sticks and the other slips."""
-    edge = math.degrees(math.atan(0.5))
-    angle = math.radians(90.0 - edge)
-    feet = pp.Points([(-0.1, -0.1), (0.1, -0.1), (0.0, 0.1)])
-    friction = pp.SupportFriction(support=feet, weight=WEIGHT)
-    answers = [
-        pp.assess_push(box((x, -0.1), friction), _finger(angle), duration=1.0, tolerance=1e-3)
-        for x in np.linspace(-0.1, 0.1, 9)
-    ]
-    kinks = [answer for answer in answers if any("not symm" in text for text in answer.warnings)]
-    assert all((answer.inputs["kink"] > 0.5).any() for answer in kinks)
+    """The force of a translation is on the edge of the friction cone: with less friction, it slips."""
+    angle = math.radians(20.0)
+    scene = pp.scene_at(
+        (-0.1 * math.tan(angle), -0.1), effects=(FRICTION,), outline=BOX,
+        contact=pp.Coulomb(1.005 * math.tan(angle)),
+    )  # fmt: skip
+    pusher = pp.Pusher(velocity=(0.05 * math.sin(angle), 0.05 * math.cos(angle)), shape="finger")
+    answer = pp.assess_push(scene, pusher, duration=1.0, tolerance=1e-5)
+    friction = answer.inputs.sel(input="friction of the contact")
+    more, less = friction["change"].values
+    assert more < 1e-9
+    assert less > 1e-5
+    assert friction["kink"] == pytest.approx(1.0, abs=1e-3)
+    assert not friction["same_modes"]
+    assert any(text.startswith("friction of the contact: ") for text in answer.warnings)
 
 
-def test_several_consistent_modes_and_an_early_end_are_told():
-    """With much friction a pull has several modes; without an outline the center reaches the fence."""
-    slider = pp.Slider(rod_length=2.0, rod_angle=math.radians(30))
-    scene = pp.Scene(slider=slider, contact=pp.Coulomb(2.0), effects=(pp.RingFriction(weight=1.0),))
-    pusher = pp.Pusher(velocity=(math.cos(math.radians(10)), math.sin(math.radians(10))))
-    answer = pp.assess_push(scene, pusher, duration=0.5)
+def test_several_consistent_modes_are_told():
+    """A pull, which separation would obey as well."""
+    scene = pp.load_scene("workflow/scenes/pulling.yaml")
+    angles = np.deg2rad([60.0, -20.0])
+    pieces = zip((0.0, 0.4), zip(np.cos(angles), np.sin(angles), strict=True), strict=True)
+    answer = pp.assess_push(scene, pp.Pusher(velocity=list(pieces)), duration=1.0)
     assert any("several contact modes are consistent" in text for text in answer.warnings)
 
 
+def test_an_early_end_is_told_and_its_effect_is_listed():
+    """The finger comes to a second place of a hollow object, sooner or later by its inertia."""
+    hollow = [(-2, -1), (2, -1), (2, 1), (1.5, 1), (1.5, -0.5), (-1.5, -0.5), (-1.5, 1), (-2, 1)]
+    outline = 0.1 * np.array(hollow)
+    friction = pp.SupportFriction(support=pp.Polygon(outline), weight=WEIGHT)
+    scene = pp.scene_at(
+        (0.05, -0.05), (0.0, -1.0), effects=(friction,), contact=pp.Coulomb(0.1), outline=outline
+    )
+    pusher = pp.Pusher(velocity=(-0.05, 0.05), shape="finger")
+    answer = pp.assess_push(scene, pusher, duration=6.0, candidates=[INERTIA])
+    assert any("ends early, at" in text for text in answer.warnings)
+
+
 WRONG = [
-    ({"scene": 3}, "scene: 3 given; allowed: Scene"),
+    ({"scene": 3}, "scene: 3 given; allowed: a Scene"),
     ({"scene": box(np.array([(0.04, -0.1), (0.0, -0.1)]))}, "scene: 'an array of scenes' given"),
-    ({"pusher": (0, 1)}, "pusher: (0, 1) given; allowed: Pusher"),
+    ({"pusher": (0, 1)}, "pusher: (0, 1) given; allowed: a Pusher"),
     ({"pusher": pp.Pusher(velocity=(np.zeros(2), np.ones(2)))}, "pusher: 'arrays' given"),
     ({"duration": 0.0}, "duration: 0.0 given"),
     ({"duration": [1.0, 2.0]}, "duration"),
@@ -283,7 +300,3 @@ def test_a_push_that_simulate_refuses_is_refused():
     scene = pp.scene_at(side=0, effects=(FRICTION,), contact=COULOMB, outline=BOX)
     with pytest.raises(pp.InvalidValue, match="finger on a side"):
         pp.assess_push(scene, FINGER, duration=1.0)
-
-
-def _finger(angle):
-    return pp.Pusher(velocity=(0.05 * math.cos(angle), 0.05 * math.sin(angle)), shape="finger")

@@ -1,7 +1,7 @@
 """Five pushes of a box, whose values two integrators agree on: what leaving out an effect changes.
 
-The box is 0.3 m by 0.2 m, 1.2 kg, with a coefficient of friction of 0.3 on the table. The values are those of
-event-driven runs and of 8,000 and 16,000 equal steps, extrapolated; both agree to 5e-6 mm.
+The box is 0.3 m by 0.2 m, 1.2 kg, with a coefficient of friction of 0.3 on the table. The values are those
+of event-driven runs and of 8,000 and 16,000 equal steps, extrapolated; both agree to 5e-6 mm.
 """
 
 import math
