@@ -10,7 +10,7 @@ import numpy as np
 
 from planar_pushing.assessment.effects import assess_effects, start_runs
 from planar_pushing.assessment.estimate import outline_circles
-from planar_pushing.assessment.inputs import assess_inputs, doubts
+from planar_pushing.assessment.inputs import assess_inputs
 from planar_pushing.assessment.methods import assess_methods
 from planar_pushing.assessment.result import PushAssessment
 from planar_pushing.assessment.trial import Trial
@@ -107,17 +107,14 @@ def assess_push(
 def _assess(trial: Trial, full: Scene, tolerance: float, change: float) -> PushAssessment:
     """Assess a push that `simulate` accepts."""
     runs = start_runs(trial, full, change)
-    effects, scene, contradictions = assess_effects(runs, tolerance)
+    effects, scene, messages = assess_effects(runs, tolerance)
     methods = assess_methods(trial, scene, tolerance)
     inputs, kinks = assess_inputs(trial, scene, change, tolerance)
-    messages = doubts(trial.run(scene), "the run with the needed effects")
-    if len(scene.effects) < len(full.effects):
-        messages += doubts(trial.run(full), "the run with all effects")
     if methods.attrs["cheapest"] < 0:
         messages.append("no setting of a method holds the tolerance")
     return PushAssessment(
         effects=effects, methods=methods, inputs=inputs, scene=scene, tolerance=tolerance,
-        duration=trial.duration, warnings=(*messages, *contradictions, *kinks),
+        duration=trial.duration, warnings=(*messages, *kinks),
     )  # fmt: skip
 
 

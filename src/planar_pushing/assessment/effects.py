@@ -19,6 +19,7 @@ from planar_pushing.assessment.estimate import (
 )
 from planar_pushing.assessment.trial import SIDES, Trial, evaluations_of, modes_of
 from planar_pushing.assessment.variants import Push, moved_contact
+from planar_pushing.mechanics.contact import Outcome
 from planar_pushing.mechanics.effects import Inertia, Load
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.terms.errors import InvalidValue
@@ -135,13 +136,31 @@ def assess_effects(runs: Runs, tolerance: float) -> tuple[xr.Dataset, Scene, lis
         {"change_together": off, "modes": modes_of(every[0]), "modes_of_needed": modes_of(lean[0]),
          "evaluations": _evaluations(runs, runs.full), "evaluations_of_needed": _evaluations(runs, kept)},
     )  # fmt: skip
-    return effects, with_effects(scene, kept), _contradictions(effects, tolerance)
+    messages = _doubts(lean[0], "the run with the needed effects")
+    if kept != runs.full:
+        messages += _doubts(every[0], "the run with all effects")
+    return effects, with_effects(scene, kept), messages + _contradictions(effects, tolerance)
 
 
 def _evaluations(runs: Runs, kept: tuple[int, ...]) -> int:
     """Evaluations of the push with some of the effects, without those of a log's samples."""
     scene, pusher = runs.pushes[0]
     return evaluations_of(runs.trial.run(with_effects(scene, kept), pusher, samples=2))
+
+
+def _doubts(base: xr.Dataset, which: str) -> list[str]:
+    """Warnings of a run on which one cannot rely."""
+    warnings = []
+    if (base["outcome"].values == Outcome.AMBIGUOUS).any():
+        warnings.append(
+            f"{which}: several contact modes are consistent on the way, and a policy chooses; do not trust "
+            "one run"
+        )
+    if base.attrs["stopped"]:
+        warnings.append(
+            f"{which} ends early, at {base.attrs['stopped_time']:.4g}: {base.attrs['stopped']}"
+        )
+    return warnings
 
 
 def effect_names(scene: Scene) -> list[str]:

@@ -7,7 +7,6 @@ import xarray as xr
 
 from planar_pushing.assessment.trial import SIDES, Trial, modes_of
 from planar_pushing.assessment.variants import changed_inputs
-from planar_pushing.mechanics.contact import Outcome
 from planar_pushing.mechanics.scene import Scene
 from planar_pushing.terms.errors import InvalidValue
 
@@ -47,21 +46,6 @@ def assess_inputs(
         {"change_of_inputs": change, "change_together": float(np.nanmax(changes, axis=1).sum())},
     )  # fmt: skip
     return inputs, _kinks(inputs, tolerance)
-
-
-def doubts(base: xr.Dataset, which: str) -> list[str]:
-    """Warnings of a run on which one cannot rely."""
-    warnings = []
-    if (base["outcome"].values == Outcome.AMBIGUOUS).any():
-        warnings.append(
-            f"{which}: several contact modes are consistent on the way, and a policy chooses; do not trust "
-            "one run"
-        )
-    if base.attrs["stopped"]:
-        warnings.append(
-            f"{which} ends early, at {base.attrs['stopped_time']:.4g}: {base.attrs['stopped']}"
-        )
-    return warnings
 
 
 def _kink(trial: Trial, base: xr.Dataset, logs: list[xr.Dataset]) -> float:

@@ -20,7 +20,7 @@ from planar_pushing.terms.options import Method
 #: Width and height of the figure, inches; left edges and widths of the axes, and their bottom and height,
 #: as fractions.
 SIZE = (PAGE, 2.3)
-LEFT, WIDTH, BOTTOM, HEIGHT = (0.125, 0.42, 0.815), (0.19, 0.19, 0.175), 0.19, 0.66
+LEFT, WIDTH, BOTTOM, HEIGHT = (0.125, 0.42, 0.815), (0.19, 0.19, 0.175), 0.19, 0.62
 #: Colors and markers of the methods.
 METHODS = {Method.EVENT_DRIVEN: (MOTION, "o"), Method.TIME_STEPPING: (FORCE, "s")}
 #: Changes below this part of the tolerance are drawn at the edge.
@@ -90,7 +90,7 @@ def _draw_effects(ax: Axes, effects: xr.Dataset, limit: float, unit: tuple[float
     ax.tick_params(axis="y", length=0)
     _few_ticks(ax, "x")
     ax.set_xlabel(f"pose without it ({unit[1]}); | estimate")
-    ax.set_title("(a) effects", loc="left")
+    ax.set_title("(a) effects", loc="left", pad=16.0)
 
 
 def _draw_methods(ax: Axes, methods: xr.Dataset, limit: float, unit: tuple[float, str]) -> None:
@@ -100,12 +100,15 @@ def _draw_methods(ax: Axes, methods: xr.Dataset, limit: float, unit: tuple[float
     kinds = methods["method"].values
     for kind, (color, marker) in METHODS.items():
         rows = kinds == str(kind)
-        ax.plot(milliseconds[rows], error[rows], marker + "-", color=color, lw=0.8, ms=3.2)
-        first = int(np.flatnonzero(rows)[0])
-        above = kind == Method.TIME_STEPPING
-        ax.annotate(str(kind), (milliseconds[first], error[first]), (5, 3 if above else -2),
-                    textcoords="offset points", fontsize=NOTE - 0.5, color=color,
-                    va="bottom" if above else "center")  # fmt: skip
+        ax.plot(
+            milliseconds[rows],
+            error[rows],
+            marker + "-",
+            color=color,
+            lw=0.8,
+            ms=3.2,
+            label=str(kind),
+        )
     best = int(methods.attrs["cheapest"])
     if best >= 0:
         ax.plot(milliseconds[best], error[best], "o", mfc="none", mec=DARK, ms=8, mew=0.8)
@@ -119,7 +122,14 @@ def _draw_methods(ax: Axes, methods: xr.Dataset, limit: float, unit: tuple[float
     _few_ticks(ax, "x")
     _few_ticks(ax, "y")
     ax.set(xlabel="time of a run (ms)", ylabel=f"error ({unit[1]})")
-    ax.set_title("(b) methods", loc="left")
+    ax.legend(
+        loc="lower center",
+        bbox_to_anchor=(0.45, 0.99),
+        ncols=2,
+        columnspacing=1.0,
+        handlelength=1.2,
+    )
+    ax.set_title("(b) methods", loc="left", pad=16.0)
 
 
 def _draw_inputs(ax: Axes, inputs: xr.Dataset, limit: float, unit: tuple[float, str]) -> None:
@@ -137,7 +147,7 @@ def _draw_inputs(ax: Axes, inputs: xr.Dataset, limit: float, unit: tuple[float, 
     ax.locator_params(axis="x", nbins=4)
     part = f"{inputs.attrs['change_of_inputs'] * 100:g} %"
     ax.set_xlabel(f"final pose ({unit[1]}), {part} off")
-    ax.set_title("(c) inputs", loc="left")
+    ax.set_title("(c) inputs", loc="left", pad=16.0)
 
 
 def _few_ticks(ax: Axes, axis: str) -> None:
