@@ -39,11 +39,12 @@ def assess_inputs(
         changes.append(sizes)
         kinks.append(_kink(trial, base, known) / max(np.nanmax(sizes), np.finfo(float).tiny))
         same.append(all(modes_of(log) == modes_of(base) for log in known))
+    both = np.reshape(np.array(changes, float), (-1, len(SIDES)))
     inputs = xr.Dataset(
-        {"change": (("input", "side"), np.reshape(changes, (-1, 2))), "kink": ("input", kinks),
+        {"change": (("input", "side"), both), "kink": ("input", kinks),
          "same_modes": ("input", np.array(same, bool))},
         {"input": names, "side": ["+", "-"]},
-        {"change_of_inputs": change, "change_together": float(np.nanmax(changes, axis=1).sum())},
+        {"change_of_inputs": change, "change_together": float(np.nanmax(both, axis=1).sum())},
     )  # fmt: skip
     return inputs, _kinks(inputs, tolerance)
 

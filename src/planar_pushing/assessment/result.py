@@ -214,7 +214,7 @@ class PushAssessment:
         for name in self.inputs["input"].values:
             row = self.inputs.sel(input=name)
             changes = [_number(change * factor) for change in row["change"].values]
-            kink = f"{row['kink'].item() * 100:.0f} %"
+            kink = f"{row['kink'].item() * 100:.0f} %" if np.isfinite(row["kink"]) else "-"
             rows.append([str(name), *changes, kink, "" if row["same_modes"] else "other modes"])
         together = _number(self.inputs.attrs["change_together"] * factor)
         return [
