@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Discriminator, Tag, model_validator
 
-from planar_pushing.scenes.entries import ContactEntry
+from planar_pushing.scenes.entries import ContactEntry, EffectEntry
 from planar_pushing.scenes.fields import (
     Degrees,
     EventName,
@@ -118,7 +118,11 @@ def policies_of(entry: Any) -> tuple[PolicyEntry, ...]:
 
 
 class SimulateEntry(Moving):
-    """Motion of the fence or the finger, constant or in pieces, and settings of the simulation."""
+    """Motion of the fence or the finger, constant or in pieces, and settings of the simulation.
+
+    Candidates are effects in the object's frame that the command `assess` tries besides those of the
+    scene.
+    """
 
     keys: ClassVar[Mapping[str, str]] = {
         "angle": "pusher_angle", "speed": "pusher_speed", "pieces": "pusher", "waypoints": "waypoints",
@@ -143,6 +147,7 @@ class SimulateEntry(Moving):
     until: UntilEntry | None = None
     samples: Annotated[float, SAMPLE_COUNT] = 101
     step: Positive | None = None
+    candidates: Annotated[tuple[EffectEntry, ...], NotEmpty] | None = None
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
