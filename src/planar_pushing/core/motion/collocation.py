@@ -13,9 +13,10 @@ from __future__ import annotations
 from math import fabs, sqrt
 
 from planar_pushing.core.motion.equations import write_rates
-from planar_pushing.core.motion.explicit import MIDDLE_PART, error_norm
+from planar_pushing.core.motion.explicit import MIDDLE_PART, error_norm, tolerance_of_step
 from planar_pushing.core.motion.guards import write_guards, write_rates_and_guards
 from planar_pushing.core.motion.mode import Mode
+from planar_pushing.core.motion.shapes import pusher_velocity, size_of_twist
 from planar_pushing.core.motion.system import (
     DENSE,
     END_VALUES,
@@ -25,6 +26,7 @@ from planar_pushing.core.motion.system import (
     MOVING,
     REACHED,
     SCALES,
+    SPEED_PART,
     STAGE_RATES,
     STATE,
     STILL,
@@ -87,6 +89,10 @@ NEARLY_SOLVED = 0.3
 UNSOLVED_STEP = 200.0
 #: Change of a velocity for a difference quotient, relative to the size of the velocities.
 NUDGE = 1e-6
+#: Largest error of a velocity in a step, relative to the motion.
+COARSEST = 1e-4
+#: Motions slower than this, in units of the typical speed, count as this fast.
+LEAST_SPEED = 1e-100
 #: A step longer than the one before by more than this factor does not begin with its polynomial.
 FARTHEST_GUESS = 3.0
 
@@ -103,7 +109,9 @@ def attempt_implicit_step(system: System, mode: Mode) -> float:
     order = zeros(UNKNOWNS)
     size = run.until - run.time
     _guess_rates(system, size)
-    _write_newton_matrix(system, mode, size, matrix)
+    speed = _current_speed(system, mode)
+    _scale_velocities(system, speed)
+    _write_newton_matrix(system, mode, size, speed, matrix)
     if not _factor(matrix, order) or not _solve_nodes(system, mode, size, matrix, order):
         return UNSOLVED_STEP
     _add_nodes(system, NODE_WEIGHTS, NODES - 1, rates, total=reached)
@@ -157,8 +165,23 @@ def _add_nodes(
         total[k] = value
 
 
+def _current_speed(system: System, mode: Mode) -> float:
+    """Size of the motion at the start of the step, which is not zero."""
+    state = vector_of(system, STATE)
+    x, y = pusher_velocity(system, mode.during, system.run.time, state)
+    x, y = x + state.slip_speed, y + state.normal_speed
+    return max(size_of_twist(x, y, state.spin), LEAST_SPEED * system.run.speed)
+
+
+def _scale_velocities(system: System, speed: float) -> None:
+    """Let the errors of velocities be small beside a slow motion, whose direction friction opposes."""
+    scales = vector_of(system, SCALES)
+    size = min(COARSEST * speed / tolerance_of_step(system), SPEED_PART * system.run.speed)
+    scales.slip_speed, scales.normal_speed, scales.spin = size, size, size
+
+
 def _guess_rates(system: System, size: float) -> None:
-    """Store rates at the nodes to begin with: those of the last step's polynomial, or of no acceleration."""
+    """Store rates at the nodes to begin with, from the last step's polynomial, or without acceleration."""
     run, entries = system.run, system.entries
     rates, first, part = vector_of(system, STAGE_RATES), vector_of(system, FIRST_RATES), 0.0
     if run.extends and size < FARTHEST_GUESS * run.last_size:
@@ -182,14 +205,14 @@ def _guess_rates(system: System, size: float) -> None:
                 lower, same = same, higher
 
 
-def _write_newton_matrix(system: System, mode: Mode, size: float, matrix: Numbers) -> None:
+def _write_newton_matrix(
+    system: System, mode: Mode, size: float, speed: float, matrix: Numbers
+) -> None:
     """Store the derivative of the equations at the nodes with respect to the rates of the velocities."""
     run, first = system.run, vector_of(system, FIRST_RATES)
     state, trial, other = (
         vector_of(system, STATE), vector_of(system, TRIAL), vector_of(system, LAST_RATES)
     )  # fmt: skip
-    speed = max(fabs(state.slip_speed) + fabs(state.normal_speed), fabs(state.spin))
-    speed = max(speed, 1e-3 * vector_of(system, SCALES).spin)
     for k in range(VELOCITIES):
         for n in range(system.entries):
             trial[n] = state[n]

@@ -35,7 +35,6 @@ from planar_pushing.core.motion.integrator import (
     attempt_step,
     begin_steps,
     choose_method,
-    first_size,
     interpolate_state,
     keeps_energy,
     look_for_stiffness,
@@ -350,8 +349,7 @@ def _advance(system: System, mode: Mode) -> bool:
     rates, smallest = vector_of(system, FIRST_RATES), smallest_size(run.time)
     if run.fresh:
         write_rates(system, mode, run.time, vector_of(system, STATE), rates)
-        run.planned = first_size(system, mode, end)
-        begin_steps(run)
+        begin_steps(system, mode, end)
     else:
         copy_numbers(rates, vector_of(system, LAST_RATES), system.entries)
         choose_method(run)

@@ -209,12 +209,14 @@ def interpolate_explicit_step(system: System, mode: Mode, time: float, result: N
         result[k] = state[k] + x * (dense[k] + y * (dense[entries + k] + x * value))
 
 
-def error_norm(system: System, vector: Numbers, start: Numbers, end: Numbers) -> float:
-    """Root mean square of a vector, in units of the tolerance of one step.
+def tolerance_of_step(system: System) -> float:
+    """Relative error allowed for one step, less than that of the run, since the errors of steps add up."""
+    return max(PART_OF_STEP * system.scene.tolerance, FINEST)
 
-    It is less than the tolerance of the run, since the errors of steps add up.
-    """
-    tolerance = max(PART_OF_STEP * system.scene.tolerance, FINEST)
+
+def error_norm(system: System, vector: Numbers, start: Numbers, end: Numbers) -> float:
+    """Root mean square of a vector, in units of the tolerance of one step."""
+    tolerance = tolerance_of_step(system)
     total, scales = 0.0, vector_of(system, SCALES)
     for i in range(system.entries):
         part = vector[i] / (tolerance * (scales[i] + max(fabs(start[i]), fabs(end[i]))))

@@ -41,6 +41,7 @@ from planar_pushing.core.motion.system import (
     System,
     is_loaded,
     is_massive,
+    scale_state,
     vector_of,
 )
 from planar_pushing.core.numbers import EPSILON, INFINITY, Numbers
@@ -83,8 +84,12 @@ def interpolate_state(system: System, mode: Mode, time: float, result: Numbers) 
         interpolate_explicit_step(system, mode, time, result)
 
 
-def begin_steps(run: Run) -> None:
-    """Begin the steps of a mode, which are explicit."""
+def begin_steps(system: System, mode: Mode, end: float) -> None:
+    """Plan the first step of a mode with known rates at its start; it is explicit."""
+    run = system.run
+    if run.implicit:
+        scale_state(system)
+    run.planned = _first_size(system, mode, end)
     run.last_size, run.fresh = 0.0, False
     run.implicit, run.extends, run.stiff, run.smooth = False, False, 0, 0
 
@@ -144,7 +149,7 @@ def smallest_size(time: float) -> float:
     return 10.0 * EPSILON * time + SMALLEST_STEP
 
 
-def first_size(system: System, mode: Mode, end: float) -> float:
+def _first_size(system: System, mode: Mode, end: float) -> float:
     """Size of the first step of a mode with known rates at its start (Sec. II.4)."""
     run, state, trial = system.run, vector_of(system, STATE), vector_of(system, TRIAL)
     rates, other = vector_of(system, FIRST_RATES), vector_of(system, PASSING)
