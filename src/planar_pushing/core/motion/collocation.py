@@ -13,10 +13,9 @@ from __future__ import annotations
 from math import fabs, sqrt
 
 from planar_pushing.core.motion.equations import write_rates
-from planar_pushing.core.motion.explicit import MIDDLE_PART, error_norm, tolerance_of_step
+from planar_pushing.core.motion.explicit import MIDDLE_PART, current_speed, error_norm
 from planar_pushing.core.motion.guards import write_guards, write_rates_and_guards
 from planar_pushing.core.motion.mode import Mode
-from planar_pushing.core.motion.shapes import pusher_velocity, size_of_twist
 from planar_pushing.core.motion.system import (
     DENSE,
     END_VALUES,
@@ -25,8 +24,6 @@ from planar_pushing.core.motion.system import (
     MIDDLE_VALUES,
     MOVING,
     REACHED,
-    SCALES,
-    SPEED_PART,
     STAGE_RATES,
     STATE,
     STILL,
@@ -79,7 +76,7 @@ NODE_LEGENDRE = (
     0.2653061224489796,
 )  # fmt: skip
 #: Largest number of iterations, and the change of the state, in units of the tolerance, at which they end.
-MOST_ITERATIONS = 10
+MOST_ITERATIONS = 7
 SOLVED = 0.01
 #: The iterations are not trusted to contract an error by more than this factor.
 FASTEST_CONTRACTION = 0.01
@@ -89,10 +86,6 @@ NEARLY_SOLVED = 0.3
 UNSOLVED_STEP = 200.0
 #: Change of a velocity for a difference quotient, relative to the size of the velocities.
 NUDGE = 1e-6
-#: Largest error of a velocity in a step, relative to the motion.
-COARSEST = 1e-4
-#: Motions slower than this, in units of the typical speed, count as this fast.
-LEAST_SPEED = 1e-100
 #: A step longer than the one before by more than this factor does not begin with its polynomial.
 FARTHEST_GUESS = 3.0
 
@@ -109,8 +102,7 @@ def attempt_implicit_step(system: System, mode: Mode) -> float:
     order = zeros(UNKNOWNS)
     size = run.until - run.time
     _guess_rates(system, size)
-    speed = _current_speed(system, mode)
-    _scale_velocities(system, speed)
+    speed = current_speed(system, mode)
     _write_newton_matrix(system, mode, size, speed, matrix)
     if not _factor(matrix, order) or not _solve_nodes(system, mode, size, matrix, order):
         return UNSOLVED_STEP
@@ -163,21 +155,6 @@ def _add_nodes(
         for j in range(NODES):
             value += weights[NODES * row + j] * rates[j * entries + k]
         total[k] = value
-
-
-def _current_speed(system: System, mode: Mode) -> float:
-    """Size of the motion at the start of the step, which is not zero."""
-    state = vector_of(system, STATE)
-    x, y = pusher_velocity(system, mode.during, system.run.time, state)
-    x, y = x + state.slip_speed, y + state.normal_speed
-    return max(size_of_twist(x, y, state.spin), LEAST_SPEED * system.run.speed)
-
-
-def _scale_velocities(system: System, speed: float) -> None:
-    """Let the errors of velocities be small beside a slow motion, whose direction friction opposes."""
-    scales = vector_of(system, SCALES)
-    size = min(COARSEST * speed / tolerance_of_step(system), SPEED_PART * system.run.speed)
-    scales.slip_speed, scales.normal_speed, scales.spin = size, size, size
 
 
 def _guess_rates(system: System, size: float) -> None:

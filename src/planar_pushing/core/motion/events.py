@@ -29,6 +29,7 @@ from planar_pushing.core.motion.event_search import (
     look_for_kink,
     sign_of_guard,
 )
+from planar_pushing.core.motion.explicit import scale_velocities
 from planar_pushing.core.motion.fence import end_of_fence, fence_displacement, span_at
 from planar_pushing.core.motion.guards import write_guards
 from planar_pushing.core.motion.integrator import (
@@ -83,6 +84,7 @@ from planar_pushing.core.motion.system import (
     System,
     copy_numbers,
     guards_of,
+    is_massive,
     prepare_system,
     scale_state,
     system_of,
@@ -347,6 +349,8 @@ def _advance(system: System, mode: Mode) -> bool:
     if run.kink_side < 0 and run.time >= run.kink:
         run.kink_side = 1
     rates, smallest = vector_of(system, FIRST_RATES), smallest_size(run.time)
+    if is_massive(system):
+        scale_velocities(system, mode)
     if run.fresh:
         write_rates(system, mode, run.time, vector_of(system, STATE), rates)
         begin_steps(system, mode, end)

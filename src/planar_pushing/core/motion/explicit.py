@@ -20,6 +20,7 @@ from planar_pushing.core.motion.equations import write_rates
 from planar_pushing.core.motion.guards import write_rates_and_guards
 from planar_pushing.core.motion.mode import Mode
 from planar_pushing.core.motion.run import Run
+from planar_pushing.core.motion.shapes import pusher_velocity, size_of_twist
 from planar_pushing.core.motion.system import (
     DENSE,
     END_VALUES,
@@ -29,6 +30,7 @@ from planar_pushing.core.motion.system import (
     MOVING,
     REACHED,
     SCALES,
+    SPEED_PART,
     STAGE_RATES,
     STAGES,
     STATE,
@@ -48,6 +50,10 @@ from planar_pushing.core.supports.tolerances import (
 #: Stage near the middle of a step, with a state close to the motion, and its fraction of the step.
 MIDDLE_STAGE = 9
 MIDDLE_PART = 0.6
+#: Largest error of a velocity in a step, relative to the motion.
+COARSEST = 1e-4
+#: Motions slower than this, in units of the typical speed, count as this fast.
+LEAST_SPEED = 1e-100
 #: Largest difference among the rates of the additional stages, relative to those within the step.
 FARTHEST_STAGE = 100.0
 
@@ -247,3 +253,18 @@ def is_limited_by_stability(system: System, limit: float) -> bool:
         distance = reached[k] - state[k] - trial[k]
         change, apart = change + rate * rate, apart + distance * distance
     return change > limit * limit * apart
+
+
+def current_speed(system: System, mode: Mode) -> float:
+    """Size of the motion at the start of the step, from 1e-100 of the typical one."""
+    state = vector_of(system, STATE)
+    x, y = pusher_velocity(system, mode.during, system.run.time, state)
+    x, y = x + state.slip_speed, y + state.normal_speed
+    return max(size_of_twist(x, y, state.spin), LEAST_SPEED * system.run.speed)
+
+
+def scale_velocities(system: System, mode: Mode) -> None:
+    """Let the errors of velocities be small beside a slow motion, whose direction friction opposes."""
+    scales, speed = vector_of(system, SCALES), current_speed(system, mode)
+    size = min(COARSEST * speed / tolerance_of_step(system), SPEED_PART * system.run.speed)
+    scales.slip_speed, scales.normal_speed, scales.spin = size, size, size

@@ -41,7 +41,6 @@ from planar_pushing.core.motion.system import (
     System,
     is_loaded,
     is_massive,
-    scale_state,
     vector_of,
 )
 from planar_pushing.core.numbers import EPSILON, INFINITY, Numbers
@@ -87,8 +86,6 @@ def interpolate_state(system: System, mode: Mode, time: float, result: Numbers) 
 def begin_steps(system: System, mode: Mode, end: float) -> None:
     """Plan the first step of a mode with known rates at its start; it is explicit."""
     run = system.run
-    if run.implicit:
-        scale_state(system)
     run.planned = _first_size(system, mode, end)
     run.last_size, run.fresh = 0.0, False
     run.implicit, run.extends, run.stiff, run.smooth = False, False, 0, 0
