@@ -252,8 +252,8 @@ class Scene:
     def cone(self) -> Law:
         """The contact law in numbers of a contact that sticks.
 
-        At an inner corner, the cone is the sum of those of both sides; wider than half a turn, it is every
-        force.
+        At an inner corner, the cone is the sum of those of both sides. If its edges are more than 180
+        degrees apart, it contains every force.
         """
         law: Law = self.law
         pocket = self.slider.pocket

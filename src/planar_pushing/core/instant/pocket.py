@@ -1,10 +1,11 @@
 """The contact modes of a point at an inner corner, where it touches two sides.
 
-The force of a contact that sticks there is the sum of two forces, one in the friction cone of each side. It
-is in the cone between their outer edges, about the bisector of the normals, which transmits every force if
-it is wider than half a turn. A contact that slips leaves the corner along one of the sides, and opens at
-the other: to the right (`SLIP_RIGHT`) along the side before the corner, whose normal is on the left of the
-bisector, and to the left along the side after it. A contact separates if it can at both sides.
+The force of a contact that sticks there is the sum of two forces, one in the friction cone of each
+side. It is in the cone between their outer edges, about the bisector of the normals. If these edges are
+more than 180 degrees apart, every force can occur. A contact that slips leaves the corner along one of
+the sides, and opens at the other: to the right (`SLIP_RIGHT`) along the side before the corner, whose
+normal is on the left of the bisector, and to the left along the side after it. A contact separates if
+it can at both sides.
 """
 
 from __future__ import annotations

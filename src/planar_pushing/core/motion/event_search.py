@@ -8,9 +8,10 @@ from __future__ import annotations
 from math import fabs
 
 from planar_pushing.core.instant.solution import SEPARATE
-from planar_pushing.core.motion.explicit import MIDDLE_PART, interpolate_state
+from planar_pushing.core.motion.explicit import MIDDLE_PART
 from planar_pushing.core.motion.feet import leaving_speed
 from planar_pushing.core.motion.guards import write_guards
+from planar_pushing.core.motion.integrator import interpolate_state
 from planar_pushing.core.motion.mode import Mode
 from planar_pushing.core.motion.run import Run
 from planar_pushing.core.motion.system import (

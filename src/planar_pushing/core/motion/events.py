@@ -29,17 +29,20 @@ from planar_pushing.core.motion.event_search import (
     look_for_kink,
     sign_of_guard,
 )
-from planar_pushing.core.motion.explicit import (
+from planar_pushing.core.motion.explicit import scale_velocities
+from planar_pushing.core.motion.fence import end_of_fence, fence_displacement, span_at
+from planar_pushing.core.motion.guards import write_guards
+from planar_pushing.core.motion.integrator import (
     attempt_step,
-    first_size,
+    begin_steps,
+    choose_method,
     interpolate_state,
     keeps_energy,
+    look_for_stiffness,
     next_size,
     smaller_size,
     smallest_size,
 )
-from planar_pushing.core.motion.fence import end_of_fence, fence_displacement, span_at
-from planar_pushing.core.motion.guards import write_guards
 from planar_pushing.core.motion.log import end_log, has_room_for_rows, next_log_row, write_instant
 from planar_pushing.core.motion.mode import NO_MODE, Mode, contact_mode_of
 from planar_pushing.core.motion.rolling import (
@@ -81,6 +84,7 @@ from planar_pushing.core.motion.system import (
     System,
     copy_numbers,
     guards_of,
+    is_massive,
     prepare_system,
     scale_state,
     system_of,
@@ -345,12 +349,14 @@ def _advance(system: System, mode: Mode) -> bool:
     if run.kink_side < 0 and run.time >= run.kink:
         run.kink_side = 1
     rates, smallest = vector_of(system, FIRST_RATES), smallest_size(run.time)
+    if is_massive(system):
+        scale_velocities(system, mode)
     if run.fresh:
         write_rates(system, mode, run.time, vector_of(system, STATE), rates)
-        run.planned = first_size(system, mode, end)
-        run.last_size, run.fresh = 0.0, False
+        begin_steps(system, mode, end)
     else:
         copy_numbers(rates, vector_of(system, LAST_RATES), system.entries)
+        choose_method(run)
     size, last_size, last_error = max(run.planned, smallest), 0.0, 0.0
     speed = sqrt(rates.along * rates.along + rates.gap * rates.gap)
     longest = longest_step(system, mode, guards_of(system, VALUES)[PENETRATES], speed)
@@ -365,6 +371,7 @@ def _advance(system: System, mode: Mode) -> bool:
             planned = next_size(run, size, error)
             run.planned = min(planned, size) if last_size > 0.0 else planned
             run.last_size, run.last_error = size, error
+            look_for_stiffness(system)
             return True
         if run.kink_side >= 0 and error < WILD and balances:
             look_for_kink(system, mode)

@@ -6,7 +6,7 @@ edition, 1993), Secs. II.4 and II.10.
 
 from __future__ import annotations
 
-from math import exp, fabs, log, sqrt
+from math import fabs, sqrt
 
 from planar_pushing.core.instant.tableau import (
     DENSE_WEIGHTS,
@@ -16,19 +16,11 @@ from planar_pushing.core.instant.tableau import (
     STEP_STAGES,
     THIRD_ERROR,
 )
-from planar_pushing.core.motion.drag import load_work
 from planar_pushing.core.motion.equations import write_rates
-from planar_pushing.core.motion.fence import fence_displacement
 from planar_pushing.core.motion.guards import write_rates_and_guards
-from planar_pushing.core.motion.mode import REST, Mode
+from planar_pushing.core.motion.mode import Mode
 from planar_pushing.core.motion.run import Run
-from planar_pushing.core.motion.shapes import (
-    center_motion,
-    center_position,
-    kinetic_energy_of,
-    pose_of,
-    pusher_velocity,
-)
+from planar_pushing.core.motion.shapes import pusher_velocity, size_of_twist
 from planar_pushing.core.motion.system import (
     DENSE,
     END_VALUES,
@@ -36,46 +28,34 @@ from planar_pushing.core.motion.system import (
     LAST_RATES,
     MIDDLE_VALUES,
     MOVING,
-    PASSING,
     REACHED,
     SCALES,
+    SPEED_PART,
     STAGE_RATES,
     STAGES,
     STATE,
+    STILL,
     TRIAL,
     RunState,
     System,
     guards_of,
-    is_loaded,
-    is_massive,
     vector_of,
 )
-from planar_pushing.core.numbers import EPSILON, INFINITY, Coefficients, Numbers
+from planar_pushing.core.numbers import Coefficients, Numbers
 from planar_pushing.core.supports.tolerances import (
     FINEST,
     PART_OF_STEP,
 )
 
-#: Largest error of the balance of energy in one step, in units of the tolerance.
-UNBALANCED = 1.0
-#: Order of the error of a step.
-STEP_ORDER = 8.0
 #: Stage near the middle of a step, with a state close to the motion, and its fraction of the step.
 MIDDLE_STAGE = 9
 MIDDLE_PART = 0.6
-#: Safety factor, and limits for the change of the step size.
-SAFETY = 0.9
-SHRINK_LIMIT = 0.1
-GROWTH_LIMIT = 10.0
-#: Maximum factor by which a trend of the step size is extrapolated, and by which the first step of a mode
-#: exceeds the last step before it, since the motion after a singularity is as hard as before it.
-TREND_LIMIT = 2.0
-#: The usual first size, multiplied by this factor, gives a step with an error near the tolerance.
-CAUTIOUS = 4.0
+#: Largest error of a velocity in a step, relative to the motion.
+COARSEST = 1e-4
+#: Motions slower than this, in units of the typical speed, count as this fast.
+LEAST_SPEED = 1e-100
 #: Largest difference among the rates of the additional stages, relative to those within the step.
 FARTHEST_STAGE = 100.0
-#: The smallest step at time 0, where rounding of the time does not limit it.
-SMALLEST_STEP = 1e-300
 
 
 def _add_stages(
@@ -137,7 +117,7 @@ def _compute_stage(system: System, mode: Mode, i: int) -> None:
         rates[k] *= rate
 
 
-def attempt_step(system: System, mode: Mode) -> float:
+def attempt_explicit_step(system: System, mode: Mode) -> float:
     """Try a step; return the estimate of its error in units of the tolerance (Sec. II.10).
 
     The guards near its middle and at its end are stored.
@@ -166,11 +146,11 @@ def attempt_step(system: System, mode: Mode) -> float:
     _add_stages(
         FIFTH_ERROR, first=0, count=STEP_STAGES + 1, rates=rates, entries=entries, total=trial
     )
-    fifth = _norm(system, trial, state, reached)
+    fifth = error_norm(system, trial, state, reached)
     _add_stages(
         THIRD_ERROR, first=0, count=STEP_STAGES + 1, rates=rates, entries=entries, total=trial
     )
-    third = _norm(system, trial, state, reached)
+    third = error_norm(system, trial, state, reached)
     fifth, third = fifth * fifth, third * third
     return fifth / sqrt(fifth + 0.01 * third) if fifth != 0.0 else 0.0
 
@@ -213,7 +193,7 @@ def _are_extra_stages_stable(system: System) -> bool:
     for i in range(1, STAGES):
         for k in range(entries):
             trial[k] = rates[i * entries + k] - rates[k]
-        spread = _norm(system, trial, reached, reached)
+        spread = error_norm(system, trial, reached, reached)
         if i <= STEP_STAGES:
             largest = max(largest, spread)
         else:
@@ -221,7 +201,7 @@ def _are_extra_stages_stable(system: System) -> bool:
     return extra <= FARTHEST_STAGE * (largest + 1.0)
 
 
-def interpolate_state(system: System, mode: Mode, time: float, result: Numbers) -> None:
+def interpolate_explicit_step(system: System, mode: Mode, time: float, result: Numbers) -> None:
     """Store the state at a time within the last step."""
     if not system.run.prepared:
         _prepare_dense_output(system, mode)
@@ -235,12 +215,14 @@ def interpolate_state(system: System, mode: Mode, time: float, result: Numbers) 
         result[k] = state[k] + x * (dense[k] + y * (dense[entries + k] + x * value))
 
 
-def _norm(system: System, vector: Numbers, start: Numbers, end: Numbers) -> float:
-    """Root mean square of a vector, in units of the tolerance of one step.
+def tolerance_of_step(system: System) -> float:
+    """Relative error allowed for one step, less than that of the run, since the errors of steps add up."""
+    return max(PART_OF_STEP * system.scene.tolerance, FINEST)
 
-    It is less than the tolerance of the run, since the errors of steps add up.
-    """
-    tolerance = max(PART_OF_STEP * system.scene.tolerance, FINEST)
+
+def error_norm(system: System, vector: Numbers, start: Numbers, end: Numbers) -> float:
+    """Root mean square of a vector, in units of the tolerance of one step."""
+    tolerance = tolerance_of_step(system)
     total, scales = 0.0, vector_of(system, SCALES)
     for i in range(system.entries):
         part = vector[i] / (tolerance * (scales[i] + max(fabs(start[i]), fabs(end[i]))))
@@ -248,93 +230,41 @@ def _norm(system: System, vector: Numbers, start: Numbers, end: Numbers) -> floa
     return sqrt(total / float(system.entries))
 
 
-def _energy_given(system: System, mode: Mode, time: float, state: RunState) -> float:
-    """Energy that pusher and loads have given to the slider, less what it has stored and dissipated."""
-    pose = pose_of(system, state)
-    fence_x, fence_y = pusher_velocity(system, mode.during, time, state)
-    v_x, v_y = center_motion(
-        pose, fence_x + state.slip_speed, fence_y + state.normal_speed, state.spin
+def is_limited_by_stability(system: System, limit: float) -> bool:
+    """Whether a step times the fastest rate of relaxation of the velocities exceeds a limit.
+
+    Two states at the end of the step, and their rates, give the rate (Hairer and Wanner, Solving Ordinary
+    Differential Equations II, 2nd edition, 1996, Sec. IV.2).
+    """
+    entries, rates = system.entries, vector_of(system, STAGE_RATES)
+    state, reached = vector_of(system, STATE), vector_of(system, REACHED)
+    trial, last = vector_of(system, TRIAL), STEP_STAGES - 1
+    _add_stages(
+        STAGE_WEIGHTS,
+        first=last * (last - 1) // 2,
+        count=last,
+        rates=rates,
+        entries=entries,
+        total=trial,
     )
-    total = state.work - state.lost - kinetic_energy_of(system, pose, v_x, v_y, state.spin)
-    for i in range(MOVING, system.entries):
-        total -= state[i]
-    if is_loaded(system):
-        x, y = fence_displacement(system.fence, mode.during, time)
-        x, y = center_position(system, pose, state, x, y)
-        total += load_work(system, state.angle, x, y)
-    return total
+    change, apart = 0.0, 0.0
+    for k in range(STILL, MOVING):
+        rate = rates[STEP_STAGES * entries + k] - rates[last * entries + k]
+        distance = reached[k] - state[k] - trial[k]
+        change, apart = change + rate * rate, apart + distance * distance
+    return change > limit * limit * apart
 
 
-def keeps_energy(system: System, mode: Mode) -> bool:
-    """Whether the energies at the ends of the last step balance within the tolerance.
-
-    The integrator's estimate can miss that the friction of a support point turns within a step, where the
-    center of rotation passes the point closely, and is by chance small in a long step of a stiff motion.
-    """
-    run, state, reached = system.run, vector_of(system, STATE), vector_of(system, REACHED)
-    if not is_massive(system) or mode.contact == REST or mode.hinged:
-        return True
-    lost = _energy_given(system, mode, run.until, reached)
-    lost -= _energy_given(system, mode, run.time, state)
-    scale = vector_of(system, SCALES).work + fabs(reached.work)
-    return fabs(lost) <= UNBALANCED * max(system.scene.tolerance, FINEST) * scale
+def current_speed(system: System, mode: Mode) -> float:
+    """Size of the motion at the start of the step, from 1e-100 of the typical one."""
+    state = vector_of(system, STATE)
+    x, y = pusher_velocity(system, mode.during, system.run.time, state)
+    x, y = x + state.slip_speed, y + state.normal_speed
+    return max(size_of_twist(x, y, state.spin), LEAST_SPEED * system.run.speed)
 
 
-def smallest_size(time: float) -> float:
-    """Step size below which rounding of the time matters."""
-    return 10.0 * EPSILON * time + SMALLEST_STEP
-
-
-def first_size(system: System, mode: Mode, end: float) -> float:
-    """Size of the first step of a mode with known rates at its start (Sec. II.4)."""
-    run, state, trial = system.run, vector_of(system, STATE), vector_of(system, TRIAL)
-    rates, other = vector_of(system, FIRST_RATES), vector_of(system, PASSING)
-    time = run.time
-    state_size = _norm(system, state, state, state)
-    rate_size = _norm(system, rates, state, state)
-    small: bool = state_size < 1e-5 or rate_size < 1e-5
-    size = min(1e-6 if small else 0.01 * state_size / rate_size, end - time)
-    for k in range(system.entries):
-        trial[k] = state[k] + size * rates[k]
-    write_rates(system, mode, time + size, state=trial, rates=other)
-    for k in range(system.entries):
-        trial[k] = other[k] - rates[k]
-    bend = max(rate_size, _norm(system, trial, state, state) / size)
-    better = max(1e-6, 1e-3 * size)
-    if not bend < INFINITY:
-        better = 0.0
-    elif bend > 1e-15:
-        better = exp(log(0.01 / bend) / STEP_ORDER)
-    longest = TREND_LIMIT * run.last_size if run.last_size > 0.0 else INFINITY
-    return min(min(min(100.0 * size, CAUTIOUS * better), longest), end - time)
-
-
-def next_size(run: Run, size: float, error: float) -> float:
-    """Size of the step after one with an error below 1; a steady change of the size continues.
-
-    Gustafsson's prediction (Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, Sec.
-    IV.8): near a singularity, step sizes decrease before it and increase after it by a constant factor per
-    step.
-    """
-    if error == 0.0:
-        return GROWTH_LIMIT * size
-    factor = SAFETY * exp(-log(error) / STEP_ORDER)
-    if run.last_size > 0.0:
-        trend = 0.0
-        if run.last_error > 0.0:
-            trend = exp(log(run.last_error / error) / STEP_ORDER)
-        trend *= size / run.last_size
-        factor *= min(max(trend, 1.0 / TREND_LIMIT), TREND_LIMIT)
-    return size * min(max(factor, SHRINK_LIMIT), GROWTH_LIMIT)
-
-
-def smaller_size(size: float, error: float, last_size: float, last_error: float) -> float:
-    """Size of the next trial after an error above 1, given also the error of a larger size, if any.
-
-    The two errors give the order of the error, which is low where the motion is not smooth.
-    """
-    order = STEP_ORDER
-    if last_size > size and last_error > error:
-        order = min(max(log(last_error / error) / log(last_size / size), 1.0), order)
-    factor = SAFETY * exp(-log(error) / order)
-    return size * (factor if factor > SHRINK_LIMIT else SHRINK_LIMIT)
+def scale_velocities(system: System, mode: Mode) -> None:
+    """Let the errors of velocities be small beside a slow motion, whose direction friction opposes."""
+    scales, speed = vector_of(system, SCALES), current_speed(system, mode)
+    size = min(COARSEST * speed / tolerance_of_step(system), SPEED_PART * system.run.speed)
+    scales.slip_speed, scales.normal_speed, scales.spin = size, size, size

@@ -231,6 +231,10 @@ class Run(Record):
         Next time to log; cause of the next event; reason of an early end; steps.
     fresh, prepared : bool
         Whether a mode has just begun; whether the dense output of the step is known.
+    implicit, extends : bool
+        Whether steps are implicit; whether the last step was, so that its polynomial extends into the next.
+    stiff, smooth : int
+        Explicit steps that stability limits, and successive ones that it does not.
     evaluations : int
         Of the motion.
     parted, low, high : bool, float, float
@@ -300,6 +304,10 @@ class Run(Record):
     steps: int
     fresh: bool
     prepared: bool
+    implicit: bool
+    extends: bool
+    stiff: int
+    smooth: int
     evaluations: int
     parted: bool
     low: float

@@ -55,6 +55,8 @@ CAUSES = 15
 #: Whether any change of the sign of a guard is an event. Those with 2 are watched once they are positive;
 #: the others are positive while a mode lasts.
 WATCHES = (0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0)
+#: Velocities below this part of the typical speed are as accurate as it is.
+SPEED_PART = 0.01
 #: Sets of guards of a run: their signs; their values at the start of a step, which those at its nodes and
 #: at its end follow; near its middle; and two for trials.
 SIGNS, VALUES = 0, 1
@@ -288,7 +290,7 @@ def scale_state(system: System) -> None:
         scales[k] = system.run.force * length
     scales.along, scales.gap, scales.angle, scales.slipped = length, length, 1.0, length
     if is_massive(system):
-        speed = 0.01 * system.run.speed
+        speed = SPEED_PART * system.run.speed
         scales.slip_speed, scales.normal_speed, scales.spin = speed, speed, speed
 
 

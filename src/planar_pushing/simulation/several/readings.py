@@ -1,4 +1,4 @@
-"""What a log of several contacts holds of each: mode, force, gap and normal."""
+"""The variables of each contact in a log of several contacts: mode, force, gap and normal."""
 
 from __future__ import annotations
 
