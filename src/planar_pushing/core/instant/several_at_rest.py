@@ -12,17 +12,19 @@ from math import fabs
 from typing import NamedTuple
 
 from planar_pushing.core.instant.force_sets import (
-    FORCE_END,
-    MOST_UNITS,
-    UNIT_FORCE,
-    ForceEnd,
     HeldLoad,
-    UnitForce,
     balance_load,
 )
 from planar_pushing.core.instant.several_frames import Several, frame_of
 from planar_pushing.core.instant.several_solutions import Sharing, add_solution
 from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, STICK
+from planar_pushing.core.instant.unit_forces import (
+    FORCE_END,
+    MOST_UNITS,
+    UNIT_FORCE,
+    ForceEnd,
+    UnitForce,
+)
 from planar_pushing.core.numbers import INFINITY, Numbers
 from planar_pushing.core.supports.free import friction_share
 from planar_pushing.core.supports.resistance import has_friction, load_wrench

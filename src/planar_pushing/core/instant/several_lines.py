@@ -11,11 +11,6 @@ from planar_pushing.core._record import (
 from planar_pushing.core.instant.directions import (
     QUARTER_TURN,
 )
-from planar_pushing.core.instant.force_sets import (
-    INDEPENDENT,
-    UNIT_FORCE,
-    UnitForce,
-)
 from planar_pushing.core.instant.line_problem import (
     LINE_ROOT,
     MOST_ON_LINE,
@@ -52,6 +47,11 @@ from planar_pushing.core.instant.twist_line import (
     line_through,
     scale_vector,
     twist_on_line,
+)
+from planar_pushing.core.instant.unit_forces import (
+    INDEPENDENT,
+    UNIT_FORCE,
+    UnitForce,
 )
 from planar_pushing.core.numbers import (
     INFINITY,

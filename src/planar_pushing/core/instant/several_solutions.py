@@ -14,12 +14,7 @@ from planar_pushing.core._record import (
     size_of,
 )
 from planar_pushing.core.instant.force_sets import (
-    FORCE_END,
-    FORCES_INSIDE,
-    UNIT_FORCE,
-    ForceEnd,
     HeldLoad,
-    UnitForce,
     balance_load,
 )
 from planar_pushing.core.instant.several_frames import (
@@ -39,6 +34,13 @@ from planar_pushing.core.instant.solution import (
 )
 from planar_pushing.core.instant.twist_line import (
     length_of_twist,
+)
+from planar_pushing.core.instant.unit_forces import (
+    FORCE_END,
+    FORCES_INSIDE,
+    UNIT_FORCE,
+    ForceEnd,
+    UnitForce,
 )
 from planar_pushing.core.numbers import (
     INFINITY,
