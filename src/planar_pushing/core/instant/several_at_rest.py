@@ -19,10 +19,7 @@ from planar_pushing.core.instant.several_frames import Several, frame_of
 from planar_pushing.core.instant.several_solutions import Sharing, add_solution
 from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, STICK
 from planar_pushing.core.instant.unit_forces import (
-    FORCE_END,
-    MOST_UNITS,
     UNIT_FORCE,
-    ForceEnd,
     UnitForce,
 )
 from planar_pushing.core.numbers import INFINITY, Numbers
@@ -101,7 +98,10 @@ def add_at_rest(several: Several, sharing: Sharing, solutions: Numbers, count: i
 
 
 def _write_least_share(several: Several, sharing: Sharing) -> bool:
-    """Write the forces that need the smallest share of friction; whether friction bears it."""
+    """Write the forces that need the smallest share of friction; whether friction bears it.
+
+    They are known in sum, so the inner force has a range.
+    """
     best, first, second = INFINITY, 0, 0
     one, other = 0.0, 0.0
     for i in range(sharing.number):
@@ -110,17 +110,19 @@ def _write_least_share(several: Several, sharing: Sharing) -> bool:
             if share.share < best:
                 best, first, second = share.share, i, j
                 one, other = share.one, share.other
-    for end in range(2):
-        row = sharing.low if end == 0 else sharing.high
-        for k in range(MOST_UNITS):
-            row[FORCE_END + k] = 0.0
-        row[FORCE_END + second] = other
-        row[FORCE_END + first] = row[FORCE_END + first] + one
-        result = ForceEnd(row)
-        result.is_infinite, result.exists = False, True
-        result.inner = one * UnitForce(sharing.units[UNIT_FORCE * first :]).inner
-        result.inner += other * UnitForce(sharing.units[UNIT_FORCE * second :]).inner
-    return best <= 1.0 + SHARE
+    if best > 1.0 + SHARE:
+        return False
+    unit, partner = (
+        UnitForce(sharing.units[UNIT_FORCE * first :]),
+        UnitForce(sharing.units[UNIT_FORCE * second :]),
+    )
+    x, y = one * unit.x + other * partner.x, one * unit.y + other * partner.y
+    torque = one * unit.torque + other * partner.torque
+    size = fabs(x) + fabs(y) + fabs(torque)
+    load = HeldLoad(x, y, torque, limit=0.0, foot_x=0.0, foot_y=0.0, size=size)
+    return balance_load(
+        sharing.units, sharing.number, load, COINCIDENT, low=sharing.low, high=sharing.high
+    )
 
 
 def _share_of(
