@@ -31,8 +31,37 @@ PARTS = {
 }
 
 
+class ProblemArrays:
+    """What results have in common that hold the solutions of an array of problems of shape S."""
+
+    __slots__ = ()
+    solutions: npt.NDArray[np.int8]
+    status: npt.NDArray[np.int8]
+
+    @property
+    def outcome(self) -> npt.NDArray[np.int8]:
+        """Values of `Outcome`, shape S."""
+        outcomes: npt.NDArray[np.int8] = outcome_of(self.solutions, self.status).astype(np.int8)
+        return outcomes
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The shape S."""
+        return self.solutions.shape
+
+    def __len__(self) -> int:
+        return len(self.solutions)
+
+    def _pick(self, values: Mapping[str, Any], places: Any) -> dict[str, Any]:
+        """Arrays at places among the problems, whose axes are merged into one."""
+        size, axes = self.solutions.size, len(self.shape)
+        return {
+            name: value.reshape(size, *value.shape[axes:])[places] for name, value in values.items()
+        }
+
+
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
-class SolutionArrays:
+class SolutionArrays(ProblemArrays):
     """All consistent solutions of an array of pushing problems of shape S, padded along one axis.
 
     An index over S picks problems: with two axes ``arrays[i, j]`` gives `Solutions`; an index that keeps an
@@ -82,20 +111,6 @@ class SolutionArrays:
         """Which places along the axis hold a solution, shape S + (solutions,)."""
         return self.mode >= 0
 
-    @property
-    def outcome(self) -> npt.NDArray[np.int8]:
-        """Values of `Outcome`, shape S."""
-        outcomes: npt.NDArray[np.int8] = outcome_of(self.solutions, self.status).astype(np.int8)
-        return outcomes
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """The shape S."""
-        return self.solutions.shape
-
-    def __len__(self) -> int:
-        return len(self.solutions)
-
     def __getitem__(self, index: Any) -> Any:
         if isinstance(index, ContactMode):  # also an integer, which would pick a problem
             raise InvalidValue(
@@ -103,7 +118,7 @@ class SolutionArrays:
                 "find a mode with arrays.mode == mode",
             )  # fmt: skip
         places = np.arange(self.solutions.size).reshape(self.shape)[index]
-        values = {name: self._flat(value)[places] for name, value in self._fields().items()}
+        values = self._pick(self._fields(), places)
         by = self.derivatives and self.derivatives[np.unravel_index(places, self.shape)]
         return (
             SolutionArrays(**values, derivatives=by)
@@ -113,10 +128,10 @@ class SolutionArrays:
 
     def __repr__(self) -> str:
         outcomes, modes = (
-            _count_members(Outcome, self.outcome),
-            _count_members(ContactMode, self.mode),
+            count_members(Outcome, self.outcome),
+            count_members(ContactMode, self.mode),
         )
-        status = _count_members(Status, self.status)
+        status = count_members(Status, self.status)
         lines = (f"outcomes: {outcomes}", f"modes: {modes}", f"status: {status}")
         return "\n".join((f"SolutionArrays of shape {self.shape}", *lines))
 
@@ -156,10 +171,6 @@ class SolutionArrays:
         del values["derivatives"]
         return {name: value for name, value in values.items() if value is not None}
 
-    def _flat(self, value: Any) -> Any:
-        """An array with the axes of S merged into one."""
-        return value.reshape(self.solutions.size, *value.shape[len(self.shape) :])
-
 
 def _tail(name: str) -> list[str]:
     """Dimensions of a variable after those of the problems."""
@@ -168,7 +179,7 @@ def _tail(name: str) -> list[str]:
     return ["solution", *PARTS.get(name, ())]
 
 
-def _count_members(kind: type[IntEnum], values: Any) -> str:
+def count_members(kind: type[IntEnum], values: Any) -> str:
     """Number of occurrences of each member, as text."""
     counts = {member.name: int(np.count_nonzero(values == member)) for member in kind}
     return ", ".join(f"{count} {name}" for name, count in counts.items() if count) or "none"
@@ -180,10 +191,7 @@ def solutions_from(
     derivatives: Derivatives | None = None,
 ) -> Solutions:
     """The solutions of one problem, from the variables of `SolutionArrays` without the axes of S."""
-    columns = {name: value for name, value in values.items() if name not in COUNTS}
-    entries = {
-        name: column if column.ndim > 1 else column.tolist() for name, column in columns.items()
-    }
+    entries = entries_of_solutions(values)
     count = int(values["solutions"])
     entries["mode"] = list(map(ContactMode, entries["mode"][:count]))
     return Solutions(
@@ -197,6 +205,15 @@ def solutions_from(
         Status(int(values["status"])),
         problem,
     )
+
+
+def entries_of_solutions(values: Mapping[str, Any]) -> dict[str, Any]:
+    """The variables of one problem with an entry for each solution, numbers as those of Python."""
+    return {
+        name: value if value.ndim > 1 else value.tolist()
+        for name, value in values.items()
+        if np.ndim(value) > 0
+    }
 
 
 def as_dataset(values: Mapping[str, Any]) -> xr.Dataset:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, fields
 from enum import IntEnum
-from typing import Any, SupportsIndex, overload
+from typing import Any, Generic, SupportsIndex, TypeVar, overload
 
 import numpy as np
 
@@ -103,7 +104,7 @@ class Solution:
     def to_dict(self) -> dict[str, Any]:
         """Plain values by name: the name of the mode, numbers, lists of numbers, and any derivatives."""
         values = {
-            name: _plain(value) for name, value in field_values(self).items() if value is not None
+            name: plain(value) for name, value in field_values(self).items() if value is not None
         }
         if self.end_forces is None:
             del values["flush"]
@@ -125,10 +126,10 @@ def field_values(instance: Any) -> dict[str, Any]:
     return {part.name: getattr(instance, part.name) for part in fields(instance)}
 
 
-def _plain(value: Any) -> Any:
+def plain(value: Any) -> Any:
     """A value without numpy types, enumerations and negative zeros."""
     if isinstance(value, Derivatives):
-        return {name: _plain(part) for name, part in field_values(value).items()}
+        return {name: plain(part) for name, part in field_values(value).items()}
     if isinstance(value, IntEnum):
         return value.name
     if isinstance(value, (bool, np.bool_)):
@@ -136,8 +137,43 @@ def _plain(value: Any) -> Any:
     return (np.asarray(value) + 0).tolist()
 
 
+One = TypeVar("One")
+
+
+class SolutionSequence(ABC, Generic[One]):
+    """What results have in common that hold all consistent solutions of one problem."""
+
+    __slots__ = ()
+    solutions: tuple[One, ...]
+    status: Status
+
+    @property
+    def outcome(self) -> Outcome:
+        """How many solutions there are; a continuum counts as several."""
+        return Outcome(int(outcome_of(len(self.solutions), self.status)))
+
+    def __iter__(self) -> Iterator[One]:
+        return iter(self.solutions)
+
+    def __len__(self) -> int:
+        return len(self.solutions)
+
+    @abstractmethod
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values by name."""
+
+    def to_json(self) -> str:
+        """JSON of `to_dict`; inf, -inf and nan, which JSON lacks, are written as words."""
+        return to_json(self.to_dict())
+
+    def _title_with(self, ending: str) -> str:
+        """Outcome and number of solutions in words, with an ending."""
+        count = len(self.solutions)
+        return f"{self.outcome}: {count} consistent solution{'' if count == 1 else 's'}{ending}"
+
+
 @dataclass(frozen=True, slots=True, repr=False)
-class Solutions:
+class Solutions(SolutionSequence[Solution]):
     """All consistent solutions of one pushing problem, in the order of `ContactMode`.
 
     Of one mode, flush solutions of a side come first, then contacts at its start, then at its end. Slips
@@ -151,18 +187,8 @@ class Solutions:
     problem: tuple[Any, float, float] | None = field(default=None, compare=False)
 
     @property
-    def outcome(self) -> Outcome:
-        return Outcome(int(outcome_of(len(self.solutions), self.status)))
-
-    @property
     def modes(self) -> tuple[ContactMode, ...]:
         return tuple(solution.mode for solution in self.solutions)
-
-    def __iter__(self) -> Iterator[Solution]:
-        return iter(self.solutions)
-
-    def __len__(self) -> int:
-        return len(self.solutions)
 
     @overload
     def __getitem__(self, index: SupportsIndex) -> Solution: ...
@@ -188,10 +214,6 @@ class Solutions:
             "solutions": [solution.to_dict() for solution in self.solutions],
         }
 
-    def to_json(self) -> str:
-        """JSON of `to_dict`; inf, -inf and nan, which JSON lacks, are written as words."""
-        return to_json(self.to_dict())
-
     def __repr__(self) -> str:
         return f"{self._title}\n{self._table().to_string()}" if self.solutions else self._title
 
@@ -203,9 +225,7 @@ class Solutions:
 
     @property
     def _title(self) -> str:
-        count = len(self.solutions)
-        title = f"{self.outcome}: {count} consistent solution{'' if count == 1 else 's'}"
-        return f"{title}, of a continuum" if self.status is Status.CONTINUUM else title
+        return self._title_with(", of a continuum" if self.status is Status.CONTINUUM else "")
 
     def _table(self) -> Any:
         """A pandas table with one row per number and one column per solution."""
@@ -257,8 +277,14 @@ def printed_numbers(solutions: Solutions) -> list[dict[str, Array]]:
     for row in rows:
         for name, value in row.items():
             scale = scales.get(name, max(reach, _largest([value])))
-            row[name] = np.where(np.abs(value) < ROUNDING * scale, 0.0, value) + 0.0
+            row[name] = drop_rounding(value, scale)
     return rows
+
+
+def drop_rounding(value: Array, scale: Any) -> Array:
+    """Numbers to print, with 0 for negative zeros and for rounding errors of numbers of a scale."""
+    kept: Array = np.where(np.abs(value) < ROUNDING * scale, 0.0, value) + 0.0
+    return kept
 
 
 def _largest(vectors: Iterable[Array]) -> float:

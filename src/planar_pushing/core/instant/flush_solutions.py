@@ -1,4 +1,10 @@
-"""All solutions of a push of a flat side: flush contact, and contacts at an end that lift off the other."""
+"""All solutions of a push of a flat side: flush contact, and contacts at an end that lift off the other.
+
+Solutions with one twist count once, as flush. The two ends are also two contacts for `several`, with the
+same answers on random sides; a side has a solver of its own because `several` measures twists and forces in
+units of the fastest motion, which loses pushes that are almost along the fence or through an end, and
+because it counts a contact without a force as closed.
+"""
 
 from __future__ import annotations
 
@@ -45,9 +51,8 @@ from planar_pushing.core.supports.tolerances import ALMOST_FLUSH, COINCIDENT
 
 #: Where a solution touches the fence: nowhere or along the whole side, at its start, at its end.
 WHOLE_SIDE, SIDE_START, SIDE_END = range(3)
-#: Maximum number of flush solutions, some of which come from contacts at an end, and of all solutions.
-MOST_FLUSH_WITH_ENDS = MOST_FLUSH + 2 * MOST_SOLUTIONS
-MOST_ON_SIDE = 1 + MOST_FLUSH_WITH_ENDS
+#: Maximum number of solutions.
+MOST_ON_SIDE = 1 + MOST_FLUSH + 2 * MOST_SOLUTIONS
 
 
 class End(NamedTuple):
@@ -55,6 +60,8 @@ class End(NamedTuple):
 
     Attributes
     ----------
+    touches : int
+        `SIDE_START` or `SIDE_END`.
     x : float
         Position along the fence.
     lifts : float
@@ -63,6 +70,7 @@ class End(NamedTuple):
         Motion without a contact, in the fence frame.
     """
 
+    touches: int
     x: float
     lifts: float
     rest_x: float
@@ -77,9 +85,8 @@ class SideRow(PushRow):
 
 
 class SideSolution(Solution):
-    """A solution of a push of a side: whether it is flush, and where it touches the fence."""
+    """A solution of a push of a side, and where it touches the fence."""
 
-    is_flush: bool
     touches_at: int
 
 
@@ -135,7 +142,8 @@ def solve_flush(
         for j in range(number):
             solution = SideSolution(solutions[j * SIDE_SOLUTION :])
             written = SideResult(result[HEAD_OF_RESULTS + j * SIDE_RESULT :])
-            written.flush, written.position = solution.is_flush, _position_of_force(side, solution)
+            flush: bool = solution.mode != SEPARATE and solution.touches_at == WHOLE_SIDE
+            written.flush, written.position = flush, _position_of_force(side, solution)
             _write_end_forces(problem.law, solution, written.end_forces)
 
 
@@ -151,58 +159,93 @@ def side_modes(push: Push, side: FlatSide, law: Law, pusher: Direction, solution
 
     These include contacts at one end; `flush_or_free_modes` has only those that a run looks for on a side.
     """
-    flush = zeros(MOST_FLUSH_WITH_ENDS * SOLUTION)
-    at_start, at_end = zeros(MOST_SOLUTIONS * SOLUTION), zeros(MOST_SOLUTIONS * SOLUTION)
+    flush, all_contacts = zeros(MOST_FLUSH * SOLUTION), zeros(MOST_ON_SIDE * SIDE_SOLUTION)
     count, scale, rest = _write_separate(push, side, pusher, SideSolution(solutions))
     if scale == 0.0:
         return count  # as for one point, a slider and a fence at rest count as separate
     held = FlushPush(
         push, side, law, w_x=pusher.x, w_y=pusher.y, spin=0.0, translation=resist_translation(push)
     )
-    flush_count, starts, ends = flush_modes(held, flush), 0, 0
-    start = End(side.start, 1.0, rest.x, rest.y + side.start * rest.spin)
-    if _can_lift(held, start):
-        starts, _ = contact_modes(_push_at(push, side.start), law, pusher, at_start)
-    end = End(side.end, -1.0, rest.x, rest.y + side.end * rest.spin)
-    if _can_lift(held, end):
-        ends, _ = contact_modes(_push_at(push, side.end), law, pusher, at_end)
-    if flush_count < 0 or starts < 0 or ends < 0:
+    number = flush_modes(held, flush)
+    for i in range(number):
+        _write_contact(all_contacts, i, Solution(flush[i * SOLUTION :]), WHOLE_SIDE)
+    for touches in range(SIDE_START, SIDE_END + 1):
+        x, lifts = side.start, 1.0
+        if touches == SIDE_END:
+            x, lifts = side.end, -1.0
+        end = End(touches, x, lifts, rest.x, rest.y + x * rest.spin)
+        if number >= 0 and _can_lift(held, end):
+            number = _add_at_end(held, end, pusher, all_contacts, number)
+    if number < 0:
         return UNSOLVED
-    flush_count = _keep_lifting(
-        push,
-        side,
-        touches=SIDE_START,
-        points=at_start,
-        count=starts,
-        flush=flush,
-        flush_count=flush_count,
-    )
-    flush_count = _keep_lifting(
-        push,
-        side,
-        touches=SIDE_END,
-        points=at_end,
-        count=ends,
-        flush=flush,
-        flush_count=flush_count,
-    )
     for mode in range(STICK, SLIP_LEFT + 1):
-        for i in range(flush_count):
-            solution = Solution(flush[i * SOLUTION :])
-            if solution.mode == mode:
-                copy_solution(solutions[count * SIDE_SOLUTION :], solution)
-                count = _mark_solution(solutions, count, True, WHOLE_SIDE)
-        for i in range(starts):
-            solution = Solution(at_start[i * SOLUTION :])
-            if solution.mode == mode:
-                copy_solution(solutions[count * SIDE_SOLUTION :], solution)
-                count = _mark_solution(solutions, count, False, SIDE_START)
-        for i in range(ends):
-            solution = Solution(at_end[i * SOLUTION :])
-            if solution.mode == mode:
-                copy_solution(solutions[count * SIDE_SOLUTION :], solution)
-                count = _mark_solution(solutions, count, False, SIDE_END)
+        for touches in range(WHOLE_SIDE, SIDE_END + 1):
+            for i in range(number):
+                solution = SideSolution(all_contacts[i * SIDE_SOLUTION :])
+                if solution.mode == mode and solution.touches_at == touches:
+                    _write_contact(solutions, count, solution, touches)
+                    count += 1
     return count
+
+
+def _write_contact(solutions: Numbers, index: int, solution: Solution, touches: int) -> None:
+    """Write a solution with the place where it touches the fence."""
+    target = SideSolution(solutions[index * SIDE_SOLUTION :])
+    copy_solution(target, solution)
+    target.touches_at = touches
+
+
+def _add_at_end(
+    flush: FlushPush, end: End, pusher: Direction, all_contacts: Numbers, count: int
+) -> int:
+    """Add the contacts at one end that lift off the other, and return the number of contacts.
+
+    Solutions with one twist count once, as flush. One without a rotation, to rounding, is flush even if no
+    other solution is the same.
+    """
+    push, side = flush.push, flush.side
+    points = zeros(MOST_SOLUTIONS * SOLUTION)
+    lever = side.end - side.start + push.contact.reach
+    number, _ = contact_modes(_push_at(push, end.x), flush.law, pusher, points)
+    if number < 0:
+        return UNSOLVED
+    for i in range(number):
+        point = Solution(points[i * SOLUTION :])
+        turn = end.lifts * point.twist.spin
+        speed = fabs(point.motion.x) + fabs(point.motion.y)
+        is_flush: bool = fabs(turn) * lever <= COINCIDENT * speed
+        if point.mode == SEPARATE or _is_added(end, point, all_contacts, count, lever, speed):
+            continue
+        if is_flush:
+            at_start: bool = end.touches == SIDE_START
+            point.start_force = point.force.y if at_start else 0.0
+            point.end_force = 0.0 if at_start else point.force.y
+        elif turn < 0.0:
+            continue
+        _write_contact(all_contacts, count, point, WHOLE_SIDE if is_flush else end.touches)
+        count += 1
+    return count
+
+
+def _is_added(
+    end: End, point: Solution, all_contacts: Numbers, count: int, lever: float, speed: float
+) -> bool:
+    """Whether a contact at an end is a flush solution, to rounding; together they are a continuum or not.
+
+    If no force acts at the other end, the rotation can be a rounding error of the force's position, which
+    a small support magnifies.
+    """
+    for i in range(count):
+        solution = SideSolution(all_contacts[i * SIDE_SOLUTION :])
+        other = solution.end_force if end.touches == SIDE_START else solution.start_force
+        nearest = ALMOST_FLUSH if other == 0.0 else COINCIDENT
+        apart = fabs(point.motion.x - solution.motion.x) + fabs(point.motion.y - solution.motion.y)
+        apart += fabs(point.twist.spin) * lever
+        is_flush: bool = solution.touches_at == WHOLE_SIDE
+        if is_flush and solution.mode == point.mode and apart <= nearest * speed:
+            solution.continuum = solution.continuum or point.continuum
+            return True
+    return False
 
 
 def _can_lift(flush: FlushPush, end: End) -> bool:
@@ -270,13 +313,6 @@ def _resists_lifting(flush: FlushPush, end: End, x: float, y: float) -> bool:
     return holds_one and holds_two
 
 
-def _mark_solution(solutions: Numbers, count: int, flush: bool, touches: int) -> int:
-    """Complete a solution that is the last one, and return the number of solutions."""
-    solution = SideSolution(solutions[count * SIDE_SOLUTION :])
-    solution.is_flush, solution.touches_at = flush, touches
-    return count + 1
-
-
 def _write_separate(
     push: Push, side: FlatSide, pusher: Direction, solution: SideSolution
 ) -> tuple[int, float, Vector]:
@@ -310,76 +346,6 @@ def _write_separate(
     solution.twist.spin = rest.spin
     solution.motion.x, solution.motion.y = x, y
     return 1, scale, Vector(x, y, rest.spin)
-
-
-def _keep_lifting(
-    push: Push,
-    side: FlatSide,
-    touches: int,
-    points: Numbers,
-    count: int,
-    flush: Numbers,
-    flush_count: int,
-) -> int:
-    """Keep the contacts at one end that lift off the other, and return the number of flush solutions.
-
-    A contact without a rotation, to rounding, is flush: a solution that is there already, or a new one.
-    What is not kept becomes `SEPARATE`.
-    """
-    sense, lever = 1.0, side.end - side.start + push.contact.reach
-    if touches == SIDE_END:
-        sense = -1.0
-    for i in range(count):
-        point = Solution(points[i * SOLUTION :])
-        if point.mode != SEPARATE:
-            turn = sense * point.twist.spin
-            speed = fabs(point.motion.x) + fabs(point.motion.y)
-            is_flush: bool = fabs(turn) * lever <= COINCIDENT * speed
-            same = _same_flush(side, touches, point, flush, flush_count, lever, speed)
-            if is_flush and same < 0:
-                flush_count = _add_flush(touches, point, flush, flush_count)
-            if same >= 0 and point.continuum:
-                Solution(flush[same * SOLUTION :]).continuum = True
-            if is_flush or same >= 0 or turn < 0.0:
-                point.mode = SEPARATE
-    return flush_count
-
-
-def _same_flush(
-    side: FlatSide,
-    touches: int,
-    point: Solution,
-    flush: Numbers,
-    flush_count: int,
-    lever: float,
-    speed: float,
-) -> int:
-    """The number of the flush solution that a contact at an end is, to rounding; -1 if there is none.
-
-    If no force acts at the other end, the rotation can be a rounding error of the force's position, which
-    a small support magnifies.
-    """
-    for i in range(flush_count):
-        solution = Solution(flush[i * SOLUTION :])
-        other = solution.end_force if touches == SIDE_START else solution.start_force
-        nearest = ALMOST_FLUSH if other == 0.0 else COINCIDENT
-        deviation = fabs(point.motion.x - solution.motion.x) + fabs(
-            point.motion.y - solution.motion.y
-        )
-        deviation += fabs(point.twist.spin) * lever
-        if solution.mode == point.mode and deviation <= nearest * speed:
-            return i
-    return -1
-
-
-def _add_flush(touches: int, point: Solution, flush: Numbers, flush_count: int) -> int:
-    """Add a contact at an end as a flush solution, and return the number of flush solutions."""
-    solution = Solution(flush[flush_count * SOLUTION :])
-    copy_solution(solution, point)
-    force = point.force.y
-    solution.start_force = force if touches == SIDE_START else 0.0
-    solution.end_force = 0.0 if touches == SIDE_START else force
-    return flush_count + 1
 
 
 def _position_of_force(side: FlatSide, solution: SideSolution) -> float:

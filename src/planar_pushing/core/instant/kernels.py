@@ -236,7 +236,7 @@ def solve(
             flat=flat,
             result=result,
             width=width,
-            columns_of_each=RESULT,
+            columns_of_result=RESULT,
         )
 
 
@@ -259,14 +259,14 @@ def pushing_problem(effects: Effects, inputs: PushRow) -> PushingProblem:
 
 def write_results(
     rod: Rod, solutions: Numbers, size: int, number: int, flat: bool,
-    result: Numbers, width: int, columns_of_each: int,
+    result: Numbers, width: int, columns_of_result: int,
 ) -> int:  # fmt: skip
     """Write number, status and solutions in a row of results; return how many solutions are written.
 
-    Each solution has `size` numbers in the core, and `columns_of_each` of the `width` columns of results.
+    Each solution has `size` numbers in the core, and `columns_of_result` of the `width` columns of results.
     """
     status = CONTINUA if flat else NONE if number == 0 else CONSISTENT
-    if number < 0 or HEAD_OF_RESULTS + number * columns_of_each > width:
+    if number < 0 or HEAD_OF_RESULTS + number * columns_of_result > width:
         number, status = 0, NOT_SOLVED
     for k in range(HEAD_OF_RESULTS, width):
         result[k] = UNKNOWN
@@ -276,7 +276,7 @@ def write_results(
             status = CONTINUA
         elif solution.pivot >= 0 and status == CONSISTENT:
             status = PIVOTS
-        _write_result(rod, solution, PushResult(result[HEAD_OF_RESULTS + j * columns_of_each :]))
+        _write_result(rod, solution, PushResult(result[HEAD_OF_RESULTS + j * columns_of_result :]))
     head = PushResults(result)
     head.count, head.status = number, status
     return number

@@ -17,14 +17,6 @@ from planar_pushing.core.instant.directions import (
     unit_x,
     unit_y,
 )
-from planar_pushing.core.instant.force_sets import (
-    END_OF_FORCES,
-    MOST_UNITS,
-    UNIT_FORCE,
-    ForceEnd,
-    UnitForce,
-    find_cancelling,
-)
 from planar_pushing.core.instant.kernels import (
     CONSISTENT,
     CONTINUA,
@@ -78,6 +70,14 @@ from planar_pushing.core.instant.solution import (
 )
 from planar_pushing.core.instant.twist_line import (
     length_of_twist,
+)
+from planar_pushing.core.instant.unit_forces import (
+    END_OF_FORCES,
+    MOST_UNITS,
+    UNIT_FORCE,
+    ForceEnd,
+    UnitForce,
+    find_cancelling,
 )
 from planar_pushing.core.numbers import (
     UNKNOWN,

@@ -12,17 +12,16 @@ from math import fabs
 from typing import NamedTuple
 
 from planar_pushing.core.instant.force_sets import (
-    FORCE_END,
-    MOST_UNITS,
-    UNIT_FORCE,
-    ForceEnd,
     HeldLoad,
-    UnitForce,
     balance_load,
 )
 from planar_pushing.core.instant.several_frames import Several, frame_of
 from planar_pushing.core.instant.several_solutions import Sharing, add_solution
 from planar_pushing.core.instant.solution import SEPARATE, SLIP_LEFT, STICK
+from planar_pushing.core.instant.unit_forces import (
+    UNIT_FORCE,
+    UnitForce,
+)
 from planar_pushing.core.numbers import INFINITY, Numbers
 from planar_pushing.core.supports.free import friction_share
 from planar_pushing.core.supports.resistance import has_friction, load_wrench
@@ -99,7 +98,10 @@ def add_at_rest(several: Several, sharing: Sharing, solutions: Numbers, count: i
 
 
 def _write_least_share(several: Several, sharing: Sharing) -> bool:
-    """Write the forces that need the smallest share of friction; whether friction bears it."""
+    """Write the forces that need the smallest share of friction; whether friction bears it.
+
+    They are known in sum, so the inner force has a range.
+    """
     best, first, second = INFINITY, 0, 0
     one, other = 0.0, 0.0
     for i in range(sharing.number):
@@ -108,17 +110,19 @@ def _write_least_share(several: Several, sharing: Sharing) -> bool:
             if share.share < best:
                 best, first, second = share.share, i, j
                 one, other = share.one, share.other
-    for end in range(2):
-        row = sharing.low if end == 0 else sharing.high
-        for k in range(MOST_UNITS):
-            row[FORCE_END + k] = 0.0
-        row[FORCE_END + second] = other
-        row[FORCE_END + first] = row[FORCE_END + first] + one
-        result = ForceEnd(row)
-        result.is_infinite, result.exists = False, True
-        result.inner = one * UnitForce(sharing.units[UNIT_FORCE * first :]).inner
-        result.inner += other * UnitForce(sharing.units[UNIT_FORCE * second :]).inner
-    return best <= 1.0 + SHARE
+    if best > 1.0 + SHARE:
+        return False
+    unit, partner = (
+        UnitForce(sharing.units[UNIT_FORCE * first :]),
+        UnitForce(sharing.units[UNIT_FORCE * second :]),
+    )
+    x, y = one * unit.x + other * partner.x, one * unit.y + other * partner.y
+    torque = one * unit.torque + other * partner.torque
+    size = fabs(x) + fabs(y) + fabs(torque)
+    load = HeldLoad(x, y, torque, limit=0.0, foot_x=0.0, foot_y=0.0, size=size)
+    return balance_load(
+        sharing.units, sharing.number, load, COINCIDENT, low=sharing.low, high=sharing.high
+    )
 
 
 def _share_of(
@@ -142,55 +146,57 @@ def _power_of_unit(sharing: Sharing, i: int, twist: Vector) -> float:
     return force.x * twist.x + force.y * twist.y + force.torque * twist.spin
 
 
-def _least_along_first(several: Several, sharing: Sharing, i: int, j: int, other: float) -> Share:
-    """The smallest share over all multiples of the first force."""
-    load = load_wrench(several.effects)
-    step = fabs(load.x) + fabs(load.y) + fabs(load.spin)
-    low = _share_of(several, sharing, i, j, one=0.0, other=other)
-    at_low = _power_of_unit(sharing, i, low.twist)
-    if at_low >= 0.0:
-        return low
-    high, at_high = low, at_low
-    for _ in range(MOST_DOUBLINGS):
-        high = _share_of(several, sharing, i, j, one=step, other=other)
-        at_high = _power_of_unit(sharing, i, high.twist)
-        if at_high >= 0.0:
-            break
-        low, at_low, step = high, at_high, 2.0 * step
-    if at_high < 0.0:
-        return low
-    bracket = open_bracket(low.one, high.one, at_low, at_high, COINCIDENT)
-    for _ in range(ITERATIONS):
-        if is_narrow(bracket):
-            break
-        one = next_number(bracket)
-        high = _share_of(several, sharing, i, j, one=one, other=other)
-        bracket = narrow_bracket(bracket, one, _power_of_unit(sharing, i, high.twist))
-    return _share_of(several, sharing, i, j, one=best_number(bracket), other=other)
-
-
 def _least_of_pair(several: Several, sharing: Sharing, i: int, j: int) -> Share:
-    """The smallest share over all multiples of two forces."""
-    load = load_wrench(several.effects)
+    """The smallest share over all multiples of two forces, or of one."""
+    return _least_share(several, sharing, i, j, 0 if i == j else 1, 0.0)
+
+
+def _share_with(
+    several: Several, sharing: Sharing, i: int, j: int, number: int, multiple: float, other: float
+) -> Share:
+    """The share with a multiple of one of two forces: of the first, or of the second, then the smallest."""
+    if number == 0:
+        return _share_of(several, sharing, i, j, one=multiple, other=other)
+    return _least_share(several, sharing, i, j, 0, multiple)
+
+
+def _least_share(
+    several: Several, sharing: Sharing, i: int, j: int, number: int, other: float
+) -> Share:
+    """The smallest share over all multiples of the first of two forces, or of both.
+
+    Parameters
+    ----------
+    several, sharing : Several, Sharing
+    i, j : int
+        The unit forces.
+    number : int
+        0 to search among multiples of the first, 1 among those of the second, each with the best multiple
+        of the first.
+    other : float
+        Multiple of the second force for a search among those of the first.
+    """
+    load, unit = load_wrench(several.effects), i if number == 0 else j
     step = fabs(load.x) + fabs(load.y) + fabs(load.spin)
-    low = _least_along_first(several, sharing, i, j, 0.0)
-    at_low = _power_of_unit(sharing, j, low.twist)
-    if at_low >= 0.0 or i == j:
+    low = _share_with(several, sharing, i, j, number, multiple=0.0, other=other)
+    start, at_start = 0.0, _power_of_unit(sharing, unit, low.twist)
+    if at_start >= 0.0:
         return low
-    high, at_high = low, at_low
+    end, at_end = start, at_start
     for _ in range(MOST_DOUBLINGS):
-        high = _least_along_first(several, sharing, i, j, step)
-        at_high = _power_of_unit(sharing, j, high.twist)
-        if at_high >= 0.0:
+        end = step
+        high = _share_with(several, sharing, i, j, number, multiple=end, other=other)
+        at_end = _power_of_unit(sharing, unit, high.twist)
+        if at_end >= 0.0:
             break
-        low, at_low, step = high, at_high, 2.0 * step
-    if at_high < 0.0:
+        low, start, at_start, step = high, end, at_end, 2.0 * step
+    if at_end < 0.0:
         return low
-    bracket = open_bracket(low.other, high.other, at_low, at_high, COINCIDENT)
+    bracket = open_bracket(start, end, at_start, at_end, COINCIDENT)
     for _ in range(ITERATIONS):
         if is_narrow(bracket):
             break
-        other = next_number(bracket)
-        high = _least_along_first(several, sharing, i, j, other)
-        bracket = narrow_bracket(bracket, other, _power_of_unit(sharing, j, high.twist))
-    return _least_along_first(several, sharing, i, j, best_number(bracket))
+        multiple = next_number(bracket)
+        high = _share_with(several, sharing, i, j, number, multiple=multiple, other=other)
+        bracket = narrow_bracket(bracket, multiple, _power_of_unit(sharing, unit, high.twist))
+    return _share_with(several, sharing, i, j, number, multiple=best_number(bracket), other=other)

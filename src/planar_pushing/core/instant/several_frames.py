@@ -97,7 +97,14 @@ class ContactFrame(Record):
     pusher_along: float
 
 
+class Equation(Twist):
+    """A linear equation for a twist: its scalar product with a row has a value."""
+
+    value: float
+
+
 CONTACT_ROW, CONTACT_FRAME = size_of(SeveralRow), size_of(ContactFrame)
+EQUATION = size_of(Equation)
 
 
 class Several(NamedTuple):
@@ -187,16 +194,16 @@ def keeps_modes(several: Several, modes: Numbers, twist: Vector) -> bool:
 
 def motions_of_modes(several: Several, modes: Numbers) -> MotionSet:
     """The twists that the closed contacts allow; no dimension, -1, if the pushers do not fit together."""
-    rows, lengths = zeros(4 * MOST_EQUATIONS), zeros(MOST_EQUATIONS)
+    rows, lengths = zeros(MOST_EQUATIONS * EQUATION), zeros(MOST_EQUATIONS)
     count = 0
     for i in range(several.number):
         frame, mode = frame_of(several, i), int(modes[i])
         if mode != SEPARATE:
-            _write_equation(as_vector(frame.across), frame.pusher_across, rows[4 * count :])
+            _write_equation(frame.across, frame.pusher_across, Equation(rows[EQUATION * count :]))
             lengths[count] = length_of_twist(as_vector(frame.across))
             count += 1
         if mode == STICK:
-            _write_equation(as_vector(frame.along), frame.pusher_along, rows[4 * count :])
+            _write_equation(frame.along, frame.pusher_along, Equation(rows[EQUATION * count :]))
             lengths[count] = length_of_twist(as_vector(frame.along))
             count += 1
     twist, rank = Vector(0.0, 0.0, 0.0), 0
@@ -204,25 +211,24 @@ def motions_of_modes(several: Several, modes: Numbers) -> MotionSet:
     for _ in range(3):
         best, chosen = RANK, -1
         for k in range(count):
-            size = length_of_twist(_row_at(rows, k)) / lengths[k]
+            size = length_of_twist(as_vector(Equation(rows[EQUATION * k :]))) / lengths[k]
             if size > best:
                 best, chosen = size, k
         if chosen < 0:
             break
-        row = _row_at(rows, chosen)
-        length = length_of_twist(row)
-        unit, value = scale_vector(row, 1.0 / length), rows[4 * chosen + 3] / length
+        best_row = Equation(rows[EQUATION * chosen :])
+        length = length_of_twist(as_vector(best_row))
+        unit, value = scale_vector(as_vector(best_row), 1.0 / length), best_row.value / length
         twist = Vector(
             twist.x + value * unit.x, twist.y + value * unit.y, twist.spin + value * unit.spin
         )
         for k in range(count):
-            part = dot_vectors(_row_at(rows, k), unit)
-            rows[4 * k] -= part * unit.x
-            rows[4 * k + 1] -= part * unit.y
-            rows[4 * k + 2] -= part * unit.spin
-            rows[4 * k + 3] -= part * value
-        for m in range(4):
-            rows[4 * chosen + m] = 0.0
+            row = Equation(rows[EQUATION * k :])
+            part = dot_vectors(as_vector(row), unit)
+            row.x, row.y = row.x - part * unit.x, row.y - part * unit.y
+            row.spin, row.value = row.spin - part * unit.spin, row.value - part * value
+        for m in range(EQUATION):
+            best_row[m] = 0.0
         if rank == 0:
             first = unit
         elif rank == 1:
@@ -230,17 +236,15 @@ def motions_of_modes(several: Several, modes: Numbers) -> MotionSet:
         rank += 1
     size = 1.0 + length_of_twist(twist)
     for k in range(count):
-        if fabs(rows[4 * k + 3]) > COINCIDENT * lengths[k] * size:
+        if fabs(Equation(rows[EQUATION * k :]).value) > COINCIDENT * lengths[k] * size:
             return MotionSet(twist, -1, first)
     return MotionSet(twist, 3 - rank, cross_vectors(first, second))
 
 
-def _write_equation(row: Vector, value: float, numbers: Numbers) -> None:
-    numbers[0], numbers[1], numbers[2], numbers[3] = row.x, row.y, row.spin, value
-
-
-def _row_at(rows: Numbers, k: int) -> Vector:
-    return Vector(rows[4 * k], rows[4 * k + 1], rows[4 * k + 2])
+def _write_equation(wrench: Twist, value: float, equation: Equation) -> None:
+    """Write the equation that a twist has a given power with a unit force."""
+    equation.x, equation.y, equation.spin = wrench.x, wrench.y, wrench.spin
+    equation.value = value
 
 
 def cross_vectors(one: Vector, other: Vector) -> Vector:

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from math import atan2, fabs
 
+from planar_pushing.core._record import (
+    Record,
+    size_of,
+)
 from planar_pushing.core.instant.directions import (
     QUARTER_TURN,
-)
-from planar_pushing.core.instant.force_sets import (
-    INDEPENDENT,
-    UNIT_FORCE,
-    UnitForce,
 )
 from planar_pushing.core.instant.line_problem import (
     LINE_ROOT,
@@ -39,6 +38,7 @@ from planar_pushing.core.instant.solution import (
     SLIP_LEFT,
     STICK,
     UNSOLVED,
+    Twist,
 )
 from planar_pushing.core.instant.twist_line import (
     TwistLine,
@@ -47,6 +47,11 @@ from planar_pushing.core.instant.twist_line import (
     line_through,
     scale_vector,
     twist_on_line,
+)
+from planar_pushing.core.instant.unit_forces import (
+    INDEPENDENT,
+    UNIT_FORCE,
+    UnitForce,
 )
 from planar_pushing.core.numbers import (
     INFINITY,
@@ -75,12 +80,22 @@ PARTS_OF_STRETCH, BISECTIONS, SHORT_STRETCH = 32, 50, 1e-6
 ANY_LOAD = 1e9
 
 
-def _write_bounds(several: Several, sharing: Sharing, motions: MotionSet, bounds: Numbers) -> bool:
+class Bounds(Record):
+    """How far one can go along a line of twists in both senses, in multiples of its direction."""
+
+    low: float
+    high: float
+
+
+BOUNDS, TWIST = size_of(Bounds), size_of(Twist)
+
+
+def _write_bounds(several: Several, sharing: Sharing, motions: MotionSet, bounds: Bounds) -> bool:
     """Write how far one can go along a line of twists in both senses; whether any of it is left.
 
     Every contact keeps its mode, and without loads the power of at nearest one unit force is positive.
     """
-    bounds[0], bounds[1] = -INFINITY, INFINITY
+    bounds.low, bounds.high = -INFINITY, INFINITY
     size = 1.0 + length_of_twist(motions.twist)
     if not several.loaded:
         _bound_by_power(sharing, motions, bounds)
@@ -98,19 +113,19 @@ def _write_bounds(several: Several, sharing: Sharing, motions: MotionSet, bounds
             if value < -COINCIDENT * reach * size:
                 return False
         elif slope > 0.0:
-            bounds[0] = max(bounds[0], -value / slope)
+            bounds.low = max(bounds.low, -value / slope)
         else:
-            bounds[1] = min(bounds[1], -value / slope)
-    if bounds[0] == INFINITY or bounds[1] == -INFINITY:
+            bounds.high = min(bounds.high, -value / slope)
+    if bounds.low == INFINITY or bounds.high == -INFINITY:
         return False
-    if bounds[0] > bounds[1]:
-        if bounds[0] - bounds[1] > COINCIDENT * (size + fabs(bounds[0])):
+    if bounds.low > bounds.high:
+        if bounds.low - bounds.high > COINCIDENT * (size + fabs(bounds.low)):
             return False
-        bounds[0] = bounds[1]
+        bounds.low = bounds.high
     return True
 
 
-def _bound_by_power(sharing: Sharing, motions: MotionSet, bounds: Numbers) -> None:
+def _bound_by_power(sharing: Sharing, motions: MotionSet, bounds: Bounds) -> None:
     """Narrow a line of twists to the smallest interval with all those at which a contact does work."""
     low, high = INFINITY, -INFINITY
     for k in range(sharing.number):
@@ -125,7 +140,7 @@ def _bound_by_power(sharing: Sharing, motions: MotionSet, bounds: Numbers) -> No
             low, high = min(low, -(value + slack) / slope), INFINITY
         else:
             low, high = -INFINITY, max(high, -(value + slack) / slope)
-    bounds[0], bounds[1] = max(bounds[0], low), min(bounds[1], high)
+    bounds.low, bounds.high = max(bounds.low, low), min(bounds.high, high)
 
 
 def _span_of(sharing: Sharing, probes: Numbers) -> int:
@@ -148,11 +163,11 @@ def _span_of(sharing: Sharing, probes: Numbers) -> int:
         elif y <= z:
             axis = Vector(0.0, 1.0, 0.0)
         across = cross_vectors(first, axis)
-        _write_vector_of(across, probes)
-        _write_vector_of(cross_vectors(first, across), probes[3:])
+        _write_probe(across, Twist(probes))
+        _write_probe(cross_vectors(first, across), Twist(probes[TWIST:]))
         return 1
     normal = cross_vectors(first, _unit_vector(units, other))
-    _write_vector_of(normal, probes)
+    _write_probe(normal, Twist(probes))
     for k in range(number):
         vector = _unit_vector(units, k)
         part = fabs(dot_vectors(vector, normal))
@@ -167,8 +182,9 @@ def _unit_vector(units: Numbers, k: int) -> Vector:
     return Vector(force.x, force.y, force.torque)
 
 
-def _write_vector_of(vector: Vector, numbers: Numbers) -> None:
-    numbers[0], numbers[1], numbers[2] = vector.x, vector.y, vector.spin
+def _write_probe(vector: Vector, probe: Twist) -> None:
+    """Write a twist in a row."""
+    probe.x, probe.y, probe.spin = vector.x, vector.y, vector.spin
 
 
 def add_on_line(
@@ -178,7 +194,8 @@ def add_on_line(
 
     With slips alone the lines of force span a plane of wrenches, and the load must be in it.
     """
-    bounds, probes = zeros(2), zeros(6)
+    numbers, probes = zeros(BOUNDS), zeros(2 * TWIST)
+    bounds = Bounds(numbers)
     if not _write_bounds(several, sharing, motions, bounds):
         return count
     span = _span_of(sharing, probes)
@@ -187,9 +204,9 @@ def add_on_line(
     roots = zeros(MOST_ON_LINE * LINE_ROOT)
     slack = ANY_LOAD if span == 2 else BALANCED
     for k in range(3 - span):
-        probe = Vector(probes[3 * k], probes[3 * k + 1], probes[3 * k + 2])
+        probe = as_vector(Twist(probes[TWIST * k :]))
         line = line_through(several.effects, motions.twist, motions.direction, probe)
-        number = find_on_line(line, bounds[0] / line.size, bounds[1] / line.size, roots)
+        number = find_on_line(line, bounds.low / line.size, bounds.high / line.size, roots)
         if number < 0:
             return UNSOLVED
         for i in range(number):
@@ -269,15 +286,16 @@ def add_from_rest(
     The direction of friction is the same all along each half of it, so one of its twists is a solution.
     With friction alone all are, and the end of that continuum which is not at rest is written.
     """
-    bounds, probes = zeros(2), zeros(6)
+    numbers, probes = zeros(BOUNDS), zeros(2 * TWIST)
+    bounds = Bounds(numbers)
     if not _write_bounds(several, sharing, motions, bounds):
         return count
     span = _span_of(sharing, probes)
-    probe = Vector(probes[0], probes[1], probes[2])
+    probe = as_vector(Twist(probes))
     for half in range(2):
         sign = 1.0 if half == 0 else -1.0
-        nearest = bounds[0] if half == 0 else -bounds[1]
-        farthest = bounds[1] if half == 0 else -bounds[0]
+        nearest = bounds.low if half == 0 else -bounds.high
+        farthest = bounds.high if half == 0 else -bounds.low
         nearest = max(nearest, 0.0)
         if farthest <= COINCIDENT or farthest < nearest:
             continue
@@ -314,7 +332,7 @@ def _load_with(several: Several, twist: Vector, two: float) -> Vector:
 
 
 def _add_interval(
-    several: Several, sharing: Sharing, motions: MotionSet, bounds: Numbers,
+    several: Several, sharing: Sharing, motions: MotionSet, bounds: Bounds,
     solutions: Numbers, count: int,
 ) -> int:  # fmt: skip
     """Add the ends of the intervals of a line on which the contacts balance every load.
@@ -334,13 +352,13 @@ def _add_interval(
             if length_of_twist(probe) <= INDEPENDENT * scale:
                 continue
             line = line_through(effects, motions.twist, motions.direction, probe)
-            some = find_on_line(line, bounds[0] / size, bounds[1] / size, roots)
+            some = find_on_line(line, bounds.low / size, bounds.high / size, roots)
             if some < 0:
                 return UNSOLVED
             for k in range(some):
                 number = _insert_angle(angles, number, LineRoot(roots[LINE_ROOT * k :]).angle)
-    for k in range(2):
-        number = _insert_angle(angles, number, atan2(bounds[k] / size, 1.0))
+    number = _insert_angle(angles, number, atan2(bounds.low / size, 1.0))
+    number = _insert_angle(angles, number, atan2(bounds.high / size, 1.0))
     if number > MOST_ANGLES:
         return UNSOLVED
     line = line_through(effects, motions.twist, motions.direction, motions.direction)

@@ -14,12 +14,7 @@ from planar_pushing.core._record import (
     size_of,
 )
 from planar_pushing.core.instant.force_sets import (
-    FORCE_END,
-    FORCES_INSIDE,
-    UNIT_FORCE,
-    ForceEnd,
     HeldLoad,
-    UnitForce,
     balance_load,
 )
 from planar_pushing.core.instant.several_frames import (
@@ -39,6 +34,14 @@ from planar_pushing.core.instant.solution import (
 )
 from planar_pushing.core.instant.twist_line import (
     length_of_twist,
+)
+from planar_pushing.core.instant.unit_forces import (
+    FORCE_END,
+    FORCES_INSIDE,
+    MOST_UNITS,
+    UNIT_FORCE,
+    ForceEnd,
+    UnitForce,
 )
 from planar_pushing.core.numbers import (
     INFINITY,
@@ -220,8 +223,13 @@ def add_balanced(
     """Add a solution if the contacts can balance the load of its twist; return the number of solutions."""
     if count < 0 or not balances(several, sharing, twist, slack):
         return count
-    if not _fits_open_cones(several, sharing):
-        return count
+    idle = _contact_on_edge(several, sharing)
+    if idle >= 0:
+        units = zeros(MOST_UNITS * UNIT_FORCE)
+        others = _without_contact(sharing, idle, units)
+        return add_balanced(
+            several, others, twist, slack, continuum=continuum, solutions=solutions, count=count
+        )
     size = SLOW * length_of_twist(twist)
     pivot = NO_POINT
     if fabs(twist.spin) > size:
@@ -231,20 +239,39 @@ def add_balanced(
     )
 
 
-def _fits_open_cones(several: Several, sharing: Sharing) -> bool:
-    """Whether some forces are within each cone that lacks its edges."""
+def _contact_on_edge(several: Several, sharing: Sharing) -> int:
+    """Number of a contact with all its forces on edges that its cone lacks, -1 without one.
+
+    Such a contact is closed without a force.
+    """
     force = zeros(2)
     for i in range(several.number):
         frame = frame_of(several, i)
         if int(sharing.modes[i]) != STICK or frame.inputs.closed or frame.inputs.rough:
+            continue
+        pushes = False
+        for k in range(sharing.number):
+            pushes = pushes or UnitForce(sharing.units[UNIT_FORCE * k :]).contact == i
+        if not pushes:
             continue
         _write_force_of(sharing, i, sharing.low[FORCES_INSIDE:], force)
         x, y = force[0], force[1]
         slack = SHARE * (fabs(x) + fabs(y))
         right, left = frame.right, frame.left
         if right.x * y - right.y * x <= slack or x * left.y - y * left.x <= slack:
-            return False
-    return True
+            return i
+    return -1
+
+
+def _without_contact(sharing: Sharing, idle: int, units: Numbers) -> Sharing:
+    """How all contacts but one share a load; their unit forces are copied."""
+    number = 0
+    for k in range(sharing.number):
+        if UnitForce(sharing.units[UNIT_FORCE * k :]).contact != idle:
+            for m in range(UNIT_FORCE):
+                units[UNIT_FORCE * number + m] = sharing.units[UNIT_FORCE * k + m]
+            number += 1
+    return Sharing(sharing.modes, units, number, sharing.low, sharing.high)
 
 
 def _write_force_of(sharing: Sharing, i: int, coefficients: Numbers, force: Numbers) -> None:

@@ -280,28 +280,17 @@ def _term_power(term: FootTerm, turned: Turned) -> Power:
 
 def _feet_power(line: TwistLine, angle: float, inside: float) -> Power:
     """The power of feet, loads and masses."""
-    effects, value, slope = line.effects, line.constant, 0.0
-    turned = Turned(cos(angle), sin(angle))
-    within = Turned(cos(inside), sin(inside))
+    value, slope = line.constant, 0.0
+    turned, within = Turned(cos(angle), sin(angle)), Turned(cos(inside), sin(inside))
     if line.linear != 0.0:
         tangent = turned.s / turned.c
         value, slope = value + line.linear * tangent, line.linear * (1.0 + tangent * tangent)
-    for effect in range(effects.length):
-        if kind_of(effects.data, effect) == SUPPORT:
-            support = SupportRow(effects.row[column_of(effects.data, effect) :])
-            pressure = pressure_of(effects, effect)
-            for i in range(count_atoms(pressure)):
-                atom = atom_of(pressure, i)
-                share = effects.one * support.weight * atom.share
-                term = _foot_term(line, support.extent * atom.x, support.extent * atom.y)
-                power = _term_power(term, within if term.turn == 0.0 else turned)
-                value, slope = value + share * power.value, slope + share * power.slope
-    return Power(value, slope)
+    total = _add_feet(line, Ranges(value, value, slope, slope), turned, turned, within, False)
+    return Power(total.low, total.least_slope)
 
 
 def feet_ranges(line: TwistLine, low: float, high: float, inside: float) -> Ranges:
     """Ranges of the sum of all feet between two angles within a quarter turn, exact for each foot."""
-    effects = line.effects
     first, last = Turned(cos(low), sin(low)), Turned(cos(high), sin(high))
     within = Turned(cos(inside), sin(inside))
     lowest, highest, least_slope, most_slope = line.constant, line.constant, 0.0, 0.0
@@ -312,6 +301,19 @@ def feet_ranges(line: TwistLine, low: float, high: float, inside: float) -> Rang
         least_slope, most_slope = min(one, other), max(one, other)
         if low < 0.0 < high:
             least_slope, most_slope = min(least_slope, line.linear), max(most_slope, line.linear)
+    rest = Ranges(lowest, highest, least_slope, most_slope)
+    return _add_feet(line, rest, first, last, within, True)
+
+
+def _add_feet(
+    line: TwistLine, rest: Ranges, first: Turned, last: Turned, within: Turned, between: bool
+) -> Ranges:
+    """Add the power of all feet, at the first angle or in its ranges between two, to those of the rest.
+
+    A foot that keeps its direction of motion has the power of an angle within.
+    """
+    effects, lowest, highest = line.effects, rest.low, rest.high
+    least_slope, most_slope = rest.least_slope, rest.most_slope
     for effect in range(effects.length):
         if kind_of(effects.data, effect) == SUPPORT:
             support = SupportRow(effects.row[column_of(effects.data, effect) :])
@@ -320,14 +322,14 @@ def feet_ranges(line: TwistLine, low: float, high: float, inside: float) -> Rang
                 atom = atom_of(pressure, i)
                 share = effects.one * support.weight * atom.share
                 term = _foot_term(line, support.extent * atom.x, support.extent * atom.y)
-                if term.turn == 0.0:
-                    value = share * _term_power(term, within).value
-                    lowest, highest = lowest + value, highest + value
-                else:
+                if between and term.turn != 0.0:
                     part = _term_ranges(term, first, last)
-                    lowest, highest = lowest + share * part.low, highest + share * part.high
-                    least_slope += share * part.least_slope
-                    most_slope += share * part.most_slope
+                else:
+                    power = _term_power(term, within if term.turn == 0.0 else first)
+                    part = Ranges(power.value, power.value, power.slope, power.slope)
+                lowest, highest = lowest + share * part.low, highest + share * part.high
+                least_slope += share * part.least_slope
+                most_slope += share * part.most_slope
     return Ranges(lowest, highest, least_slope, most_slope)
 
 

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from planar_pushing.mechanics.contact import ContactMode, Outcome, Status
-from planar_pushing.mechanics.entries import to_json
 from planar_pushing.mechanics.kernels.arrays import (
     component_labels,
     dataset,
@@ -18,12 +16,20 @@ from planar_pushing.mechanics.kernels.arrays import (
     label_result,
     same,
 )
-from planar_pushing.mechanics.solutions import outcome_of
+from planar_pushing.mechanics.solution_arrays import (
+    ProblemArrays,
+    count_members,
+    entries_of_solutions,
+)
+from planar_pushing.mechanics.solutions import (
+    SolutionSequence,
+    drop_rounding,
+    field_values,
+    outcome_of,
+    plain,
+)
 from planar_pushing.terms.numbers import Array
 from planar_pushing.terms.options import Reason
-
-#: A number below this fraction of the largest of its kind is rounding error and is printed as 0.
-ROUNDING = 1e-12
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -78,16 +84,13 @@ class ContactsSolution:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values by name."""
-        values = {part.name: getattr(self, part.name) for part in fields(self)}
-        values["modes"] = [mode.name for mode in self.modes]
-        return {
-            name: value.tolist() if isinstance(value, np.ndarray) else value
-            for name, value in values.items()
-        }
+        values = field_values(self)
+        modes = [mode.name for mode in values.pop("modes")]
+        return {"modes": modes, **{name: plain(value) for name, value in values.items()}}
 
 
 @dataclass(frozen=True, slots=True, repr=False)
-class ContactsSolutions:
+class ContactsSolutions(SolutionSequence[ContactsSolution]):
     """All consistent solutions of one problem with several contacts, in the order of their modes.
 
     Attributes
@@ -103,20 +106,9 @@ class ContactsSolutions:
     reason: Reason | None = None
 
     @property
-    def outcome(self) -> Outcome:
-        """How many solutions there are; a continuum counts as several."""
-        return Outcome(int(outcome_of(len(self.solutions), self.status)))
-
-    @property
     def modes(self) -> tuple[tuple[ContactMode, ...], ...]:
         """The modes of each solution."""
         return tuple(solution.modes for solution in self.solutions)
-
-    def __len__(self) -> int:
-        return len(self.solutions)
-
-    def __iter__(self) -> Iterator[ContactsSolution]:
-        return iter(self.solutions)
 
     def __getitem__(self, index: Any) -> Any:
         return self.solutions[index]
@@ -130,15 +122,8 @@ class ContactsSolutions:
             "solutions": [solution.to_dict() for solution in self.solutions],
         }
 
-    def to_json(self) -> str:
-        """JSON of `to_dict`; inf, -inf and nan, which JSON lacks, are written as words."""
-        return to_json(self.to_dict())
-
     def __repr__(self) -> str:
-        count = len(self.solutions)
-        title = f"{self.outcome}: {count} consistent solution{'' if count == 1 else 's'}"
-        if self.reason is not None:
-            title += f", {self.reason.name}"
+        title = self._title_with("" if self.reason is None else f", {self.reason.name}")
         return "\n".join([title, *map(_line_of, self.solutions)])
 
 
@@ -159,12 +144,11 @@ def _line_of(solution: ContactsSolution) -> str:
 
 def _vector(vector: Array, size: float) -> str:
     """Components in a printed line, with 0 for rounding errors."""
-    numbers = np.where(np.abs(vector) < ROUNDING * size, 0.0, vector) + 0.0
-    return f"({', '.join(f'{number:.6g}' for number in numbers)})"
+    return f"({', '.join(f'{number:.6g}' for number in drop_rounding(vector, size))})"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, repr=False)
-class ContactsSolutionArrays:
+class ContactsSolutionArrays(ProblemArrays):
     """All consistent solutions of an array of problems of shape S, padded along one axis.
 
     An index over S picks problems, as in `SolutionArrays`.
@@ -203,35 +187,13 @@ class ContactsSolutionArrays:
     def __eq__(self, other: object) -> Any:
         return same(self, other)
 
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """The shape S."""
-        return self.solutions.shape
-
-    @property
-    def outcome(self) -> npt.NDArray[np.int8]:
-        """Values of `Outcome`, shape S."""
-        outcomes: npt.NDArray[np.int8] = outcome_of(self.solutions, self.status).astype(np.int8)
-        return outcomes
-
-    def __len__(self) -> int:
-        return len(self.solutions)
-
     def __getitem__(self, index: Any) -> Any:
-        values = {part.name: getattr(self, part.name) for part in fields(self)}
         places = np.arange(self.solutions.size).reshape(self.shape)[index]
-        flat = {
-            name: value.reshape(self.solutions.size, *value.shape[len(self.shape) :])[places]
-            for name, value in values.items()
-        }
-        return ContactsSolutionArrays(**flat) if np.ndim(places) else solutions_of(flat)
+        values = self._pick(field_values(self), places)
+        return ContactsSolutionArrays(**values) if np.ndim(places) else solutions_of(values)
 
     def __repr__(self) -> str:
-        outcomes = ", ".join(
-            f"{count} {member.name}"
-            for member in Outcome
-            if (count := int(np.count_nonzero(self.outcome == member)))
-        )
+        outcomes = count_members(Outcome, self.outcome)
         return f"contacts: {self.modes.shape[-1]}\nproblems: {self.shape}\noutcomes: {outcomes}"
 
 
@@ -249,23 +211,15 @@ def as_labeled(values: dict[str, Any]) -> Any:
 
 def solutions_of(values: dict[str, Any]) -> ContactsSolutions:
     """The solutions of one problem, from the arrays of `ContactsSolutionArrays` without the axes of S."""
-    solutions = []
-    for k in range(int(values["solutions"])):
-        entries = {
-            part.name: values[part.name][k]
-            for part in fields(ContactsSolution)
-            if part.name not in ("modes", "pivot", "continuum", "condition")
-        }
-        solutions.append(
-            ContactsSolution(
-                **entries,
-                modes=tuple(ContactMode(int(mode)) for mode in values["modes"][k]),
-                pivot=int(values["pivot"][k]),
-                continuum=bool(values["continuum"][k]),
-                condition=float(values["condition"][k]),
-            )
-        )
-    reason = int(values["reason"])
+    entries, reason = entries_of_solutions(values), int(values["reason"])
+    count = int(values["solutions"])
+    entries["modes"] = [
+        tuple(map(ContactMode, modes)) for modes in entries["modes"][:count].tolist()
+    ]
+    solutions = (
+        ContactsSolution(**{name: entry[k] for name, entry in entries.items()})
+        for k in range(count)
+    )
     return ContactsSolutions(
         tuple(solutions), Status(int(values["status"])), Reason(reason) if reason else None
     )

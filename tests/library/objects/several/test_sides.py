@@ -108,3 +108,32 @@ def test_a_box_that_a_finger_pushes_along_a_wall_has_three_contacts():
             x * across + 1.0 * along for x, (along, across) in zip((-1, 1), feet, strict=True)
         )
         assert torque == pytest.approx(0.0, abs=1e-12)
+
+
+def test_a_force_through_an_end_under_friction_without_a_tangential_force_alone():
+    """The other end is closed without a force, as its cone lacks its edges."""
+    law = pp.InfiniteFriction("none")
+    scene = pp.scene_at(side=0, effects=[BOX], contact=law, outline=SQUARE)
+    (expected,) = pp.solve(scene, np.pi / 4, 1.0)
+    velocity = scene.to_object((np.sqrt(0.5), np.sqrt(0.5)), "vector")
+    palm = pp.Contact(side=0, law=law, velocity=velocity)
+    (stick,) = pp.solve_contacts([palm], effects=[BOX], outline=SQUARE)
+    assert modes_of(stick) == "KK"
+    assert expected.flush
+    assert end_forces(scene, stick) == pytest.approx(expected.end_forces, abs=1e-12)
+    assert stick.forces == pytest.approx(np.array([[0.5**0.5, 0.5**0.5], [0, 0]]), abs=1e-12)
+
+
+def test_an_inner_force_without_a_bound_in_a_side_that_is_held_at_rest():
+    """The load along the side exceeds friction; infinite friction lets the ends pull against each other."""
+    effects = [BOX, pp.Inertia(mass=1.0, gyration_radius=0.8), pp.Load(force=(1.2, -0.4))]
+    scene = pp.scene_at(side=0, effects=effects, contact=pp.InfiniteFriction(), outline=SQUARE)
+    (expected,) = pp.solve(scene, 0.0, 0.0)
+    palm = pp.Contact(side=0, law=pp.InfiniteFriction())
+    (rest,) = pp.solve_contacts([palm], effects=effects, outline=SQUARE)
+    assert modes_of(rest) == "KK"
+    assert expected.flush
+    assert not rest.twist.any()
+    assert rest.inner_force.tolist() == [-np.inf, np.inf]
+    assert np.isinf(expected.end_forces[:, :, 0]).all()
+    assert rest.directions[:, :, 1] == pytest.approx(np.zeros((2, 2)), abs=1e-15)
