@@ -20,6 +20,7 @@ from planar_pushing.scenes.fields import (
     EffectsName,
     FileModel,
     FilePath,
+    FiniteFrictionCoefficient,
     FiniteFrictionCoefficients,
     FrictionCoefficient,
     FrictionCoefficients,
@@ -168,6 +169,32 @@ class Parameters(FileModel):
         return {name: entry.build() for name, entry in self.supports.items()}
 
 
+class ModelErrors(FileModel):
+    """A box that a finger pushes over a distance, on each support and at each speed; SI units.
+
+    `length` is that of the pushed side. `pushes` is the number of pushes, whose place on this side and
+    direction are drawn with the `seed`. `supports` are in the frame of the box, with x along the pushed side.
+    """
+
+    length: Positive
+    width: Positive
+    mass: Positive
+    support_friction_coefficient: Positive
+    friction_coefficient: FiniteFrictionCoefficient
+    distance: Positive
+    speed: Magnitudes
+    pushes: Count
+    seed: Count
+    supports: Annotated[dict[Name, WholeSupport], BeforeValidator(_require_entries)]
+
+
+class ModelEstimates(FileModel):
+    """Random pushes of boxes: their number, and the seed with which they are drawn."""
+
+    pushes: Count
+    seed: Count
+
+
 class Part(Parameters):
     """Part of a study: the parameters and axis values from which a dataset is computed."""
 
@@ -177,7 +204,8 @@ class Part(Parameters):
 class StudyFile(Parameters):
     """The grid of every dataset, the scenes, and values that the paper does not specify.
 
-    `supports` is an axis of the datasets whose names begin with `support`. `simulations` names the scene
+    `supports` is an axis of the datasets whose names begin with `support`. `model_errors` and
+    `model_estimates` are the pushes of the datasets with these names. `simulations` names the scene
     files to simulate, each with a section `simulate`. `fine_grids` gives the axes of datasets from which
     lines and maps are drawn; an axis that it does not give is that of `grid`. `chunks` gives the maximum
     number of values along dimensions of a dataset that one job computes; `gather` says whether the chunks
@@ -187,6 +215,8 @@ class StudyFile(Parameters):
     title: Text
     grid: Grid
     scenes: dict[Name, PushEntry] = Field(default_factory=dict)
+    model_errors: ModelErrors | None = None
+    model_estimates: ModelEstimates | None = None
     simulations: dict[Name, FilePath] = Field(default_factory=dict)
     fine_grids: dict[Name, Grid] = Field(default_factory=dict)
     figures: dict[Name, FigureEntry] = Field(default_factory=dict)
