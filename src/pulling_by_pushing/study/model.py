@@ -195,6 +195,13 @@ class ModelEstimates(FileModel):
     seed: Count
 
 
+#: Sections of a study from which the datasets with their names are computed.
+SECTIONS: dict[str, type[FileModel]] = {
+    "model_errors": ModelErrors,
+    "model_estimates": ModelEstimates,
+}
+
+
 class Part(Parameters):
     """Part of a study: the parameters and axis values from which a dataset is computed."""
 

@@ -67,9 +67,6 @@ TIMES: Numbers = {
         )
         for name, setting in RUNS.items()
     },
-    "both-ratio": compute_number(COUNTS, costs.both_ratio, "contact modes", digits=1),
-    "supports": compute_number(COUNTS, costs.most_supports),
-    "supports-ratio": compute_number(COUNTS, costs.supports_ratio, digits=1),
 }
 
 HARD_CASES: Numbers = {

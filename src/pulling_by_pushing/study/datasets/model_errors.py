@@ -43,7 +43,8 @@ def model_errors(part: ModelErrors) -> xr.Dataset:
         xr.Variable("support", list(supports)),
     )
     parameters = part.model_dump(exclude={"supports", "speed", "pushes", "seed"})
-    return dataset.assign_coords(parameters, place=place, pusher_angle=angle, gravity=GRAVITY)
+    described = {"place": place, "pusher_angle": angle, "gravity": GRAVITY}
+    return dataset.assign_coords(parameters | described)
 
 
 def random_pushes(part: ModelErrors) -> tuple[xr.DataArray, xr.DataArray]:
@@ -87,7 +88,7 @@ def _errors(
             "coasting_error": ("speed", [_coasting_error(part, support, v) for v in part.speed]),
         },
         {"speed": speed},
-    ).drop_vars(("rod_length", "initial_rod_angle", "friction_coefficient", "duration"), errors="ignore")
+    )
 
 
 def _push(
@@ -129,7 +130,7 @@ def _run(scene: Scene, pusher: Pusher, duration: Any) -> xr.Dataset:
     run: xr.Dataset = quietly(simulate_batch)(
         scene, pusher, duration=duration, samples=SAMPLES, object_pose=pose
     )
-    return run
+    return run.reset_coords(drop=True)
 
 
 def _difference(part: ModelErrors, run: xr.Dataset, other: xr.Dataset) -> xr.DataArray:
