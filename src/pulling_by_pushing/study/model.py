@@ -22,6 +22,7 @@ from planar_pushing.scenes.fields import (
     FilePath,
     FiniteFrictionCoefficient,
     FiniteFrictionCoefficients,
+    FiniteNumber,
     FrictionCoefficient,
     FrictionCoefficients,
     Lengths,
@@ -169,11 +170,17 @@ class Parameters(FileModel):
         return {name: entry.build() for name, entry in self.supports.items()}
 
 
+class PlacedPush(FileModel):
+    """Place of a contact on the pushed side, from its middle, and angle of the push, 90 along the normal."""
+
+    place: FiniteNumber
+    pusher_angle: Degrees
+
+
 class ModelErrors(FileModel):
     """A box that a finger pushes over a distance, on each support and at each speed; SI units.
 
-    `length` is that of the pushed side. `pushes` is the number of pushes, whose place on this side and
-    direction are drawn with the `seed`. `supports` are in the frame of the box, with x along the pushed side.
+    `length` is that of the pushed side, along the x axis of the `supports`.
     """
 
     length: Positive
@@ -183,9 +190,15 @@ class ModelErrors(FileModel):
     friction_coefficient: FiniteFrictionCoefficient
     distance: Positive
     speed: Magnitudes
-    pushes: Count
-    seed: Count
+    pushes: Annotated[tuple[PlacedPush, ...], NotEmpty]
     supports: Annotated[dict[Name, WholeSupport], BeforeValidator(_require_entries)]
+
+    @model_validator(mode="after")
+    def _on_the_side(self) -> Self:
+        for push in self.pushes:
+            if not (abs(push.place) < self.length / 2 and 0 < push.pusher_angle < 180):
+                raise refuse("pushes at places within half the length, at angles between 0 and 180")
+        return self
 
 
 class ModelEstimates(FileModel):

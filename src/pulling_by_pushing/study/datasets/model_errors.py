@@ -21,9 +21,6 @@ from pulling_by_pushing.study.model import ModelErrors
 
 #: Standard gravity, m/s^2.
 GRAVITY = 9.80665
-#: Largest distance of a contact from the middle of the side, as a part of half the side, and largest
-#: angle of a push from the normal, degrees.
-PLACES, ANGLES = 0.5, 35.0
 #: Instants of a run at which poses are compared.
 SAMPLES = 101
 #: Duration of a run after the finger has stopped, as a part of the time in which the box comes to rest.
@@ -37,27 +34,15 @@ def model_errors(part: ModelErrors) -> xr.Dataset:
     moved over the distance.
     """
     supports = {name: entry.build() for name, entry in part.supports.items()}
-    place, angle = random_pushes(part)
+    place = xr.DataArray([push.place for push in part.pushes], dims="push")
+    angle = xr.DataArray([push.pusher_angle for push in part.pushes], dims="push")
     dataset = xr.concat(
         [_errors(part, support, place, angle) for support in supports.values()],
         xr.Variable("support", list(supports)),
     )
-    parameters = part.model_dump(exclude={"supports", "speed", "pushes", "seed"})
+    parameters = part.model_dump(exclude={"supports", "speed", "pushes"})
     described = {"place": place, "pusher_angle": angle, "gravity": GRAVITY}
     return dataset.assign_coords(parameters | described)
-
-
-def random_pushes(part: ModelErrors) -> tuple[xr.DataArray, xr.DataArray]:
-    """Places on the side from its middle, m, and angles of the pushes in degrees, over `push`.
-
-    They are rounded, so that they are the same on each machine.
-    """
-    places, angles = np.random.default_rng(part.seed).uniform(-1.0, 1.0, (2, part.pushes))
-    largest = PLACES * part.length / 2.0
-    return (
-        xr.DataArray(np.round(largest * places, 4), dims="push"),
-        xr.DataArray(np.round(90.0 + ANGLES * angles, 1), dims="push"),
-    )
 
 
 def effects_of(part: ModelErrors, support: Any) -> tuple[Effect, Effect]:
