@@ -351,7 +351,10 @@ MODELS: Quantities = {
     "distance": ("m", "distance over which the finger moves"),
     "effect": ("1", "effect that is left out, beside friction"),
     "estimate": ("m", "estimate of the error from the run without the effect, S + D"),
-    "evaluations": ("1", "number of evaluations of the motion in the run with friction and inertia"),
+    "evaluations": (
+        "1",
+        "number of evaluations of the motion in the run with friction and inertia",
+    ),
     "evaluations_alone": ("1", "number of evaluations of the motion in the run without the effect"),
     "force_share": (
         "1",

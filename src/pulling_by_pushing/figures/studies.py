@@ -80,7 +80,7 @@ def _missing_sources(study: StudyFile, name: str, figure: Figure) -> Iterator[st
         if part is None and stem in DATASETS and not computes(study, stem):
             yield (
                 f"figures.{name}: drawn from {stem}; allowed: where the study gives "
-                f"{DATASETS[stem].needs}; remove it"
+                f"{DATASETS[stem].needs or stem}; remove it"
             )
 
 

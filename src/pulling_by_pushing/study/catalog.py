@@ -249,7 +249,7 @@ EVIDENCE = {
     "effects": "evaluations of each effect, by the listed effects",
     "hard_cases": "double-precision results for numerically hard cases, against 40-digit references",
 }
-#: Those that golden data certify, and those that depend on the machine: its times, and counts of adaptive runs.
+#: Those that golden data certify, and those that depend on the machine: times, and counts of runs.
 COUNTS, TIMES = ("hard_cases", "accuracy"), ("accuracy_time", "effects")
 #: Names of the dataset files.
 FILE_DATASETS = (*DATASETS, *EVIDENCE)
@@ -323,8 +323,8 @@ def build_command(name: str) -> str:
         return "build it with make, in the project's folder"
     entry = DATASETS.get(stem)
     needs = f"lists it under {stem}"
-    if entry and not entry.section:
-        needs = f"gives {entry.needs}"
+    if entry and stem not in GROUPS:
+        needs = f"gives {entry.needs or stem}"
     ours = "sliders" if entry and "support" in entry.dims else "paper"
     run = f"build it with planar-pushing run, from a study that {needs}"
     return f"{run}; make builds it for the study {ours}"

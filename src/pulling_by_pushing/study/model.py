@@ -171,7 +171,7 @@ class Parameters(FileModel):
 
 
 class PlacedPush(FileModel):
-    """Place of a contact on the pushed side, from its middle, and angle of the push, 90 along the normal."""
+    """Place on the pushed side, from its middle, and angle of the push, 90 degrees along the normal."""
 
     place: FiniteNumber
     pusher_angle: Degrees

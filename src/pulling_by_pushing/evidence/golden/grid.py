@@ -95,7 +95,7 @@ PLAIN = {
     "model_errors": ("pose_error", "evaluations", "evaluations_alone", "place", "pusher_angle"),
     "supports": tuple(
         f"{size}_{kind}_error" for size in ("mean", "worst") for kind in ("force", "motion")
-    )
+    ),
 }
 #: Largest relative radius of an integral that is compared.
 WIDEST_INTEGRAL = 2.0**-60

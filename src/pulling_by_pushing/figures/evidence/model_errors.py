@@ -54,8 +54,8 @@ def caption(data: Data) -> str:
     marked = [f"{number(value, 2)} mm at {number(speed)} m/s" for speed, value in _marked(errors)]
     return (
         f"Which effects a push calls for. (a) Largest displacement of a corner of a box of "
-        f"{' m × '.join(sides)} m, which a finger pushes over {number(float(way))} m, if inertia (solid) or "
-        f"friction (dashed) is left out: median of {errors.sizes['push']} pushes, with a band from "
+        f"{' m × '.join(sides)} m, which a finger pushes over {number(float(way))} m, if inertia (solid) "
+        f"or friction (dashed) is left out: median of {errors.sizes['push']} pushes, with a band from "
         f"{BAND[0] * 100:.0f} to {BAND[1] * 100:.0f} percent; μₛ = "
         f"{number(float(errors.support_friction_coefficient))}, μ = "
         f"{number(float(errors.friction_coefficient))}. Dotted: the length v²/(2μₛg) over which the box "
@@ -107,7 +107,9 @@ def _draw_errors(ax: Axes, errors: xr.Dataset) -> None:
         ax.plot(
             speeds, friction.median("push"), color=color, linestyle=DASHES, linewidth=0.9, zorder=2
         )
-    ax.plot(speeds, MILLI * coasting_length(errors, speeds), ":", color=DARK, linewidth=1.0, zorder=4)
+    ax.plot(
+        speeds, MILLI * coasting_length(errors, speeds), ":", color=DARK, linewidth=1.0, zorder=4
+    )
     ax.plot(*zip(*_marked(errors), strict=True), "o", color=DARK, markerfacecolor="white", zorder=5)
     _set_speeds(ax, speeds)
     ax.set(yscale="log", ylim=ERRORS, ylabel="error of the pose (mm)")
@@ -149,7 +151,9 @@ def _draw_evaluations(ax: Axes, errors: xr.Dataset) -> None:
     ax.axhline(inertia, color=GRAY, linestyle=(0, (6, 1.5, 1, 1.5)), linewidth=0.9, zorder=1)
     _set_speeds(ax, speeds)
     ax.set(yscale="log", ylim=COUNTS, ylabel="evaluations of the motion")
-    ax.annotate("inertia alone", (speeds[0], inertia), (3, -9), textcoords="offset points", fontsize=NOTE)
+    ax.annotate(
+        "inertia alone", (speeds[0], inertia), (3, -9), textcoords="offset points", fontsize=NOTE
+    )
     ax.legend(loc="upper right", borderaxespad=0.0, labelspacing=0.3)
     ax.text(0.035, 0.03, "friction alone", transform=ax.transAxes, fontsize=NOTE)
 

@@ -96,7 +96,9 @@ MODELS: Numbers = {
     "fast-error": magnitude(ERRORS, models.first_error, "base", 0.2, unit="mm"),
     "disc-speed": magnitude(ERRORS, models.crossing, "disc", "inertia", unit="m/s", digits=0),
     "feet-speed": magnitude(ERRORS, models.crossing, "feet", "inertia", unit="m/s"),
-    "frictionless-speed": magnitude(ERRORS, models.crossing, "base", "friction", unit="m/s", digits=0),
+    "frictionless-speed": magnitude(
+        ERRORS, models.crossing, "base", "friction", unit="m/s", digits=0
+    ),
     "slowest-speed": compute_number(ERRORS, models.slowest, unit="mm/s"),
     "slowest-evaluations": magnitude(ERRORS, models.evaluations_ratio, digits=0),
     "estimates": compute_number(ESTIMATES, models.random_pushes),

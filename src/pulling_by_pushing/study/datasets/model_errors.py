@@ -30,8 +30,8 @@ REST = 1.5
 def model_errors(part: ModelErrors) -> xr.Dataset:
     """Build the errors and the evaluations for the pushes of a study.
 
-    A push has the same place and direction on each support and at each speed. A run ends when the finger has
-    moved over the distance.
+    A push has the same place and direction on each support and at each speed. A run ends when the finger
+    has moved over the distance.
     """
     supports = {name: entry.build() for name, entry in part.supports.items()}
     place = xr.DataArray([push.place for push in part.pushes], dims="push")
@@ -77,7 +77,11 @@ def _errors(
 
 
 def _push(
-    part: ModelErrors, effects: tuple[Effect, ...], place: xr.DataArray, angle: xr.DataArray, speed: Any
+    part: ModelErrors,
+    effects: tuple[Effect, ...],
+    place: xr.DataArray,
+    angle: xr.DataArray,
+    speed: Any,
 ) -> xr.Dataset:
     """Runs of pushes over the distance."""
     radians = np.deg2rad(angle)
