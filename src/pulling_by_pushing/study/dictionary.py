@@ -133,8 +133,8 @@ coordinates. Booleans are stored as bytes and read back as `bool`. The attribute
 are the name of the study and a hash of the values from which the dataset is computed. *Source* is the place
 in Lynch and Mason, *Pulling by Pushing, Slip with Infinite Friction, and Perfectly Rough Surfaces* (1995).
 
-`model_errors` and `model_estimates` are in SI units. In the other datasets, dimensional quantities are stored
-in scaled units: `units` is 1, and the attribute `quantity` is one of these:
+`model_errors` and `model_estimates` are in SI units. In the other datasets, dimensional quantities are
+stored in scaled units: `units` is 1, and the attribute `quantity` is one of these:
 """
 
 

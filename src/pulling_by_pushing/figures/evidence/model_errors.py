@@ -117,7 +117,7 @@ def _draw_errors(ax: Axes, errors: xr.Dataset) -> None:
         ("within 1 mm", (0.97, 0.035), "right"),
         ("without inertia", (0.36, 0.17), "left"),
         ("without friction", (0.04, 0.87), "left"),
-        (r"$v^2\!/(2\mu_s g)$", (0.775, 0.925), "right"),
+        (r"$v^2\!/(2\mu_s g)$", (0.745, 0.925), "right"),
     ):
         ax.text(*place, text, transform=ax.transAxes, fontsize=NOTE, ha=align)
     _add_coasting(ax, errors)

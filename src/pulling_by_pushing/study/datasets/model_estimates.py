@@ -28,7 +28,7 @@ from planar_pushing.simulation.simulate import simulate
 from pulling_by_pushing.study.datasets.model_errors import GRAVITY
 from pulling_by_pushing.study.model import ModelEstimates
 
-#: Supports of a box with these sides: a small disc and a ring in the middle, its base, feet near its corners.
+#: Supports of a box with these sides: a small disc, a ring, its base, and feet near its corners.
 SUPPORTS: Mapping[str, Any] = {
     "disc": lambda x, y: Disc(0.08 * min(x, y)),
     "ring": lambda x, y: Ring(0.4 * min(x, y)),
