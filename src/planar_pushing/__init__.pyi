@@ -1,5 +1,7 @@
 """Planar pushing: pulling by pushing, slip with infinite friction, and the mechanics behind them."""
 
+from .assessment.assess_push import assess_push
+from .assessment.result import PushAssessment
 from .datasets import open_dataset
 from .drawing.animate import animate
 from .drawing.comparison import plot_comparison
@@ -140,6 +142,7 @@ __all__ = [
     "Polygon",
     "PressureMap",
     "Push",
+    "PushAssessment",
     "Pusher",
     "Reason",
     "Ring",
@@ -166,6 +169,7 @@ __all__ = [
     "WrenchSet",
     "animate",
     "any_pressure",
+    "assess_push",
     "can_pull",
     "compare",
     "concat_pushes",

@@ -129,6 +129,35 @@ def _farthest_circles(piece: Array) -> Array:
     return np.column_stack([*points, np.zeros(len(beta))])
 
 
+class Poses(NamedTuple):
+    """Poses of an object as complex numbers: a point p of its frame is at ``position + turn p``.
+
+    Attributes
+    ----------
+    position, turn : ndarray of complex
+    """
+
+    position: npt.NDArray[np.complex128]
+    turn: npt.NDArray[np.complex128]
+
+    def __sub__(self, other: Poses) -> Poses:
+        """The displacements, which are linear in the point, from other poses to these."""
+        return Poses(self.position - other.position, self.turn - other.turn)
+
+    def reach(self, circles: Array) -> Array:
+        """The largest displacement over circles, as of `outline_circles`, for each of the displacements."""
+        centers, radii = circles[:, :1] + 1j * circles[:, 1:2], circles[:, 2:]
+        return np.asarray(
+            (np.abs(self.position + centers * self.turn) + radii * np.abs(self.turn)).max(axis=0)
+        )
+
+
+def poses(log: xr.Dataset, rows: Any) -> Poses:
+    """The poses in rows of a log with an `object_pose`."""
+    x, y = log["object_position"].values[rows].T
+    return Poses(x + 1j * y, np.exp(1j * np.deg2rad(log["object_angle"].values[rows])))
+
+
 def pose_change(log: xr.Dataset, other: xr.Dataset, circles: Array) -> float:
     """Largest displacement between two runs of an object, over its outline and over the common instants.
 
@@ -145,13 +174,14 @@ def pose_change(log: xr.Dataset, other: xr.Dataset, circles: Array) -> float:
         In the scene's unit of length: one number for displacement and rotation.
     """
     _, first, second = np.intersect1d(log["time"], other["time"], return_indices=True)
-    return float(np.max(_displacements(log, first, other, second, circles)))
+    return float((poses(other, second) - poses(log, first)).reach(circles).max())
 
 
-def end_change(log: xr.Dataset, other: xr.Dataset, circles: Array) -> float:
-    """As `pose_change`, between the last entries of two logs."""
-    last = np.array([-1])
-    return float(_displacements(log, last, other, last, circles)[0])
+def way_of(log: xr.Dataset, circles: Array) -> Array:
+    """Way of the farthest point of the outline in each interval of a log, shape (intervals,)."""
+    places = poses(log, _first_entries(log))
+    steps = Poses(np.diff(places.position), np.diff(places.turn))
+    return steps.reach(circles)
 
 
 def stopping_length(log: xr.Dataset, scene: Scene, inertia: Inertia, circles: Array) -> float:
@@ -204,9 +234,8 @@ def friction_shares(
     for jump in jumps:
         before, after = times[:-1] <= jump * (1 + SAME_TIME), times[1:] >= jump * (1 - SAME_TIME)
         is_smooth &= ~(before & after)
-    rows = _first_entries(log)
-    way = _displacements(log, rows[:-1], log, rows[1:], circles)
-    return Shares(np.hypot(*force.T) / weight, np.abs(torque) / hold, way, is_smooth)
+    sizes = np.hypot(*force.T) / weight, np.abs(torque) / hold
+    return Shares(*sizes, way_of(log, circles), is_smooth)
 
 
 def estimate_pose_change(
@@ -219,7 +248,8 @@ def estimate_pose_change(
     if not scene.friction:
         return UNKNOWN
     if not isinstance(effect, (Inertia, Viscous, Load)):
-        return UNKNOWN._replace(force_share=float(effect.weight / scene.weight))
+        weight: Any = effect.weight  # type: ignore[attr-defined]
+        return UNKNOWN._replace(force_share=float(weight / scene.weight))
     stopping = 0.0
     if isinstance(effect, Inertia):
         stopping = stopping_length(log, scene, effect, circles)
@@ -282,28 +312,6 @@ def _motion(log: xr.Dataset) -> tuple[Array, Array, Array]:
     rows = _first_entries(log)
     angles = np.deg2rad(log["rod_angle"].values[rows])
     return log["time"].values[rows], log["twist"].values[rows], angles
-
-
-def _displacements(
-    log: xr.Dataset,
-    first: npt.NDArray[np.int64],
-    other: xr.Dataset,
-    second: npt.NDArray[np.int64],
-    circles: Array,
-) -> Array:
-    """Largest displacements over circles from rows of one log to rows of another.
-
-    A displacement is linear in the point, with a rotation times ``2 sin(half the angle between both)``.
-    """
-    angles = [
-        np.deg2rad(log["object_angle"].values[first]),
-        np.deg2rad(other["object_angle"].values[second]),
-    ]
-    moved = other["object_position"].values[second] - log["object_position"].values[first]
-    centers = [_turned(circles[:, :2].T[:, :, None], angle) for angle in angles]
-    shift = np.linalg.norm(moved + centers[1] - centers[0], axis=-1)
-    turn = np.abs(2.0 * np.sin((angles[1] - angles[0]) / 2.0))
-    return np.asarray((shift + circles[:, 2:] * turn).max(axis=0))
 
 
 def _turned(vector: Any, angle: Array) -> Array:

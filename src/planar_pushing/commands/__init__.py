@@ -18,6 +18,7 @@ from typing import Any
 from planar_pushing import __version__
 from planar_pushing.commands import (
     animate,
+    assess,
     compare,
     completion,
     cone,
@@ -48,6 +49,7 @@ COMMANDS = (
     draw,
     explore,
     simulate,
+    assess,
     animate,
     convert,
     identify,

@@ -100,18 +100,21 @@ class ObjectFile(FileModel):
     @model_validator(mode="before")
     @classmethod
     def _rests(cls, content: Any) -> Any:
-        """Give the object's support to effects without one."""
-        effects = content.get("effects") if isinstance(content, dict) else None
-        if not isinstance(effects, list) or not any(map(_rests_on_object, effects)):
+        """Give the object's support to effects and candidates without one."""
+        if not isinstance(content, dict):
+            return content
+        simulate = content.get("simulate")
+        section = simulate if isinstance(simulate, dict) else {}
+        lists = [content.get("effects"), section.get("candidates")]
+        if not any(_rests_on_object(effect) for effects in lists for effect in _listed(effects)):
             return content
         support = _support(content.get("object"))
         if support is None:
             return content
-        filled = [
-            effect | {"support": support} if _rests_on_object(effect) else effect
-            for effect in effects
-        ]
-        return content | {"effects": filled}
+        effects, candidates = (_with_support(effects, support) for effects in lists)
+        if candidates is not None:
+            content = content | {"simulate": section | {"candidates": candidates}}
+        return content | {"effects": effects} if "effects" in content else content
 
     _twist_has_inertia = field_validator("simulate")(
         lambda entry, info: require_inertia(entry, info)
@@ -145,6 +148,19 @@ class ObjectFile(FileModel):
         return SceneFile.model_validate(
             scene_entry(self.build(), self.title) | {"simulate": simulate}
         )
+
+
+def _listed(effects: Any) -> list[Any]:
+    return effects if isinstance(effects, list) else []
+
+
+def _with_support(effects: Any, support: dict[str, Any]) -> Any:
+    """Entries of effects, with a support for those without one."""
+    if not isinstance(effects, list):
+        return effects
+    return [
+        effect | {"support": support} if _rests_on_object(effect) else effect for effect in effects
+    ]
 
 
 def _rests_on_object(effect: Any) -> bool:

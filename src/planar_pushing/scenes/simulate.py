@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import xarray as xr
 
+from planar_pushing.mechanics.scene import Scene
 from planar_pushing.scenes.scene_model import SceneFile
 from planar_pushing.scenes.simulate_model import PieceEntry, SimulateEntry
 from planar_pushing.simulation.early_end import quietly, warn_of_early_end
@@ -14,8 +15,10 @@ from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.simulation.until import Until
 from planar_pushing.simulation.walls import Wall
+from planar_pushing.simulation.world import world_of
 from planar_pushing.terms.errors import InvalidValue
 from planar_pushing.terms.numbers import in_radians
+from planar_pushing.terms.options import Policy, PusherFrame
 from planar_pushing.terms.replacing import PathLike
 
 
@@ -55,6 +58,61 @@ def arguments(entry: SimulateEntry) -> dict[str, Any]:
         ],
         "object_pose": (pose.x, pose.y, float(in_radians(pose.angle))) if pose else None,
     }
+
+
+#: Settings of a simulation that an assessment does not take, with their defaults.
+NOT_ASSESSED = {
+    "initial_twist": None, "initial_gap": 0.0, "walls": None, "until": None,
+    "on_ambiguity": Policy.KEEP_CONTACT,
+}  # fmt: skip
+
+
+class AssessedPush(NamedTuple):
+    """A push of a scene file to assess.
+
+    Attributes
+    ----------
+    scene : Scene
+    pusher : Pusher
+        With its motion in the fence frame, or as given without an `object_pose`.
+    duration : float
+    candidates : dict
+        Effects by the names of their types, numbered if there are several of a type.
+    """
+
+    scene: Scene
+    pusher: Pusher
+    duration: float
+    candidates: dict[str, Any]
+
+
+def assessed_push(file: SceneFile) -> AssessedPush:
+    """The push in the section `simulate` of a file, and the effects that may matter besides.
+
+    Raises
+    ------
+    InvalidValue
+        If the file has no section `simulate`, or this has a setting that an assessment does not take.
+    """
+    entry = file.simulate
+    if entry is None:
+        raise InvalidValue("simulate", None, "a section of the scene file", "add it to the file")
+    for name, default in NOT_ASSESSED.items():
+        if (value := getattr(entry, name)) != default:
+            written = value.model_dump(exclude_none=True) if hasattr(value, "model_dump") else value
+            raise InvalidValue(
+                f"simulate.{name}", f"{len(value)} of them" if isinstance(value, tuple) else written,
+                "a push from rest and in contact, without this key",
+                "take it out: the push itself is assessed",
+            )  # fmt: skip
+    scene, settings = file.build(), arguments(entry)
+    pusher, pose = settings["pusher"], settings["object_pose"]
+    if pose is not None and pusher.frame == PusherFrame.WORLD:
+        pusher = pusher.in_fence_frame(world_of(scene, pose).fence)
+    kinds = [effect.type for effect in entry.candidates or ()]
+    names = [kind if kinds.count(kind) == 1 else f"{kind}_{i}" for i, kind in enumerate(kinds)]
+    effects = (effect.build() for effect in entry.candidates or ())
+    return AssessedPush(scene, pusher, settings["duration"], dict(zip(names, effects, strict=True)))
 
 
 def _pusher(entry: SimulateEntry) -> Pusher:

@@ -10,7 +10,7 @@ from typing import Annotated, Any, Self
 
 from pydantic import Discriminator, Tag, model_validator
 
-from planar_pushing.scenes.entries import ContactEntry
+from planar_pushing.scenes.entries import ContactEntry, EffectEntry
 from planar_pushing.scenes.fields import (
     Degrees,
     EventName,
@@ -138,7 +138,11 @@ PolicyEntries = Annotated[
 
 
 class SimulateEntry(FileModel):
-    """Motion of the fence or the finger, constant or in pieces, and settings of the simulation."""
+    """Motion of the fence or the finger, constant or in pieces, and settings of the simulation.
+
+    Candidates are effects in the object's frame that the command `assess` tries besides those of the
+    scene.
+    """
 
     pusher_angle: Degrees | None = None
     pusher_speed: NonNegative | None = None
@@ -158,6 +162,7 @@ class SimulateEntry(FileModel):
     until: UntilEntry | None = None
     samples: Annotated[float, SAMPLE_COUNT] = 101
     step: Positive | None = None
+    candidates: Annotated[tuple[EffectEntry, ...], NotEmpty] | None = None
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:

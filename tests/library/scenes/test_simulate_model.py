@@ -26,7 +26,7 @@ simulate:
         ("duration: 1.5", "durations: 1.5",
          "simulate.durations: 1.5 given; allowed: the keys pusher_angle, pusher_speed, pusher_shape, "
          "pusher_radius, pusher_frame, pusher, waypoints, duration, method, on_ambiguity, rtol, "
-         "initial_twist, initial_gap, object_pose, walls, until, samples, step; "
+         "initial_twist, initial_gap, object_pose, walls, until, samples, step, candidates; "
          "did you mean duration?"),
         ("  duration: 1.5\n", "",
          "simulate.duration: missing; allowed: a value for this key; add it"),
