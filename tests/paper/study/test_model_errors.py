@@ -135,7 +135,7 @@ def test_fewer_random_pushes_are_the_first_ones(estimates):
     [
         ("place: 0.04,", "place: 0.15,", "pushes at places within half the length, at angles"),
         ("pusher_angle: 90}", "pusher_angle: 180}", "pushes at places within half the length, at"),
-        ("length: 0.3", "length: 0", "model_errors.length: 0 given; allowed: a number > 0"),
+        ("length: 0.3", "length: 0", "model_errors.length: 0 given; allowed: a finite number > 0"),
         ("speed: [0.05,", "speed: [0.5,", "model_errors.speed: .*; allowed: a list of increasing"),
         ("{pushes: 12, seed: 1}", "{pushes: 0, seed: 1}", "model_estimates.pushes: 0 given; allowed: an"),
         ("  distance: 0.08\n", "", "model_errors.distance: missing"),
