@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.ticker import LogLocator, NullFormatter
@@ -127,10 +128,10 @@ def _add_coasting(ax: Axes, errors: xr.Dataset) -> None:
     """Add the upper axis: the coasting length as a part of the way."""
     way = float(errors.distance)
 
-    def parts(speed: Array) -> Array:
-        return np.asarray(coasting_length(errors, speed) / way)
+    def parts(speed: npt.ArrayLike) -> Array:
+        return np.asarray(coasting_length(errors, np.asarray(speed)) / way)
 
-    def speeds(part: Array) -> Array:
+    def speeds(part: npt.ArrayLike) -> Array:
         return np.asarray(np.sqrt(np.asarray(part) * way / float(coasting_length(errors, 1.0))))
 
     upper = ax.secondary_xaxis("top", functions=(parts, speeds))

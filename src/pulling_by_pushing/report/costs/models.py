@@ -13,7 +13,8 @@ TOLERANCE = 1e-3
 
 def _median(errors: xr.Dataset, support: str, left_out: str) -> xr.DataArray:
     """Median over the pushes of the error on a support."""
-    return errors.pose_error.sel(support=support, left_out=left_out).median("push")
+    median: xr.DataArray = errors.pose_error.sel(support=support, left_out=left_out).median("push")
+    return median
 
 
 def first_error(errors: xr.Dataset, support: str, speed: float) -> float:
@@ -68,4 +69,5 @@ def missed(estimates: xr.Dataset) -> float:
 
 
 def _told_small(estimates: xr.Dataset) -> xr.DataArray:
-    return FACTOR * estimates.estimate <= TOLERANCE
+    is_small: xr.DataArray = FACTOR * estimates.estimate <= TOLERANCE
+    return is_small

@@ -125,7 +125,8 @@ def _run(scene: Scene, pusher: Pusher, duration: Any) -> xr.Dataset:
 def _difference(part: ModelErrors, run: xr.Dataset, other: xr.Dataset) -> xr.DataArray:
     """Largest displacement of a corner of the box between two runs, over all instants."""
     away = _corners(part, run) - _corners(part, other)
-    return np.sqrt((away**2).sum("xy")).max(("corner", "part"))
+    squares: xr.DataArray = (away**2).sum("xy").max(("corner", "part"))
+    return squares**0.5
 
 
 def _corners(part: ModelErrors, run: xr.Dataset) -> xr.DataArray:

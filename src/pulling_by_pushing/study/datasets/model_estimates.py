@@ -161,7 +161,7 @@ def _compare(push: Push) -> list[tuple[float, ...]]:
     friction, *others = scene_of(push), *(scene_of(push, name) for name in EFFECTS)
     log, *logs = (_log(scene, pusher, duration) for scene in (friction, *others))
     circles, jumps = outline_circles(friction), jump_times(pusher)
-    rows = []
+    rows: list[tuple[float, ...]] = []
     for scene, other in zip(others, logs, strict=True):
         estimate = estimate_pose_change(log, friction, scene.effects[1], circles, jumps)
         shares = estimate.force_share, estimate.torque_share

@@ -15,11 +15,11 @@ def coasting(values: StudyValues, support: str, speed: float) -> Record:
     """Displacement without inertia of a push through the center by a finger that stops: v^2/(2 mu_s g).
 
     With inertia the box then slides over this length, on any support, and without it rests. The computed
-    displacement is a difference of two positions beyond the distance.
+    displacement is the difference of two positions, of which one is at the distance.
     """
     section = values["model_errors"]
     coefficient, distance = (
         rational(section[name]) for name in ("support_friction_coefficient", "distance")
     )
     length = arb(rational(speed) ** 2 / (2 * coefficient * rational(GRAVITY)))
-    return {"coasting_error": terms(length, 2 * arb(distance))}
+    return {"coasting_error": terms(length, arb(distance), arb(distance) + length)}
