@@ -1,4 +1,4 @@
-"""Numbers of the report about what leaving out an effect changes, from small datasets with known answers."""
+"""Numbers of the report about what leaving out an effect changes, from datasets with known answers."""
 
 import numpy as np
 import pytest

@@ -8,7 +8,6 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 from matplotlib.axes import Axes
-from matplotlib.ticker import LogLocator, NullFormatter
 
 from planar_pushing.assessment.estimate import FACTOR
 from planar_pushing.drawing.canvas.colors import CENTER, DARK, FORCE, GRAY, MOTION, PUSHER
@@ -22,6 +21,7 @@ FIGURE = Figure(
     title="Which effects a push calls for",
     reads=("model_errors", "model_estimates"),
     size=(PAGE, 2.75),
+    section="Motion over time",
 )
 #: Colors of the supports, and their names, from the one on which the box turns most easily.
 SUPPORTS = {
@@ -136,8 +136,9 @@ def _add_coasting(ax: Axes, errors: xr.Dataset) -> None:
 
     upper = ax.secondary_xaxis("top", functions=(parts, speeds))
     upper.set_xlabel(r"$v^2/(2\mu_s g)$ over the way", fontsize=NOTE)
-    upper.xaxis.set_major_locator(LogLocator(numticks=9))
-    upper.xaxis.set_minor_formatter(NullFormatter())
+    first, last = np.log10(parts(np.asarray(ax.get_xlim())))
+    upper.set_xticks(10.0 ** np.arange(np.ceil(first), np.floor(last) + 1))
+    upper.minorticks_off()
 
 
 def _draw_evaluations(ax: Axes, errors: xr.Dataset) -> None:
