@@ -21,7 +21,7 @@ FIGURE = Figure(
     title="Which effects a push calls for",
     reads=("model_errors", "model_estimates"),
     size=(PAGE, 2.75),
-    section="Motion over time",
+    section="Ours, motion over time",
 )
 #: Colors of the supports, and their names, from the one on which the box turns most easily.
 SUPPORTS = {
