@@ -71,6 +71,18 @@ use rule dataset as scenes with:
         path="{results}/data/{dataset,scenes}.nc",
 
 
+# Motion over time: what leaving out inertia or friction changes in pushes of a box, at slow and fast speeds.
+use rule dataset as model_errors with:
+    output:
+        path="{results}/data/{dataset,model_errors}.nc",
+
+
+# Estimates of what leaving out an effect changes, and what it does, in random pushes.
+use rule dataset as model_estimates with:
+    output:
+        path="{results}/data/{dataset,model_estimates}.nc",
+
+
 # Motion over time. One job simulates all scene files of a study. The marks include the content
 # of the files. The files are no inputs, since their layout does not matter.
 for folder, study in STUDIES.items():
@@ -317,8 +329,8 @@ rule accuracy_errors:
         RUN
 
 
-# What accuracy and effects cost in time on this machine. Nothing else must run during a measurement, which takes a
-# few seconds.
+# What accuracy costs in time on this machine, and evaluations of each effect. Nothing else must run during a
+# measurement, which takes a few seconds.
 rule times:
     input:
         MOTIONS,
@@ -336,7 +348,7 @@ rule times:
         study=lambda wildcards: FILES[wildcards.results],
         marks=marks("accuracy_time", "effects"),
     message:
-        "Measuring accuracy_time and effects"
+        "Measuring accuracy_time, and counting effects"
     script:
         RUN
 

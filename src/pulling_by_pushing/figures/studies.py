@@ -18,11 +18,11 @@ from pulling_by_pushing.study.study_file import load_study
 #: Figures on measured pushes, drawn from numbers in the project's folder.
 PUSHES = ("measured_pressures", "measured_errors")
 #: Figures on the computations and predictions of this work; they are the same for every study.
-OURS = (*PUSHES, "accuracy", "effects", "hard_cases")
+OURS = (*PUSHES, "accuracy", "hard_cases")
 #: Figures in the order in which the report mentions them; numbers of its supplement begin with S.
 BODY = (
     *(f"figure_{number:02}" for number in range(1, 14)),
-    "friction_for_pulling", "measured_errors", "accuracy", "effects", "hard_cases",
+    "friction_for_pulling", "measured_errors", "accuracy", "model_errors", "hard_cases",
 )  # fmt: skip
 SUPPLEMENT = (
     "pulling_over_time", "slip_over_time", "support_limit_curves", "slip_of_supports", "pivoting_tripod",
@@ -80,7 +80,7 @@ def _missing_sources(study: StudyFile, name: str, figure: Figure) -> Iterator[st
         if part is None and stem in DATASETS and not computes(study, stem):
             yield (
                 f"figures.{name}: drawn from {stem}; allowed: where the study gives "
-                f"{DATASETS[stem].needs}; remove it"
+                f"{DATASETS[stem].needs or stem}; remove it"
             )
 
 

@@ -39,6 +39,7 @@ NUMBERS: Numbers = {
     **costs.TIMES,
     **costs.HARD_CASES,
     **costs.EFFECTS,
+    **costs.MODELS,
     **evidence.GOLDEN,
     **evidence.CLAIMS,
 }

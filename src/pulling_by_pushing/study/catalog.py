@@ -46,6 +46,8 @@ class Dataset:
         Whether the study must list the dataset under `fine_grids`, which can give axes of its own.
     rod : bool
         Whether a dataset over supports also depends on the rod of the study's slider, and on its ring.
+    section : bool
+        Whether the dataset is computed from the study's section with its name, and not from the grid.
     """
 
     about: str
@@ -60,6 +62,7 @@ class Dataset:
     pushes: bool = False
     fine: bool = False
     rod: bool = False
+    section: bool = False
 
     @property
     def axes(self) -> tuple[str, ...]:
@@ -74,14 +77,14 @@ class Dataset:
 
     @property
     def needs(self) -> str:
-        """Keys of the study from which the dataset is computed, in words."""
+        """Keys of the study from which the dataset is computed, in words; not for a section."""
         effects = f", and the effects {self.effects}" if self.effects else ""
         fine = ", and lists it under fine_grids" if self.fine else ""
         return f"{', '.join(AXIS_KEYS.get(axis, axis) for axis in self.axes)}{effects}{fine}"
 
 
 #: Dimensions whose entries are numbered and have no values.
-NUMBERED = ("solution", "rod")
+NUMBERED = ("solution", "rod", "push")
 #: Keys of a study whose names differ from that of their axis.
 AXIS_KEYS = {"support": "supports", "contact": "contact_friction_coefficient"}
 
@@ -155,7 +158,26 @@ DATASETS: Mapping[str, Dataset] = {
         pushes=True,
     ),
     "scenes": Dataset(
-        about="the scenes of the figures, a group for each", source="Secs. 3 and 4", module="scenes"
+        about="the scenes of the figures, a group for each",
+        source="Secs. 3 and 4",
+        module="scenes",
+        section=True,
+    ),
+    "model_errors": Dataset(
+        about="what leaving out inertia or friction changes in pushes of a box, and what both cost",
+        source="Secs. 3 and 4, over time",
+        inner=("support", "push", "speed", "left_out"),
+        variables=("pose_error", "evaluations", "evaluations_alone", "coasting_error"),
+        module="model_errors",
+        section=True,
+    ),
+    "model_estimates": Dataset(
+        about="estimates of what leaving out an effect changes, and what it does, in random pushes",
+        source="Secs. 3 and 4, over time",
+        inner=("push", "effect"),
+        variables=("pose_error", "estimate", "stopping_length", "force_share", "torque_share"),
+        module="model_estimates",
+        section=True,
     ),
     "supports": Dataset(
         about="wrenches of each support over centers of rotation, and its ellipsoid",
@@ -220,14 +242,14 @@ SIMULATIONS = "simulations"
 #: Paths of folders in the results that hold a file for each name.
 FOLDERS = {SIMULATIONS: "data/simulations"}
 
-#: Datasets about the computation itself, with their contents; those with times differ from run to run.
+#: Datasets about the computation itself, with their contents.
 EVIDENCE = {
     "accuracy": "errors and evaluations of every method, a group for each quantity",
     "accuracy_time": "times of every method on one machine, a group for each quantity",
-    "effects": "evaluations of each effect, and times by the listed effects and their number",
+    "effects": "evaluations of each effect, by the listed effects",
     "hard_cases": "double-precision results for numerically hard cases, against 40-digit references",
 }
-#: Those without times, and those with.
+#: Those that golden data certify, and those that depend on the machine: times, and counts of runs.
 COUNTS, TIMES = ("hard_cases", "accuracy"), ("accuracy_time", "effects")
 #: Names of the dataset files.
 FILE_DATASETS = (*DATASETS, *EVIDENCE)
@@ -252,7 +274,7 @@ TABLES = {
     "accuracy.csv": "methods for wrench, cone and motion: setting, evaluations, largest error and time",
     "hard_places.csv": "hard cases by place, with their errors in units in the last place",
     "hard_ill.csv": "ill-conditioned cases: condition, digits left and error",
-    "effects.csv": "evaluations of each effect in simulations, and times of one machine",
+    "effects.csv": "evaluations of each effect in simulations",
 }
 
 #: Labels of the contact laws without a coefficient, which follow those of Coulomb along `contact`.
@@ -301,8 +323,8 @@ def build_command(name: str) -> str:
         return "build it with make, in the project's folder"
     entry = DATASETS.get(stem)
     needs = f"lists it under {stem}"
-    if entry and entry.axes:
-        needs = f"gives {entry.needs}"
+    if entry and stem not in GROUPS:
+        needs = f"gives {entry.needs or stem}"
     ours = "sliders" if entry and "support" in entry.dims else "paper"
     run = f"build it with planar-pushing run, from a study that {needs}"
     return f"{run}; make builds it for the study {ours}"

@@ -12,10 +12,12 @@ from planar_pushing.mechanics.contact import ContactLaw, friction_coefficient
 from planar_pushing.mechanics.entries import to_json, versions
 from planar_pushing.mechanics.kernels.arrays import flag_attributes
 from planar_pushing.mechanics.scene import Scene
+from planar_pushing.scenes.fields import FileModel
 from planar_pushing.terms.options import BEHIND, FLAGS
 from planar_pushing.terms.quantities import (
     DATASET,
     GLOBAL,
+    MODELS,
     NOTES,
     PAPER,
     SLIDERS,
@@ -58,7 +60,7 @@ def describe(
     return dataset
 
 
-def apply_declaration(dataset: xr.Dataset, name: str, part: Part) -> xr.Dataset:
+def apply_declaration(dataset: xr.Dataset, name: str, part: Part | FileModel) -> xr.Dataset:
     """Order a dataset as declared, and add the attributes that its declaration defines."""
     entry = DATASETS[name]
     order = [*entry.dims, *entry.inner]
@@ -68,12 +70,17 @@ def apply_declaration(dataset: xr.Dataset, name: str, part: Part) -> xr.Dataset:
         variable: ordered[variable].variable for variable in entry.variables
     }  # without coordinates
     ordered = xr.Dataset(variables, {coord: ordered.coords[coord].variable for coord in coords})
+    title = f"{entry.about[0].upper()}{entry.about[1:]}"
+    if not isinstance(part, Part):
+        parameters = part.model_dump(exclude_none=True)
+        return describe(ordered, title=title, source=entry.source, parameters=parameters,
+                        quantities=MODELS, notes={})  # fmt: skip
     support = "support" in entry.dims
     if entry.rod or not support:
         ordered = ordered.assign_coords(_scalars(part, (*entry.dims, *coords)))
     return describe(
         ordered,
-        title=f"{entry.about[0].upper()}{entry.about[1:]}",
+        title=title,
         source=entry.source,
         parameters=_parameters(part, entry.dims),
         quantities=SLIDERS if support else DATASET,

@@ -65,6 +65,14 @@ QUESTIONS: Mapping[str, tuple[str, str]] = {
         "center_regions --rod-length 5 --rod-angle 45 --force-angle 90",
     ),
     "scenes": ("What happens in the scenes of Figs. 2, 3, 8, 9, 11 and 12?", "scenes/figure_03"),
+    "model_errors": (
+        "What changes in a push if inertia or friction is left out, and what do both cost?",
+        "model_errors --support base --left-out inertia --speed 0.05",
+    ),
+    "model_estimates": (
+        "How well does an estimate tell what an effect changes that is left out?",
+        "model_estimates --effect inertia",
+    ),
     SIMULATIONS: ("How does the slider move over time?", "simulations/pulling"),
     "accuracy": ("How accurate is each method, after how many evaluations?", "accuracy/cone"),
     "accuracy_time": ("How long does each method take?", "accuracy_time/cone"),
@@ -125,8 +133,8 @@ coordinates. Booleans are stored as bytes and read back as `bool`. The attribute
 are the name of the study and a hash of the values from which the dataset is computed. *Source* is the place
 in Lynch and Mason, *Pulling by Pushing, Slip with Infinite Friction, and Perfectly Rough Surfaces* (1995).
 
-Dimensional quantities are stored in scaled units: `units` is 1, and the attribute `quantity` is one of
-these:
+`model_errors` and `model_estimates` are in SI units. In the other datasets, dimensional quantities are
+stored in scaled units: `units` is 1, and the attribute `quantity` is one of these:
 """
 
 
@@ -163,6 +171,9 @@ def _size(name: str, results: str) -> tuple[str, str]:
     if name in EVIDENCE:
         return _axes(open_dataset(name, results).sizes), ""
     dataset = DATASETS[name]
+    if dataset.section:
+        sizes_of_section = open_dataset(name, results).sizes
+        return _axes(sizes_of_section), f"{math.prod(sizes_of_section.values()):,}"
     sizes = {axis: len(study.values(axis, name)) for axis in dataset.axes}
     if dataset.pushes:
         sizes["force_angle"] = sum(0 <= angle <= 180 for angle in study.values("force_angle", name))

@@ -20,7 +20,9 @@ from planar_pushing.scenes.fields import (
     EffectsName,
     FileModel,
     FilePath,
+    FiniteFrictionCoefficient,
     FiniteFrictionCoefficients,
+    FiniteNumber,
     FrictionCoefficient,
     FrictionCoefficients,
     Lengths,
@@ -168,6 +170,51 @@ class Parameters(FileModel):
         return {name: entry.build() for name, entry in self.supports.items()}
 
 
+class PlacedPush(FileModel):
+    """Place on the pushed side, from its middle, and angle of the push, 90 degrees along the normal."""
+
+    place: FiniteNumber
+    pusher_angle: Degrees
+
+
+class ModelErrors(FileModel):
+    """A box that a finger pushes over a distance, on each support and at each speed; SI units.
+
+    `length` is that of the pushed side, along the x axis of the `supports`.
+    """
+
+    length: Positive
+    width: Positive
+    mass: Positive
+    support_friction_coefficient: Positive
+    friction_coefficient: FiniteFrictionCoefficient
+    distance: Positive
+    speed: Magnitudes
+    pushes: Annotated[tuple[PlacedPush, ...], NotEmpty]
+    supports: Annotated[dict[Name, WholeSupport], BeforeValidator(_require_entries)]
+
+    @model_validator(mode="after")
+    def _on_the_side(self) -> Self:
+        for push in self.pushes:
+            if not (abs(push.place) < self.length / 2 and 0 < push.pusher_angle < 180):
+                raise refuse("pushes at places within half the length, at angles between 0 and 180")
+        return self
+
+
+class ModelEstimates(FileModel):
+    """Random pushes of boxes: their number, and the seed with which they are drawn."""
+
+    pushes: Count
+    seed: Count
+
+
+#: Sections of a study from which the datasets with their names are computed.
+SECTIONS: dict[str, type[FileModel]] = {
+    "model_errors": ModelErrors,
+    "model_estimates": ModelEstimates,
+}
+
+
 class Part(Parameters):
     """Part of a study: the parameters and axis values from which a dataset is computed."""
 
@@ -177,7 +224,8 @@ class Part(Parameters):
 class StudyFile(Parameters):
     """The grid of every dataset, the scenes, and values that the paper does not specify.
 
-    `supports` is an axis of the datasets whose names begin with `support`. `simulations` names the scene
+    `supports` is an axis of the datasets whose names begin with `support`. `model_errors` and
+    `model_estimates` are the pushes of the datasets with these names. `simulations` names the scene
     files to simulate, each with a section `simulate`. `fine_grids` gives the axes of datasets from which
     lines and maps are drawn; an axis that it does not give is that of `grid`. `chunks` gives the maximum
     number of values along dimensions of a dataset that one job computes; `gather` says whether the chunks
@@ -187,6 +235,8 @@ class StudyFile(Parameters):
     title: Text
     grid: Grid
     scenes: dict[Name, PushEntry] = Field(default_factory=dict)
+    model_errors: ModelErrors | None = None
+    model_estimates: ModelEstimates | None = None
     simulations: dict[Name, FilePath] = Field(default_factory=dict)
     fine_grids: dict[Name, Grid] = Field(default_factory=dict)
     figures: dict[Name, FigureEntry] = Field(default_factory=dict)

@@ -17,7 +17,9 @@ from pulling_by_pushing.study.study_file import scene_file
 #: Keys of a study that do not affect values: the golden data to compare with, and the chunks.
 IGNORED_KEYS = {"golden", "chunks", "gather"}
 #: Results about the computation itself, and the keys that they do not use.
-UNUSED_KEYS = {"effects": ("title", "scenes", "simulations", "figures")}
+UNUSED_KEYS = {
+    "effects": ("title", "scenes", "model_errors", "model_estimates", "simulations", "figures")
+}
 
 #: Function from the name of a result to the attributes that identify its study.
 Marks = Callable[[str], dict[str, str]]

@@ -7,8 +7,9 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from planar_pushing.scenes.fields import FileModel
 from pulling_by_pushing.study.catalog import COUNTS, DATASETS, SIMULATIONS
-from pulling_by_pushing.study.model import Part, PushEntry, StudyFile
+from pulling_by_pushing.study.model import SECTIONS, Part, PushEntry, StudyFile
 
 #: Plain values of a study: parameters, and the values along each axis under `grid`.
 StudyValues = Mapping[str, Any]
@@ -19,8 +20,8 @@ Ranges = Mapping[str, slice]
 def computes(study: StudyFile, name: str) -> bool:
     """Whether a study has the axes and the effects that a dataset needs."""
     entry = DATASETS[name]
-    if name == "scenes":
-        return bool(study.scenes)
+    if entry.section:
+        return bool(getattr(study, name))
     has_grid = name in study.fine_grids or not entry.fine
     effects = entry.effects is None or entry.effects in study.grid.effects
     return has_grid and effects and all(study.values(axis, name) for axis in entry.axes)
@@ -38,6 +39,8 @@ def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
     entry = DATASETS[name]
     if name == "scenes":
         return {"scenes": {key: push.model_dump() for key, push in study.scenes.items()}}
+    if entry.section:
+        return {name: getattr(study, name).model_dump()}
     grid = {axis: list(study.values(axis, name)) for axis in entry.axes}
     if entry.pushes:
         grid["force_angle"] = [angle for angle in grid["force_angle"] if 0 <= angle <= 180]
@@ -53,6 +56,11 @@ def study_slice(study: StudyFile, name: str) -> dict[str, Any]:
 def part_of(values: StudyValues) -> Part:
     """Validate plain values as part of a study."""
     return Part.model_validate(values)
+
+
+def section_of(name: str, values: StudyValues) -> FileModel:
+    """Validate plain values as the section of a study with the name of a dataset."""
+    return SECTIONS[name].model_validate(values[name])
 
 
 def pushes(values: StudyValues) -> dict[str, PushEntry]:

@@ -7,7 +7,7 @@ from drawing.conftest import LOGS as LOGS
 from drawing.conftest import OTHERS as OTHERS
 from drawing.conftest import Made
 from matplotlib.figure import Figure
-from report.costs import accuracy, accuracy_time, effects, hard_cases
+from report.costs import accuracy, accuracy_time, hard_cases
 from report.pushes import measured_pushes
 
 from planar_pushing.drawing.canvas import axes
@@ -54,10 +54,7 @@ def sources(studies, logs):
         stem, _, group = name.partition("/")
         if stem == "simulations":
             return logs[group]
-        costs = {
-            "accuracy": accuracy, "accuracy_time": accuracy_time,
-            "effects": effects, "hard_cases": hard_cases,
-        }  # fmt: skip
+        costs = {"accuracy": accuracy, "accuracy_time": accuracy_time, "hard_cases": hard_cases}
         if stem in costs:
             return costs[stem](group) if group else costs[stem]()
         return datasets[stem][group] if group else datasets[stem]

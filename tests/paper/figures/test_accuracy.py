@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from pulling_by_pushing.figures.evidence import accuracy, effects
+from pulling_by_pushing.figures.evidence import accuracy
 from pulling_by_pushing.figures.evidence import hard_cases as cases
 from pulling_by_pushing.figures.parts.methods import setting_text, with_times, within
 
@@ -96,25 +96,6 @@ def test_the_ends_of_a_line_are_named_by_their_settings(pictures, plotted, panel
     texts = [text.get_text() for text in pictures["accuracy"].axes[panel].texts]
     assert any(text.endswith(words.format(setting_text(first))) for text in texts)
     assert setting_text(last) in texts
-
-
-def test_times_of_the_effects_are_the_shortest_ones(pictures, plotted):
-    times = plotted["effects"]["effects"].computation_seconds.min("repeat")
-    left, _ = pictures["effects"].axes
-    lines = [line for line in left.lines if line.get_marker() != "None"]
-    for line, listed in zip(lines, effects.LISTS, strict=True):
-        durations = 1e3 * times.sel(effects=listed, computation=list(effects.COMPUTATIONS))
-        assert line.get_xdata().tolist() == durations.values.tolist()
-        assert np.round(line.get_ydata()).tolist() == list(range(len(effects.COMPUTATIONS)))
-
-
-def test_times_by_the_number_of_effects(pictures, plotted):
-    times = 1e3 * plotted["effects"]["effects"].supports_seconds.min("repeat")
-    _, right = pictures["effects"].axes
-    proportional, drawn = (np.column_stack(line.get_data()) for line in right.lines)
-    numbers = times.supports.values
-    assert drawn.tolist() == np.column_stack([numbers, times]).tolist()
-    assert proportional == pytest.approx(np.column_stack([numbers, numbers * float(times[0])]))
 
 
 def test_hard_cases_are_drawn_in_groups_from_best_to_worst_condition(pictures, plotted):

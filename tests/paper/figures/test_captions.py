@@ -43,6 +43,9 @@ NAMED = {
     "figure_12": {**RING, **FRICTION, **INERTIA, "pusher_angle": "θₚ = {}°", "pusher_magnitude": A},
     "figure_13": {"rod_length": L, "rod_angle": PSI, "radius": R, **FRICTION, **INERTIA,
                   "pusher_magnitude": A},
+    "model_errors": {"length": "a box of {} m", "width": "× {} m,", "distance": "over {} m,",
+                     "support_friction_coefficient": "μₛ = {},", "friction_coefficient": "μ = {}. ",
+                     "place": "pushed {} m from", "pusher_angle": "the middle at {}°"},
     "pulling_over_time": {**LOG, "radius": R},
     "slip_over_time": {**LOG, "radius": R},
     "support_limit_curves": RODS,
@@ -132,6 +135,19 @@ def test_captions_of_reconstructions_name_the_figure_of_the_paper(plotted, name)
 def test_a_caption_speaks_of_supports_of_the_study_alone(plotted, name):
     named = re.findall("tripod|quadruped|disc|square|plate", drawing(name).caption(plotted[name]))
     assert set(named) <= set(plotted[name]["supports"].support.values)
+
+
+def test_pushes_of_the_model_errors_are_counted_and_the_first_is_named(plotted):
+    data, caption = plotted["model_errors"], drawing("model_errors").caption
+    errors, estimates = data["model_errors"], data["model_estimates"]
+    said = caption(data)
+    assert "median of 3 pushes" in said
+    assert "for 12 random pushes" in said
+    assert "0.76 mm at 0.05 m/s and 9.6 mm at 0.2 m/s without inertia" in said
+    fewer = {"model_errors": errors.isel(push=[1, 2]), "model_estimates": estimates.isel(push=[0])}
+    assert "median of 2 pushes" in caption(fewer)
+    assert "for 1 random pushes" in caption(fewer)
+    assert "0.76 mm" not in caption(fewer)
 
 
 def test_the_hard_cases_are_counted(plotted):

@@ -19,9 +19,6 @@ GROUPS = ("wrench", "cone", "motion")
 #: Evaluations of friction and inertia by listed effects, and the factors of the methods.
 COUNTS = {"support_friction": (3, 0), "inertia": (0, 5), "support_friction+inertia": (70, 90)}
 METHODS = {"event-driven": 1, "time-stepping": 10}
-COMPUTATIONS = ("motion cone", "limit curve", "contact modes", *METHODS)
-#: Numbers of supports among which friction is divided.
-SUPPORTS = (1, 2, 4)
 
 
 def accuracy(group: str) -> xr.Dataset:
@@ -43,25 +40,15 @@ def accuracy_time(group: str) -> xr.Dataset:
 
 
 def effects() -> xr.Dataset:
-    """Evaluations, and times that grow from value to value."""
+    """Evaluations of two effects."""
     counts = np.multiply.outer(list(METHODS.values()), list(COUNTS.values()))
     return xr.Dataset(
-        {
-            "evaluations": (("integrator", "effects", "effect"), counts),
-            "computation_seconds": (
-                ("computation", "effects", "repeat"),
-                growing(len(COMPUTATIONS), len(COUNTS)),
-            ),
-            "supports_seconds": (("supports", "repeat"), growing(len(SUPPORTS))),
-        },
+        {"evaluations": (("integrator", "effects", "effect"), counts)},
         coords={
             "integrator": list(METHODS),
             "effects": list(COUNTS),
             "effect": ["support_friction", "inertia"],
-            "computation": list(COMPUTATIONS),
-            "supports": list(SUPPORTS),
         },
-        attrs={"machine": json.dumps(MACHINE)},
     )
 
 

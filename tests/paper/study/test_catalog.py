@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import planar_pushing as pp
-from planar_pushing.terms.quantities import DATASET, SLIDERS
+from planar_pushing.terms.quantities import DATASET, MODELS, SLIDERS
 from pulling_by_pushing.study.catalog import (
     CONTACT_LAWS,
     DATASETS,
@@ -18,7 +18,7 @@ from pulling_by_pushing.study.catalog import (
     dataset_names,
     number_label,
 )
-from pulling_by_pushing.study.model import Grid
+from pulling_by_pushing.study.model import SECTIONS, Grid
 
 
 def test_axes_are_those_of_the_grid():
@@ -33,7 +33,7 @@ def test_every_declaration_has_a_builder_and_words_for_its_names(name):
     entry = DATASETS[name]
     module = import_module(f"pulling_by_pushing.study.datasets.{entry.module}")
     assert callable(getattr(module, name))
-    known = SLIDERS if "support" in entry.dims else DATASET
+    known = SLIDERS if "support" in entry.dims else MODELS if name in SECTIONS else DATASET
     assert {*entry.dims, *entry.inner, *entry.variables} - {"solution"} <= set(known)
 
 
@@ -65,6 +65,8 @@ def test_a_name_that_is_none_is_answered_with_the_closest(name, said):
      " make builds it for the study sliders"),
     ("center_regions", "build it with planar-pushing run, from a study that gives rod_length, rod_angle, "
      "force_angle, and the effects support_friction+inertia; make builds it for the study paper"),
+    ("model_errors", "build it with planar-pushing run, from a study that gives model_errors; make builds "
+     "it for the study paper"),
     ("simulations/mine", "build it with planar-pushing run, from a study that lists it under simulations; "
      "make builds it for the study paper"),
 ])  # fmt: skip

@@ -12,7 +12,10 @@ from pulling_by_pushing.study.study_file import load_study
 CONFIG = "workflow/config"
 COSTS = {"effects"}
 FIGURES = load_study(f"{CONFIG}/smoke.yaml").figures
-RESULTS = [*OF_PAPER, "scenes", "simulations/slipping", *FIGURES, *COSTS, "hard_cases"]
+MODELS = {"model_errors", "model_estimates"}
+RESULTS = [
+    *OF_PAPER, "scenes", *MODELS, "simulations/slipping", *(FIGURES.keys() - MODELS), *COSTS, "hard_cases",
+]  # fmt: skip
 
 
 @pytest.fixture
@@ -42,6 +45,8 @@ def digests(tmp_path):
         ("config/smoke.yaml", "[0, 1.5, 2, inf]", "[0, 1.5, 2, 3, inf]", {"motion_cones", *COSTS}),
         ("config/smoke.yaml", "figure_12: {rod_length: 5}", "figure_12: {rod_length: 2}", set()),
         ("config/smoke.yaml", "stop: 360, step: 3}", "stop: 360, step: 5}", {"curves", *COSTS}),
+        ("config/smoke.yaml", "distance: 0.08", "distance: 0.09", {"model_errors"}),
+        ("config/smoke.yaml", "seed: 1", "seed: 2", {"model_estimates"}),
         ("config/smoke.yaml", "force_angle: 54", "force_angle: 55", {"scenes"}),
         ("scenes/figure_02.yaml", "rod_length: 3", "rod_length: 4", {"scenes"}),
         ("scenes/figure_11.yaml", ", gyration_radius: 1}", "}", set()),

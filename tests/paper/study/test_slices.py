@@ -4,6 +4,7 @@ import pytest
 from study.conftest import OF_PAPER, OF_SLIDERS
 
 from pulling_by_pushing.study.catalog import CONTACT_LAWS, DATASETS
+from pulling_by_pushing.study.model import SECTIONS
 from pulling_by_pushing.study.running.build import build_dataset
 from pulling_by_pushing.study.slices import (
     computes,
@@ -21,7 +22,7 @@ SLIDERS = load_study("workflow/config/sliders_smoke.yaml")
 
 
 def test_a_study_computes_the_datasets_whose_axes_it_has():
-    assert [name for name in DATASETS if computes(STUDY, name)] == [*OF_PAPER, "scenes"]
+    assert [name for name in DATASETS if computes(STUDY, name)] == [*OF_PAPER, "scenes", *SECTIONS]
     assert [name for name in DATASETS if computes(SLIDERS, name)] == [*OF_SLIDERS]
 
 

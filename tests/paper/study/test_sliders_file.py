@@ -47,7 +47,8 @@ def test_paths_are_relative_to_the_file():
          "a step > 0 that divides the range, or a list that holds such ranges; change the value"),
         ("title:", "effects: [inertia]\ntitle:",
          "effects: ['inertia'] given; allowed: the keys slider, support_friction, inertia, supports, "
-         "title, grid, scenes, simulations, fine_grids, figures, chunks, gather, golden; remove the key"),
+         "title, grid, scenes, model_errors, model_estimates, simulations, fine_grids, figures, chunks, "
+         "gather, golden; remove the key"),
         ("  center_x", "  effects: [inertia]\n  center_x",
          "grid.effects: 'inertia' given; allowed: effects that the study has parameters for; add the key "
          "inertia, or remove the entry"),

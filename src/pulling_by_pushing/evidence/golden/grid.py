@@ -17,7 +17,7 @@ from flint import arb, ctx
 from tqdm import tqdm
 
 from planar_pushing.terms.errors import InvalidResult
-from pulling_by_pushing.evidence.golden.cells import contacts, ring, supports
+from pulling_by_pushing.evidence.golden.cells import contacts, models, ring, supports
 from pulling_by_pushing.evidence.golden.cells.sliders import CENTERS, Record, StudyValues
 from pulling_by_pushing.evidence.golden.enclosures import EXACT, RADIUS, holds_radii, is_exact
 from pulling_by_pushing.oracle.balls import FINE, Number, Undecided, Vector, precise
@@ -39,7 +39,7 @@ class Cell:
 
 RODS = ("effects", "contact", "rod_length")
 ROD = ("support", "rod_length", "rod_angle", "friction_coefficient")
-#: The cells of each dataset; together they provide all of its numbers.
+#: The cells of each dataset; together they provide all of its numbers but those of `PLAIN`.
 CELLS: Mapping[str, tuple[Cell, ...]] = {
     "limit_curves": (
         Cell(("effects", "rod_length", "rod_angle", "force_angle"), ring.limit_point_values),
@@ -67,6 +67,7 @@ CELLS: Mapping[str, tuple[Cell, ...]] = {
         Cell(("rod_length",), ring.acceleration_cones),
     ),
     "center_regions": (Cell(("rod_length", "rod_angle", "force_angle"), ring.region_ends),),
+    "model_errors": (Cell(("support", "speed"), models.coasting),),
     "supports": (
         Cell(("support", "center_x", "center_y"), supports.support_wrench),
         Cell(("support",), supports.support_numbers),
@@ -88,11 +89,13 @@ CELLS: Mapping[str, tuple[Cell, ...]] = {
         Cell(("rod",), supports.ring_rod),
     ),
 }
-#: Variables that are stored as computed: the errors of another model, at motions that a search found.
+#: Variables that are stored as computed: the errors of another model, at motions that a search found, and
+#: differences and evaluations of runs over time, with the pushes of these.
 PLAIN = {
+    "model_errors": ("pose_error", "evaluations", "evaluations_alone", "place", "pusher_angle"),
     "supports": tuple(
         f"{size}_{kind}_error" for size in ("mean", "worst") for kind in ("force", "motion")
-    )
+    ),
 }
 #: Largest relative radius of an integral that is compared.
 WIDEST_INTEGRAL = 2.0**-60

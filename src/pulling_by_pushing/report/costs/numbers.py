@@ -161,24 +161,6 @@ def ill_from(cases: xr.Dataset) -> float:
     return float(json.loads(cases.attrs["parameters"])["ill_conditioned_from"])
 
 
-def both_ratio(effects: xr.Dataset, computation: str) -> float:
-    """Ratio of the time with both effects to the sum of the times with one."""
-    shortest = effects.computation_seconds.sel(computation=computation).min("repeat").values
-    both = np.char.count(effects.effects.values.astype(str), "+") > 0
-    return float(shortest[both].sum() / shortest[~both].sum())
-
-
-def most_supports(effects: xr.Dataset) -> float:
-    """Largest number of supports among which friction is divided."""
-    return float(effects.supports.max())
-
-
-def supports_ratio(effects: xr.Dataset) -> float:
-    """Ratio of the time with the most supports to that with one."""
-    shortest = effects.supports_seconds.min("repeat")
-    return float(shortest[-1] / shortest[0])
-
-
 def single(counts: xr.Dataset) -> xr.Dataset:
     """Counts of the sets with one effect."""
     return counts.sel(effects=[name for name in counts.effects.values.tolist() if "+" not in name])

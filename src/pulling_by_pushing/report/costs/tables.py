@@ -143,9 +143,8 @@ def ill_text(results: Results) -> str:
 
 
 def effects_text(results: Results) -> str:
-    """Table of evaluations in simulations and of times, by listed effects."""
+    """Table of evaluations in simulations, by listed effects."""
     data = results.dataset("effects")
-    shortest = data.computation_seconds.min("repeat")
     counts = {
         f"{name}, evaluations of {LISTED[effect]}": [
             str(int(data.evaluations.sel(integrator=method, effect=effect, effects=effects)))
@@ -154,16 +153,10 @@ def effects_text(results: Results) -> str:
         for method, name in COUNTED.items()
         for effect in (FRICTION, INERTIA)
     }
-    times = {
-        f"{COUNTED.get(name, name)}, time": [
-            time_text(float(shortest.sel(computation=name, effects=effects))) for effects in EFFECTS
-        ]
-        for name in data.computation.values.tolist()
-    }
     return csv_text(
         [
             {"computed": name} | dict(zip(LISTED.values(), row, strict=True))
-            for name, row in (counts | times).items()
+            for name, row in counts.items()
         ]
     )
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from pulling_by_pushing.report.costs import models
 from pulling_by_pushing.report.costs import numbers as costs
 from pulling_by_pushing.report.quantities import Numbers, Quantity, compute_number, magnitude
 
@@ -12,6 +13,7 @@ WRENCH_TIME, CONE_TIME, MOTION_TIME = (
     f"accuracy_time/{name}" for name in ("wrench", "cone", "motion")
 )
 HARD, COUNTS = "hard_cases", "effects"
+ERRORS, ESTIMATES = "model_errors", "model_estimates"
 NANO, MICRO, MILLI = 1e9, 1e6, 1e3
 #: Settings of the motions in the prose: a tolerance, and a number of steps.
 RUNS = {"event-driven": 1e-10, "time-stepping": 1000.0}
@@ -67,9 +69,6 @@ TIMES: Numbers = {
         )
         for name, setting in RUNS.items()
     },
-    "both-ratio": compute_number(COUNTS, costs.both_ratio, "contact modes", digits=1),
-    "supports": compute_number(COUNTS, costs.most_supports),
-    "supports-ratio": compute_number(COUNTS, costs.supports_ratio, digits=1),
 }
 
 HARD_CASES: Numbers = {
@@ -89,4 +88,21 @@ EFFECTS: Numbers = {
     "effects-single": compute_number(COUNTS, costs.single_runs),
     "effects-listed": compute_number(COUNTS, costs.count_listed),
     "effects-absent": compute_number(COUNTS, costs.count_absent),
+}
+
+#: What leaving out an effect changes in a push.
+MODELS: Numbers = {
+    "slow-error": magnitude(ERRORS, models.first_error, "base", 0.05, unit="mm"),
+    "fast-error": magnitude(ERRORS, models.first_error, "base", 0.2, unit="mm"),
+    "disc-speed": magnitude(ERRORS, models.crossing, "disc", "inertia", unit="m/s", digits=0),
+    "feet-speed": magnitude(ERRORS, models.crossing, "feet", "inertia", unit="m/s"),
+    "frictionless-speed": magnitude(
+        ERRORS, models.crossing, "base", "friction", unit="m/s", digits=0
+    ),
+    "slowest-speed": compute_number(ERRORS, models.slowest, unit="mm/s"),
+    "slowest-evaluations": magnitude(ERRORS, models.evaluations_ratio, digits=0),
+    "estimates": compute_number(ESTIMATES, models.random_pushes),
+    "estimates-largest": compute_number(ESTIMATES, models.largest_ratio, digits=1),
+    "estimates-settled": compute_number(ESTIMATES, models.settled, unit="percent"),
+    "estimates-missed": compute_number(ESTIMATES, models.missed),
 }

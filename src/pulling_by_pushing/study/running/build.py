@@ -21,7 +21,14 @@ from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.study.catalog import DATASETS
 from pulling_by_pushing.study.chunks import blocks, chunk_name, open_chunks
 from pulling_by_pushing.study.describe import add_study_attributes, apply_declaration
-from pulling_by_pushing.study.slices import StudyValues, part_of, pushes, select_ranges, sizes
+from pulling_by_pushing.study.slices import (
+    StudyValues,
+    part_of,
+    pushes,
+    section_of,
+    select_ranges,
+    sizes,
+)
 from pulling_by_pushing.study.store import index_of
 
 Built = xr.Dataset | dict[str, xr.Dataset]
@@ -35,7 +42,7 @@ def build_dataset(name: str, values: StudyValues) -> Built:
     if name == "scenes":
         groups: dict[str, xr.Dataset] = build(pushes(values))
         return groups
-    part = part_of(values)
+    part = section_of(name, values) if DATASETS[name].section else part_of(values)
     return apply_declaration(build(part), name, part)
 
 
@@ -53,7 +60,7 @@ def dataset(
     it outdated.
     """
     CORES.set(threads)
-    lengths = {} if name == "scenes" else sizes(name, study)
+    lengths = sizes(name, study)
     parts = blocks(lengths)
     if len(parts) < 2:
         write_built(build_dataset(name, study), path, name, marks)

@@ -7,8 +7,8 @@ from evidence.golden.goldens import dataset_name, golden, names, result
 from pulling_by_pushing.evidence.golden.compare import compare, load_tolerances
 
 COUNT, CHANGE = 1000, 1e-9
-#: Errors of methods and of rounding, which are compared to their size.
-ERRORS = ("accuracy", "hard_cases")
+#: Errors of methods, of rounding and of models, which are compared to their size.
+ERRORS = ("accuracy", "hard_cases", "model_errors", "model_estimates")
 
 
 @pytest.fixture(scope="module")
