@@ -92,7 +92,7 @@ def _rounded(vectors: Any, number: int) -> list[float]:
     """One of several vectors, with 0 for components that are rounding errors beside the largest."""
     import numpy as np
 
-    from planar_pushing.objects.several.solutions import ROUNDING
+    from planar_pushing.mechanics.solutions import ROUNDING
 
     size = np.abs(vectors[np.isfinite(vectors)]).max(initial=0.0)
     vector = vectors[number]
