@@ -244,7 +244,14 @@ def _outcome(rows: Array, problem: Problem, field: Field) -> Any:
 
 
 def _adhesive(rows: Array, problem: Problem, field: Field) -> Any:
-    """Whether the normal force pulls; the normal at a finger rotates with the contact frame."""
+    """Whether the normal force pulls; the normal at a finger rotates with the contact frame.
+
+    Under a law that only pushes, the total force of a disc in a narrow notch can point out of the object,
+    though neither side pulls.
+    """
+    law = problem.scene.law
+    if not np.any(law.rough | (np.sin(law.right) < 0) | (np.sin(law.left) < 0)):
+        return np.zeros(rows.shape[:-1], bool)
     x, normal = np.moveaxis(Columns(LogRow, rows).force, -1, 0)
     size = np.hypot(x, normal)
     if problem.shape == Shape.FINGER:
