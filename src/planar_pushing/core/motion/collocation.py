@@ -23,6 +23,7 @@ from planar_pushing.core.motion.system import (
     LAST_RATES,
     MIDDLE_VALUES,
     MOVING,
+    RATES,
     REACHED,
     STAGE_RATES,
     STATE,
@@ -38,6 +39,8 @@ from planar_pushing.core.numbers import INFINITY, Coefficients, Numbers, zeros
 NODES = 7
 VELOCITIES = MOVING - STILL
 UNKNOWNS = NODES * VELOCITIES
+#: Number of the node near the middle of a step.
+MIDDLE_NODE = 3
 #: The nodes as fractions of the step, zeros of P7 - P6, where Pk is a Legendre polynomial.
 NODE_TIMES = (
     0.029316427159784893, 0.1480785996684843, 0.3369846902811543, 0.5586715187715501,
@@ -185,18 +188,26 @@ def _guess_rates(system: System, size: float) -> None:
 def _write_newton_matrix(
     system: System, mode: Mode, size: float, speed: float, matrix: Numbers
 ) -> None:
-    """Store the derivative of the equations at the nodes with respect to the rates of the velocities."""
-    run, first = system.run, vector_of(system, FIRST_RATES)
-    state, trial, other = (
-        vector_of(system, STATE), vector_of(system, TRIAL), vector_of(system, LAST_RATES)
+    """Store the derivative of the equations at the nodes with respect to the rates of the velocities.
+
+    That of the accelerations is taken at the node in the middle, where the state is guessed.
+    """
+    state, middle, trial = (
+        vector_of(system, STATE), vector_of(system, REACHED), vector_of(system, TRIAL)
     )  # fmt: skip
+    rates, other = vector_of(system, RATES), vector_of(system, LAST_RATES)
+    time = system.run.time + NODE_TIMES[MIDDLE_NODE] * size
+    _add_nodes(system, NODE_WEIGHTS, MIDDLE_NODE, vector_of(system, STAGE_RATES), total=middle)
+    for n in range(system.entries):
+        middle[n] += state[n]
+    write_rates(system, mode, time, state=middle, rates=rates)
     for k in range(VELOCITIES):
         for n in range(system.entries):
-            trial[n] = state[n]
+            trial[n] = middle[n]
         trial[STILL + k] += NUDGE * speed
-        write_rates(system, mode, run.time, state=trial, rates=other)
+        write_rates(system, mode, time, state=trial, rates=other)
         for n in range(VELOCITIES):
-            slope = (other[STILL + n] - first[STILL + n]) / (trial[STILL + k] - state[STILL + k])
+            slope = (other[STILL + n] - rates[STILL + n]) / (trial[STILL + k] - middle[STILL + k])
             for i in range(NODES):
                 for j in range(NODES):
                     same: bool = i == j and k == n

@@ -64,8 +64,8 @@ STEP_ORDER = 8.0
 #: Product of a step and of the fastest rate of relaxation at which stability limits an explicit step, and
 #: the numbers of such steps, and of successive others, after which the motion is stiff, or is not.
 STABLE = 1.0
-STIFF_STEPS = 15
-SMOOTH_STEPS = 6
+STIFF_STEPS = 8
+SMOOTH_STEPS = 4
 
 
 def attempt_step(system: System, mode: Mode) -> float:
