@@ -36,9 +36,9 @@ from planar_pushing.core.motion.integrator import (
     attempt_step,
     begin_steps,
     choose_method,
+    count_relaxations,
     interpolate_state,
     keeps_energy,
-    look_for_stiffness,
     next_size,
     smaller_size,
     smallest_size,
@@ -371,7 +371,7 @@ def _advance(system: System, mode: Mode) -> bool:
             planned = next_size(run, size, error)
             run.planned = min(planned, size) if last_size > 0.0 else planned
             run.last_size, run.last_error = size, error
-            look_for_stiffness(system)
+            count_relaxations(system)
             return True
         if run.kink_side >= 0 and error < WILD and balances:
             look_for_kink(system, mode)

@@ -45,6 +45,7 @@ from planar_pushing.core.numbers import Coefficients, Numbers
 from planar_pushing.core.supports.tolerances import (
     FINEST,
     PART_OF_STEP,
+    PUSHES,
 )
 
 #: Stage near the middle of a step, with a state close to the motion, and its fraction of the step.
@@ -52,8 +53,6 @@ MIDDLE_STAGE = 9
 MIDDLE_PART = 0.6
 #: Largest error of a velocity in a step, relative to the motion.
 COARSEST = 1e-4
-#: Motions slower than this, in units of the typical speed, count as this fast.
-LEAST_SPEED = 1e-100
 #: Largest difference among the rates of the additional stages, relative to those within the step.
 FARTHEST_STAGE = 100.0
 
@@ -230,10 +229,10 @@ def error_norm(system: System, vector: Numbers, start: Numbers, end: Numbers) ->
     return sqrt(total / float(system.entries))
 
 
-def is_limited_by_stability(system: System, limit: float) -> bool:
-    """Whether a step times the fastest rate of relaxation of the velocities exceeds a limit.
+def relaxations_in_step(system: System) -> float:
+    """The last step in units of the time in which friction lets a change of the velocities decay.
 
-    Two states at the end of the step, and their rates, give the rate (Hairer and Wanner, Solving Ordinary
+    Two states at the end of the step, and their rates, give this time (Hairer and Wanner, Solving Ordinary
     Differential Equations II, 2nd edition, 1996, Sec. IV.2).
     """
     entries, rates = system.entries, vector_of(system, STAGE_RATES)
@@ -252,15 +251,16 @@ def is_limited_by_stability(system: System, limit: float) -> bool:
         rate = rates[STEP_STAGES * entries + k] - rates[last * entries + k]
         distance = reached[k] - state[k] - trial[k]
         change, apart = change + rate * rate, apart + distance * distance
-    return change > limit * limit * apart
+    return sqrt(change / apart) if apart > 0.0 else 0.0
 
 
 def current_speed(system: System, mode: Mode) -> float:
-    """Size of the motion at the start of the step, from 1e-100 of the typical one."""
+    """Size of the motion at the start of the step; a typical one for a slider at rest."""
     state = vector_of(system, STATE)
     x, y = pusher_velocity(system, mode.during, system.run.time, state)
     x, y = x + state.slip_speed, y + state.normal_speed
-    return max(size_of_twist(x, y, state.spin), LEAST_SPEED * system.run.speed)
+    speed = size_of_twist(x, y, state.spin)
+    return speed if speed >= PUSHES * system.run.speed else system.run.speed
 
 
 def scale_velocities(system: System, mode: Mode) -> None:

@@ -1,6 +1,7 @@
 """Steps of a motion, their sizes, and the choice between the explicit method and the implicit one.
 
-A mode begins with explicit steps. Where stability limits them, implicit steps follow until it ends.
+A mode begins with explicit steps. If it lasts long beside the time in which friction lets a change of the
+velocities decay, implicit steps follow until it ends.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from planar_pushing.core.motion.explicit import (
     attempt_explicit_step,
     error_norm,
     interpolate_explicit_step,
-    is_limited_by_stability,
+    relaxations_in_step,
 )
 from planar_pushing.core.motion.fence import fence_displacement
 from planar_pushing.core.motion.mode import REST, Mode
@@ -61,11 +62,8 @@ CAUTIOUS = 4.0
 SMALLEST_STEP = 1e-300
 #: Order of the error of a step.
 STEP_ORDER = 8.0
-#: Product of a step and of the fastest rate of relaxation at which stability limits an explicit step, and
-#: the numbers of such steps, and of successive others, after which the motion is stiff, or is not.
-STABLE = 1.0
-STIFF_STEPS = 8
-SMOOTH_STEPS = 4
+#: Number of relaxation times after which a mode that still needs explicit steps is stiff.
+RELAXED = 30.0
 
 
 def attempt_step(system: System, mode: Mode) -> float:
@@ -88,25 +86,20 @@ def begin_steps(system: System, mode: Mode, end: float) -> None:
     run = system.run
     run.planned = _first_size(system, mode, end)
     run.last_size, run.fresh = 0.0, False
-    run.implicit, run.extends, run.stiff, run.smooth = False, False, 0, 0
+    run.implicit, run.extends, run.relaxations = False, False, 0.0
 
 
 def choose_method(run: Run) -> None:
     """Take implicit steps from now on if the motion is stiff."""
     run.extends = run.implicit
-    run.implicit = run.implicit or run.stiff >= STIFF_STEPS
+    run.implicit = run.implicit or run.relaxations > RELAXED
 
 
-def look_for_stiffness(system: System) -> None:
-    """Note whether stability limits the last step (Hairer and Wanner II, Sec. IV.2)."""
-    run = system.run
-    if run.implicit or not is_massive(system):
-        return
-    if is_limited_by_stability(system, STABLE):
-        run.stiff, run.smooth = run.stiff + 1, 0
-    else:
-        run.smooth += 1
-        run.stiff = run.stiff if run.smooth < SMOOTH_STEPS else 0
+def count_relaxations(system: System) -> None:
+    """Add the last step to the number of relaxation times that the mode has lasted."""
+    if is_massive(system) and not system.run.implicit:
+        relaxations = system.run.relaxations
+        system.run.relaxations = relaxations + relaxations_in_step(system)
 
 
 def _energy_given(system: System, mode: Mode, time: float, state: RunState) -> float:

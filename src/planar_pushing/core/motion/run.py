@@ -233,8 +233,8 @@ class Run(Record):
         Whether a mode has just begun; whether the dense output of the step is known.
     implicit, extends : bool
         Whether steps are implicit; whether the last step was, so that its polynomial extends into the next.
-    stiff, smooth : int
-        Explicit steps that stability limits, and successive ones that it does not.
+    relaxations : float
+        Number of relaxation times that the mode has lasted.
     evaluations : int
         Of the motion.
     parted, low, high : bool, float, float
@@ -306,8 +306,7 @@ class Run(Record):
     prepared: bool
     implicit: bool
     extends: bool
-    stiff: int
-    smooth: int
+    relaxations: float
     evaluations: int
     parted: bool
     low: float
