@@ -260,10 +260,10 @@ def _solve_nodes(system: System, mode: Mode, size: float, matrix: Numbers, order
             return True
         if contraction < 1.0 and largest * contraction < SOLVED * (1.0 - contraction):
             return True
-        if iteration > 1 and contraction >= 1.0:
-            return largest < NEARLY_SOLVED
         last = largest
-    return False
+        if iteration > 1 and contraction >= 1.0:
+            break
+    return last < NEARLY_SOLVED
 
 
 def _factor(matrix: Numbers, order: Numbers) -> bool:

@@ -349,14 +349,14 @@ def _advance(system: System, mode: Mode) -> bool:
     if run.kink_side < 0 and run.time >= run.kink:
         run.kink_side = 1
     rates, smallest = vector_of(system, FIRST_RATES), smallest_size(run.time)
-    if is_massive(system):
-        scale_velocities(system, mode)
     if run.fresh:
         write_rates(system, mode, run.time, vector_of(system, STATE), rates)
         begin_steps(system, mode, end)
     else:
         copy_numbers(rates, vector_of(system, LAST_RATES), system.entries)
         choose_method(run)
+    if is_massive(system):
+        scale_velocities(system, mode)
     size, last_size, last_error = max(run.planned, smallest), 0.0, 0.0
     speed = sqrt(rates.along * rates.along + rates.gap * rates.gap)
     longest = longest_step(system, mode, guards_of(system, VALUES)[PENETRATES], speed)

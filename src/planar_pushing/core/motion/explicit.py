@@ -52,7 +52,9 @@ from planar_pushing.core.supports.tolerances import (
 MIDDLE_STAGE = 9
 MIDDLE_PART = 0.6
 #: Largest error of a velocity in a step, relative to the motion.
-COARSEST = 1e-4
+COARSEST = 1e-6
+#: Error of a velocity, relative to the motion, that is not reduced in a stiff motion, which soon forgets it.
+RESOLVED_SPEED = 1e-12
 #: Largest difference among the rates of the additional stages, relative to those within the step.
 FARTHEST_STAGE = 100.0
 
@@ -266,5 +268,8 @@ def current_speed(system: System, mode: Mode) -> float:
 def scale_velocities(system: System, mode: Mode) -> None:
     """Let the errors of velocities be small beside a slow motion, whose direction friction opposes."""
     scales, speed = vector_of(system, SCALES), current_speed(system, mode)
-    size = min(COARSEST * speed / tolerance_of_step(system), SPEED_PART * system.run.speed)
+    tolerance = tolerance_of_step(system)
+    size = min(COARSEST * speed / tolerance, SPEED_PART * system.run.speed)
+    if system.run.implicit:
+        size = max(size, RESOLVED_SPEED * speed / tolerance)
     scales.slip_speed, scales.normal_speed, scales.spin = size, size, size

@@ -19,6 +19,7 @@ from planar_pushing.core.motion.explicit import (
     error_norm,
     interpolate_explicit_step,
     relaxations_in_step,
+    scale_velocities,
 )
 from planar_pushing.core.motion.fence import fence_displacement
 from planar_pushing.core.motion.mode import REST, Mode
@@ -84,9 +85,12 @@ def interpolate_state(system: System, mode: Mode, time: float, result: Numbers) 
 def begin_steps(system: System, mode: Mode, end: float) -> None:
     """Plan the first step of a mode with known rates at its start; it is explicit."""
     run = system.run
+    run.implicit = False
+    if is_massive(system):
+        scale_velocities(system, mode)
     run.planned = _first_size(system, mode, end)
     run.last_size, run.fresh = 0.0, False
-    run.implicit, run.extends, run.relaxations = False, False, 0.0
+    run.extends, run.relaxations = False, 0.0
 
 
 def choose_method(run: Run) -> None:
