@@ -1,10 +1,11 @@
-"""The coefficients of DOP853, against those of scipy and the conditions that make its order 8."""
+"""The coefficients of DOP853 and of collocation, against scipy and the conditions for their orders."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 from scipy.integrate import DOP853
+from scipy.special import roots_jacobi
 
 from planar_pushing.core.instant.tableau import (
     DENSE_WEIGHTS,
@@ -13,6 +14,13 @@ from planar_pushing.core.instant.tableau import (
     STAGE_WEIGHTS,
     STEP_STAGES,
     THIRD_ERROR,
+)
+from planar_pushing.core.motion.collocation import (
+    MIDDLE_NODE,
+    NODE_LEGENDRE,
+    NODE_TIMES,
+    NODE_WEIGHTS,
+    NODES,
 )
 
 STAGES = len(STAGE_TIMES)
@@ -58,3 +66,25 @@ def test_errors_of_a_constant_rate_are_zero():
     for error in (FIFTH_ERROR, THIRD_ERROR):
         assert sum(error) == pytest.approx(0, abs=1e-14)
         assert np.dot(error, C[: len(error)]) == pytest.approx(0, abs=1e-14)
+
+
+def test_the_nodes_are_those_of_radau():
+    """Zeros of a Jacobi polynomial, and the right end."""
+    zeros, _ = roots_jacobi(NODES - 1, 1, 0)
+    assert pytest.approx([*(zeros + 1) / 2, 1.0], abs=1e-15) == NODE_TIMES
+    assert abs(NODE_TIMES[MIDDLE_NODE] - 0.5) == min(abs(np.array(NODE_TIMES) - 0.5))
+
+
+def test_collocation_integrates_polynomials():
+    """Up to each node those of degree 6, and over the step those of degree 12."""
+    nodes, weights = np.array(NODE_TIMES), np.reshape(NODE_WEIGHTS, (NODES, NODES))
+    for degree in range(2 * NODES - 1):
+        integrals = weights @ nodes**degree - nodes ** (degree + 1) / (degree + 1)
+        assert np.abs(integrals if degree < NODES else integrals[-1:]).max() < 1e-15
+
+
+def test_the_coefficients_of_legendre_polynomials_give_the_values_at_the_nodes():
+    values = np.polynomial.legendre.legvander(2 * np.array(NODE_TIMES) - 1, NODES - 1)
+    np.testing.assert_allclose(
+        values @ np.reshape(NODE_LEGENDRE, (NODES, NODES)), np.eye(NODES), atol=1e-14
+    )

@@ -12,6 +12,7 @@ import pytest
 from mechanics.degenerate import RANDOM
 from simulation.random_runs import random_run
 from simulation.scenes import METHODS, SCENES
+from simulation.test_stiff import SUPPORTS, push
 
 import planar_pushing as pp
 
@@ -52,6 +53,12 @@ def test_runs_between_events(both, name):
 @pytest.mark.parametrize("name", STEPPED)
 def test_runs_by_steps(both, name):
     compare(both, name, TIME_STEPS)
+
+
+@pytest.mark.parametrize("support", SUPPORTS)
+def test_a_slow_push_in_implicit_steps(both, support):
+    push(SUPPORTS[support], 0.062, 120.0, 0.003, 0.3, rtol=1e-8)
+    assert "run_events" in both.results
 
 
 def test_a_batch(both):

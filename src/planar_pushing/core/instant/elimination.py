@@ -1,4 +1,4 @@
-"""Systems of five linear equations, by elimination that tracks bounds on the errors of its numbers."""
+"""Linear equations: five with bounds on the errors of their numbers, and any number, once factored."""
 
 from __future__ import annotations
 
@@ -70,16 +70,18 @@ def _eliminate(top: Numbers, top_noise: Numbers, row: Numbers, noise: Numbers, k
         noise[j] += fabs(factor) * top_noise[j] + fabs(top[j] / top[k]) * unsure
 
 
-def solve_factored(matrix: Numbers, order: Numbers, right: Numbers, solution: Numbers) -> None:
-    """Solve a system with a factored matrix."""
-    for i in range(SIDE):
+def solve_factored(
+    matrix: Numbers, order: Numbers, right: Numbers, solution: Numbers, count: int
+) -> None:
+    """Solve a number of equations with a factored matrix."""
+    for i in range(count):
         total = right[int(order[i])]
         for j in range(i):
-            total -= matrix[SIDE * i + j] * solution[j]
+            total -= matrix[count * i + j] * solution[j]
         solution[i] = total
-    for k in range(SIDE):
-        i = SIDE - 1 - k
+    for k in range(count):
+        i = count - 1 - k
         total = solution[i]
-        for j in range(i + 1, SIDE):
-            total -= matrix[SIDE * i + j] * solution[j]
-        solution[i] = total / matrix[SIDE * i + i]
+        for j in range(i + 1, count):
+            total -= matrix[count * i + j] * solution[j]
+        solution[i] = total / matrix[count * i + i]

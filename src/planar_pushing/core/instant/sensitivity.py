@@ -312,7 +312,7 @@ def _write_responses(state: State, known: int, parameters: int, result: Numbers)
         _write_change(state, k, right)
         if open_force and _makes_point_slide(state, right[3], right[4]):
             continue
-        solve_factored(matrix, order, right, change)
+        solve_factored(matrix, order, right, solution=change, count=SIDE)
         x, y = change[0], change[1]
         result[1 + k] = state.t_x * x + state.t_y * y
         result[1 + parameters + k] = state.t_x * y - state.t_y * x

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from math import fabs, sqrt
 
+from planar_pushing.core.instant.elimination import solve_factored
 from planar_pushing.core.motion.equations import write_rates
 from planar_pushing.core.motion.explicit import MIDDLE_PART, current_speed, error_norm
 from planar_pushing.core.motion.guards import write_guards, write_rates_and_guards
@@ -236,7 +237,7 @@ def _solve_nodes(system: System, mode: Mode, size: float, matrix: Numbers, order
                 there[k] = size * there[k] - rates[i * entries + k]
             for k in range(VELOCITIES):
                 right[VELOCITIES * i + k] = there[STILL + k]
-        _solve_triangles(matrix, order, right, change)
+        solve_factored(matrix, order, right, solution=change, count=UNKNOWNS)
         largest = 0.0
         for i in range(NODES):
             for k in range(VELOCITIES):
@@ -290,18 +291,3 @@ def _factor(matrix: Numbers, order: Numbers) -> bool:
                 for j in range(k + 1, UNKNOWNS):
                     matrix[i * UNKNOWNS + j] -= factor * matrix[k * UNKNOWNS + j]
     return True
-
-
-def _solve_triangles(matrix: Numbers, order: Numbers, right: Numbers, solution: Numbers) -> None:
-    """Solve the linear equations of an iteration with the factored matrix."""
-    for i in range(UNKNOWNS):
-        total = right[int(order[i])]
-        for j in range(i):
-            total -= matrix[i * UNKNOWNS + j] * solution[j]
-        solution[i] = total
-    for n in range(UNKNOWNS):
-        i = UNKNOWNS - 1 - n
-        total = solution[i]
-        for j in range(i + 1, UNKNOWNS):
-            total -= matrix[i * UNKNOWNS + j] * solution[j]
-        solution[i] = total / matrix[i * UNKNOWNS + i]

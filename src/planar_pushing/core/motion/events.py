@@ -39,6 +39,7 @@ from planar_pushing.core.motion.integrator import (
     count_relaxations,
     interpolate_state,
     keeps_energy,
+    makes_progress,
     next_size,
     smaller_size,
     smallest_size,
@@ -115,9 +116,6 @@ MOST_EVENTS = 100000.0
 MOST_AT_ONCE = 25.0
 #: Fraction of the duration that counts as no time.
 NO_TIME = 1e-12
-#: Number of steps in which a run must advance by at least this fraction of the duration.
-PATIENCE = 5000
-SMALLEST_PROGRESS = 1e-12
 #: Maximum number of evaluations of the motion in a run: about a minute with inertia.
 MOST_EVALUATIONS = 5e7
 #: A slider slower than this, in units of the typical speed, can be completed to rest in closed form with an
@@ -303,7 +301,7 @@ def _begin_mode(system: System, excluded: int) -> None:
 def _take_step(system: System) -> None:
     """Take one step, and search it for an event."""
     run, mode = system.run, current_mode(system)
-    progresses: bool = _makes_progress(system)
+    progresses: bool = makes_progress(system)
     if run.evaluations > MOST_EVALUATIONS:
         _stop(run, TOO_MUCH_WORK)
     elif progresses and _advance(system, mode):
@@ -330,17 +328,6 @@ def _stop_slider(system: System, mode: Mode) -> None:
     run.cause, run.phase = SLIDER_STOPS, CHANGES
     if reason != GOES_ON:
         _stop(run, reason)
-
-
-def _makes_progress(system: System) -> bool:
-    """Whether the run has advanced since the last check."""
-    run = system.run
-    run.steps += 1
-    if run.steps < PATIENCE:
-        return True
-    elapsed = run.time - run.checked
-    run.steps, run.checked = 0, run.time
-    return elapsed > SMALLEST_PROGRESS * end_of_fence(system.fence)
 
 
 def _advance(system: System, mode: Mode) -> bool:

@@ -53,7 +53,7 @@ MIDDLE_STAGE = 9
 MIDDLE_PART = 0.6
 #: Largest error of a velocity in a step, relative to the motion.
 COARSEST = 1e-6
-#: Error of a velocity, relative to the motion, that is not reduced in a stiff motion, which soon forgets it.
+#: Error of a velocity, relative to the motion, that a stiff motion may always have, since it forgets it.
 RESOLVED_SPEED = 1e-12
 #: Largest difference among the rates of the additional stages, relative to those within the step.
 FARTHEST_STAGE = 100.0

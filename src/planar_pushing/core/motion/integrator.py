@@ -21,7 +21,7 @@ from planar_pushing.core.motion.explicit import (
     relaxations_in_step,
     scale_velocities,
 )
-from planar_pushing.core.motion.fence import fence_displacement
+from planar_pushing.core.motion.fence import end_of_fence, fence_displacement
 from planar_pushing.core.motion.mode import REST, Mode
 from planar_pushing.core.motion.run import Run
 from planar_pushing.core.motion.shapes import (
@@ -63,6 +63,9 @@ CAUTIOUS = 4.0
 SMALLEST_STEP = 1e-300
 #: Order of the error of a step.
 STEP_ORDER = 8.0
+#: Number of steps in which a run must advance by at least this fraction of the duration.
+PATIENCE = 5000
+SMALLEST_PROGRESS = 1e-12
 #: Number of relaxation times after which a mode that still needs explicit steps is stiff.
 RELAXED = 30.0
 
@@ -196,3 +199,14 @@ def smaller_size(size: float, error: float, last_size: float, last_error: float)
         order = min(max(log(last_error / error) / log(last_size / size), 1.0), order)
     factor = SAFETY * exp(-log(error) / order)
     return size * (factor if factor > SHRINK_LIMIT else SHRINK_LIMIT)
+
+
+def makes_progress(system: System) -> bool:
+    """Whether the run has advanced since the last check."""
+    run = system.run
+    run.steps += 1
+    if run.steps < PATIENCE:
+        return True
+    elapsed = run.time - run.checked
+    run.steps, run.checked = 0, run.time
+    return elapsed > SMALLEST_PROGRESS * end_of_fence(system.fence)
