@@ -42,7 +42,7 @@ MARKED, SPEEDS = "base", (0.05, 0.2)
 SMALL, BAND = 1e-3, (0.1, 0.9)
 DASHES, MILLI = (0, (4, 1.5)), 1e3
 #: Limits of errors, of evaluations and of estimates.
-ERRORS, COUNTS, ESTIMATES = (1e-4, 1e3), (80.0, 3e5), (1e-3, 1e4)
+ERRORS, COUNTS, ESTIMATES = (1e-4, 1e3), (50.0, 5e4), (1e-3, 1e4)
 #: Heights of the panels' upper ends and of their titles, as fractions of the figure's.
 TOPS, TITLE = (0.79, 0.9, 0.9), 0.945
 
@@ -154,7 +154,7 @@ def _draw_evaluations(ax: Axes, errors: xr.Dataset) -> None:
     _set_speeds(ax, speeds)
     ax.set(yscale="log", ylim=COUNTS, ylabel="evaluations of the motion")
     ax.annotate(
-        "inertia alone", (speeds[0], inertia), (3, -9), textcoords="offset points", fontsize=NOTE
+        "inertia alone", (speeds[0], inertia), (3, 3), textcoords="offset points", fontsize=NOTE
     )
     ax.legend(loc="upper right", borderaxespad=0.0, labelspacing=0.3)
     ax.text(0.035, 0.03, "friction alone", transform=ax.transAxes, fontsize=NOTE)
