@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.core.motion.run import LogRow
+from planar_pushing.core.motion.kinematics.run import LogRow
 from planar_pushing.mechanics.contact import friction_coefficient
 from planar_pushing.mechanics.kernels.arrays import is_labeled
 from planar_pushing.mechanics.kernels.columns import Columns

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.motion.run import LOG_ROW, LogRow
-from planar_pushing.core.motion.system import (
+from planar_pushing.core.motion.kinematics.run import LOG_ROW, LogRow
+from planar_pushing.core.motion.kinematics.system import (
     GOES_ON,
     INCONSISTENT,
     LAID_DOWN,

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.core.motion.run import INPUTS, Inputs
+from planar_pushing.core.motion.kinematics.run import INPUTS, Inputs
 from planar_pushing.core.supports.chain import CHAIN_PIECE
 from planar_pushing.core.supports.rows import LOAD, MASS
 from planar_pushing.mechanics.kernels.columns import Columns, row_of

@@ -10,8 +10,8 @@ import numpy as np
 import xarray as xr
 from xarray.indexes import PandasIndex
 
-from planar_pushing.core.motion.mode import NO_MODE
-from planar_pushing.core.motion.run import LogRow
+from planar_pushing.core.motion.kinematics.mode import NO_MODE
+from planar_pushing.core.motion.kinematics.run import LogRow
 from planar_pushing.mechanics.entries import scene_entry, to_json, versions
 from planar_pushing.mechanics.kernels.arrays import flag_attributes
 from planar_pushing.mechanics.plane import direction

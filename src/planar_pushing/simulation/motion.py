@@ -17,8 +17,12 @@ import numpy as np
 import numpy.typing as npt
 from numpy.polynomial import chebyshev
 
-from planar_pushing.core.motion.fence import ACCELERATION_SERIES, MEAN_SERIES, VELOCITY_SERIES
-from planar_pushing.core.motion.run import PIECE, SERIES_OF_PIECE, PusherPiece
+from planar_pushing.core.motion.kinematics.fence import (
+    ACCELERATION_SERIES,
+    MEAN_SERIES,
+    VELOCITY_SERIES,
+)
+from planar_pushing.core.motion.kinematics.run import PIECE, SERIES_OF_PIECE, PusherPiece
 from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.terms.errors import (
     InvalidValue,

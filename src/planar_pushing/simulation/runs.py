@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.motion.run import LOG_ROW, LogRow, PusherPiece
-from planar_pushing.core.motion.run import Run as Memory
-from planar_pushing.core.motion.system import memory_size
+from planar_pushing.core.motion.kinematics.run import LOG_ROW, LogRow, PusherPiece
+from planar_pushing.core.motion.kinematics.run import Run as Memory
+from planar_pushing.core.motion.kinematics.system import memory_size
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.kernels.arrays import in_threads
 from planar_pushing.mechanics.kernels.calls import run_into

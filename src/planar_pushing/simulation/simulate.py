@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from planar_pushing.core.motion.run import LogRow
+from planar_pushing.core.motion.kinematics.run import LogRow
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.mechanics.scene import Scene, require_scene, require_single
 from planar_pushing.simulation.early_end import warn_of_early_end

@@ -9,7 +9,7 @@ from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
-from planar_pushing.core.motion.run import LogRow
+from planar_pushing.core.motion.kinematics.run import LogRow
 from planar_pushing.mechanics.contact import ContactMode
 from planar_pushing.simulation.early_end import UNTIL
 from planar_pushing.simulation.fields import arrays, logged_fields

@@ -15,7 +15,7 @@ from planar_pushing.core.instant.tableau import (
     STEP_STAGES,
     THIRD_ERROR,
 )
-from planar_pushing.core.motion.collocation import (
+from planar_pushing.core.motion.integration.collocation import (
     MIDDLE_NODE,
     NODE_LEGENDRE,
     NODE_TIMES,

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 import numpy.typing as npt
 
-from planar_pushing.core.motion.run import LogRow
+from planar_pushing.core.motion.kinematics.run import LogRow
 from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.simulation.fields import Stop
 from planar_pushing.simulation.problem import Problem

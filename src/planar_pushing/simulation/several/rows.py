@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from planar_pushing.core.motion.run import LOG_ROW, LogRow
+from planar_pushing.core.motion.kinematics.run import LOG_ROW, LogRow
 from planar_pushing.mechanics.contact import ContactMode, Law, in_numbers
 from planar_pushing.mechanics.kernels.arrays import flag_attributes
 from planar_pushing.mechanics.kernels.columns import Columns

@@ -1,0 +1,1 @@
+"""Motion over time: from event to event, or in equal steps."""
