@@ -11,7 +11,7 @@ farthest point. The pose changes by less than `FACTOR` times S + D.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -22,7 +22,9 @@ from planar_pushing.mechanics.force.wrench import wrench
 from planar_pushing.mechanics.outline.chains import BETA0, BETA1, RHO, X, Y
 from planar_pushing.mechanics.plane import Array, Frame, direction
 from planar_pushing.mechanics.scene import Scene
-from planar_pushing.simulation.pusher import Pusher
+
+if TYPE_CHECKING:
+    from planar_pushing.simulation.pusher import Pusher
 
 #: Largest change of a pose divided by its estimate S + D, with a margin: in random pushes of boxes the
 #: largest ratios were 3.6 for inertia, 6.7 for loads and 0.7 for viscous friction.

@@ -32,7 +32,7 @@ CORE = "planar_pushing.core"
 #: Endings of data files that count for all modules beside them.
 DATA = (".yaml", ".mplstyle", ".json", ".csv")
 #: Facts about files, kept from one run to the next for this version of Python, and their format.
-CACHE, FORMAT = Path(".snakemake/code.json"), [1, *sys.version_info[:2]]
+CACHE, FORMAT = Path(".snakemake/code.json"), [2, *sys.version_info[:2]]
 
 #: Digest of a file, names of the modules that it imports, and its time and size when it was read.
 Facts = dict[str, Any]
@@ -59,6 +59,7 @@ def closure(modules: Iterable[str]) -> set[str]:
         if name not in reached:
             reached.add(name)
             ahead += _facts(_path(name))["imports"]
+            ahead += _modules_of_core() if name == CORE else []
     return reached
 
 
@@ -92,7 +93,7 @@ def keep_facts() -> None:
 
 def forget_facts() -> None:
     """Forget what was read in this process; files are then examined again."""
-    for function in (code_of, _stored_facts, _facts, _path, _data_files):
+    for function in (code_of, _stored_facts, _facts, _path, _modules_of_core, _data_files):
         function.cache_clear()
 
 
@@ -128,6 +129,14 @@ def _path(name: str) -> Path:
 
 
 @cache
+def _modules_of_core() -> list[str]:
+    """Names of all modules of the core; they are not kept, since a file can come or go."""
+    folder = _path(CORE).parent
+    paths = sorted(path.relative_to(folder) for path in folder.rglob("[!_]*.py"))
+    return [".".join([CORE, *path.with_suffix("").parts]) for path in paths]
+
+
+@cache
 def _data_files(folder: Path) -> list[Path]:
     return [file for file in folder.iterdir() if file.suffix in DATA and file.is_file()]
 
@@ -160,10 +169,6 @@ def _imports(tree: ast.AST) -> Iterator[str]:
             yield from filter(_is_ours, (alias.name for alias in node.names))
         elif isinstance(node, ast.ImportFrom) and node.module and _is_ours(node.module):
             yield node.module
-            if node.module == CORE:
-                folder = _path(CORE).parent
-                for path in folder.rglob("[!_]*.py"):
-                    yield ".".join([CORE, *path.relative_to(folder).with_suffix("").parts])
             yield from filter(_is_ours, (f"{node.module}.{alias.name}" for alias in node.names))
 
 
