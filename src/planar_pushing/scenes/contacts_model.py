@@ -26,6 +26,7 @@ from planar_pushing.scenes.simulate_model import (
     WallEntry,
     policies_of,
 )
+from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.simulation.walls import Wall
 from planar_pushing.terms.declared import Pair, finite
 from planar_pushing.terms.domain import DURATION, RTOL, SAMPLE_COUNT
@@ -208,7 +209,7 @@ class ContactsFile(FileModel):
         contacts = [entry.build() for entry in self.contacts]
         outline = self.object.built_outline
         if self.simulate is not None:
-            pushers = [entry.build_pusher() for entry in self.simulate.pushers]
+            pushers = [Pusher(**entry.arguments_of_pusher) for entry in self.simulate.pushers]
             contacts = contacts_at_start(contacts, pushers, outline=outline, **self.simulate.world)
         return {"contacts": contacts, "effects": self._effects(), "outline": outline}
 
@@ -216,7 +217,7 @@ class ContactsFile(FileModel):
         """Arguments of `simulate_contacts`; angles in radians."""
         return {
             "contacts": [entry.build() for entry in self.contacts],
-            "pushers": [entry.build_pusher() for entry in section.pushers],
+            "pushers": [Pusher(**entry.arguments_of_pusher) for entry in section.pushers],
             "effects": self._effects(),
             "outline": self.object.built_outline,
             "duration": section.duration,

@@ -20,7 +20,6 @@ from planar_pushing.scenes.fields import (
     ShapeName,
     refuse_key,
 )
-from planar_pushing.simulation.pusher import Pusher
 from planar_pushing.terms.domain import FINGER_RADIUS
 from planar_pushing.terms.options import PusherFrame, Shape
 
@@ -96,15 +95,16 @@ class Moving(FileModel):
         speed = 1.0 if speed is None else speed
         return (PieceEntry(time=0.0, angle=self._value("angle"), speed=speed),)
 
-    def build_pusher(self) -> Pusher:
-        """The pusher, from its velocities or its waypoints."""
+    @property
+    def arguments_of_pusher(self) -> dict[str, Any]:
+        """Keyword arguments of `Pusher`, with its velocities or its waypoints."""
         kind: dict[str, Any] = {name: self._value(name) for name in ("shape", "frame")}
         if (radius := self._value("radius")) is not None:
             kind["radius"] = radius
         if (waypoints := self._value("waypoints")) is not None:
             positions = [(waypoint.time, (waypoint.x, waypoint.y)) for waypoint in waypoints]
-            return Pusher(waypoints=positions, **kind)
-        return Pusher(velocity=[(piece.time, velocity(piece)) for piece in self.pieces], **kind)
+            return kind | {"waypoints": positions}
+        return kind | {"velocity": [(piece.time, velocity(piece)) for piece in self.pieces]}
 
 
 def _leg(here: WaypointEntry, there: WaypointEntry) -> PieceEntry:

@@ -43,7 +43,7 @@ def arguments(entry: SimulateEntry) -> dict[str, Any]:
     """Keyword arguments of `simulate`; angles in radians."""
     twist, pose, until = entry.initial_twist, entry.object_pose, entry.until
     return {
-        "pusher": entry.build_pusher(),
+        "pusher": Pusher(**entry.arguments_of_pusher),
         "duration": entry.duration,
         "method": entry.method,
         "rtol": entry.rtol,
