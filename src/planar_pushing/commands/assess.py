@@ -7,8 +7,8 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from planar_pushing.commands.words import Commands, add_scene, command, require_ending
-from planar_pushing.terms.errors import require_name, require_number
+from planar_pushing.commands.words import Commands, add_scene, command, naming_file, require_ending
+from planar_pushing.terms.errors import InvalidValue, require_name, require_number
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -56,9 +56,13 @@ def assess_scene(args: argparse.Namespace) -> dict[str, Any]:
     from planar_pushing.scenes.files import load_scene_file
     from planar_pushing.scenes.simulate import assessed_push
 
-    push = assessed_push(load_scene_file(args.scene))
+    file = load_scene_file(args.scene)
+    with naming_file(args.scene):
+        push = assessed_push(file)
     for name in args.candidate or ():
         remedy = "list it under candidates in the section simulate"
+        if not push.candidates:
+            raise InvalidValue("candidate", name, "none, as the file lists no candidates", remedy)
         require_name("candidate", name, push.candidates, remedy)
     names = args.candidate or push.candidates
     assessment = assess_push(

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator
-from contextlib import contextmanager
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from planar_pushing.commands.words import numbers, table, with_unit
-from planar_pushing.terms.errors import InvalidFile, InvalidValue
+from planar_pushing.commands.words import naming_file, numbers, table, with_unit
+from planar_pushing.terms.errors import InvalidValue
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -36,21 +33,12 @@ def refuse_options(args: argparse.Namespace, names: tuple[str, ...]) -> None:
             raise InvalidValue(name, value, "none with contacts in the scene file", remedy)
 
 
-@contextmanager
-def _naming(path: Path) -> Iterator[None]:
-    """Name the file in the refusal of contacts that only the solver or a run can refuse."""
-    try:
-        yield
-    except InvalidValue as error:
-        raise InvalidFile(f"{path}: {error}") from None
-
-
 def solutions(file: ContactsFile, args: argparse.Namespace) -> dict[str, Any]:
     """Outcome and solutions of a file with several contacts."""
     from planar_pushing.objects.several.solve_contacts import solve_contacts
 
     refuse_options(args, ("pusher_angle", "pusher_magnitude"))
-    with _naming(args.scene):
+    with naming_file(args.scene):
         answer: ContactsSolutions = solve_contacts(**file.build())
     entries: dict[str, Any] = {"outcome": answer.outcome.name, "status": answer.status.name}
     if answer.reason is not None:
@@ -126,7 +114,7 @@ def draw(file: ContactsFile, args: argparse.Namespace) -> dict[str, Any]:
     from planar_pushing.drawing.files import contacts_picture
 
     refuse_options(args, ("pusher_angle", "pusher_magnitude", "force_angle", "limit_curve"))
-    with _naming(args.scene):
+    with naming_file(args.scene):
         sketch = contacts_picture(file)
     unit = "" if file.units is None else file.units.length
     save_drawn(lambda figure: draw_contacts_on(figure, sketch, unit), SCENE, [args.output])
@@ -151,7 +139,7 @@ def simulate(
         except ValidationError as error:
             raise _invalid(error, given) from None
         file = file.model_copy(update={"simulate": changed})
-    with _naming(args.scene):
+    with naming_file(args.scene):
         log = simulate_contacts_file(file, args.output)
     entries = {"written": str(args.output)} | _summary(log)
     return entries if args.json else _with_units(entries, log)

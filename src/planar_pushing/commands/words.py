@@ -5,7 +5,8 @@ from __future__ import annotations
 import argparse
 import math
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
@@ -354,3 +355,12 @@ def _line(key: str, value: Any, indent: int) -> str:
     if _is_nested(value):
         return f"{' ' * indent}{key}:\n{text(value, indent + 2)}"
     return f"{' ' * indent}{key}: {text(value)}" if key else str(value)
+
+
+@contextmanager
+def naming_file(path: Path) -> Iterator[None]:
+    """Name the file in a refusal of its content that only a computation can raise."""
+    try:
+        yield
+    except InvalidValue as error:
+        raise InvalidFile(f"{path}: {error}") from None

@@ -99,9 +99,13 @@ def assessed_push(file: SceneFile) -> AssessedPush:
         raise InvalidValue("simulate", None, "a section of the scene file", "add it to the file")
     for name, default in NOT_ASSESSED.items():
         if (value := getattr(entry, name)) != default:
-            written = value.model_dump(exclude_none=True) if hasattr(value, "model_dump") else value
+            parts = value if isinstance(value, tuple) else (value,)
+            written = [
+                part.model_dump(exclude_none=True) if hasattr(part, "model_dump") else part
+                for part in parts
+            ]
             raise InvalidValue(
-                f"simulate.{name}", f"{len(value)} of them" if isinstance(value, tuple) else written,
+                f"simulate.{name}", written if isinstance(value, tuple) else written[0],
                 "a push from rest and in contact, without this key",
                 "take it out: the push itself is assessed",
             )  # fmt: skip

@@ -70,20 +70,20 @@ def test_one_candidate_as_json(run, scene):
         ("", "", ("-o", "assessment.txt"),
          "output: 'assessment.txt' given; allowed: a name ending in .nc or .h5; rename the file"),
         ("  duration: 1.6\n", "  duration: 1.6\n  initial_gap: 0.1\n", (),
-         "simulate.initial_gap: 0.1 given; allowed: a push from rest and in contact, without this key; "
+         "{scene}: simulate.initial_gap: 0.1 given; allowed: a push from rest and in contact, without this key; "
          "take it out: the push itself is assessed"),
         ("  duration: 1.6\n", "  duration: 1.6\n  on_ambiguity: separate\n", (),
-         "simulate.on_ambiguity: 'separate' given; allowed: a push from rest and in contact, without this "
+         "{scene}: simulate.on_ambiguity: 'separate' given; allowed: a push from rest and in contact, without this "
          "key; take it out: the push itself is assessed"),
         (SCENE[SCENE.index("simulate") : SCENE.index("units")], "", (),
-         "simulate: None given; allowed: a section of the scene file; add it to the file"),
+         "{scene}: simulate: None given; allowed: a section of the scene file; add it to the file"),
     ],
 )  # fmt: skip
 def test_wrong_input(run, scene, written, instead, arguments, said):
     scene.write_text(SCENE.replace(written, instead, 1) if written else SCENE)
     code, out, err = run("assess", str(scene), *arguments)
     assert (code, out) == (2, "")
-    assert err == f"planar-pushing assess: {said}\n"
+    assert err == f"planar-pushing assess: {said.format(scene=scene)}\n"
 
 
 def test_a_pusher_in_the_world(run, scene):
