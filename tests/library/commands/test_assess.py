@@ -70,11 +70,11 @@ def test_one_candidate_as_json(run, scene):
         ("", "", ("-o", "assessment.txt"),
          "output: 'assessment.txt' given; allowed: a name ending in .nc or .h5; rename the file"),
         ("  duration: 1.6\n", "  duration: 1.6\n  initial_gap: 0.1\n", (),
-         "{scene}: simulate.initial_gap: 0.1 given; allowed: a push from rest and in contact, without this key; "
-         "take it out: the push itself is assessed"),
+         "{scene}: simulate.initial_gap: 0.1 given; allowed: a push from rest and in contact, without "
+         "this key; take it out: the push itself is assessed"),
         ("  duration: 1.6\n", "  duration: 1.6\n  on_ambiguity: separate\n", (),
-         "{scene}: simulate.on_ambiguity: 'separate' given; allowed: a push from rest and in contact, without this "
-         "key; take it out: the push itself is assessed"),
+         "{scene}: simulate.on_ambiguity: 'separate' given; allowed: a push from rest and in contact, "
+         "without this key; take it out: the push itself is assessed"),
         (SCENE[SCENE.index("simulate") : SCENE.index("units")], "", (),
          "{scene}: simulate: None given; allowed: a section of the scene file; add it to the file"),
     ],
