@@ -5,7 +5,7 @@ import pytest
 from mechanics.builders import make_scene
 
 import planar_pushing as pp
-from planar_pushing.core.motion import system
+from planar_pushing.core.motion.kinematics import system
 from planar_pushing.core.motion.kinematics.run import LOG_ROW, LogRow
 from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.simulation.fields import (

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import planar_pushing as pp
-from planar_pushing.core.motion import run
+from planar_pushing.core.motion.kinematics import run
 from planar_pushing.core.supports.rows import EFFECT, LAST, LOAD, MASS, RING, SUPPORT
 from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.mechanics.outline.places import DEPTH

@@ -7,7 +7,7 @@ import pytest
 from mechanics.builders import make_scene
 
 import planar_pushing as pp
-from planar_pushing.core.motion import fence as core
+from planar_pushing.core.motion.kinematics import fence as core
 from planar_pushing.core.motion.kinematics.run import PIECE, SERIES_OF_PIECE, PusherPiece
 from planar_pushing.mechanics.kernels.columns import Columns
 from planar_pushing.simulation.inputs import Scenes, numbers_of
