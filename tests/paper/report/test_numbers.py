@@ -334,7 +334,7 @@ def test_figures_table(figures):
 def test_a_caption_names_the_machine_where_times_are_shown(figures):
     machine = "Machine: Some Processor, number of cores: 6, Python 3.98, NumPy 9.9."
     named = [name for name, entry in figures.items() if "Machine:" in entry["caption"]]
-    assert named == ["accuracy", "effects"]
+    assert named == ["accuracy"]
     for name in named:
         assert figures[name]["caption"] == f"{drawing(name).caption(None)} {machine}"
 

@@ -17,6 +17,16 @@ def _median(errors: xr.Dataset, support: str, left_out: str) -> xr.DataArray:
     return median
 
 
+def speed_in_centimeters(errors: xr.Dataset, speed: float) -> float:
+    """A speed of the dataset, cm/s."""
+    return 1e2 * float(errors.speed.sel(speed=speed))
+
+
+def small_error(errors: xr.Dataset) -> float:
+    """Error that the prose calls small, mm."""
+    return 1e3 * TOLERANCE
+
+
 def first_error(errors: xr.Dataset, support: str, speed: float) -> float:
     """Error of the first push without inertia on a support at a speed, mm."""
     pushed = errors.pose_error.sel(support=support, left_out="inertia", speed=speed)

@@ -92,6 +92,9 @@ EFFECTS: Numbers = {
 
 #: What leaving out an effect changes in a push.
 MODELS: Numbers = {
+    "slow-speed": compute_number(ERRORS, models.speed_in_centimeters, 0.05, unit="cm/s"),
+    "fast-speed": compute_number(ERRORS, models.speed_in_centimeters, 0.2, unit="cm/s"),
+    "small-error": compute_number(ERRORS, models.small_error, unit="mm"),
     "slow-error": magnitude(ERRORS, models.first_error, "base", 0.05, unit="mm"),
     "fast-error": magnitude(ERRORS, models.first_error, "base", 0.2, unit="mm"),
     "disc-speed": magnitude(ERRORS, models.crossing, "disc", "inertia", unit="m/s", digits=0),
