@@ -103,7 +103,7 @@ def solved(matrix, right):
         column[i] = float(number)
     if not elimination.factor_matrix(flat, noise, order):
         return None
-    elimination.solve_factored(flat, order, column, solution)
+    elimination.solve_factored(flat, order, column, solution, SIDE)
     return [solution[i] for i in range(SIDE)]
 
 

@@ -21,7 +21,7 @@ def test_the_plan_is_a_table(capsys):
     assert lines[0].split()[:4] == ["dataset", "points", "chunks", "jobs"]
     assert lines[4].split()[:4] == ["contact_modes", "2,100", "1", "1"]
     assert lines[-2].startswith("together: 7 jobs, ")
-    assert lines[-1] == "not counted: 7 scenes, 3 simulations, 15 figures"
+    assert lines[-1] == "not counted: 7 scenes, 3 simulations, 16 figures"
     assert len(set(map(len, lines[:-2]))) == 1
 
 

@@ -19,6 +19,7 @@ from pulling_by_pushing.study.catalog import (
 )
 from pulling_by_pushing.study.dictionary import QUESTIONS, dictionary_text
 from pulling_by_pushing.study.running.simulations import study_log
+from pulling_by_pushing.study.store import read_dataset
 from pulling_by_pushing.study.studies import PAPER_FILE, SLIDERS_FILE
 from pulling_by_pushing.study.study_file import load_study
 
@@ -71,8 +72,13 @@ def test_each_dataset_has_an_example_on_its_grid():
         study = load_study(SLIDERS_FILE if selected.pop("--study", "") == "sliders" else PAPER_FILE)
         for option, value in selected.items():
             axis = option.removeprefix("--").replace("-", "_")
-            assert axis in DATASETS[name].dims
-            assert value in {typed(each) for each in study.values(axis, name)}, query
+            entry = DATASETS[name]
+            assert axis in (entry.inner if entry.section else entry.dims)
+            if entry.section:
+                values = read_dataset(Path(study.golden) / f"{name}.nc")[axis].values.tolist()
+            else:
+                values = study.values(axis, name)
+            assert value in set(map(typed, values)), query
 
 
 def typed(value):

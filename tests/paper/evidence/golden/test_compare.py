@@ -191,4 +191,6 @@ def test_the_verdict_prints_what_each_dataset_uses_of_what_is_allowed(found, wan
 
 
 def test_the_package_has_tolerances_only_for_what_has_no_radius():
-    assert set(load_tolerances().tolerances) == {"accuracy", "simulations", "supports"}
+    assert set(load_tolerances().tolerances) == {
+        "accuracy", "model_errors", "model_estimates", "simulations", "supports"
+    }  # fmt: skip
