@@ -118,7 +118,7 @@ def outline_circles(scene: Scene) -> Array:
 def _farthest_circles(piece: Array) -> Array:
     """Rows (x, y, radius) of a piece of an outline that can hold the farthest point.
 
-    These are a corner, the circle of an arc of half a turn or more, and points 3 degrees apart on another
+    These are a corner, the circle of an arc of 180 degrees or more, and points 3 degrees apart on another
     arc. A side ends in one of these, and a hollow arc lies between them.
     """
     x, y, radius, start, end = piece[[X, Y, RHO, BETA0, BETA1]]
@@ -206,8 +206,8 @@ def stopping_length(log: xr.Dataset, scene: Scene, inertia: Inertia, circles: Ar
         S, in the scene's unit of length.
     """
     _, twists, angles = _motion(log)
-    arm = _turned(inertia.center, angles)
-    speeds = np.hypot(*_moved(twists, arm).T)
+    arm = _rotate(inertia.center, angles)
+    speeds = np.hypot(*_velocities_at(twists, arm).T)
     moment = inertia.mass * inertia.gyration_radius**2
     center = body_frame(scene).point_out(inertia.center)
     reach = np.max(np.hypot(*(circles[:, :2] - center).T) + circles[:, 2])
@@ -287,19 +287,19 @@ def _wrenches(
     """Forces, shape (intervals, 2), and torques of an effect along a motion, in the fence's axes."""
     steps, middles = np.diff(times), (angles[1:] + angles[:-1]) / 2.0
     if isinstance(effect, Inertia):
-        velocities = _moved(twists, _turned(effect.center, angles))
+        velocities = _velocities_at(twists, _rotate(effect.center, angles))
         force = effect.mass * np.diff(velocities, axis=0) / steps[:, None]
         moment = effect.mass * effect.gyration_radius**2
         spin = moment * np.diff(twists[:, 2]) / steps
-        return force, spin + _torque(_turned(effect.center, middles), force)
+        return force, spin + _torque(_rotate(effect.center, middles), force)
     if isinstance(effect, Load):
         force = np.tile(np.array(effect.force, dtype=float), (len(steps), 1))
         center = (0.0, 0.0) if effect.center is None else effect.center
-        return force, _torque(_turned(center, middles), force)
+        return force, _torque(_rotate(center, middles), force)
     twist = (twists[1:] + twists[:-1]) / 2.0
-    body = _turned(twist[:, :2].T, -middles)
+    body = _rotate(twist[:, :2].T, -middles)
     wrenches = wrench(effect, np.column_stack([body, twist[:, 2]]), scene.slider)
-    return _turned(wrenches[:, :2].T, middles), wrenches[:, 2]
+    return _rotate(wrenches[:, :2].T, middles), wrenches[:, 2]
 
 
 def _first_entries(log: xr.Dataset) -> npt.NDArray[np.int64]:
@@ -316,14 +316,14 @@ def _motion(log: xr.Dataset) -> tuple[Array, Array, Array]:
     return log["time"].values[rows], log["twist"].values[rows], angles
 
 
-def _turned(vector: Any, angle: Array) -> Array:
-    """Pairs of components, turned by angles, with both components last."""
+def _rotate(vector: Any, angle: Array) -> Array:
+    """Rotate pairs of components by angles; both components come last."""
     x, y = (np.asarray(component, dtype=float) for component in vector)
     c, s = np.cos(angle), np.sin(angle)
     return np.stack([x * c - y * s, x * s + y * c], axis=-1)
 
 
-def _moved(twists: Array, arms: Array) -> Array:
+def _velocities_at(twists: Array, arms: Array) -> Array:
     """Velocities of points at arms from the slider's center."""
     spin = twists[:, 2:]
     return twists[:, :2] + spin * np.stack([-arms[:, 1], arms[:, 0]], axis=-1)

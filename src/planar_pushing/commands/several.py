@@ -1,4 +1,4 @@
-"""What the commands `solve`, `draw` and `simulate` do with a scene file of several contacts."""
+"""The commands `solve`, `draw` and `simulate` for a scene file with several contacts."""
 
 from __future__ import annotations
 

@@ -104,7 +104,7 @@ class ContactsPicture:
         return np.array([np.min(corners, axis=0), np.max(corners, axis=0)])
 
     def title(self) -> str:
-        """What the contacts do, in words."""
+        """The modes of the contacts, in words."""
         if self.solution is None:
             reason = self.answer.reason
             return f"no motion: {reason.name.lower()}" if reason else "no consistent motion"

@@ -106,7 +106,7 @@ def _solve(file: ContactsFile) -> Iterator[str]:
     yield ""
     yield f"outline = {outline_code(file.object.outline)}"
     yield f"effects = {code(problem['effects'])}"
-    yield from _listed("contacts", problem["contacts"])
+    yield from _lines_of_list("contacts", problem["contacts"])
     yield "print(pp.solve_contacts(contacts, effects=effects, outline=outline))"
 
 
@@ -115,7 +115,7 @@ def _simulate(file: ContactsFile) -> Iterator[str]:
         return
     settings = file.arguments(file.simulate)
     yield ""
-    yield from _listed("contacts", settings.pop("contacts"))
+    yield from _lines_of_list("contacts", settings.pop("contacts"))
     yield "pushers = ["
     yield from (f"    {_pusher(pusher)}," for pusher in settings.pop("pushers"))
     yield "]"
@@ -126,7 +126,7 @@ def _simulate(file: ContactsFile) -> Iterator[str]:
     yield ")"
 
 
-def _listed(name: str, values: list[Any]) -> Iterator[str]:
+def _lines_of_list(name: str, values: list[Any]) -> Iterator[str]:
     """An assignment of a list, with a line for each entry."""
     yield f"{name} = ["
     yield from (f"    {code(value)}," for value in values)

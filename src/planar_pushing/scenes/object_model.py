@@ -109,7 +109,7 @@ def give_support(content: Any, model: type[BodyEntry]) -> Any:
     simulate = content.get("simulate")
     section = simulate if isinstance(simulate, dict) else {}
     lists = [content.get("effects"), section.get("candidates")]
-    if not any(_rests_on_object(effect) for effects in lists for effect in _listed(effects)):
+    if not any(_rests_on_object(effect) for effects in lists for effect in _entries_of(effects)):
         return content
     support = _support(content.get("object"), model)
     if support is None:
@@ -170,7 +170,7 @@ class ObjectFile(FileModel):
         )
 
 
-def _listed(effects: Any) -> list[Any]:
+def _entries_of(effects: Any) -> list[Any]:
     return effects if isinstance(effects, list) else []
 
 

@@ -55,7 +55,7 @@ def test_evaluations_at_the_slowest_speed(errors):
 def test_cases_that_an_estimate_settles(estimates):
     assert models.random_pushes(estimates) == 2
     assert models.largest_ratio(estimates) == pytest.approx(5e-4 / 1.2e-4)
-    assert models.settled(estimates) == 50.0
-    assert models.missed(estimates) == 0
+    assert models.percentage_settled(estimates) == 50.0
+    assert models.count_missed(estimates) == 0
     estimates.pose_error[0, 0] = 2e-3
-    assert models.missed(estimates) == 1
+    assert models.count_missed(estimates) == 1

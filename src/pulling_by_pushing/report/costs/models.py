@@ -68,12 +68,12 @@ def largest_ratio(estimates: xr.Dataset) -> float:
     return float((estimates.pose_error / estimates.estimate).max())
 
 
-def settled(estimates: xr.Dataset) -> float:
+def percentage_settled(estimates: xr.Dataset) -> float:
     """Percentage of the errors that the estimate tells to be at most a millimeter."""
     return 100.0 * float(_told_small(estimates).mean())
 
 
-def missed(estimates: xr.Dataset) -> float:
+def count_missed(estimates: xr.Dataset) -> float:
     """Number of the errors above a millimeter that the estimate tells to be at most this."""
     return float((_told_small(estimates) & (estimates.pose_error > TOLERANCE)).sum())
 

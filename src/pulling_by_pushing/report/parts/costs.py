@@ -106,6 +106,6 @@ MODELS: Numbers = {
     "slowest-evaluations": magnitude(ERRORS, models.evaluations_ratio, digits=0),
     "estimates": compute_number(ESTIMATES, models.random_pushes),
     "estimates-largest": compute_number(ESTIMATES, models.largest_ratio, digits=1),
-    "estimates-settled": compute_number(ESTIMATES, models.settled, unit="percent"),
-    "estimates-missed": compute_number(ESTIMATES, models.missed),
+    "estimates-settled": compute_number(ESTIMATES, models.percentage_settled, unit="percent"),
+    "estimates-missed": compute_number(ESTIMATES, models.count_missed),
 }
