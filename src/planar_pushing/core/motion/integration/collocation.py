@@ -14,7 +14,14 @@ from math import fabs, sqrt
 
 from planar_pushing.core.instant.elimination import solve_factored
 from planar_pushing.core.motion.integration.explicit import MIDDLE_PART, current_speed, error_norm
+from planar_pushing.core.motion.kinematics.drag import slowest_foot
 from planar_pushing.core.motion.kinematics.mode import Mode
+from planar_pushing.core.motion.kinematics.shapes import (
+    center_motion,
+    pose_of,
+    pusher_velocity,
+    to_body,
+)
 from planar_pushing.core.motion.kinematics.system import (
     DENSE,
     END_VALUES,
@@ -28,13 +35,14 @@ from planar_pushing.core.motion.kinematics.system import (
     STATE,
     STILL,
     TRIAL,
+    RunState,
     System,
     guards_of,
     vector_of,
 )
 from planar_pushing.core.motion.modes.equations import write_rates
 from planar_pushing.core.motion.modes.guards import write_guards, write_rates_and_guards
-from planar_pushing.core.numbers import INFINITY, Coefficients, Numbers, zeros
+from planar_pushing.core.numbers import EPSILON, INFINITY, Coefficients, Numbers, zeros
 
 #: Number of nodes of a step, of velocities, and of unknowns of Newton's method.
 NODES = 7
@@ -88,8 +96,10 @@ FASTEST_CONTRACTION = 0.01
 NEARLY_SOLVED = 0.3
 #: Error of a step whose equations are not solved; the next one has about half its size.
 UNSOLVED_STEP = 200.0
-#: Change of a velocity for a difference quotient, relative to the size of the velocities.
+#: Change of a velocity for a difference quotient, relative to the size of the velocities, and to the speed
+#: of the slowest support point, whose friction depends on its direction.
 NUDGE = 1e-6
+NUDGE_OF_FOOT = 0.1
 #: A step longer than the one before by more than this factor does not begin with its polynomial.
 FARTHEST_GUESS = 3.0
 
@@ -202,10 +212,12 @@ def _write_newton_matrix(
     for n in range(system.entries):
         middle[n] += state[n]
     write_rates(system, mode, time, state=middle, rates=rates)
+    nudge = min(NUDGE * speed, NUDGE_OF_FOOT * _speed_of_slowest_foot(system, mode, time, middle))
+    nudge = max(nudge, 4.0 * EPSILON * speed)
     for k in range(VELOCITIES):
         for n in range(system.entries):
             trial[n] = middle[n]
-        trial[STILL + k] += NUDGE * speed
+        trial[STILL + k] += nudge
         write_rates(system, mode, time, state=trial, rates=other)
         for n in range(VELOCITIES):
             slope = (other[STILL + n] - rates[STILL + n]) / (trial[STILL + k] - middle[STILL + k])
@@ -215,6 +227,15 @@ def _write_newton_matrix(
                     matrix[(VELOCITIES * i + n) * UNKNOWNS + VELOCITIES * j + k] = (
                         1.0 if same else 0.0
                     ) - size * NODE_WEIGHTS[NODES * i + j] * slope
+
+
+def _speed_of_slowest_foot(system: System, mode: Mode, time: float, state: RunState) -> float:
+    """Speed of the slowest support point, infinite without one."""
+    pose = pose_of(system, state)
+    x, y = pusher_velocity(system, mode.during, time, state)
+    x, y = center_motion(pose, x + state.slip_speed, y + state.normal_speed, state.spin)
+    x, y = to_body(pose.rod, x, y)
+    return slowest_foot(system, x, y, state.spin).speed
 
 
 def _solve_nodes(system: System, mode: Mode, size: float, matrix: Numbers, order: Numbers) -> bool:
