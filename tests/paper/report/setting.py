@@ -106,7 +106,7 @@ def check(name: str, **values: object) -> dict[str, object]:
 def cited() -> list[str]:
     """Entries of the ledger to which the sections refer."""
     text = "".join(path.read_text(encoding="utf-8") for path in PAPER.glob("sections/*.typ"))
-    return sorted(set(re.findall(r"#(?:claim|theorem)\(\"([\w-]+)\"", text)))
+    return sorted(set(re.findall(r"\b(?:claim|theorem|verdict-row)\(\"([\w-]+)\"", text)))
 
 
 def claims() -> list[dict[str, object]]:

@@ -128,13 +128,9 @@ def test_the_title_is_not_that_of_the_paper(pdf):
     assert title not in bibliography
 
 
-def test_entries_of_the_ledger_are_listed_in_short_with_their_verdicts(text):
-    assert "3.1 1 Number 0 on" in text  # numbered in the order of the ledger
-    for number, verdict in enumerate(VERDICTS):
-        assert re.search(rf"{number + 1} Number {number} on \S+ and \S+ ?\S? {verdict}", text), (
-            verdict
-        )
-    assert "P1 Short for claim-ours proved" in text
+def test_statements_of_the_paper_have_what_we_find_and_the_verdict_of_the_ledger(text):
+    assert "Pulling and this slip are one phenomenon. proved" in text
+    assert text.count("The contact slips at every magnitude.") == 1
     assert "An argument" not in text  # the manual has the proofs
 
 

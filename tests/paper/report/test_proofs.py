@@ -72,6 +72,13 @@ def in_order():
     return sorted(claims, key=lambda claim: 1 if claim.id in theorems else rank[claim.origin])
 
 
+def test_every_entry_is_listed_in_short_with_its_verdict(setting):
+    text = words(proofs(setting))
+    for number, verdict in enumerate(VERDICTS):
+        assert re.search(rf"Statement {number + 1}: Number {number} on .*? \({verdict}\)", text), verdict
+    assert "Proposition 1: Short for claim-ours (proved)" in text
+
+
 def test_formulas_are_in_mathml(setting):
     setting.write_ledger()
     html = proofs(setting)

@@ -22,7 +22,7 @@ ALLOWED = (
     re.compile(r"\b(?:90|180)°"),
     NUMBER,
     re.compile(r"#(?:eq|eqs|fig|figs)\(\d+(?:, \d+)?\)"),
-    re.compile(r"#(?:claim|theorem)\(\"[\w-]+\""),
+    re.compile(r"#(?:claim|theorem)\(\"[\w-]+\"|\bverdict-row\(\"[\w-]+\""),
     re.compile(r"#sec\((?:\d|\"\d\.\d\")\)"),
     re.compile(r"#paper-figure\(\d+(?:, wide: true)?(?:, width: \d+%)?\)"),
     re.compile(r"#our-fig(?:ure)?\(\"\w+\"(?:, width: \d+%)?\)"),
