@@ -33,7 +33,6 @@ def rows(text):
     [
         ("spin-ratios", "9"),
         ("trapezoid-error", "9.6e-11"),
-        ("ellipsoid-cone-error", "9.6"),
         ("event-driven-error", "2.4e-12"),
         ("time-stepping-error", "8.8e-04"),
         # Least times grow by 1 us along the spin ratios, and by 9 us from setting to setting.

@@ -6,7 +6,13 @@ import numpy as np
 
 from pulling_by_pushing.report.costs import models
 from pulling_by_pushing.report.costs import numbers as costs
-from pulling_by_pushing.report.quantities import Numbers, Quantity, compute_number, magnitude
+from pulling_by_pushing.report.quantities import (
+    Numbers,
+    Quantity,
+    check_number,
+    compute_number,
+    magnitude,
+)
 
 WRENCH, CONE, MOTION = (f"accuracy/{name}" for name in ("wrench", "cone", "motion"))
 WRENCH_TIME, CONE_TIME, MOTION_TIME = (
@@ -39,7 +45,9 @@ ACCURACY: Numbers = {
     "carlson-error": _ulp("Carlson"),
     "trapezoid-error": magnitude(WRENCH, costs.error_at, "trapezoid", 1.0),
     "cone-error": magnitude(CONE, costs.error, "closed form", unit="degree"),
-    "ellipsoid-cone-error": compute_number(CONE, costs.error, "ellipsoid", digits=1, unit="degree"),
+    "ellipsoid-limit": check_number(
+        "motion-of-the-ellipsoid", "ellipsoid-turns-motion", digits=1, unit="degree"
+    ),
     **{
         f"{name}-error": magnitude(MOTION, costs.slip, "motion_error", name, setting, unit="degree")
         for name, setting in RUNS.items()
