@@ -45,7 +45,7 @@ SCENES = {"slipping": "motion: a slip in one mode", "pulling": "motion: a pull, 
 RELATIVE, DEGREES = (1e-18, 1e3), (1e-15, 1e2)
 #: Factors by which the axes of times extend beyond the fastest and the slowest method, for a wrench, a cone
 #: and a run; those of a run leave room for labels.
-BEYOND = {"wrench": (2.5, 2.5), "cone": (2.5, 4.0), "motion": (25.0, 8.0)}
+BEYOND = {"wrench": (2.5, 2.5), "cone": (2.5, 4.0), "motion": (40.0, 8.0)}
 #: Lower and upper ends of the rows, as fractions of the figure's height.
 ROWS = ((0.6, 0.885), (0.095, 0.425))
 #: Names of methods and of their settings in the lower row.
@@ -64,16 +64,13 @@ LABELS = {
 def caption(data: Data) -> str:
     """Caption of the figure."""
     return (
-        "Error against computing time, with a marker for each setting of a method. Top: the friction "
-        "wrench, nearly in a translation, at the spin ratio k = 1e-8, up to a rotation about a point of "
-        "the ring, at k = 1; dotted: rounding error of a double. Bottom: edges of motion cones, where a "
-        "dash is the largest error of the ellipsoid for any rod, arcsin 1/3, and the last rod angle of a "
-        f"slip (Fig. {NUMBERS['slip_over_time']}) and of a pull by a fence that turns from 10° to −10°. "
-        "Filled stars are this work in arrays, and in batches of runs; hollow stars are a call for one "
-        "result. Other methods are timed in arrays as well, except quad, Brent's method and time "
-        "stepping, which are calls for one result. The dotted line is a call for a run without duration, "
-        "which is the cost of its log. A marker is at the shortest time of repeated runs, and a hair "
-        "extends to their median."
+        "Error against computing time for each setting of a method. Top: the friction wrench, from "
+        "nearly a translation, k = 1e-8, to a rotation about a point of the ring, k = 1; dotted: "
+        "rounding error of a double. Bottom: edges of motion cones, dashed the limit for the "
+        f"ellipsoid, and the last rod angle of a slip (Fig. {NUMBERS['slip_over_time']}) and of a pull "
+        "by a fence that turns from 10° to −10°; dotted: a call for a run without duration. Filled "
+        "stars are this work in arrays or batches, hollow ones a call for one result; quad, brentq "
+        "and time stepping are calls, other methods arrays. Hairs extend to medians of repeated runs."
     )
 
 
