@@ -316,7 +316,11 @@ SLIDERS: Quantities = {
 #: the others.
 COSTS: Quantities = {
     "cone_error": ("degree", "largest error of an edge of a motion cone"),
-    "cone_seconds": ("s", "time for both edges of a motion cone, each repeat"),
+    "cone_call_seconds": ("s", "time of a call for both edges of one motion cone, each repeat"),
+    "cone_seconds": (
+        "s",
+        "time for both edges of a motion cone in an array, each repeat; NaN for a method without arrays",
+    ),
     "counted": ("1", "evaluated function: integrand, wrench in closed form, motion, or nothing"),
     "effect": ("1", "effect that is counted"),
     "effects": DATASET["effects"],
@@ -324,7 +328,12 @@ COSTS: Quantities = {
     "integrator": ("1", "method of integration over time"),
     "method": ("1", "method"),
     "motion_error": ("degree", "error of the rod angle at the end of a run"),
-    "motion_seconds": ("s", "time for a run, each repeat"),
+    "log_seconds": ("s", "time of a call for a run without duration, each repeat"),
+    "motion_call_seconds": ("s", "time of a call for one run, each repeat"),
+    "motion_seconds": (
+        "s",
+        "time for a run in a batch of equal runs, each repeat; NaN for a method without batches",
+    ),
     "repeat": ("1", "number of the repeat"),
     "scene": ("1", "scene of a motion over time"),
     "setting": ("1", "number of points or steps, or tolerance; 0 for none"),
@@ -333,7 +342,11 @@ COSTS: Quantities = {
         "1",
         "larger relative error of force and torque; inf where a component is NaN",
     ),
-    "wrench_seconds": ("s", "time for one wrench, each repeat"),
+    "wrench_call_seconds": ("s", "time of a call for one wrench, each repeat"),
+    "wrench_seconds": (
+        "s",
+        "time for one wrench in an array, each repeat; NaN for a method without arrays",
+    ),
 }
 #: The same for the dataset `effects`, which counts in a run.
 EFFECT_COSTS: Quantities = {

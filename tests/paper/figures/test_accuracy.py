@@ -35,8 +35,12 @@ def test_markers_are_at_the_least_times_with_hairs_to_the_medians(
     ax = pictures["accuracy"].axes[panel]
     part = with_times(plotted["accuracy"], quantity).sel(selection)
     times, errors = part[f"{quantity}_seconds"], within(part[f"{quantity}_error"].values, limits)
+    ours = np.isin(part.method.values, ["closed form", "event-driven"])
+    calls = part[f"{quantity}_call_seconds"].min("repeat").values[ours]
     drawn = markers(ax)
-    assert np.array_equal(drawn, ordered(np.column_stack([times.min("repeat"), errors])))
+    shown = np.column_stack([times.min("repeat"), errors])
+    expected = np.concatenate([shown, np.column_stack([calls, errors[ours]])])
+    assert np.array_equal(drawn, ordered(expected))
     hairs = np.concatenate([lines.get_segments() for lines in ax.collections])
     assert np.array_equal(np.sort(hairs[:, 1, 0]), np.sort(times.median("repeat")))
     for values, (low, high) in zip(drawn.T, (ax.get_xlim(), ax.get_ylim()), strict=True):
@@ -67,12 +71,31 @@ def test_every_method_is_named(pictures, plotted):
     """Those of the wrench in the legend, the others in their panels."""
     (legend,) = pictures["accuracy"].legends
     data = plotted["accuracy"]
-    assert {text.get_text() for text in legend.get_texts()} == set(
-        data["accuracy/wrench"].method.values
-    )
+    assert {text.get_text() for text in legend.get_texts()} == {
+        *data["accuracy/wrench"].method.values, "one call"
+    }  # fmt: skip
     for panel, (_, quantity, _) in list(enumerate(PANELS))[CONE:]:
         words = " ".join(text.get_text() for text in pictures["accuracy"].axes[panel].texts)
         assert all(name in words for name in data[f"accuracy/{quantity}"].method.values)
+
+
+def test_times_without_arrays_are_those_of_calls(plotted):
+    data = plotted["accuracy"]
+    for quantity in ("wrench", "cone", "motion"):
+        shown, times = with_times(data, quantity), data[f"accuracy_time/{quantity}"]
+        alone = np.isnan(times[f"{quantity}_seconds"])
+        expected = times[f"{quantity}_call_seconds"].where(alone, times[f"{quantity}_seconds"])
+        assert alone.any()
+        assert np.array_equal(shown[f"{quantity}_seconds"], expected)
+
+
+def test_the_largest_error_of_the_ellipsoid_and_the_time_of_a_log_are_lines(pictures, plotted):
+    lines = [line.get_ydata()[0] for line in pictures["accuracy"].axes[CONE].lines]
+    assert np.rad2deg(np.arcsin(1 / 3)) in lines
+    times = plotted["accuracy"]["accuracy_time/motion"].log_seconds
+    for panel, scene in enumerate(accuracy.SCENES, CONE + 1):
+        lines = [line.get_xdata()[0] for line in pictures["accuracy"].axes[panel].lines]
+        assert float(times.sel(scene=scene).min()) in lines
 
 
 @pytest.mark.parametrize(

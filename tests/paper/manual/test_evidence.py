@@ -27,7 +27,7 @@ SENTENCES = (
     "| refuted | {claims-refuted} |",
     "over the {spin-ratios} spin ratios in the report is {closed-form-error} machine epsilons",
     "are accurate to {cone-error},",
-    "by up to {ellipsoid-cone-error}.",
+    "one third, {ellipsoid-limit}: this",
     "contains {hard-cases} cases",
     "{hard-well} cases are well-conditioned, and {hard-accurate} of these",
     "up to {hard-thin} units in the last place",

@@ -100,7 +100,8 @@ def claim(name: str, *checks: dict[str, object], **values: object) -> dict[str, 
 
 def check(name: str, **values: object) -> dict[str, object]:
     """A check of a claim."""
-    return NOTHING | {"name": name, "verdict": "proved", "how": "An argument with $psi$."} | values
+    known = {"verdict": "proved", "how": "An argument with $psi$.", "means": "identities"}
+    return NOTHING | {"name": name} | known | values
 
 
 def cited() -> list[str]:

@@ -33,19 +33,21 @@ def rows(text):
     [
         ("spin-ratios", "9"),
         ("trapezoid-error", "9.6e-11"),
-        ("ellipsoid-cone-error", "9.6"),
         ("event-driven-error", "2.4e-12"),
         ("time-stepping-error", "8.8e-04"),
         # Least times grow by 1 us along the spin ratios, and by 9 us from setting to setting.
         ("closed-form-time-least", "1000"),
         ("closed-form-time-most", "9000"),
-        ("quad-time-least", str(9 * 32 + 1)),
-        ("quad-time-most", str(9 * 32 + 9)),
+        ("quad-time-least", str(10 * (9 * 32 + 1))),
+        ("quad-time-most", str(10 * (9 * 32 + 9))),
         ("quad-time-ratio", str((9 * 32 + 9) // 9)),
         ("trapezoid-time", "0.2"),
         ("cone-time", "1.0"),
+        ("cone-call-time", "10"),
         ("brentq-time-ratio", "7"),
         ("event-driven-time", "0.0"),
+        ("tolerance-time-ratio", "9.0"),  # of two scenes and five tolerances
+        ("log-time", "2.0"),
         ("hard-cases", "13"),
         ("hard-well", "12"),
         ("hard-ill", "1"),
@@ -93,7 +95,11 @@ def test_each_method_is_shown_at_its_best_setting(results):
 def test_calls_and_the_longest_time_stand_beside_an_error(results):
     found = {row["method"]: row for row in rows(COST_TABLES["accuracy"](results))}
     assert found["hyp2f1"]["calls"] == "\u2013"
-    assert found["hyp2f1"]["time"] == "18 \u00b5s"  # of nine spin ratios, the second row
+    assert (
+        found["hyp2f1"]["time in an array"] == "18 \u00b5s"
+    )  # of nine spin ratios, the second row
+    assert found["hyp2f1"]["time of a call"] == "180 \u00b5s"
+    assert found["quad"]["time in an array"] == "\u2013"
     assert found["event-driven"]["calls"] == "8"
 
 
@@ -105,6 +111,7 @@ def test_calls_and_the_longest_time_stand_beside_an_error(results):
         (0.0101, "10 ms"),
         (3.0, "3.0 s"),
         (2e-10, "0.20 ns"),
+        (float("nan"), "\u2013"),
     ],
 )
 def test_times_as_text(value, text):

@@ -80,6 +80,7 @@ VALUES = {
         "along-normal": "-4.3266944542353924701",
         "difference": "0.042364491403414912815",
     },
+    "motion-of-the-ellipsoid": {"ellipsoid-turns-motion": "19.471220634490691369"},
     "pivots-of-a-tripod": {"span": "70.528779365509308631"},
     "corner-of-a-line": {"span": "306.86989764584402130"},
     "integration-constants": {

@@ -31,7 +31,8 @@ def test_an_entry_has_its_places_its_outcomes_and_its_reason(text):
     assert "Some edge: -20.125°; other edge: 1.5".replace("-", "\u2212") in text
     assert "Eqs. (12), (13), Fig. 5" in text
     assert "Reason. The sign is the other one." in text
-    assert "Proposition 1. A statement. proved Proof. Another argument. Own: 1.375." in text
+    assert "Proposition 1. A statement. proved Proof; a program checks identities." in text
+    assert "Another argument. Own: 1.375." in text
     assert "A part of it. An argument with" in text
     assert "4321 points" in text
 

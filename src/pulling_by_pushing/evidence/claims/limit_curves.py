@@ -14,6 +14,7 @@ from pulling_by_pushing.evidence.proofs.verdicts import (
     facts,
     identity,
     inequality,
+    near,
     together,
 )
 from pulling_by_pushing.oracle.balls import rational
@@ -88,6 +89,52 @@ def tends_to_circle(coefficient: float) -> Evidence:
 def tends_to_segment() -> Evidence:
     """The force across the rod is t W / l < W / l for every l."""
     return together(positive(boxes.loss), lemmas.duality(), lemmas.rising_torque())
+
+
+@proof
+def ellipsoid_turns_motion(
+    angle: float, within: float, spin_ratio: float, missing: float
+) -> Evidence:
+    """Motion directions of ring and ellipsoid differ by less than arcsin(1/3), and come near it at k.
+
+    `missing` is a bound on the difference from arcsin(1/3) at the spin ratio k, degrees.
+    """
+    arm, cosine = ids.ARM, ids.l * ids.ROD_COSINE
+    ellipsoid = tuple(ids.substitute(part, k=ids.b) for part in ids.MOTION)
+    turn = ids.cross(ids.MOTION, (ellipsoid[0], ellipsoid[1]))
+    power = ids.dot(ids.MOTION, (ellipsoid[0], ellipsoid[1]))
+    first, second = (1 + ids.k * ids.a) * (1 + ids.a**2), ids.k * ids.a  # a is the arm h, e is c
+    rest = second * (first - 1) + (2 * ids.k - ids.a) * (2 * ids.a - ids.k)
+    squares = (first + second * ids.e**2) ** 2 - 8 * ids.e**2 * (ids.k - ids.a) ** 2
+    algebra = identity(
+        {
+            "the cross product": ids.normal(turn - cosine * (ids.k - ids.b)),
+            "the scalar product": ids.normal(
+                power - (1 + ids.k * arm) * (1 + ids.b * arm) - ids.k * ids.b * cosine**2
+            ),
+            "squares": squares - (first - second * ids.e**2) ** 2 - 4 * ids.e**2 * rest,
+        }
+    )
+    supremum = _degrees((arb(1) / 3).asin())
+    return together(
+        near(supremum, angle, within, "degree"),
+        algebra,
+        inequality(_largest_turn(arb(rational(spin_ratio))) - supremum + rational(missing)),
+        positive(lambda low, high: 2 * boxes.turn(low, high) - 1 + boxes.loss(low, high)),
+        lemmas.rising_torque(),
+        lemmas.duality(),
+    )
+
+
+def _largest_turn(k: arb) -> arb:
+    """Largest angle between the motions of ring and ellipsoid at a spin ratio, over all rods, degrees."""
+    force, torque = profile(k)
+    arm = torque / force
+    return _degrees(((k - arm) / (2 * (k * arm * (1 + k * arm) * (1 + arm**2)).sqrt())).atan())
+
+
+def _degrees(radians: arb) -> arb:
+    return radians * 180 / arb.pi()
 
 
 @proof

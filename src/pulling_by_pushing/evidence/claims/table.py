@@ -25,7 +25,7 @@ from pulling_by_pushing.oracle.balls import precise
 #: Columns of a check.
 COLUMNS = (
     *("name", "statement", "verdict", "how", "value", "radius", "unit"),
-    *("claimed", "margin", "points", "reason"),
+    *("claimed", "margin", "points", "means", "reason"),
 )
 #: Correct digits of an enclosure that the table prints.
 PRINTED_DIGITS = 20
@@ -122,6 +122,7 @@ def _check(entry: CheckEntry, evidence: Evidence, argument: str) -> Row:
         "claimed": claimed if claimed is not None and math.isfinite(claimed) else None,
         "margin": None if evidence.margin is None else double_below(evidence.margin),
         "points": evidence.points,
+        "means": ", ".join(evidence.means),
         "reason": evidence.reason,
     }
 

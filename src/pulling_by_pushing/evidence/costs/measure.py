@@ -6,10 +6,11 @@ import json
 import os
 import platform
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, partial
 from importlib.metadata import version
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -25,7 +26,9 @@ from pulling_by_pushing.evidence.costs.methods import (
     ROD_ANGLE,
     SCENES,
     SPIN_RATIOS,
+    cones,
     edges,
+    run_of_no_duration,
 )
 from pulling_by_pushing.oracle.balls import at_radians, cross, dot, precise, rational
 from pulling_by_pushing.oracle.body import Body
@@ -40,6 +43,8 @@ from pulling_by_pushing.study.running.build import Attributes, write_built
 
 #: Number of times that each call is timed.
 REPEATS = 5
+#: Number of calls for a single wrench whose mean duration is a repeat.
+SINGLES = 4
 PACKAGES = ("planar-pushing", "numpy", "scipy", "h5py", "python-flint")
 
 
@@ -47,22 +52,30 @@ class Quantity(NamedTuple):
     """A quantity that methods compute for cases along a dimension, or, if it is empty, for a single case.
 
     `arguments` makes the arguments of a method for a case, in a number of copies, each of which has some
-    `results`; `error` compares the results for a case with certified values.
+    `results`; `singles` makes those of calls with one result each; `error` compares the results for a case
+    with certified values.
     """
 
     dim: str
     cases: Sequence[Any]
     arguments: Callable[[Any, int], tuple[Any, ...]]
+    singles: Callable[[Any], Sequence[tuple[Any, ...]]]
     error: Callable[..., float]
     results: int = 1
 
 
 class Call(NamedTuple):
-    """A method at a setting, applied to the arguments of a case; it computes a number of results."""
+    """A method at a setting, applied to a case.
+
+    `run` computes a number of `results` in one call; `calls` compute one result each. `takes_arrays` says
+    whether `run` does so in an array, or one by one.
+    """
 
     run: Callable[[], tuple[Any, ...]]
     case: Any
     results: int
+    calls: Sequence[Callable[[], object]]
+    takes_arrays: bool
 
 
 # --- Certified values, one function for each quantity ---------------------------------------------------
@@ -128,16 +141,23 @@ def motion_error(scene: str, rod_angle: float) -> float:
 
 QUANTITIES = {
     "wrench": Quantity(
-        "spin_ratio", SPIN_RATIOS.tolist(), lambda k, copies: (np.full(copies, k),), wrench_error
+        "spin_ratio",
+        SPIN_RATIOS.tolist(),
+        lambda k, copies: (np.full(copies, k),),
+        lambda k: [(np.full(1, k),)] * SINGLES,
+        wrench_error,
     ),
     "cone": Quantity(
         "",
         (None,),
         lambda _, copies: tuple(np.tile(edges(), copies)),
+        lambda _: cones(),
         cone_error,
         edges()[0].size // 2,
     ),
-    "motion": Quantity("scene", list(SCENES), lambda scene, _: (scene,), motion_error),
+    "motion": Quantity(
+        "scene", list(SCENES), lambda *case: case, lambda scene: [(scene, 1)], motion_error
+    ),
 }
 
 
@@ -151,8 +171,11 @@ def sweep(name: str) -> list[Call]:
         for setting in method.settings:
             copies = max(1, method.batch // max(1, int(setting)))
             for case in quantity.cases:
-                run = partial(method.run, *quantity.arguments(case, copies), setting)
-                calls.append(Call(run, case, copies * quantity.results))
+                run, *singles = (
+                    partial(method.run, *arguments, setting)
+                    for arguments in (quantity.arguments(case, copies), *quantity.singles(case))
+                )
+                calls.append(Call(run, case, copies * quantity.results, singles, method.batch > 0))
     return calls
 
 
@@ -178,22 +201,60 @@ def write_accuracy(path: PathLike, *, marks: Attributes) -> None:
 def accuracy_time() -> dict[str, xr.Dataset]:
     """Times for one result of every method on this machine, a group for each quantity.
 
-    A time for a cone is that of both edges. The attribute `machine` names the processor, its cores and the
-    versions.
+    They are of two kinds: of a result in an array or a batch, NaN for a method without arrays, and of a
+    result in a call of its own. A time for a cone is that of both edges. For motions the time of a run
+    without duration is apart. The attribute `machine` names the processor, its cores and the versions.
     """
     groups = {}
     for name in QUANTITIES:
         calls = sweep(name)
-        results = np.array([call.results for call in calls])
-        times = seconds([call.run for call in calls], REPEATS) / results[:, None]
-        groups[name] = add_machine(
-            _point_dataset(name, "accuracy_time", {f"{name}_seconds": times})
-        )
+        times = {
+            f"{name}_seconds": _array_seconds(calls),
+            f"{name}_call_seconds": _call_seconds(calls),
+        }
+        idle = {} if name != "motion" else {"log_seconds": (("scene", "repeat"), _log_seconds())}
+        groups[name] = add_machine(_point_dataset(name, "accuracy_time", times, idle))
     return groups
 
 
-def _point_dataset(name: str, dataset: str, variables: dict[str, Any]) -> xr.Dataset:
-    """Dataset over `point`, a row for each setting of a method, and the cases, from values of all calls."""
+def _array_seconds(calls: Sequence[Call]) -> Array:
+    """Times of a result in an array, shape (calls, repeats)."""
+    arrays = np.array([call.takes_arrays for call in calls])
+    results = np.array([call.results for call in calls])
+    times = np.full((len(calls), REPEATS), np.nan)
+    times[arrays] = seconds([call.run for call in calls if call.takes_arrays], REPEATS)
+    times /= results[:, None]
+    return times
+
+
+def _call_seconds(calls: Sequence[Call]) -> Array:
+    """Times of a result in a call of its own, shape (calls, repeats)."""
+
+    def run_all(singles: Sequence[Callable[[], object]]) -> None:
+        for single in singles:
+            single()
+
+    counts = np.array([len(call.calls) for call in calls])
+    times = seconds([partial(run_all, call.calls) for call in calls], REPEATS)
+    times /= counts[:, None]
+    return times
+
+
+def _log_seconds() -> Array:
+    """Times of runs without duration, shape (scenes, repeats)."""
+    return seconds([partial(run_of_no_duration, scene) for scene in SCENES], REPEATS)
+
+
+def _point_dataset(
+    name: str,
+    dataset: str,
+    variables: dict[str, Any],
+    further: Mapping[str, Any] = MappingProxyType({}),
+) -> xr.Dataset:
+    """Dataset over `point`, a row for each setting of a method, and the cases, from values of all calls.
+
+    It can contain further variables, given with their dimensions.
+    """
     quantity = QUANTITIES[name]
     rows = [(row.name, setting, row.counted) for row in METHODS[name] for setting in row.settings]
     columns = zip(("method", "setting", "counted"), zip(*rows, strict=True), strict=True)
@@ -207,7 +268,7 @@ def _point_dataset(name: str, dataset: str, variables: dict[str, Any]) -> xr.Dat
         repeats = np.shape(values)[1:]
         data[key] = [*dims, *["repeat" for _ in repeats]], np.reshape(values, (*shape, *repeats))
     return describe(
-        xr.Dataset(data, coords=coords),
+        xr.Dataset({**data, **further}, coords=coords),
         title=EVIDENCE[dataset].capitalize(),
         source={"wrench": "Eqs. (2)-(3)", "cone": "Eqs. (7), (10)-(12)", "motion": "Sec. 3"}[name],
         parameters={"repeats": REPEATS} if dataset == "accuracy_time" else {},

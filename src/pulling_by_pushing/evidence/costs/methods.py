@@ -21,6 +21,7 @@ from planar_pushing.mechanics.scene import Scene
 from planar_pushing.mechanics.slider import Slider
 from planar_pushing.scenes.files import load_scene_file
 from planar_pushing.scenes.simulate import arguments
+from planar_pushing.simulation.batch import simulate_batch
 from planar_pushing.simulation.early_end import quietly
 from planar_pushing.simulation.simulate import simulate
 from planar_pushing.terms.errors import InvalidFile
@@ -46,6 +47,8 @@ TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13)
 #: Tolerances and numbers of steps of a motion.
 STEP_TOLERANCES = tuple(10.0 ** -np.arange(4, 13, 2))
 STEP_COUNTS = (10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0)
+#: A duration as good as zero.
+INSTANT = 1e-9
 TINY, EPS = np.finfo(float).tiny, float(np.finfo(float).eps)
 
 #: Force and torque at spin ratios.
@@ -66,17 +69,19 @@ class Method(NamedTuple):
         Numbers of points or of steps, or tolerances, from coarse to fine; a single 0 for a formula.
     run : callable
         For the wrench, force and torque at spin ratios k >= 0; for a cone, the motion angle in radians from
-        rod length and force angle; for a motion, the final rod angle in degrees of a scene; in all cases
-        followed by the evaluations of each. Arguments of wrench and cone, and results, have shape (n,).
+        rod length and force angle; for a motion, the final rod angle in degrees of a scene, which is
+        repeated in a number of copies; in all cases followed by the evaluations of each. Arguments of
+        wrench and cone, and their results, have shape (n,).
     batch : int
-        Number of copies of the arguments in a timed call; for a rule, times its number of points.
+        Number of copies of the arguments in an array that is timed; for a rule, times its number of points.
+        It is 0 for a method that takes one argument at a time.
     """
 
     name: str
     counted: str
     settings: tuple[float, ...]
     run: Run
-    batch: int = 1
+    batch: int = 0
 
 
 # --- Friction wrench, Eqs. (2)-(3) ----------------------------------------------------------------------
@@ -186,6 +191,13 @@ def edges() -> tuple[Array, Array]:
     return length.ravel(), angle.ravel()
 
 
+def cones() -> list[tuple[Array, Array]]:
+    """Rod length and force angle of the right and the left edge of each cone."""
+    shape = (ROD_LENGTHS.size, 2, FRICTION_COEFFICIENTS.size)
+    length, angle = (np.moveaxis(part.reshape(shape), 1, 2).reshape(-1, 2) for part in edges())
+    return list(zip(length, angle, strict=True))
+
+
 def _closed_edges(length: Array, angle: Array, setting: float) -> tuple[Array, Array]:
     """Motion angles from the mechanics, whose inverse evaluates the ring's wrench once."""
     slider = Slider(rod_length=length, rod_angle=ROD_ANGLE)
@@ -251,11 +263,23 @@ def _problem(scene: str) -> tuple[Scene, dict[str, Any]]:
     return file.build(), {**arguments(file.simulate), "samples": 2}
 
 
-def _event_driven(scene: str, tolerance: float) -> tuple[float, float]:
-    return _simulate(scene, method=Integrator.EVENT_DRIVEN, rtol=tolerance)
+def _event_driven(scene: str, copies: int, tolerance: float) -> tuple[float, float]:
+    """Last rod angle by `simulate`, or of equal runs by `simulate_batch`."""
+    if copies == 1:
+        return _simulate(scene, method=Integrator.EVENT_DRIVEN, rtol=tolerance)
+    slider_scene, settings = _problem(scene)
+    names = ("pusher", "duration", "twist", "on_ambiguity")
+    options = {name: settings[name] for name in names} | {"gap": np.full(copies, settings["gap"])}
+    runs = quietly(simulate_batch)(slider_scene, rtol=tolerance, **options)
+    return float(runs.rod_angle[0]), float(runs.evaluations[0])
 
 
-def _time_stepping(scene: str, steps: float) -> tuple[float, float]:
+def run_of_no_duration(scene: str) -> object:
+    """A run that ends as it begins: what is left of a call of `simulate` is its log."""
+    return _simulate(scene, duration=INSTANT)
+
+
+def _time_stepping(scene: str, copies: int, steps: float) -> tuple[float, float]:
     step = _problem(scene)[1]["duration"] / steps
     return _simulate(scene, method=Integrator.TIME_STEPPING, step=step)
 
@@ -276,7 +300,7 @@ METHODS: dict[str, tuple[Method, ...]] = {
         Method("textbook E and K", "nothing", FORMULA, _dual(_textbook), 2**12),
         Method("trapezoid", "integrand", RULE_POINTS, _rule(_trapezoid), 2**15),
         Method("Gauss-Legendre", "integrand", NODES, _rule(_gauss_legendre), 2**15),
-        Method("quad", "integrand", TOLERANCES, _adaptive, 4),
+        Method("quad", "integrand", TOLERANCES, _adaptive),
         Method("ellipsoid", "nothing", FORMULA, _formula(_ellipsoid), 2**12),
     ),
     "cone": (
@@ -285,7 +309,7 @@ METHODS: dict[str, tuple[Method, ...]] = {
         Method("ellipsoid", "nothing", FORMULA, _through(_ellipsoid_ratios), 2**5),
     ),
     "motion": (
-        Method("event-driven", "motion", STEP_TOLERANCES, _event_driven),
+        Method("event-driven", "motion", STEP_TOLERANCES, _event_driven, 100),
         Method("time-stepping", "motion", STEP_COUNTS, _time_stepping),
     ),
 }

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from flint import arb, fmpq
 
 from pulling_by_pushing.evidence.proofs.mechanics import profile
-from pulling_by_pushing.evidence.proofs.verdicts import Evidence, Verdict
+from pulling_by_pushing.evidence.proofs.verdicts import Evidence, Means, Verdict
 
 OnBox = Callable[[arb, arb], arb]
 
@@ -46,6 +46,7 @@ class Cover:
             unit="1",
             margin=self.smallest,
             points=self.boxes,
+            means=(Means.COVER,),
             reason=reason,
         )
 

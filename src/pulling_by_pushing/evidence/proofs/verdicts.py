@@ -35,6 +35,19 @@ class Verdict(StrEnum):
     REFUTED = "refuted"
 
 
+class Means(StrEnum):
+    """What a program does to check the argument of a claim."""
+
+    #: Polynomials vanish in normal form.
+    IDENTITIES = "identities"
+    #: Exact arithmetic decides truths about finitely many things.
+    FACTS = "exact facts"
+    #: Ball arithmetic decides the sign of a number.
+    INEQUALITIES = "inequalities"
+    #: Ball arithmetic decides the sign of a function on intervals that cover its whole domain.
+    COVER = "an interval cover"
+
+
 def weakest(verdicts: Iterable[Verdict]) -> Verdict:
     """The verdict of a claim with several checks: the weakest of them."""
     return max(verdicts, key=list(Verdict).index)
@@ -45,7 +58,8 @@ class Evidence:
     """Verdict and the numbers that support it; numbers are in `unit`.
 
     The margin is the distance of the `value` from the boundary of the claim, > 0 if it supports it;
-    `points` counts points, boxes or identities; `reason` says why a claim does not hold or is undecided.
+    `points` counts points, boxes or identities; `means` are those of the program, in the order of `Means`;
+    `reason` says why a claim does not hold or is undecided.
     """
 
     verdict: Verdict
@@ -54,6 +68,7 @@ class Evidence:
     claimed: float | None = None
     margin: arb | None = None
     points: int | None = None
+    means: tuple[Means, ...] = ()
     reason: str | None = None
 
     def at_most(self, kind: Verdict) -> Evidence:
@@ -77,7 +92,8 @@ def inequality(
         verdict, reason = Verdict.UNDECIDED, f"the margin {margin.str(6)} contains zero"
     value = margin if value is None else value
     numbers: dict[str, Any] = {"value": value, "unit": unit, "claimed": claimed, "margin": margin}
-    return Evidence(verdict=verdict, points=points, reason=reason, **numbers)
+    means = (Means.INEQUALITIES,)
+    return Evidence(verdict=verdict, points=points, means=means, reason=reason, **numbers)
 
 
 def near(value: arb, claimed: float, within: float, unit: str = "1") -> Evidence:
@@ -94,6 +110,7 @@ def equal(value: arb, claimed: float, exact: Exact | None = None, unit: str = "1
     except Undecided as error:
         return Evidence(verdict=Verdict.UNDECIDED, value=value, unit=unit, reason=str(error))
     numbers: dict[str, Any] = {"value": value, "unit": unit, "claimed": claimed, "points": 1}
+    numbers["means"] = (Means.FACTS,)
     if not side:
         return Evidence(verdict=Verdict.PROVED, margin=arb(0), **numbers)
     reason = f"the number is {value.str(12, radius=False)}"
@@ -103,27 +120,29 @@ def equal(value: arb, claimed: float, exact: Exact | None = None, unit: str = "1
 def identity(differences: Mapping[str, Identity]) -> Evidence:
     """Evidence for polynomial identities: each difference vanishes in normal form."""
     wrong = [f"{name} is off by {rest}" for name, rest in differences.items() if rest != 0]
-    return _decide("; ".join(wrong), len(differences))
+    return _decide("; ".join(wrong), len(differences), Means.IDENTITIES)
 
 
 def facts(holds: Mapping[str, bool], **numbers: Any) -> Evidence:
     """Evidence for decided facts, by name."""
     wrong = ", ".join(name for name, is_so in holds.items() if not is_so)
-    return replace(_decide(wrong and f"false: {wrong}", len(holds)), **numbers)
+    return replace(_decide(wrong and f"false: {wrong}", len(holds), Means.FACTS), **numbers)
 
 
-def _decide(wrong: str, points: int) -> Evidence:
+def _decide(wrong: str, points: int, means: Means) -> Evidence:
     verdict = Verdict.REFUTED if wrong else Verdict.PROVED
-    return Evidence(verdict=verdict, points=points, reason=wrong or None)
+    return Evidence(verdict=verdict, points=points, means=(means,), reason=wrong or None)
 
 
 def together(main: Evidence, *others: Evidence) -> Evidence:
-    """Evidence for several statements together: the numbers of the first, the weakest verdict."""
+    """Evidence for statements together: numbers of the first, the weakest verdict, all means."""
     parts = (main, *others)
+    used = {means for part in parts for means in part.means}
     verdict = weakest(part.verdict for part in parts)
     points = sum(part.points or 0 for part in parts)
     reason = next(part.reason for part in parts if part.verdict is verdict)
-    return replace(main, verdict=verdict, reason=reason, points=points)
+    means = tuple(each for each in Means if each in used)
+    return replace(main, verdict=verdict, reason=reason, points=points, means=means)
 
 
 def smallest(margins: Iterable[arb]) -> arb:

@@ -50,7 +50,7 @@ def caption(data: Data) -> str:
     return (
         f"Errors of the {cases} hard cases in units in the last place (ulp), ordered within each "
         "group from best to worst condition: rings first, then other supports. A stroke is the "
-        "condition number, the error caused by half an ulp in the inputs; shaded: up to four ulp. "
+        "condition number: rounding of the inputs causes an error of its order; shaded: up to four ulp. "
         f"Diamonds are the {ill} ill-conditioned "
         "cases, in which rounding the inputs costs six digits or more; an algorithm can still have "
         "a small error because the references are computed from the rounded inputs. Thin "

@@ -35,6 +35,9 @@ LOOKS: dict[str, dict[str, Any]] = {
     "time-stepping": {"marker": "o", "color": FORMULA, "linestyle": (0, (5, 1.5))},
     "ellipsoid": {"marker": "o", "color": GRAY, "linestyle": "none", "markersize": 5, **HOLLOW},
 }
+#: Methods of this work, and the look of their calls for one result.
+OUR_METHODS = ("closed form", "event-driven")
+CALL: dict[str, Any] = {**_OURS, **HOLLOW, "linestyle": "none", "markersize": 7, "clip_on": False}
 #: Factor by which the error axis extends beyond its limits, to keep marks there inside.
 MARGIN = 6.0
 
@@ -45,11 +48,23 @@ def methods(data: xr.Dataset) -> list[str]:
 
 
 def with_times(data: Data, quantity: str) -> xr.Dataset:
-    """Errors of the methods for a quantity with their times."""
+    """Errors of the methods for a quantity with their times: in arrays, or else in calls, and in calls."""
     errors: xr.Dataset = data[f"accuracy/{quantity}"]
     times = data[f"accuracy_time/{quantity}"]
-    seconds = {name: variable.variable for name, variable in times.data_vars.items()}
-    return errors.assign(seconds)
+    calls = times[f"{quantity}_call_seconds"]
+    seconds = times.assign({f"{quantity}_seconds": times[f"{quantity}_seconds"].fillna(calls)})
+    return errors.assign({name: seconds[name].variable for name in seconds.data_vars})
+
+
+def mark_calls(ax: Axes, data: xr.Dataset, quantity: str, limits: tuple[float, float]) -> None:
+    """Mark the shortest time of our methods in a call for one result."""
+    rows = np.flatnonzero(np.isin(data.method.values, OUR_METHODS))
+    calls = data.isel(point=rows)
+    ax.plot(
+        calls[f"{quantity}_call_seconds"].min("repeat"),
+        within(calls[f"{quantity}_error"].values, limits),
+        **CALL,
+    )
 
 
 def work_precision(
@@ -80,7 +95,8 @@ def within(errors: Array, limits: tuple[float, float]) -> Array:
 def handles(names: list[str]) -> list[Line2D]:
     """Legend entries of methods."""
     options = {"markersize": 4.5, "linewidth": 0.9}
-    return [Line2D([], [], label=name, **{**options, **LOOKS[name]}) for name in names]
+    entries = [Line2D([], [], label=name, **{**options, **LOOKS[name]}) for name in names]
+    return [entries[0], Line2D([], [], label="one call", **CALL), *entries[1:]]
 
 
 def setting_text(value: float) -> str:

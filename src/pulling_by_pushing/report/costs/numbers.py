@@ -13,6 +13,8 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
+#: Kinds of times: of a result in an array, and of a call for one result.
+ARRAY, CALL = "_seconds", "_call_seconds"
 EPS = float(np.finfo(float).eps)
 #: Errors up to this number of units in the last place count as rounding errors.
 FEW_ULP = 4
@@ -63,27 +65,37 @@ def spin_ratios(wrench: xr.Dataset) -> float:
     return float(wrench.sizes["spin_ratio"])
 
 
-def times(data: xr.Dataset, name: str) -> npt.NDArray[np.float64]:
-    """Times of a method at its most accurate setting, seconds, one for each case."""
-    (variable,) = data.data_vars
-    return np.atleast_1d(method(data, name)[variable][-1].min("repeat").values)
+def times(data: xr.Dataset, name: str, kind: str) -> npt.NDArray[np.float64]:
+    """Times of a method at its most accurate setting, seconds, one for each case.
+
+    The kind is "_seconds" in an array and "_call_seconds" in a call for one result.
+    """
+    quantity = next(str(key) for key in data.data_vars).partition("_")[0]
+    return np.atleast_1d(method(data, name)[f"{quantity}{kind}"][-1].min("repeat").values)
 
 
 def time(
     data: xr.Dataset, name: str, which: Callable[[npt.NDArray[np.float64]], float], per: float
 ) -> float:
-    """Smallest or largest time of a method over the cases, at its most accurate setting."""
-    return per * float(which(times(data, name)))
+    """Smallest or largest time of a method in an array over the cases, at its most accurate setting."""
+    return per * float(which(times(data, name, ARRAY)))
+
+
+def call_time(
+    data: xr.Dataset, name: str, which: Callable[[npt.NDArray[np.float64]], float], per: float
+) -> float:
+    """Smallest or largest time of a call of a method over the cases, at its most accurate setting."""
+    return per * float(which(times(data, name, CALL)))
 
 
 def time_at(wrench: xr.Dataset, name: str, spin_ratio: float, per: float) -> float:
-    """Time for a wrench at one spin ratio, at the most accurate setting."""
+    """Time for a wrench in an array at one spin ratio, at the most accurate setting."""
     return time(wrench.sel(spin_ratio=[spin_ratio]), name, np.min, per)
 
 
 def time_ratio(data: xr.Dataset, name: str) -> float:
-    """Smallest ratio over the cases of the time of a method to that of the closed form."""
-    return float(np.min(times(data, name) / times(data, "closed form")))
+    """Smallest ratio over the cases of the time of a call of a method to that of the closed form."""
+    return float(np.min(times(data, name, CALL) / times(data, "closed form", CALL)))
 
 
 def slip(motion: xr.Dataset, variable: str, name: str, setting: float, per: float = 1.0) -> float:
@@ -91,6 +103,17 @@ def slip(motion: xr.Dataset, variable: str, name: str, setting: float, per: floa
     rows = method(motion.sel(scene="slipping"), name)
     row = part(rows, "point", np.isclose(rows.setting.values, setting, atol=0.0))
     return per * float(row[variable].min())
+
+
+def tolerance_ratio(motion: xr.Dataset) -> float:
+    """Ratio of the times of a run at the tightest and at the loosest tolerance, in a batch of slips."""
+    rows = method(motion.sel(scene="slipping"), "event-driven").motion_seconds.min("repeat")
+    return float(rows[-1] / rows[0])
+
+
+def log_time(motion: xr.Dataset, per: float) -> float:
+    """Time of a call for a run without duration, in the slipping scene."""
+    return per * float(motion.log_seconds.sel(scene="slipping").min())
 
 
 def well(cases: xr.Dataset) -> xr.Dataset:

@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from pulling_by_pushing.evidence.writing import csv_text
-from pulling_by_pushing.report.costs.numbers import FEW_ULP, ill, part, well
+from pulling_by_pushing.report.costs.numbers import ARRAY, CALL, FEW_ULP, ill, part, well
 from pulling_by_pushing.report.quantities import significant
 from pulling_by_pushing.report.results import EFFECTS, FRICTION, INERTIA, Results
 
@@ -58,7 +58,9 @@ def _ulp(value: float) -> str:
 
 
 def time_text(value: float) -> str:
-    """Time in seconds as text, with two significant digits and a unit."""
+    """Time in seconds as text, with two significant digits and a unit; a dash for none."""
+    if np.isnan(value):
+        return "\u2013"
     unit = next((name for name, size in TIMES.items() if value >= size), "ns")
     return f"{significant(value / TIMES[unit])} {unit}"
 
@@ -71,10 +73,13 @@ def accuracy_text(results: Results) -> str:
 def _accuracy_rows(results: Results, name: str) -> Iterator[dict[str, str]]:
     """Rows of the methods for a quantity; errors, evaluations and times are the largest over the cases."""
     data = results.dataset(f"accuracy/{name}")
-    seconds = results.dataset(f"accuracy_time/{name}")[f"{name}_seconds"].min("repeat")
-    error, evaluations, time = (
+    times = results.dataset(f"accuracy_time/{name}").min("repeat")
+    error, evaluations, in_array, in_call = (
         column.values.reshape(data.sizes["point"], -1).max(axis=1)
-        for column in (data[f"{name}_error"], data.evaluations, seconds)
+        for column in (
+            *(data[f"{name}_error"], data.evaluations),
+            *(times[f"{name}{kind}"] for kind in (ARRAY, CALL)),
+        )
     )
     for chosen in _methods(data):
         rows = np.flatnonzero(data.method.values == chosen)
@@ -85,7 +90,8 @@ def _accuracy_rows(results: Results, name: str) -> Iterator[dict[str, str]]:
             "setting": _setting(float(data.setting[row])),
             "calls": f"{evaluations[row]:.0f}" if evaluations[row] else "\u2013",
             "error": _error(float(error[row])),
-            "time": time_text(float(time[row])),
+            "time in an array": time_text(float(in_array[row])),
+            "time of a call": time_text(float(in_call[row])),
         }
 
 

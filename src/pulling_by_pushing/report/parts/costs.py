@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from pulling_by_pushing.report.costs import models
 from pulling_by_pushing.report.costs import numbers as costs
-from pulling_by_pushing.report.quantities import Numbers, Quantity, compute_number, magnitude
+from pulling_by_pushing.report.quantities import (
+    Numbers,
+    Quantity,
+    check_number,
+    compute_number,
+    magnitude,
+)
 
 WRENCH, CONE, MOTION = (f"accuracy/{name}" for name in ("wrench", "cone", "motion"))
 WRENCH_TIME, CONE_TIME, MOTION_TIME = (
@@ -17,17 +25,19 @@ ERRORS, ESTIMATES = "model_errors", "model_estimates"
 NANO, MICRO, MILLI = 1e9, 1e6, 1e3
 #: Settings of the motions in the prose: a tolerance, and a number of steps.
 RUNS = {"event-driven": 1e-10, "time-stepping": 1000.0}
+#: Their kinds of times: event-driven runs are timed in batches, of which time stepping has none.
+TIMED = {"event-driven": costs.ARRAY, "time-stepping": costs.CALL}
 
 
 def _ulp(name: str) -> Quantity:
     return compute_number(WRENCH, costs.worst_error_in, costs.EPS, name, digits=1, unit="epsilon")
 
 
-def _times(prefix: str, name: str, per: float, unit: str) -> Numbers:
+def _times(prefix: str, compute: Callable[..., float], name: str, per: float, unit: str) -> Numbers:
     """Smallest and largest time of a method for the wrench over the spin ratios."""
     ends = {"least": np.min, "most": np.max}
     return {
-        f"{prefix}-time-{end}": compute_number(WRENCH_TIME, costs.time, name, which, per, unit=unit)
+        f"{prefix}-time-{end}": compute_number(WRENCH_TIME, compute, name, which, per, unit=unit)
         for end, which in ends.items()
     }
 
@@ -39,7 +49,9 @@ ACCURACY: Numbers = {
     "carlson-error": _ulp("Carlson"),
     "trapezoid-error": magnitude(WRENCH, costs.error_at, "trapezoid", 1.0),
     "cone-error": magnitude(CONE, costs.error, "closed form", unit="degree"),
-    "ellipsoid-cone-error": compute_number(CONE, costs.error, "ellipsoid", digits=1, unit="degree"),
+    "ellipsoid-limit": check_number(
+        "motion-of-the-ellipsoid", "ellipsoid-turns-motion", digits=1, unit="degree"
+    ),
     **{
         f"{name}-error": magnitude(MOTION, costs.slip, "motion_error", name, setting, unit="degree")
         for name, setting in RUNS.items()
@@ -53,8 +65,8 @@ TIMES: Numbers = {
         unit="name",
         source=f"{WRENCH_TIME}: processor in the attribute machine",
     ),
-    **_times("closed-form", "closed form", NANO, "ns"),
-    **_times("quad", "quad", MICRO, "us"),
+    **_times("closed-form", costs.time, "closed form", NANO, "ns"),
+    **_times("quad", costs.call_time, "quad", MICRO, "us"),
     "quad-time-ratio": compute_number(WRENCH_TIME, costs.time_ratio, "quad"),
     "trapezoid-time": compute_number(
         WRENCH_TIME, costs.time_at, "trapezoid", 1.0, MILLI, digits=1, unit="ms"
@@ -62,13 +74,18 @@ TIMES: Numbers = {
     "cone-time": compute_number(
         CONE_TIME, costs.time, "closed form", np.min, MICRO, digits=1, unit="us"
     ),
+    "cone-call-time": compute_number(
+        CONE_TIME, costs.call_time, "closed form", np.min, MICRO, unit="us"
+    ),
     "brentq-time-ratio": compute_number(CONE_TIME, costs.time_ratio, "brentq on quad"),
     **{
         f"{name}-time": compute_number(
-            MOTION_TIME, costs.slip, "motion_seconds", name, setting, MILLI, digits=1, unit="ms"
+            MOTION_TIME, costs.slip, f"motion{kind}", name, RUNS[name], MILLI, digits=1, unit="ms"
         )
-        for name, setting in RUNS.items()
+        for name, kind in TIMED.items()
     },
+    "tolerance-time-ratio": compute_number(MOTION_TIME, costs.tolerance_ratio, digits=1),
+    "log-time": compute_number(MOTION_TIME, costs.log_time, MILLI, digits=1, unit="ms"),
 }
 
 HARD_CASES: Numbers = {

@@ -45,6 +45,9 @@ WRONG = [
     ("any-pressure", "rotation-for-any-pressure", {"high": 0.441823}),
     ("stable-for-any-pressure", "stable-for-any-pressure", {"center": 1.9999999}),
     ("stable-for-any-pressure", "stable-for-any-pressure", {"friction": 0.23607}),
+    ("motion-of-the-ellipsoid", "ellipsoid-turns-motion", {"angle": 19.48}),
+    ("motion-of-the-ellipsoid", "ellipsoid-turns-motion", {"missing": 1e-5}),
+    ("motion-of-the-ellipsoid", "ellipsoid-turns-motion", {"spin_ratio": 0.01}),
     ("speed-decides-pulling", "slow-pulls-fast-does-not", {"above": 1.26}),
     ("speed-decides-pulling", "slow-pulls-fast-does-not", {"below": 1.51}),
     # numbers, within their accuracy, exactly, and as bounds

@@ -1,9 +1,12 @@
 """Evidence from balls: claims that hold, that are refuted, and neither."""
 
 import pytest
+from evidence.claims.ledgers import judged, ledger
 from flint import arb, ctx
 
+from pulling_by_pushing.evidence.claims.table import rows
 from pulling_by_pushing.evidence.proofs import identities as ids
+from pulling_by_pushing.evidence.proofs.boxes import Cover
 from pulling_by_pushing.evidence.proofs.verdicts import (
     Verdict,
     equal,
@@ -85,3 +88,28 @@ def test_the_weakest_verdict_decides():
     assert found.reason == bad.reason
     assert found.margin == good.margin
     assert together(good, some).points == 2
+
+
+def test_evidence_says_by_which_means_a_program_checks():
+    cover = Cover(arb(1), 3).evidence()
+    parts = together(cover, identity({"zero": ids.k - ids.k}), facts({"so": True}))
+    assert parts.means == ("identities", "exact facts", "an interval cover")
+    assert inequality(arb(1)).means == ("inequalities",)
+
+
+@pytest.mark.parametrize(
+    ("claim", "means"),
+    [
+        ("ring-is-self-dual", "identities, inequalities"),
+        ("motion-of-the-ellipsoid", "identities, inequalities, an interval cover"),
+        ("pulls-where-it-slips", "identities, exact facts"),
+    ],
+)
+def test_the_ledger_says_which_of_them(claim, means):
+    (row,) = (row for row in rows(ledger(), judged()) if row["id"] == claim)
+    assert [check["means"] for check in row["checks"]] == [means] * len(row["checks"])
+
+
+def test_every_proof_of_the_ledger_is_checked_by_some_means():
+    for row in rows(ledger(), judged()):
+        assert all(check["means"] for check in row["checks"]), row["id"]

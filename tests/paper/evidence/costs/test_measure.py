@@ -26,11 +26,19 @@ def test_every_error_has_a_time(times, quantity):
     error, time = errors[f"{quantity}_error"], seconds[f"{quantity}_seconds"]
     assert time.dims == (*error.dims, "repeat")
     assert time.shape == (*error.shape, 1)
-    assert (time > 0).all()
+    calls = seconds[f"{quantity}_call_seconds"]
+    assert calls.dims == time.dims
+    assert (calls > 0).all()
+    one_by_one = np.isin(time.method, ["quad", "brentq on quad", "time-stepping"])
+    assert (time[~one_by_one] > 0).all()
+    assert np.isnan(time[one_by_one]).all()
     for name in errors.coords:
         assert np.array_equal(errors[name], seconds[name])
     assert set(errors.data_vars) == {f"{quantity}_error", "evaluations"}
-    assert set(seconds.data_vars) == {f"{quantity}_seconds"}
+    further = {"log_seconds"} if quantity == "motion" else set()
+    assert set(seconds.data_vars) == {
+        f"{quantity}_seconds", f"{quantity}_call_seconds"
+    } | further  # fmt: skip
 
 
 @pytest.mark.parametrize("quantity", METHODS)
@@ -51,6 +59,16 @@ def test_a_call_says_how_many_results_it_computes():
     for name in METHODS:
         for call in measure.sweep(name):
             assert call.results >= 1
+    for call in measure.sweep("cone"):
+        edges = [single.args[:2] for single in call.calls]
+        assert sorted(np.concatenate(edges, axis=1).T.tolist()) == sorted(
+            np.stack(measure.edges(), axis=1).tolist()
+        )
+        # Both edges of one cone: they are mirror images about the normal.
+        assert all(
+            length[0] == length[1] and angle.sum() == pytest.approx(np.pi)
+            for length, angle in edges
+        )
     results = [call.results for call in measure.sweep("wrench")]
     assert max(results) == 2**13  # the coarsest rule
     assert results[-1] == 2**12

@@ -153,3 +153,11 @@ def test_settings_go_from_coarse_to_fine():
         for method in methods:
             steps = np.diff(method.settings)
             assert (steps > 0).all() or (steps < 0).all()
+
+
+def test_runs_in_a_batch_are_those_of_calls():
+    """Of the two kinds of times of a run."""
+    (method, *_) = METHODS["motion"]
+    for scene in ("slipping", "pulling"):
+        alone, batch = (method.run(scene, copies, 1e-6) for copies in (1, 3))
+        assert batch == alone
