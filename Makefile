@@ -31,7 +31,7 @@ export XDG_CACHE_HOME := $(HOME)/.cache
 $(shell mkdir -p "$(XDG_CACHE_HOME)")
 endif
 
-.PHONY: all test test-all test-processors test-slurm test-drags lint coverage bench golden images dictionary lock report jobs-report manual clean help
+.PHONY: all test test-all test-processors test-slurm test-drags lint coverage bench golden images front pages dictionary lock report jobs-report manual clean help
 .DELETE_ON_ERROR:
 
 # One make at a time. The operating system releases the lock when its process ends, even if it is killed.
@@ -100,6 +100,12 @@ golden: $(CORE) ## recompute the golden data of the results and print the differ
 
 images: $(CORE) ## compare the figures with their stored images; WRITE=1 stores them
 	$(BIN)/python -m pulling_by_pushing.figures.images $(if $(WRITE),--write)
+
+front: $(CORE) ## compare the pictures of README with the stored ones; WRITE=1 stores them
+	$(BIN)/python -m pulling_by_pushing.figures.front $(if $(WRITE),--write)
+
+pages: $(CORE) ## compare the pages in docs with those of the manual, as of the last results; WRITE=1 stores them
+	$(BIN)/python -m pulling_by_pushing.report.pages $(if $(WRITE),--write)
 
 dictionary: $(INSTALLED) ## write results/README.md from the attributes of the datasets
 	$(BIN)/python -m pulling_by_pushing.study.dictionary

@@ -7,7 +7,7 @@ import pytest
 
 PAGES = sorted(
     path
-    for pattern in ("*.md", "results/README.md", "paper/**/*.md")
+    for pattern in ("*.md", "results/README.md", "paper/**/*.md", "docs/**/*.md")
     for path in Path().glob(pattern)
 )
 BLOCK = re.compile(r"^(`{3,}).*?^\1 *$", re.MULTILINE | re.DOTALL)
@@ -21,7 +21,7 @@ PLAIN = [
         "paper/manual/evidence.md", "paper/manual/glossary.md", "paper/manual/limits.md",
         "paper/manual/readers.md",
     )
-]  # fmt: skip
+] + sorted(Path("docs").rglob("*.md"))  # fmt: skip
 
 
 def text_of(page):

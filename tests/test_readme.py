@@ -16,6 +16,7 @@ from planar_pushing.drawing.words import NUMBERS as NUMBER_WORDS
 from planar_pushing.terms.netcdf import write_dataset
 from pulling_by_pushing.evidence.claims.ledger import load_ledger
 from pulling_by_pushing.figures.figure import entry
+from pulling_by_pushing.figures.front_box import DIRECTION, DURATION, box_motions, box_scene
 from pulling_by_pushing.figures.measured import PUSHES_FILE
 from pulling_by_pushing.figures.studies import NUMBERS
 from pulling_by_pushing.study.running.build import build_dataset
@@ -32,9 +33,6 @@ COMMANDS = [
         r"^planar-pushing (.*)$", re.sub(r" \\\n *", " ", README), re.MULTILINE
     )
 ]
-ANIMATION = PATH.parent / "paper/manual/pictures/pulling.gif"
-#: Largest root mean square difference of two frames' color levels, 0 to 255: text moves a little.
-TOLERANCE = 4.0
 
 
 @pytest.fixture(scope="module")
@@ -55,27 +53,35 @@ def test_python(folder, monkeypatch):
     test = doctest.DocTestParser().get_doctest("\n".join(blocks), {}, "README", "README.md", 0)
     runner = doctest.DocTestRunner(Checker(), optionflags=doctest.NORMALIZE_WHITESPACE)
     runner.run(test, clear_globs=False)
-    assert (runner.tries, runner.failures) == (20, 0)
+    assert (runner.tries, runner.failures) == (14, 0)
     (call,) = re.findall(r"`pp\.(draw\(.*?\))` draws", README)
     assert eval(f"pp.{call}", test.globs) is not None
+    # The picture is of this box, these motions and this duration.
+    assert test.globs["push"] == box_scene()
+    shown = box_motions()
+    assert [mode.name for mode in pp.solve(box_scene(), np.deg2rad(DIRECTION)).modes] == [
+        mode.name for mode in shown
+    ]
+    log = test.globs["log"]
+    assert log.time[-1].item() == pytest.approx(DURATION, rel=1e-12, abs=0)
+    assert shown[pp.ContactMode.SLIP_LEFT].path_slip[-1].item() == log.slip[-1].item()
 
 
-def frames(path):
-    """Every picture of an animation, as color levels."""
-    with Image.open(path) as image:
-        for number in range(image.n_frames):
-            image.seek(number)
-            yield np.asarray(image.convert("RGB"), dtype=float)
+def test_every_call_for_a_question_exists():
+    rows = re.findall(r"^\| .*\? \| (.*) \|$", README, re.MULTILINE)
+    assert len(rows) == 8
+    calls = re.findall(r"`pp\.(\w+)`", " ".join(rows))
+    assert len(calls) >= len(rows)
+    assert set(calls) <= set(pp.__all__)
 
 
-def test_commands_make_the_animation(folder, monkeypatch, capsys):
+def test_commands_animate_a_retreat(folder, monkeypatch, capsys):
     monkeypatch.chdir(folder)
     commands = [words for words in COMMANDS if words[0] in ("simulate", "animate")]
     assert [main(command) for command in commands] == [0, 0]
     capsys.readouterr()
-    for new, stored in zip(frames("pulling.gif"), frames(ANIMATION), strict=True):
-        assert new.shape == stored.shape
-        assert np.sqrt(np.mean((new - stored) ** 2)) < TOLERANCE
+    with Image.open("pulling.gif") as image:
+        assert image.n_frames == 40
 
 
 def test_verdict_of_the_replication():
@@ -134,8 +140,7 @@ def test_table_of_figures(name):
     figure = entry(name)
     sources = ", ".join(f"`{source}`" for source in figure.reads)
     picture = f"[{NUMBERS[name]}](tests/golden/images/{name}.png)"
-    row = f"| {picture} | {figure.title} | {sources} | `snakemake results/figures/{name}.svg` |"
-    assert row in README
+    assert f"| {picture} | {figure.title} | {sources} |\n" in README
 
 
 def test_query_in_the_shell(folder, monkeypatch, capsys):

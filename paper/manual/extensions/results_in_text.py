@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import json
-import re
 from pathlib import Path
 
 from docutils import nodes
@@ -13,30 +12,12 @@ from sphinx.application import Sphinx
 from sphinx.config import Config
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
-#: File of numbers by key.
-NUMBERS = "numbers.json"
-#: Symbols appended to numbers with these units; the text names all other units.
-MARKS = {"degree": "°", "percent": " %"}
-#: A number with an exponent, and the superscript digits.
-POWER = re.compile(r"\b([\d.]+)e([+-]\d+)\b")
-RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+from pulling_by_pushing.report.pages.numbers import NUMBERS, format_number
 
 
 def tables(app_config: Config, source_folder: Path) -> Path:
     """Folder of the tables in the results."""
     return (source_folder / app_config.results_folder / "tables").resolve()
-
-
-def written(text: str) -> str:
-    """A number formatted for text: a minus sign, powers of ten, and separated thousands."""
-    if text.isdigit() and len(text) > 4:
-        return f"{int(text):,}".replace(",", "\u202f")
-    return POWER.sub(_power, text).replace("-", "\u2212")
-
-
-def _power(power: re.Match[str]) -> str:
-    ten = "10" + str(int(power[2])).translate(RAISED)
-    return ten if power[1] == "1" else f"{power[1]} \u00d7 {ten}"
 
 
 class Number(SphinxRole):
@@ -47,7 +28,7 @@ class Number(SphinxRole):
         self.env.note_dependency(path)
         number = json.loads(path.read_text(encoding="utf-8")).get(self.text)
         if number:
-            return [nodes.Text(written(number["text"]) + MARKS.get(number["unit"], ""))], []
+            return [nodes.Text(format_number(number["text"], number["unit"]))], []
         said = f"{self.text}: no such number in {path}"
         return [], [self.inliner.reporter.error(said, line=self.lineno)]
 
@@ -79,7 +60,7 @@ def _table(rows: list[list[str]], caption: str) -> nodes.table:
 
 
 def _row(cells: list[str]) -> nodes.row:
-    entries = (nodes.entry("", nodes.paragraph("", written(cell))) for cell in cells)
+    entries = (nodes.entry("", nodes.paragraph("", format_number(cell))) for cell in cells)
     return nodes.row("", *entries)
 
 

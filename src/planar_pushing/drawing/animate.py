@@ -6,7 +6,7 @@ import base64
 import io
 import json
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -114,12 +114,19 @@ def _gif(motion: xr.Dataset, rate: float) -> bytes:
     count = motion.sizes["time"]
     with paper_style():
         pictures = list(tqdm(_pictures(motion), "drawing", count, disable=None, leave=False))
+    return encode(pictures, rate)
+
+
+def encode(pictures: Sequence[Image.Image], rate: float, rest: float = 0.0) -> bytes:
+    """Encode pictures, with their rate per second, as a GIF; the last stays for `rest` seconds more."""
     palette = _palette(pictures[len(pictures) // 2])
     flat = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
     duration = max(2, math.floor(100 / rate + 0.5)) * 10
+    durations = [duration] * len(flat)
+    durations[-1] += round(100 * rest) * 10
     file = io.BytesIO()
     flat[0].save(
-        file, format="GIF", save_all=True, append_images=flat[1:], duration=duration, loop=0,
+        file, format="GIF", save_all=True, append_images=flat[1:], duration=durations, loop=0,
         optimize=False,
     )  # fmt: skip
     return file.getvalue()

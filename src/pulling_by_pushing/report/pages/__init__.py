@@ -1,0 +1,1 @@
+"""Pages of the manual as Markdown with numbers, outputs and pictures, which a forge shows: `make pages`."""
