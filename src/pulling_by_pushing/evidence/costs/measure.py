@@ -192,6 +192,11 @@ def accuracy_time() -> dict[str, xr.Dataset]:
     return groups
 
 
+def write_accuracy_time(path: PathLike, *, marks: Attributes) -> None:
+    """Measure times of every method on this machine, and write the dataset."""
+    write_built(accuracy_time(), path, "accuracy_time", marks)
+
+
 def _point_dataset(name: str, dataset: str, variables: dict[str, Any]) -> xr.Dataset:
     """Dataset over `point`, a row for each setting of a method, and the cases, from values of all calls."""
     quantity = QUANTITIES[name]

@@ -14,7 +14,7 @@ import xarray as xr
 from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.evidence.golden.cells.sliders import CENTERS
 from pulling_by_pushing.evidence.golden.check import require_results
-from pulling_by_pushing.evidence.golden.compare import DEGREE, Check, judge
+from pulling_by_pushing.evidence.golden.compare import Check, judge
 from pulling_by_pushing.evidence.golden.enclosures import EXACT, radii
 from pulling_by_pushing.evidence.golden.grid import CELLS, Cell, Point, empty_entry, kink, records
 from pulling_by_pushing.study.catalog import dataset_file
@@ -53,10 +53,7 @@ def check_points(folder: Path, file: PathLike, number: int) -> tuple[list[Check]
         count, skipped, numbers = _certify_points(name, study_slice(study, name), result, number)
         if not count:
             checks.append(Check(file=name, problem="has no point that could be certified"))
-        checks += [
-            _check(name, variable, comparison, result[variable].attrs.get("units") == DEGREE)
-            for variable, comparison in numbers.items()
-        ]
+        checks += [_check(name, variable, comparison) for variable, comparison in numbers.items()]
         counts.append(f"{count} of {name}")
         undecided += skipped
     note = f"certified points, chosen at random: {', '.join(counts)}"
@@ -120,12 +117,12 @@ def _add(comparison: Comparison, name: str, computed: Any, nested: Any, where: s
     comparison.where += [where] * left.size
 
 
-def _check(name: str, variable: str, comparison: Comparison, turns: bool) -> Check:
+def _check(name: str, variable: str, comparison: Comparison) -> Check:
     computed, middle = (np.asarray(part) for part in (comparison.computed, comparison.middle))
     if middle.dtype.kind == "f":
         computed = computed.astype(float)
     exponents = np.asarray(comparison.exponent, np.int8)
     check = Check(file=name, variable=variable)
     return judge(
-        check, computed, middle, radii(exponents), lambda index: comparison.where[index[0]], turns
+        check, computed, middle, radii(exponents), lambda index: comparison.where[index[0]]
     )
