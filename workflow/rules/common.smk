@@ -160,7 +160,11 @@ def golden_files(study):
     """Golden data of a study, with the lists of their digests."""
     golden = Path(study.golden) if study.golden else None
     names = ("*.nc", DIGESTS)
-    return sorted(str(path) for name in names for path in golden.rglob(name)) if golden else []
+    return (
+        sorted(str(path) for name in names for path in golden.rglob(name))
+        if golden
+        else []
+    )
 
 
 def all_golden_files():

@@ -12,7 +12,7 @@ from pulling_by_pushing.evidence.golden import check, digests
 from pulling_by_pushing.evidence.golden.compare import KIND, Kind, load_tolerances
 from pulling_by_pushing.evidence.golden.enclosures import holds_radii
 from pulling_by_pushing.evidence.golden.flaws import flaws, kind_of
-from pulling_by_pushing.evidence.golden.grid import CELLS
+from pulling_by_pushing.evidence.golden.grid import CELLS, dims_of
 from pulling_by_pushing.study.catalog import DATASETS
 from pulling_by_pushing.study.slices import result_names
 from pulling_by_pushing.study.studies import FILES
@@ -30,6 +30,14 @@ def test_stored_golden_data_have_no_flaws():
 def test_the_catalog_says_which_datasets_have_cells():
     certified = {name for name, entry in DATASETS.items() if entry.certified}
     assert certified == {*CELLS, "scenes"}
+
+
+def test_cells_take_the_axes_of_the_catalog():
+    for name, cells in CELLS.items():
+        dims = (*DATASETS[name].dims, *DATASETS[name].inner)
+        for cell in cells:
+            taken = dims_of(cell)
+            assert taken == tuple(dim for dim in dims if dim in taken), f"{name}: {cell.__name__}"
 
 
 def checked(file, of_golden=lambda data: data, of_result=lambda data: data):
