@@ -329,14 +329,30 @@ rule accuracy_errors:
         RUN
 
 
-# What accuracy costs in time on this machine, and evaluations of each effect. Nothing else must run during a
-# measurement, which takes a few seconds.
+# Evaluations of each effect, and of none that a scene does not list.
+rule effects:
+    output:
+        path="{results}/data/effects.nc",
+    log:
+        "{results}/logs/data/effects.log",
+    benchmark:
+        "{results}/benchmarks/data/effects.tsv"
+    params:
+        **runs("evidence.costs.effects:write_effects"),
+        study=lambda wildcards: FILES[wildcards.results],
+        marks=marks("effects"),
+    message:
+        "Counting effects"
+    script:
+        RUN
+
+
+# What accuracy costs in time on this machine. Nothing else must run during a measurement, which takes a few seconds.
 rule times:
     input:
         MOTIONS,
     output:
-        times="{results}/data/accuracy_time.nc",
-        costs="{results}/data/effects.nc",
+        path="{results}/data/accuracy_time.nc",
     log:
         "{results}/logs/data/times.log",
     benchmark:
@@ -344,11 +360,10 @@ rule times:
     priority: TO_BEGIN
     threads: workflow.cores
     params:
-        **runs("evidence.costs.effects:write_times"),
-        study=lambda wildcards: FILES[wildcards.results],
-        marks=marks("accuracy_time", "effects"),
+        **runs("evidence.costs.measure:write_accuracy_time"),
+        marks=marks("accuracy_time"),
     message:
-        "Measuring accuracy_time, and counting effects"
+        "Measuring accuracy_time"
     script:
         RUN
 

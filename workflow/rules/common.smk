@@ -12,6 +12,7 @@ from snakemake.exceptions import WorkflowError
 
 from planar_pushing.terms.errors import PlanarPushingError
 from planar_pushing.terms.extras import require_extra
+from pulling_by_pushing.evidence.golden.digests import DIGESTS
 from pulling_by_pushing.evidence.measured import logs
 from pulling_by_pushing.figures import figure as figures
 from pulling_by_pushing.figures.measured import PUSHES_FILE
@@ -156,8 +157,14 @@ def verdicts(*names):
 
 
 def golden_files(study):
-    """Golden data of a study."""
-    return sorted(map(str, Path(study.golden).rglob("*.nc"))) if study.golden else []
+    """Golden data of a study, with the lists of their digests."""
+    golden = Path(study.golden) if study.golden else None
+    names = ("*.nc", DIGESTS)
+    return (
+        sorted(str(path) for name in names for path in golden.rglob(name))
+        if golden
+        else []
+    )
 
 
 def all_golden_files():
@@ -198,15 +205,9 @@ def runs(call, *members, also=lambda wildcards: []):
     return {"call": call, "code": digest}
 
 
-def marks(*names):
-    """Attributes that name the study in a result; of several results, by name."""
-
-    def attributes(wildcards):
-        marks_of = MARKS[wildcards.results]
-        named = {name: marks_of(name.format(**wildcards)) for name in names}
-        return named if len(names) > 1 else named.popitem()[1]
-
-    return attributes
+def marks(name):
+    """Attributes that name the study in a result."""
+    return lambda wildcards: MARKS[wildcards.results](name.format(**wildcards))
 
 
 def chunks_of(wildcards):

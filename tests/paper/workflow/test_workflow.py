@@ -14,6 +14,8 @@ from workflow.conftest import PROJECT, copy_project, few_targets
 
 from planar_pushing.commands import main
 from planar_pushing.terms.netcdf import read_attributes, write_dataset
+from pulling_by_pushing.evidence.golden.compare import KIND, Kind
+from pulling_by_pushing.evidence.golden.digests import list_digests
 from pulling_by_pushing.figures.figure import entry
 from pulling_by_pushing.report.closing import closing_lines
 from pulling_by_pushing.study.catalog import DATASETS
@@ -155,6 +157,12 @@ golden: golden
 """
 
 
+def write_golden(cones, path):
+    """Golden data without radii, and the digest of their file."""
+    write_dataset(cones.assign_attrs({KIND: str(Kind.ENCLOSED)}), path)
+    list_digests(path.parent, [path.stem])
+
+
 def test_golden_check_fails_the_run_after_everything_else_and_says_why(fresh):
     study = fresh.root / fresh.study
     study.write_text(CONES, encoding="utf-8")
@@ -164,7 +172,7 @@ def test_golden_check_fails_the_run_after_everything_else_and_says_why(fresh):
     fresh.snakemake(target)
     cones = read_dataset(fresh.root / target)
     cones["motion_cone_left"][0, 0, 0, 0] += 1e-9
-    write_dataset(cones, golden)
+    write_golden(cones, golden)
     verdict, passed = (
         fresh.results / f"tables/golden_{name}.txt" for name in ("verdict", "passed")
     )
@@ -177,7 +185,7 @@ def test_golden_check_fails_the_run_after_everything_else_and_says_why(fresh):
         assert verdict.read_text(encoding="utf-8").startswith("FAILED: 1 of ")
         assert not passed.exists()
     assert jobs(said) == {"golden_passed": 1, "all": 1}
-    write_dataset(read_dataset(fresh.root / target), golden)
+    write_golden(read_dataset(fresh.root / target), golden)
     own = {"golden_verdict": 1, "golden_passed": 1}
     assert jobs(fresh.snakemake("golden")) == {**own, "golden": 1}
     assert verdict.read_text(encoding="utf-8").startswith("passed: ")

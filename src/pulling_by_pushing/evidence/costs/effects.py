@@ -1,11 +1,10 @@
-"""Evaluations of the effects that a scene lists, in runs over time; and the times of every method.
+"""Evaluations of the effects that a scene lists, in runs over time.
 
 The core loops over the listed effects, and a log counts the evaluations of each of them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -20,7 +19,6 @@ from planar_pushing.simulation.simulate import simulate
 from planar_pushing.terms.options import STUDIED, Method
 from planar_pushing.terms.quantities import EFFECT_COSTS
 from planar_pushing.terms.replacing import PathLike
-from pulling_by_pushing.evidence.costs.measure import accuracy_time
 from pulling_by_pushing.study.catalog import EVIDENCE
 from pulling_by_pushing.study.describe import describe
 from pulling_by_pushing.study.model import StudyFile
@@ -48,22 +46,18 @@ def run(scene: Scene, method: Method) -> xr.Dataset:
     return quietly(simulate)(scene, pusher=fence, duration=DURATION, method=method, step=step)
 
 
-def write_times(
-    times: PathLike, costs: PathLike, *, study: str, marks: Mapping[str, Attributes]
-) -> None:
-    """Measure times of every method on this machine, and count evaluations of each effect.
+def write_effects(path: PathLike, *, study: str, marks: Attributes) -> None:
+    """Count evaluations of each effect, and write the dataset.
 
     Parameters
     ----------
-    times, costs : path
-        The datasets `accuracy_time` and `effects`.
+    path : path
     study : str
         Study file with the slider on which the effects act.
     marks : mapping
-        Attributes that identify the study in each of the two datasets.
+        Attributes that identify the study.
     """
-    write_built(accuracy_time(), times, "accuracy_time", marks["accuracy_time"])
-    write_built(effects(load_study(study)), costs, "effects", marks["effects"])
+    write_built(effects(load_study(study)), path, "effects", marks)
 
 
 def effects(study: StudyFile) -> xr.Dataset:

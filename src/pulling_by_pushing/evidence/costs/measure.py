@@ -217,6 +217,11 @@ def accuracy_time() -> dict[str, xr.Dataset]:
     return groups
 
 
+def write_accuracy_time(path: PathLike, *, marks: Attributes) -> None:
+    """Measure times of every method on this machine, and write the dataset."""
+    write_built(accuracy_time(), path, "accuracy_time", marks)
+
+
 def _array_seconds(calls: Sequence[Call]) -> Array:
     """Times of a result in an array, shape (calls, repeats)."""
     arrays = np.array([call.takes_arrays for call in calls])

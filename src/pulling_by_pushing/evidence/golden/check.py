@@ -17,6 +17,8 @@ from pulling_by_pushing.evidence.golden.compare import (
     compare,
     load_tolerances,
 )
+from pulling_by_pushing.evidence.golden.digests import REMEDY, changed_files
+from pulling_by_pushing.evidence.golden.flaws import flaws
 from pulling_by_pushing.study.catalog import SIMULATIONS, dataset_place
 from pulling_by_pushing.study.slices import result_names
 from pulling_by_pushing.study.store import read_dataset
@@ -54,6 +56,7 @@ def check_results(folder: Path, file: PathLike) -> list[Check]:
         if not path.is_file():
             raise InvalidFile(f"{path}: no such golden file; make it with make golden WRITE=1")
     checks, tolerances = list(_surplus(golden, names)), load_tolerances()
+    checks += [Check(file=name, problem=problem) for name, problem in changed_files(golden, names)]
     for name in tqdm(names, "checking", disable=None, leave=False):
         checks += _check_file(
             name, folder / dataset_place(name)[0], golden / f"{name}.nc", tolerances
@@ -88,13 +91,22 @@ def _check_file(name: str, path: Path, golden: Path, tolerances: TolerancesFile)
             for group in set(groups) - set(golden_groups)
         ]
         if "" not in golden_groups:
-            checks += compare(name, _root(path), _root(golden), tolerances)
+            checks += check_dataset(name, _root(path), _root(golden), tolerances)
         for group, dataset in golden_groups.items():
             result = read_dataset(path, group or None).load()
-            checks += compare(f"{name}/{group}" if group else name, result, dataset, tolerances)
+            file = f"{name}/{group}" if group else name
+            checks += check_dataset(file, result, dataset, tolerances)
         return checks
     except InvalidFile as error:
         return [Check(file=name, problem=f"cannot be read: {error}")]
+
+
+def check_dataset(
+    file: str, result: xr.Dataset, golden: xr.Dataset, tolerances: TolerancesFile
+) -> list[Check]:
+    """Checks of a dataset; golden data that cannot judge it are failed checks themselves."""
+    unsound = [Check(file=file, problem=f"{flaw}; {REMEDY}") for flaw in flaws(file, golden)]
+    return unsound or compare(file, result, golden, tolerances)
 
 
 def _golden_groups(path: Path) -> dict[str, xr.Dataset]:
@@ -104,8 +116,7 @@ def _golden_groups(path: Path) -> dict[str, xr.Dataset]:
             group: read_dataset(path, group or None).load() for group in group_names(path) or [""]
         }
     except InvalidFile:
-        remedy = "take it from the repository, or write it again with make golden WRITE=1"
-        raise InvalidFile(f"{path}: is a damaged golden file; {remedy}") from None
+        raise InvalidFile(f"{path}: is a damaged golden file; {REMEDY}") from None
 
 
 def _root(path: Path) -> xr.Dataset:

@@ -6,8 +6,8 @@ import itertools
 import math
 import zlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import partial
+from inspect import signature
 from multiprocessing import get_context
 from typing import Any
 
@@ -29,65 +29,23 @@ Point = tuple[Any, ...]
 Arrays = dict[str, tuple[Any, Any]]
 
 
-@dataclass(frozen=True, slots=True)
-class Cell:
-    """A function of a point, and the dimensions whose coordinates it takes."""
-
-    dims: tuple[str, ...]
-    function: Callable[..., Record]
-
-
-RODS = ("effects", "contact", "rod_length")
-ROD = ("support", "rod_length", "rod_angle", "friction_coefficient")
+#: A function of the values of a study and of a point, whose coordinates are its further arguments.
+Cell = Callable[..., Record]
 #: The cells of each dataset; together they provide all of its numbers but those of `PLAIN`.
 CELLS: Mapping[str, tuple[Cell, ...]] = {
-    "limit_curves": (
-        Cell(("effects", "rod_length", "rod_angle", "force_angle"), ring.limit_point_values),
-    ),
-    "curves": (Cell(("effects", "rod_length", "force_angle"), ring.curve_point),),
-    "motion_cones": (
-        Cell(("effects", "rod_length", "rod_angle", "friction_coefficient"), ring.motion_cone),
-        Cell(("friction_coefficient",), contacts.coefficients),
-    ),
-    "contact_modes": (
-        Cell(
-            (*RODS, "pusher_magnitude", "pusher_angle"),
-            ring.ring_solutions,
-        ),
-        Cell(("contact",), contacts.contact_laws),
-    ),
-    "mode_maps": (
-        Cell((*RODS, "pusher_magnitude", "pusher_angle"), ring.mode_set),
-        Cell(("effects", "rod_length", "pusher_magnitude", "pusher_angle"), ring.sticking_force),
-        Cell((*RODS, "pusher_magnitude"), ring.furthest_pull),
-        Cell(("contact",), contacts.contact_laws),
-    ),
-    "acceleration_centers": (
-        Cell(("rod_length", "force_angle", "inertia_share"), ring.acceleration_center),
-        Cell(("rod_length",), ring.acceleration_cones),
-    ),
-    "center_regions": (Cell(("rod_length", "rod_angle", "force_angle"), ring.region_ends),),
-    "model_errors": (Cell(("support", "speed"), models.coasting),),
-    "supports": (
-        Cell(("support", "center_x", "center_y"), supports.support_wrench),
-        Cell(("support",), supports.support_numbers),
-    ),
-    "support_cones": (
-        Cell(ROD, supports.support_cone),
-        Cell(("friction_coefficient",), contacts.coefficients),
-    ),
-    "support_modes": (
-        Cell((*ROD, "pusher_angle"), supports.support_solutions),
-        Cell(("friction_coefficient",), contacts.coefficients),
-    ),
-    "support_curves": (
-        Cell(("support", "force_angle"), supports.support_curve),
-        Cell(("force_angle",), supports.ring_curve),
-    ),
-    "support_rods": (
-        Cell(("support", "rod"), supports.support_rod),
-        Cell(("rod",), supports.ring_rod),
-    ),
+    "limit_curves": (ring.limit_point_values,),
+    "curves": (ring.curve_point,),
+    "motion_cones": (ring.motion_cone, contacts.coefficients),
+    "contact_modes": (ring.ring_solutions, contacts.contact_laws),
+    "mode_maps": (ring.mode_set, ring.sticking_force, ring.furthest_pull, contacts.contact_laws),
+    "acceleration_centers": (ring.acceleration_center, ring.acceleration_cones),
+    "center_regions": (ring.region_ends,),
+    "model_errors": (models.coasting,),
+    "supports": (supports.support_wrench, supports.support_numbers),
+    "support_cones": (supports.support_cone, contacts.coefficients),
+    "support_modes": (supports.support_solutions, contacts.coefficients),
+    "support_curves": (supports.support_curve, supports.ring_curve),
+    "support_rods": (supports.support_rod, supports.ring_rod),
 }
 #: Variables that are stored as computed: the errors of another model, at motions that a search found, and
 #: differences and evaluations of runs over time, with the pushes of these.
@@ -107,6 +65,12 @@ POINTS_PER_TASK = 400
 FEW_POINTS = 100
 
 
+def dims_of(cell: Cell) -> tuple[str, ...]:
+    """Dimensions of the dataset whose coordinates a cell takes: the names of its arguments, in order."""
+    _, *names = signature(cell).parameters
+    return tuple(names)
+
+
 def evaluate(
     cell: Cell, values: StudyValues, second: Callable[[Point], bool], point: Point
 ) -> Record | str:
@@ -123,7 +87,7 @@ def evaluate(
 
 @precise
 def _record(cell: Cell, values: StudyValues, point: Point, twice: bool) -> Record:
-    record = cell.function(values, *point)
+    record = cell(values, *point)
     centers = record.pop(CENTERS, [])
     count = sum(map(_agrees, centers)) if twice else 0
     return {name: _store_nested(value) for name, value in record.items()} | {CENTERS: count}
@@ -212,8 +176,9 @@ def certify(
     arrays: Arrays = {}
     count = 0
     for cell in CELLS[name]:
-        cell_points = points(template, cell.dims)
-        sizes = [template.sizes[dim] for dim in cell.dims]
+        dims = dims_of(cell)
+        cell_points = points(template, dims)
+        sizes = [template.sizes[dim] for dim in dims]
         computed = records(cell, values, cell_points, processes, is_sampled)
         for index, record in enumerate(
             tqdm(computed, name, len(cell_points), disable=None, leave=False)
@@ -239,7 +204,7 @@ def certify_record(
 
 def kink(name: str, cell: Cell, point: Point, reason: str) -> str:
     """The message about a point that cannot be certified."""
-    where = ", ".join(f"{dim}={value}" for dim, value in zip(cell.dims, point, strict=True))
+    where = ", ".join(f"{dim}={value}" for dim, value in zip(dims_of(cell), point, strict=True))
     return (
         f"{name}: {where}: on a kink, where rounding decides ({reason}); allowed: a point off it; "
         "choose another value of the grid, such as another coefficient of friction"

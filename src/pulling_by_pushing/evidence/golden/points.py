@@ -14,9 +14,17 @@ import xarray as xr
 from planar_pushing.terms.replacing import PathLike
 from pulling_by_pushing.evidence.golden.cells.sliders import CENTERS
 from pulling_by_pushing.evidence.golden.check import require_results
-from pulling_by_pushing.evidence.golden.compare import DEGREE, Check, judge
+from pulling_by_pushing.evidence.golden.compare import Check, judge
 from pulling_by_pushing.evidence.golden.enclosures import EXACT, radii
-from pulling_by_pushing.evidence.golden.grid import CELLS, Cell, Point, empty_entry, kink, records
+from pulling_by_pushing.evidence.golden.grid import (
+    CELLS,
+    Cell,
+    Point,
+    dims_of,
+    empty_entry,
+    kink,
+    records,
+)
 from pulling_by_pushing.study.catalog import dataset_file
 from pulling_by_pushing.study.slices import computes, study_slice
 from pulling_by_pushing.study.store import read_dataset
@@ -53,10 +61,7 @@ def check_points(folder: Path, file: PathLike, number: int) -> tuple[list[Check]
         count, skipped, numbers = _certify_points(name, study_slice(study, name), result, number)
         if not count:
             checks.append(Check(file=name, problem="has no point that could be certified"))
-        checks += [
-            _check(name, variable, comparison, result[variable].attrs.get("units") == DEGREE)
-            for variable, comparison in numbers.items()
-        ]
+        checks += [_check(name, variable, comparison) for variable, comparison in numbers.items()]
         counts.append(f"{count} of {name}")
         undecided += skipped
     note = f"certified points, chosen at random: {', '.join(counts)}"
@@ -82,7 +87,8 @@ def _certify_points(
                 continue
             count += cell is CELLS[name][0]
             record.pop(CENTERS)
-            where = ", ".join(f"{dim}={value}" for dim, value in zip(cell.dims, point, strict=True))
+            named = zip(dims_of(cell), point, strict=True)
+            where = ", ".join(f"{dim}={value}" for dim, value in named)
             for variable, nested in record.items():
                 values_here = np.asarray(result[variable].isel(index).values)
                 _add(
@@ -95,10 +101,10 @@ def _random_points(
     cell: Cell, result: xr.Dataset, number: int, chooser: np.random.Generator
 ) -> Iterator[tuple[dict[str, int], Point]]:
     """Indices and coordinates of points, each at most once."""
-    sizes = [result.sizes[dim] for dim in cell.dims]
+    sizes = [result.sizes[dim] for dim in dims_of(cell)]
     size = int(np.prod(sizes))
     for flat in sorted(chooser.choice(size, min(number, size), replace=False).tolist()):
-        index = dict(zip(cell.dims, map(int, np.unravel_index(flat, sizes)), strict=True))
+        index = dict(zip(dims_of(cell), map(int, np.unravel_index(flat, sizes)), strict=True))
         yield index, tuple(result[dim].values[i].item() for dim, i in index.items())
 
 
@@ -120,12 +126,12 @@ def _add(comparison: Comparison, name: str, computed: Any, nested: Any, where: s
     comparison.where += [where] * left.size
 
 
-def _check(name: str, variable: str, comparison: Comparison, turns: bool) -> Check:
+def _check(name: str, variable: str, comparison: Comparison) -> Check:
     computed, middle = (np.asarray(part) for part in (comparison.computed, comparison.middle))
     if middle.dtype.kind == "f":
         computed = computed.astype(float)
     exponents = np.asarray(comparison.exponent, np.int8)
     check = Check(file=name, variable=variable)
     return judge(
-        check, computed, middle, radii(exponents), lambda index: comparison.where[index[0]], turns
+        check, computed, middle, radii(exponents), lambda index: comparison.where[index[0]]
     )

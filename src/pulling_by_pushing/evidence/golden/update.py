@@ -23,9 +23,12 @@ from flint import __FLINT_VERSION__ as FLINT
 from tqdm import tqdm
 
 from planar_pushing.scenes.files import load_scene_file
+from planar_pushing.terms.errors import InvalidResult
 from planar_pushing.terms.netcdf import group_names, read_attributes, write_dataset
 from pulling_by_pushing.evidence.golden.compare import KIND, UNCOMPARED_ATTRIBUTES, Kind, comparable
+from pulling_by_pushing.evidence.golden.digests import DIGESTS, changed_files, list_digests
 from pulling_by_pushing.evidence.golden.enclosures import RADIUS, holds_radii
+from pulling_by_pushing.evidence.golden.flaws import flaws, radii_by_condition
 from pulling_by_pushing.evidence.golden.grid import (
     CELLS,
     certify,
@@ -47,8 +50,6 @@ METHOD = {
     Kind.INTEGRATED: "integrated to 30 digits by a method of two orders",
     Kind.PLAIN: "stored as computed",
 }
-#: An error below this many rounding errors counts as rounding, and can be larger by this factor elsewhere.
-NOISE = 8.0
 Groups = dict[str, xr.Dataset]
 
 
@@ -77,34 +78,18 @@ def golden_groups(
     folder, _, part = name.partition("/")
     if folder == SIMULATIONS:
         return *_log(name, study.simulations[part], comparable(name, groups[""])), 0
-    if name == "hard_cases":
-        groups[""] = _with_rounding(groups[""])
-    if name == "accuracy":
-        groups["wrench"] = _with_noise(groups["wrench"])
-    compared = {group: comparable(f"{name}/{group}", dataset) for group, dataset in groups.items()}
+    compared = {
+        group: _with_radii(f"{name}/{group}" if group else name, dataset)
+        for group, dataset in groups.items()
+    }
     return Kind.PLAIN, compared, 0
 
 
-def _with_rounding(cases: xr.Dataset) -> xr.Dataset:
-    """Hard cases with the rounding errors that their condition numbers allow on another processor.
-
-    Thin shapes, which are computed as differences, have larger ones: of the size of the error itself.
-    """
-    ulps = 8 + 4 * cases["condition"]
-    ulps = ulps.where(cases["error_ulp"] <= ulps, 4 * cases["error_ulp"])
-    result = ulps * np.spacing(np.abs(cases["reference_high"]))
-    return cases.assign({f"result{RADIUS}": result, f"error_ulp{RADIUS}": ulps})
-
-
-def _with_noise(wrench: xr.Dataset) -> xr.Dataset:
-    """Errors of methods, with a radius if they are rounding errors, which differ between processors.
-
-    Rounding of the smaller component of the spin ratio magnifies a rounding error by max(k, 1 / k).
-    """
-    k = wrench["spin_ratio"]
-    rounding = NOISE * np.finfo(float).eps * np.maximum(k, 1 / k)
-    error = wrench["wrench_error"]
-    return wrench.assign({f"wrench_error{RADIUS}": (NOISE * error).where(error < rounding, 0.0)})
+def _with_radii(file: str, dataset: xr.Dataset) -> xr.Dataset:
+    """Stored values, with radii where rounding errors differ between processors."""
+    conditions = radii_by_condition(file, dataset).items()
+    stored: xr.Dataset = comparable(file, dataset)
+    return stored.assign({f"{name}{RADIUS}": radius for name, radius in conditions})
 
 
 def _scene(study: StudyFile, name: str) -> dict[str, Any]:
@@ -148,6 +133,8 @@ def _changes(new: xr.Dataset, stored: xr.Dataset) -> Iterator[str]:
         new_variable, stored_variable = new[name], stored[name]
         if new_variable.dims != stored_variable.dims or new_variable.shape != stored_variable.shape:
             yield f"{name} has different dimensions"
+        elif new_variable.dtype != stored_variable.dtype and new_variable.dtype.kind not in "OU":
+            yield f"{name} has the type {new_variable.dtype}, not {stored_variable.dtype}"
         elif _marks(new_variable.attrs) != _marks(stored_variable.attrs):
             yield f"{name} has different attributes"
         elif f"{name}{RADIUS}" in new:
@@ -207,15 +194,34 @@ def _update(file: str, args: argparse.Namespace) -> int:
         kind, new, count = golden_groups(study, name, folder / dataset_place(name)[0], processes)
         checked += count
         new = {group: _mark_golden(dataset, kind, count) for group, dataset in new.items()}
+        _require_sound(name, new)
         changes = differences(name, new, golden / f"{name}.nc")
-        changed += len(changes)
-        print("\n".join(changes) if changes else f"{name}: unchanged", flush=True)
         if changes and args.write:
             root = xr.Dataset(attrs=read_attributes(folder / dataset_place(name)[0]))
             content = {"/": _mark_golden(root, kind, count)} | new
             write_dataset(new.get("", content), golden / f"{name}.nc")
+        changes = changes or _other_digest(golden, name)
+        changed += len(changes)
+        print("\n".join(changes) if changes else f"{name}: unchanged", flush=True)
+    if changed and args.write:
+        list_digests(golden, names)
     print(f"D and its gradient agree with their integrals at {checked} centers")
     return changed
+
+
+def _require_sound(name: str, new: Groups) -> None:
+    """Refuse golden data that the check would refuse."""
+    for group, dataset in new.items():
+        file = f"{name}/{group}" if group else name
+        for flaw in flaws(file, dataset):
+            raise InvalidResult(f"{file} {flaw}; fix its cell or its condition")
+
+
+def _other_digest(golden: Path, name: str) -> list[str]:
+    """The problem of a golden file that is not as it was stored."""
+    if not (golden / DIGESTS).is_file():
+        return [f"{name}: {golden / DIGESTS} is missing"]
+    return [f"{name}: {problem}" for _, problem in changed_files(golden, [name])]
 
 
 def _mark_golden(dataset: xr.Dataset, kind: Kind, count: int) -> xr.Dataset:

@@ -16,7 +16,7 @@ from pulling_by_pushing.evidence.writing import json_text, write_text
 #: Whether all passed, counts of values by kind, and every check, worst first.
 Verdict = dict[str, Any]
 #: Results that are not compared, and why.
-UNCOMPARED_RESULTS = {"accuracy_time": "times", "effects": "evaluations in logs"}
+UNCOMPARED_RESULTS = {"accuracy_time": "times"}
 
 
 def write_verdict(data: PathLike, text: PathLike, *, study: str, results: str) -> None:

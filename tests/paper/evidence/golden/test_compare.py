@@ -8,6 +8,7 @@ import xarray as xr
 
 from pulling_by_pushing.evidence.golden.compare import (
     KIND,
+    UP_TO_TURNS,
     Kind,
     Tolerance,
     TolerancesFile,
@@ -20,6 +21,8 @@ from pulling_by_pushing.evidence.writing import json_text
 TOLERANCES = TolerancesFile(tolerances={"one": {"time": Tolerance(absolute=1e-9)}})
 #: Radius of the finite numbers, and the size from which on a number counts as infinite.
 RADIUS, LARGE = 2.0**-40, 2.0**50
+#: A direction, which is compared up to whole turns.
+(TURN,) = UP_TO_TURNS
 
 
 @pytest.fixture
@@ -30,8 +33,8 @@ def wanted():
         {
             "force": (("law", "angle"), force, {"units": "1", "quantity": "force"}),
             "force_radius": (("law", "angle"), np.array([[-40, -40], [50, -40]], np.int8)),
-            "turn": (("angle",), np.array([-179.0, 10.0]), {"units": "degree"}),
-            "turn_radius": (("angle",), np.full(2, -40, np.int8)),
+            TURN: (("angle",), np.array([-179.0, 10.0]), {"units": "degree"}),
+            f"{TURN}_radius": (("angle",), np.full(2, -40, np.int8)),
             "time": (("angle",), np.array([0.0, 1.0])),
             "mode": (("law",), np.array([0, 3], np.int8), {"flag_meanings": "A B C D"}),
         },
@@ -43,7 +46,7 @@ def wanted():
 @pytest.fixture
 def found(wanted):
     return (
-        wanted.drop_vars(["force_radius", "turn_radius"])
+        wanted.drop_vars(["force_radius", f"{TURN}_radius"])
         .copy(deep=True)
         .assign_attrs({"versions": "new"})
     )
@@ -80,10 +83,10 @@ def test_what_has_no_radius_has_a_tolerance_and_is_not_enclosed(found, wanted):
     assert [each.variable for each in failed(found, wanted)] == ["time"]
 
 
-def test_angles_agree_up_to_whole_turns(found, wanted):
-    found["turn"].values[:] = 181.0, -350.0
+def test_directions_agree_up_to_whole_turns(found, wanted):
+    found[TURN].values[:] = 181.0, -350.0
     assert not failed(found, wanted)
-    found["turn"].values[0] = 181.0 + 1.1 * RADIUS
+    found[TURN].values[0] = 181.0 + 1.1 * RADIUS
     (check,) = failed(found, wanted)
     assert check.error == pytest.approx(1.1 * RADIUS, rel=1e-2)
 
@@ -137,6 +140,7 @@ def test_flags_and_labels_must_be_equal(found, wanted):
         (lambda data: data.isel(angle=[0]), "force has the shape (2, 1), not (2, 2)"),
         (lambda data: data.transpose(), "force has the dims ('angle', 'law')"),
         (lambda data: data.assign(mode=data["mode"].astype(float)), "mode has the type float64"),
+        (lambda data: data.assign(mode=data["mode"].astype("int16")), "mode has the type int16"),
         (
             lambda data: data.assign(force=data["force"].assign_attrs(units="2")),
             "force has units '2', not '1'",

@@ -32,17 +32,17 @@ def labeled_law(label: str) -> Law:
     return LAWS[label] if label in LAWS else Law(float(label.removeprefix("coulomb_")))
 
 
-def contact_laws(values: StudyValues, label: str) -> Record:
+def contact_laws(values: StudyValues, contact: str) -> Record:
     """Cell of the axis `contact`; NaN for a perfectly rough contact."""
-    law = labeled_law(label)
+    law = labeled_law(contact)
     return {
         "friction_angle": friction_angle(math.nan if law.adhesive else law.friction_coefficient)
     }
 
 
-def coefficients(values: StudyValues, mu: float) -> Record:
+def coefficients(values: StudyValues, friction_coefficient: float) -> Record:
     """Cell of the axis `friction_coefficient`."""
-    return {"friction_angle": friction_angle(mu)}
+    return {"friction_angle": friction_angle(friction_coefficient)}
 
 
 def friction_angle(mu: float) -> Any:

@@ -54,10 +54,10 @@ from pulling_by_pushing.oracle.motions import (
 
 
 def limit_point_values(
-    values: StudyValues, effects: str, length: float, angle: float, force_angle: float
+    values: StudyValues, effects: str, rod_length: float, rod_angle: float, force_angle: float
 ) -> Record:
     """Point of the limit curve at a force angle."""
-    slider, force = ring_slider(values, effects, length, angle), at_degrees(force_angle)
+    slider, force = ring_slider(values, effects, rod_length, rod_angle), at_degrees(force_angle)
     motion = ray(slider, force) if effects == FRICTION else limit_point(slider, force)
     size, x, y = motion.numbers(
         slider, lambda s: [norm(s.f_x, s.f_y), *_components(force, norm(s.f_x, s.f_y))]
@@ -73,10 +73,10 @@ def limit_point_values(
     }
 
 
-def curve_point(values: StudyValues, effects: str, length: float, force_angle: float) -> Record:
+def curve_point(values: StudyValues, effects: str, rod_length: float, force_angle: float) -> Record:
     """Point of the limit curve at the study's rod angle."""
     angle = values["slider"]["rod_angle"]
-    record = limit_point_values(values, effects, length, angle, force_angle)
+    record = limit_point_values(values, effects, rod_length, angle, force_angle)
     return {name: number for name, number in record.items() if name != "spin_ratio"}
 
 
@@ -85,20 +85,24 @@ def _components(force: Direction, size: arb) -> list[arb]:
 
 
 def motion_cone(
-    values: StudyValues, effects: str, length: float, angle: float, mu: float
+    values: StudyValues,
+    effects: str,
+    rod_length: float,
+    rod_angle: float,
+    friction_coefficient: float,
 ) -> Record:
     """Friction cone, motion cone, and the quantities derived from them."""
     record: Record = {CENTERS: []}
     signs = []
     for name, side in EDGES:
-        force = cone_edge(mu, side)
-        slider_of_all = ring_slider(values, effects, length, angle)
+        force = cone_edge(friction_coefficient, side)
+        slider_of_all = ring_slider(values, effects, rod_length, rod_angle)
         limit = (
             ray(slider_of_all, force) if effects == FRICTION else limit_point(slider_of_all, force)
         )
         size = limit.numbers(slider_of_all, lambda s: [norm(s.f_x, s.f_y)])[0]
         record |= {f"friction_cone_{name}": terms(force.angle, 90), f"limit_force_{name}": size}
-        sliders = [ring_slider(values, effect, length, angle) for effect in shares(effects)]
+        sliders = [ring_slider(values, effect, rod_length, rod_angle) for effect in shares(effects)]
         motions = [ray(slider, force) for slider in sliders]
         angles = [
             motion_angle(slider, force, m) for slider, m in zip(sliders, motions, strict=True)
@@ -118,13 +122,13 @@ def ring_solutions(
     values: StudyValues,
     effects: str,
     contact: str,
-    length: float,
-    magnitude: float,
+    rod_length: float,
+    pusher_magnitude: float,
     pusher_angle: float,
 ) -> Record:
     """Every consistent solution of a push."""
-    slider, pusher = ring_slider(values, effects, length), at_degrees(pusher_angle)
-    modes = contact_modes(slider, labeled_law(contact), pusher, rational(magnitude))
+    slider, pusher = ring_slider(values, effects, rod_length), at_degrees(pusher_angle)
+    modes = contact_modes(slider, labeled_law(contact), pusher, rational(pusher_magnitude))
     return solutions(slider, modes, rational(values["slider"]["radius"]))
 
 
@@ -132,13 +136,15 @@ def mode_set(
     values: StudyValues,
     effects: str,
     contact: str,
-    length: float,
-    magnitude: float,
+    rod_length: float,
+    pusher_magnitude: float,
     pusher_angle: float,
 ) -> Record:
     """Code of the set of consistent modes of a push."""
-    slider, pusher = ring_slider(values, effects, length), at_degrees(pusher_angle)
-    solutions_of_push = contact_modes(slider, labeled_law(contact), pusher, rational(magnitude))
+    slider, pusher = ring_slider(values, effects, rod_length), at_degrees(pusher_angle)
+    solutions_of_push = contact_modes(
+        slider, labeled_law(contact), pusher, rational(pusher_magnitude)
+    )
     motions = [solution.motion for solution in solutions_of_push]
     return {
         "modes": sum({1 << solution.mode for solution in solutions_of_push}),
@@ -147,34 +153,41 @@ def mode_set(
 
 
 def sticking_force(
-    values: StudyValues, effects: str, length: float, magnitude: float, pusher_angle: float
+    values: StudyValues,
+    effects: str,
+    rod_length: float,
+    pusher_magnitude: float,
+    pusher_angle: float,
 ) -> Record:
     """Angle of the force under which the contact moves with the pusher."""
-    slider, pusher = ring_slider(values, effects, length), at_degrees(pusher_angle)
-    motion, _ = stick(slider, pusher, rational(magnitude))
+    slider, pusher = ring_slider(values, effects, rod_length), at_degrees(pusher_angle)
+    motion, _ = stick(slider, pusher, rational(pusher_magnitude))
     return {"sticking_force_angle": force_angle(slider, pusher, motion)}
 
 
 def furthest_pull(
-    values: StudyValues, effects: str, contact: str, length: float, magnitude: float
+    values: StudyValues, effects: str, contact: str, rod_length: float, pusher_magnitude: float
 ) -> Record:
     """Pusher angle at which the sticking force is on the right edge of the friction cone."""
     law = labeled_law(contact)
     if law.adhesive:
         return {"furthest_pull": math.nan}
-    slider, force = ring_slider(values, effects, length), cone_edge(law.friction_coefficient, 1)
+    slider, force = ring_slider(values, effects, rod_length), cone_edge(law.friction_coefficient, 1)
     if effects == FRICTION:
         motion = ray(slider, force)
     else:
-        motion = contact_motion(slider, force, rational(magnitude))
+        motion = contact_motion(slider, force, rational(pusher_magnitude))
     return {"furthest_pull": motion_angle(slider, force, motion)}
 
 
 def acceleration_center(
-    values: StudyValues, length: float, force_angle: float, share: float
+    values: StudyValues, rod_length: float, force_angle: float, inertia_share: float
 ) -> Record:
     """Acceleration center relative to the contact, and motion, at a share of inertia."""
-    slider, force = slider_at_share(values, length, None, share), at_degrees(force_angle)
+    slider, force = (
+        slider_at_share(values, rod_length, None, inertia_share),
+        at_degrees(force_angle),
+    )
     motion = unit_motion(slider, force)
     x, y = center(slider, motion)
     angle = motion_angle(slider, force, motion)
@@ -186,14 +199,16 @@ def acceleration_center(
     }
 
 
-def region_ends(values: StudyValues, length: float, angle: float, force_angle: float) -> Record:
+def region_ends(
+    values: StudyValues, rod_length: float, rod_angle: float, force_angle: float
+) -> Record:
     """Ends of both regions of centers under one line of force, relative to the contact (Sec. 4).
 
     The ends of the exact region are friction alone and inertia alone.
     """
     force, record, centers = at_degrees(force_angle), Record(), []
     for share in (0.0, 1.0):
-        slider = slider_at_share(values, length, angle, share)
+        slider = slider_at_share(values, rod_length, rod_angle, share)
         motion = unit_motion(slider, force)
         centers.append(center(slider, motion))
         record.setdefault(CENTERS, []).extend(centers_of(slider, [motion]))
@@ -204,11 +219,11 @@ def region_ends(values: StudyValues, length: float, angle: float, force_angle: f
     return record
 
 
-def acceleration_cones(values: StudyValues, length: float) -> Record:
+def acceleration_cones(values: StudyValues, rod_length: float) -> Record:
     """The paper's bound and the exact cone under infinite friction."""
-    slider = ring_slider(values, BOTH, length)
+    slider = ring_slider(values, BOTH, rod_length)
     bound = bounds.conservative_cone(slider, rational(values["slider"]["radius"]))
-    exact = motion_cone(values, BOTH, length, values["slider"]["rod_angle"], math.inf)
+    exact = motion_cone(values, BOTH, rod_length, values["slider"]["rod_angle"], math.inf)
     return {f"conservative_cone_{name}": bound[i] for i, (name, _) in enumerate(EDGES)} | {
         f"exact_cone_{name}": exact[f"motion_cone_{name}"] for name, _ in EDGES
     }

@@ -49,9 +49,9 @@ from pulling_by_pushing.oracle.prove import Proved, Slider, State
 from pulling_by_pushing.oracle.support import Support
 
 
-def support_wrench(values: StudyValues, name: str, x: float, y: float) -> Record:
+def support_wrench(values: StudyValues, support: str, center_x: float, center_y: float) -> Record:
     """Mean distance, and the wrench about the origin for a counterclockwise rotation."""
-    pieces, center = support_of(values, name), rational_pair((x, y))
+    pieces, center = support_of(values, support), rational_pair((center_x, center_y))
     c = arb(center[0]), arb(center[1])
     foot = next((i for i, point in enumerate(pieces.points) if point.position == center), -1)
     distance, g_x, g_y, *_ = pieces.dgh(c, foot)
@@ -64,9 +64,9 @@ def support_wrench(values: StudyValues, name: str, x: float, y: float) -> Record
     }
 
 
-def support_numbers(values: StudyValues, name: str) -> Record:
+def support_numbers(values: StudyValues, support: str) -> Record:
     """Numbers of a support as a whole; the errors of its ellipsoid are stored as computed."""
-    pieces = support_of(values, name)
+    pieces = support_of(values, support)
     (x, y), extent = pieces.center, pieces.extent
     distance = pieces.dgh((arb(x), arb(y)))[0]
     last = 1 / (distance * distance)
@@ -80,11 +80,15 @@ def support_numbers(values: StudyValues, name: str) -> Record:
 
 
 def support_cone(
-    values: StudyValues, name: str, length: float, angle: float, friction: float
+    values: StudyValues,
+    support: str,
+    rod_length: float,
+    rod_angle: float,
+    friction_coefficient: float,
 ) -> Record:
     """Edges of a motion cone, the feet about which they pivot, and the quantities derived from them."""
-    slider = support_slider(support_of(values, name), length, angle)
-    (right, left), motions = edges(slider, friction)
+    slider = support_slider(support_of(values, support), rod_length, rod_angle)
+    (right, left), motions = edges(slider, friction_coefficient)
     signs = [settle(*normal_motion(slider, motion)) for motion in motions]
     return {
         "motion_angle": [right, left],
@@ -105,18 +109,23 @@ def edges(slider: Slider, friction: float) -> tuple[list[Number], list[Proved]]:
 
 
 def support_solutions(
-    values: StudyValues, name: str, length: float, angle: float, friction: float, pusher: float
+    values: StudyValues,
+    support: str,
+    rod_length: float,
+    rod_angle: float,
+    friction_coefficient: float,
+    pusher_angle: float,
 ) -> Record:
     """Every consistent solution of a push."""
-    pieces = support_of(values, name)
-    slider = support_slider(pieces, length, angle)
-    modes = contact_modes(slider, Law(friction), at_degrees(pusher), ONE)
+    pieces = support_of(values, support)
+    slider = support_slider(pieces, rod_length, rod_angle)
+    modes = contact_modes(slider, Law(friction_coefficient), at_degrees(pusher_angle), ONE)
     return solutions(slider, modes, pieces.extent)
 
 
-def support_curve(values: StudyValues, name: str, force_angle: float) -> Record:
+def support_curve(values: StudyValues, support: str, force_angle: float) -> Record:
     """Point of the limit curve of a support, for the rod of the study."""
-    size, motion, slider = _curve_point(values, support_of(values, name), force_angle)
+    size, motion, slider = _curve_point(values, support_of(values, support), force_angle)
     return {
         "force": size,
         "motion_angle": motion_angle(slider, at_degrees(force_angle), motion),
@@ -151,9 +160,9 @@ def swept_rod(values: StudyValues, index: int) -> tuple[float, float]:
     return rod["rod_length"], angles[index - len(lengths)]
 
 
-def support_rod(values: StudyValues, name: str, index: int) -> Record:
+def support_rod(values: StudyValues, support: str, rod: int) -> Record:
     """Cone of infinite friction of a support with a rod, and the friction that pulling needs."""
-    slider = support_slider(support_of(values, name), *swept_rod(values, index))
+    slider = support_slider(support_of(values, support), *swept_rod(values, rod))
     angles, motions = edges(slider, math.inf)
     return {
         "motion_angle": angles,
@@ -162,9 +171,9 @@ def support_rod(values: StudyValues, name: str, index: int) -> Record:
     }
 
 
-def ring_rod(values: StudyValues, index: int) -> Record:
+def ring_rod(values: StudyValues, rod: int) -> Record:
     """A rod, and the same of the ring; with inertia alone, too."""
-    length, angle = swept_rod(values, index)
+    length, angle = swept_rod(values, rod)
     slider = support_slider(ring_of(values), length, angle)
     body = Body(
         length=rational(length), mass=ONE, gyration=rational(values["slider"]["radius"]) ** 2
