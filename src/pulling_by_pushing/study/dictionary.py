@@ -172,7 +172,7 @@ def _size(name: str, results: str) -> tuple[str, str]:
         return _axes(open_dataset(name, results).sizes), ""
     dataset = DATASETS[name]
     if dataset.section:
-        sizes_of_section = read_dataset(Path(study.golden) / f"{name}.nc").sizes
+        sizes_of_section = read_dataset(Path(study.golden or "") / f"{name}.nc").sizes
         return _axes(sizes_of_section), f"{math.prod(sizes_of_section.values()):,}"
     sizes = {axis: len(study.values(axis, name)) for axis in dataset.axes}
     if dataset.pushes:

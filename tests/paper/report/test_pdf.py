@@ -17,7 +17,6 @@ from pulling_by_pushing.evidence.claims.ledger import load_ledger
 from pulling_by_pushing.figures.figure import drawing, entry
 from pulling_by_pushing.figures.studies import NUMBERS as FIGURE_NUMBERS
 from pulling_by_pushing.figures.studies import study_figures
-from pulling_by_pushing.report.parts.evidence import VERDICTS
 from pulling_by_pushing.report.tables import NUMBERS
 from pulling_by_pushing.report.typeset import typeset, typeset_pdf
 

@@ -6,6 +6,7 @@ from html import unescape
 import pytest
 
 from pulling_by_pushing.evidence.claims.ledger import load_ledger
+from pulling_by_pushing.report.parts.evidence import VERDICTS
 from pulling_by_pushing.report.typeset import typeset_html
 
 pytestmark = pytest.mark.slow
@@ -76,7 +77,9 @@ def in_order():
 def test_every_entry_is_listed_in_short_with_its_verdict(setting):
     text = words(proofs(setting))
     for number, verdict in enumerate(VERDICTS):
-        assert re.search(rf"Statement {number + 1}: Number {number} on .*? \({verdict}\)", text), verdict
+        assert re.search(rf"Statement {number + 1}: Number {number} on .*? \({verdict}\)", text), (
+            verdict
+        )
     assert "Proposition 1: Short for claim-ours (proved)" in text
 
 
