@@ -1,4 +1,4 @@
-"""The pictures of README: pulling beside slip with infinite friction, and a box. `make front` stores them.
+"""The pictures of README and of the report's first page: pulling beside slip, and a box. `make front` stores them.
 
 Rendered text moves between versions of matplotlib, so the comparison is meaningful only with the locked
 versions.
@@ -9,7 +9,7 @@ from __future__ import annotations
 import argparse
 import io
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -48,6 +48,8 @@ from pulling_by_pushing.study.running.jobs import run_command
 #: Where the animation and the picture of the box are stored, and the number of colors of the latter.
 ANIMATION = Path("paper/manual/pictures/pulling_and_slip.gif")
 BOX, COLORS = Path("paper/manual/pictures/box.png"), 64
+#: Where the last instants of both motions are stored for the report, and their pixels per inch.
+LAST, FINE = Path("paper/pictures/pulling_and_slip.png"), 220
 #: Size of a frame in inches, its pixels per inch, and the padding around a drawing in points.
 SIZE, DPI, PAD = (7.4, 3.0), 110, 8.0
 #: Height of the words above the drawings, inches, and their sizes, points.
@@ -142,7 +144,7 @@ def add_slip(picture: Picture, data: xr.Dataset, row: int) -> None:
         tail = x - slipped, low
         picture.arrow(tail, (slipped, 0.0), color=color, filled=False, width=1.4, head=9.0)
         text = f"slipped by {slipped:.1f}"
-        picture.label((x, low), text, color=color, size=NOTE, offset=(40.0, 0.0), held=True)
+        picture.label((x, low), text, color=color, size=NOTE, offset=(40.0, -5.0), held=True)
 
 
 def _low_end(data: xr.Dataset) -> Array:
@@ -150,14 +152,16 @@ def _low_end(data: xr.Dataset) -> Array:
     return np.asarray(contact(data) - [0.0, (SLIP_BELOW + 0.04) * span(data)])
 
 
-def pictures(motions: list[xr.Dataset]) -> Iterator[Image.Image]:
-    """Yield one picture for each time, with the motions side by side at one scale."""
+def pictures(
+    motions: list[xr.Dataset], rows: Sequence[int], dpi: int = DPI
+) -> Iterator[Image.Image]:
+    """Yield one picture for each of some times, with the motions side by side at one scale."""
     boxes = [corners([box(data), _low_end(data)]) for data in motions]
     widths = [float(np.ptp(each[:, 0])) for each in boxes]
     shares = np.cumsum([0.0, *widths]) / sum(widths)
     high = 1.0 - WORDS / SIZE[1]
-    for row in range(motions[0].sizes["time"]):
-        figure = Figure(figsize=SIZE, dpi=DPI)
+    for row in rows:
+        figure = Figure(figsize=SIZE, dpi=dpi)
         for data, panel, limits, left, right in zip(
             motions, (PULLING, SLIP), boxes, shares[:-1], shares[1:], strict=True
         ):
@@ -174,7 +178,15 @@ def animation() -> bytes:
     """The animation as a GIF."""
     motions = [motion_of(panel) for panel in (PULLING, SLIP)]
     with paper_style():
-        return encode(list(pictures(motions)), RATE, REST)
+        return encode(list(pictures(motions, range(FRAMES))), RATE, REST)
+
+
+def last_png() -> bytes:
+    """The last instants of both motions as a PNG."""
+    motions = [motion_of(panel, 2) for panel in (PULLING, SLIP)]
+    with paper_style():
+        (picture,) = pictures(motions, [1], FINE)
+    return png(picture)
 
 
 def frames(picture: bytes) -> Iterator[Array]:
@@ -194,15 +206,20 @@ def difference(new: bytes, stored: bytes) -> float:
     return max(float(np.sqrt(np.mean((one - other) ** 2))) for one, other in pairs)
 
 
-def box_png() -> bytes:
-    """The picture of the box as a PNG."""
+def png(picture: Image.Image) -> bytes:
+    """A picture with few colors as a PNG."""
     file = io.BytesIO()
-    box_picture().quantize(COLORS).save(file, format="PNG", optimize=True)
+    picture.quantize(COLORS).save(file, format="PNG", optimize=True)
     return file.getvalue()
 
 
+def box_png() -> bytes:
+    """The picture of the box as a PNG."""
+    return png(box_picture())
+
+
 #: Files, and the functions that make them.
-FILES = {ANIMATION: animation, BOX: box_png}
+FILES = {ANIMATION: animation, LAST: last_png, BOX: box_png}
 
 
 def main(arguments: list[str] | None = None) -> int:
