@@ -125,6 +125,10 @@ def test_a_result_that_is_missing_is_a_failed_check(copy, capsys):
             lambda path: path.write_bytes(path.read_bytes()[: path.stat().st_size // 2]),
             "limit_curves.nc: is a damaged golden file; take it from the repository",
         ),
+        (
+            lambda path: (path.parent / "SHA256SUMS").unlink(),
+            "golden/SHA256SUMS: no such list of digests; take it from the repository",
+        ),
     ],
 )
 def test_golden_files_that_are_missing_or_damaged_are_one_line(copy, capsys, spoil, said):
@@ -133,6 +137,24 @@ def test_golden_files_that_are_missing_or_damaged_are_one_line(copy, capsys, spo
     assert (code, out) == (2, "")
     assert said in err
     assert err.count("\n") == 1
+
+
+@pytest.mark.parametrize(("exponent", "wide"), [(-45, False), (100, True)])
+def test_a_golden_file_that_was_changed_is_a_failed_check(copy, capsys, exponent, wide):
+    """Digests find what is not wide, too; wide radii are found without them."""
+    path = copy / "golden/limit_curves.nc"
+    data = read_dataset(path).load()
+    data["force_radius"] = data["force_radius"] * 0 + np.int8(exponent)
+    write_dataset(data, path)
+    code, out, _ = check(copy, capsys)
+    assert code == 1
+    digest = (
+        f"FAIL limit_curves {path} is not the golden file of {path.parent / 'SHA256SUMS'}; take"
+    )
+    assert digest in out
+    assert ("golden radii of force above 1e-09 of their numbers; take it" in out) == wide
+    arguments = ["--study", str(copy / "mine.yaml"), "--results", str(copy / "results")]
+    assert update.main([*arguments, "--only", "limit_curves"]) == 1
 
 
 def test_golden_data_of_nothing_are_a_failed_check(copy, capsys):
