@@ -17,7 +17,7 @@ from planar_pushing.terms.quantities import FINGER, LOG, NOTES, PAPER, unit_of
 from planar_pushing.terms.replacing import replacing
 from pulling_by_pushing.study.catalog import DATASETS, EVIDENCE, GROUPS, SIMULATIONS, TABLES
 from pulling_by_pushing.study.running.jobs import run_command
-from pulling_by_pushing.study.store import open_dataset
+from pulling_by_pushing.study.store import open_dataset, read_dataset
 from pulling_by_pushing.study.studies import PAPER_FILE, SLIDERS_FILE, study_name
 from pulling_by_pushing.study.study_file import load_study
 
@@ -172,7 +172,7 @@ def _size(name: str, results: str) -> tuple[str, str]:
         return _axes(open_dataset(name, results).sizes), ""
     dataset = DATASETS[name]
     if dataset.section:
-        sizes_of_section = open_dataset(name, results).sizes
+        sizes_of_section = read_dataset(Path(study.golden) / f"{name}.nc").sizes
         return _axes(sizes_of_section), f"{math.prod(sizes_of_section.values()):,}"
     sizes = {axis: len(study.values(axis, name)) for axis in dataset.axes}
     if dataset.pushes:

@@ -114,7 +114,8 @@ AXIS = {"motion_cones": 1, "figure": 5}
         (f"{PAPER}/figures/paper/figure_05.py", CODE, {"figure": 1}),
         (f"{PAPER}/study/datasets/motion_cones.py", CODE, AXIS),
         (f"{PAPER}/study/datasets/center_regions.py", CODE, {"center_regions": 1}),
-        ("src/planar_pushing/simulation/pusher.py", CODE, {"simulations_smoke": 1, "figure": 2}),
+        ("src/planar_pushing/simulation/pusher.py", CODE,
+         {"simulations_smoke": 1, "figure": 3, "model_errors": 1, "model_estimates": 1}),
         (f"{PAPER}/commands/query.py", CODE, {}),
     ],
 )  # fmt: skip
