@@ -105,7 +105,7 @@ front: $(CORE) ## compare the pictures of README with the stored ones; WRITE=1 s
 	$(BIN)/python -m pulling_by_pushing.figures.front $(if $(WRITE),--write)
 
 pages: $(CORE) ## compare the pages in docs with those of the manual, as of the last results; WRITE=1 stores them
-	$(BIN)/python -m pulling_by_pushing.report.pages $(if $(WRITE),--write)
+	$(BIN)/python -m pulling_by_pushing.figures.pages $(if $(WRITE),--write)
 
 dictionary: $(INSTALLED) ## write results/README.md from the attributes of the datasets
 	$(BIN)/python -m pulling_by_pushing.study.dictionary

@@ -11,7 +11,7 @@ import numpy as np
 from PIL import Image
 
 from planar_pushing.terms.replacing import replacing
-from pulling_by_pushing.report.pages.markdown import (
+from pulling_by_pushing.figures.pages.markdown import (
     OUTPUT,
     RESULTS,
     SOURCE,

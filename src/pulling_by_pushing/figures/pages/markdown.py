@@ -12,8 +12,8 @@ from typing import NamedTuple
 from PIL import Image
 
 from planar_pushing.terms.errors import InvalidFile
-from pulling_by_pushing.report.pages.cells import Shown, run_cells
-from pulling_by_pushing.report.pages.numbers import NUMBERS, format_number
+from pulling_by_pushing.figures.pages.cells import Shown, run_cells
+from pulling_by_pushing.figures.pages.numbers import NUMBERS, format_number
 
 #: Folders of the sources, of the rendered pages, and of the stored images of figures.
 SOURCE, OUTPUT, IMAGES = Path("paper/manual"), Path("docs"), Path("tests/golden/images")

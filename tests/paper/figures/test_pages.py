@@ -9,10 +9,10 @@ import pytest
 from PIL import Image
 
 from planar_pushing.terms.errors import InvalidFile
-from pulling_by_pushing.report.pages import __main__ as pages
-from pulling_by_pushing.report.pages import markdown
-from pulling_by_pushing.report.pages.cells import run_cells
-from pulling_by_pushing.report.pages.numbers import format_number
+from pulling_by_pushing.figures.pages import __main__ as pages
+from pulling_by_pushing.figures.pages import markdown
+from pulling_by_pushing.figures.pages.cells import run_cells
+from pulling_by_pushing.figures.pages.numbers import format_number
 
 #: What a page needs of the results: numbers, a verdict, datasets.
 FROM_RESULTS = re.compile(r"\{number\}|results/tables|open_dataset\(")
@@ -64,9 +64,9 @@ def project(tmp_path, monkeypatch):
 
 def test_roles_and_links(project):
     project("# Other\n", "other.md")
-    text = "At {number}`edge`, {py:func}`~planar_pushing.solve`, [page](../other.md#part), [code](../../../src/a.py)\n"
-    shown = "At \u221220.04°, `solve`, [page](../other.md#part), [code](../../src/a.py)\n"
-    assert project(text) == shown
+    text = "At {number}`edge`, {py:func}`~planar_pushing.solve`, [page](../other.md#part)\n"
+    assert project(text) == "At \u221220.04°, `solve`, [page](../other.md#part)\n"
+    assert project("[code](../../../src/a.py)") == "[code](../../src/a.py)"
     assert (
         project("[names](../reference/cones.md), ![x](https://a.b)\n")
         == "names, ![x](https://a.b)\n"
@@ -76,25 +76,25 @@ def test_roles_and_links(project):
 
 
 def test_directives(project):
-    figure = "```{figure} ../../../results/figures/figure_01.svg\n:alt: A fence.\n:width: 60%\n\nAt {number}`edge`.\n```\n"
+    figure = "```{figure} ../../../results/figures/figure_01.svg\n:alt: A fence.\n:width: 60%\n"
+    figure += "\nAt {number}`edge`.\n```\n"
     shown = "![A fence.](../../tests/golden/images/figure_01.png)\n\n*At \u221220.04°.*\n"
     assert project(figure) == shown
     math = "```{math}\n:label: sum\n\na + b\n```\nBy {eq}`sum`\n"
     assert project(math) == "```math\na + b \\tag{1}\n```\nBy (1)\n"
     Path("results/tables/text.txt").write_text("one\ntwo\nthree\n", encoding="utf-8")
-    part = "```{literalinclude} ../../../results/tables/text.txt\n:language: none\n:start-at: two\n:lines: -1\n```\n"
+    part = "```{literalinclude} ../../../results/tables/text.txt\n:language: none\n"
+    part += ":start-at: two\n:lines: -1\n```\n"
     assert project(part) == "```text\ntwo\n```\n"
-    assert project("```{toctree}\n:hidden:\n\npage\n```\n").startswith("- [```{toctree}](page.md)")
+    project("# A title\n", "theory/other.md")
+    assert project("```{toctree}\n:hidden:\n\nother\n```\n") == "- [A title](other.md)\n"
 
 
 def test_cells_print_and_draw(project):
-    cells = (
-        "```{code-cell} ipython3\nx = 2\nprint('a')\nx + 1\n```\n```{code-cell} ipython3\nx;\n```\n"
-    )
-    assert (
-        project(cells)
-        == "```python\nx = 2\nprint('a')\nx + 1\n```\n\n```text\na\n3\n```\n```python\nx;\n```\n"
-    )
+    code = "x = 2\nprint('a')\nx + 1\n"
+    cells = f"```{{code-cell}} ipython3\n{code}```\n```{{code-cell}} ipython3\nx;\n```\n"
+    shown = f"```python\n{code}```\n\n```text\na\n3\n```\n```python\nx;\n```\n"
+    assert project(cells) == shown
     plot = ["import matplotlib.pyplot as plt\nplt.plot([1, 2]);", "import os; sorted(os.listdir())"]
     drawn, listed = run_cells(plot, Path("results"))
     assert (drawn.text, len(drawn.pictures)) == ("", 1)
