@@ -1,4 +1,4 @@
-"""The pictures of README and of the report's first page: pulling beside slip, and a box. `make front` stores them.
+"""Pictures of README and of the report's first page: pulling, slip, and a box. `make front` stores them.
 
 Rendered text moves between versions of matplotlib, so the comparison is meaningful only with the locked
 versions.
