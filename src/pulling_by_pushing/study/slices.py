@@ -31,7 +31,9 @@ def result_names(study: StudyFile) -> list[str]:
     """Names of the results of a study that do not differ from run to run, as in `open_dataset`."""
     computed = [name for name in DATASETS if computes(study, name)]
     logs = [f"{SIMULATIONS}/{name}" for name in study.simulations]
-    return [*computed, *logs, *(COUNTS if "scenes" in computed else ())]
+    pushed = study.grid.effects and study.grid.rod_length  # `effects` pushes a slider of the grid
+    counts = [name for name in COUNTS if name != "effects" or pushed]
+    return [*computed, *logs, *(counts if "scenes" in computed else ())]
 
 
 def study_slice(study: StudyFile, name: str) -> dict[str, Any]:

@@ -10,6 +10,7 @@ from pulling_by_pushing.study.slices import (
     computes,
     part_of,
     points,
+    result_names,
     select_ranges,
     sizes,
     study_slice,
@@ -84,3 +85,15 @@ def test_sizes_are_those_of_the_dataset(sliders, name):
     found = open_dataset(name, sliders, study=folder)
     expected = sizes(name, study_slice(study, name))
     assert {dim: found.sizes[dim] for dim in DATASETS[name].dims} == expected
+
+
+@pytest.mark.parametrize("axis", ["effects", "rod_length"])
+def test_evaluations_of_effects_need_a_slider_and_effects(axis):
+    """A study of scenes alone has the other results about the computation itself."""
+    grid = STUDY.grid.model_copy(update={axis: ()})
+    names, fewer = (
+        result_names(study) for study in (STUDY, STUDY.model_copy(update={"grid": grid}))
+    )
+    assert {"effects", "hard_cases", "accuracy"} <= set(names)
+    assert {"hard_cases", "accuracy"} <= set(fewer)
+    assert "effects" not in fewer
