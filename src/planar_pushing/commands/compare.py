@@ -31,13 +31,23 @@ def add(commands: Commands) -> None:
     about = (
         "Compare models of supports with measured pushes. Each model is fitted to one half of the pushes "
         "of an object and scored on the other half, then vice versa. A ratio is the model's median error "
-        "divided by that of an ellipsoid fitted to the same pushes, with its 95 percent interval."
+        "divided by that of an ellipsoid fitted to the same pushes, with its 95 percent interval. With one "
+        "split into halves, the interval is that of these fits; with several, the numbers are means, and "
+        "the intervals contain pushes, splits, and fits."
     )
     sub = command(commands, "compare", compare_models, about, "pushes.nc --identify")
     add_pushes(sub, several=True)
     sub.add_argument(
         "--identify", action="store_true",
         help="also compare the support that identify finds, which takes longer",
+    )  # fmt: skip
+    sub.add_argument(
+        "--splits", type=int, default=1, metavar="NUMBER",
+        help="number of random splits into halves; fifty or more for a result to rely on (default: 1)",
+    )  # fmt: skip
+    sub.add_argument(
+        "--workers", type=int, default=1, metavar="NUMBER",
+        help="number of processes, or -1 for one on each core (default: 1)",
     )  # fmt: skip
     sub.add_argument(
         "-o", "--output", type=Path, metavar="COMPARISON.nc",
@@ -51,11 +61,15 @@ def compare_models(args: argparse.Namespace) -> dict[str, Any]:
         require_ending(args.output, ENDINGS)
     seed = require_seed(args.seed)
     pushes = chosen_pushes(args)
-    from planar_pushing.pushes.compare import MODELS, compare
+    from planar_pushing.pushes.compare import compare
+    from planar_pushing.pushes.models import MODELS
     from planar_pushing.terms.netcdf import write_dataset
 
     models = [model for model in MODELS if args.identify or model != SLOW]
-    scores = compare(pushes, models, seed=seed, progress=sys.stderr.isatty())
+    scores = compare(
+        pushes, models, splits=args.splits, workers=args.workers, seed=seed,
+        progress=sys.stderr.isatty(),
+    )  # fmt: skip
     written = {}
     if args.output is not None:
         write_dataset(scores, args.output)
@@ -82,6 +96,7 @@ def summary(scores: xr.Dataset) -> dict[str, Any]:
         "objects": [str(label) for label in scores["object"].values],
         "pushes": scores.sizes["push"],
         "seed": int(scores.attrs["seed"]),
+        "splits": int(scores.attrs["splits"]),
         "reference": str(scores.attrs["reference"]),
         "units": {name: _unit(scores, name) for name in quantities if known[name]},
         "comparison": {name: rows for name, rows in known.items() if rows},
@@ -90,10 +105,9 @@ def summary(scores: xr.Dataset) -> dict[str, Any]:
 
 def _statistics(one: xr.Dataset) -> dict[str, Any]:
     """Statistics of one quantity and model."""
-    single = ("median", "percentile_90", "ratio", "difference")
-    ends = ("median_interval", "ratio_interval", "difference_interval")
-    return {name: float(one[name]) for name in single} | {
-        name: [float(end) for end in one[name].values] for name in ends
+    names = ("median", "percentile_90", "ratio", "ratio_90", "difference")
+    return {name: float(one[name]) for name in names} | {
+        f"{name}_interval": [float(end) for end in one[f"{name}_interval"].values] for name in names
     }
 
 

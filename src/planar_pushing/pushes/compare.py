@@ -2,130 +2,46 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from functools import partial
-from typing import Any, NamedTuple, Protocol
+from typing import Any
 
 import numpy as np
 import xarray as xr
 
-from planar_pushing.mechanics.outline import Outline
-from planar_pushing.mechanics.outline.chains import sample_chain, split_chains
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.mechanics.supports import Disc, Points, Polygon, fit_ellipsoid
 from planar_pushing.mechanics.supports.base import require_in_frame, require_support
-from planar_pushing.pushes.fit.ellipsoid import Ellipsoid
-from planar_pushing.pushes.fit.fitted import fitted_ellipsoid
-from planar_pushing.pushes.fit.friction import contact_friction
-from planar_pushing.pushes.fit.quartic import fitted_quartic
-from planar_pushing.pushes.fit.statistics import QUANTITIES, REFERENCE, angles, statistics
-from planar_pushing.pushes.fit.supported import OnSupport
-from planar_pushing.pushes.identify import identify_measured
+from planar_pushing.pushes.fit.scores import QUANTITIES, REFERENCE
+from planar_pushing.pushes.fit.statistics import split_statistics, statistics
+from planar_pushing.pushes.halves import (
+    PLAIN,
+    RESAMPLED,
+    Job,
+    Task,
+    divisions,
+    require_workers,
+    score_jobs,
+    usable_for_fits,
+)
 from planar_pushing.pushes.logs.arguments import MOST, whole_number
 from planar_pushing.pushes.logs.combine import of_object
-from planar_pushing.pushes.logs.measured import (
-    Mask,
-    Measured,
-    measurements_of,
-    twists_at,
-    wrenches_about,
-)
-from planar_pushing.pushes.logs.schema import require_pushes, without_padding
+from planar_pushing.pushes.logs.measured import measurements_of
+from planar_pushing.pushes.logs.schema import require_pushes
+from planar_pushing.pushes.models import MODELS, Fit, fixed_model
 from planar_pushing.terms.errors import InvalidValue, number_of, require_flag, suggestion
 
-#: Candidate contact friction coefficients for a given support, if no measured force determines it.
-FRICTIONS = np.geomspace(0.05, 1.2, 20)
-#: Deviation of the polygon of a uniform pressure from arcs, in sizes of the outline.
-FINE = 1e-4
 #: Smallest number of pushes of an object; half of them must determine five numbers of an ellipsoid.
 LEAST = 8
-
-
-class Model(Protocol):
-    """A model of support friction in the object's frame."""
-
-    def poses(self, pushes: Measured, friction: float) -> Array:
-        """Final poses of the object's frame, shape (n, 3), for a contact friction coefficient."""
-
-    def wrenches(self, twists: Array) -> Array:
-        """Directions of the wrenches for twists of shape (n, 3)."""
-
-    def motions(self, wrenches: Array) -> Array:
-        """Directions of the twists for wrenches of shape (n, 3); NaN if there is no motion."""
-
-
-class Half(NamedTuple):
-    """Half of an object's pushes, to which models are fitted: dataset, arrays, and options."""
-
-    dataset: xr.Dataset
-    pushes: Measured
-    options: dict[str, Any]
-
-
-def feet_of(dataset: xr.Dataset) -> Points | None:
-    """Feet of the object of a dataset, if they and their loads are known."""
-    if "feet" not in dataset or "foot_weight" not in dataset:
-        return None
-    places = without_padding(dataset["feet"].values[0])
-    loads = dataset["foot_weight"].values[0][: len(places)]
-    return Points(places, loads) if len(places) and np.isfinite(loads).all() else None
-
-
-def uniform_support(outline: Outline) -> Any:
-    """A uniform pressure within an outline, whose arcs are polygons within a ten-thousandth of its size."""
-    rows = outline.pieces
-    if len(rows) == 1:
-        x, y, radius = rows[0, :3].tolist()
-        return Disc(radius, (x, y))
-    if outline.corners is not None:
-        return Polygon(outline.corners)
-    rings = [sample_chain(chain, FINE * outline.size) for chain in split_chains(rows)]
-    return Polygon(rings[0], holes=rings[1:])
-
-
-def _known_feet(half: Half) -> tuple[Model, float] | None:
-    feet = feet_of(half.dataset)
-    return None if feet is None else on_support(feet, half.pushes)
-
-
-def _uniform(half: Half) -> tuple[Model, float]:
-    return on_support(uniform_support(half.pushes.outline), half.pushes)
-
-
-def _identify(half: Half) -> tuple[Model, float]:
-    result = identify_measured(measurements_of(half.dataset), resamples=1, **half.options)
-    return OnSupport(result.support), result.contact_friction
-
-
-def _known_feet_ellipsoid(half: Half) -> tuple[Model, float] | None:
-    feet = feet_of(half.dataset)
-    return None if feet is None else on_ellipsoid(feet, half.pushes)
-
-
-def _uniform_ellipsoid(half: Half) -> tuple[Model, float]:
-    return on_ellipsoid(uniform_support(half.pushes.outline), half.pushes)
-
-
-def _fitted_ellipsoid(half: Half) -> tuple[Model, float]:
-    return fitted_ellipsoid(half.pushes)
-
-
-def _fitted_quartic(half: Half) -> tuple[Model, float] | None:
-    return fitted_quartic(half.pushes)
-
-
-#: Functions that fit each model and the contact friction to pushes, or return None if it does not apply.
-MODELS: dict[str, Callable[[Half], tuple[Model, float] | None]] = {
-    "known_feet": _known_feet, "identified": _identify, "uniform": _uniform,
-    "known_feet_ellipsoid": _known_feet_ellipsoid, "uniform_ellipsoid": _uniform_ellipsoid,
-    "fitted_quartic": _fitted_quartic, REFERENCE: _fitted_ellipsoid,
-}  # fmt: skip
+#: The same for several splits: a resample of so many has about 0.63 times as many different pushes.
+LEAST_RESAMPLED = 16
 
 
 def compare(
     pushes: xr.Dataset,
     models: Any = None,
     *,
+    splits: int = 1,
+    workers: Any = 1,
     seed: int = 0,
     resamples: int = 1000,
     spacing: float | None = None,
@@ -143,30 +59,41 @@ def compare(
         pressure on the outline), "known_feet_ellipsoid" and "uniform_ellipsoid" (`fit_ellipsoid` of these
         supports), "fitted_quartic" and "fitted_ellipsoid" (fitted to the same pushes); by default all that
         apply. A mapping adds the user's own supports, in the object's frame, to these models.
+    splits : int
+        Number of random divisions of the pushes into halves. One, the default, is cheap; a result to rely
+        on takes fifty or more, since it can depend on the division more than on the model. With s splits,
+        models are fitted 4 s times to each object, which has at least 16 pushes.
+    workers : int or callable
+        Number of processes, -1 for one on each core, or a function like `map` that calls a function for
+        each task in order. A script that starts processes runs its own code under ``if __name__ ==
+        "__main__"``.
     seed : int
-        Seed of the division into halves and of the resampling.
+        Seed of the divisions into halves and of the resampling.
     resamples : int
-        Number of resamples of the pushes for the intervals.
+        Number of resamples of the errors for the intervals of a single split.
     spacing, family
         As in `identify`.
     progress : bool
-        Whether to show a progress bar while a support is identified.
+        Whether to show a progress bar.
 
     Returns
     -------
     xarray.Dataset
-        `error` over (quantity, model, push), and medians, 90th percentiles, ratios and paired differences
-        relative to the fitted ellipsoid, with 95 percent intervals over `bound`. The quantities are the
-        wrench under the measured twist, the motion under the measured force, and the final pose. Errors of
-        wrench and motion are angles in degrees between predicted and measured vectors, with torques and
-        rotations scaled by half the outline's extent (`length`). The error of the final pose is the
-        distance plus `length` times the angle. Values are NaN if no force was measured or a model does not
-        apply; those of wrench and motion also if the object did not move.
+        `error` over (quantity, model, push), and medians, 90th percentiles, their ratios to those of the
+        fitted ellipsoid, and paired differences from its errors, with 95 percent intervals over `bound`.
+        With several splits, all of these are means over the splits, and the errors of each split and of
+        each resample are `split_error` and `resampled_error`, over (split, quantity, model, push); `draws`
+        over (split, push) is how often a resample has drawn a push. The quantities are the wrench under the
+        measured twist, the motion under the measured force, and the final pose. Errors of wrench and motion
+        are angles in degrees between predicted and measured vectors, with torques and rotations scaled by
+        half the outline's extent (`length`). The error of the final pose is the distance plus `length`
+        times the angle. Values are NaN if no force was measured or a model does not apply; those of wrench
+        and motion also if the object did not move.
 
     Raises
     ------
     InvalidValue
-        If a model is unknown or an object has too few pushes for two halves.
+        If a model or an option is unknown, or an object has too few pushes for two halves.
 
     Notes
     -----
@@ -176,89 +103,59 @@ def compare(
     touches two places, as in an inner corner, the object rests from then on. No model is fitted to pushes
     that touch a corner first (`at_corner`), which depend strongly on where they do.
 
+    With one split, the intervals are from resampled errors of the two fits, as if these fits were given:
+    they contain neither the division nor the variation of the fits. With several splits, a value is the
+    mean over random divisions of all pushes, which averages the division out. Its interval is from as many
+    further splits, each of pushes drawn anew with replacement, fitted again, and scored again; a push that
+    was drawn twice is in one half alone. So the interval contains the pushes, the division and the fit.
+    Pushes must be drawn before they are divided: in two halves of the same pushes, the errors of one fit
+    make up for those of the other, and divisions alone would show too small a variation. Since a resample
+    has fewer different pushes, its fits are worse, those of flexible models most; hence the results of the
+    resamples are centered at the mean over the splits (for the positive statistics by a factor), and only
+    their spread counts. The ends are the 2.5th and 97.5th percentiles; of fewer than 40 splits, they are
+    the smallest and the largest result. A resample is divided once, so the intervals are wider than those
+    of a mean over many divisions.
+
     The quartic is the model of Zhou, Paolini, Bagnell, and Mason (ICRA 2016, pp. 372-377): a convex form of
     degree 4 in the wrench, whose level set is the limit surface and whose gradient is along the twist. A
     semidefinite program fits its fifteen coefficients, with weights from cross-validation within the half.
     It applies to halves with measured forces of at least five pushes.
     """
     checked = require_pushes(pushes)
+    splits, workers = whole_number("splits", splits, 1, MOST), require_workers(workers)
     draws, seed = whole_number("resamples", resamples, 1, MOST), whole_number("seed", seed, 0)
     require_flag("progress", progress)
     fits = _required_models(models)
-    options = {"spacing": spacing, "family": family, "progress": progress}
-    count, lengths = checked.sizes["push"], []
-    errors = np.full((len(QUANTITIES), len(fits), count), np.nan)
-    corner = np.zeros(count, dtype=bool)
-    objects = {name: of_object(checked, name) for name in map(str, checked["object"].values)}
-    measured = {name: measurements_of(one) for name, one in objects.items()}
-    for name, every in measured.items():
-        _require_halves(name, every)
-    for name, names in objects.items():
-        rows = np.flatnonzero(checked["pushed"].values == name)
-        every = measured[name]
-        lengths.append(every.length)
-        corner[rows] = every.at_corner
-        generator = np.random.default_rng(seed)
-        order = generator.permutation(len(rows))
-        parts = np.array_split(order, 2)
-        for fit, score in (parts, parts[::-1]):
-            half = Half(names.isel(push=np.sort(fit)), every.part(np.sort(fit)), options)
-            scored = every.part(score)
-            for k, fit_model in enumerate(fits.values()):
-                fitted = fit_model(half)
-                if fitted is not None:
-                    errors[:, k, rows[score]] = errors_of(*fitted, scored)
-    kept = np.isfinite(errors).any(axis=(0, 2))
-    error = xr.DataArray(
-        errors[:, kept], dims=("quantity", "model", "push"),
-        coords={"quantity": list(QUANTITIES), "model": [n for n, k in zip(fits, kept, strict=True) if k]},
-    )  # fmt: skip
-    return _comparison(error, checked, corner, np.array(lengths), draws, seed)
-
-
-def errors_of(model: Model, friction: float, pushes: Measured) -> Array:
-    """Errors of a model in wrench and motion (degrees) and in final pose (length), shape (3, n)."""
-    scale = np.array([1.0, 1.0, pushes.length])
-    error = np.full((3, len(pushes)), np.nan)
-    forced = pushes.has_directions
-    if forced.any():
-        part = pushes.part(forced)
-        wrenches = wrenches_about(model.wrenches(part.twists), pushes.center)
-        twists = twists_at(model.motions(part.wrenches), pushes.center)
-        error[0, forced] = angles(wrenches / scale, part.centered_wrenches / scale)
-        error[1, forced] = angles(twists * scale, part.centered_twists * scale)
-    difference = model.poses(pushes, friction) - pushes.observed
-    error[2] = np.hypot(*difference[:, :2].T) + pushes.length * np.abs(difference[:, 2])
-    return error
-
-
-def on_support(support: Any, pushes: Measured) -> tuple[Model, float]:
-    """Model of a given support, and the contact friction that fits it best."""
-    model = OnSupport(support)
-    return model, _friction(model, pushes)
-
-
-def on_ellipsoid(support: Any, pushes: Measured) -> tuple[Model, float]:
-    """Ellipsoid of a support, and the contact friction that fits it best."""
-    fit = fit_ellipsoid(support)
-    model = Ellipsoid.about(np.array(fit.center), fit.matrix)
-    return model, _friction(model, pushes)
-
-
-def _friction(model: Model, pushes: Measured) -> float:
-    """Contact friction from forces, or otherwise the value with the most accurate final poses."""
-    if pushes.has_force.any():
-        return contact_friction(pushes).coefficient
-    sides = pushes.part(~pushes.at_corner)
-    scale = [1.0, 1.0, sides.length]
-    errors = [
-        np.median(np.abs((model.poses(sides, mu) - sides.observed) * scale).sum(axis=1))
-        for mu in FRICTIONS
+    objects = [of_object(checked, name) for name in map(str, checked["object"].values)]
+    for one in objects:
+        _require_halves(one, LEAST if splits == 1 else LEAST_RESAMPLED)
+    options = {"spacing": spacing, "family": family, "progress": progress and splits == 1}
+    jobs = [
+        Job(kind, split, np.flatnonzero(checked["pushed"].values == one["object"].item()), task)
+        for number, one in enumerate(objects)
+        for kind, split, fold in divisions(measurements_of(one), number, splits, seed)
+        for task in [Task(one, fold, fits, options)]
     ]
-    return float(FRICTIONS[int(np.argmin(errors))])
+    shape = splits, len(QUANTITIES), len(fits), checked.sizes["push"]
+    errors, counts = score_jobs(jobs, shape, workers, progress and splits > 1)
+    kept = np.isfinite(errors[PLAIN]).any(axis=(0, 1, 3))
+    names = [name for name, is_kept in zip(fits, kept, strict=True) if is_kept]
+    by_split, resampled = (_labelled(array[:, :, kept], names) for array in errors)
+    if splits == 1:
+        results = statistics(by_split[0], draws, seed)
+    else:
+        results = split_statistics(by_split, resampled, counts[RESAMPLED])
+    about = {"seed": seed, "splits": splits} | ({"resamples": draws} if splits == 1 else {})
+    return _describe(results, checked, objects).assign_attrs(**about)
 
 
-def _required_models(models: Any) -> dict[str, Callable[[Half], tuple[Model, float] | None]]:
+def _labelled(errors: Array, models: list[str]) -> xr.DataArray:
+    """Errors of shape (splits, quantities, models, pushes) with names."""
+    dims = ("split", "quantity", "model", "push")
+    return xr.DataArray(errors, {"quantity": list(QUANTITIES), "model": models}, dims)
+
+
+def _required_models(models: Any) -> dict[str, Fit]:
     """Return the models to compare, including the reference, or raise `InvalidValue`."""
     if models is None:
         return dict(MODELS)
@@ -280,57 +177,51 @@ def _required_models(models: Any) -> dict[str, Callable[[Half], tuple[Model, flo
                 "models", {name: support}, "supports under names of your own",
                 f"use none of the names {', '.join(MODELS)}",
             )  # fmt: skip
-    functions = {name: partial(_fixed_model, support) for name, support in models.items()}
+    functions = {name: partial(fixed_model, support) for name, support in models.items()}
     return {**functions, **MODELS}
 
 
-def _fixed_model(support: Any, half: Half) -> tuple[Model, float]:
-    return on_support(support, half.pushes)
-
-
-def _require_halves(name: str, pushes: Measured) -> None:
-    """Refuse pushes if half of them are too few to fit an ellipsoid."""
-    usable = pushes.has_force | ~pushes.at_corner
-    if usable.sum() < LEAST:
+def _require_halves(pushes: xr.Dataset, fewest: int) -> None:
+    """Refuse pushes of an object if half of them are too few to fit an ellipsoid."""
+    usable = int(usable_for_fits(measurements_of(pushes)).sum())
+    if usable < fewest:
+        name = pushes["object"].item()
         raise InvalidValue(
-            "pushes", f"{number_of(int(usable.sum()), 'push')} of {name} to which a model can be fitted",
-            f"at least {LEAST}",
+            "pushes", f"{number_of(usable, 'push')} of {name} to which a model can be fitted",
+            f"at least {fewest}",
             "measure more pushes: half of them are used for the fit",
         )  # fmt: skip
 
 
-def _comparison(
-    error: xr.DataArray,
-    pushes: xr.Dataset,
-    corner: Mask,
-    lengths: Array,
-    resamples: int,
-    seed: int,
-) -> xr.Dataset:
-    """Dataset of the errors and their statistics, the objects of the pushes, and attributes."""
+def _describe(results: xr.Dataset, pushes: xr.Dataset, objects: list[xr.Dataset]) -> xr.Dataset:
+    """Statistics with the objects of the pushes, units, and attributes."""
     unit = str(pushes["displacement"].attrs["units"])
-    comparison = statistics(error, resamples, seed)
-    comparison["pushed"] = (
+    measured = [measurements_of(one) for one in objects]
+    corner = np.zeros(pushes.sizes["push"], dtype=bool)
+    for one, each in zip(objects, measured, strict=True):
+        corner[pushes["pushed"].values == one["object"].item()] = each.at_corner
+    results["pushed"] = (
         "push",
         pushes["pushed"].values,
         {"long_name": "name of the object that is pushed"},
     )
-    comparison["at_corner"] = (
+    results["at_corner"] = (
         "push",
         corner,
         {"long_name": "whether the push touches a corner first"},
     )
-    comparison["length"] = (
-        "object", lengths, {"units": unit, "long_name": "half the extent of the outline"},
+    results["length"] = (
+        "object", [each.length for each in measured],
+        {"units": unit, "long_name": "half the extent of the outline"},
     )  # fmt: skip
-    for name, variable in comparison.data_vars.items():
+    for name, variable in results.data_vars.items():
         if "quantity" in variable.dims:
-            ratio = str(name).startswith("ratio")
+            ratio = "ratio" in str(name)
             variable.attrs |= {"units": "1"} if ratio else {"component_units": "error_unit"}
     about = {"long_name": "unit of the errors of the quantity"}
     units = "quantity", ["degree", "degree", unit], about
-    comparison = comparison.assign_coords(object=pushes["object"].values, error_unit=units)
-    return comparison.assign_attrs(
-        seed=seed, resamples=resamples, reference=REFERENCE, pose_units=unit,
-        angle_units="degree", source=str(pushes.attrs.get("source", "")),
+    results = results.assign_coords(object=pushes["object"].values, error_unit=units)
+    return results.assign_attrs(
+        reference=REFERENCE, pose_units=unit, angle_units="degree",
+        source=str(pushes.attrs.get("source", "")),
     )  # fmt: skip

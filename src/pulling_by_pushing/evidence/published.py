@@ -9,14 +9,16 @@ import numpy as np
 import xarray as xr
 
 from planar_pushing.mechanics.plane import Array
-from planar_pushing.pushes.compare import compare, feet_of
-from planar_pushing.pushes.fit.statistics import REFERENCE, statistics
+from planar_pushing.pushes.compare import compare
+from planar_pushing.pushes.fit.scores import REFERENCE
+from planar_pushing.pushes.fit.statistics import statistics
 from planar_pushing.pushes.formats.mit import read_mit
 from planar_pushing.pushes.formats.three_feet import read_three_feet
 from planar_pushing.pushes.identified import Identified, moments_of
 from planar_pushing.pushes.identify import identify
 from planar_pushing.pushes.logs.combine import of_object
 from planar_pushing.pushes.logs.measured import Mask, Measured, measurements_of
+from planar_pushing.pushes.models import feet_of
 from planar_pushing.terms.errors import InvalidValue
 
 #: Folders and extensions of the logs.

@@ -8,7 +8,7 @@ import xarray as xr
 
 import planar_pushing as pp
 from planar_pushing.commands import compare as command
-from planar_pushing.pushes.compare import MODELS
+from planar_pushing.pushes.models import MODELS
 from pulling_by_pushing.study.store import read_dataset
 
 SQUARE = [(-50.0, -50.0), (50.0, -50.0), (50.0, 50.0), (-50.0, 50.0)]
@@ -34,6 +34,9 @@ def files(pushes, tmp_path_factory):
         pp.save_pushes(each, folder / f"{name}.nc")
     pp.save_pushes(pp.concat_pushes(pushes), folder / "two.nc")
     pp.save_pushes(pushes[0].isel(push=slice(5)), folder / "few.nc")
+    table = (pp.SupportFriction(support=FEET, weight=5.0),)
+    many = pp.simulate_pushes(table, SQUARE, 18, noise=(0.5, 0.3, 0.05), seed=3)
+    pp.save_pushes(many, folder / "many.nc")
     return folder
 
 
@@ -57,8 +60,8 @@ def tables(out):
 def test_tables_hold_what_compare_returns(run, files, found):
     code, out, err = run("compare", str(files / "tripod.nc"), "--seed", "2")
     assert (code, err) == (0, "")
-    lines = ["objects: tripod", "pushes: 10", "seed: 2", "reference: fitted_ellipsoid"]
-    assert out.splitlines()[:4] == lines
+    lines = ["objects: tripod", "pushes: 10", "seed: 2", "splits: 1", "reference: fitted_ellipsoid"]
+    assert out.splitlines()[:5] == lines
     printed = tables(out)
     assert list(printed) == ["wrench [degree]", "motion [degree]", "pose [mm]"]
     for heading, rows in printed.items():
@@ -97,6 +100,20 @@ def test_a_support_is_identified_where_that_is_asked_for(run, files, pushes):
     assert got == pytest.approx(float(expected["median"]), rel=1e-6)
 
 
+def test_several_splits_are_means_with_wider_intervals(run, files, tmp_path):
+    """The numbers that are printed are those of `compare` for the same splits."""
+    path = tmp_path / "comparison.nc"
+    given = ("compare", str(files / "many.nc"), "--splits", "2", "--json", "-o", str(path))
+    code, out, err = run(*given)
+    assert (code, err) == (0, "")
+    told, kept = json.loads(out), read_dataset(path)
+    assert told["splits"] == kept.attrs["splits"] == 2
+    expected = pp.compare(pp.load_pushes(files / "many.nc"), FAST, splits=2)
+    xr.testing.assert_allclose(kept, expected)
+    one = expected.sel(quantity="motion", model="known_feet")
+    assert told["comparison"]["motion"]["known_feet"]["ratio_90"] == pytest.approx(one["ratio_90"])
+
+
 def test_quantities_and_models_that_are_not_known_are_left_out(found):
     known = found.copy(deep=True)
     for name in ("median", "ratio"):
@@ -125,12 +142,16 @@ def test_wrong_input_is_refused_before_any_work(refused, files, tmp_path, monkey
     def never(*_, **__):
         raise AssertionError("work has begun")
 
-    monkeypatch.setattr("planar_pushing.pushes.compare.errors_of", never)
+    monkeypatch.setattr("planar_pushing.pushes.halves.errors_of", never)
     path = tmp_path / "comparison.nc"
     tripod, two = str(files / "tripod.nc"), str(files / "two.nc")
     for arguments, said in (
         ([two, "--object", "plato"], "object: 'plato' given; allowed: tripod, plate; did you mean plate?"),
         ([tripod, "--seed", "-1"], "seed: -1 given; allowed: a whole number >= 0; "),
+        ([tripod, "--splits", "0"], "splits: 0 given; allowed: a whole number >= 1, at most 1e+07; "),
+        ([tripod, "--workers", "0"], "workers: 0 given; allowed: a whole number >= 1; "),
+        ([tripod, "--splits", "2"],
+         "pushes: '10 pushes of tripod to which a model can be fitted' given; allowed: at least 16; "),
         ([tripod, "-o", "table.csv"],
          "output: 'table.csv' given; allowed: a name ending in .nc or .h5; rename the file"),
         ([str(files / "few.nc"), "-o", str(path)],

@@ -8,12 +8,12 @@ from pushes.written import TRIANGLE, feet, small
 from simulation.runs import pose_at_the_end
 
 import planar_pushing as pp
-from planar_pushing.pushes import compare as room
-from planar_pushing.pushes.compare import MODELS, Half, errors_of, feet_of
+from planar_pushing.pushes import halves as room
 from planar_pushing.pushes.fit.fitted import fitted_ellipsoid
-from planar_pushing.pushes.fit.statistics import angles
+from planar_pushing.pushes.fit.scores import angles
 from planar_pushing.pushes.fit.supported import OnSupport
 from planar_pushing.pushes.logs.measured import measurements_of
+from planar_pushing.pushes.models import MODELS, Half, errors_of, feet_of
 
 NOISE = (0.5, 0.3, 0.05)
 FEET = feet()[0].support
@@ -49,7 +49,7 @@ def test_exact_feet_beat_every_other_model(found):
 def test_the_dataset(found, pushes):
     assert dict(found.sizes) == {"quantity": 3, "model": 7, "push": 60, "bound": 2, "object": 1}
     assert found.attrs == {
-        "seed": 0, "resamples": 200, "reference": "fitted_ellipsoid", "pose_units": "mm",
+        "seed": 0, "splits": 1, "resamples": 200, "reference": "fitted_ellipsoid", "pose_units": "mm",
         "angle_units": "degree", "source": "simulated",
     }  # fmt: skip
     assert found["error_unit"].dims == ("quantity",)
@@ -74,8 +74,8 @@ def test_halves_are_disjoint_and_every_push_is_scored(pushes, monkeypatch):
         scores.append(part)
         return errors_of(model, friction, part)
 
-    monkeypatch.setitem(room.MODELS, "known_feet", recorded)
-    monkeypatch.setitem(room.MODELS, "fitted_ellipsoid", recorded)
+    monkeypatch.setitem(MODELS, "known_feet", recorded)
+    monkeypatch.setitem(MODELS, "fitted_ellipsoid", recorded)
     monkeypatch.setattr(room, "errors_of", scored)
     names = ["known_feet"]
     odd = pushes.isel(push=slice(59))

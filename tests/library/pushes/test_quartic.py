@@ -11,7 +11,7 @@ from pushes.written import TRIANGLE, feet, touching
 import planar_pushing as pp
 from planar_pushing.pushes.fit.ellipsoid import Ellipsoid
 from planar_pushing.pushes.fit.quartic import FEWEST, Quartic, fitted_quartic, quartic_tensor
-from planar_pushing.pushes.fit.statistics import angles
+from planar_pushing.pushes.fit.scores import angles
 from planar_pushing.pushes.logs.measured import measurements_of
 
 NOISE = (0.5, 0.3, 0.05)

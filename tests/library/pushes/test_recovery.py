@@ -5,9 +5,9 @@ import pytest
 from pushes.written import TRIANGLE
 
 import planar_pushing as pp
-from planar_pushing.pushes.compare import errors_of
 from planar_pushing.pushes.fit.supported import OnSupport
 from planar_pushing.pushes.logs.measured import measurements_of
+from planar_pushing.pushes.models import errors_of
 
 #: Of motion capture and a force sensor: mm, degrees, N.
 NOISE = (0.5, 0.3, 0.05)

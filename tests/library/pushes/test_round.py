@@ -8,11 +8,11 @@ import xarray as xr
 from pushes.written import SQUARE, small
 
 import planar_pushing as pp
-from planar_pushing.pushes.compare import uniform_support
 from planar_pushing.pushes.fit.candidates import FAMILIES
 from planar_pushing.pushes.logs.combine import of_object, with_outline
 from planar_pushing.pushes.logs.measured import measurements_of
 from planar_pushing.pushes.logs.schema import outline_of, require_pushes
+from planar_pushing.pushes.models import uniform_support
 from planar_pushing.pushes.scene_file import save_support
 
 SLOT = [(-30, -20, 0), (30, -20, 1), (30, 20, 0), (-30, 20, 1)]

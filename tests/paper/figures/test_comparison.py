@@ -149,7 +149,7 @@ def test_models_differ_in_gray_and_for_a_deuteranope(one, other):
 
 
 def test_models_have_contrast_and_every_model_of_compare_a_look():
-    from planar_pushing.pushes.compare import MODELS
+    from planar_pushing.pushes.models import MODELS
 
     assert list(LOOKS) == list(MODELS)
     assert all(contrast(each.color) >= 3 for each in LOOKS.values())
@@ -311,6 +311,6 @@ def test_a_wrong_file_is_one_line(tmp_path, text, said):
 
 
 def test_quantities_are_those_of_compare():
-    from planar_pushing.pushes.fit.statistics import QUANTITIES
+    from planar_pushing.pushes.fit.scores import QUANTITIES
 
     assert tuple(comparison.QUANTITIES) == QUANTITIES

@@ -22,7 +22,7 @@ from planar_pushing.pushes.fit.ellipsoid import torque_about
 from planar_pushing.pushes.fit.fitted import unit
 from planar_pushing.pushes.fit.friction import contact_friction
 from planar_pushing.pushes.fit.limit_surface import LimitSurface
-from planar_pushing.pushes.fit.statistics import angles
+from planar_pushing.pushes.fit.scores import angles
 from planar_pushing.pushes.logs.measured import Mask, Measured
 
 #: Fewest pushes with forces: each gives three equations, for fifteen coefficients.
@@ -151,9 +151,14 @@ def fitted_quartic(pushes: Measured) -> tuple[Quartic, float] | None:
 
 
 def quartic_tensor(wrenches: Array, twists: Array) -> Array:
-    """Tensor of the convex quartic that fits wrenches and twists, shape (n, 3) each, best."""
+    """Tensor of the convex quartic that fits wrenches and twists, shape (n, 3) each, best.
+
+    Equal pushes, as in a resample, are in the same part in cross-validation.
+    """
     equations = Equations.of(wrenches, twists)
-    fold = np.arange(len(wrenches)) % FOLDS
+    _, first = np.unique(np.column_stack([wrenches, twists]), axis=0, return_index=True)
+    first, same = np.sort(first), (wrenches[:, None] == wrenches) & (twists[:, None] == twists)
+    fold = np.searchsorted(first, same.all(axis=2).argmax(axis=1)) % FOLDS
 
     def error(weights: tuple[float, float]) -> float:
         parts = [
