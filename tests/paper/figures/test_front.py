@@ -22,7 +22,7 @@ def test_the_stored_pictures_are_those_that_are_made(path):
 
 def test_another_picture_differs(tmp_path, monkeypatch, capsys):
     """Also one whose number of frames differs; and `--write` stores it."""
-    animation, box = (path.read_bytes() for path in front.FILES)
+    animation, box = (path.read_bytes() for path in (front.ANIMATION, front.BOX))
     assert front.difference(animation, box) == np.inf
     path = tmp_path / "box.png"
     monkeypatch.setattr(front, "FILES", {path: lambda: box})

@@ -200,7 +200,7 @@ def texts(printed):
 
 
 def test_the_report_has_ten_pages_and_its_supplement_three(texts):
-    (first,) = (number for number, text in enumerate(texts) if "S1 Statements" in text)
+    (first,) = (number for number, text in enumerate(texts) if "S1 Values" in text)
     assert first <= REPORT_PAGES
     assert len(texts) - first <= SUPPLEMENT_PAGES
     assert "References [1]" in texts[first - 1] + texts[first - 2]
