@@ -22,3 +22,18 @@ def test_errors_of_measured_pushes(part, error):
     medians = measured["comparison"][error]
     numbers = [f"{medians[model]['median']:.1f}" if model in medians else "-" for model in MODELS]
     assert [cell.strip() for cell in row.strip("|").split("|")][1:] == numbers
+
+
+@pytest.mark.parametrize(
+    ("part", "rival"),
+    [
+        ("three_feet", "fitted_ellipsoid"),
+        ("three_feet", "fitted_quartic"),
+        ("patch", "fitted_quartic"),
+    ],
+)
+def test_ratios_of_medians(part, rival):
+    row = MEASURED[part]["against"][rival]["motion"]
+    low, high = row["ratio_interval"]
+    assert f"{row['ratio']:.2f} (95 % interval {low:.2f} to {high:.2f})" in TEXT
+    assert f"{MEASURED['splits']} random splits" in TEXT
