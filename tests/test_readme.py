@@ -128,11 +128,18 @@ def test_numbers_of_measured_pushes():
     models = ("identified", "fitted_ellipsoid", "fitted_quartic")
     numbers = [f"{motion[model]['median']:.1f}" for model in models]
     assert re.findall(r"(\d+\.\d)\s+degrees", README) == numbers
-    # The sentences on gains that are not significant.
-    low, high = face["against_quartic"]["motion"]["ratio_interval"]
-    assert low < 1.0 < high
-    low, high = feet["comparison"]["wrench"]["identified"]["ratio_interval"]
-    assert low < 1.0 < high
+    assert f"means over {measured['splits']} splits" in README
+    # The sentences of README, limits and report: a gain over both rivals, in the middle of the
+    # distribution, none over the true feet, and no difference from the quartic on the face.
+    for rival in ("fitted_ellipsoid", "fitted_quartic"):
+        gain = feet["against"][rival]["motion"]
+        assert gain["ratio_interval"][1] < 1.0
+        low, high = gain["ratio_90_interval"]
+        assert low < 1.0 < high
+        assert gain["ratio"] < gain["ratio_90"]
+    for row in (feet["against"]["known_feet"], face["against"]["fitted_quartic"]):
+        low, high = row["motion"]["ratio_interval"]
+        assert low < 1.0 < high
 
 
 @pytest.mark.parametrize("name", [f"figure_{number:02}" for number in range(1, 14)])

@@ -15,6 +15,7 @@ if DATA is not None:
         params:
             **runs("evidence.measured:measure"),
             folder=DATA,
+        threads: workflow.cores
         message:
             "Evaluating the pushes of {params.folder}"
         script:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import math
+import os
+import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -72,10 +74,17 @@ def measure(json: PathLike, files: PathLike, *, folder: PathLike) -> None:
     ------
     InvalidFile
         As in `logs`, and if a log cannot be read.
+
+    Notes
+    -----
+    The fits run on all cores. The errors of each are kept, so that an evaluation that was interrupted goes
+    on where it ended.
     """
+    from pulling_by_pushing.evidence.folds import kept_map
     from pulling_by_pushing.evidence.published import measure as measured
 
     digests = fingerprints(folder)
-    numbers = round_numbers(measured(folder))
+    with kept_map(len(os.sched_getaffinity(0))) as workers:
+        numbers = round_numbers(measured(folder, progress=sys.stderr.isatty(), workers=workers))
     write_text(json_text(numbers), json)
     write_text(digests, files)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +12,7 @@ import xarray as xr
 from planar_pushing.mechanics.plane import Array
 from planar_pushing.pushes.compare import compare
 from planar_pushing.pushes.fit.scores import REFERENCE
-from planar_pushing.pushes.fit.statistics import statistics
+from planar_pushing.pushes.fit.statistics import split_statistics, statistics
 from planar_pushing.pushes.formats.mit import read_mit
 from planar_pushing.pushes.formats.three_feet import read_three_feet
 from planar_pushing.pushes.identified import Identified, moments_of
@@ -29,14 +30,29 @@ SOURCES = {
     "polygons": "K.-T. Yu, M. Bauza, N. Fazeli and A. Rodriguez, IROS 2016; as filtered by J. Zhou, Y. Hou "
     "and M. T. Mason",
 }  # fmt: skip
-COMMAND = "snakemake pushes --config data=FOLDER"
+COMMAND = "snakemake measured_pushes --config data=FOLDER"
+#: The one measure that was named in advance: its ratio decides, and everything else describes.
+PRIMARY = {
+    "part": "three_feet",
+    "quantity": "motion",
+    "rivals": ["fitted_ellipsoid", "fitted_quartic"],
+}
+#: Numbers of splits into halves of pushes with forces, and of those of polygons, whose fits take longer.
+SPLITS, POLYGON_SPLITS = 50, 1
+#: Models with which the identified pressure is compared: fitted ones, and the feet themselves.
+RIVALS = ("fitted_ellipsoid", "fitted_quartic", "known_feet")
+IDENTIFIED = "identified"
+#: Stored statistics; most have intervals.
+STORED = ("median", "percentile_90", "ratio", "ratio_90")
 #: Largest distance of the center of rotation from a foot, in mm, in pushes about that foot.
 PIVOT_DISTANCE = 5.0
 #: Largest distance of a wrench from the load set of a foot, relative to its magnitude, to count as in it.
 LOAD_SET_TOLERANCE = 0.2
 
 
-def measure(folder: Any, seed: int = 0, progress: bool = False) -> dict[str, Any]:
+def measure(
+    folder: Any, seed: int = 0, progress: bool = False, splits: int = SPLITS, workers: Any = 1
+) -> dict[str, Any]:
     """Identify supports and compare models on the published logs of a folder.
 
     Parameters
@@ -47,6 +63,10 @@ def measure(folder: Any, seed: int = 0, progress: bool = False) -> dict[str, Any
         Seed of the division into halves and of the resampling.
     progress : bool
         Whether to show progress bars.
+    splits : int
+        Number of divisions into halves of the logs with forces; polygons have one.
+    workers : int or callable
+        As in `compare`.
 
     Returns
     -------
@@ -66,7 +86,11 @@ def measure(folder: Any, seed: int = 0, progress: bool = False) -> dict[str, Any
             "data", str(folder), "a folder with three_feet/*.txt or polygons/*.mat",
             "give the folder of the published logs",
         )  # fmt: skip
-    numbers: dict[str, Any] = {"command": COMMAND, "seed": seed, "source": SOURCES}
+    numbers: dict[str, Any] = {
+        "command": COMMAND, "seed": seed, "splits": splits, "polygon_splits": POLYGON_SPLITS,
+        "primary": PRIMARY, "source": SOURCES,
+    }  # fmt: skip
+    options = {"seed": seed, "progress": progress, "workers": workers}
     if files["three_feet"]:
         pushes = read_three_feet(*files["three_feet"])
         footed = np.array([feet_of(of_object(pushes, name)) is not None for name in _names(pushes)])
@@ -75,11 +99,11 @@ def measure(folder: Any, seed: int = 0, progress: bool = False) -> dict[str, Any
                 name for name, is_member in zip(_names(pushes), members, strict=True) if is_member
             ]
             if names:
-                numbers[key] = _with_forces(_of_objects(pushes, names), seed, progress)
+                numbers[key] = _with_forces(_of_objects(pushes, names), splits, options)
         if footed.any():
             numbers["about_a_foot"] = _about_a_foot(pushes)
     if files["polygons"]:
-        numbers["polygons"] = _by_poses(read_mit(*files["polygons"]), seed, progress)
+        numbers["polygons"] = _by_poses(read_mit(*files["polygons"]), options)
     return numbers
 
 
@@ -95,40 +119,53 @@ def _of_objects(pushes: xr.Dataset, names: list[str]) -> xr.Dataset:
     )
 
 
-def _with_forces(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any]:
+def _with_forces(pushes: xr.Dataset, splits: int, options: Mapping[str, Any]) -> dict[str, Any]:
     """Identified supports and the comparison of models, for logs with forces."""
-    comparison = compare(pushes, seed=seed, progress=progress)
+    comparison = compare(pushes, splits=splits, **options)
+    seed, progress = options["seed"], options["progress"]
     return {
         "selection": "all pushes that touch the object",
         "pushes": pushes.sizes["push"],
         "length": float(comparison["length"].values[0]),
         "logs": {name: _log(of_object(pushes, name), seed, progress) for name in _names(pushes)},
         "comparison": _table(comparison),
-        "against_quartic": _against_quartic(comparison),
+        "against": _against(comparison),
     }
 
 
-def _against_quartic(comparison: xr.Dataset) -> dict[str, Any]:
-    """Ratios of the errors of the identified pressure to those of the fitted quartic, if it applies."""
-    if "fitted_quartic" not in comparison["model"]:
-        return {}
-    table = _table(
-        _part(comparison, np.ones(comparison.sizes["push"], dtype=bool), "fitted_quartic")
-    )
+def _against(comparison: xr.Dataset) -> dict[str, Any]:
+    """Ratios of the errors of the identified pressure to those of each rival that applies, by quantity."""
+    every = np.ones(comparison.sizes["push"], dtype=bool)
+    numbers: dict[str, Any] = {}
+    for rival in [name for name in RIVALS if name in comparison["model"]]:
+        entries = _part(comparison, every, rival).sel(model=IDENTIFIED)
+        numbers[rival] = {
+            str(quantity): {
+                name: _values(entries[name].sel(quantity=quantity))
+                for name in ("ratio", "ratio_interval", "ratio_90", "ratio_90_interval")
+            } | _splits(comparison, str(quantity), rival)
+            for quantity in comparison["quantity"].values
+        }  # fmt: skip
+    return numbers
+
+
+def _splits(comparison: xr.Dataset, quantity: str, rival: str) -> dict[str, float]:
+    """Fraction of the splits with a ratio of medians below one, and the smallest and the largest ratio."""
+    errors = comparison["split_error"] if "split_error" in comparison else comparison["error"]
+    medians = errors.sel(quantity=quantity).median("push")
+    ratios = np.atleast_1d((medians.sel(model=IDENTIFIED) / medians.sel(model=rival)).values)
     return {
-        quantity: {name: models["identified"][name] for name in ("ratio", "ratio_interval")}
-        for quantity, models in table.items()
+        "splits_below_one": float((ratios < 1.0).mean()),
+        "smallest": float(ratios.min()),
+        "largest": float(ratios.max()),
     }
 
 
-def _by_poses(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any]:
+def _by_poses(pushes: xr.Dataset, options: Mapping[str, Any]) -> dict[str, Any]:
     """Numbers for logs without forces: for pushes that touch a side first, and for all pushes."""
-    comparison = compare(pushes, seed=seed, progress=progress)
+    comparison = compare(pushes, splits=POLYGON_SPLITS, **options)
     corner, pushed = comparison["at_corner"].values, comparison["pushed"].values
     by_side = _table(_part(comparison, ~corner))
-    objects = {
-        name: _table(_part(comparison, (pushed == name) & ~corner)) for name in _names(pushes)
-    }
     return {
         "selection": "pushes that touch the object; comparison: of those that touch a side first",
         "pushes": pushes.sizes["push"],
@@ -138,16 +175,23 @@ def _by_poses(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any]:
         "comparison": by_side,
         "with_corners": _table(comparison),
         "objects": {
-            name: {model: entry["median"] for model, entry in table["pose"].items()}
-            for name, table in objects.items()
+            name: {
+                model: {key: entry[key] for key in ("median", "ratio")}
+                for model, entry in table["pose"].items()
+            }
+            for name in _names(pushes)
+            for table in [_table(_part(comparison, (pushed == name) & ~corner))]
         },
     }
 
 
 def _part(comparison: xr.Dataset, rows: Mask, model: str = REFERENCE) -> xr.Dataset:
     """Statistics of some of the pushes, relative to a model."""
-    errors = comparison["error"].isel(push=np.flatnonzero(rows))
-    return statistics(errors, comparison.attrs["resamples"], comparison.attrs["seed"], model)
+    part = comparison.isel(push=np.flatnonzero(rows))
+    if "split_error" in part:
+        draws = part["draws"].values
+        return split_statistics(part["split_error"], part["resampled_error"], draws, model)
+    return statistics(part["error"], part.attrs["resamples"], part.attrs["seed"], model)
 
 
 def _table(comparison: xr.Dataset) -> dict[str, Any]:
@@ -158,13 +202,16 @@ def _table(comparison: xr.Dataset) -> dict[str, Any]:
             entry = comparison.sel(quantity=quantity, model=model)
             if np.isfinite(entry["median"]):
                 table.setdefault(quantity, {})[model] = {
-                    "median": float(entry["median"]),
-                    "median_interval": entry["median_interval"].values.tolist(),
-                    "percentile_90": float(entry["percentile_90"]),
-                    "ratio": float(entry["ratio"]),
-                    "ratio_interval": entry["ratio_interval"].values.tolist(),
+                    key: _values(entry[key])
+                    for name in STORED
+                    for key in (name, f"{name}_interval")
                 }
     return table
+
+
+def _values(array: xr.DataArray) -> Any:
+    """A number, or the numbers of an interval."""
+    return array.values.tolist()
 
 
 def _log(pushes: xr.Dataset, seed: int, progress: bool) -> dict[str, Any]:

@@ -34,7 +34,7 @@ def folder(tmp_path):
     return tmp_path / "data"
 
 
-def fake(folder):
+def fake(folder, **_):
     """What a measurement of the folder tells, as a stand-in: the pushes that were read."""
     logs = pp.read_three_feet(*sorted(Path(folder, "three_feet").glob("*.txt")))
     polygons = pp.read_mit(*sorted(Path(folder, "polygons").glob("*.mat")))

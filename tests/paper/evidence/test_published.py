@@ -59,12 +59,14 @@ def test_the_numbers_of_a_folder(tmp_path):
     effects = (pp.SupportFriction(support=square),)
     pushes = pp.simulate_pushes(effects, square.vertices, 16, seed=1, finger_radius=4.75)
     write_mat(tmp_path / "polygons" / "abs_rect1.mat", pushes, random)
-    found = measure(tmp_path, seed=2)
+    found = measure(tmp_path, seed=2, splits=2)
     assert json.loads(json.dumps(found)) == found
     assert found["seed"] == 2
-    assert found["command"] == "snakemake pushes --config data=FOLDER"
+    assert found["command"] == "snakemake measured_pushes --config data=FOLDER"
     parts = {"three_feet", "patch", "polygons", "about_a_foot"}
-    assert found.keys() == {"source", "command", "seed"} | parts
+    told = {"source", "command", "seed", "splits", "polygon_splits", "primary"}
+    assert found.keys() == told | parts
+    assert (found["splits"], found["polygon_splits"]) == (2, 1)
     for part, names in (
         ("three_feet", [FOOTED]),
         ("patch", ["patch"]),
@@ -98,16 +100,28 @@ def test_the_numbers_of_a_folder(tmp_path):
         < motion["uniform"]["median"]
     )
     assert motion["fitted_ellipsoid"]["ratio"] == 1.0
-    against = found["three_feet"]["against_quartic"]
-    assert against.keys() == {"wrench", "motion", "pose"}
-    ratio = motion["identified"]["median"] / motion["fitted_quartic"]["median"]
-    assert against["motion"]["ratio"] == pytest.approx(ratio)
-    low, high = against["motion"]["ratio_interval"]
-    assert low <= ratio <= high
+    against = found["three_feet"]["against"]
+    assert against.keys() == {"fitted_ellipsoid", "fitted_quartic", "known_feet"}
+    assert found["patch"]["against"].keys() == {"fitted_ellipsoid", "fitted_quartic"}
+    to_ellipsoid = against["fitted_ellipsoid"]["motion"]
+    for name in ("ratio", "ratio_interval", "ratio_90", "ratio_90_interval"):
+        assert to_ellipsoid[name] == motion["identified"][name]
+    for rows in against.values():
+        assert rows.keys() == {"wrench", "motion", "pose"}
+        for row in rows.values():
+            assert row["smallest"] <= row["ratio"] <= row["largest"]
+            low, high = row["ratio_interval"]
+            assert low < high
+            assert row["splits_below_one"] in (0.0, 0.5, 1.0)
     assert "known_feet" not in found["patch"]["comparison"]["motion"]
     polygons = found["polygons"]
     assert polygons["comparison"].keys() == polygons["with_corners"].keys() == {"pose"}
-    assert polygons["objects"]["abs_rect1"].keys() == polygons["comparison"]["pose"].keys()
+    # The one polygon is all polygons.
+    of_all = {
+        model: {key: entry[key] for key in ("median", "ratio")}
+        for model, entry in polygons["comparison"]["pose"].items()
+    }
+    assert polygons["objects"] == {"abs_rect1": of_all}
     assert (polygons["pushes"], polygons["corner_pushes"], polygons["left_out"]) == (16, 0, 0)
     assert polygons["length"] == {"abs_rect1": 45.0}
     about = found["about_a_foot"]

@@ -72,3 +72,18 @@ def test_the_larger_sliding_number_of_two_geoms_is_the_coefficient_of_their_cont
     assert friction[:2] == [0.8, 0.8]
     assert friction[2] == 0.01
     assert data.contact.dim[0] == 3  # without torsion
+
+
+@pytest.mark.parametrize(
+    ("part", "rival"),
+    [
+        ("three_feet", "fitted_ellipsoid"),
+        ("three_feet", "fitted_quartic"),
+        ("patch", "fitted_quartic"),
+    ],
+)
+def test_ratios_of_medians(part, rival):
+    row = MEASURED[part]["against"][rival]["motion"]
+    low, high = row["ratio_interval"]
+    assert f"{row['ratio']:.2f} (95 % interval {low:.2f} to {high:.2f})" in TEXT
+    assert f"{MEASURED['splits']} random splits" in TEXT

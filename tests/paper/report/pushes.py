@@ -19,8 +19,20 @@ QUANTITIES = {"wrench": 0.5, "motion": 1.0, "pose": 0.25}
 OTHERS = [name for name in ANGLES if "known" not in name]
 #: Models without forces.
 BY_POSES = [name for name in OTHERS if name != "fitted_quartic"]
-#: Ratios of the identified pressure to the quartic.
-AGAINST_QUARTIC = {name: {"ratio": 0.85, "ratio_interval": [0.75, 1.25]} for name in QUANTITIES}
+#: Ratios of the identified pressure to a rival.
+RATIOS = {
+    "ratio": 0.85, "ratio_interval": [0.75, 1.25], "ratio_90": 0.95, "ratio_90_interval": [0.7, 1.5],
+    "splits_below_one": 0.75, "smallest": 0.7, "largest": 1.3,
+}  # fmt: skip
+#: Those to the quartic, the ellipsoid, and the known feet.
+AGAINST = {
+    rival: {name: RATIOS | {"ratio": ratio} for name in QUANTITIES}
+    for rival, ratio in (("fitted_quartic", 0.85), ("fitted_ellipsoid", 0.7), ("known_feet", 0.95))
+}
+
+#: An identified pressure that is worse than the ellipsoid.
+WORSE = {"identified": {"median": 2.8, "percentile_90": 7.0, "ratio": 1.05,
+                        "ratio_interval": [0.9, 1.2]}}  # fmt: skip
 
 
 def compared(models, quantities=QUANTITIES, factor=1.0):
@@ -35,6 +47,15 @@ def compared(models, quantities=QUANTITIES, factor=1.0):
                     1.1 * factor * scale * ANGLES[name],
                 ],
                 "percentile_90": 2.5 * factor * scale * ANGLES[name],
+                "percentile_90_interval": [
+                    2.0 * factor * scale * ANGLES[name],
+                    3.0 * factor * scale * ANGLES[name],
+                ],
+                "ratio_90": ANGLES[name] / reference,
+                "ratio_90_interval": [
+                    0.8 * ANGLES[name] / reference,
+                    1.2 * ANGLES[name] / reference,
+                ],
                 "ratio": ANGLES[name] / reference,
                 "ratio_interval": [0.9 * ANGLES[name] / reference, 1.1 * ANGLES[name] / reference],
             }
@@ -71,24 +92,27 @@ def measured_pushes():
     pose = {"pose": QUANTITIES["pose"]}
     return {
         "source": {"three_feet": "one work", "polygons": "another work"},
-        "command": "snakemake pushes --config data=FOLDER", "seed": 0,
+        "command": "snakemake measured_pushes --config data=FOLDER", "seed": 0,
+        "splits": 50, "polygon_splits": 1,
         "three_feet": {
             "selection": "every push with a force", "pushes": 200, "length": 50.0,
             "logs": {name: _three_feet(places) for name, places in FEET.items()},
-            "comparison": compared(ANGLES), "against_quartic": AGAINST_QUARTIC,
+            "comparison": compared(ANGLES), "against": AGAINST,
         },
         "patch": {
             "selection": "every push with a force", "pushes": 50, "length": 50.0,
             "logs": {"patch": log(None, face, OUTLINE, 4.25)},
-            "comparison": compared(OTHERS, factor=1.5), "against_quartic": AGAINST_QUARTIC,
+            "comparison": compared(OTHERS, factor=1.5), "against": AGAINST,
         },
         "polygons": {
             "selection": "pushes that touch the object", "pushes": 340, "corner_pushes": 40,
             "length": {"abs_rect1": 37.0, "abs_hex": 40.0},
             "comparison": compared(BY_POSES, pose),
             "with_corners": compared(BY_POSES, pose, 1.25),
-            "objects": {"abs_rect1": {"identified": 1.5, "fitted_ellipsoid": 2.0},
-                        "abs_hex": {"identified": 2.5, "fitted_ellipsoid": 2.0}},
+            "objects": {
+                name: compared(BY_POSES, pose, factor)["pose"] | worse
+                for name, factor, worse in (("abs_rect1", 1.0, {}), ("abs_hex", 1.1, WORSE))
+            },
         },
         "about_a_foot": {
             "distance": 5.0, "tolerance": 0.2, "pushes": 60, "in_load_set": 0.75, "of_random_pushes": 0.25,

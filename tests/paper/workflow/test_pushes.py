@@ -19,7 +19,7 @@ from pathlib import Path
 from planar_pushing.terms.errors import InvalidFile
 
 
-def measure(folder, seed=0, progress=False):
+def measure(folder, seed=0, progress=False, splits=50, workers=1):
     size = len(Path(folder, "three_feet/patch.txt").read_text())
     if size > 9:
         raise InvalidFile("patch.txt: too long; allowed: less; cut it")

@@ -66,10 +66,12 @@ def caption(data: dict[str, Any]) -> str:
         "Errors of friction models on measured pushes; each half of the pushes is predicted by models "
         "fitted to the other half. A marker is the median, a thick line its 95 percent interval, and a "
         "thin line ends at the 90th percentile. To the right is the ratio of the median to that of the "
-        "ellipsoid fitted to the same pushes, with its 95 percent interval. Circles are pressures with "
-        "exact mechanics, hollow diamonds are ellipsoids, and the hollow triangle is the convex quartic, "
-        "which needs measured forces. The object is a triangle on three feet "
-        f"({feet} pushes) or on its whole face ({face}), or a polygon pushed at a side "
+        "ellipsoid fitted to the same pushes, with its 95 percent interval. Values for the triangle are "
+        f"means over {data['splits']} splits into halves, with intervals that contain pushes, splits, and "
+        "fits; those for polygons are of one split, with intervals for given fits. Circles are pressures "
+        "with exact mechanics, hollow diamonds are ellipsoids, and the hollow triangle is the convex "
+        "quartic, which needs measured forces and is not compared for polygons. The object is a triangle "
+        f"on three feet ({feet} pushes) or on its whole face ({face}), or a polygon pushed at a side "
         f"({polygons - data['polygons']['corner_pushes']}), or at a side or a corner ({polygons})."
     )
 

@@ -17,6 +17,8 @@ GROUPS = {
 #: Counts up to ten as words.
 WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 IDENTIFIED, FITTED, QUARTIC = "identified", "fitted_ellipsoid", "fitted_quartic"
+#: Models with which the identified pressure is compared, by their names in keys.
+RIVALS = {"": FITTED, "quartic-": QUARTIC, "known-feet-": "known_feet"}
 
 
 def _read(
@@ -57,25 +59,33 @@ def _ratio(group: str, quantity: str) -> Numbers:
     return _with_ends(f"pushes-{group}-{quantity}-ratio", part, key, quantity, IDENTIFIED)
 
 
-def _quartic_ratio(group: str, quantity: str) -> Numbers:
-    """Ratio of the median of the identified pressure to that of the fitted quartic, with its interval."""
-    part, _ = GROUPS[group]
-    return _with_ends(f"pushes-{group}-{quantity}-quartic-ratio", part, "against_quartic", quantity)
+def _against(group: str, quantity: str, rival: str) -> Numbers:
+    """Ratios of median and 90th percentile of the identified pressure to those of a rival."""
+    path = (GROUPS[group][0], "against", RIVALS[rival], quantity)
+    name = f"pushes-{group}-{quantity}-{rival}ratio"
+    below = _value(*path, "splits_below_one", unit="percent", factor=100.0)
+    return {
+        **_with_ends(name, *path),
+        **_with_ends(f"{name}-90", *path, statistic="ratio_90"),
+        f"{name}-below-one": below,
+        f"{name}-smallest": _value(*path, "smallest", digits=2),
+        f"{name}-largest": _value(*path, "largest", digits=2),
+    }
 
 
-def _with_ends(name: str, *path: str) -> Numbers:
+def _with_ends(name: str, *path: str, statistic: str = "ratio") -> Numbers:
     """A ratio at a path of keys, and the ends of its interval."""
 
     def end(index: int) -> Quantity:
         def compute(content: dict[str, Any]) -> float:
             node: Any = content
-            for key in (*path, "ratio_interval"):
+            for key in (*path, f"{statistic}_interval"):
                 node = node[key]
             return float(node[index])
 
-        return _read(compute, ".".join((*path, "ratio_interval")), 2)
+        return _read(compute, ".".join((*path, f"{statistic}_interval")), 2)
 
-    return {name: _value(*path, "ratio", digits=2), f"{name}-low": end(0), f"{name}-high": end(1)}
+    return {name: _value(*path, statistic, digits=2), f"{name}-low": end(0), f"{name}-high": end(1)}
 
 
 def _medians(group: str, quantity: str, *models: str) -> Numbers:
@@ -101,10 +111,27 @@ def _for_a_triangle(content: dict[str, Any]) -> float:
     return sum(int(log["pushes"]) for log in logs) / len(logs) / 2
 
 
+def _percentile(group: str, quantity: str, model: str) -> Quantity:
+    """90th percentile of the error of a model."""
+    part, key = GROUPS[group]
+    unit = "mm" if quantity == "pose" else "degree"
+    return _value(part, key, quantity, model, "percentile_90", digits=1, unit=unit)
+
+
+def _extreme(choose: Callable[[list[float]], float]) -> Callable[[dict[str, Any]], float]:
+    """Smallest or largest ratio of the identified pressure to the fitted ellipsoid among the polygons."""
+
+    def compute(content: dict[str, Any]) -> float:
+        polygons = content["polygons"]["objects"].values()
+        return choose([float(models[IDENTIFIED]["ratio"]) for models in polygons])
+
+    return compute
+
+
 def _better(content: dict[str, Any]) -> str:
     """Of which polygons the identified pressure predicts poses better than the fitted ellipsoid."""
     polygons = content["polygons"]["objects"].values()
-    count = sum(medians[IDENTIFIED] < medians[FITTED] for medians in polygons)
+    count = sum(models[IDENTIFIED]["median"] < models[FITTED]["median"] for models in polygons)
     total = WORDS[len(polygons)]
     return f"all {total}" if count == len(polygons) else f"{WORDS[count]} of {total}"
 
@@ -121,7 +148,12 @@ MEASURED: Numbers = {
     "pushes-fit-triangle": _read(_for_a_triangle, "half of the mean number of pushes in a log"),
     "pushes-fit-polygon": _read(_for_a_polygon, "half of the mean number of pushes at sides"),
     "pushes-seed": _value("seed"),
-    **_medians("feet", "motion", "known_feet", "known_feet_ellipsoid"),
+    "pushes-splits": _value("splits"),
+    **_medians("feet", "motion", "known_feet", "known_feet_ellipsoid", IDENTIFIED, FITTED, QUARTIC),
+    **{
+        f"pushes-feet-motion-{model.replace('_', '-')}-90": _percentile("feet", "motion", model)
+        for model in (IDENTIFIED, FITTED, QUARTIC)
+    },
     "pushes-near-foot": _value("about_a_foot", "pushes"),
     "pushes-foot-distance": _value("about_a_foot", "distance", unit="mm"),
     "pushes-load-set-tolerance": _value("about_a_foot", "tolerance", unit="percent", factor=100.0),
@@ -129,13 +161,17 @@ MEASURED: Numbers = {
     "pushes-random-in-load-set": _value(
         "about_a_foot", "of_random_pushes", unit="percent", factor=100.0
     ),
-    **_ratio("feet", "motion"),
-    **_ratio("face", "motion"),
-    **_ratio("feet", "wrench"),
-    **_ratio("face", "wrench"),
-    **_quartic_ratio("feet", "motion"),
-    **_quartic_ratio("face", "motion"),
+    **_against("feet", "motion", "known-feet-"),
+    **{
+        key: number
+        for group in ("feet", "face")
+        for quantity in ("motion", "wrench", "pose")
+        for rival in ("", "quartic-")
+        for key, number in _against(group, quantity, rival).items()
+    },
     **_ratio("sides", "pose"),
+    "pushes-objects-lowest": _read(_extreme(min), "lowest ratio among the polygons", 2),
+    "pushes-objects-highest": _read(_extreme(max), "highest ratio among the polygons", 2),
     "pushes-objects-better": Quantity(
         read=lambda results: _better(results.pushes),
         digits=0,
