@@ -178,7 +178,7 @@ def numbers(results):
         ("pushes-face", "50"),
         ("pushes-objects", "2"),
         ("pushes-sides", "300"),
-        ("pushes-objects-better", "one of two"),
+        ("pushes-objects-highest", "1.05"),
         ("pushes-fit-triangle", "25"),
         ("pushes-fit-polygon", "75"),
         ("time-processor", "Some Processor"),

@@ -129,7 +129,7 @@ def test_the_title_is_not_that_of_the_paper(pdf):
 
 def test_statements_of_the_paper_have_what_we_find_and_the_verdict_of_the_ledger(text):
     assert "Pulling and this slip are one phenomenon. proved" in text
-    assert text.count("The contact slips at every magnitude.") == 1
+    assert text.count("A normal push sticks for every support.") == 1
     assert "An argument" not in text  # the manual has the proofs
 
 

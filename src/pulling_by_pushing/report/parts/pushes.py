@@ -14,11 +14,9 @@ GROUPS = {
     "face": ("patch", "comparison"),
     "sides": ("polygons", "comparison"),
 }
-#: Counts up to ten as words.
-WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 IDENTIFIED, FITTED, QUARTIC = "identified", "fitted_ellipsoid", "fitted_quartic"
 #: Models with which the identified pressure is compared, by their names in keys.
-RIVALS = {"": FITTED, "quartic-": QUARTIC, "known-feet-": "known_feet"}
+RIVALS = {"": FITTED, "quartic-": QUARTIC}
 
 
 def _read(
@@ -60,32 +58,29 @@ def _ratio(group: str, quantity: str) -> Numbers:
 
 
 def _against(group: str, quantity: str, rival: str) -> Numbers:
-    """Ratios of median and 90th percentile of the identified pressure to those of a rival."""
+    """Ratio of the median of the identified pressure to that of a rival, with its interval."""
     path = (GROUPS[group][0], "against", RIVALS[rival], quantity)
-    name = f"pushes-{group}-{quantity}-{rival}ratio"
-    below = _value(*path, "splits_below_one", unit="percent", factor=100.0)
-    return {
-        **_with_ends(name, *path),
-        **_with_ends(f"{name}-90", *path, statistic="ratio_90"),
-        f"{name}-below-one": below,
-        f"{name}-smallest": _value(*path, "smallest", digits=2),
-        f"{name}-largest": _value(*path, "largest", digits=2),
-    }
+    return _with_ends(f"pushes-{group}-{quantity}-{rival}ratio", *path)
 
 
-def _with_ends(name: str, *path: str, statistic: str = "ratio") -> Numbers:
+def _tail_ratio(group: str, quantity: str, rival: str) -> Quantity:
+    """Ratio of the 90th percentile of the error of the identified pressure to that of a rival."""
+    return _value(GROUPS[group][0], "against", RIVALS[rival], quantity, "ratio_90", digits=2)
+
+
+def _with_ends(name: str, *path: str) -> Numbers:
     """A ratio at a path of keys, and the ends of its interval."""
 
     def end(index: int) -> Quantity:
         def compute(content: dict[str, Any]) -> float:
             node: Any = content
-            for key in (*path, f"{statistic}_interval"):
+            for key in (*path, "ratio_interval"):
                 node = node[key]
             return float(node[index])
 
-        return _read(compute, ".".join((*path, f"{statistic}_interval")), 2)
+        return _read(compute, ".".join((*path, "ratio_interval")), 2)
 
-    return {name: _value(*path, statistic, digits=2), f"{name}-low": end(0), f"{name}-high": end(1)}
+    return {name: _value(*path, "ratio", digits=2), f"{name}-low": end(0), f"{name}-high": end(1)}
 
 
 def _medians(group: str, quantity: str, *models: str) -> Numbers:
@@ -111,13 +106,6 @@ def _for_a_triangle(content: dict[str, Any]) -> float:
     return sum(int(log["pushes"]) for log in logs) / len(logs) / 2
 
 
-def _percentile(group: str, quantity: str, model: str) -> Quantity:
-    """90th percentile of the error of a model."""
-    part, key = GROUPS[group]
-    unit = "mm" if quantity == "pose" else "degree"
-    return _value(part, key, quantity, model, "percentile_90", digits=1, unit=unit)
-
-
 def _extreme(choose: Callable[[list[float]], float]) -> Callable[[dict[str, Any]], float]:
     """Smallest or largest ratio of the identified pressure to the fitted ellipsoid among the polygons."""
 
@@ -126,14 +114,6 @@ def _extreme(choose: Callable[[list[float]], float]) -> Callable[[dict[str, Any]
         return choose([float(models[IDENTIFIED]["ratio"]) for models in polygons])
 
     return compute
-
-
-def _better(content: dict[str, Any]) -> str:
-    """Of which polygons the identified pressure predicts poses better than the fitted ellipsoid."""
-    polygons = content["polygons"]["objects"].values()
-    count = sum(models[IDENTIFIED]["median"] < models[FITTED]["median"] for models in polygons)
-    total = WORDS[len(polygons)]
-    return f"all {total}" if count == len(polygons) else f"{WORDS[count]} of {total}"
 
 
 MEASURED: Numbers = {
@@ -149,11 +129,7 @@ MEASURED: Numbers = {
     "pushes-fit-polygon": _read(_for_a_polygon, "half of the mean number of pushes at sides"),
     "pushes-seed": _value("seed"),
     "pushes-splits": _value("splits"),
-    **_medians("feet", "motion", "known_feet", "known_feet_ellipsoid", IDENTIFIED, FITTED, QUARTIC),
-    **{
-        f"pushes-feet-motion-{model.replace('_', '-')}-90": _percentile("feet", "motion", model)
-        for model in (IDENTIFIED, FITTED, QUARTIC)
-    },
+    **_medians("feet", "motion", "known_feet", "known_feet_ellipsoid", IDENTIFIED),
     "pushes-near-foot": _value("about_a_foot", "pushes"),
     "pushes-foot-distance": _value("about_a_foot", "distance", unit="mm"),
     "pushes-load-set-tolerance": _value("about_a_foot", "tolerance", unit="percent", factor=100.0),
@@ -161,22 +137,14 @@ MEASURED: Numbers = {
     "pushes-random-in-load-set": _value(
         "about_a_foot", "of_random_pushes", unit="percent", factor=100.0
     ),
-    **_against("feet", "motion", "known-feet-"),
-    **{
-        key: number
-        for group in ("feet", "face")
-        for quantity in ("motion", "wrench", "pose")
-        for rival in ("", "quartic-")
-        for key, number in _against(group, quantity, rival).items()
-    },
+    **_against("feet", "motion", ""),
+    **_against("feet", "motion", "quartic-"),
+    **_against("face", "motion", ""),
+    **_against("face", "motion", "quartic-"),
+    "pushes-feet-motion-ratio-90": _tail_ratio("feet", "motion", ""),
+    "pushes-feet-motion-quartic-ratio-90": _tail_ratio("feet", "motion", "quartic-"),
     **_ratio("sides", "pose"),
     "pushes-objects-lowest": _read(_extreme(min), "lowest ratio among the polygons", 2),
     "pushes-objects-highest": _read(_extreme(max), "highest ratio among the polygons", 2),
-    "pushes-objects-better": Quantity(
-        read=lambda results: _better(results.pushes),
-        digits=0,
-        unit="name",
-        source="paper/measured_pushes.json: objects: identified below fitted_ellipsoid",
-    ),
     **_medians("face", "motion", IDENTIFIED, "uniform", FITTED, QUARTIC),
 }
