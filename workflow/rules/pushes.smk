@@ -12,10 +12,10 @@ if DATA is not None:
             files=DIGESTS,
         log:
             f"{WHOLE or chosen_results(config)}/logs/pushes/measured_pushes.log",
+        threads: workflow.cores
         params:
             **runs("evidence.measured:measure"),
             folder=DATA,
-        threads: workflow.cores
         message:
             "Evaluating the pushes of {params.folder}"
         script:
